@@ -1,0 +1,193 @@
+//! The one table of diagnostic codes.
+//!
+//! A code never changes its meaning and is never reused. Letters tell the room: `S` reading
+//! OpenSBP, `R` running it, `W` what `check` warns of, `F` files, `M` the machine.
+
+use crate::Severity;
+use serde::{Deserialize, Serialize};
+
+/// What `kerf explain` prints for a code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Explanation {
+    /// The code itself.
+    pub code: Code,
+    /// One line that names the mistake.
+    pub title: &'static str,
+    /// What it means, an example, how to mend it.
+    pub text: &'static str,
+}
+
+macro_rules! codes {
+    ($($name:ident $text:literal $severity:ident $title:literal $explanation:literal;)*) => {
+        /// A stable diagnostic code.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+        pub enum Code { $(#[doc = $title] #[serde(rename = $text)] $name,)* }
+
+        /// Every code, in the order of the table.
+        pub const ALL: &[Explanation] =
+            &[$(Explanation { code: Code::$name, title: $title, text: $explanation },)*];
+
+        impl Code {
+            /// The code as it is printed.
+            pub const fn as_str(self) -> &'static str {
+                match self { $(Code::$name => $text,)* }
+            }
+            /// The severity it has unless the place says otherwise.
+            pub const fn severity(self) -> Severity {
+                match self { $(Code::$name => Severity::$severity,)* }
+            }
+        }
+    };
+}
+
+codes! {
+    NotText "S001" Error "not a text file"
+        "A part file is plain text. This file holds NUL bytes, as programs, pictures and archives do. Open it in the program that wrote it and save it as text.";
+    UnknownCommand "S002" Error "unknown command"
+        "The line begins with two letters that are no OpenSBP command, or a command and its first value are written together. `M23, 4` is read as the unknown command M23: write `M2, 3, 4` or `M2 3, 4`.";
+    UnknownStatement "S003" Error "unknown statement"
+        "The line is neither a command, an assignment, a label nor a statement of the language. There is no ELSE, END IF, WHILE or FOR in OpenSBP: use IF ... THEN GOTO.";
+    Syntax "S004" Error "the line cannot be read"
+        "Part of the line does not fit what the command or statement expects at this place.";
+    UnclosedQuote "S005" Error "a quote is not closed"
+        "Text that begins with a double quote ends with one on the same line.";
+    UnclosedParenthesis "S006" Error "a parenthesis is not closed"
+        "Each ( needs its ) on the same line.";
+    BadExpression "S007" Error "the expression cannot be read"
+        "An operator or a value is missing, or a character does not belong into an expression.";
+    UnknownFunction "S008" Error "unknown function"
+        "Known functions: SQR ABS INT FIX SGN EXP LOG SIN COS TAN ATN RND. Angles are radians.";
+    TooManyParameters "S009" Error "too many parameters"
+        "The command takes fewer values than the line gives. Trailing empty fields are allowed, values are not.";
+    MissingParameter "S010" Error "a required value is missing"
+        "This value has no default; the command cannot run without it.";
+    BadVariableName "S011" Error "character not allowed in a variable name"
+        "A variable is & followed by letters, digits and underscores.";
+    ThenExpected "S012" Error "THEN expected"
+        "IF needs its THEN on the same line: IF &a > 1 THEN GOTO Done.";
+    OneCommandPerLine "S013" Error "one command a line"
+        "Each line holds one command or statement.";
+    ReadOnlyVariable "S014" Error "system variables are read-only"
+        "System variables show the state of the machine. V commands change it: VA for locations, VS for speeds.";
+    LineTooLong "S015" Error "the line is too long"
+        "Lines over a million characters are refused.";
+
+    RepeatedLabel "W001" Warning "a label is repeated"
+        "Jumps go to the first place where a label stands; the later ones can only be reached by running into them.";
+    UnknownLabel "W002" Warning "a jump to a label that does not exist"
+        "The jump becomes an error when it is taken.";
+    DoubtfulSpelling "W003" Warning "accepted, but spelled doubtfully"
+        "Old programs accepted this spelling, so Kerf does. The hint shows the usual one.";
+    UnassignedSystemVariable "W004" Warning "system variable without a meaning"
+        "This number is inside the table but means nothing; it reads as empty.";
+    MissingUnitGuard "W005" Warning "no unit guard"
+        "The file does not test %(25), so it cuts at the wrong size on a machine set to the other unit.";
+    JogBelowSurface "W006" Warning "a jog below the surface"
+        "A jog moves at rapid speed. Below Z 0 it may run through material.";
+    SpindleOff "W007" Warning "cutting with the spindle off"
+        "The file cuts but never turns the spindle on (C6, SO,1,1).";
+    UnitsMismatch "W008" Warning "units do not match"
+        "The file says it is written in the other unit than the one set.";
+    FloatCounter "W009" Warning "a fractional counter tested for equality"
+        "Adding a fraction again and again rarely hits a value exactly. Test with < or >.";
+    EndlessLoop "W010" Warning "a loop that never moves"
+        "The program jumps back without moving, waiting or asking.";
+    OldOrder "W011" Warning "parameters in the order of an older version"
+        "Files for older versions listed these values in another order.";
+    Lifts "W012" Warning "a plunge that lifts"
+        "The plunge value moves the tool up. Plunges are negative unless VC says that Z counts downwards.";
+    TextAfterEnd "W013" Warning "text that is ignored"
+        "The rest of the line is not read.";
+    Unusual "W014" Warning "unusual value"
+        "The value is allowed but of little use or risky.";
+    NoMotion "W015" Warning "a move that goes nowhere"
+        "The command gives no location at all.";
+    DialectDiffers "W016" Warning "means something else in another dialect"
+        "Other programs read this line differently.";
+
+    UndefinedVariable "R001" Error "variable has no value"
+        "A variable must be assigned before it is used as a number. As text it reads as empty.";
+    NotANumber "R002" Error "a number was expected"
+        "The value is text that is no number.";
+    DivisionByZero "R003" Error "division by zero"
+        "The divisor is zero. Test the divisor with IF before dividing, or set it where the program starts.";
+    BadArithmetic "R004" Error "the calculation has no result"
+        "The result is no finite number, as the root of a negative number.";
+    LabelNotFound "R005" Error "label not found"
+        "GOTO and GOSUB jump to labels of the same file. A label is a name alone on a line, ending in a colon.";
+    ReturnWithoutGosub "R006" Error "RETURN without GOSUB"
+        "RETURN goes back to the line after the last GOSUB of this file. Put END before the first subroutine.";
+    NestedTooDeep "R007" Error "nested too deep"
+        "At most eight files may be open within each other, and GOSUB has a bound as well.";
+    NoSystemVariable "R008" Error "no such system variable"
+        "System variables are numbered 1 to 161.";
+    OutOfRange "R009" Error "value out of range"
+        "The value is outside what the command accepts.";
+    ParameterKind "R010" Error "wrong kind of value"
+        "The command expects another kind of value here.";
+    AxisNotActive "R011" Error "axis not active"
+        "VD sets how many axes the machine has.";
+    OnlyInFiles "R012" Error "only in part files"
+        "This statement has no meaning outside a part file.";
+    Geometry "R013" Error "the shape cannot be cut"
+        "The values give no shape: a cutter larger than the hole, an end that is not on the circle.";
+    LineLimit "R014" Error "too many lines executed"
+        "The bound of --max-lines was reached. Is there a loop that never ends?";
+    Terminated "R015" Error "terminated by the user"
+        "A question was answered with Cancel, or a value was missing.";
+    NotEnabled "R016" Error "not enabled"
+        "The function is switched off in the settings.";
+    NotSupported "R017" Error "not supported here"
+        "The machine or the program at this end cannot do this.";
+    BadArc "R018" Error "the end is not on the circle"
+        "The end point and the centre give two different radii.";
+    StackDropped "R019" Note "motion that was read but not made"
+        "An error found while a stack of moves is read means that none of the stack moves.";
+
+    FileNotFound "F001" Error "file not found"
+        "The name is looked for in the current part folder, ignoring case.";
+    FileNotAllowed "F002" Error "file outside the allowed folders"
+        "Files are read and written only in the part folder, the custom folder and the scratch folder, unless an option allows more.";
+    FileNotOpen "F003" Error "file number is not open"
+        "OPEN gives a number to a file; CLOSE takes it back.";
+    EndOfFile "F004" Error "end of file"
+        "INPUT # read past the last value.";
+    FileError "F005" Error "the file cannot be used"
+        "The system refused the file.";
+    ShellDisabled "F006" Error "external programs are disabled"
+        "SHELL runs nothing unless --allow-shell is given.";
+    FileNumber "F007" Error "bad file number"
+        "File numbers are 1 to 9 and each is used by one file at a time.";
+
+    OutsideLimits "M001" Error "outside the table limits"
+        "The move leaves the limits of VL while limit checking is on.";
+    InputStop "M002" Error "stopped by an input"
+        "A limit or stop input became active while the machine moved.";
+}
+
+/// The explanation of a code, looked up without regard to case.
+pub fn explain(code: &str) -> Option<&'static Explanation> {
+    ALL.iter().find(|e| e.code.as_str().eq_ignore_ascii_case(code.trim()))
+}
+
+impl std::fmt::Display for Code {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_code_is_unique_and_explained() {
+        let mut seen = std::collections::BTreeSet::new();
+        for e in ALL {
+            assert!(seen.insert(e.code.as_str()), "{} twice", e.code);
+            assert!(e.text.len() > 20 && !e.title.is_empty(), "{}", e.code);
+        }
+        assert_eq!(explain("s002").map(|e| e.code), Some(Code::UnknownCommand));
+        assert!(explain("S999").is_none());
+    }
+}

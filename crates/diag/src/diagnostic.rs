@@ -1,0 +1,89 @@
+//! The diagnostic itself and the place it points to.
+
+use crate::Code;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// How bad it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// The program cannot run, or cannot go on.
+    Error,
+    /// It runs, but a person should look.
+    Warning,
+    /// Worth knowing.
+    Note,
+}
+
+/// A stretch of one line of a file.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Place {
+    /// Name of the file as the user gave it.
+    pub file: Arc<str>,
+    /// Line, counted from 1.
+    pub line: u32,
+    /// Column in characters, counted from 1.
+    pub column: u32,
+    /// Length in characters; 0 points between two characters.
+    pub length: u32,
+}
+
+impl Place {
+    /// The start of a line.
+    pub fn line(file: Arc<str>, line: u32) -> Self {
+        Self { file, line, column: 1, length: 0 }
+    }
+}
+
+/// One thing a person should know about a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Diagnostic {
+    /// How bad it is.
+    pub severity: Severity,
+    /// Stable code, explained by `kerf explain`.
+    pub code: Code,
+    /// Where.
+    #[serde(flatten)]
+    pub place: Place,
+    /// What is wrong, one sentence.
+    pub message: String,
+    /// How to mend it; empty when nothing useful can be said.
+    pub hint: String,
+    /// The files that led here, innermost caller first (`B.sbp` called from `A.sbp` line 5).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub callers: Vec<Place>,
+}
+
+impl Diagnostic {
+    /// A diagnostic with the severity that its code usually has and no hint.
+    pub fn new(code: Code, place: Place, message: impl Into<String>) -> Self {
+        Self {
+            severity: code.severity(),
+            code,
+            place,
+            message: message.into(),
+            hint: String::new(),
+            callers: Vec::new(),
+        }
+    }
+
+    /// The same with a hint.
+    #[must_use]
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = hint.into();
+        self
+    }
+
+    /// The same with another severity.
+    #[must_use]
+    pub fn severity(mut self, severity: Severity) -> Self {
+        self.severity = severity;
+        self
+    }
+
+    /// True for an error.
+    pub fn is_error(&self) -> bool {
+        self.severity == Severity::Error
+    }
+}

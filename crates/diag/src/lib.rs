@@ -1,0 +1,13 @@
+//! What Kerf tells a person about a mistake: where it is, what is wrong, how to mend it.
+//!
+//! A [`Diagnostic`] carries a stable [`Code`], a [`Place`] in a file, one sentence of message and
+//! one of hint. The table of codes in [`codes`] is the only list there is: `kerf explain`, the
+//! reference pages and the tests read it. [`render_text`] draws diagnostics like a compiler does.
+
+pub mod codes;
+mod diagnostic;
+mod render;
+
+pub use codes::{Code, Explanation, explain};
+pub use diagnostic::{Diagnostic, Place, Severity};
+pub use render::{Sources, render_text};

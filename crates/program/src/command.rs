@@ -1,0 +1,234 @@
+//! The canonical commands.
+
+use crate::{Axes, Axis, AxisSet, Frame, Settings};
+use kerf_diag::Diagnostic;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc as Shared;
+
+/// Where in the sources a command comes from. The producer keeps the table of files.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
+pub struct At {
+    /// Index into the producer's table of files.
+    pub file: u32,
+    /// Line, counted from 1; 0 when no line stands for it.
+    pub line: u32,
+}
+
+/// A command and where it comes from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sourced {
+    /// Its place in the sources.
+    pub at: At,
+    /// What to do.
+    pub command: Command,
+}
+
+/// Whether material is cut or the tool only travels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MoveKind {
+    /// At move speed.
+    Cut,
+    /// At jog speed, ramping to a stop at its end.
+    Jog,
+}
+
+/// How fast a move may go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Feed {
+    /// The speeds of [`Settings::speeds`]: XY vector speed when X or Y moves, reduced so that no
+    /// other axis exceeds its own, else the slowest of the axes that move.
+    #[default]
+    Axis,
+    /// Along the path, mm/s.
+    Path(f64),
+    /// The whole move takes so long, seconds (inverse time feed).
+    Time(f64),
+}
+
+/// A straight move of all axes together.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Line {
+    /// Cut or jog.
+    pub kind: MoveKind,
+    /// Where it ends, machine frame.
+    pub to: Axes,
+    /// How fast.
+    pub feed: Feed,
+}
+
+/// A circular move in the XY plane; every other axis moves in proportion to the angle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Arc {
+    /// Cut or jog.
+    pub kind: MoveKind,
+    /// Centre in X and Y, machine frame.
+    pub centre: [f64; 2],
+    /// Swept angle in radians, positive counter-clockwise.
+    pub sweep_rad: f64,
+    /// Where it ends, machine frame.
+    pub to: Axes,
+    /// How fast.
+    pub feed: Feed,
+    /// How many chords the circle resolution of VU asks for; machines that know only lines use it.
+    pub chords: u32,
+    /// Below the small circle size of VR: run at ramp speed.
+    pub small: bool,
+}
+
+/// What made an output change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum OutputReason {
+    /// SO in a program.
+    Program,
+    /// Output 4 in its automatic modes.
+    Motion,
+    /// An output mode of VN at the start of a file, at a stop or at resume.
+    Mode,
+    /// The Z or A trigger of VC.
+    Trigger,
+    /// A stop, MO or an emergency.
+    Stop,
+    /// The end of the file.
+    End,
+}
+
+/// What happened to a file of the user.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)]
+pub enum FileOp {
+    Open,
+    Close,
+    Write,
+    Read,
+}
+
+/// Motion of one axis beside everything else (MI).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Independent {
+    /// Turns at a speed in units of the axis a second; the sign is the direction.
+    Rotate(f64),
+    /// Swings with so many cycles a second and this peak-to-peak displacement.
+    Oscillate {
+        /// Cycles a second.
+        frequency_hz: f64,
+        /// Peak-to-peak displacement.
+        distance: f64,
+    },
+    /// Stops.
+    Off,
+}
+
+/// The beginning of a tool path, told by a program's comments.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ToolPathStart {
+    /// Name of the tool path.
+    pub name: Option<Shared<str>>,
+    /// Name of the tool.
+    pub tool: Option<Shared<str>>,
+}
+
+/// What a machine is asked to do.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Command {
+    /// A straight move.
+    Line(Line),
+    /// A circular move or a helix.
+    Arc(Arc),
+    /// From here on these settings hold (speeds, ramps, I/O modes, trigger, limits).
+    Settings(Shared<Settings>),
+    /// The frames changed; no motion. The sets tell which axes the program set.
+    Location {
+        /// The frames from here on.
+        frame: Frame,
+        /// Axes whose working location was set.
+        working: AxisSet,
+        /// Axes whose table base coordinate was set.
+        base: AxisSet,
+    },
+    /// The current stack of moves ends here; motion comes to rest.
+    EndStack,
+    /// Wait this long.
+    Wait {
+        /// Seconds.
+        seconds: f64,
+    },
+    /// Switch an output, 1 … 12. Switching on belongs to the stack, switching off ends it.
+    Output {
+        /// Number of the output.
+        number: u8,
+        /// On or off.
+        on: bool,
+    },
+    /// Set the PWM channel.
+    Pwm {
+        /// Channel number, from 1.
+        channel: u8,
+        /// Duty, 0 … 100.
+        percent: f64,
+    },
+    /// Speed of a spindle (TR); `on` as far as known.
+    Spindle {
+        /// Spindle number, from 1.
+        number: u8,
+        /// Revolutions a minute.
+        rpm: f64,
+    },
+    /// Motion of one axis beside the others (MI).
+    Independent {
+        /// The axis.
+        axis: Axis,
+        /// What it does.
+        motion: Independent,
+    },
+    /// Cut motor power and turn all outputs off (MO).
+    MotorsOff,
+    /// End the flashing warning until the next motion (WARNING OFF).
+    WarningOff,
+    /// Text for the print window; no line end when `newline` is false.
+    Print {
+        /// The text.
+        text: Shared<str>,
+        /// Whether a line end follows.
+        newline: bool,
+    },
+    /// A comment shown to the operator.
+    Message {
+        /// The text.
+        text: Shared<str>,
+    },
+    /// Something to tell about the program, found while running it.
+    Diagnostic(Box<Diagnostic>),
+    /// A file of the user was used.
+    File {
+        /// What happened.
+        op: FileOp,
+        /// Its path as the host resolved it.
+        path: Shared<str>,
+    },
+    /// Start a sound and go on.
+    Sound {
+        /// The file.
+        path: Shared<str>,
+    },
+    /// A tool path begins (cutter comments).
+    ToolPath(ToolPathStart),
+    /// A tool change begins or is over; the time between counts as tool change.
+    ToolChange {
+        /// True when it begins.
+        begin: bool,
+    },
+    /// Clear the preview display.
+    ClearPreview,
+}
+
+impl Command {
+    /// Whether this is motion.
+    pub const fn is_motion(&self) -> bool {
+        matches!(self, Self::Line(_) | Self::Arc(_))
+    }
+}

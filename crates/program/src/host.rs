@@ -1,0 +1,227 @@
+//! What an interpreter asks of the world around it.
+//!
+//! Preview, a real run, a test, the debugger and the language server differ only in the host.
+
+use crate::AXES;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use std::task::Poll;
+
+/// A question to the operator.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Question {
+    /// What kind of box.
+    pub kind: QuestionKind,
+    /// The text in it.
+    pub text: String,
+    /// Its title.
+    pub title: String,
+    /// The buttons, in order.
+    pub buttons: Vec<Button>,
+    /// Index of the button that ENTER presses.
+    pub default: usize,
+    /// What stands in the entry field at first, for INPUT.
+    pub prefill: String,
+    /// Icon of a MSGBOX: 0, 16, 32, 48 or 64.
+    pub icon: u16,
+    /// For PAUSE UNTIL: the input and the state waited for, which answers as OK does.
+    pub until: Option<(u8, bool)>,
+}
+
+/// The kinds of questions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum QuestionKind {
+    /// INPUT: text is wanted.
+    Input,
+    /// MSGBOX.
+    Msgbox,
+    /// PAUSE without a time, PAUSE UNTIL.
+    Pause,
+    /// The spindle is about to start.
+    Spindle,
+    /// A move would leave the table limits.
+    Limit,
+    /// SK: the keypad is open; OK closes it.
+    Keypad,
+    /// FE: a file is shown; OK closes it.
+    Editor,
+    /// TR without a spindle that can be set: the operator sets the speed.
+    Speed,
+}
+
+/// A button of a question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum Button {
+    OK,
+    Cancel,
+    Abort,
+    Retry,
+    Ignore,
+    Yes,
+    No,
+    Continue,
+    End,
+}
+
+impl Button {
+    /// Every button.
+    pub const ALL: [Self; 9] = [
+        Self::OK,
+        Self::Cancel,
+        Self::Abort,
+        Self::Retry,
+        Self::Ignore,
+        Self::Yes,
+        Self::No,
+        Self::Continue,
+        Self::End,
+    ];
+
+    /// The word on it.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::OK => "OK",
+            Self::Cancel => "Cancel",
+            Self::Abort => "Abort",
+            Self::Retry => "Retry",
+            Self::Ignore => "Ignore",
+            Self::Yes => "Yes",
+            Self::No => "No",
+            Self::Continue => "Continue",
+            Self::End => "End",
+        }
+    }
+}
+
+/// The operator's answer.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Answer {
+    /// A button was pressed.
+    Button(Button),
+    /// OK was pressed with this text in the entry field.
+    Text(String),
+}
+
+/// Which file an interpreter wants to run.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FileRequest {
+    /// Where it is looked for.
+    pub folder: Folder,
+    /// The name as the program gives it: any case, `/` or `\`, perhaps a drive.
+    pub name: String,
+}
+
+/// The folders a program may name files in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Folder {
+    /// The current part folder.
+    Parts,
+    /// The folder of custom cuts (`CustomN.sbc`).
+    Custom,
+}
+
+/// A program file that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
+    /// The name shown to people.
+    pub name: Arc<str>,
+    /// Its bytes.
+    pub bytes: Arc<[u8]>,
+}
+
+/// How a user file is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum FileMode {
+    /// For reading.
+    Input,
+    /// For writing, emptied first.
+    Output,
+    /// For writing at the end.
+    Append,
+}
+
+/// A program SHELL wants to start.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ShellCall {
+    /// The command line.
+    pub line: String,
+    /// How its window appears: 0-4 or 6.
+    pub display: u8,
+    /// Wait until it ends.
+    pub wait: bool,
+}
+
+/// Why the host did not do what was asked.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum HostError {
+    /// There is no such file; the text tells where it was looked for.
+    NotFound(String),
+    /// Outside the folders that may be used.
+    NotAllowed(String),
+    /// Past the end of a file.
+    EndOfFile,
+    /// The function is switched off (SHELL).
+    Disabled(String),
+    /// The system or the machine refused; the text tells why.
+    Refused(String),
+}
+
+/// What an interpreter asks of the world.
+///
+/// Every method that may have to wait returns [`Poll`]; on `Pending` the interpreter's step has no
+/// effect and is repeated later. Methods without `Poll` answer at once.
+pub trait Host {
+    /// Ready when every command given so far has been carried out.
+    fn settle(&mut self) -> Poll<()>;
+
+    /// State of an input, 1 … 12. Called only after [`Host::settle`] was ready.
+    fn input(&mut self, number: u8) -> bool;
+
+    /// State of an output, 1 … 12. Called only after [`Host::settle`] was ready.
+    fn output(&mut self, number: u8) -> bool;
+
+    /// Asks the operator.
+    fn ask(&mut self, question: &Question) -> Poll<Answer>;
+
+    /// Reads a program file.
+    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError>;
+
+    /// Changes the current part folder (FS); `None` restores the one at the start. Returns the new one.
+    fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError>;
+
+    /// Opens a user file under a number 1 … 9; returns the path it resolved to.
+    fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError>;
+
+    /// Appends text to an open file.
+    fn write(&mut self, number: u8, text: &str) -> Result<(), HostError>;
+
+    /// Reads one line of an open file, without its line end.
+    fn read_line(&mut self, number: u8) -> Result<String, HostError>;
+
+    /// Closes a user file.
+    fn close(&mut self, number: u8) -> Result<(), HostError>;
+
+    /// A value that survives restarts (`uValue`, `$name`, settings of the external control).
+    fn stored(&mut self, key: &str) -> Option<String>;
+
+    /// Keeps a value under a key; `None` removes it.
+    fn store(&mut self, key: &str, value: Option<&str>);
+
+    /// Starts an external program.
+    fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>>;
+
+    /// True position of an independent axis or after a stop: where the machine really is, machine frame.
+    /// Called only after [`Host::settle`] was ready.
+    fn machine_position(&mut self) -> [f64; AXES];
+
+    /// Folder of the user's data (GetUsrPath).
+    fn user_path(&mut self) -> String;
+
+    /// Folder of the program's settings and logs (GetAppPath).
+    fn app_path(&mut self) -> String;
+
+    /// Version number of the firmware, `%(49)`.
+    fn firmware(&mut self) -> i32;
+}

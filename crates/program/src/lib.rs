@@ -1,0 +1,31 @@
+//! The one language inside Kerf.
+//!
+//! Interpreters of OpenSBP and G-code, and jobs made from drawings, all produce [`Command`]s: what
+//! a machine is asked to do, in order, with the place in the source it came from. Motion planning,
+//! the simulated machine, the trace and the printers consume them and know nothing of where they
+//! came from.
+//!
+//! Units and frames: every length in this crate is millimetres, every rotary angle degrees, every
+//! time seconds; every position is in the *machine frame* (see [`Frame`]). Inches exist only where
+//! a person types or reads them; [`Settings::linear_unit`] says which unit that is.
+//!
+//! An interpreter is stepped and never blocks: what it wants to know it asks through [`Host`],
+//! whose answers are [`std::task::Poll`]; on `Pending` the step has no effect and is repeated later.
+
+mod axes;
+mod command;
+mod frame;
+mod host;
+pub mod settings;
+
+pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
+pub use command::{
+    Arc, At, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason, Sourced,
+    ToolPathStart,
+};
+pub use frame::Frame;
+pub use host::{
+    Answer, Button, FileMode, FileRequest, Folder, Host, HostError, Question, QuestionKind,
+    ShellCall, SourceFile,
+};
+pub use settings::Settings;
