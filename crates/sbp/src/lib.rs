@@ -1,1 +1,37 @@
-//! kerf-sbp
+//! OpenSBP, the ShopBot language.
+//!
+//! ```text
+//!  bytes ──read──► Program (a line is a node; a bad line is a node with its diagnostics)
+//!                     │
+//!            Interpreter::step ──► program::Command …      asks everything through program::Host
+//!                     ▲
+//!                  table: one entry a command: letters, parameters, documentation, effect
+//! ```
+//!
+//! - [`read`] never fails and never stops at the first mistake.
+//! - The [`Interpreter`] is a value: cloned, saved and restored between any two steps. It never
+//!   blocks; when the host has no answer yet the step has no effect and is repeated.
+//! - [`table`] is the only list of commands. Parameter checking, defaults, help, the reference page
+//!   and completion are made from it.
+//!
+//! The crate knows nothing of planning, machines, files or clocks.
+
+mod eval;
+mod expr;
+mod interp;
+mod number;
+mod reader;
+pub mod table;
+#[cfg(test)]
+mod testing;
+pub mod tree;
+mod value;
+
+pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
+pub use interp::{
+    Dialect, FileParameters, Interpreter, Options, Session, Status, Step, Variables, Watch,
+};
+pub use number::format_number;
+pub use reader::read;
+pub use tree::Program;
+pub use value::Value;

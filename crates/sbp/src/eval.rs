@@ -1,0 +1,299 @@
+//! Expressions to values.
+//!
+//! Arithmetic is double precision; variables hold single precision (command reference: values have
+//! 7-8 digits). So that `IF &a = .7` is true after `&a = .7`, comparisons are made in single
+//! precision too.
+
+use crate::Value;
+use crate::expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
+use crate::interp::{Context, Stop};
+use crate::tree::{NameId, Span};
+use crate::value::single;
+use kerf_diag::Code;
+use std::cmp::Ordering;
+
+impl Context<'_> {
+    /// The value of an expression.
+    pub(crate) fn eval(&mut self, expr: &Expr) -> Result<Value, Stop> {
+        match &expr.node {
+            ExprNode::Number(n) => Ok(Value::Number(*n)),
+            ExprNode::Text(t) | ExprNode::Word(t) => Ok(Value::Text(t.clone())),
+            ExprNode::Variable(name) => Ok(self.variable(*name).cloned().unwrap_or_default()),
+            ExprNode::Persistent(name) => Ok(self.persistent(*name)),
+            ExprNode::System(index) => {
+                let number = self.eval_number(index)?;
+                self.system_variable(number, expr.span)
+            }
+            ExprNode::Unary(op, operand) => self.unary(*op, operand),
+            ExprNode::Binary(op, left, right) => self.binary(*op, left, right, expr.span),
+            ExprNode::Call(function, argument) => {
+                self.call(*function, argument.as_deref(), expr.span)
+            }
+        }
+    }
+
+    /// The value of an expression as a number.
+    pub(crate) fn eval_number(&mut self, expr: &Expr) -> Result<f64, Stop> {
+        if let ExprNode::Number(n) = expr.node {
+            return Ok(n);
+        }
+        let value = self.eval(expr)?;
+        self.need_number(expr, &value)
+    }
+
+    /// True unless the expression is 0, empty or empty text.
+    pub(crate) fn eval_condition(&mut self, expr: &Expr) -> Result<bool, Stop> {
+        let value = self.eval(expr)?;
+        Ok(match value {
+            Value::Empty => false,
+            Value::Number(n) => n != 0.0,
+            Value::Text(_) => self.need_number(expr, &value)? != 0.0,
+        })
+    }
+
+    /// Text of an expression for people: an undefined variable shows its own name.
+    pub(crate) fn eval_text(&mut self, expr: &Expr) -> Result<String, Stop> {
+        match &expr.node {
+            ExprNode::Variable(name) if self.variable(*name).is_none() => {
+                Ok(self.spelled(expr.span))
+            }
+            ExprNode::Binary(BinaryOp::Join, left, right) => {
+                Ok(self.eval_text(left)? + &self.eval_text(right)?)
+            }
+            _ => Ok(self.eval(expr)?.display()),
+        }
+    }
+
+    /// What stands in the line at a span.
+    pub(crate) fn spelled(&self, span: Span) -> String {
+        let program = self.program();
+        let line = program.line_text(self.at.line);
+        line.get(span.start as usize..span.end as usize).unwrap_or("").trim().to_string()
+    }
+
+    /// Slot of a name of the present file.
+    pub(crate) fn slot(&self, name: NameId) -> u32 {
+        let links = self.core.links.get(self.at.file as usize);
+        links.and_then(|l| l.get(name.0 as usize)).copied().unwrap_or(u32::MAX)
+    }
+
+    /// Value of a user variable.
+    pub(crate) fn variable(&self, name: NameId) -> Option<&Value> {
+        self.core.variables.at(self.slot(name))
+    }
+
+    /// Gives a user variable a value.
+    pub(crate) fn set_variable(&mut self, name: NameId, value: Value) {
+        let slot = self.slot(name);
+        self.core.variables.put(slot, value);
+    }
+
+    fn persistent(&mut self, name: NameId) -> Value {
+        let key = persistent_key(&self.name_text(name));
+        self.host.stored(&key).map_or(Value::Empty, |text| number_or_text(&text))
+    }
+
+    /// Keeps a persistent variable.
+    pub(crate) fn set_persistent(&mut self, name: NameId, value: &Value) {
+        let key = persistent_key(&self.name_text(name));
+        self.host.store(&key, Some(&value.clone().stored().display()));
+    }
+
+    /// A name of the present file in capitals.
+    pub(crate) fn name_text(&self, name: NameId) -> String {
+        self.program().names.get(name.0 as usize).map(ToString::to_string).unwrap_or_default()
+    }
+
+    fn need_number(&self, expr: &Expr, value: &Value) -> Result<f64, Stop> {
+        if let Some(n) = value.number() {
+            return Ok(n);
+        }
+        Err(match (&expr.node, value) {
+            (ExprNode::Variable(name), Value::Empty) => {
+                let message = format!("variable &{} has no value", self.name_text(*name));
+                self.fail_at(
+                    expr.span,
+                    Code::UndefinedVariable,
+                    message,
+                    "assign it before this line",
+                )
+            }
+            (_, Value::Empty) => {
+                let message = format!("{} has no value", self.spelled(expr.span));
+                self.fail_at(expr.span, Code::UndefinedVariable, message, "")
+            }
+            _ => {
+                let message = format!("'{}' is not a number", value.display());
+                self.fail_at(expr.span, Code::NotANumber, message, "a number is needed here")
+            }
+        })
+    }
+
+    fn unary(&mut self, op: UnaryOp, operand: &Expr) -> Result<Value, Stop> {
+        let n = self.eval_number(operand)?;
+        Ok(match op {
+            UnaryOp::Minus => Value::Number(-n),
+            UnaryOp::Plus => Value::Number(n),
+            UnaryOp::Not => Value::Number(bits(n).map_or(0.0, |b| !b as f64)),
+        })
+    }
+
+    fn binary(
+        &mut self,
+        op: BinaryOp,
+        left: &Expr,
+        right: &Expr,
+        span: Span,
+    ) -> Result<Value, Stop> {
+        match op {
+            BinaryOp::Join => Ok(Value::text(self.eval_text(left)? + &self.eval_text(right)?)),
+            BinaryOp::Equal
+            | BinaryOp::NotEqual
+            | BinaryOp::Less
+            | BinaryOp::LessEqual
+            | BinaryOp::Greater
+            | BinaryOp::GreaterEqual => self.compare(op, left, right),
+            _ => {
+                let a = self.eval_number(left)?;
+                let b = self.eval_number(right)?;
+                self.arithmetic(op, a, b, span, right.span)
+            }
+        }
+    }
+
+    fn arithmetic(
+        &self,
+        op: BinaryOp,
+        a: f64,
+        b: f64,
+        span: Span,
+        divisor: Span,
+    ) -> Result<Value, Stop> {
+        let zero = || {
+            self.fail_at(divisor, Code::DivisionByZero, "division by zero", "the divisor is 0 here")
+        };
+        let result = match op {
+            BinaryOp::Power => a.powf(b),
+            BinaryOp::Multiply => a * b,
+            BinaryOp::Divide if b == 0.0 => return Err(zero()),
+            BinaryOp::Divide => a / b,
+            // BASIC rounds both operands of \ and MOD to whole numbers first.
+            BinaryOp::IntegerDivide if b.round_ties_even() == 0.0 => return Err(zero()),
+            BinaryOp::IntegerDivide => (a.round_ties_even() / b.round_ties_even()).trunc(),
+            BinaryOp::Modulo if b.round_ties_even() == 0.0 => return Err(zero()),
+            BinaryOp::Modulo => a.round_ties_even() % b.round_ties_even(),
+            BinaryOp::Add => a + b,
+            BinaryOp::Subtract => a - b,
+            BinaryOp::And => join_bits(a, b, |x, y| x & y),
+            _ => join_bits(a, b, |x, y| x | y),
+        };
+        self.finite(result, span)
+    }
+
+    fn finite(&self, n: f64, span: Span) -> Result<Value, Stop> {
+        if n.is_finite() {
+            return Ok(Value::Number(n));
+        }
+        let message = "the calculation has no finite result";
+        Err(self.fail_at(span, Code::BadArithmetic, message, "look at the values of its variables"))
+    }
+
+    fn compare(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> Result<Value, Stop> {
+        let a = self.eval(left)?;
+        let b = self.eval(right)?;
+        let order = match (a.number(), b.number()) {
+            (Some(x), Some(y)) => single(x).partial_cmp(&single(y)),
+            (number_a, number_b) => {
+                if number_a.is_some() != number_b.is_some() && !a.is_blank() && !b.is_blank() {
+                    self.warn_text_comparison(op, &a, &b);
+                }
+                Some(a.display().to_uppercase().cmp(&b.display().to_uppercase()))
+            }
+        };
+        let Some(order) = order else { return Ok(Value::truth(false)) };
+        Ok(Value::truth(match op {
+            BinaryOp::Equal => order == Ordering::Equal,
+            BinaryOp::NotEqual => order != Ordering::Equal,
+            BinaryOp::Less => order == Ordering::Less,
+            BinaryOp::LessEqual => order != Ordering::Greater,
+            BinaryOp::Greater => order == Ordering::Greater,
+            _ => order != Ordering::Less,
+        }))
+    }
+
+    /// A number and a text are compared as text; for < and > that is rarely meant.
+    fn warn_text_comparison(&mut self, op: BinaryOp, a: &Value, b: &Value) {
+        if !matches!(op, BinaryOp::Equal | BinaryOp::NotEqual) {
+            let message = format!("'{}' and '{}' are compared as text", a.display(), b.display());
+            self.warn(Code::Unusual, message, "one of them is no number");
+        }
+    }
+
+    fn call(
+        &mut self,
+        function: Function,
+        argument: Option<&Expr>,
+        span: Span,
+    ) -> Result<Value, Stop> {
+        let n = match argument {
+            Some(expr) => self.eval_number(expr)?,
+            None => 1.0,
+        };
+        if function == Function::Sqr && n < 0.0 {
+            let message = format!("no square root of {}", Value::Number(n).display());
+            return Err(self.fail_at(
+                span,
+                Code::BadArithmetic,
+                message,
+                "the value must be 0 or greater",
+            ));
+        }
+        let result = match function {
+            Function::Sqr => n.sqrt(),
+            Function::Abs => n.abs(),
+            Function::Int => n.floor(),
+            Function::Fix => n.trunc(),
+            Function::Sgn if n == 0.0 => 0.0,
+            Function::Sgn => n.signum(),
+            Function::Exp => n.exp(),
+            Function::Log => n.ln(),
+            Function::Sin => n.sin(),
+            Function::Cos => n.cos(),
+            Function::Tan => n.tan(),
+            Function::Atn => n.atan(),
+            Function::Rnd => next_random(&mut self.core.random),
+        };
+        self.finite(result, span)
+    }
+}
+
+/// Key under which a persistent variable is stored.
+pub(crate) fn persistent_key(name: &str) -> String {
+    format!("${name}")
+}
+
+/// Stored text as a value: text that spells a number is one.
+pub(crate) fn number_or_text(text: &str) -> Value {
+    crate::value::parse_number(text).map_or_else(|| Value::text(text), Value::Number)
+}
+
+fn bits(n: f64) -> Option<i64> {
+    let whole = n.round_ties_even();
+    (whole.abs() < 9e15).then_some(whole as i64)
+}
+
+fn join_bits(a: f64, b: f64, f: impl Fn(i64, i64) -> i64) -> f64 {
+    match (bits(a), bits(b)) {
+        (Some(x), Some(y)) => f(x, y) as f64,
+        _ => f64::NAN,
+    }
+}
+
+/// SplitMix64 (Steele, Lea, Flood 2014), the high 24 bits as a single-precision share of 1.
+fn next_random(state: &mut u64) -> f64 {
+    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut z = *state;
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    ((z ^ (z >> 31)) >> 40) as f64 / f64::from(1u32 << 24)
+}

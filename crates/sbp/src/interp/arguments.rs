@@ -1,0 +1,235 @@
+//! Checked and converted arguments of a command.
+
+use super::{Context, Stop};
+use crate::Value;
+use crate::table::{Bound, CommandSpec, Default as Blank, Kind, ParamSpec, Unit};
+use crate::tree::{Arg, ArgKind, Span};
+use kerf_diag::Code;
+use kerf_program::Axis;
+use kerf_program::settings::MM_PER_INCH;
+use std::sync::Arc;
+
+/// The arguments of a command by position, defaults filled in, numbers in internal units.
+#[derive(Debug)]
+pub struct Arguments {
+    values: Vec<Option<Value>>,
+    spans: Vec<Span>,
+}
+
+impl Arguments {
+    /// Evaluates and checks what a line gives.
+    pub(crate) fn evaluate(
+        context: &mut Context<'_>,
+        spec: &CommandSpec,
+        args: &[Arg],
+    ) -> Result<Self, Stop> {
+        let mut values = Vec::with_capacity(spec.params.len());
+        let mut spans = Vec::with_capacity(spec.params.len());
+        for (index, param) in spec.params.iter().enumerate() {
+            let arg = args.get(index);
+            let span = arg.map_or(context.span, |a| a.span);
+            spans.push(span);
+            values.push(argument(context, param, arg, span)?);
+        }
+        Ok(Self { values, spans })
+    }
+
+    /// Whether the parameter has a value: given or by default.
+    pub fn given(&self, index: usize) -> bool {
+        self.value(index).is_some()
+    }
+
+    /// A number in internal units.
+    pub fn number(&self, index: usize) -> Option<f64> {
+        self.value(index).and_then(Value::number)
+    }
+
+    /// A number that has a default or is required.
+    pub fn number_or(&self, index: usize, default: f64) -> f64 {
+        self.number(index).unwrap_or(default)
+    }
+
+    /// A whole number.
+    pub fn whole(&self, index: usize) -> Option<i64> {
+        self.number(index).map(|n| n as i64)
+    }
+
+    /// 1 or 0 as true or false.
+    pub fn flag(&self, index: usize) -> Option<bool> {
+        self.number(index).map(|n| n != 0.0)
+    }
+
+    /// Text.
+    pub fn text(&self, index: usize) -> Option<Arc<str>> {
+        match self.value(index)? {
+            Value::Text(t) => Some(t.clone()),
+            other => Some(other.display().into()),
+        }
+    }
+
+    /// An axis.
+    pub fn axis(&self, index: usize) -> Option<Axis> {
+        self.text(index)?.chars().next().and_then(Axis::from_letter)
+    }
+
+    /// The value itself.
+    pub fn value(&self, index: usize) -> Option<&Value> {
+        self.values.get(index)?.as_ref()
+    }
+
+    /// Where the argument stands.
+    pub fn span(&self, index: usize) -> Span {
+        self.spans.get(index).copied().unwrap_or_default()
+    }
+
+    /// How many parameters there are.
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// True for a command without parameters.
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+}
+
+fn argument(
+    c: &mut Context<'_>,
+    param: &ParamSpec,
+    arg: Option<&Arg>,
+    span: Span,
+) -> Result<Option<Value>, Stop> {
+    let value = match arg.map(|a| &a.kind) {
+        None | Some(ArgKind::Blank) => None,
+        Some(ArgKind::Word(word)) => Some(Value::Text(word.clone())),
+        Some(ArgKind::Expr(expr)) => Some(c.eval(expr)?),
+    };
+    // A text argument that is empty ("") counts as blank, as post-processors write VS,"","",1.
+    match value.filter(|v| !v.is_blank()) {
+        None => blank(c, param, span),
+        Some(value) => given(c, param, value, span).map(Some),
+    }
+}
+
+fn blank(c: &Context<'_>, param: &ParamSpec, span: Span) -> Result<Option<Value>, Stop> {
+    match param.default {
+        Blank::Required => {
+            let message = format!("{} expected", param.name.to_lowercase());
+            Err(c.fail_at(span, Code::MissingParameter, message, "this value has no default"))
+        }
+        Blank::Keep | Blank::Special => Ok(None),
+        Blank::Number(n) => Ok(Some(Value::Number(n * unit_scale(c, param.kind)))),
+        Blank::Word(word) => Ok(Some(Value::text(word))),
+    }
+}
+
+fn given(c: &Context<'_>, param: &ParamSpec, value: Value, span: Span) -> Result<Value, Stop> {
+    match param.kind {
+        Kind::Number(_) => number(c, param, &value, span),
+        Kind::NumberOrOff(_) if value.display().eq_ignore_ascii_case("off") => {
+            Ok(Value::text("OFF"))
+        }
+        Kind::NumberOrOff(_) => number(c, param, &value, span),
+        Kind::Whole => whole(c, param, &value, span),
+        Kind::OneOf(list) => {
+            let n = plain(c, param, &value, span)?;
+            let found = list.iter().any(|v| f64::from(*v) == n);
+            found.then_some(Value::Number(n)).ok_or_else(|| {
+                let choices: Vec<_> = list.iter().map(ToString::to_string).collect();
+                out_of_range(c, param, &value, span, &format!("one of {}", choices.join(", ")))
+            })
+        }
+        Kind::Word(list) => {
+            let text = value.display();
+            let found = list.iter().find(|w| w.eq_ignore_ascii_case(text.trim()));
+            found.map(|w| Value::text(*w)).ok_or_else(|| {
+                out_of_range(c, param, &value, span, &format!("one of {}", list.join(", ")))
+            })
+        }
+        Kind::AxisLetter => {
+            let text = value.display();
+            let mut letters = text.trim().chars();
+            match (letters.next().and_then(Axis::from_letter), letters.next()) {
+                (Some(axis), None) => Ok(Value::text(axis.letter().to_string())),
+                _ => Err(out_of_range(c, param, &value, span, "one of X, Y, Z, A, B, C")),
+            }
+        }
+        Kind::Text | Kind::File | Kind::Obsolete => Ok(value),
+    }
+}
+
+fn plain(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span) -> Result<f64, Stop> {
+    let number = value.number().filter(|n| n.is_finite());
+    number.ok_or_else(|| {
+        let message =
+            format!("{} must be a number, not '{}'", param.name.to_lowercase(), value.display());
+        c.fail_at(
+            span,
+            Code::NotANumber,
+            message,
+            "give a number, a variable that holds one, or an expression",
+        )
+    })
+}
+
+fn whole(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span) -> Result<Value, Stop> {
+    let n = plain(c, param, value, span)?;
+    if n.fract() != 0.0 {
+        return Err(out_of_range(c, param, value, span, "a whole number"));
+    }
+    check(c, param, n, value, span)?;
+    Ok(Value::Number(n))
+}
+
+fn number(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span) -> Result<Value, Stop> {
+    let n = plain(c, param, value, span)?;
+    let internal = n * unit_scale(c, param.kind);
+    check(c, param, bound_value(param.kind, n, internal), value, span)?;
+    Ok(Value::Number(internal))
+}
+
+/// Lengths and speeds are compared in inches, everything else as written.
+fn bound_value(kind: Kind, written: f64, internal: f64) -> f64 {
+    match kind {
+        Kind::Number(Unit::Length | Unit::Speed) | Kind::NumberOrOff(Unit::Length) => {
+            internal / MM_PER_INCH
+        }
+        _ => written,
+    }
+}
+
+fn check(
+    c: &Context<'_>,
+    param: &ParamSpec,
+    n: f64,
+    value: &Value,
+    span: Span,
+) -> Result<(), Stop> {
+    // A hair of slack, so that 1.27 mm is not below .05 in.
+    let slack = 1e-9;
+    let (fits, what) = match param.bound {
+        Bound::Any => return Ok(()),
+        Bound::Positive => (n > 0.0, "greater than 0".to_string()),
+        Bound::NotNegative => (n >= 0.0, "0 or greater".to_string()),
+        Bound::Range(low, high) => (n >= low - slack && n <= high + slack, format!("{low}-{high}")),
+        Bound::AtLeast(low) => (n >= low - slack, format!("at least {low}")),
+    };
+    if fits { Ok(()) } else { Err(out_of_range(c, param, value, span, &what)) }
+}
+
+fn out_of_range(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span, what: &str) -> Stop {
+    let name = param.name.to_lowercase();
+    let message = format!("{name} must be {what}, not {}", value.display());
+    c.fail_at(span, Code::OutOfRange, message, "")
+}
+
+/// Internal units of one unit as written.
+fn unit_scale(c: &Context<'_>, kind: Kind) -> f64 {
+    let (Kind::Number(unit) | Kind::NumberOrOff(unit)) = kind else { return 1.0 };
+    match unit {
+        Unit::Length | Unit::Speed => c.settings().linear_unit.mm(),
+        Unit::Axis(axis) => c.settings().axis_scale(axis),
+        Unit::StepsPer(axis) => 1.0 / c.settings().axis_scale(axis),
+        Unit::None | Unit::Degrees | Unit::Seconds | Unit::Percent | Unit::Twips => 1.0,
+    }
+}

@@ -1,0 +1,192 @@
+//! The whole state of a running program.
+
+use super::watch::Handler;
+use super::{FileParameters, Options, Session, Variables};
+use crate::{Program, Value};
+use kerf_cut::Tabber;
+use kerf_program::{AXES, At, Axes, Axis, Frame, Settings};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::sync::Arc;
+
+/// The state: what is saved, cloned and restored.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Core {
+    pub(crate) options: Options,
+    /// Files read so far; [`At::file`] indexes them.
+    #[serde(with = "programs")]
+    pub(crate) programs: Vec<Arc<Program>>,
+    /// For each file, the variable slot of each of its names. Made again after restoring.
+    #[serde(skip)]
+    pub(crate) links: Vec<Arc<[u32]>>,
+    /// Open files, outermost first.
+    pub(crate) levels: Vec<Level>,
+    /// The first file has been opened.
+    pub(crate) started: bool,
+    pub(crate) settings: Arc<Settings>,
+    /// What temporary values return to when the run ends (SV moves it).
+    pub(crate) kept: Arc<Settings>,
+    pub(crate) frame: Frame,
+    /// Where the machine has been sent, machine frame.
+    pub(crate) position: Axes,
+    /// The part of `position` that the tool offset of VO contributes.
+    pub(crate) offset_applied: Axes,
+    pub(crate) variables: Variables,
+    pub(crate) watches: Vec<Handler>,
+    /// Actions of handlers that fired and have not run yet.
+    pub(crate) fired: Vec<At>,
+    /// Motion commands given so far.
+    pub(crate) motions: u64,
+    /// Everything given so far has been carried out.
+    pub(crate) settled: bool,
+    /// Lines executed.
+    pub(crate) lines: u64,
+    /// Clock angle of the last XY motion, degrees.
+    pub(crate) heading: Option<f64>,
+    /// I and J of the last CG, mm.
+    pub(crate) last_ij: Option<[f64; 2]>,
+    /// User files by number − 1.
+    pub(crate) files: [Option<UserFile>; 9],
+    /// Tabs being cut; `None` outside tabbed paths.
+    pub(crate) tabs: Option<Tabber<At>>,
+    /// Axes that MI keeps moving.
+    pub(crate) independent: [bool; AXES],
+    /// State of the random sequence.
+    pub(crate) random: u64,
+    pub(crate) last_file: Option<String>,
+    /// Variables made beyond the hundredth were told of.
+    pub(crate) told_many_variables: bool,
+    /// Internal units (mm, degrees) of one unit in the file, per axis: unit times proportion.
+    pub(crate) scale: [f64; AXES],
+}
+
+/// An open part file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Level {
+    /// Index of its program.
+    pub(crate) file: u32,
+    /// Index of the line that runs next.
+    pub(crate) next: u32,
+    /// Lines to return to, innermost last.
+    pub(crate) gosubs: Vec<u32>,
+    /// Proportions of this file and of all that called it.
+    pub(crate) proportion: [f64; 3],
+    /// Temporary zero, working location in mm.
+    pub(crate) offset: [f64; 3],
+    pub(crate) parameters: FileParameters,
+    /// Repetitions still to come after this one.
+    pub(crate) repetitions_left: u32,
+    /// Z to return to after plunges, machine frame.
+    pub(crate) start_z: Option<f64>,
+    /// Tabs hold here (own or inherited), on the last repetition.
+    pub(crate) tabs: bool,
+}
+
+/// A file of the user that is open.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct UserFile {
+    pub(crate) path: Arc<str>,
+    pub(crate) mode: crate::tree::FileMode,
+    /// Fields of the last line read that were not taken yet.
+    pub(crate) fields: Vec<Value>,
+}
+
+impl Core {
+    pub(super) fn new(program: Arc<Program>, session: Session, options: Options) -> Self {
+        let settings = Arc::new(session.settings);
+        let mut core = Self {
+            random: options.seed,
+            options,
+            programs: Vec::new(),
+            links: Vec::new(),
+            levels: Vec::new(),
+            started: false,
+            kept: settings.clone(),
+            settings,
+            frame: session.frame,
+            position: session.position,
+            offset_applied: Axes::default(),
+            variables: session.variables,
+            watches: Vec::new(),
+            fired: Vec::new(),
+            motions: 0,
+            settled: true,
+            lines: 0,
+            heading: None,
+            last_ij: None,
+            files: Default::default(),
+            tabs: None,
+            independent: [false; AXES],
+            last_file: session.last_file,
+            told_many_variables: false,
+            scale: [1.0; AXES],
+        };
+        core.load(program);
+        core
+    }
+
+    /// Adds a program, or finds the same one read before.
+    pub(crate) fn load(&mut self, program: Arc<Program>) -> u32 {
+        let known = |p: &Arc<Program>| p.name == program.name && p.text == program.text;
+        if let Some(index) = self.programs.iter().position(known) {
+            return index as u32;
+        }
+        self.programs.push(program);
+        self.relink();
+        self.programs.len() as u32 - 1
+    }
+
+    /// Finds the slots of the names of all programs that have none yet.
+    pub(crate) fn relink(&mut self) {
+        for index in self.links.len()..self.programs.len() {
+            let program = self.programs[index].clone();
+            self.links.push(program.names.iter().map(|n| self.variables.slot(n)).collect());
+        }
+    }
+
+    /// The innermost open file.
+    pub(crate) fn level(&self) -> Option<&Level> {
+        self.levels.last()
+    }
+
+    /// Working location, mm.
+    pub(crate) fn working(&self) -> Axes {
+        self.frame.working(self.position)
+    }
+
+    /// Internal units of one unit in the file, after settings or the level changed.
+    pub(crate) fn refresh_scale(&mut self) {
+        let proportion = self.level().map_or([1.0; 3], |l| l.proportion);
+        self.scale = std::array::from_fn(|i| {
+            self.settings.axis_scale(Axis::ALL[i]) * proportion.get(i).copied().unwrap_or(1.0)
+        });
+    }
+
+    pub(super) fn into_session(self) -> Session {
+        Session {
+            settings: Arc::unwrap_or_clone(self.settings),
+            frame: self.frame,
+            position: self.position,
+            variables: self.variables,
+            last_file: self.last_file,
+        }
+    }
+}
+
+/// Programs are saved as name and text, and read again when restored.
+mod programs {
+    use super::{Arc, Deserialize, Deserializer, Program, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(list: &[Arc<Program>], s: S) -> Result<S::Ok, S::Error> {
+        list.iter().map(|p| (&*p.name, &*p.text)).collect::<Vec<_>>().serialize(s)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        d: D,
+    ) -> Result<Vec<Arc<Program>>, D::Error> {
+        let list = Vec::<(String, String)>::deserialize(d)?;
+        Ok(list
+            .into_iter()
+            .map(|(name, text)| Arc::new(crate::read(name.into(), text.as_bytes())))
+            .collect())
+    }
+}

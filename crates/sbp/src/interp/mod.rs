@@ -1,0 +1,186 @@
+//! The stepped interpreter.
+//!
+//! An [`Interpreter`] executes one line a step and appends [`Command`](kerf_program::Command)s to a
+//! list. It runs ahead of the machine as far as the language allows: a statement that ends the
+//! stack of moves, or reads an input, first asks [`Host::settle`]. While ON INPUT handlers are
+//! armed it keeps, for each move it has given, the state right after that move; so an interrupt in
+//! the middle of a stack continues exactly as if nothing behind the interrupted move had been read.
+//!
+//! Everything inside is millimetres, degrees and seconds; the user's units are converted where
+//! parameters are read ([`Arguments`]) and where values are shown.
+
+mod arguments;
+mod context;
+mod core;
+mod interrupt;
+mod lifecycle;
+mod locate;
+mod outward;
+mod session;
+mod statements;
+mod step;
+mod sysvar;
+mod variables;
+mod watch;
+
+pub use self::core::Core;
+pub use arguments::Arguments;
+pub use context::{Context, Stop};
+pub use session::{Dialect, FileParameters, Options, Session};
+pub use variables::Variables;
+pub use watch::Watch;
+
+use crate::Program;
+use kerf_diag::Diagnostic;
+use kerf_program::{At, Axes, Frame, Host, Settings, Sourced};
+use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// It ran to the end of the file, or to END.
+    Ok,
+    /// ENDALL or EXIT SHOPBOT.
+    Ended,
+    /// An error.
+    Failed,
+    /// The operator stopped it.
+    Stopped,
+    /// A bound was reached: lines or table limits.
+    Limit,
+}
+
+/// What a step did.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// A line was executed.
+    Ran,
+    /// The host has to do something first; the step had no effect.
+    Waiting,
+    /// The run is over. An error is told in the diagnostic.
+    Done(Status, Option<Box<Diagnostic>>),
+}
+
+/// A program being run.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Interpreter {
+    core: Core,
+    /// State right after each motion command that may still be interrupted, oldest first.
+    behind: VecDeque<(u64, Core)>,
+}
+
+impl Interpreter {
+    /// Prepares to run a program from the state of a session.
+    pub fn new(program: Program, session: Session, options: Options) -> Self {
+        Self { core: Core::new(Arc::new(program), session, options), behind: VecDeque::new() }
+    }
+
+    /// Executes one line. Commands are appended to `out`.
+    pub fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        let before = self.core.motions;
+        let step = step::step(&mut self.core, host, out);
+        if self.core.watches.is_empty() || self.core.settled {
+            self.behind.clear();
+        }
+        if !self.core.watches.is_empty() && self.core.motions > before {
+            self.behind.push_back((self.core.motions, self.core.clone()));
+        }
+        step
+    }
+
+    /// Executes lines until the host is needed, the run is over, or so many lines are done.
+    pub fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        for _ in 0..lines {
+            if self.core.watches.is_empty() {
+                step::run_moves(&mut self.core, out, lines);
+            }
+            match self.step(host, out) {
+                Step::Ran => {}
+                other => return other,
+            }
+        }
+        Step::Ran
+    }
+
+    /// Tells that a watched input changed and the machine stopped for it.
+    ///
+    /// `motion` is the number (counted from 1 over the whole run) of the motion command that was
+    /// interrupted, if any was under way; all later ones were dropped. `position` is where the
+    /// machine stopped, machine frame. The handler's action runs in the next step.
+    pub fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes) {
+        if let Some(number) = motion {
+            let state =
+                self.behind.iter().find(|(n, _)| *n >= number).map(|(_, core)| core.clone());
+            if let Some(core) = state {
+                self.core = core;
+            }
+        }
+        self.behind.clear();
+        interrupt::arrive(&mut self.core, watch, position);
+    }
+
+    /// Tells that the operator ended the run.
+    pub fn stop(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        lifecycle::finish(&mut self.core, host, out, Status::Stopped);
+        Step::Done(Status::Stopped, None)
+    }
+
+    /// Tells that a bound of the machine ended the run (table limits).
+    pub fn limit(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        lifecycle::finish(&mut self.core, host, out, Status::Limit);
+        Step::Done(Status::Limit, None)
+    }
+
+    /// The ON INPUT handlers that are armed.
+    pub fn watches(&self) -> impl Iterator<Item = &Watch> {
+        self.core.watches.iter().map(|w| &w.watch)
+    }
+
+    /// Name of a file of [`At`].
+    pub fn file_name(&self, file: u32) -> Arc<str> {
+        self.core.programs.get(file as usize).map_or_else(|| Arc::from(""), |p| p.name.clone())
+    }
+
+    /// The program of a file of [`At`].
+    pub fn program(&self, file: u32) -> Option<&Program> {
+        self.core.programs.get(file as usize).map(AsRef::as_ref)
+    }
+
+    /// The open files and the line that runs next in each, outermost first.
+    pub fn call_stack(&self) -> impl Iterator<Item = At> {
+        self.core.levels.iter().map(|l| At { file: l.file, line: l.next + 1 })
+    }
+
+    /// Lines executed so far.
+    pub fn lines(&self) -> u64 {
+        self.core.lines
+    }
+
+    /// The settings in force.
+    pub fn settings(&self) -> &Arc<Settings> {
+        &self.core.settings
+    }
+
+    /// The frames in force.
+    pub fn frame(&self) -> &Frame {
+        &self.core.frame
+    }
+
+    /// Where the program has sent the machine, machine frame.
+    pub fn position(&self) -> Axes {
+        self.core.position
+    }
+
+    /// The user's variables.
+    pub fn variables(&self) -> &Variables {
+        &self.core.variables
+    }
+
+    /// What stays after the run: settings, frames, position, variables.
+    pub fn into_session(self) -> Session {
+        self.core.into_session()
+    }
+}

@@ -1,0 +1,92 @@
+//! What a run starts from and what stays after it.
+
+use super::Variables;
+use kerf_program::{Axes, Frame, Settings};
+use serde::{Deserialize, Serialize};
+
+/// Which reading of the language holds where programs differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Dialect {
+    /// The manuals and the files that shipped with the machines.
+    #[default]
+    Sb3,
+    /// Files written for the maker's open successor.
+    Fabmo,
+    /// The manuals to the letter: doubtful spellings are errors.
+    Strict,
+}
+
+/// The state of the machine's memory between runs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Session {
+    /// The settings.
+    pub settings: Settings,
+    /// The frames.
+    pub frame: Frame,
+    /// Where the machine is, machine frame.
+    pub position: Axes,
+    /// The user's variables.
+    pub variables: Variables,
+    /// Name of the last part file.
+    pub last_file: Option<String>,
+}
+
+/// The parameters of FP for the file at the top.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FileParameters {
+    /// Proportions X, Y, Z.
+    pub proportion: [f64; 3],
+    /// How often the file runs.
+    pub repetitions: u32,
+    /// 0 none, 1 the present X, Y, Z is the temporary zero, 2 only X and Y.
+    pub offset: u8,
+    /// Change of Z before each repetition, mm.
+    pub plunge_mm: f64,
+    /// Leave tabs on the last repetition.
+    pub tabs: bool,
+    /// Start plunges from Z 0.
+    pub plunge_from_zero: bool,
+}
+
+impl Default for FileParameters {
+    fn default() -> Self {
+        Self {
+            proportion: [1.0; 3],
+            repetitions: 1,
+            offset: 0,
+            plunge_mm: 0.0,
+            tabs: false,
+            plunge_from_zero: false,
+        }
+    }
+}
+
+/// How a program is run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Options {
+    /// Which reading of the language.
+    pub dialect: Dialect,
+    /// Bound on executed lines; 0 is none.
+    pub max_lines: u64,
+    /// Seed of RND.
+    pub seed: u64,
+    /// The parameters of FP.
+    pub file: FileParameters,
+    /// Run a file with errors up to the first bad line that is reached.
+    pub allow_errors: bool,
+    /// `%(22)` reads 1 although no SP was given: this run is a preview.
+    pub preview: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            dialect: Dialect::Sb3,
+            max_lines: 50_000_000,
+            seed: 0,
+            file: FileParameters::default(),
+            allow_errors: false,
+            preview: false,
+        }
+    }
+}

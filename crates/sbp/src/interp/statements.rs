@@ -1,0 +1,273 @@
+//! What each statement does. The larger families have files of their own.
+
+use super::watch::Handler;
+use super::{Arguments, Context, Status, Stop, Watch, lifecycle};
+use crate::Expr;
+use crate::Value;
+use crate::table::Stack;
+use crate::tree::{Arg, Assigned, NameId, Program, Statement, Target};
+use kerf_diag::Code;
+use kerf_program::{Command, ToolPathStart};
+use std::sync::Arc;
+
+impl Context<'_> {
+    /// Executes a statement.
+    pub(crate) fn statement(&mut self, statement: &Statement) -> Result<(), Stop> {
+        match statement {
+            Statement::Command { spec, args, span } => {
+                self.span = *span;
+                self.command(spec, args)
+            }
+            Statement::Assign { name, persistent, only_if_undefined, value, span } => {
+                self.span = *span;
+                self.assign(*name, *persistent, *only_if_undefined, value)
+            }
+            Statement::If { condition, then } => {
+                if self.eval_condition(condition)? {
+                    self.statement(then)
+                } else {
+                    Ok(())
+                }
+            }
+            Statement::Goto(target) => self.jump(target),
+            Statement::Gosub(target) => self.gosub(target),
+            Statement::Return => self.return_from_sub(),
+            Statement::End => {
+                self.end_file();
+                Ok(())
+            }
+            Statement::EndAll | Statement::ExitShopbot => Err(Stop::Finished(Status::Ended)),
+            Statement::OnInput { switch, state, action } => {
+                self.on_input(switch, state, action.is_some())
+            }
+            other => self.outward_statement(other),
+        }
+    }
+
+    /// A two-letter command: its arguments, then its effect.
+    fn command(
+        &mut self,
+        spec: &'static crate::table::CommandSpec,
+        args: &[Arg],
+    ) -> Result<(), Stop> {
+        let arguments = Arguments::evaluate(self, spec, args)?;
+        if spec.stack == Stack::Ends {
+            self.settle()?;
+        }
+        (spec.effect)(self, &arguments)
+    }
+
+    fn assign(
+        &mut self,
+        name: NameId,
+        persistent: bool,
+        only_new: bool,
+        value: &Assigned,
+    ) -> Result<(), Stop> {
+        let value = match value {
+            Assigned::Nothing => Value::text(""),
+            Assigned::Expr(expr) => self.assigned_value(expr)?,
+            Assigned::Text(text) => Value::Text(text.clone()),
+        };
+        if persistent {
+            let known =
+                self.host.stored(&crate::eval::persistent_key(&self.name_text(name))).is_some();
+            if !(only_new && known) {
+                self.set_persistent(name, &value);
+            }
+        } else if !(only_new && self.variable(name).is_some()) {
+            let new = self.variable(name).is_none();
+            self.set_variable(name, value);
+            if new {
+                self.warn_many_variables();
+            }
+        }
+        Ok(())
+    }
+
+    /// An undefined variable alone gives its name's text nowhere: it is an error as a number, and
+    /// copies nothing.
+    fn assigned_value(&mut self, expr: &Expr) -> Result<Value, Stop> {
+        self.eval(expr)
+    }
+
+    /// The old software had room for 100 variables; files that need more are told of once.
+    fn warn_many_variables(&mut self) {
+        if self.core.variables.count() > 100 && !self.core.told_many_variables {
+            self.core.told_many_variables = true;
+            self.warn(Code::Unusual, "more than 100 variables", "older software has room for 100");
+        }
+    }
+
+    /// Goes to a label of this file.
+    fn jump(&mut self, target: &Target) -> Result<(), Stop> {
+        let line = self.label_line(target)?;
+        if let Some(level) = self.core.levels.last_mut() {
+            level.next = line;
+        }
+        Ok(())
+    }
+
+    fn label_line(&self, target: &Target) -> Result<u32, Stop> {
+        target.line.ok_or_else(|| {
+            let message = format!("label {} not found", target.name);
+            self.fail_at(
+                target.span,
+                Code::LabelNotFound,
+                message,
+                "a label is a name alone on a line, ending in a colon",
+            )
+        })
+    }
+
+    fn gosub(&mut self, target: &Target) -> Result<(), Stop> {
+        let line = self.label_line(target)?;
+        let return_to = self.core.level().map_or(0, |l| l.next + 1);
+        self.call_sub(line, return_to)
+    }
+
+    pub(crate) fn call_sub(&mut self, line: u32, return_to: u32) -> Result<(), Stop> {
+        let deep = self.core.level().is_some_and(|l| l.gosubs.len() >= lifecycle::MOST_GOSUBS);
+        if deep {
+            let message = format!("GOSUB nested deeper than {}", lifecycle::MOST_GOSUBS);
+            return Err(self.fail(Code::NestedTooDeep, message));
+        }
+        if let Some(level) = self.core.levels.last_mut() {
+            level.gosubs.push(return_to);
+            level.next = line;
+        }
+        Ok(())
+    }
+
+    fn return_from_sub(&mut self) -> Result<(), Stop> {
+        let back = self.core.levels.last_mut().and_then(|l| Some((l.gosubs.pop()?, l)));
+        match back {
+            Some((line, level)) => {
+                level.next = line;
+                Ok(())
+            }
+            None => {
+                let hint = "put END before the first subroutine of the file";
+                Err(self.fail_at(self.span, Code::ReturnWithoutGosub, "RETURN without GOSUB", hint))
+            }
+        }
+    }
+
+    /// ON INPUT arms a handler, or disarms it when no action is given.
+    fn on_input(&mut self, switch: &Expr, state: &Expr, armed: bool) -> Result<(), Stop> {
+        let input = self.switch_number(switch)?;
+        let condition = self.eval_number(state)?;
+        let (on, ramped) = match condition as i64 {
+            0 => (false, false),
+            1 => (true, false),
+            2 => (false, true),
+            3 => (true, true),
+            _ => {
+                let message = format!(
+                    "condition must be 0, 1, 2 or 3, not {}",
+                    Value::Number(condition).display()
+                );
+                return Err(self.fail_at(
+                    state.span,
+                    Code::OutOfRange,
+                    message,
+                    "1 on, 0 off, 3 on with a ramped stop, 2 off with a ramped stop",
+                ));
+            }
+        };
+        self.settle()?;
+        let watch = Watch { input, on, ramped };
+        self.core.watches.retain(|h| h.watch != watch);
+        if armed {
+            let level = self.core.levels.len();
+            self.core.watches.push(Handler { watch, at: self.at, level });
+        }
+        Ok(())
+    }
+
+    /// An input or output number, 1 … 12.
+    pub(crate) fn switch_number(&mut self, expr: &Expr) -> Result<u8, Stop> {
+        let n = self.eval_number(expr)?;
+        if n.fract() == 0.0 && (1.0..=12.0).contains(&n) {
+            return Ok(n as u8);
+        }
+        let message = format!("switches are numbered 1 to 12, not {}", Value::Number(n).display());
+        Err(self.fail_at(expr.span, Code::OutOfRange, message, ""))
+    }
+
+    /// Runs the action of the ON INPUT line at `self.at`, whose handler fired.
+    pub(super) fn handler_action(&mut self, program: &Program) -> Result<(), Stop> {
+        let node = program.lines.get(self.at.line.saturating_sub(1) as usize).map(|l| l.node);
+        let Some(crate::tree::Node::Statement(index)) = node else { return Ok(()) };
+        let Some(Statement::OnInput { action: Some(action), .. }) =
+            program.statements.get(index as usize)
+        else {
+            return Ok(());
+        };
+        self.unwind_to(self.at.file);
+        match &**action {
+            // The line behind the interrupted move is where a subroutine returns to.
+            Statement::Gosub(target) => {
+                let line = self.label_line(target)?;
+                let return_to = self.core.level().map_or(0, |l| l.next);
+                self.call_sub(line, return_to)
+            }
+            action => self.statement(action),
+        }
+    }
+
+    /// A handler's labels are those of its own file: files opened above it end when it jumps.
+    fn unwind_to(&mut self, file: u32) {
+        if self.core.levels.iter().any(|l| l.file == file) {
+            while self.core.levels.last().is_some_and(|l| l.file != file) {
+                self.core.levels.pop();
+            }
+            self.core.refresh_scale();
+        }
+    }
+
+    /// A full-line comment: shown to the operator; cutter comments name tool paths.
+    pub(super) fn comment_line(&mut self, program: &Program) {
+        let text = comment_text(program.line_text(self.at.line));
+        if let Some(start) = tool_path_comment(text) {
+            self.emit(Command::ToolPath(start));
+        }
+        if !text.is_empty() {
+            self.emit(Command::Message { text: text.into() });
+        }
+    }
+
+    /// The full-line comment right above the present line.
+    pub(crate) fn comment_above(&self) -> Option<String> {
+        let program = self.program();
+        let above = self.at.line.checked_sub(1)?;
+        let node = program.lines.get(above.checked_sub(1)? as usize)?.node;
+        let text = comment_text(program.line_text(above));
+        (node == crate::tree::Node::Comment && !text.is_empty()).then(|| text.to_string())
+    }
+}
+
+/// Text of a full-line comment without its mark.
+fn comment_text(line: &str) -> &str {
+    let line = line.trim();
+    let rest = line
+        .strip_prefix('\'')
+        .or_else(|| line.get(..3).filter(|r| r.eq_ignore_ascii_case("REM")).map(|_| &line[3..]));
+    rest.unwrap_or(line).trim()
+}
+
+/// `New Path`, `Toolpath Name = …` and `Tool Name = …`, which CAM programs write for the previewer.
+fn tool_path_comment(text: &str) -> Option<ToolPathStart> {
+    let value = |key: &str| {
+        let head = text.get(..key.len())?;
+        let rest = text[key.len()..].trim_start().strip_prefix('=')?;
+        head.eq_ignore_ascii_case(key).then(|| Arc::from(rest.trim()))
+    };
+    if text.eq_ignore_ascii_case("New Path") {
+        return Some(ToolPathStart::default());
+    }
+    if let Some(name) = value("Toolpath Name") {
+        return Some(ToolPathStart { name: Some(name), tool: None });
+    }
+    value("Tool Name").map(|tool| ToolPathStart { name: None, tool: Some(tool) })
+}

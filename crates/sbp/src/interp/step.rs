@@ -1,0 +1,203 @@
+//! One line at a time.
+
+use super::{Context, Core, Step, Stop, lifecycle};
+use crate::tree::{MoveCommand, Node, Program, Span};
+use kerf_diag::Code;
+use kerf_program::{At, Axis, Command, Feed, Host, Line, MoveKind, Sourced};
+use std::sync::Arc;
+
+/// Executes one line, or the action of a handler that fired.
+pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+    if core.links.len() < core.programs.len() {
+        core.relink();
+    }
+    if let Some(at) = core.fired.first().copied() {
+        return handler(core, host, out, at);
+    }
+    if !core.started {
+        return lifecycle::start(core, host, out);
+    }
+    let Some(level) = core.levels.last() else { return lifecycle::end(core, host, out) };
+    let (file, next) = (level.file, level.next);
+    let Some(program) = core.programs.get(file as usize).cloned() else {
+        return lifecycle::end(core, host, out);
+    };
+    let Some(line) = program.lines.get(next as usize) else {
+        return lifecycle::end_of_file(core, host, out);
+    };
+    if core.options.max_lines > 0 && core.lines >= core.options.max_lines {
+        return lifecycle::too_many_lines(core, host, out, At { file, line: next + 1 });
+    }
+    let at = At { file, line: next + 1 };
+    let random = core.random;
+    let depth = core.levels.len();
+    let given = out.len();
+    let motions = core.motions;
+    let mut context = Context { core, host, out, at, span: whole_line(&program, at.line) };
+    let outcome = node(&mut context, &program, line.node);
+    match outcome {
+        Err(Stop::Waiting) => {
+            core.random = random;
+            // What tabs let go before the wait stays given; nothing else was.
+            debug_assert!(out.len() == given || core.motions > motions || !core.settled);
+            Step::Waiting
+        }
+        other => {
+            advance(core, depth, next);
+            core.lines += 1;
+            lifecycle::after(core, host, out, other)
+        }
+    }
+}
+
+/// Goes to the next line unless the statement jumped or opened a file.
+fn advance(core: &mut Core, depth: usize, next: u32) {
+    if let Some(level) = core.levels.get_mut(depth - 1)
+        && level.next == next
+    {
+        level.next += 1;
+    }
+}
+
+fn whole_line(program: &Program, line: u32) -> Span {
+    let text = program.line_text(line);
+    let code = text.trim_start();
+    Span { start: (text.len() - code.len()) as u32, end: text.trim_end().len() as u32 }
+}
+
+fn node(c: &mut Context<'_>, program: &Arc<Program>, node: Node) -> Result<(), Stop> {
+    match node {
+        Node::Blank | Node::Label(_) => Ok(()),
+        Node::Comment => {
+            c.comment_line(program);
+            Ok(())
+        }
+        Node::Move { command, given, first } => plain_move(c, program, command, given, first),
+        Node::Statement(index) => match program.statements.get(index as usize) {
+            Some(statement) => c.statement(statement),
+            None => Ok(()),
+        },
+        Node::Bad => {
+            let line = c.at.line;
+            let known = program.diagnostics.iter().find(|d| d.place.line == line && d.is_error());
+            Err(match known {
+                Some(d) => Stop::Failed(Box::new(d.clone())),
+                None => c.fail(Code::Syntax, "this line cannot be read"),
+            })
+        }
+    }
+}
+
+fn plain_move(
+    c: &mut Context<'_>,
+    program: &Program,
+    command: MoveCommand,
+    given: u8,
+    first: u32,
+) -> Result<(), Stop> {
+    let mut to = c.core.position;
+    let mut index = first as usize;
+    for i in 0..command.count {
+        if given & (1 << i) == 0 {
+            continue;
+        }
+        let axis = Axis::ALL[usize::from(command.first + i).min(5)];
+        c.need_axis(axis)?;
+        let value = program.numbers.get(index).copied().unwrap_or_default();
+        index += 1;
+        to[axis] = c.core.target(axis, value * c.settings().axis_scale(axis));
+    }
+    if given == 0 {
+        c.warn(Code::NoMotion, "no location is given", "give at least one value");
+    }
+    c.line(if command.jog { MoveKind::Jog } else { MoveKind::Cut }, to);
+    Ok(())
+}
+
+/// The fast road: runs of plain moves without tabs, tool offset or watched inputs.
+///
+/// Does exactly what [`plain_move`] does, with everything that stays the same kept outside the loop.
+pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
+    if core.tabs.is_some()
+        || !core.fired.is_empty()
+        || core.settings.tool_offset.on
+        || core.offset_applied != Default::default()
+    {
+        return;
+    }
+    let Some(level) = core.levels.last() else { return };
+    let Some(program) = core.programs.get(level.file as usize).cloned() else { return };
+    let (file, mut next, offset) = (level.file, level.next as usize, level.offset);
+    let bound = if core.options.max_lines == 0 { u64::MAX } else { core.options.max_lines };
+    let mut left = most.min(bound.saturating_sub(core.lines));
+    let active = usize::from(core.settings.axis_count);
+    let relative = core.settings.distance == kerf_program::settings::Distance::Relative;
+    let scale = core.scale;
+    let zero: [f64; 6] = std::array::from_fn(|i| {
+        core.frame.working_zero.0[i] + offset.get(i).copied().unwrap_or(0.0)
+    });
+    let start = next;
+    let mut position = core.position;
+    let mut heading = None;
+    let before = out.len();
+    while left > 0
+        && let Some(line) = program.lines.get(next)
+    {
+        let Node::Move { command, given, first } = line.node else { break };
+        if given == 0
+            || usize::from(command.first) + usize::from(8 - given.leading_zeros() as u8) > active
+        {
+            break;
+        }
+        let mut to = position;
+        let mut index = first as usize;
+        for i in 0..usize::from(command.count) {
+            if given & (1 << i) != 0 {
+                let axis = usize::from(command.first) + i;
+                let value = program.numbers[index] * scale[axis];
+                index += 1;
+                to.0[axis] = value + if relative { position.0[axis] } else { zero[axis] };
+            }
+        }
+        next += 1;
+        left -= 1;
+        if to == position {
+            continue;
+        }
+        if to.0[0] != position.0[0] || to.0[1] != position.0[1] {
+            heading = Some((to.0[0] - position.0[0], to.0[1] - position.0[1]));
+        }
+        position = to;
+        let kind = if command.jog { MoveKind::Jog } else { MoveKind::Cut };
+        let command = Command::Line(Line { kind, to, feed: Feed::Axis });
+        out.push(Sourced { at: At { file, line: next as u32 }, command });
+    }
+    if next == start {
+        return;
+    }
+    if let Some((x, y)) = heading {
+        core.heading = Some(kerf_geom::vec_to_clock(kerf_geom::Vec2::new(x, y)));
+    }
+    core.position = position;
+    core.lines += (next - start) as u64;
+    core.motions += (out.len() - before) as u64;
+    core.settled &= out.len() == before;
+    if let Some(level) = core.levels.last_mut() {
+        level.next = next as u32;
+    }
+}
+
+/// Runs the action of a handler that fired.
+fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, at: At) -> Step {
+    let Some(program) = core.programs.get(at.file as usize).cloned() else {
+        core.fired.remove(0);
+        return Step::Ran;
+    };
+    let mut context = Context { core, host, out, at, span: whole_line(&program, at.line) };
+    let outcome = context.handler_action(&program);
+    if matches!(outcome, Err(Stop::Waiting)) {
+        return Step::Waiting;
+    }
+    core.fired.retain(|f| *f != at);
+    lifecycle::after(core, host, out, outcome)
+}

@@ -1,0 +1,88 @@
+//! Moves and jogs.
+
+use super::{CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
+use crate::interp::{Arguments, Context, Stop};
+use kerf_program::{Axis, MoveKind};
+
+const AXIS: [ParamSpec; 6] = [
+    ParamSpec::keep("X location", Kind::Number(Unit::Axis(Axis::X))),
+    ParamSpec::keep("Y location", Kind::Number(Unit::Axis(Axis::Y))),
+    ParamSpec::keep("Z location", Kind::Number(Unit::Axis(Axis::Z))),
+    ParamSpec::keep("A location", Kind::Number(Unit::Axis(Axis::A))),
+    ParamSpec::keep("B location", Kind::Number(Unit::Axis(Axis::B))),
+    ParamSpec::keep("C location", Kind::Number(Unit::Axis(Axis::C))),
+];
+
+macro_rules! single {
+    ($letters:literal, $kind:ident, $axis:ident, $group:ident, $stack:ident) => {
+        CommandSpec::new(
+            $letters,
+            concat!(stringify!($group), " ", stringify!($axis)),
+            Group::$group,
+            &[ParamSpec::required("Value", Kind::Number(Unit::Axis(Axis::$axis)))
+                .about("Where to go, or how far with SR.")],
+            Stack::$stack,
+            concat!(
+                "Moves the ",
+                stringify!($axis),
+                " axis alone to a location, or by a distance with SR."
+            ),
+            |c, a| go(c, a, MoveKind::$kind, Axis::$axis.index()),
+        )
+    };
+}
+
+macro_rules! several {
+    ($letters:literal, $kind:ident, $count:literal, $group:ident) => {
+        CommandSpec::new(
+            $letters,
+            concat!(stringify!($group), " ", stringify!($count), " axes"),
+            Group::$group,
+            AXIS.split_at($count).0,
+            Stack::Joins,
+            concat!(
+                "Moves the first ",
+                stringify!($count),
+                " axes together in a straight line; a blank axis stays where it is."
+            ),
+            |c, a| go(c, a, MoveKind::$kind, 0),
+        )
+    };
+}
+
+pub(super) static SPECS: &[CommandSpec] = &[
+    single!("MX", Cut, X, Move, Joins),
+    single!("MY", Cut, Y, Move, Joins),
+    single!("MZ", Cut, Z, Move, Joins),
+    single!("MA", Cut, A, Move, Joins),
+    single!("MB", Cut, B, Move, Joins),
+    single!("MC", Cut, C, Move, Joins),
+    several!("M2", Cut, 2, Move),
+    several!("M3", Cut, 3, Move),
+    several!("M4", Cut, 4, Move),
+    several!("M5", Cut, 5, Move),
+    several!("M6", Cut, 6, Move),
+    single!("JX", Jog, X, Jog, Joins),
+    single!("JY", Jog, Y, Jog, Joins),
+    single!("JZ", Jog, Z, Jog, Joins),
+    single!("JA", Jog, A, Jog, Joins),
+    single!("JB", Jog, B, Jog, Joins),
+    single!("JC", Jog, C, Jog, Joins),
+    several!("J2", Jog, 2, Jog),
+    several!("J3", Jog, 3, Jog),
+    several!("J4", Jog, 4, Jog),
+    several!("J5", Jog, 5, Jog),
+    several!("J6", Jog, 6, Jog),
+];
+
+/// Moves the axes that have values; parameter i belongs to axis `first + i`.
+fn go(c: &mut Context<'_>, a: &Arguments, kind: MoveKind, first: usize) -> Result<(), Stop> {
+    let given = (0..a.len()).filter_map(|i| Some((Axis::ALL[first + i], a.number(i)?)));
+    let given: Vec<_> = given.collect();
+    for (axis, _) in &given {
+        c.need_axis(*axis)?;
+    }
+    let to = c.targets(given);
+    c.line(kind, to);
+    Ok(())
+}

@@ -1,0 +1,225 @@
+//! What an entry of the command table says.
+
+use crate::interp::{Arguments, Context, Stop};
+use kerf_program::Axis;
+
+/// Carries a command out. Arguments are checked before: count, kind, bounds, required ones given.
+pub type Effect = fn(&mut Context<'_>, &Arguments) -> Result<(), Stop>;
+
+/// One command.
+#[derive(Debug)]
+pub struct CommandSpec {
+    /// Its two letters, capitals.
+    pub letters: &'static str,
+    /// Its name, as a menu shows it.
+    pub name: &'static str,
+    /// The menu it belongs to.
+    pub group: Group,
+    /// Its parameters in part-file order.
+    pub params: &'static [ParamSpec],
+    /// What it does to the stack of moves.
+    pub stack: Stack,
+    /// What it does, a sentence or two in our own words, with the manual's section where useful.
+    pub doc: &'static str,
+    /// Carries it out.
+    pub effect: Effect,
+}
+
+impl PartialEq for CommandSpec {
+    fn eq(&self, other: &Self) -> bool {
+        self.letters == other.letters
+    }
+}
+
+/// The groups of commands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[allow(missing_docs)]
+pub enum Group {
+    Move,
+    Jog,
+    Cut,
+    File,
+    Settings,
+    Values,
+    Zero,
+    Record,
+    Tools,
+    Utilities,
+    Help,
+}
+
+/// What a command does to the stack of moves (notes A-95).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stack {
+    /// Belongs to the stack, or does not disturb it (moves, cuts, VS).
+    Joins,
+    /// Motion comes to rest before it and everything given so far is carried out.
+    Ends,
+}
+
+/// One parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct ParamSpec {
+    /// Its name, as a form shows it.
+    pub name: &'static str,
+    /// What may be written.
+    pub kind: Kind,
+    /// What it means when left blank.
+    pub default: Default,
+    /// Values it accepts.
+    pub bound: Bound,
+    /// What it is for; may be empty when the name says it.
+    pub doc: &'static str,
+}
+
+/// What may be written for a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A number in a unit; the argument arrives in mm, mm/s, degrees … (see [`Unit`]).
+    Number(Unit),
+    /// A whole number.
+    Whole,
+    /// One of these numbers.
+    OneOf(&'static [i32]),
+    /// One of these words or letters, in any case; the argument arrives as written in the list.
+    Word(&'static [&'static str]),
+    /// A number in a unit or the word OFF.
+    NumberOrOff(Unit),
+    /// Text, a bare word or a text expression.
+    Text,
+    /// A file or folder name.
+    File,
+    /// An axis letter.
+    AxisLetter,
+    /// Accepted and ignored.
+    Obsolete,
+}
+
+/// The unit of a number as the user writes it, and so how it is converted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unit {
+    /// A plain number.
+    None,
+    /// A length in the user's linear unit → mm.
+    Length,
+    /// A speed in linear units a second → mm/s.
+    Speed,
+    /// A location, distance or speed in the unit of an axis → mm or degrees.
+    Axis(Axis),
+    /// Steps for one unit of an axis → steps for one mm or degree.
+    StepsPer(Axis),
+    /// Degrees.
+    Degrees,
+    /// Seconds.
+    Seconds,
+    /// Percent.
+    Percent,
+    /// 1/1440 inch.
+    Twips,
+}
+
+/// What a blank parameter means.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Default {
+    /// It must be given.
+    Required,
+    /// The present value stays, or the axis does not move.
+    Keep,
+    /// This number, in the user's unit.
+    Number(f64),
+    /// This word.
+    Word(&'static str),
+    /// What the documentation of the parameter says.
+    Special,
+}
+
+/// The values that are accepted. Lengths and speeds are compared in inches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// Any finite number.
+    Any,
+    /// Greater than 0.
+    Positive,
+    /// 0 or greater.
+    NotNegative,
+    /// From … to, both included.
+    Range(f64, f64),
+    /// At least.
+    AtLeast(f64),
+}
+
+impl ParamSpec {
+    /// A parameter of a kind that may be left blank to keep the present value.
+    pub const fn keep(name: &'static str, kind: Kind) -> Self {
+        Self { name, kind, default: Default::Keep, bound: Bound::Any, doc: "" }
+    }
+
+    /// A parameter that must be given.
+    pub const fn required(name: &'static str, kind: Kind) -> Self {
+        Self { name, kind, default: Default::Required, bound: Bound::Any, doc: "" }
+    }
+
+    /// A parameter with a default number.
+    pub const fn number(name: &'static str, kind: Kind, default: f64) -> Self {
+        Self { name, kind, default: Default::Number(default), bound: Bound::Any, doc: "" }
+    }
+
+    /// A parameter with a default word.
+    pub const fn word(
+        name: &'static str,
+        words: &'static [&'static str],
+        default: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            kind: Kind::Word(words),
+            default: Default::Word(default),
+            bound: Bound::Any,
+            doc: "",
+        }
+    }
+
+    /// A parameter that old files fill and nothing reads.
+    pub const fn obsolete() -> Self {
+        Self {
+            name: "(obsolete)",
+            kind: Kind::Obsolete,
+            default: Default::Keep,
+            bound: Bound::Any,
+            doc: "Accepted and ignored.",
+        }
+    }
+
+    /// The same within bounds.
+    pub const fn within(mut self, bound: Bound) -> Self {
+        self.bound = bound;
+        self
+    }
+
+    /// The same with a default that its documentation explains.
+    pub const fn special(mut self) -> Self {
+        self.default = Default::Special;
+        self
+    }
+
+    /// The same with documentation.
+    pub const fn about(mut self, doc: &'static str) -> Self {
+        self.doc = doc;
+        self
+    }
+}
+
+impl CommandSpec {
+    /// An entry; see the fields.
+    pub const fn new(
+        letters: &'static str,
+        name: &'static str,
+        group: Group,
+        params: &'static [ParamSpec],
+        stack: Stack,
+        doc: &'static str,
+        effect: Effect,
+    ) -> Self {
+        Self { letters, name, group, params, stack, doc, effect }
+    }
+}

@@ -1,0 +1,330 @@
+//! The tree of a part file: one node a line.
+//!
+//! Most lines of a large file are moves with literal numbers. They become [`Node::Move`], eight
+//! bytes that point into a pool of numbers; everything else becomes a [`Statement`].
+
+use crate::Expr;
+use crate::table::CommandSpec;
+use kerf_diag::{Diagnostic, Place};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A stretch of a line, in bytes from the start of the line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Span {
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+/// Index into [`Program::names`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NameId(pub u32);
+
+/// A part file that was read.
+#[derive(Debug, Default)]
+pub struct Program {
+    /// Name shown to people.
+    pub name: Arc<str>,
+    /// The whole text, as it was read (line ends kept, byte-order mark removed).
+    pub text: Arc<str>,
+    /// One entry a line; line n of the file is `lines[n - 1]`.
+    pub lines: Vec<LineNode>,
+    /// The literal values of [`Node::Move`] lines, in order, only those given.
+    pub numbers: Vec<f64>,
+    /// What [`Node::Statement`] points to.
+    pub statements: Vec<Statement>,
+    /// Labels in order of appearance, names in capitals with single blanks.
+    pub labels: Vec<Label>,
+    /// First line of each label.
+    pub label_lines: HashMap<Arc<str>, u32>,
+    /// Variable names in capitals, without `&` or `$`.
+    pub names: Vec<Arc<str>>,
+    /// Everything wrong or doubtful, in order of lines.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A line: what it is and where its text begins.
+#[derive(Clone, Copy, Debug)]
+pub struct LineNode {
+    /// What the line is.
+    pub node: Node,
+    /// Byte offset of the line in [`Program::text`].
+    pub start: u32,
+}
+
+/// What a line is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    /// Nothing.
+    Blank,
+    /// A full-line comment (`'` or REM).
+    Comment,
+    /// A label; index into [`Program::labels`].
+    Label(u32),
+    /// A move whose values are all literal numbers or blank.
+    Move {
+        /// Which one.
+        command: MoveCommand,
+        /// Bit i set: the i-th axis of the command has a value.
+        given: u8,
+        /// Index of its first value in [`Program::numbers`].
+        first: u32,
+    },
+    /// Anything else; index into [`Program::statements`].
+    Statement(u32),
+    /// A line that cannot be read; its diagnostics say why.
+    Bad,
+}
+
+/// The commands that only move axes: MX … MC, M2 … M6 and their jogs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MoveCommand {
+    /// Jog instead of move.
+    pub jog: bool,
+    /// First axis that takes a value.
+    pub first: u8,
+    /// Number of axes that take values.
+    pub count: u8,
+}
+
+/// A label.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Its name in capitals, inner blanks single.
+    pub name: Arc<str>,
+    /// Its line, from 1.
+    pub line: u32,
+}
+
+/// Where a jump goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// The label's name in capitals.
+    pub name: Arc<str>,
+    /// Its line in this file; `None` when there is no such label.
+    pub line: Option<u32>,
+    /// Where the name stands.
+    pub span: Span,
+}
+
+/// A value given to a command.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arg {
+    /// Where it stands.
+    pub span: Span,
+    /// What was written.
+    pub kind: ArgKind,
+}
+
+/// What was written for a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ArgKind {
+    /// Nothing.
+    Blank,
+    /// An expression (also a single number or variable).
+    Expr(Expr),
+    /// A word or text as written, trimmed: a file name, `T`, `OFF`, `90R`, `3:00`.
+    Word(Arc<str>),
+}
+
+/// What an assignment gives.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Assigned {
+    /// Nothing (`&x=`).
+    Nothing,
+    /// An expression.
+    Expr(Expr),
+    /// Unquoted text that is no expression, trimmed.
+    Text(Arc<str>),
+}
+
+/// How the items of PRINT and WRITE are put together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Separator {
+    /// First separator is a comma (or there is none).
+    Comma,
+    /// First separator is a semicolon.
+    Semicolon,
+}
+
+/// PRINT, PRINT #n and WRITE #n.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// File number for `#n`.
+    pub file: Option<Expr>,
+    /// WRITE instead of PRINT.
+    pub write: bool,
+    /// The items. In comma mode quoted text is already split at its commas.
+    pub items: Vec<Expr>,
+    /// How they are joined.
+    pub separator: Separator,
+    /// False after a trailing semicolon.
+    pub newline: bool,
+}
+
+/// A part of dialog text: literal text or the value of a variable.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TextPart {
+    /// As written; `[&]` already replaced by `&`.
+    Literal(Arc<str>),
+    /// `&name` in the text; replaced when the variable is defined, else shown as written.
+    Variable(NameId, Arc<str>),
+}
+
+/// Text of a dialog: an expression, or unquoted text with variables in it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DialogText {
+    /// Quotes or a join: an expression.
+    Expr(Expr),
+    /// Unquoted text.
+    Parts(Vec<TextPart>),
+}
+
+/// The registry statements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Registry {
+    SetUsrVal,
+    SetUsrValClrd,
+    SetSpindleStatus,
+    GetUsrVal,
+    GetUsrValClrd,
+    GetSpindleStatus,
+    GetUsrPath,
+    GetAppPath,
+    GetPartFileName,
+}
+
+/// How a file is opened; the same as [`kerf_program::FileMode`].
+pub use kerf_program::FileMode;
+
+/// Everything that is not a plain move.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub enum Statement {
+    /// A two-letter command with its table entry.
+    Command {
+        spec: &'static CommandSpec,
+        args: Vec<Arg>,
+        span: Span,
+    },
+    /// `&a = …`, `$a = …`, `&a := …`.
+    Assign {
+        name: NameId,
+        persistent: bool,
+        only_if_undefined: bool,
+        value: Assigned,
+        span: Span,
+    },
+    /// IF … THEN.
+    If {
+        condition: Expr,
+        then: Box<Statement>,
+    },
+    Goto(Target),
+    Gosub(Target),
+    Return,
+    End,
+    EndAll,
+    ExitShopbot,
+    /// ON INPUT(switch, state) action.
+    OnInput {
+        switch: Expr,
+        state: Expr,
+        action: Option<Box<Statement>>,
+    },
+    /// PAUSE, PAUSE n.
+    Pause {
+        seconds: Option<Expr>,
+    },
+    PauseUntil {
+        switch: Expr,
+        state: Expr,
+    },
+    Output(Output),
+    /// INPUT: text, default, variables.
+    Input {
+        text: Option<Expr>,
+        default: Option<Expr>,
+        variables: Vec<NameId>,
+        span: Span,
+    },
+    InputFile {
+        file: Expr,
+        variables: Vec<NameId>,
+        span: Span,
+    },
+    /// MSGBOX(body, style, title).
+    MsgBox {
+        body: DialogText,
+        style: DialogText,
+        title: DialogText,
+        span: Span,
+    },
+    Open {
+        path: Expr,
+        mode: FileMode,
+        number: Expr,
+    },
+    Close(Option<Expr>),
+    Play(DialogText),
+    /// SHELL, command line, display, ASYNC or SYNC.
+    Shell {
+        line: DialogText,
+        display: Option<Expr>,
+        wait: bool,
+        span: Span,
+    },
+    /// Set… with a value.
+    Store {
+        which: Registry,
+        value: DialogText,
+        span: Span,
+    },
+    /// Get… into a variable.
+    Fetch {
+        which: Registry,
+        variable: NameId,
+        span: Span,
+    },
+    WarningOff,
+    /// `C#,n`, `CN,n`, `Cn`: run CustomN.sbc.
+    Custom {
+        number: Expr,
+        span: Span,
+    },
+    /// A line of G-code in a part file.
+    Gcode(Arc<str>),
+}
+
+impl Program {
+    /// Text of a line without its line end.
+    pub fn line_text(&self, line: u32) -> &str {
+        let index = line.saturating_sub(1) as usize;
+        let Some(this) = self.lines.get(index) else { return "" };
+        let end = self.lines.get(index + 1).map_or(self.text.len(), |next| next.start as usize);
+        self.text.get(this.start as usize..end).unwrap_or("").trim_end_matches(['\r', '\n'])
+    }
+
+    /// The place of a span of a line, in characters.
+    pub fn place(&self, line: u32, span: Span) -> Place {
+        let text = self.line_text(line);
+        let start = (span.start as usize).min(text.len());
+        let end = (span.end as usize).clamp(start, text.len());
+        let chars =
+            |range: std::ops::Range<usize>| text.get(range).map_or(0, |t| t.chars().count()) as u32;
+        Place {
+            file: self.name.clone(),
+            line,
+            column: chars(0..start) + 1,
+            length: chars(start..end),
+        }
+    }
+
+    /// True when something is wrong with the file.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+}
