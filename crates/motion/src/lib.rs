@@ -1,1 +1,46 @@
-//! kerf-motion
+//! Commands to moves to planned motion.
+//!
+//! Two steps. A [`Mover`] keeps the position and the settings in force and turns the motion
+//! commands of `kerf-program` into [`Move`]s: where from, where to, along what, and how fast at
+//! most. A model of motion ([`Model`]; today [`ShopBot`], the ramps of the OpenSBP command
+//! reference) turns a whole stack of moves into a [`Plan`], which answers where every axis is at
+//! time t, how fast, and in which move. Time estimate, picture, simulation and real run all ask the
+//! same plan.
+//!
+//! ```text
+//!  Line, Arc ── Mover ──► Move … Move ── Model ──► Plan ── at(t), span_s(i), stop(t), …
+//! ```
+//!
+//! Everything is in the machine frame, in millimetres, seconds and degrees; every number that is
+//! not says so in its name (`_rad`, `_percent`). A speed of a move is a speed along its *reference
+//! length* (see [`Move::length_mm`]), which is the XY path for a cut of OpenSBP: the manual's speeds
+//! are XY vector speeds, and Z, A and B only follow.
+//!
+//! ```
+//! use kerf_motion::{Mover, plan_stack};
+//! use kerf_program::{At, Axes, Feed, Line, MoveKind, Settings};
+//!
+//! let settings = Settings::default();
+//! let mut mover = Mover::new(Axes::default(), &settings);
+//! let to = Axes::xyz(101.6, 0.0, 0.0);
+//! let line = Line { kind: MoveKind::Cut, to, feed: Feed::Axis };
+//! let moves = mover.line(At::default(), &line).into_iter().collect();
+//! let plan = plan_stack(moves, &settings.ramps);
+//! assert!((plan.duration_s() - 2.0914).abs() < 1e-4);
+//! assert_eq!(plan.at(plan.duration_s()).position, to);
+//! ```
+
+mod mover;
+mod moves;
+mod pass;
+mod plan;
+mod profile;
+mod shopbot;
+mod stop;
+
+pub use mover::Mover;
+pub use moves::{Move, Path};
+pub use pass::Pass;
+pub use plan::{Plan, Span, State};
+pub use shopbot::{Model, ShopBot, plan_stack};
+pub use stop::Stop;

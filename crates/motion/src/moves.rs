@@ -1,0 +1,156 @@
+//! One move: everything a model of motion needs to know about it, and the geometry of its path.
+
+use kerf_geom::{Arc2, Point2};
+use kerf_program::{At, Axes, MoveKind};
+
+/// The way from one position to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Path {
+    /// Straight.
+    Line,
+    /// A circular arc in XY; every other axis moves in proportion to the angle.
+    Arc {
+        /// Centre in X and Y, mm.
+        centre: [f64; 2],
+        /// Swept angle, positive counter-clockwise; may exceed a turn.
+        sweep_rad: f64,
+        /// Chords that the circle resolution asks for; for machines that know only lines.
+        chords: u32,
+        /// Below the small circle size: run at ramp speed.
+        small: bool,
+    },
+}
+
+/// What the reference length of a move is measured along. Speeds of two moves can be compared only
+/// when it is the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Basis {
+    /// The path in XY.
+    Xy,
+    /// The path in XYZ.
+    Space,
+    /// One axis.
+    Axis(u8),
+    /// A, B and C together, degrees.
+    Rotary,
+}
+
+/// One move, ready for planning. Made by a [`Mover`](crate::Mover); never of zero length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// Its place in the sources.
+    pub at: At,
+    /// Cut or jog.
+    pub kind: MoveKind,
+    pub(crate) basis: Basis,
+    /// Where it starts, machine frame.
+    pub from: Axes,
+    /// Where it ends, machine frame.
+    pub to: Axes,
+    /// The way between.
+    pub path: Path,
+    /// Reference length: the length that speeds refer to, mm or degrees, always positive.
+    ///
+    /// With [`Feed::Axis`](kerf_program::Feed::Axis) it is the XY path when X or Y moves, else the
+    /// way of the axis that needs the longest; with the other feeds it is the XYZ path, or the
+    /// joint rotation when only rotary axes move.
+    pub length_mm: f64,
+    /// Speed asked for, along the reference length.
+    pub speed_mm_s: f64,
+    /// Speed from which ramps start and at which they end, along the reference length.
+    pub ramp_mm_s: f64,
+    /// Acceleration of the ramps, along the reference length.
+    pub accel_mm_s2: f64,
+}
+
+impl Move {
+    /// Position after a share 0 … 1 of the path; exactly `from` and `to` at the ends.
+    pub fn position(&self, share: f64) -> Axes {
+        if share <= 0.0 {
+            return self.from;
+        }
+        if share >= 1.0 {
+            return self.to;
+        }
+        let straight = self.from.zip(self.to, |a, b| a * (1.0 - share) + b * share);
+        match self.arc() {
+            None => straight,
+            Some(arc) => self.on_arc(arc, straight, share),
+        }
+    }
+
+    /// Change of position for a whole share of 1, at a share of the path: the direction of travel
+    /// scaled to the whole move. Times speed over reference length it is the velocity of each axis.
+    pub fn derivative(&self, share: f64) -> Axes {
+        let mut all = self.to.minus(self.from);
+        if let Some(arc) = self.arc() {
+            let along = arc.direction(share) * arc.length();
+            let gap = self.gap(arc);
+            all.0[0] = along.x + gap[0];
+            all.0[1] = along.y + gap[1];
+        }
+        all
+    }
+
+    /// The two parts of the move before and after a share of the path.
+    pub fn split(&self, share: f64) -> (Self, Self) {
+        let middle = self.position(share);
+        let part = |from, to, share: f64| Self {
+            from,
+            to,
+            length_mm: self.length_mm * share,
+            path: self.path.part(share),
+            ..*self
+        };
+        (part(self.from, middle, share), part(middle, self.to, 1.0 - share))
+    }
+
+    /// Whether speed may run on into this move from the one before: both are cuts, and their speeds
+    /// refer to the same kind of length.
+    pub(crate) fn continues(&self, before: &Self) -> bool {
+        let cuts = self.kind == MoveKind::Cut && before.kind == MoveKind::Cut;
+        cuts && self.basis == before.basis
+    }
+
+    /// The arc in XY, if it is one.
+    pub fn arc(&self) -> Option<Arc2> {
+        match self.path {
+            Path::Line => None,
+            Path::Arc { centre, sweep_rad, .. } => Some(Arc2 {
+                start: Point2::new(self.from.0[0], self.from.0[1]),
+                centre: Point2::new(centre[0], centre[1]),
+                sweep_rad,
+            }),
+        }
+    }
+
+    /// How far the end lies from where the arc about the centre arrives: programs give both, and
+    /// they agree only within a tolerance. The difference is spread evenly along the path.
+    fn gap(&self, arc: Arc2) -> [f64; 2] {
+        let end = arc.end();
+        [self.to.0[0] - end.x, self.to.0[1] - end.y]
+    }
+
+    fn on_arc(&self, arc: Arc2, straight: Axes, share: f64) -> Axes {
+        let place = arc.at(share);
+        let gap = self.gap(arc);
+        let mut position = straight;
+        position.0[0] = place.x + gap[0] * share;
+        position.0[1] = place.y + gap[1] * share;
+        position
+    }
+}
+
+impl Path {
+    fn part(self, share: f64) -> Self {
+        match self {
+            Self::Line => self,
+            Self::Arc { centre, sweep_rad, chords, small } => Self::Arc {
+                centre,
+                sweep_rad: sweep_rad * share,
+                chords: ((f64::from(chords) * share).ceil() as u32).max(1),
+                small,
+            },
+        }
+    }
+}
