@@ -1,0 +1,30 @@
+# One command each: `make help` lists them. Continuous integration runs the same ones (.ci/run).
+
+SHELL := bash
+.SHELLFLAGS := -eu -o pipefail -c
+CARGO ?= cargo
+PART := examples/01-first-cut/first-cut.sbp
+
+.DEFAULT_GOAL := help
+.PHONY: help run test check format conformance prepare
+
+help: ## list these targets
+	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+test: prepare ## run every test, once
+	$(CARGO) test --workspace --locked --no-fail-fast
+
+check: prepare ## formatting, lints and the project's own rules
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
+	$(CARGO) xtask check
+
+format: ## format every source file
+	$(CARGO) fmt --all
+
+conformance: ## enter new tests into the score and write its page
+	$(CARGO) xtask conformance mark
+	$(CARGO) xtask conformance page
+
+prepare: ## install what building and testing need
+	@.ci/prepare

@@ -1,0 +1,50 @@
+//! The ledgers, where they lie beside the checkout.
+
+use anyhow::{Context, Result};
+use std::path::{Path, PathBuf};
+
+/// The suites of rows, in the order of the score, with how many rows each has.
+pub const SUITES: &[(&str, usize)] = &[("opensbp", 776), ("profiler", 770)];
+
+/// A row of a ledger; what it asks for stays in the ledger.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Suite it belongs to.
+    pub suite: String,
+    /// Area within the suite.
+    pub area: String,
+    /// Its id.
+    pub id: String,
+}
+
+/// All rows of the ledgers, in order, or nothing when there are none beside the checkout.
+///
+/// # Errors
+/// When a ledger is there but cannot be read.
+pub fn beside(root: &Path) -> Result<Option<Vec<Row>>> {
+    let Some(folder) = folder(root) else { return Ok(None) };
+    let mut rows = Vec::new();
+    for (suite, _) in SUITES {
+        let path = folder.join(format!("{suite}.tsv"));
+        let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+        rows.extend(read(suite, &text));
+    }
+    Ok(Some(rows))
+}
+
+/// `shared/ledger` beside the checkout or beside one of its parents; `KERF_SHARED` names another.
+fn folder(root: &Path) -> Option<PathBuf> {
+    let named = std::env::var_os("KERF_SHARED").map(PathBuf::from);
+    let around = root.ancestors().skip(1).map(|parent| parent.join("shared"));
+    let mut candidates = named.into_iter().chain(around).map(|shared| shared.join("ledger"));
+    candidates.find(|folder| folder.is_dir())
+}
+
+fn read(suite: &str, text: &str) -> Vec<Row> {
+    let rows = text.lines().skip(1).filter_map(|line| {
+        let mut cells = line.split('\t');
+        let (id, area) = (cells.next()?, cells.next()?);
+        Some(Row { suite: suite.to_owned(), area: area.to_owned(), id: id.to_owned() })
+    });
+    rows.collect()
+}

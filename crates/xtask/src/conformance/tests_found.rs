@@ -1,0 +1,55 @@
+//! The names of all tests, read from the sources.
+//!
+//! Formatted Rust is regular enough to be read line by line: a test is the `fn` that follows a
+//! `#[test]`; a table of rows is a `rows! {` whose entries begin with the test's name.
+
+use crate::Tree;
+use std::collections::BTreeSet;
+
+/// Names of all tests in the workspace's crates.
+pub fn names(tree: &Tree) -> BTreeSet<String> {
+    tree.matching("crates/", ".rs").flat_map(|(_, text)| of_file(text)).collect()
+}
+
+fn of_file(text: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    let (mut after_mark, mut in_rows) = (false, false);
+    for line in text.lines().map(str::trim) {
+        after_mark |= line == "#[test]";
+        in_rows = (in_rows || line == "rows! {") && line != "}";
+        if let Some(name) = function(line).filter(|_| after_mark) {
+            names.push(name);
+            after_mark = false;
+        } else if in_rows {
+            names.extend(row(line));
+        }
+    }
+    names
+}
+
+fn function(line: &str) -> Option<String> {
+    let (_, tail) = line.split_once("fn ")?;
+    Some(identifier(tail)).filter(|name| !name.is_empty())
+}
+
+/// The name an entry of a table begins with.
+fn row(line: &str) -> Option<String> {
+    let name = identifier(line);
+    (name.starts_with("sbp_") || name.starts_with("pro_")).then_some(name)
+}
+
+fn identifier(text: &str) -> String {
+    text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_marked_functions_and_tables() {
+        let text = "fn helper() {}\n#[test]\n#[should_panic]\nfn one() {\n    fn inner() {}\n}\n\
+                    rows! {\n    sbp_cmd_mx: \"MX,1\" => \"x\";\n}\nfn sbp_helper() {}\n";
+        assert_eq!(of_file(text), ["one", "sbp_cmd_mx"]);
+    }
+}

@@ -1,0 +1,54 @@
+//! `cargo xtask`: the rules of the project and its generated pages, by hand.
+
+use anyhow::{Result, bail};
+use std::process::ExitCode;
+use xtask::{Finding, Tree, conformance, deps, tidy};
+
+const USAGE: &str = "usage: cargo xtask COMMAND
+  check              all rules below
+  deps               direction of dependencies, purity of the lower crates
+  tidy               file sizes, links, examples, the list of dependencies
+  conformance check  docs/conformance.toml against the ledgers and the tests
+  conformance mark   sets the rows whose tests exist to done
+  conformance page   writes docs/conformance.md
+  conformance sync   adds rows of the ledgers that are missing";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match run(&words) {
+        Ok(findings) => report(&findings),
+        Err(error) => {
+            eprintln!("{error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(words: &[&str]) -> Result<Vec<Finding>> {
+    let tree = Tree::here()?;
+    Ok(match words {
+        ["check"] => {
+            [deps::check(&tree)?, tidy::check(&tree)?, conformance::check(&tree)?].concat()
+        }
+        ["deps"] => deps::check(&tree)?,
+        ["tidy"] => tidy::check(&tree)?,
+        ["conformance", "check"] => conformance::check(&tree)?,
+        ["conformance", "mark"] => written(conformance::mark(&tree)?),
+        ["conformance", "page"] => written(conformance::write_page(&tree)?),
+        ["conformance", "sync"] => written(conformance::sync(&tree)?),
+        _ => bail!("{USAGE}"),
+    })
+}
+
+fn written(what: String) -> Vec<Finding> {
+    eprintln!("{what}");
+    Vec::new()
+}
+
+fn report(findings: &[Finding]) -> ExitCode {
+    for finding in findings {
+        eprintln!("{finding}");
+    }
+    if findings.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}

@@ -1,0 +1,25 @@
+//! Everything a reader would trip over.
+
+mod dependencies;
+mod examples;
+mod links;
+mod sources;
+
+use crate::{Finding, Tree};
+use anyhow::Result;
+
+pub use sources::long_files;
+
+/// All findings of tidiness.
+///
+/// # Errors
+/// When a manifest cannot be read.
+pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
+    Ok([
+        sources::check(tree),
+        dependencies::check(tree)?,
+        examples::check(tree),
+        links::check(tree),
+    ]
+    .concat())
+}
