@@ -6,7 +6,7 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run test check format conformance prepare
+.PHONY: help run test check format conformance book prepare
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -25,6 +25,13 @@ format: ## format every source file
 conformance: ## enter new tests into the score and write its page
 	$(CARGO) xtask conformance mark
 	$(CARGO) xtask conformance page
+
+book: ## write the generated pages of the user's book
+	$(CARGO) xtask book
+
+run: prepare ## run the first example on the simulated machine and draw its path
+	$(CARGO) run --release --locked --package kerf -- run $(PART)
+	$(CARGO) run --release --locked --package kerf -- preview $(PART) -o $(PART:.sbp=.svg)
 
 prepare: ## install what building and testing need
 	@.ci/prepare

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;
-use xtask::{Finding, Tree, conformance, deps, tidy};
+use xtask::{Finding, Tree, conformance, deps, pages, tidy};
 
 const USAGE: &str = "usage: cargo xtask COMMAND
   check              all rules below
@@ -11,7 +11,8 @@ const USAGE: &str = "usage: cargo xtask COMMAND
   conformance check  docs/conformance.toml against the ledgers and the tests
   conformance mark   sets the rows whose tests exist to done
   conformance page   writes docs/conformance.md
-  conformance sync   adds rows of the ledgers that are missing";
+  conformance sync   adds rows of the ledgers that are missing
+  book               writes the generated pages of docs/book";
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -28,17 +29,22 @@ fn main() -> ExitCode {
 fn run(words: &[&str]) -> Result<Vec<Finding>> {
     let tree = Tree::here()?;
     Ok(match words {
-        ["check"] => {
-            [deps::check(&tree)?, tidy::check(&tree)?, conformance::check(&tree)?].concat()
-        }
+        ["check"] => check(&tree)?,
         ["deps"] => deps::check(&tree)?,
         ["tidy"] => tidy::check(&tree)?,
         ["conformance", "check"] => conformance::check(&tree)?,
         ["conformance", "mark"] => written(conformance::mark(&tree)?),
-        ["conformance", "page"] => written(conformance::write_page(&tree)?),
+        ["conformance", "page"] => written(pages::write(&tree, conformance::PAGE)?),
+        ["book"] => written(pages::write(&tree, "docs/book/")?),
         ["conformance", "sync"] => written(conformance::sync(&tree)?),
         _ => bail!("{USAGE}"),
     })
+}
+
+fn check(tree: &Tree) -> Result<Vec<Finding>> {
+    let rules = [deps::check, tidy::check, conformance::check, pages::check];
+    let findings: Result<Vec<_>> = rules.iter().map(|rule| rule(tree)).collect();
+    Ok(findings?.concat())
 }
 
 fn written(what: String) -> Vec<Finding> {

@@ -1,0 +1,47 @@
+//! The generated pages: what writes each, and whether they are fresh.
+
+use crate::{Finding, Tree, book, conformance};
+use anyhow::{Context, Result};
+
+/// A page that is made and never edited.
+struct Page {
+    /// Where it lies.
+    path: &'static str,
+    /// What it is made by.
+    text: fn(&Tree) -> Result<String>,
+    /// The command that makes it anew.
+    command: &'static str,
+}
+
+const PAGES: &[Page] = &[
+    Page { path: conformance::PAGE, text: conformance::page, command: "make conformance" },
+    Page { path: "docs/book/messages.md", text: book::messages, command: "make book" },
+];
+
+/// Pages that differ from what would be written now.
+///
+/// # Errors
+/// When what a page is made from cannot be read.
+pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for page in PAGES {
+        if tree.text(page.path) != Some(&(page.text)(tree)?) {
+            findings.push(Finding::file(page.path, format!("is stale: run `{}`", page.command)));
+        }
+    }
+    Ok(findings)
+}
+
+/// Writes the pages below a path and names them.
+///
+/// # Errors
+/// When what a page is made from cannot be read, or the page not be written.
+pub fn write(tree: &Tree, below: &str) -> Result<String> {
+    let mut written = Vec::new();
+    for page in PAGES.iter().filter(|page| page.path.starts_with(below)) {
+        let text = (page.text)(tree)?;
+        std::fs::write(tree.root().join(page.path), text).context(page.path)?;
+        written.push(format!("{}: written", page.path));
+    }
+    Ok(written.join("\n"))
+}
