@@ -30,6 +30,10 @@
 //! assert_eq!(plan.at(plan.duration_s()).position, to);
 //! ```
 
+mod caps;
+mod corner;
+mod course;
+mod fit;
 mod mover;
 mod moves;
 mod pass;
@@ -37,6 +41,7 @@ mod plan;
 mod profile;
 mod shopbot;
 mod stop;
+mod turns;
 
 pub use mover::Mover;
 pub use moves::{Move, Path};
