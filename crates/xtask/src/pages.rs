@@ -16,6 +16,7 @@ struct Page {
 const PAGES: &[Page] = &[
     Page { path: conformance::PAGE, text: conformance::page, command: "make conformance" },
     Page { path: "docs/book/messages.md", text: book::messages, command: "make book" },
+    Page { path: "docs/book/commands.md", text: book::commands, command: "make book" },
 ];
 
 /// Pages that differ from what would be written now.

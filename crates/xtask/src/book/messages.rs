@@ -1,4 +1,4 @@
-//! Pages of the user's book that are made from the program's own tables.
+//! The page of messages, made from the table of codes.
 
 use crate::Tree;
 use anyhow::Result;

@@ -1,0 +1,7 @@
+//! Pages of the user's book that are made from the program's own tables.
+
+mod commands;
+mod messages;
+
+pub use commands::commands;
+pub use messages::messages;
