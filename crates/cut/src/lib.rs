@@ -1,22 +1,40 @@
-//! kerf-cut
-use kerf_program::MoveKind;
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
-    Line { kind: MoveKind, to: [f64; 3] },
-    Arc { centre: [f64; 2], sweep_rad: f64, to: [f64; 3], chords: u32, small: bool },
-}
-#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Tabber<T> {
-    x: Option<T>,
-}
-impl<T: Copy> Tabber<T> {
-    pub fn new(_: &kerf_program::settings::Tabs, _: Option<f64>) -> Self {
-        Self { x: None }
-    }
-    pub fn push(&mut self, _from: [f64; 3], step: Step, tag: T, out: &mut Vec<(T, Step)>) {
-        out.push((tag, step));
-    }
-    pub fn flush(&mut self, _: &mut Vec<(T, Step)>) {}
-    pub fn path_end(&mut self, _: &mut Vec<(T, Step)>) {}
-    pub fn drop_buffered(&mut self) {}
-}
+//! The geometry of the Cut commands CA, CC, CG, CP and CR, and of tabs.
+//!
+//! Pure functions from numbers to [`Step`]s: the interpreter parses, fills defaults, calls one of
+//! [`circle`], [`point_circle`], [`arc_to`], [`arch`] and [`rectangle`], and gets back the moves of
+//! the whole command in order, or a [`CutError`] and no move at all. [`Tabber`] is a filter behind
+//! that: it raises Z over tabs in a stream of steps, whoever made them.
+//!
+//! Every length is millimetres, Z grows upwards. Angles of the user are *clock degrees*: 0 is the
+//! 12 o'clock point, clockwise (OpenSBP command reference, CC); they name places on the circle, not
+//! directions of travel. All places are in one translated frame, the one in which
+//! [`Context::start`] is given; the caller adds its offsets afterwards. Locations (the centre of CP,
+//! the end of CG) come already scaled by the file's proportions; sizes (diameters, lengths, I, J,
+//! plunges) come as the user wrote them and are scaled here.
+//!
+//! CC, CP, CG and CA are one thing in four spellings: a nominal circle, a place on it where the
+//! tool begins, and an angle to sweep. Each of their files only translates its parameters into that
+//! (`curve::Shape`); `curve` makes the path, `passes` the order of plunges and pull-ups.
+
+mod arc_to;
+mod arch;
+mod circle;
+mod context;
+mod curve;
+mod error;
+mod passes;
+mod rectangle;
+mod segments;
+mod step;
+mod tab;
+
+pub use arc_to::{ARC_TOLERANCE_MM, ArcTo, arc_to};
+pub use arch::{Arch, arch};
+pub use circle::{Circle, circle, point_circle};
+pub use context::{Context, Side, Turn};
+pub use error::{CutError, MAX_LENGTH_MM, MAX_STEPS};
+pub use passes::{Feature, Passes};
+pub use rectangle::{Corner, Rectangle, rectangle};
+pub use segments::{FINE_CHORDS, MIN_CHORDS, MIN_SEGMENT_MM, chord_count};
+pub use step::{Cut, Step};
+pub use tab::Tabber;
