@@ -14,7 +14,7 @@
 //! FP; ledger notes, "Tabs"; .)
 
 use crate::CutError;
-use crate::error::{MAX_STEPS, check_length};
+use crate::error::check_length;
 use crate::step::Step;
 use kerf_geom::{Arc2, Point2};
 use kerf_program::MoveKind;
@@ -25,8 +25,11 @@ use std::collections::VecDeque;
 /// Path lengths closer than this are the same, so that a tab may end exactly where the path does.
 const SAME_LENGTH_MM: f64 = 1e-6;
 
-/// Tabs that follow each other closer than this are a mistake; it bounds how many a step can have.
+/// Tabs that follow each other closer than this are a mistake.
 const MIN_PERIOD_MM: f64 = 1e-3;
+
+/// The most tabs in one step; a step with room for more passes without any.
+const MAX_TABS: f64 = 1.0e5;
 
 /// A filter that adds tabs to a stream of steps.
 ///
@@ -51,7 +54,7 @@ pub struct Tabber<T> {
 }
 
 /// Lengths along the path and the height of one tab.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 struct Profile {
     up: f64,
     lead: f64,
@@ -77,57 +80,64 @@ struct Held<T> {
 impl<T: Copy> Tabber<T> {
     /// Tabs switched on for a file: with the number of tabs and the distance to the first of VB.
     ///
-    /// `safe_z` is in the frame of the steps. Without one, any jog ends the path.
-    ///
-    /// # Errors
-    /// Lengths that are negative, too large or all zero.
-    pub fn new(tabs: &Tabs, safe_z: Option<f64>) -> Result<Self, CutError> {
-        let profile = Profile::new(tabs)?;
-        Ok(Self {
+    /// `safe_z` is in the frame of the steps. Without one, any jog ends the path. Values that
+    /// [`Tabber::check`] refuses make no tabs.
+    pub fn new(tabs: &Tabs, safe_z: Option<f64>) -> Self {
+        let profile = Some(Profile::new(tabs)).filter(|p| Self::check(tabs).is_ok() && p.is_tab());
+        let left = if profile.is_some() { tabs.count } else { Some(0) };
+        let profile = profile.unwrap_or_default();
+        Self {
             profile,
             safe_z,
-            left: tabs.count,
+            left,
             next_at: profile.first,
             travelled: 0.0,
             given: 0.0,
             at: [0.0; 3],
             held: VecDeque::new(),
-        })
+        }
     }
 
     /// Tabs of one Cut command with the tab feature: number and first distance do not apply.
+    pub fn for_cut(tabs: &Tabs, safe_z: Option<f64>) -> Self {
+        Self::new(&Tabs { count: None, start_mm: None, ..*tabs }, safe_z)
+    }
+
+    /// Refuses values that make no tabs though they should.
     ///
     /// # Errors
-    /// As [`Tabber::new`].
-    pub fn for_cut(tabs: &Tabs, safe_z: Option<f64>) -> Result<Self, CutError> {
-        Self::new(&Tabs { count: None, start_mm: None, ..*tabs }, safe_z)
+    /// Lengths that are negative, too large or so small that tabs would be everywhere.
+    pub fn check(tabs: &Tabs) -> Result<(), CutError> {
+        let profile = Profile::new(tabs);
+        for (what, value) in [
+            ("pull-up of tabs", profile.up),
+            ("distance to the next tab", tabs.next_mm),
+            ("size of tabs", profile.size),
+            ("lead of tabs", profile.lead),
+            ("distance to the first tab", profile.first),
+        ] {
+            check_length(what, value)?;
+            if value < 0.0 {
+                return Err(CutError::NotPositive { what });
+            }
+        }
+        if profile.period < MIN_PERIOD_MM { Err(CutError::EmptyTabs) } else { Ok(()) }
     }
 
     /// Whether more tabs will come.
     pub fn active(&self) -> bool {
-        self.left != Some(0) && self.profile.up > 0.0 && self.profile.length > 0.0
+        self.left != Some(0)
     }
 
     /// Takes the next step, which begins at `from`, and gives out what is decided.
     ///
-    /// # Errors
-    /// Places that are no numbers, and more tabs than [`MAX_STEPS`] in one step; the step is lost.
-    pub fn push(
-        &mut self,
-        from: [f64; 3],
-        step: Step,
-        tag: T,
-        out: &mut Vec<(Step, T)>,
-    ) -> Result<(), CutError> {
-        from.iter().chain(&step.to()).try_for_each(|v| check_length("location", *v))?;
-        if !self.is_tabbed(from, &step) {
-            self.pass_by(step, tag, out);
-            return Ok(());
-        }
+    /// A step of absurd size passes without tabs: one with places that are no numbers, or room for
+    /// more than a hundred thousand tabs.
+    pub fn push(&mut self, from: [f64; 3], step: Step, tag: T, out: &mut Vec<(T, Step)>) {
         let length = step.length(from);
-        check_length("length of the path", length)?;
-        if length / self.profile.period * 6.0 > MAX_STEPS as f64 {
-            return Err(CutError::TooManySteps);
+        let bounded = length <= MAX_TABS * self.profile.period;
+        if !self.active() || !bounded || !self.is_below(from, &step) {
+            return self.pass_by(step, tag, out);
         }
         if self.held.is_empty() {
             self.at = from;
@@ -136,27 +146,32 @@ impl<T: Copy> Tabber<T> {
         self.travelled = span[1];
         self.held.push_back(Held { from, step, tag, span });
         self.decide(out);
-        Ok(())
     }
 
     /// The path is interrupted but not over: gives out everything held; the count goes on.
     ///
     /// A tab that has begun and does not fit any more is left out.
-    pub fn flush(&mut self, out: &mut Vec<(Step, T)>) {
+    pub fn flush(&mut self, out: &mut Vec<(T, Step)>) {
         self.give_to(self.travelled, [0.0, 0.0], out);
         let begun = (self.travelled - SAME_LENGTH_MM - self.next_at) / self.profile.period;
         self.next_at += begun.ceil().max(0.0) * self.profile.period;
     }
 
     /// The path is over: gives out everything held; the next path counts from its beginning.
-    pub fn path_end(&mut self, out: &mut Vec<(Step, T)>) {
+    pub fn path_end(&mut self, out: &mut Vec<(T, Step)>) {
         self.flush(out);
         (self.travelled, self.given) = (0.0, 0.0);
         self.next_at = self.profile.first;
     }
 
+    /// The path was broken off: what is held never moves; the count goes on from what was given out.
+    pub fn drop_buffered(&mut self) {
+        self.held.clear();
+        self.travelled = self.given;
+    }
+
     /// Cuts with some X or Y motion below Safe-Z.
-    fn is_tabbed(&self, from: [f64; 3], step: &Step) -> bool {
+    fn is_below(&self, from: [f64; 3], step: &Step) -> bool {
         let below = !self.is_safe(from[2]) && !self.is_safe(step.to()[2]);
         below
             && match *step {
@@ -172,18 +187,18 @@ impl<T: Copy> Tabber<T> {
     }
 
     /// A step that gets no tabs; it interrupts the path or ends it.
-    fn pass_by(&mut self, step: Step, tag: T, out: &mut Vec<(Step, T)>) {
+    fn pass_by(&mut self, step: Step, tag: T, out: &mut Vec<(T, Step)>) {
         let jog = matches!(step, Step::Line { kind: MoveKind::Jog, .. });
         if self.is_safe(step.to()[2]) || (jog && self.safe_z.is_none()) {
             self.path_end(out);
         } else {
             self.flush(out);
         }
-        out.push((step, tag));
+        out.push((tag, step));
     }
 
     /// Gives out all tabs that fit so far and what lies before the first that may not.
-    fn decide(&mut self, out: &mut Vec<(Step, T)>) {
+    fn decide(&mut self, out: &mut Vec<(T, Step)>) {
         while self.active() && self.next_at + self.profile.length <= self.travelled + SAME_LENGTH_MM
         {
             self.give_tab(out);
@@ -196,7 +211,7 @@ impl<T: Copy> Tabber<T> {
         }
     }
 
-    fn give_tab(&mut self, out: &mut Vec<(Step, T)>) {
+    fn give_tab(&mut self, out: &mut Vec<(T, Step)>) {
         let Profile { up, lead, size, period, .. } = self.profile;
         let flat = self.next_at + lead;
         self.give_to(self.next_at, [0.0, 0.0], out);
@@ -209,22 +224,22 @@ impl<T: Copy> Tabber<T> {
         if lead > 0.0 {
             self.give_to(flat + size + lead, [up, 0.0], out);
         } else {
-            self.rise(-up, out.last().map(|(_, tag)| *tag), out);
+            self.rise(-up, out.last().map(|(tag, _)| *tag), out);
         }
         self.next_at += period;
         self.left = self.left.map(|n| n.saturating_sub(1));
     }
 
     /// A side of a tab without incline.
-    fn rise(&mut self, by: f64, tag: Option<T>, out: &mut Vec<(Step, T)>) {
+    fn rise(&mut self, by: f64, tag: Option<T>, out: &mut Vec<(T, Step)>) {
         self.at[2] += by;
         let step = Step::Line { kind: MoveKind::Cut, to: self.at };
-        out.extend(tag.map(|tag| (step, tag)));
+        out.extend(tag.map(|tag| (tag, step)));
     }
 
     /// Gives out the held path up to `end`; the height above the programmed path changes evenly
     /// from the first to the second value.
-    fn give_to(&mut self, end: f64, height: [f64; 2], out: &mut Vec<(Step, T)>) {
+    fn give_to(&mut self, end: f64, height: [f64; 2], out: &mut Vec<(T, Step)>) {
         let begin = self.given;
         while let Some(held) = self.held.front().copied() {
             let whole = held.span[1] <= end + SAME_LENGTH_MM;
@@ -235,7 +250,7 @@ impl<T: Copy> Tabber<T> {
             let share = if end > begin { ((to - begin) / (end - begin)).min(1.0) } else { 1.0 };
             let piece = held.piece([self.given, to], height[0] + (height[1] - height[0]) * share);
             self.at = piece.to();
-            out.push((piece, held.tag));
+            out.push((held.tag, piece));
             self.given = to;
             if !whole {
                 return;
@@ -246,27 +261,21 @@ impl<T: Copy> Tabber<T> {
 }
 
 impl Profile {
-    fn new(tabs: &Tabs) -> Result<Self, CutError> {
-        let first = tabs.start_mm.unwrap_or(tabs.next_mm);
-        let lengths = [
-            ("pull-up of tabs", tabs.up_mm),
-            ("distance to the next tab", tabs.next_mm),
-            ("size of tabs", tabs.size_mm),
-            ("lead of tabs", tabs.lead_mm),
-            ("distance to the first tab", first),
-        ];
-        for (what, value) in lengths {
-            check_length(what, value)?;
-            if value < 0.0 {
-                return Err(CutError::NotPositive { what });
-            }
-        }
+    /// Whether it lifts the tool anywhere.
+    fn is_tab(&self) -> bool {
+        self.up > 0.0 && self.length > 0.0
+    }
+
+    fn new(tabs: &Tabs) -> Self {
         let length = tabs.size_mm + 2.0 * tabs.lead_mm;
-        let period = length + tabs.next_mm;
-        if period < MIN_PERIOD_MM {
-            return Err(CutError::EmptyTabs);
+        Self {
+            up: tabs.up_mm,
+            lead: tabs.lead_mm,
+            size: tabs.size_mm,
+            length,
+            period: length + tabs.next_mm,
+            first: tabs.start_mm.unwrap_or(tabs.next_mm),
         }
-        Ok(Self { up: tabs.up_mm, lead: tabs.lead_mm, size: tabs.size_mm, length, period, first })
     }
 }
 

@@ -24,11 +24,11 @@ fn jog(x: f64, y: f64, z: f64) -> Step {
 }
 
 /// Sends steps through tabs with Safe-Z 1 and ends the path; the tag is the number of the step.
-fn through(tabs: Tabs, from: [f64; 3], steps: &[Step]) -> Vec<(Step, usize)> {
-    let mut tabber = Tabber::new(&tabs, Some(IN)).unwrap();
+fn through(tabs: Tabs, from: [f64; 3], steps: &[Step]) -> Vec<(usize, Step)> {
+    let mut tabber = Tabber::new(&tabs, Some(IN));
     let (mut at, mut out) = (inches(from), Vec::new());
     for (line, step) in steps.iter().enumerate() {
-        tabber.push(at, *step, line, &mut out).unwrap();
+        tabber.push(at, *step, line, &mut out);
         at = step.to();
     }
     tabber.path_end(&mut out);
@@ -36,11 +36,11 @@ fn through(tabs: Tabs, from: [f64; 3], steps: &[Step]) -> Vec<(Step, usize)> {
 }
 
 /// Height above `z` (inches) against path length: every place where a step ends.
-fn profile(from: [f64; 3], z: f64, steps: &[(Step, usize)]) -> Vec<(f64, f64)> {
+fn profile(from: [f64; 3], z: f64, steps: &[(usize, Step)]) -> Vec<(f64, f64)> {
     let (mut at, mut s) = (inches(from), 0.0);
     steps
         .iter()
-        .map(|(step, _)| {
+        .map(|(_, step)| {
             let mut flat = *step;
             let (Step::Line { to, .. } | Step::Arc { to, .. }) = &mut flat;
             to[2] = at[2];
@@ -113,8 +113,8 @@ fn sbp_val_vb_next() {
 fn sbp_val_vb_up_and_lead() {
     let tabs = Tabs { up_mm: 0.15 * IN, ..vb() };
     let out = through(tabs, [0.0, 0.0, -0.5], &[cut(7.0, 0.0, -0.5)]);
-    let told: Vec<_> = out.iter().map(|(s, _)| common::tell(*s)).collect();
-    let points: Vec<_> = out.iter().map(|(s, _)| s.to().map(|v| round(v / IN))).collect();
+    let told: Vec<_> = out.iter().map(|(_, s)| common::tell(*s)).collect();
+    let points: Vec<_> = out.iter().map(|(_, s)| s.to().map(|v| round(v / IN))).collect();
     assert_eq!(
         points,
         [
@@ -136,9 +136,9 @@ fn sbp_val_vb_size() {
 #[test]
 fn sbp_val_vb_number() {
     check_line(Tabs { count: Some(2), ..vb() }, 40.0, &[(4.0, 6.0), (10.0, 12.0)]);
-    let mut tabber = Tabber::new(&Tabs { count: Some(1), ..vb() }, Some(IN)).unwrap();
+    let mut tabber = Tabber::new(&Tabs { count: Some(1), ..vb() }, Some(IN));
     assert!(tabber.active());
-    tabber.push(inches([0.0, 0.0, -0.5]), cut(6.0, 0.0, -0.5), 0, &mut Vec::new()).unwrap();
+    tabber.push(inches([0.0, 0.0, -0.5]), cut(6.0, 0.0, -0.5), 0, &mut Vec::new());
     assert!(!tabber.active());
 }
 
@@ -153,7 +153,7 @@ fn a_tab_that_does_not_fit_is_left_out_and_the_line_stays_whole() {
     check_line(vb(), 5.99, &[]);
     check_line(vb(), 6.0, &[(4.0, 6.0)]);
     let whole = cut(5.99, 0.0, -0.5);
-    assert_eq!(through(vb(), [0.0, 0.0, -0.5], &[whole]), [(whole, 0)]);
+    assert_eq!(through(vb(), [0.0, 0.0, -0.5], &[whole]), [(0, whole)]);
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn sbp_file_fp_tab() {
     let out = through(vb(), [0.0, 0.0, -0.5], &steps);
     let found = tabs_at(&profile([0.0, 0.0, -0.5], -0.5, &out[..13]), &vb());
     assert_eq!(found, [(4.0, 6.0), (10.0, 12.0), (16.0, 18.0)]);
-    assert_eq!(out[13..], [(steps[1], 1), (steps[2], 2)]);
+    assert_eq!(out[13..], [(1, steps[1]), (2, steps[2])]);
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn sbp_file_fp_tab_3d() {
     let length = 20f64.hypot(0.5);
     for (i, s) in [4.0, 4.5, 5.5, 6.0, 10.0].into_iter().enumerate() {
         let up = [0.0, 0.1, 0.1, 0.0, 0.0][i];
-        let got = out[i].0.to().map(|v| v / IN);
+        let got = out[i].1.to().map(|v| v / IN);
         let want = [20.0 * s / length, 0.0, -0.5 - 0.5 * s / length + up];
         assert!(got.iter().zip(want).all(|(g, w)| (g - w).abs() < 1e-9), "{got:?} {want:?}");
     }
@@ -187,8 +187,8 @@ fn sbp_file_fp_tab_safez() {
     {
         let steps = [&square(0.0)[..], &between(z), &square(9.0)].concat();
         let out = through(vb(), [0.0, 0.0, -0.5], &steps);
-        let first: Vec<_> = out.iter().copied().filter(|p| p.1 < 4).collect();
-        let other: Vec<_> = out.iter().copied().filter(|p| p.1 > 6).collect();
+        let first: Vec<_> = out.iter().copied().filter(|p| p.0 < 4).collect();
+        let other: Vec<_> = out.iter().copied().filter(|p| p.0 > 6).collect();
         let found = tabs_at(&profile([0.0, 0.0, -0.5], -0.5, &first), &vb());
         assert_eq!(found, [(4.0, 6.0), (10.0, 12.0)], "{z}");
         // The count of 14 goes on below Safe-Z: the third tab begins at 16.
@@ -204,7 +204,7 @@ fn sbp_cut_cc_tab() {
     let (from, steps) = last_pass(&origin(), &cut);
     let out = through(vb(), from, &steps);
     let mut at = inches(from);
-    for (piece, _) in &out {
+    for (_, piece) in &out {
         let Step::Arc { centre, .. } = *piece else { panic!("a tab on an arc is made of arcs") };
         for p in [at, piece.to()] {
             let radius = (p[0] - centre[0]).hypot(p[1] - centre[1]) / IN;
@@ -243,7 +243,7 @@ fn sbp_val_vb_lastpass() {
 fn a_tab_may_cross_a_corner() {
     let from = [0.0, 0.0, -0.5];
     let out = through(vb(), from, &[cut(4.25, 0.0, -0.5), cut(4.25, 5.0, -0.5)]);
-    let points: Vec<_> = out.iter().map(|(s, tag)| (s.to().map(|v| round(v / IN)), *tag)).collect();
+    let points: Vec<_> = out.iter().map(|(tag, s)| (s.to().map(|v| round(v / IN)), *tag)).collect();
     assert_eq!(
         points,
         [
@@ -261,25 +261,25 @@ fn a_tab_may_cross_a_corner() {
 fn tabs_without_leads_have_upright_sides() {
     let tabs = Tabs { lead_mm: 0.0, ..vb() };
     let out = through(tabs, [0.0, 0.0, -0.5], &[cut(5.0, 0.0, -0.5)]);
-    let points: Vec<_> = out.iter().map(|(s, _)| s.to().map(|v| round(v / IN))).collect();
+    let points: Vec<_> = out.iter().map(|(_, s)| s.to().map(|v| round(v / IN))).collect();
     assert_eq!(points, [[4.0, 0.0, -0.5], [4.0, 0.0, -0.4], [5.0, 0.0, -0.4], [5.0, 0.0, -0.5]]);
 }
 
 #[test]
 fn steps_come_out_as_soon_as_they_are_decided() {
-    let mut tabber = Tabber::new(&vb(), Some(IN)).unwrap();
+    let mut tabber = Tabber::new(&vb(), Some(IN));
     let mut out = Vec::new();
     let from = |x: f64| inches([x, 0.0, -0.5]);
-    tabber.push(from(0.0), cut(3.0, 0.0, -0.5), 0, &mut out).unwrap();
+    tabber.push(from(0.0), cut(3.0, 0.0, -0.5), 0, &mut out);
     assert_eq!(out.len(), 1, "no tab begins in it");
-    tabber.push(from(3.0), cut(5.0, 0.0, -0.5), 1, &mut out).unwrap();
+    tabber.push(from(3.0), cut(5.0, 0.0, -0.5), 1, &mut out);
     assert_eq!(out.len(), 1, "a tab begins in it and may not fit");
     let saved = serde_json::to_string(&tabber).unwrap();
     let mut restored: Tabber<usize> = serde_json::from_str(&saved).unwrap();
     for t in [&mut tabber, &mut restored] {
         let mut rest = Vec::new();
-        t.push(from(5.0), cut(6.0, 0.0, -0.5), 2, &mut rest).unwrap();
-        let lines: Vec<_> = rest.iter().map(|p| p.1).collect();
+        t.push(from(5.0), cut(6.0, 0.0, -0.5), 2, &mut rest);
+        let lines: Vec<_> = rest.iter().map(|p| p.0).collect();
         assert_eq!(lines, [1, 1, 1, 2, 2]);
     }
     assert_eq!(tabber, restored);
@@ -287,12 +287,12 @@ fn steps_come_out_as_soon_as_they_are_decided() {
 
 #[test]
 fn an_interruption_leaves_the_begun_tab_out_and_keeps_the_count() {
-    let mut tabber = Tabber::new(&vb(), Some(IN)).unwrap();
+    let mut tabber = Tabber::new(&vb(), Some(IN));
     let mut out = Vec::new();
     let from = |x: f64| inches([x, 0.0, -0.5]);
-    tabber.push(from(0.0), cut(5.0, 0.0, -0.5), 0, &mut out).unwrap();
+    tabber.push(from(0.0), cut(5.0, 0.0, -0.5), 0, &mut out);
     tabber.flush(&mut out);
-    tabber.push(from(5.0), cut(20.0, 0.0, -0.5), 1, &mut out).unwrap();
+    tabber.push(from(5.0), cut(20.0, 0.0, -0.5), 1, &mut out);
     tabber.path_end(&mut out);
     let found = tabs_at(&profile([0.0, 0.0, -0.5], -0.5, &out), &vb());
     assert_eq!(found, [(10.0, 12.0), (16.0, 18.0)]);
@@ -302,18 +302,18 @@ fn an_interruption_leaves_the_begun_tab_out_and_keeps_the_count() {
 fn cuts_at_or_above_safe_z_and_plunges_get_no_tabs() {
     let high = [cut(20.0, 0.0, 1.0), cut(20.0, 0.0, -0.5), cut(20.0, 3.0, -0.5)];
     let out = through(vb(), [0.0, 0.0, 1.0], &high);
-    assert_eq!(out.iter().map(|p| p.0).collect::<Vec<_>>(), high);
+    assert_eq!(out.iter().map(|p| p.1).collect::<Vec<_>>(), high);
 }
 
 #[test]
 fn without_safe_z_any_jog_ends_the_path() {
-    let mut tabber = Tabber::for_cut(&vb(), None).unwrap();
+    let mut tabber = Tabber::for_cut(&vb(), None);
     let mut out = Vec::new();
     let from = inches([0.0, 0.0, -0.5]);
-    tabber.push(from, cut(3.0, 0.0, -0.5), (), &mut out).unwrap();
-    tabber.push(cut(3.0, 0.0, -0.5).to(), jog(3.0, 0.0, 0.2), (), &mut out).unwrap();
-    tabber.push(from, cut(4.0, 0.0, -0.5), (), &mut out).unwrap();
-    tabber.push(cut(4.0, 0.0, -0.5).to(), cut(6.0, 0.0, -0.5), (), &mut out).unwrap();
+    tabber.push(from, cut(3.0, 0.0, -0.5), (), &mut out);
+    tabber.push(cut(3.0, 0.0, -0.5).to(), jog(3.0, 0.0, 0.2), (), &mut out);
+    tabber.push(from, cut(4.0, 0.0, -0.5), (), &mut out);
+    tabber.push(cut(4.0, 0.0, -0.5).to(), cut(6.0, 0.0, -0.5), (), &mut out);
     tabber.path_end(&mut out);
     assert_eq!(out.len(), 3 + 3, "one tab, 4 after the jog: {out:?}");
 }
@@ -321,11 +321,11 @@ fn without_safe_z_any_jog_ends_the_path() {
 #[test]
 fn a_cut_of_its_own_ignores_number_and_first_distance() {
     let tabs = Tabs { count: Some(0), start_mm: Some(IN), ..vb() };
-    let mut tabber = Tabber::for_cut(&tabs, Some(IN)).unwrap();
+    let mut tabber = Tabber::for_cut(&tabs, Some(IN));
     assert!(tabber.active());
     let mut out = Vec::new();
-    tabber.push(inches([0.0, 0.0, -0.5]), cut(6.0, 0.0, -0.5), (), &mut out).unwrap();
-    assert_eq!(round(out[0].0.to()[0] / IN), 4.0);
+    tabber.push(inches([0.0, 0.0, -0.5]), cut(6.0, 0.0, -0.5), (), &mut out);
+    assert_eq!(round(out[0].1.to()[0] / IN), 4.0);
 }
 
 #[test]
