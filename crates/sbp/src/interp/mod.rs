@@ -12,6 +12,7 @@
 mod arguments;
 mod context;
 mod core;
+mod cutting;
 mod interrupt;
 mod lifecycle;
 mod locate;
@@ -64,6 +65,9 @@ pub enum Step {
     Done(Status, Option<Box<Diagnostic>>),
 }
 
+/// States kept behind moves that may be interrupted; some tens of megabytes.
+const MOST_BEHIND: usize = 20_000;
+
 /// A program being run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Interpreter {
@@ -80,6 +84,14 @@ impl Interpreter {
 
     /// Executes one line. Commands are appended to `out`.
     pub fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        if self.behind.len() >= MOST_BEHIND {
+            // The stack is cut here so that memory stays bounded.
+            if host.settle().is_pending() {
+                return Step::Waiting;
+            }
+            self.core.settled = true;
+            self.behind.clear();
+        }
         let before = self.core.motions;
         let step = step::step(&mut self.core, host, out);
         if self.core.watches.is_empty() || self.core.settled {

@@ -1,0 +1,154 @@
+//! Motion commands out of moves and cuts, through the tab filter where tabs hold.
+
+use super::Context;
+use kerf_cut::{Cut, Step, Tabber};
+use kerf_geom::Vec2;
+use kerf_program::settings::Tabs;
+use kerf_program::{Arc, At, Axes, Axis, Command, Feed, Line, MoveKind};
+
+impl Context<'_> {
+    /// What the geometry of a cut needs to know; places are working millimetres.
+    pub(crate) fn cut_context(&self) -> kerf_cut::Context {
+        let level = self.core.level();
+        kerf_cut::Context {
+            zero_z: level.map_or(0.0, |l| l.offset[2]),
+            scale: level.map_or([1.0; 3], |l| l.proportion),
+            ..kerf_cut::Context::new(self.core.working().first3(), self.settings())
+        }
+    }
+
+    /// Carries a cut out. Its last pass gets tabs when asked to, or when tabs hold for the file.
+    pub(crate) fn carry_out(&mut self, cut: Cut, feature_tab: bool) {
+        let Some(pass) = cut.last_pass.clone().filter(|_| feature_tab || self.core.tabs.is_some()) else {
+            self.without_tabs(&cut.steps);
+            self.core.heading = Some(cut.heading_deg);
+            return;
+        };
+        self.without_tabs(&cut.steps[..pass.start]);
+        let own = self.core.tabs.is_none();
+        if own {
+            let tabs = Tabs { count: None, start_mm: None, ..self.settings().tabs };
+            self.core.tabs = Some(Tabber::new(&tabs, self.settings().cutter.safe_z_mm));
+        }
+        self.steps(&cut.steps[pass.clone()]);
+        if own {
+            self.end_tabs();
+        }
+        self.without_tabs(&cut.steps[pass.end..]);
+        self.core.heading = Some(cut.heading_deg);
+    }
+
+    /// Steps that never get tabs; a tabbed path around them is over.
+    fn without_tabs(&mut self, steps: &[Step]) {
+        if steps.is_empty() {
+            return;
+        }
+        self.path_over();
+        let held = self.core.tabs.take();
+        self.steps(steps);
+        self.core.tabs = held;
+    }
+
+    fn steps(&mut self, steps: &[Step]) {
+        for step in steps {
+            self.step(*step);
+        }
+    }
+
+    fn step(&mut self, step: Step) {
+        if self.core.tabs.is_some() {
+            self.through_tabs(step);
+            self.core.position = self.machine_of(step.to());
+        } else {
+            self.plain_step(self.at, step);
+        }
+    }
+
+    /// A straight move to a machine position.
+    pub(crate) fn line(&mut self, kind: MoveKind, to: Axes) {
+        let from = self.core.position;
+        if to == from {
+            return;
+        }
+        let delta = Vec2::new(to[Axis::X] - from[Axis::X], to[Axis::Y] - from[Axis::Y]);
+        if delta != Vec2::default() {
+            self.core.heading = Some(kerf_geom::vec_to_clock(delta));
+        }
+        if self.core.tabs.is_some() {
+            if to.0[3..] == from.0[3..] {
+                self.through_tabs(Step::Line { kind, to: self.core.frame.working(to).first3() });
+                self.core.position = to;
+                return;
+            }
+            self.interrupt_tabs();
+        }
+        self.core.position = to;
+        self.motion(Command::Line(Line { kind, to, feed: Feed::Axis }));
+    }
+
+    /// Machine position of working X, Y, Z, the other axes where they are.
+    fn machine_of(&self, working: [f64; 3]) -> Axes {
+        let mut to = self.core.position;
+        for (axis, value) in Axis::ALL.into_iter().zip(working) {
+            to[axis] = value + self.core.frame.working_zero[axis];
+        }
+        to
+    }
+
+    /// Gives one step as a motion command of the line `at`.
+    fn plain_step(&mut self, at: At, step: Step) {
+        let to = self.machine_of(step.to());
+        let command = match step {
+            Step::Line { kind, .. } => Command::Line(Line { kind, to, feed: Feed::Axis }),
+            Step::Arc { centre, sweep_rad, chords, small, .. } => {
+                let zero = self.core.frame.working_zero;
+                let centre = [centre[0] + zero[Axis::X], centre[1] + zero[Axis::Y]];
+                Command::Arc(Arc { kind: MoveKind::Cut, centre, sweep_rad, to, feed: Feed::Axis, chords, small })
+            }
+        };
+        self.core.position = to;
+        let here = std::mem::replace(&mut self.at, at);
+        self.motion(command);
+        self.at = here;
+    }
+
+    fn motion(&mut self, command: Command) {
+        self.core.motions += 1;
+        self.emit(command);
+    }
+
+    fn through_tabs(&mut self, step: Step) {
+        let from = self.core.working().first3();
+        let at = self.at;
+        self.let_go(|tabs, out| tabs.push(from, step, at, out));
+    }
+
+    /// The path is interrupted but not over: what is buffered goes out.
+    pub(crate) fn interrupt_tabs(&mut self) {
+        self.let_go(|tabs, out| tabs.flush(out));
+    }
+
+    /// The tabbed path is over, tabs hold on.
+    fn path_over(&mut self) {
+        self.let_go(|tabs, out| tabs.path_end(out));
+    }
+
+    /// Tabs end.
+    pub(crate) fn end_tabs(&mut self) {
+        self.path_over();
+        self.core.tabs = None;
+    }
+
+    /// Gives the moves that the tab filter lets go; the planned position stays what it is.
+    fn let_go(&mut self, act: impl FnOnce(&mut Tabber<At>, &mut Vec<(At, Step)>)) {
+        let Some(mut tabs) = self.core.tabs.take() else { return };
+        let mut cut = Vec::new();
+        act(&mut tabs, &mut cut);
+        let planned = self.core.position;
+        for (at, step) in cut {
+            self.plain_step(at, step);
+        }
+        self.core.position = planned;
+        self.core.tabs = Some(tabs);
+    }
+}
