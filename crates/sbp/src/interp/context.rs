@@ -48,8 +48,11 @@ impl Context<'_> {
         }
     }
 
-    /// Gives a command.
+    /// Gives a command. Moves that wait in the tab filter come first.
     pub(crate) fn emit(&mut self, command: Command) {
+        if !command.is_motion() {
+            self.interrupt_tabs();
+        }
         self.core.settled = false;
         self.out.push(Sourced { at: self.at, command });
     }

@@ -19,7 +19,8 @@ impl Context<'_> {
 
     /// Carries a cut out. Its last pass gets tabs when asked to, or when tabs hold for the file.
     pub(crate) fn carry_out(&mut self, cut: Cut, feature_tab: bool) {
-        let Some(pass) = cut.last_pass.clone().filter(|_| feature_tab || self.core.tabs.is_some()) else {
+        let Some(pass) = cut.last_pass.clone().filter(|_| feature_tab || self.core.tabs.is_some())
+        else {
             self.without_tabs(&cut.steps);
             self.core.heading = Some(cut.heading_deg);
             return;
@@ -103,7 +104,15 @@ impl Context<'_> {
             Step::Arc { centre, sweep_rad, chords, small, .. } => {
                 let zero = self.core.frame.working_zero;
                 let centre = [centre[0] + zero[Axis::X], centre[1] + zero[Axis::Y]];
-                Command::Arc(Arc { kind: MoveKind::Cut, centre, sweep_rad, to, feed: Feed::Axis, chords, small })
+                Command::Arc(Arc {
+                    kind: MoveKind::Cut,
+                    centre,
+                    sweep_rad,
+                    to,
+                    feed: Feed::Axis,
+                    chords,
+                    small,
+                })
             }
         };
         self.core.position = to;

@@ -2,7 +2,9 @@
 
 use super::{Bound, CommandSpec, Default, Group, Kind, ParamSpec, Stack, Unit};
 use crate::interp::{Arguments, Context, Stop};
-use kerf_cut::{Arch, ArcTo, Circle, Corner, Cut, CutError, Feature, Passes, Rectangle, Side, Turn};
+use kerf_cut::{
+    ArcTo, Arch, Circle, Corner, Cut, CutError, Feature, Passes, Rectangle, Side, Turn,
+};
 use kerf_diag::Code;
 use kerf_program::Axis;
 use kerf_program::settings::PlungeSign;
@@ -11,27 +13,27 @@ const LENGTH: Kind = Kind::Number(Unit::Length);
 const ANGLE: Kind = Kind::Number(Unit::Degrees);
 const SIDE: ParamSpec = ParamSpec::word("O/I/T", &["O", "I", "T"], "T")
     .about("O: the part left inside has the size; I: the hole has the size; T: the cutter centre runs on the shape.");
-const DIRECTION: ParamSpec =
-    ParamSpec::number("Direction", Kind::OneOf(&[1, -1]), 1.0).about("1 clockwise, -1 counter-clockwise.");
+const DIRECTION: ParamSpec = ParamSpec::number("Direction", Kind::OneOf(&[1, -1]), 1.0)
+    .about("1 clockwise, -1 counter-clockwise.");
 const BEGIN: ParamSpec = ParamSpec::keep("Begin angle", ANGLE)
     .special()
     .about("Clock degrees, 0 at the top. Blank: 0 clockwise, 360 counter-clockwise.");
 const END: ParamSpec =
     ParamSpec::keep("End angle", ANGLE).special().about("Clock degrees. Blank: a full circle.");
-const PLUNGE: ParamSpec =
-    ParamSpec::number("Plunge", LENGTH, 0.0).about("Change of Z before each repetition; negative is down.");
+const PLUNGE: ParamSpec = ParamSpec::number("Plunge", LENGTH, 0.0)
+    .about("Change of Z before each repetition; negative is down.");
 const REPETITIONS: ParamSpec = ParamSpec::number("Repetitions", Kind::Whole, 1.0)
     .within(Bound::AtLeast(1.0))
     .about("How many passes.");
-const PROPORTION_X: ParamSpec =
-    ParamSpec::number("Proportion X", Kind::Number(Unit::None), 1.0).about("Scales in X; negative mirrors.");
-const PROPORTION_Y: ParamSpec =
-    ParamSpec::number("Proportion Y", Kind::Number(Unit::None), 1.0).about("Scales in Y; negative mirrors.");
+const PROPORTION_X: ParamSpec = ParamSpec::number("Proportion X", Kind::Number(Unit::None), 1.0)
+    .about("Scales in X; negative mirrors.");
+const PROPORTION_Y: ParamSpec = ParamSpec::number("Proportion Y", Kind::Number(Unit::None), 1.0)
+    .about("Scales in Y; negative mirrors.");
 const FEATURE: ParamSpec = ParamSpec::number("Feature", Kind::Whole, 0.0)
     .within(Bound::Range(0.0, 4.0))
     .about("0 none, 1 tabs, 2 pocket, 3 spiral plunge, 4 spiral plunge with a flat last pass.");
-const NO_PULL_UP: ParamSpec =
-    ParamSpec::number("No pull-up", Kind::OneOf(&[0, 1]), 0.0).about("1: stay at depth afterwards.");
+const NO_PULL_UP: ParamSpec = ParamSpec::number("No pull-up", Kind::OneOf(&[0, 1]), 0.0)
+    .about("1: stay at depth afterwards.");
 const FROM_ZERO: ParamSpec = ParamSpec::number("Plunge from 0", Kind::OneOf(&[0, 1]), 0.0)
     .about("1: move Z to 0 first and plunge from there.");
 
@@ -50,7 +52,8 @@ pub(super) static SPECS: &[CommandSpec] = &[
             REPETITIONS,
             PROPORTION_X,
             PROPORTION_Y,
-            ParamSpec::number("Tabs", Kind::OneOf(&[0, 1]), 0.0).about("1: leave tabs on the last pass."),
+            ParamSpec::number("Tabs", Kind::OneOf(&[0, 1]), 0.0)
+                .about("1: leave tabs on the last pass."),
             NO_PULL_UP,
             FROM_ZERO,
         ],
@@ -85,11 +88,16 @@ pub(super) static SPECS: &[CommandSpec] = &[
         "Cut G-code Circle",
         Group::Cut,
         &[
-            ParamSpec::keep("Diameter", LENGTH).about("Instead of the centre; the arc is half a turn at most."),
-            ParamSpec::keep("X end", Kind::Number(Unit::Axis(Axis::X))).about("Blank: where the tool is."),
-            ParamSpec::keep("Y end", Kind::Number(Unit::Axis(Axis::Y))).about("Blank: where the tool is."),
-            ParamSpec::keep("X centre offset I", LENGTH).about("From the tool to the centre; blank: as in the last CG."),
-            ParamSpec::keep("Y centre offset J", LENGTH).about("From the tool to the centre; blank: as in the last CG."),
+            ParamSpec::keep("Diameter", LENGTH)
+                .about("Instead of the centre; the arc is half a turn at most."),
+            ParamSpec::keep("X end", Kind::Number(Unit::Axis(Axis::X)))
+                .about("Blank: where the tool is."),
+            ParamSpec::keep("Y end", Kind::Number(Unit::Axis(Axis::Y)))
+                .about("Blank: where the tool is."),
+            ParamSpec::keep("X centre offset I", LENGTH)
+                .about("From the tool to the centre; blank: as in the last CG."),
+            ParamSpec::keep("Y centre offset J", LENGTH)
+                .about("From the tool to the centre; blank: as in the last CG."),
             SIDE,
             DIRECTION,
             PLUNGE,
@@ -137,8 +145,9 @@ pub(super) static SPECS: &[CommandSpec] = &[
             ParamSpec::keep("Length Y", LENGTH).special().about("Blank: a square."),
             SIDE,
             DIRECTION,
-            ParamSpec::number("Start corner", Kind::OneOf(&[1, 2, 3, 4]), 4.0)
-                .about("Where the tool is: 1 upper left, 2 upper right, 3 lower right, 4 lower left."),
+            ParamSpec::number("Start corner", Kind::OneOf(&[1, 2, 3, 4]), 4.0).about(
+                "Where the tool is: 1 upper left, 2 upper right, 3 lower right, 4 lower left.",
+            ),
             PLUNGE,
             REPETITIONS,
             ParamSpec::number("Feature", Kind::Whole, 0.0)
@@ -198,7 +207,11 @@ fn warn_lift(c: &mut Context<'_>, plunge_mm: f64) {
         PlungeSign::Plus => plunge_mm < 0.0,
     };
     if lifts {
-        c.warn(Code::Lifts, "this plunge lifts the tool", "plunges are negative unless VC says that Z counts downwards");
+        c.warn(
+            Code::Lifts,
+            "this plunge lifts the tool",
+            "plunges are negative unless VC says that Z counts downwards",
+        );
     }
 }
 
@@ -236,7 +249,11 @@ fn point_circle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let to = c.targets([(Axis::X, a.number_or(1, 0.0)), (Axis::Y, a.number_or(2, 0.0))]);
     let centre = c.core.frame.working(to);
     if c.core.working()[Axis::Z] < 0.0 {
-        c.warn(Code::Unusual, "CP moves to its first point below the surface", "lift the tool before CP");
+        c.warn(
+            Code::Unusual,
+            "CP moves to its first point below the surface",
+            "lift the tool before CP",
+        );
     }
     let cut = kerf_cut::point_circle([centre[Axis::X], centre[Axis::Y]], &shape, &c.cut_context());
     carry_out(c, cut, shape.passes.feature)
@@ -293,7 +310,11 @@ fn rectangle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     carry_out(c, cut, shape.passes.feature)
 }
 
-fn carry_out(c: &mut Context<'_>, cut: Result<Cut, CutError>, feature: Feature) -> Result<(), Stop> {
+fn carry_out(
+    c: &mut Context<'_>,
+    cut: Result<Cut, CutError>,
+    feature: Feature,
+) -> Result<(), Stop> {
     let cut = cut.map_err(|e| refused(c, &e))?;
     c.carry_out(cut, feature == Feature::Tab);
     Ok(())
