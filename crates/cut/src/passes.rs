@@ -150,14 +150,16 @@ impl<O: Outline> Job<'_, O> {
         }
         let top = self.trail.at[2];
         let plunge = self.context.plunge_mm(self.passes.plunge_mm);
-        let levels = (1..=self.passes.repetitions).map(|n| top + plunge * f64::from(n));
-        let bottom = top + plunge * f64::from(self.passes.repetitions);
+        let depth = |n: u32| top + plunge * f64::from(n);
+        let levels = (1..=self.passes.repetitions).map(depth);
+        let turns = (1..=self.passes.repetitions).map(|n| [depth(n - 1), depth(n)]);
+        let bottom = depth(self.passes.repetitions);
         match self.passes.feature {
             Feature::Plain | Feature::Tab => levels.for_each(|z| self.pass([z, z])),
             Feature::Pocket => levels.for_each(|z| self.level(z)),
-            Feature::Spiral => levels.for_each(|z| self.pass([z - plunge, z])),
+            Feature::Spiral => turns.for_each(|z| self.pass(z)),
             Feature::SpiralBottom => {
-                levels.for_each(|z| self.pass([z - plunge, z]));
+                turns.for_each(|z| self.pass(z));
                 self.pass([bottom, bottom]);
             }
         }

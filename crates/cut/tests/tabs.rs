@@ -109,23 +109,23 @@ fn sbp_val_vb_next() {
     check_line(closer, 21.0, &[(3.0, 5.0), (8.0, 10.0), (13.0, 15.0), (18.0, 20.0)]);
 }
 
+/// Ends of the steps of a straight cut of this length at Z -.5.
+fn ends(tabs: Tabs, length: f64) -> Vec<[f64; 3]> {
+    let out = through(tabs, [0.0, 0.0, -0.5], &[cut(length, 0.0, -0.5)]);
+    out.iter().map(|(_, s)| s.to().map(|v| round(v / IN))).collect()
+}
+
 #[test]
-fn sbp_val_vb_up_and_lead() {
-    let tabs = Tabs { up_mm: 0.15 * IN, ..vb() };
-    let out = through(tabs, [0.0, 0.0, -0.5], &[cut(7.0, 0.0, -0.5)]);
-    let told: Vec<_> = out.iter().map(|(_, s)| common::tell(*s)).collect();
-    let points: Vec<_> = out.iter().map(|(_, s)| s.to().map(|v| round(v / IN))).collect();
-    assert_eq!(
-        points,
-        [
-            [4.0, 0.0, -0.5],
-            [4.5, 0.0, -0.35],
-            [5.5, 0.0, -0.35],
-            [6.0, 0.0, -0.5],
-            [7.0, 0.0, -0.5]
-        ],
-        "{told:?}"
-    );
+fn sbp_val_vb_up() {
+    let got = ends(Tabs { up_mm: 0.15 * IN, ..vb() }, 7.0);
+    assert_eq!(got[1..3], [[4.5, 0.0, -0.35], [5.5, 0.0, -0.35]]);
+}
+
+#[test]
+fn sbp_val_vb_lead() {
+    let (low, high) = (-0.5, -0.4);
+    let want = [[4.0, low], [4.5, high], [5.5, high], [6.0, low], [7.0, low]];
+    assert_eq!(ends(vb(), 7.0), want.map(|[x, z]| [x, 0.0, z]));
 }
 
 #[test]
@@ -157,7 +157,7 @@ fn a_tab_that_does_not_fit_is_left_out_and_the_line_stays_whole() {
 }
 
 #[test]
-fn sbp_file_fp_tab() {
+fn a_file_pass_of_one_cut_and_jogs() {
     let steps = [cut(20.0, 0.0, -0.5), jog(20.0, 0.0, 1.0), jog(0.0, 0.0, 1.0)];
     let out = through(vb(), [0.0, 0.0, -0.5], &steps);
     let found = tabs_at(&profile([0.0, 0.0, -0.5], -0.5, &out[..13]), &vb());
@@ -227,7 +227,7 @@ fn sbp_cut_ca_tab() {
 }
 
 #[test]
-fn sbp_val_vb_lastpass() {
+fn tabs_belong_to_the_last_pass() {
     for (cut, per_pass) in
         [(cc("12,T,1,,,-.1,3,1,1,1", &origin()), 1), (cr("6,6,T,1,4,-.1,3,1", &origin()), 4)]
     {

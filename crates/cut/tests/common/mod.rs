@@ -228,27 +228,29 @@ pub fn refused(result: Result<Cut, CutError>, part: &str) {
     assert!(message.contains(part), "{message:?} lacks {part:?}");
 }
 
-/// Distance of a place from one step of the path, from above, inches.
-pub fn distance(from: [f64; 3], step: &Step, p: [f64; 2]) -> f64 {
+/// Distance of a place from one step of the path, seen from above, and the share of the step at
+/// which the step is that near. Inches.
+pub fn nearest(from: [f64; 3], step: &Step, p: [f64; 2]) -> (f64, f64) {
     match *step {
         Step::Line { to, .. } => {
             let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
             let length2 = dx * dx + dy * dy;
             let t = ((p[0] - from[0]) * dx + (p[1] - from[1]) * dy) / length2;
             let t = if length2 > 0.0 { t.clamp(0.0, 1.0) } else { 0.0 };
-            (from[0] + dx * t - p[0]).hypot(from[1] + dy * t - p[1])
+            ((from[0] + dx * t - p[0]).hypot(from[1] + dy * t - p[1]), t)
         }
         Step::Arc { centre, sweep_rad, to, .. } => {
             let tau = std::f64::consts::TAU;
             let angle = |q: [f64; 2]| (q[1] - centre[1]).atan2(q[0] - centre[0]);
             let way = (angle(p) - angle([from[0], from[1]])) * sweep_rad.signum();
             let radius = (from[0] - centre[0]).hypot(from[1] - centre[1]);
-            if way.rem_euclid(tau) <= sweep_rad.abs() {
-                (radius - (p[0] - centre[0]).hypot(p[1] - centre[1])).abs()
-            } else {
-                let end = |q: [f64; 3]| (q[0] - p[0]).hypot(q[1] - p[1]);
-                end(from).min(end(to))
+            let share = way.rem_euclid(tau) / sweep_rad.abs();
+            if share <= 1.0 {
+                let off = radius - (p[0] - centre[0]).hypot(p[1] - centre[1]);
+                return (off.abs(), share);
             }
+            let end = |q: [f64; 3]| (q[0] - p[0]).hypot(q[1] - p[1]);
+            if end(from) < end(to) { (end(from), 0.0) } else { (end(to), 1.0) }
         }
     }
 }
@@ -257,9 +259,14 @@ pub fn distance(from: [f64; 3], step: &Step, p: [f64; 2]) -> f64 {
 #[track_caller]
 pub fn passes(context: &Context, cut: &Cut, places: &[[f64; 2]]) {
     let legs = legs(context.start, &cut.steps);
-    let mut after = 0;
+    let mut after = 0.0;
     for place in places {
-        let found = legs[after..].iter().position(|(from, s)| distance(*from, s, *place) < 2e-4);
-        after += found.unwrap_or_else(|| panic!("{place:?} is not on the path after leg {after}"));
+        let ends = |to: [f64; 3]| (to[0] - place[0]).hypot(to[1] - place[1]) < 2e-4;
+        let found = legs.iter().enumerate().find_map(|(i, (from, step))| {
+            let (off, share) = nearest(*from, step, *place);
+            let at = [Some(share).filter(|_| off < 2e-4), Some(1.0).filter(|_| ends(step.to()))];
+            at.into_iter().flatten().map(|share| i as f64 + share).find(|at| *at >= after - 1e-6)
+        });
+        after = found.unwrap_or_else(|| panic!("{place:?} is not on the path after {after}"));
     }
 }
