@@ -1,9 +1,58 @@
 //! Text to tree. Never fails: a bad line becomes [`Node::Bad`](crate::tree::Node::Bad) with diagnostics.
+//!
+//! ```text
+//!  bytes ── text::decode ──► text ──► a line at a time
+//!                                       │ moves::read        plain moves, one pass over the bytes
+//!                                       └ Line::read         everything else
+//!                                           file        comments, labels
+//!                                           statements  which statement is it
+//!                                           commands    two letters and their values, by the table
+//!                                           assign flow output dialog files   one family each
+//!                                           expression  precedence climbing
+//! ```
+
+mod assign;
+mod commands;
+mod dialog;
+mod expression;
+mod file;
+mod files;
+mod flow;
+mod gcode;
+mod line;
+mod moves;
+mod output;
+mod statements;
+mod suggest;
+mod text;
 
 use crate::Program;
+use kerf_diag::{Code, Diagnostic, Place};
 use std::sync::Arc;
 
+/// Longer lines are refused; no person and no program writes them.
+const MOST_LINE_BYTES: usize = 1_000_000;
+
+/// Diagnostics that are kept; a file that is no part file would give millions.
+const MOST_DIAGNOSTICS: usize = 10_000;
+
 /// Reads a part file.
-pub fn read(name: Arc<str>, _bytes: &[u8]) -> Program {
-    Program { name, ..Program::default() }
+///
+/// Every line becomes one node; what is wrong or doubtful stands in [`Program::diagnostics`].
+pub fn read(name: Arc<str>, bytes: &[u8]) -> Program {
+    let text: Arc<str> = match text::decode(bytes) {
+        Ok(text) if text.len() < u32::MAX as usize => text.as_ref().into(),
+        Ok(_) => return refused(name, 1, "the file is larger than 4 GB"),
+        Err(line) => return refused(name, line, "not a text file"),
+    };
+    let mut file = file::File::new(name);
+    file.read(&text);
+    file.finish(text)
+}
+
+/// A program without lines that only says why.
+fn refused(name: Arc<str>, line: u32, message: &str) -> Program {
+    let diagnostic = Diagnostic::new(Code::NotText, Place::line(name.clone(), line), message)
+        .hint("save it as plain text, UTF-8 or Windows-1252");
+    Program { name, diagnostics: vec![diagnostic], ..Program::default() }
 }

@@ -1,0 +1,106 @@
+//! Assignments: `&name = …`, `$name = …`, `&name := …`.
+
+use super::line::{Line, Read, is_name};
+use crate::expr::{BinaryOp, Expr, ExprNode};
+use crate::tree::{Assigned, Span, Statement};
+use kerf_diag::Code;
+
+impl Line<'_, '_> {
+    pub(super) fn assignment(&mut self, persistent: bool) -> Read<Statement> {
+        let start = self.at;
+        let end = self.word_end(start + 1);
+        self.at = end;
+        self.skip_blanks();
+        let only_if_undefined = self.peek() == b':' && self.byte(self.at + 1) == b'=';
+        self.at += usize::from(only_if_undefined);
+        if end == start + 1 || self.peek() != b'=' {
+            return Err(self.bad_name(start, end));
+        }
+        self.at += 1;
+        let name = self.name(start + 1, end);
+        let value = self.assigned()?;
+        let span = Span { start: start as u32, end: end as u32 };
+        Ok(Statement::Assign { name, persistent, only_if_undefined, value, span })
+    }
+
+    /// What stands before `=` is no variable's name.
+    fn bad_name(&mut self, start: usize, end: usize) -> super::line::Failed {
+        let equals = self.until(start, b'=');
+        let name = Span { start: start as u32, end: end as u32 };
+        if equals >= self.end {
+            let hint = "an assignment is written &name = value";
+            return self.fault(Code::Syntax, name, "= expected behind a variable", hint);
+        }
+        let bad = (end..equals).find(|at| !is_name(self.byte(*at))).unwrap_or(end);
+        let found = self.slice(bad, equals).chars().next().unwrap_or('=');
+        let span = Span { start: bad as u32, end: (bad + found.len_utf8()) as u32 };
+        let hint = match found {
+            '[' | '.' => "arrays and objects belong to FabMo's dialect",
+            _ => "letters, digits and underscores are allowed",
+        };
+        let message = format!("character not allowed in a variable name: '{found}'");
+        self.fault(Code::BadVariableName, span, message, hint)
+    }
+
+    /// The value: computed where all of it can be, text otherwise.
+    fn assigned(&mut self) -> Read<Assigned> {
+        let text = self.rest();
+        if text.is_empty() {
+            return Ok(Assigned::Nothing);
+        }
+        let span = self.span_to_end();
+        if text.starts_with('"') && !text[1..].contains('"') {
+            self.expression()?;
+        }
+        let mark = self.mark();
+        if let Ok(expr) = self.whole_expression(span)
+            && !is_text(&expr)
+        {
+            self.at = self.end;
+            return Ok(Assigned::Expr(self.spelled_out(expr)));
+        }
+        self.forget(mark);
+        self.at = self.end;
+        if looks_computed(text) {
+            let hint = "put text in quotes, or mend the expression";
+            let message = "this is no expression and is taken as text";
+            self.warn(Code::DoubtfulSpelling, span, message, hint);
+        }
+        Ok(Assigned::Text(text.into()))
+    }
+
+    /// `&a = "&b"` is an old way to say: the value of b as text.
+    fn spelled_out(&mut self, expr: Expr) -> Expr {
+        let ExprNode::Text(text) = &expr.node else { return expr };
+        let Some(name) = text.strip_prefix('&') else { return expr };
+        if name.is_empty() || !name.bytes().all(is_name) {
+            return expr;
+        }
+        let span = Span { start: expr.span.start + 1, end: expr.span.end - 1 };
+        let id = self.file.name_id(name);
+        let variable = Expr { node: ExprNode::Variable(id), span };
+        let nothing = Expr { node: ExprNode::Text("".into()), span };
+        let node = ExprNode::Binary(BinaryOp::Join, Box::new(variable), Box::new(nothing));
+        Expr { node, span: expr.span }
+    }
+}
+
+/// True for bare words that are no part of a join or a comparison with something else.
+fn is_text(expr: &Expr) -> bool {
+    match &expr.node {
+        ExprNode::Word(_) => true,
+        ExprNode::Binary(op, a, b) if op.precedence() <= BinaryOp::Join.precedence() => {
+            is_text(a) && is_text(b)
+                || (is_text(a) && !matches!(a.node, ExprNode::Word(_)))
+                || (is_text(b) && !matches!(b.node, ExprNode::Word(_)))
+        }
+        _ => expr.has_words(),
+    }
+}
+
+/// True for text that was probably meant to be computed.
+fn looks_computed(text: &str) -> bool {
+    text.starts_with(['&', '$', '%', '(', '-', '+'])
+        || text.contains('"')
+        || !text.bytes().any(|b| b.is_ascii_alphabetic())
+}

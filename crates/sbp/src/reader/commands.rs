@@ -1,0 +1,180 @@
+//! Two-letter commands: looked up in the table, their values read by the kind of each parameter.
+
+use super::line::{Failed, Line, Read, is_name};
+use crate::expr::{Expr, ExprNode};
+use crate::table::{self, CommandSpec, Default, Kind, ParamSpec};
+use crate::tree::{Arg, ArgKind, Span, Statement};
+use kerf_diag::Code;
+
+/// The commands by their letters, for one look instead of a search.
+#[derive(Debug)]
+pub(super) struct CommandIndex(Vec<Option<&'static CommandSpec>>);
+
+impl CommandIndex {
+    pub(super) fn new() -> Self {
+        let mut index = vec![None; 36 * 36];
+        for spec in table::commands() {
+            let letters = spec.letters.as_bytes();
+            if let (Some(a), Some(b)) = (letters.first(), letters.get(1))
+                && let Some(slot) = slot(*a, *b)
+            {
+                index[slot] = Some(spec);
+            }
+        }
+        // Both spellings of motors off are in use.
+        if let (Some(zero), Some(letter)) = (slot(b'M', b'0'), slot(b'M', b'O')) {
+            index[zero] = index[zero].or(index[letter]);
+        }
+        Self(index)
+    }
+
+    /// The command of a word, in any case.
+    pub(super) fn find(&self, word: &str) -> Option<&'static CommandSpec> {
+        let &[a, b] = word.as_bytes() else { return None };
+        self.0[slot(a, b)?]
+    }
+}
+
+fn slot(a: u8, b: u8) -> Option<usize> {
+    let place = |byte: u8| match byte.to_ascii_uppercase() {
+        letter @ b'A'..=b'Z' => Some(usize::from(letter - b'A')),
+        digit @ b'0'..=b'9' => Some(usize::from(digit - b'0') + 26),
+        _ => None,
+    };
+    Some(place(a)? * 36 + place(b)?)
+}
+
+impl Line<'_, '_> {
+    /// The values of a command; the cursor stands right behind its letters.
+    pub(super) fn command(&mut self, spec: &'static CommandSpec, start: usize) -> Read<Statement> {
+        let head = self.span_from(start);
+        if self.peek() == b',' {
+            self.at += 1;
+        }
+        let mut args = Vec::new();
+        let mut failed = false;
+        while !self.at_end() {
+            let span = self.field();
+            self.at += 1;
+            match spec.params.get(args.len()) {
+                Some(param) => {
+                    let arg = self.argument(param, span);
+                    failed |= arg.is_err();
+                    args.push(arg.unwrap_or(Arg { span, kind: ArgKind::Blank }));
+                }
+                None => failed |= self.surplus(spec, span).is_err(),
+            }
+        }
+        self.at = self.end;
+        while args.last().is_some_and(|a| a.kind == ArgKind::Blank) {
+            args.pop();
+        }
+        if failed {
+            return Err(Failed);
+        }
+        self.check_required(spec, &args, head)?;
+        let span = Span { start: start as u32, end: self.end as u32 };
+        Ok(Statement::Command { spec, args, span })
+    }
+
+    fn argument(&mut self, param: &ParamSpec, span: Span) -> Read<Arg> {
+        let kind = if span.start == span.end {
+            ArgKind::Blank
+        } else {
+            match param.kind {
+                Kind::Number(_) | Kind::NumberOrOff(_) | Kind::Whole | Kind::OneOf(_) => {
+                    ArgKind::Expr(self.whole_expression(span)?)
+                }
+                Kind::Text => self.text_argument(span),
+                Kind::File => self.computed_argument(span)?,
+                Kind::Word(_) | Kind::AxisLetter | Kind::Obsolete => {
+                    self.computed_argument(span)?
+                }
+            }
+        };
+        Ok(match kind {
+            ArgKind::Expr(Expr { node: ExprNode::Word(word), .. }) => {
+                Arg { span, kind: ArgKind::Word(word) }
+            }
+            kind => Arg { span, kind },
+        })
+    }
+
+    /// Words and file names are taken as written unless they begin like something computed.
+    fn computed_argument(&mut self, span: Span) -> Read<ArgKind> {
+        let text = self.slice(span.start as usize, span.end as usize);
+        if text.starts_with(['"', '&', '$', '%']) {
+            return Ok(ArgKind::Expr(self.whole_expression(span)?));
+        }
+        Ok(ArgKind::Word(text.into()))
+    }
+
+    /// Text is computed where all of it can be, and taken as written otherwise.
+    fn text_argument(&mut self, span: Span) -> ArgKind {
+        let mark = self.mark();
+        match self.whole_expression(span) {
+            Ok(expr) if !expr.has_words() => ArgKind::Expr(expr),
+            _ => {
+                self.forget(mark);
+                ArgKind::Word(self.slice(span.start as usize, span.end as usize).into())
+            }
+        }
+    }
+
+    /// A field behind the last parameter may only be blank.
+    fn surplus(&mut self, spec: &CommandSpec, span: Span) -> Read<()> {
+        if span.start == span.end {
+            return Ok(());
+        }
+        let takes = match spec.params.len() {
+            0 => "no values".to_string(),
+            1 => "1 value".to_string(),
+            n => format!("{n} values"),
+        };
+        let message = format!("{} takes {takes}, this is one too many", spec.letters);
+        Err(self.fault(Code::TooManyParameters, span, message, "leave it out, or check the commas"))
+    }
+
+    fn check_required(&mut self, spec: &CommandSpec, args: &[Arg], head: Span) -> Read<()> {
+        let mut result = Ok(());
+        for (index, param) in spec.params.iter().enumerate() {
+            let arg = args.get(index);
+            let blank = arg.is_none_or(|a| a.kind == ArgKind::Blank);
+            if blank && param.default == Default::Required {
+                let message = format!("{} expected", param.name.to_lowercase());
+                let span = arg.map_or(head, |a| a.span);
+                let hint = format!("{} needs this value, it has no default", spec.letters);
+                result = Err(self.fault(Code::MissingParameter, span, message, hint));
+            }
+        }
+        result
+    }
+
+    /// Whether the code at the cursor begins with a command and its separator.
+    pub(super) fn is_command(&self, at: usize) -> bool {
+        let end = self.word_end(at);
+        let separated = matches!(self.byte(end), 0 | b',' | b' ' | b'\t');
+        separated && self.file.commands.find(self.slice(at, end)).is_some()
+    }
+
+    /// Behind a value: nothing may follow. Says what is wrong when something does.
+    pub(super) fn expect_end(&mut self) -> Read<()> {
+        self.skip_blanks();
+        if self.at_end() {
+            return Ok(());
+        }
+        let span = self.span_to_end();
+        if self.is_command(self.at) || (is_name(self.peek()) && self.is_statement()) {
+            let hint = "put it on a line of its own";
+            return Err(self.fault(Code::OneCommandPerLine, span, "a second command", hint));
+        }
+        let found = self.slice(span.start as usize, span.end as usize);
+        let shown: String = found.chars().take(20).collect();
+        let hint = match found.as_bytes().first() {
+            Some(b'0'..=b'9' | b'.' | b'&' | b'%' | b'-') => "values are separated by commas",
+            Some(b'[' | b'.' | b'!') => "arrays and objects belong to another dialect",
+            _ => "",
+        };
+        Err(self.fault(Code::Syntax, span, format!("'{shown}' does not belong here"), hint))
+    }
+}

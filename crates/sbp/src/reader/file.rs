@@ -1,0 +1,227 @@
+//! What is gathered while a file is read.
+
+use super::commands::CommandIndex;
+use super::line::{Failed, Line, Read};
+use super::text::{after_line_end, is_blank, line_end};
+use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, moves};
+use crate::tree::{Label, LineNode, NameId, Node, Program, Span, Statement};
+use kerf_diag::{Code, Diagnostic, Place};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A file while it is read.
+#[derive(Debug)]
+pub(super) struct File {
+    pub(super) name: Arc<str>,
+    pub(super) lines: Vec<LineNode>,
+    pub(super) numbers: Vec<f64>,
+    pub(super) statements: Vec<Statement>,
+    pub(super) labels: Vec<Label>,
+    pub(super) label_lines: HashMap<Arc<str>, u32>,
+    names: Vec<Arc<str>>,
+    name_ids: HashMap<Arc<str>, u32>,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(super) commands: CommandIndex,
+    /// Diagnostics that were told but not kept.
+    pub(super) untold: usize,
+}
+
+impl File {
+    pub(super) fn new(name: Arc<str>) -> Self {
+        Self {
+            name,
+            lines: Vec::new(),
+            numbers: Vec::new(),
+            statements: Vec::new(),
+            labels: Vec::new(),
+            label_lines: HashMap::new(),
+            names: Vec::new(),
+            name_ids: HashMap::new(),
+            diagnostics: Vec::new(),
+            commands: CommandIndex::new(),
+            untold: 0,
+        }
+    }
+
+    /// Reads every line of a text.
+    pub(super) fn read(&mut self, text: &str) {
+        let bytes = text.as_bytes();
+        self.lines.reserve(memchr::memchr_iter(b'\n', bytes).count() + 1);
+        // A value of a move takes about eight characters, its comma included.
+        self.numbers.reserve(bytes.len() / 8);
+        let mut start = 0;
+        while start < bytes.len() {
+            let (node, next) = match moves::read(bytes, start, &mut self.numbers) {
+                Some((node, end)) => (node, after_line_end(bytes, end)),
+                None => {
+                    let (end, next) = line_end(bytes, start);
+                    (self.line(&text[start..end]), next)
+                }
+            };
+            self.lines.push(LineNode { node, start: start as u32 });
+            start = next;
+        }
+        self.numbers.shrink_to_fit();
+    }
+
+    fn line(&mut self, text: &str) -> Node {
+        let first = text.bytes().find(|b| !is_blank(*b));
+        match first {
+            None => return Node::Blank,
+            Some(b'\'') => return Node::Comment,
+            _ => {}
+        }
+        let number = self.lines.len() as u32 + 1;
+        if text.len() > MOST_LINE_BYTES {
+            self.too_long(number);
+            return Node::Bad;
+        }
+        let before = self.diagnostics.len();
+        let node = Line::new(self, text, number).read();
+        if before > MOST_DIAGNOSTICS {
+            self.untold += self.diagnostics.len() - before;
+            self.diagnostics.truncate(before);
+        }
+        node.unwrap_or(Node::Bad)
+    }
+
+    fn too_long(&mut self, line: u32) {
+        let message = format!("the line is longer than {MOST_LINE_BYTES} characters");
+        let place = Place::line(self.name.clone(), line);
+        let hint = "is this a part file? each command stands on a line of its own";
+        self.diagnostics.push(Diagnostic::new(Code::LineTooLong, place, message).hint(hint));
+    }
+
+    /// The number of a variable's name, which is the same in any case.
+    pub(super) fn name_id(&mut self, name: &str) -> NameId {
+        let mut buffer = [0; 48];
+        let folded;
+        let key = match buffer.get_mut(..name.len()) {
+            Some(short) if name.is_ascii() => {
+                short.copy_from_slice(name.as_bytes());
+                short.make_ascii_uppercase();
+                std::str::from_utf8(short).unwrap_or(name)
+            }
+            _ => {
+                folded = name.to_uppercase();
+                &folded
+            }
+        };
+        if let Some(id) = self.name_ids.get(key) {
+            return NameId(*id);
+        }
+        let id = self.names.len() as u32;
+        let key: Arc<str> = key.into();
+        self.names.push(key.clone());
+        self.name_ids.insert(key, id);
+        NameId(id)
+    }
+
+    /// Everything together; jumps find their labels.
+    pub(super) fn finish(mut self, text: Arc<str>) -> Program {
+        if self.untold > 0 {
+            let line = self.lines.len() as u32;
+            let message = format!("{} more findings are not listed", self.untold);
+            let place = Place::line(self.name.clone(), line);
+            self.diagnostics.push(Diagnostic::new(Code::Syntax, place, message));
+        }
+        for statement in &mut self.statements {
+            link(statement, &self.label_lines);
+        }
+        Program {
+            name: self.name,
+            text,
+            lines: self.lines,
+            numbers: self.numbers,
+            statements: self.statements,
+            labels: self.labels,
+            label_lines: self.label_lines,
+            names: self.names,
+            diagnostics: self.diagnostics,
+        }
+    }
+}
+
+fn link(statement: &mut Statement, labels: &HashMap<Arc<str>, u32>) {
+    match statement {
+        Statement::Goto(target) | Statement::Gosub(target) => {
+            target.line = labels.get(&target.name).copied();
+        }
+        Statement::If { then, .. } => link(then, labels),
+        Statement::OnInput { action: Some(action), .. } => link(action, labels),
+        _ => {}
+    }
+}
+
+impl Line<'_, '_> {
+    /// Reads the line.
+    fn read(&mut self) -> Read<Node> {
+        self.skip_blanks();
+        if self.is_remark() {
+            return Ok(Node::Comment);
+        }
+        if let Some(node) = self.label()? {
+            return Ok(node);
+        }
+        let statement = self.statement(false)?;
+        let index = self.file.statements.len() as u32;
+        self.file.statements.push(statement);
+        Ok(Node::Statement(index))
+    }
+
+    fn is_remark(&self) -> bool {
+        self.text.get(self.at..self.at + 3).is_some_and(|w| w.eq_ignore_ascii_case("REM"))
+            && self.text.as_bytes().get(self.at + 3).is_none_or(|b| is_blank(*b) || *b == b'\'')
+    }
+
+    /// A label: words alone on the line with a colon behind them.
+    fn label(&mut self) -> Read<Option<Node>> {
+        if self.byte(self.end - 1) != b':' {
+            return Ok(None);
+        }
+        let start = self.at;
+        let written = self.slice(start, self.end - 1).trim();
+        let span = Span { start: start as u32, end: self.end as u32 };
+        if written.is_empty() {
+            return Err(self.fault(Code::Syntax, span, "a label needs a name", ""));
+        }
+        if !is_label(written) || (written.contains(char::is_whitespace) && self.is_statement()) {
+            return Ok(None);
+        }
+        let name = label_name(written);
+        let line = self.number;
+        let first = *self.file.label_lines.entry(name.clone()).or_insert(line);
+        if first != line {
+            let message = format!("label {name} repeated at line {line}");
+            let hint = format!("jumps go to line {first}");
+            self.warn(Code::RepeatedLabel, span, message, hint);
+        }
+        self.file.labels.push(Label { name, line });
+        Ok(Some(Node::Label(self.file.labels.len() as u32 - 1)))
+    }
+}
+
+/// True for text that can be the name of a label.
+pub(super) fn is_label(text: &str) -> bool {
+    !text.is_empty()
+        && !text.bytes().any(|b| matches!(b, b',' | b'"' | b'=' | b'(' | b')' | b':' | b';'))
+        && !text.starts_with(['&', '$', '%'])
+}
+
+/// A label's name as it is kept: capitals, single blanks.
+pub(super) fn label_name(written: &str) -> Arc<str> {
+    let mut name = String::with_capacity(written.len());
+    for word in written.split_whitespace() {
+        if !name.is_empty() {
+            name.push(' ');
+        }
+        name.push_str(&word.to_uppercase());
+    }
+    name.into()
+}
+
+impl From<Failed> for Node {
+    fn from(_: Failed) -> Self {
+        Self::Bad
+    }
+}

@@ -1,0 +1,271 @@
+//! What kind of statement a line is.
+
+use super::file::is_label;
+use super::line::{Failed, Line, Read, is_name};
+use super::suggest::did_you_mean;
+use crate::table;
+use crate::tree::{Span, Statement};
+use kerf_diag::Code;
+
+macro_rules! keywords {
+    ($($name:ident $text:literal)*) => {
+        /// The words that begin statements.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(crate) enum Keyword { $($name,)* }
+        impl Keyword {
+            /// Every one.
+            pub(crate) const ALL: &[(&'static str, Self)] = &[$(($text, Self::$name),)*];
+            /// The keyword of a word in capitals.
+            fn exact(word: &[u8]) -> Option<Self> {
+                $(if word == $text.as_bytes() { return Some(Self::$name); })*
+                None
+            }
+        }
+    };
+}
+
+keywords! {
+    If "IF" On "ON" End "END" Goto "GOTO" Open "OPEN" Play "PLAY" Exit "EXIT" Gosub "GOSUB"
+    Pause "PAUSE" Print "PRINT" Input "INPUT" Write "WRITE" Close "CLOSE" Shell "SHELL"
+    EndAll "ENDALL" Return "RETURN" MsgBox "MSGBOX" Warning "WARNING" SetUsrVal "SETUSRVAL"
+    GetUsrVal "GETUSRVAL" GetUsrPath "GETUSRPATH" GetAppPath "GETAPPPATH"
+    SetUsrValClrd "SETUSRVALCLRD" GetUsrValClrd "GETUSRVALCLRD"
+    SetSpindleStatus "SETSPINDLESTATUS" GetSpindleStatus "GETSPINDLESTATUS"
+    GetPartFileName "GETPARTFILENAME"
+}
+
+impl Keyword {
+    /// The keyword of a word, in any case.
+    pub(crate) fn find(word: &str) -> Option<Self> {
+        let mut capitals = [0; 16];
+        let capitals = capitals.get_mut(..word.len())?;
+        capitals.copy_from_slice(word.as_bytes());
+        capitals.make_ascii_uppercase();
+        Self::exact(capitals)
+    }
+}
+
+/// Words of other BASICs and what to write instead.
+const FOREIGN: [(&str, &str); 14] = [
+    ("ELSE", "use a second IF, or IF ... THEN GOTO"),
+    ("ELSEIF", "use a second IF, or IF ... THEN GOTO"),
+    ("ENDIF", "an IF ends with its line"),
+    ("FOR", "count a variable and use IF ... THEN GOTO"),
+    ("NEXT", "count a variable and use IF ... THEN GOTO"),
+    ("WHILE", "use a label and IF ... THEN GOTO"),
+    ("WEND", "use a label and IF ... THEN GOTO"),
+    ("DO", "use a label and IF ... THEN GOTO"),
+    ("LOOP", "use a label and IF ... THEN GOTO"),
+    ("LET", "write &name = value"),
+    ("DIM", "variables need no declaration"),
+    ("DIALOG", "this is FabMo's; use MSGBOX or INPUT"),
+    ("FAIL", "this is FabMo's; use MSGBOX and ENDALL"),
+    ("ELSE:", "use a second IF, or IF ... THEN GOTO"),
+];
+
+impl Line<'_, '_> {
+    /// A statement at the cursor; `inner` behind THEN or ON INPUT.
+    pub(super) fn statement(&mut self, inner: bool) -> Read<Statement> {
+        self.skip_blanks();
+        let start = self.at;
+        match self.peek() {
+            b'&' => return self.assignment(false),
+            b'$' => return self.assignment(true),
+            b'%' | b'(' | b';' => return self.percent_or_code(start),
+            _ => {}
+        }
+        let end = self.word_end(start);
+        let word = self.slice(start, end);
+        let separated = matches!(self.byte(end), 0 | b',' | b' ' | b'\t' | 0x0B | 0x0C);
+        if word.len() == 2
+            && separated
+            && let Some(spec) = self.file.commands.find(word)
+        {
+            self.at = end;
+            return self.command(spec, start);
+        }
+        if let Some(keyword) = Keyword::find(word) {
+            self.at = end;
+            return self.keyword(keyword, start, inner);
+        }
+        if let Some(custom) = self.custom(start, end)? {
+            return Ok(custom);
+        }
+        if self.is_gcode(start) {
+            return Ok(self.gcode());
+        }
+        Err(self.unknown(start, end))
+    }
+
+    fn keyword(&mut self, keyword: Keyword, start: usize, inner: bool) -> Read<Statement> {
+        match keyword {
+            Keyword::If => self.if_then(start, inner),
+            Keyword::On => self.on_input(start, inner),
+            Keyword::Goto => Ok(Statement::Goto(self.target(start)?)),
+            Keyword::Gosub => Ok(Statement::Gosub(self.target(start)?)),
+            Keyword::Return => Ok(self.ended(Statement::Return)),
+            Keyword::End => self.end_statement(start),
+            Keyword::EndAll => Ok(self.ended(Statement::EndAll)),
+            Keyword::Exit => {
+                self.expect_word("SHOPBOT", start)?;
+                Ok(self.ended(Statement::ExitShopbot))
+            }
+            Keyword::Warning => {
+                self.expect_word("OFF", start)?;
+                Ok(self.ended(Statement::WarningOff))
+            }
+            Keyword::Pause => self.pause(start),
+            Keyword::Print => self.output(false),
+            Keyword::Write => self.output(true),
+            Keyword::Input => self.input(start),
+            Keyword::MsgBox => self.msgbox(start),
+            Keyword::Open => self.open(start),
+            Keyword::Close => self.close(),
+            Keyword::Play => self.play(start),
+            Keyword::Shell => self.shell(start),
+            registry => self.registry(registry, start),
+        }
+    }
+
+    fn expect_word(&mut self, word: &str, start: usize) -> Read<()> {
+        if self.take_word(word) {
+            return Ok(());
+        }
+        let first = self.slice(start, self.word_end(start)).to_uppercase();
+        let span = self.span_to_end();
+        let message = format!("{first} {word} expected");
+        Err(self.fault(Code::UnknownStatement, span, message, format!("write {first} {word}")))
+    }
+
+    /// `%(1)=5`, or a line of G-code that begins with %, ( or ;.
+    fn percent_or_code(&mut self, start: usize) -> Read<Statement> {
+        if self.peek() == b'%' {
+            self.at = self.until(start, b')') + 1;
+            if self.take(b'=') {
+                let span = self.span_from(start);
+                let hint = "use VA for locations and VS for speeds";
+                let message = "system variables are read-only; use VA";
+                return Err(self.fault(Code::ReadOnlyVariable, span, message, hint));
+            }
+            self.at = start;
+        }
+        Ok(self.gcode())
+    }
+
+    /// A custom cut: `C#,n`, `CN,n` or `Cn`.
+    fn custom(&mut self, start: usize, end: usize) -> Read<Option<Statement>> {
+        let word = self.slice(start, end);
+        if !word.starts_with(['C', 'c']) {
+            return Ok(None);
+        }
+        let rest = &word[1..];
+        let listed = rest.eq_ignore_ascii_case("N") || (rest.is_empty() && self.byte(end) == b'#');
+        let plain = !rest.is_empty() && rest.len() <= 5 && rest.bytes().all(|b| b.is_ascii_digit());
+        if !listed && !(plain && matches!(self.byte(end), 0 | b',' | b' ' | b'\t')) {
+            return Ok(None);
+        }
+        // `C1 X2` is G-code: an axis word and another one.
+        if plain && self.is_gcode(start) && self.gcode_words(start) > 1 {
+            return Ok(None);
+        }
+        self.at = if plain { start + 1 } else { end + usize::from(rest.is_empty()) };
+        if listed {
+            self.take(b',');
+        }
+        let number = self.expression()?;
+        self.trailing_commas();
+        self.expect_end()?;
+        Ok(Some(Statement::Custom { number, span: self.span_from(start) }))
+    }
+
+    /// Skips empty fields at the end of the code.
+    pub(super) fn trailing_commas(&mut self) {
+        while self.take(b',') {}
+    }
+
+    /// Whether the words at the cursor begin a statement or a command.
+    pub(super) fn is_statement(&self) -> bool {
+        let word = self.slice(self.at, self.word_end(self.at));
+        Keyword::find(word).is_some() || self.file.commands.find(word).is_some()
+    }
+
+    fn unknown(&mut self, start: usize, end: usize) -> Failed {
+        let word = self.slice(start, end);
+        if let Some(label) = self.label_with_text(start) {
+            return label;
+        }
+        if word.is_empty() {
+            return self.unknown_sign(start);
+        }
+        let name = word.to_uppercase();
+        let foreign = FOREIGN.iter().find(|(w, _)| *w == name);
+        if let Some((_, hint)) = foreign {
+            let span = Span { start: start as u32, end: end as u32 };
+            let message = format!("unknown statement {name}");
+            return self.fault(Code::UnknownStatement, span, message, *hint);
+        }
+        if let Some(failed) = self.missing_separator(start, end) {
+            return failed;
+        }
+        let span = Span { start: start as u32, end: end as u32 };
+        let hint = nearest(&name);
+        if name.len() <= 2 || matches!(self.byte(end), b',') {
+            return self.fault(Code::UnknownCommand, span, format!("unknown command {name}"), hint);
+        }
+        self.fault(Code::UnknownStatement, span, format!("unknown statement {name}"), hint)
+    }
+
+    fn unknown_sign(&mut self, start: usize) -> Failed {
+        let found = self.slice(start, self.end).chars().next().unwrap_or(' ');
+        let span = Span { start: start as u32, end: start as u32 + found.len_utf8() as u32 };
+        let message = format!("a line cannot begin with {found}");
+        self.fault(Code::UnknownStatement, span, message, "a comment begins with an apostrophe")
+    }
+
+    /// `Start: MX,1`: a label does not share its line.
+    fn label_with_text(&mut self, start: usize) -> Option<Failed> {
+        let colon = self.until(start, b':');
+        let written = self.slice(start, colon).trim_end();
+        if colon >= self.end || !is_label(written) || written.contains([' ', '\t']) {
+            return None;
+        }
+        let span = Span { start: colon as u32 + 1, end: self.end as u32 };
+        let message = format!("the label {} shares its line", written.to_uppercase());
+        let hint = "a label stands alone; put the rest on the next line";
+        Some(self.fault(Code::OneCommandPerLine, span, message, hint))
+    }
+
+    /// `M23, 4.2` and `MX-5`: letters of a command with a value right behind.
+    fn missing_separator(&mut self, start: usize, end: usize) -> Option<Failed> {
+        let letters = self.slice(start, (start + 2).min(end));
+        let spec = self.file.commands.find(letters)?;
+        let behind = self.byte(start + 2);
+        if is_name(behind) && !behind.is_ascii_digit() {
+            return None;
+        }
+        let value = self.slice(start + 2, self.field_end(start + 2));
+        let value = value.split([' ', '\t']).next().unwrap_or(value);
+        let stop = (start + 2 + value.len()) as u32;
+        let span = Span { start: start as u32, end: stop };
+        let word = self.slice(start, stop as usize).to_uppercase();
+        let message = format!("unknown command or missing separator: {word}");
+        let hint = format!("write {},{value}", spec.letters);
+        Some(self.fault(Code::UnknownCommand, span, message, hint))
+    }
+}
+
+/// A hint for an unknown word: signs that look alike first, then the nearest name.
+fn nearest(name: &str) -> String {
+    let alike = name.replace('0', "O").replace('1', "I");
+    if alike != name && table::find(&alike).is_some() {
+        return format!("did you mean {alike}?");
+    }
+    let statements = Keyword::ALL.iter().map(|(text, _)| *text).chain(["REM"]);
+    let near = if name.len() == 2 {
+        let swapped: String = name.chars().rev().collect();
+        table::find(&swapped).map(|spec| format!("did you mean {}?", spec.letters))
+    } else {
+        did_you_mean(name, statements)
+    };
+    near.unwrap_or_else(|| "a command has two letters and then a comma or a blank".into())
+}

@@ -1,0 +1,123 @@
+//! Bytes to text: old files come in several encodings.
+
+use std::borrow::Cow;
+
+/// The text of a file, without a byte-order mark; line ends stay as they are.
+///
+/// UTF-8 where the bytes are valid UTF-8, Windows-1252 otherwise: that is what old editors wrote.
+///
+/// # Errors
+/// The line (from 1) of the first NUL byte: such a file is no text.
+pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, u32> {
+    if let Some(at) = memchr::memchr(0, bytes) {
+        let above = bytes[..at].iter().filter(|b| **b == b'\n').count();
+        return Err(above as u32 + 1);
+    }
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    Ok(match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(bytes.iter().map(|b| windows_1252(*b)).collect()),
+    })
+}
+
+/// Windows-1252, 0x80 to 0x9F; the five unused places become the replacement character.
+const HIGH: [char; 32] = [
+    '€', '\u{FFFD}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{FFFD}', 'Ž',
+    '\u{FFFD}', '\u{FFFD}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{FFFD}',
+    'ž', 'Ÿ',
+];
+
+fn windows_1252(byte: u8) -> char {
+    match byte {
+        0x80..=0x9F => HIGH[usize::from(byte - 0x80)],
+        _ => char::from(byte),
+    }
+}
+
+/// True for what separates words: blanks, tabs and the control characters old editors left behind.
+pub(super) const fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | 0x0B | 0x0C | 0x1A)
+}
+
+/// Where the line that begins at `start` ends, and where the next one begins.
+pub(super) fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
+    let Some(length) = memchr::memchr2(b'\n', b'\r', &bytes[start..]) else {
+        return (bytes.len(), bytes.len());
+    };
+    let end = start + length;
+    (end, after_line_end(bytes, end))
+}
+
+/// Where the next line begins when the line end starts at `end`.
+pub(super) fn after_line_end(bytes: &[u8], end: usize) -> usize {
+    let both = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) == Some(&b'\n');
+    (end + 1 + usize::from(both)).min(bytes.len())
+}
+
+/// Where the code of a line ends: before its comment, trailing blanks left out.
+///
+/// An apostrophe between quotes is text.
+pub(super) fn code_end(line: &[u8]) -> usize {
+    let mut from = 0;
+    let mut end = line.len();
+    while let Some(at) = memchr::memchr2(b'\'', b'"', &line[from..]) {
+        let at = from + at;
+        if line[at] == b'\'' {
+            end = at;
+            break;
+        }
+        match memchr::memchr(b'"', &line[at + 1..]) {
+            Some(length) => from = at + 1 + length + 1,
+            None => break,
+        }
+    }
+    while end > 0 && is_blank(line[end - 1]) {
+        end -= 1;
+    }
+    end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_become_text() {
+        for (bytes, text) in [
+            (&b"MX,1"[..], "MX,1"),
+            (b"\xEF\xBB\xBFMX,1", "MX,1"),
+            ("'größe".as_bytes(), "'größe"),
+            (b"'gr\xF6\xDFe \x80\x93", "'größe €“"),
+        ] {
+            assert_eq!(decode(bytes).as_deref(), Ok(text));
+        }
+        assert_eq!(decode(b"MX,1\n\0"), Err(2));
+    }
+
+    #[test]
+    fn lines_end_in_three_ways() {
+        for (bytes, ends) in [
+            (&b"ab"[..], (2, 2)),
+            (b"ab\nc", (2, 3)),
+            (b"ab\r\nc", (2, 4)),
+            (b"ab\rc", (2, 3)),
+            (b"ab\r", (2, 3)),
+        ] {
+            assert_eq!(line_end(bytes, 0), ends, "{bytes:?}");
+        }
+    }
+
+    #[test]
+    fn comments_begin_outside_quotes() {
+        for (line, code) in [
+            ("MX,1 'right", "MX,1"),
+            ("MX,1'tight", "MX,1"),
+            ("PRINT \"it's\" 'x", "PRINT \"it's\""),
+            ("PRINT it's", "PRINT it"),
+            ("PRINT \"open 'x  ", "PRINT \"open 'x"),
+            ("'all", ""),
+        ] {
+            assert_eq!(&line[..code_end(line.as_bytes())], code);
+        }
+    }
+}
