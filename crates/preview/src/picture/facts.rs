@@ -1,0 +1,229 @@
+//! What the legend says, as blocks of rows; how they look is the legend's own matter.
+
+use super::depth::DepthScale;
+use super::rulers::grid_spacing;
+use super::view::View;
+use super::words;
+use crate::palette::{AXIS_X, Rgb, SOFT};
+use crate::scene::{Finding, Scene, ToolPath};
+use kerf_diag::Severity;
+
+/// Tool paths and findings listed before the rest is only counted.
+const MOST_LISTED: usize = 8;
+
+/// A sample of a line or sign with what it means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sample {
+    /// A cut.
+    Cut,
+    /// A cut above the surface.
+    Air,
+    /// The width of the cutter.
+    Cutter,
+    /// A jog.
+    Jog,
+    /// A straight plunge.
+    Plunge,
+    /// Direction.
+    Arrow,
+    /// Start of motion.
+    Start,
+    /// End of motion.
+    End,
+}
+
+/// One row of the legend.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Row {
+    /// Heading of a block.
+    Head(String),
+    /// What and how much.
+    Pair(String, String),
+    /// Four columns.
+    Cells([String; 4]),
+    /// A sign and its meaning.
+    Key(Sample, String),
+    /// The depth scale.
+    Depth(DepthScale),
+    /// The table with the place of the drawing.
+    Map,
+    /// Small text.
+    Note(String, Rgb),
+}
+
+/// Rows that stay together.
+pub type Block = Vec<Row>;
+
+/// What is on the paper besides the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Depth scale of the cuts, when there are any.
+    pub depth: Option<DepthScale>,
+    /// Signs used.
+    pub samples: Vec<(Sample, String)>,
+    /// Segments left out because they cannot be drawn.
+    pub left_out: usize,
+    /// Deviation of a simplified drawing, mm.
+    pub tolerance_mm: Option<f64>,
+}
+
+/// All blocks in order.
+pub fn blocks(scene: &Scene, view: &View, drawn: &Drawn) -> Vec<Block> {
+    let mut blocks = vec![job(scene), bounds(scene)];
+    blocks.push(signs(drawn));
+    blocks.extend(toolpaths(scene));
+    blocks.extend(findings(scene));
+    blocks.push(sheet(scene, view, drawn));
+    blocks
+}
+
+fn pair(name: &str, value: impl Into<String>) -> Row {
+    Row::Pair(name.into(), value.into())
+}
+
+fn job(scene: &Scene) -> Block {
+    vec![
+        pair("Time", words::duration(scene.duration_s)),
+        pair("Cutting", words::path_length(scene.cut_mm, scene.unit)),
+        pair("Jogging", words::path_length(scene.jog_mm, scene.unit)),
+        pair("Moves", words::count(scene.segments.len() as u64)),
+        pair("Lines executed", words::count(scene.lines_executed)),
+        pair("Findings", finding_counts(&scene.findings)),
+    ]
+}
+
+/// `none`, or `1 error, 2 warnings`.
+pub fn finding_counts(findings: &[Finding]) -> String {
+    let kinds =
+        [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Note, "note")];
+    let counts: Vec<String> = kinds
+        .into_iter()
+        .map(|(severity, name)| (findings.iter().filter(|f| f.severity == severity).count(), name))
+        .filter(|(n, _)| *n > 0)
+        .map(|(n, name)| format!("{n} {name}{}", if n == 1 { "" } else { "s" }))
+        .collect();
+    if counts.is_empty() { "none".into() } else { counts.join(", ") }
+}
+
+fn bounds(scene: &Scene) -> Block {
+    let title = format!("Cutting reaches, {}", scene.unit.symbol);
+    let b = &scene.bounds;
+    if b.is_empty() {
+        return vec![Row::Head(title), Row::Note("nothing is cut".into(), SOFT)];
+    }
+    let size = b.size();
+    let decimals = words::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit);
+    let number = |mm: f64| words::decimal(mm, scene.unit, decimals);
+    let mut rows = vec![Row::Head(title), Row::Cells(["", "from", "to", "size"].map(String::from))];
+    for (i, axis) in ["X", "Y", "Z"].into_iter().enumerate() {
+        rows.push(Row::Cells([axis.into(), number(b.min[i]), number(b.max[i]), number(size[i])]));
+    }
+    rows
+}
+
+fn signs(drawn: &Drawn) -> Block {
+    let mut rows = vec![Row::Head("Signs".into())];
+    rows.extend(drawn.depth.map(Row::Depth));
+    rows.extend(drawn.samples.iter().map(|(sample, text)| Row::Key(*sample, text.clone())));
+    rows
+}
+
+fn toolpaths(scene: &Scene) -> Option<Block> {
+    let listed = scene.toolpaths.iter().take(MOST_LISTED);
+    let mut rows = vec![Row::Head("Tool paths".into())];
+    rows.extend(listed.map(|t| pair(&toolpath_name(t), words::duration(t.seconds))));
+    rows.extend(rest(scene.toolpaths.len()));
+    (rows.len() > 1).then_some(rows)
+}
+
+fn toolpath_name(toolpath: &ToolPath) -> String {
+    match (toolpath.name.as_str(), toolpath.tool.as_str()) {
+        ("", "") => "unnamed".into(),
+        (name, "") => name.into(),
+        ("", tool) => tool.into(),
+        (name, tool) => format!("{name} · {tool}"),
+    }
+}
+
+fn findings(scene: &Scene) -> Option<Block> {
+    let mut rows = vec![Row::Head("Findings".into())];
+    for finding in scene.findings.iter().take(MOST_LISTED) {
+        let colour = if finding.severity == Severity::Error { AXIS_X } else { SOFT };
+        rows.push(Row::Note(finding_text(finding), colour));
+    }
+    rows.extend(rest(scene.findings.len()));
+    (rows.len() > 1).then_some(rows)
+}
+
+/// `error, line 12: the text`.
+pub fn finding_text(finding: &Finding) -> String {
+    let severity = match finding.severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Note => "note",
+    };
+    let line = if finding.line == 0 { String::new() } else { format!(", line {}", finding.line) };
+    format!("{severity}{line}: {}", finding.text)
+}
+
+fn rest(all: usize) -> Option<Row> {
+    let more = all.saturating_sub(MOST_LISTED);
+    (more > 0).then(|| Row::Note(format!("and {more} more"), SOFT))
+}
+
+fn sheet(scene: &Scene, view: &View, drawn: &Drawn) -> Block {
+    let number = |mm: f64| words::short(mm, scene.unit, 3);
+    let unit = scene.unit.symbol;
+    let mut rows = vec![Row::Head("Sheet".into())];
+    if let Some(table) = &view.table {
+        let [x, y, z] = table.size_mm.map(number);
+        rows.push(pair("Table", format!("{x} × {y} × {z} {unit}")));
+    }
+    if let Some(spacing) = grid_spacing(view) {
+        rows.push(pair("Grid", format!("{} {unit}", number(spacing))));
+    }
+    rows.push(pair("Scale", "1 : 1"));
+    if view.map {
+        rows.push(Row::Map);
+    }
+    if let Some(tolerance) = drawn.tolerance_mm {
+        let within = words::short(tolerance, scene.unit, 6);
+        rows.push(Row::Note(format!("simplified, within {within} {unit}"), SOFT));
+    }
+    if drawn.left_out > 0 {
+        let n = words::count(drawn.left_out as u64);
+        rows.push(Row::Note(format!("{n} moves have no place on paper"), AXIS_X));
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn finding(severity: Severity) -> Finding {
+        Finding { severity, text: "too deep".into(), line: 3 }
+    }
+
+    #[test]
+    fn findings_are_counted_by_severity() {
+        assert_eq!(finding_counts(&[]), "none");
+        let some = [Severity::Warning, Severity::Error, Severity::Warning].map(finding);
+        assert_eq!(finding_counts(&some), "1 error, 2 warnings");
+        assert_eq!(finding_text(&some[1]), "error, line 3: too deep");
+    }
+
+    #[test]
+    fn long_lists_say_how_much_is_missing() {
+        let toolpath = |i: usize| ToolPath {
+            name: format!("p{i}"),
+            tool: String::new(),
+            seconds: 1.0,
+            first_segment: 0,
+        };
+        let scene = Scene { toolpaths: (0..11).map(toolpath).collect(), ..Scene::default() };
+        let block = toolpaths(&scene).expect("there are tool paths");
+        assert_eq!(block.last(), Some(&Row::Note("and 3 more".into(), SOFT)));
+        assert_eq!(toolpaths(&Scene::default()), None);
+    }
+}

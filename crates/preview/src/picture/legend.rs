@@ -1,0 +1,307 @@
+//! The legend: blocks of rows flowing into columns right of the drawing, or under a wide one.
+
+use super::depth::{DepthScale, SHADES};
+use super::facts::{Block, Row, Sample};
+use super::signs::{end_sign, start_sign};
+use super::steps::round_step;
+use super::view::{View, table_rect};
+use super::words;
+use crate::font::Font;
+use crate::palette::{AIR, AXIS_X, EDGE, GRID, INK, PAPER, Rgb, SOFT};
+use crate::scene::Unit;
+use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Rect, Text};
+use kerf_geom::{Point2, Vec2};
+
+/// Width of a column and of the gap between columns, em.
+const COLUMN: f64 = 21.0;
+const GAP: f64 = 2.5;
+/// Space between blocks, em.
+const BETWEEN: f64 = 1.1;
+/// Height of the small map, em.
+const MAP: f64 = 9.0;
+/// Drawings wider than this share of their height have the legend below.
+const WIDE: f64 = 1.7;
+/// Letters in a viewer's own font may be so much wider than ours.
+const WIDER: f64 = 1.08;
+
+/// Where the legend's columns stand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    columns: Vec<Vec<Block>>,
+    /// The whole legend, page coordinates.
+    pub area: Rect,
+}
+
+impl Legend {
+    /// Arranges blocks beside or below the drawing; `below` is how far the rulers reach, mm.
+    pub fn arrange(blocks: Vec<Block>, view: &View, below: f64) -> Self {
+        let (p, em) = (view.panel, view.em);
+        let tall: f64 = blocks.iter().map(|b| height(b) + BETWEEN).sum();
+        if p.w > WIDE * p.h {
+            let fit = ((p.w / em + GAP) / (COLUMN + GAP)).floor().max(1.0);
+            let columns = flow(blocks, fit as usize);
+            let area =
+                Rect { x: p.x, y: p.bottom() + below + em, w: p.w, h: tallest(&columns) * em };
+            Self { columns, area }
+        } else {
+            let wanted = (tall / (p.h / em).max(30.0)).ceil().clamp(1.0, 3.0);
+            let columns = flow(blocks, wanted as usize);
+            let width = columns.len() as f64 * (COLUMN + GAP) - GAP;
+            let area =
+                Rect { x: p.right() + GAP * em, y: p.y, w: width * em, h: tallest(&columns) * em };
+            Self { columns, area }
+        }
+    }
+
+    /// Draws it.
+    pub fn draw(&self, view: &View, unit: Unit) -> Layer {
+        let mut layer = Layer::new("legend", Frame::Page, false);
+        for (i, column) in self.columns.iter().enumerate() {
+            let x = self.area.x + i as f64 * (COLUMN + GAP) * view.em;
+            let mut writer = Writer {
+                layer: &mut layer,
+                view,
+                unit,
+                x,
+                y: self.area.y,
+                fonts: [Font::new(false), Font::new(true)],
+            };
+            for block in column {
+                block.iter().for_each(|row| writer.row(row));
+                writer.y += BETWEEN * view.em;
+            }
+        }
+        layer
+    }
+}
+
+fn row_height(row: &Row) -> f64 {
+    match row {
+        Row::Head(_) => 1.8,
+        Row::Pair(..) | Row::Cells(_) => 1.5,
+        Row::Key(..) => 1.6,
+        Row::Depth(_) => 3.9,
+        Row::Map => MAP + 0.8,
+        Row::Note(..) => 1.4,
+    }
+}
+
+fn height(block: &[Row]) -> f64 {
+    block.iter().map(row_height).sum()
+}
+
+fn tallest(columns: &[Vec<Block>]) -> f64 {
+    let tall = |c: &Vec<Block>| c.iter().map(|b| height(b) + BETWEEN).sum::<f64>() - BETWEEN;
+    columns.iter().map(tall).fold(0.0, f64::max)
+}
+
+/// Fills at most `count` columns in order, as low as the order allows.
+fn flow(blocks: Vec<Block>, count: usize) -> Vec<Vec<Block>> {
+    let heights: Vec<f64> = blocks.iter().map(|b| height(b) + BETWEEN).collect();
+    let total: f64 = heights.iter().sum();
+    let fits = |limit: f64| columns_needed(&heights, limit) <= count;
+    let mut limit = heights.iter().copied().fold(total / count as f64, f64::max);
+    while !fits(limit) {
+        limit += 0.5;
+    }
+    let mut columns: Vec<Vec<Block>> = Vec::new();
+    let mut used = f64::INFINITY;
+    for (block, height) in blocks.into_iter().zip(heights) {
+        if used + height > limit {
+            columns.push(Vec::new());
+            used = 0.0;
+        }
+        used += height;
+        if let Some(column) = columns.last_mut() {
+            column.push(block);
+        }
+    }
+    columns
+}
+
+fn columns_needed(heights: &[f64], limit: f64) -> usize {
+    let mut used = 0.0;
+    1 + heights
+        .iter()
+        .filter(|h| {
+            let full = used + **h > limit;
+            used = if full { **h } else { used + **h };
+            full
+        })
+        .count()
+}
+
+struct Writer<'a> {
+    layer: &'a mut Layer,
+    view: &'a View,
+    unit: Unit,
+    x: f64,
+    y: f64,
+    fonts: [Font; 2],
+}
+
+impl Writer<'_> {
+    fn row(&mut self, row: &Row) {
+        match row {
+            Row::Head(text) => self.head(text),
+            Row::Pair(name, value) => self.pair(name, value),
+            Row::Cells(cells) => self.cells(cells),
+            Row::Key(sample, text) => self.key(*sample, text),
+            Row::Depth(scale) => self.depth(scale),
+            Row::Map => self.map(),
+            Row::Note(text, colour) => self.text(0.0, 1.0, Anchor::Start, COLUMN, *colour, text),
+        }
+        self.y += row_height(row) * self.view.em;
+    }
+
+    /// A place so many em from the column's corner and the row's upper edge.
+    fn at(&self, x: f64, y: f64) -> Point2 {
+        Point2::new(self.x + x * self.view.em, self.y + y * self.view.em)
+    }
+
+    fn text(&mut self, x: f64, y: f64, anchor: Anchor, room: f64, colour: Rgb, text: &str) {
+        let text = self.fonts[0].fitted(text, room / WIDER);
+        self.put(x, y, anchor, false, colour, text);
+    }
+
+    fn put(&mut self, x: f64, y: f64, anchor: Anchor, bold: bool, colour: Rgb, text: String) {
+        let at = self.at(x, y);
+        let text = Text { at, size: self.view.em, anchor, bold, colour, halo: false, text };
+        self.layer.marks.push(Mark::Text(text));
+    }
+
+    fn head(&mut self, text: &str) {
+        let text = self.fonts[1].fitted(text, COLUMN / WIDER);
+        self.put(0.0, 1.0, Anchor::Start, true, INK, text);
+        let mut line = Outline::default();
+        line.segment(self.at(0.0, 1.38), self.at(COLUMN, 1.38));
+        self.layer.path(line, Paint::line(GRID, 0.07 * self.view.em));
+    }
+
+    fn pair(&mut self, name: &str, value: &str) {
+        let value = self.fonts[0].fitted(value, 0.7 * COLUMN);
+        let room = COLUMN - WIDER * self.fonts[0].width(&value) - 0.6;
+        self.text(0.0, 1.0, Anchor::Start, room, SOFT, name);
+        self.put(COLUMN, 1.0, Anchor::End, false, INK, value);
+    }
+
+    fn cells(&mut self, cells: &[String; 4]) {
+        self.text(0.0, 1.0, Anchor::Start, 2.0, SOFT, &cells[0]);
+        let heading = cells[0].is_empty();
+        for (cell, right) in cells[1..].iter().zip([8.2, 14.6, COLUMN]) {
+            self.text(right, 1.0, Anchor::End, 6.2, if heading { SOFT } else { INK }, cell);
+        }
+    }
+
+    fn key(&mut self, sample: Sample, text: &str) {
+        self.sample(sample);
+        self.text(4.4, 1.05, Anchor::Start, COLUMN - 4.4, INK, text);
+    }
+
+    fn sample(&mut self, sample: Sample) {
+        let em = self.view.em;
+        let (left, middle, right) = (self.at(0.2, 0.7), self.at(1.8, 0.7), self.at(3.4, 0.7));
+        let mut line = Outline::default();
+        line.segment(left, right);
+        let deep = DepthScale::colour(SHADES * 2 / 3);
+        match sample {
+            Sample::Cut => self.layer.path(line, Paint::line(deep, 0.16 * em)),
+            Sample::Air => self.layer.path(line, Paint::line(AIR, 0.1 * em)),
+            Sample::Cutter => {
+                self.layer.path(line.clone(), Paint::line(deep.mixed(PAPER, super::BAND), em));
+                self.layer.path(line, Paint::line(deep, 0.14 * em));
+            }
+            Sample::Jog => self.layer.path(line, super::jog_paint(em)),
+            Sample::Plunge => {
+                let mut dot = Outline::default();
+                dot.circle(middle, 0.34 * em);
+                self.layer.path(dot, Paint::fill(deep));
+            }
+            Sample::Arrow => {
+                let mut head = Outline::default();
+                super::signs::head(&mut head, middle, Vec2::new(1.0, 0.0), em);
+                self.layer.path(head, Paint::fill(INK));
+            }
+            Sample::Start => start_sign(self.layer, middle, em),
+            Sample::End => end_sign(self.layer, middle, em),
+        }
+    }
+
+    fn depth(&mut self, scale: &DepthScale) {
+        let em = self.view.em;
+        let title = format!("Depth of cut (Z), {}", self.unit.symbol);
+        self.text(0.0, 1.0, Anchor::Start, COLUMN, SOFT, &title);
+        let (left, top) = (self.x, self.y + 1.5 * em);
+        let cell = COLUMN * em / SHADES as f64;
+        for shade in 0..SHADES {
+            let colour = if scale.is_flat() { SHADES - 1 } else { shade };
+            let bar = Rect { x: left + shade as f64 * cell, y: top, w: 1.02 * cell, h: 0.9 * em };
+            self.layer.path(Outline::of_rect(bar), Paint::fill(DepthScale::colour(colour)));
+        }
+        if scale.is_flat() {
+            let only = words::short(scale.bottom, self.unit, 4);
+            return self.text(0.5 * COLUMN, 3.4, Anchor::Middle, COLUMN, INK, &only);
+        }
+        self.depth_numbers(scale);
+    }
+
+    /// Numbers at round heights; the ends are in the bounds already.
+    fn depth_numbers(&mut self, scale: &DepthScale) {
+        let step = round_step(scale.range() / 5.0, self.unit);
+        let mut ticks = Outline::default();
+        let (low, high) = (scale.bottom, scale.top);
+        for k in super::steps::multiples(low, high, step.mm, 20) {
+            let z = k as f64 * step.mm;
+            let share = scale.share(z).clamp(0.0, 1.0);
+            ticks.segment(self.at(share * COLUMN, 2.4), self.at(share * COLUMN, 2.65));
+            let anchor = match share {
+                s if s < 0.06 => Anchor::Start,
+                s if s > 0.94 => Anchor::End,
+                _ => Anchor::Middle,
+            };
+            let number = words::decimal(z, self.unit, step.decimals);
+            self.text(share * COLUMN, 3.6, anchor, 6.0, INK, &number);
+        }
+        self.layer.path(ticks, Paint::line(SOFT, 0.07 * self.view.em));
+    }
+
+    /// The table small, with the drawing's frame in it.
+    fn map(&mut self) {
+        let Some(table) = self.view.table.map(|t| table_rect(&t)) else { return };
+        let (em, panel) = (self.view.em, self.view.panel);
+        let all = table.around(&panel);
+        let scale = (COLUMN * em / all.w).min(MAP * em / all.h);
+        let corner = self.at(0.0, 0.5);
+        let small = |r: Rect| Rect {
+            x: corner.x + (r.x - all.x) * scale,
+            y: corner.y + (r.y - all.y) * scale,
+            w: r.w * scale,
+            h: r.h * scale,
+        };
+        self.layer.path(Outline::of_rect(small(table)), Paint::edged(PAPER, EDGE, 0.1 * em));
+        let here = small(panel);
+        let seen = here.grown((0.25 * em - 0.5 * here.longer()).max(0.0));
+        self.layer
+            .path(Outline::of_rect(seen), Paint::edged(AXIS_X.mixed(PAPER, 0.8), AXIS_X, 0.1 * em));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn block(rows: usize) -> Block {
+        vec![Row::Pair("a".into(), "b".into()); rows]
+    }
+
+    #[test]
+    fn blocks_flow_in_order_and_evenly() {
+        let sizes = |columns: Vec<Vec<Block>>| -> Vec<Vec<usize>> {
+            columns.iter().map(|c| c.iter().map(Vec::len).collect()).collect()
+        };
+        let blocks = || vec![block(6), block(5), block(8), block(3), block(4)];
+        assert_eq!(sizes(flow(blocks(), 1)), [[6, 5, 8, 3, 4]]);
+        assert_eq!(sizes(flow(blocks(), 2)), [vec![6, 5], vec![8, 3, 4]]);
+        assert!(flow(blocks(), 9).len() <= 5);
+    }
+}

@@ -1,0 +1,222 @@
+//! Composes the picture of a scene: what is where on the sheet, from board to legend.
+
+mod depth;
+mod extent;
+mod facts;
+mod legend;
+mod rulers;
+mod signs;
+mod steps;
+mod tracks;
+mod view;
+mod words;
+
+use crate::font::Font;
+use crate::options::Options;
+use crate::palette::{AIR, INK, JOG, PAPER, SOFT};
+use crate::scene::Scene;
+use crate::sheet::{Anchor, Frame, Layer, Mark, Paint, Rect, Sheet, Text};
+use depth::{DepthScale, SHADES};
+use extent::Extent;
+use facts::{Drawn, Sample};
+use kerf_geom::Point2;
+use legend::Legend;
+use tracks::{Detail, Tracks};
+use view::View;
+
+/// How much of the paper is in the band that shows the cutter's width.
+const BAND: f64 = 0.66;
+/// Widest and thinnest line of a cut, em.
+const LINE_EM: [f64; 2] = [0.035, 0.16];
+/// How far the rulers reach below the drawing, em.
+const BELOW_EM: f64 = 3.6;
+/// Margin of the page, em.
+const MARGIN_EM: f64 = 2.0;
+/// Room for heading and the name of the Y axis above the drawing, em.
+const HEAD_EM: f64 = 5.4;
+
+/// Draws the whole sheet.
+pub fn compose(scene: &Scene, options: &Options) -> Sheet {
+    let extent = Extent::of(scene);
+    let cutter_mm = cutter(scene, options);
+    let view = View::of(scene, &extent, cutter_mm);
+    let scale = DepthScale::new(scene.surface_z_mm, extent.cut.min[2], extent.cut.max[2]);
+    let tolerance_mm = (scene.segments.len() > options.detail_limit)
+        .then(|| options.detail.max(1e-6) * view.panel.longer());
+    let detail =
+        Detail { point_mm: 1e-5 * view.panel.longer(), shade_mm: 0.3 * view.em, tolerance_mm };
+    let tracks = Tracks::of(scene, &scale, &detail);
+    let ink = Ink { em: view.em, line: line_width(&extent, &view), cutter_mm };
+    let samples = samples(scene, &tracks, &ink);
+    let depth = (!extent.cut.is_empty()).then_some(scale);
+    let drawn = Drawn { depth, samples, left_out: extent.left_out, tolerance_mm };
+    let legend = Legend::arrange(facts::blocks(scene, &view, &drawn), &view, BELOW_EM * view.em);
+    let mut layers = rulers::board(&view, scene.unit);
+    layers.extend(motion(scene, &view, &tracks, &ink));
+    layers.push(rulers::rulers(&view, scene.unit));
+    layers.push(legend.draw(&view, scene.unit));
+    let page = page(&view, &legend, rulers::left_room(&view, scene.unit));
+    layers.push(heading(scene, &view, &page));
+    Sheet {
+        title: scene.title.clone(),
+        description: description(scene, &drawn, &view),
+        page,
+        panel: view.panel,
+        origin: view.origin,
+        decimals: view.decimals,
+        layers,
+    }
+}
+
+fn cutter(scene: &Scene, options: &Options) -> f64 {
+    let known = scene.cutter_mm.is_finite() && scene.cutter_mm > 0.0;
+    if options.show_cutter && known { scene.cutter_mm.min(crate::FARTHEST_MM) } else { 0.0 }
+}
+
+/// Sizes of what the pen draws, mm.
+struct Ink {
+    em: f64,
+    line: f64,
+    cutter_mm: f64,
+}
+
+impl Ink {
+    /// Whether the cutter is wider than the line that shows its middle.
+    fn has_band(&self) -> bool {
+        self.cutter_mm > 1.5 * self.line
+    }
+
+    fn plunge(&self) -> f64 {
+        (1.6 * self.line).max(0.16 * self.em)
+    }
+}
+
+/// Lines of a dense path are thin, so that paper shows between them.
+fn line_width(extent: &Extent, view: &View) -> f64 {
+    let [w, h, _] = extent.cut.size();
+    let spacing = w * h / extent.cut_mm.max(1e-12);
+    let [thin, thick] = LINE_EM;
+    if spacing > 0.0 {
+        (0.5 * spacing).clamp(thin * view.em, thick * view.em)
+    } else {
+        thick * view.em
+    }
+}
+
+fn jog_paint(em: f64) -> Paint {
+    Paint::dashed(JOG, 0.1 * em, [0.75 * em, 0.5 * em])
+}
+
+fn motion(scene: &Scene, view: &View, tracks: &Tracks, ink: &Ink) -> Vec<Layer> {
+    let mut layers = Vec::new();
+    if ink.has_band() {
+        let mut bands = Layer::new("cutter", Frame::Working, true);
+        for (shade, cut) in tracks.cuts.iter().enumerate() {
+            let colour = DepthScale::colour(shade).mixed(PAPER, BAND);
+            bands.path(cut.clone(), Paint::line(colour, ink.cutter_mm));
+        }
+        layers.push(bands);
+    }
+    let mut jogs = Layer::new("jogs", Frame::Working, true);
+    jogs.path(tracks.jogs.clone(), jog_paint(ink.em));
+    let mut cuts = Layer::new("cuts", Frame::Working, true);
+    cuts.path(tracks.air.clone(), Paint::line(AIR, 0.7 * ink.line));
+    for (shade, cut) in tracks.cuts.iter().enumerate() {
+        cuts.path(cut.clone(), Paint::line(DepthScale::colour(shade), ink.line));
+    }
+    layers.extend([cuts, jogs]);
+    layers.push(rulers::zero(view));
+    layers.push(signs::plunges(tracks, ink.plunge(), ink.em));
+    layers.push(signs::arrows(scene, view));
+    layers.push(signs::ends(tracks, ink.em));
+    layers
+}
+
+/// The signs that occur, so that the legend explains no others.
+fn samples(scene: &Scene, tracks: &Tracks, ink: &Ink) -> Vec<(Sample, String)> {
+    let cuts = tracks.cuts.iter().any(|c| !c.ops.is_empty());
+    let jogs = !tracks.jogs.ops.is_empty();
+    let air = !tracks.air.ops.is_empty();
+    let width = words::short(ink.cutter_mm, scene.unit, 3);
+    let all = [
+        (cuts && !ink.has_band(), Sample::Cut, "cut".into()),
+        (
+            cuts && ink.has_band(),
+            Sample::Cutter,
+            format!("cut, cutter {width} {} wide", scene.unit.symbol),
+        ),
+        (air, Sample::Air, "cut above the surface".into()),
+        (jogs, Sample::Jog, "jog".into()),
+        (!tracks.plunges.is_empty(), Sample::Plunge, "straight plunge".into()),
+        (cuts || jogs || air, Sample::Arrow, "direction".into()),
+        (tracks.ends.is_some(), Sample::Start, "start".into()),
+        (tracks.ends.is_some(), Sample::End, "end".into()),
+    ];
+    all.into_iter().filter(|s| s.0).map(|(_, sample, text)| (sample, text)).collect()
+}
+
+fn page(view: &View, legend: &Legend, left_mm: f64) -> Rect {
+    let em = view.em;
+    let p = view.panel;
+    let drawing = Rect {
+        x: p.x - left_mm,
+        y: p.y - HEAD_EM * em,
+        w: p.w + left_mm,
+        h: p.h + (HEAD_EM + BELOW_EM) * em,
+    };
+    drawing.around(&legend.area).grown(MARGIN_EM * em)
+}
+
+fn heading(scene: &Scene, view: &View, page: &Rect) -> Layer {
+    let em = view.em;
+    let mut layer = Layer::new("heading", Frame::Page, false);
+    let x = page.x + MARGIN_EM * em;
+    let room = (page.w / em - 2.0 * MARGIN_EM) / 1.08;
+    let mut put = |y: f64, size: f64, bold: bool, colour, text: &str| {
+        let text = Font::new(bold).fitted(text, room / size);
+        let at = Point2::new(x, page.y + y * em);
+        layer.marks.push(Mark::Text(Text {
+            at,
+            size: size * em,
+            anchor: Anchor::Start,
+            bold,
+            colour,
+            halo: false,
+            text,
+        }));
+    };
+    let title = if scene.title.trim().is_empty() { "Tool path" } else { scene.title.trim() };
+    put(MARGIN_EM + 1.6, 1.9, true, INK, title);
+    put(MARGIN_EM + 3.3, 1.0, false, SOFT, &summary(scene));
+    layer
+}
+
+/// `120.00 × 80.00 × 6.00 mm · 0:04:12 · no findings`.
+fn summary(scene: &Scene) -> String {
+    let size = scene.bounds.size();
+    let decimals = words::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit);
+    let [x, y, z] = size.map(|mm| words::decimal(mm, scene.unit, decimals));
+    let what = if scene.bounds.is_empty() {
+        "nothing is cut".into()
+    } else {
+        format!("{x} × {y} × {z} {} cut", scene.unit.symbol)
+    };
+    format!("{what} · {}", words::duration(scene.duration_s))
+}
+
+fn description(scene: &Scene, drawn: &Drawn, view: &View) -> String {
+    let mut text = format!(
+        "Tool path seen from above, {}. One unit is a millimetre; numbers in the paths are working coordinates",
+        summary(scene)
+    );
+    if view.origin != Point2::default() {
+        text += &format!(" less {}, {}", view.origin.x, view.origin.y);
+    }
+    text += &format!(". Findings: {}.", facts::finding_counts(&scene.findings));
+    if let Some(tolerance) = drawn.tolerance_mm {
+        text += &format!(
+            " Simplified: lines are within {tolerance:.4} mm, depths within one of {SHADES} shades."
+        );
+    }
+    text
+}

@@ -1,0 +1,136 @@
+//! Signs on the path: direction arrows, plunges, start and end.
+
+use super::depth::DepthScale;
+use super::tracks::{Tracks, arc, flat, length, place};
+use super::view::View;
+use crate::palette::{AIR, AXIS_Y, INK, JOG, PAPER};
+use crate::scene::{Scene, Segment};
+use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Text};
+use kerf_geom::{Point2, Vec2};
+use kerf_program::MoveKind;
+use std::collections::BTreeSet;
+
+/// About so many arrows on all cuts, and on all jogs.
+const ARROWS: f64 = 40.0;
+/// Arrows are at least so far apart along the path, em.
+const APART_EM: f64 = 9.0;
+/// Only one arrow in each square of this side, em.
+const CELL_EM: f64 = 4.5;
+
+/// Direction arrows of cuts and jogs.
+pub fn arrows(scene: &Scene, view: &View) -> Layer {
+    let mut layer = Layer::new("arrows", Frame::Working, true);
+    let mut taken = BTreeSet::new();
+    for (kind, colour) in [(MoveKind::Cut, INK), (MoveKind::Jog, JOG)] {
+        if kind == MoveKind::Jog && !scene.show_jogs {
+            continue;
+        }
+        let moves = || scene.segments.iter().filter(move |s| s.kind == kind && s.is_drawable());
+        let heads = along(moves, view.em, &mut taken);
+        layer.path(heads, Paint::edged(colour, PAPER, 0.1 * view.em));
+    }
+    layer
+}
+
+fn along<'a, I: Iterator<Item = &'a Segment>>(
+    moves: impl Fn() -> I,
+    em: f64,
+    taken: &mut BTreeSet<[i64; 2]>,
+) -> Outline {
+    let total: f64 = moves().map(length).sum();
+    let spacing = (total / ARROWS).max(APART_EM * em);
+    let mut heads = Outline::default();
+    // The first arrow comes early, so that short paths have one.
+    let mut next = 0.4 * total.min(spacing);
+    let mut done = 0.0;
+    for segment in moves() {
+        let own = length(segment);
+        while next <= done + own && own > 0.0 {
+            let share = (next - done) / own;
+            let at = flat(place(segment, share));
+            if taken.insert([at.x, at.y].map(|v| (v / (CELL_EM * em)).floor() as i64)) {
+                head(&mut heads, at, direction(segment, share), em);
+            }
+            next += spacing;
+        }
+        done += own;
+    }
+    heads
+}
+
+fn direction(segment: &Segment, share: f64) -> Vec2 {
+    match arc(segment) {
+        Some(arc) => arc.direction(share),
+        None => (flat(segment.to) - flat(segment.from)).normalized().unwrap_or_default(),
+    }
+}
+
+pub fn head(heads: &mut Outline, at: Point2, along: Vec2, em: f64) {
+    let side = along.left() * (0.42 * em);
+    let tail = at + along * (-0.5 * em);
+    heads.polygon(&[
+        at + along * (0.7 * em),
+        tail + side,
+        tail + along * (0.22 * em),
+        tail + -side,
+    ]);
+}
+
+/// Places where the tool goes straight down, in the shade of their depth.
+pub fn plunges(tracks: &Tracks, radius: f64, em: f64) -> Layer {
+    let mut layer = Layer::new("plunges", Frame::Working, true);
+    for same in tracks.plunges.chunk_by(|a, b| a.1 == b.1) {
+        let mut dots = Outline::default();
+        same.iter().for_each(|(at, _)| dots.circle(*at, radius));
+        let colour = same[0].1.map_or(AIR, DepthScale::colour);
+        layer.path(dots, Paint::edged(colour, PAPER, 0.06 * em));
+    }
+    layer
+}
+
+/// Start and end of the motion.
+pub fn ends(tracks: &Tracks, em: f64) -> Layer {
+    let mut layer = Layer::new("ends", Frame::Page, true);
+    let Some([start, end]) = tracks.ends.map(|e| e.map(|p| Point2::new(p.x, -p.y))) else {
+        return layer;
+    };
+    start_sign(&mut layer, start, em);
+    end_sign(&mut layer, end, em);
+    if start.distance(end) < 3.0 * em {
+        layer.marks.push(name(start, em, "start, end"));
+    } else {
+        layer.marks.push(name(start, em, "start"));
+        layer.marks.push(name(end, em, "end"));
+    }
+    layer
+}
+
+/// A ring.
+pub fn start_sign(layer: &mut Layer, at: Point2, em: f64) {
+    for (radius, width, colour) in [(0.62, 0.5, PAPER), (0.62, 0.26, AXIS_Y)] {
+        let mut ring = Outline::default();
+        ring.circle(at, radius * em);
+        layer.path(ring, Paint::line(colour, width * em));
+    }
+}
+
+/// A square.
+pub fn end_sign(layer: &mut Layer, at: Point2, em: f64) {
+    let half = 0.32 * em;
+    let corners = [(-half, -half), (half, -half), (half, half), (-half, half)];
+    let mut square = Outline::default();
+    square.polygon(&corners.map(|(x, y)| at + Vec2::new(x, y)));
+    layer.path(square, Paint::edged(INK, PAPER, 0.12 * em));
+}
+
+fn name(at: Point2, em: f64, text: &str) -> Mark {
+    Mark::Text(Text {
+        at: at + Vec2::new(em, -0.7 * em),
+        size: em,
+        anchor: Anchor::Start,
+        bold: true,
+        colour: INK,
+        halo: true,
+        text: text.into(),
+    })
+}

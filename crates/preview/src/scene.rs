@@ -1,0 +1,172 @@
+//! What a picture shows: the motion of one program and the facts of its legend.
+//!
+//! Lengths are millimetres in the working frame, times seconds. A scene is plain data: whoever ran
+//! the program fills it in, and nothing in here is looked up elsewhere.
+
+use kerf_diag::Severity;
+use kerf_geom::Bounds3;
+use kerf_program::MoveKind;
+use kerf_program::settings::LinearUnit;
+
+/// Farther than this from zero nothing is drawn, mm (10 km).
+///
+/// No machine is so large; below it sums and squares stay far from the ends of the number range.
+pub const FARTHEST_MM: f64 = 1.0e7;
+
+/// The unit a person reads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// `in` or `mm`.
+    pub symbol: &'static str,
+    /// Millimetres in one unit.
+    pub mm: f64,
+}
+
+impl Unit {
+    /// Millimetres.
+    pub const MM: Self = Self { symbol: "mm", mm: 1.0 };
+    /// Inches.
+    pub const INCH: Self = Self { symbol: "in", mm: 25.4 };
+}
+
+impl From<LinearUnit> for Unit {
+    fn from(unit: LinearUnit) -> Self {
+        Self { symbol: unit.symbol(), mm: unit.mm() }
+    }
+}
+
+/// The table as VP describes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TableView {
+    /// Working position of the table's corner with the lowest X and Y, mm.
+    pub origin: [f64; 2],
+    /// Size in X, Y and Z, mm.
+    pub size_mm: [f64; 3],
+    /// Spacing of the grid lines, counted from the corner, mm; 0 for none.
+    pub grid_mm: f64,
+}
+
+/// How a segment runs in X and Y; Z changes evenly along it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Straight.
+    Line,
+    /// On a circle.
+    Arc {
+        /// Its centre, mm.
+        centre: [f64; 2],
+        /// The angle swept, positive counter-clockwise; may exceed a turn.
+        sweep_rad: f64,
+    },
+}
+
+/// One move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Cut or jog.
+    pub kind: MoveKind,
+    /// Where it starts, mm.
+    pub from: [f64; 3],
+    /// Where it ends, mm.
+    pub to: [f64; 3],
+    /// Straight or round.
+    pub shape: Shape,
+    /// Line of the source file, from 1; 0 when none stands for it.
+    pub line: u32,
+}
+
+/// Something the run found that a person should know.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// How bad it is.
+    pub severity: Severity,
+    /// What it is, one sentence.
+    pub text: String,
+    /// Line of the source file, 0 for none.
+    pub line: u32,
+}
+
+/// A named part of the program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ToolPath {
+    /// Its name.
+    pub name: String,
+    /// The tool, empty when unknown.
+    pub tool: String,
+    /// How long it takes, seconds.
+    pub seconds: f64,
+    /// Index of its first segment.
+    pub first_segment: usize,
+}
+
+/// Everything a picture shows.
+///
+/// Segments with a coordinate that is not finite or beyond [`FARTHEST_MM`] are left out; the legend
+/// says how many. An empty scene gives a picture of the table, or of an empty sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Heading, usually the file's name.
+    pub title: String,
+    /// The unit of numbers in rulers and legend.
+    pub unit: Unit,
+    /// Table and grid, when known.
+    pub table: Option<TableView>,
+    /// The motion in order.
+    pub segments: Vec<Segment>,
+    /// When each segment ends, seconds since the start; empty when motion was not planned.
+    pub times_s: Vec<f32>,
+    /// Draw jogs (VP).
+    pub show_jogs: bool,
+    /// Diameter of the cutter, mm; 0 draws no width.
+    pub cutter_mm: f64,
+    /// Height of the material's surface, mm; depth counts down from here.
+    pub surface_z_mm: f64,
+    /// Planned duration, seconds.
+    pub duration_s: f64,
+    /// Length of cutting, mm.
+    pub cut_mm: f64,
+    /// Length of jogging, mm.
+    pub jog_mm: f64,
+    /// Bounds of the cutting moves, mm.
+    pub bounds: Bounds3,
+    /// Program lines executed.
+    pub lines_executed: u64,
+    /// What the run found.
+    pub findings: Vec<Finding>,
+    /// Named parts in order.
+    pub toolpaths: Vec<ToolPath>,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            unit: Unit::MM,
+            table: None,
+            segments: Vec::new(),
+            times_s: Vec::new(),
+            show_jogs: true,
+            cutter_mm: 0.0,
+            surface_z_mm: 0.0,
+            duration_s: 0.0,
+            cut_mm: 0.0,
+            jog_mm: 0.0,
+            bounds: Bounds3::default(),
+            lines_executed: 0,
+            findings: Vec::new(),
+            toolpaths: Vec::new(),
+        }
+    }
+}
+
+impl Segment {
+    /// Whether it can be drawn: every number finite and within [`FARTHEST_MM`].
+    pub fn is_drawable(&self) -> bool {
+        let near = |v: &f64| v.abs() <= FARTHEST_MM;
+        let shape = match &self.shape {
+            Shape::Line => true,
+            Shape::Arc { centre, sweep_rad } => centre.iter().all(near) && near(sweep_rad),
+        };
+        shape && self.from.iter().chain(&self.to).all(near)
+    }
+}
