@@ -5,7 +5,7 @@ use crate::corner::{FULL_CORNER_RAD, SLIGHTEST_RAD, corner_speed, is_full};
 use crate::course::Course;
 use crate::moves::{Move, Path};
 use crate::profile::Profile;
-use crate::turns::{Bend, sum_turns};
+use crate::turns::{Bend, Place, sum_turns};
 use kerf_program::Axis;
 use kerf_program::settings::{MM_PER_INCH, Ramps};
 use std::f64::consts::TAU;
@@ -31,22 +31,12 @@ const SAME_SHARE: f64 = 1e-9;
 /// that a series of very short moves does not surge. The manual gives no number; this is a guess.
 const SURGE: f64 = 2.0;
 
-/// What a bend limits.
-#[derive(Clone, Copy)]
-enum Place {
-    /// The joint before this move; XY speed there for a speed of 1.
-    Joint(u32, f32),
-    /// This move, a short arc; the same.
-    Arc(u32, f32),
-}
-
 /// Caps under construction. The fields of a [`Profile`] hold them: at the start, inside, at the end.
 pub(crate) struct Caps<'a> {
     ramps: &'a Ramps,
     moves: &'a [Move],
     profiles: Vec<Profile>,
     bends: Vec<Bend>,
-    places: Vec<Place>,
     window_mm: f64,
     at_mm: f64,
     heading_rad: f64,
@@ -58,9 +48,8 @@ impl<'a> Caps<'a> {
         let mut caps = Self {
             ramps,
             moves,
-            profiles: moves.iter().map(alone).collect(),
-            bends: Vec::new(),
-            places: Vec::new(),
+            profiles: Vec::with_capacity(moves.len()),
+            bends: Vec::with_capacity(moves.len()),
             window_mm: ramps.min_distance_mm.max(0.0),
             at_mm: 0.0,
             heading_rad: 0.0,
@@ -76,6 +65,7 @@ impl<'a> Caps<'a> {
         let mut before: Option<Course> = None;
         for (i, m) in self.moves.iter().enumerate() {
             let course = Course::of(m);
+            self.profiles.push(alone(m));
             match before {
                 Some(before) if m.continues(&self.moves[i - 1]) => self.joint(i, &before, &course),
                 // Far away: no window reaches across.
@@ -99,9 +89,8 @@ impl<'a> Caps<'a> {
         self.profiles[i].v_entry = cap;
         let turn = before.turn_rad(after);
         if turn.abs() > BEND_RAD {
-            let span_mm = 0.5 * (self.near(m.length_mm) + self.near(last.length_mm));
-            let xy = before.xy.max(after.xy) as f32;
-            self.bend(turn, 0.0, span_mm, Place::Joint(i as u32, xy));
+            let place = Place::Joint(i as u32);
+            self.bend(self.at_mm, turn, before.xy.max(after.xy), place);
         }
         self.heading_rad += turn;
     }
@@ -120,23 +109,22 @@ impl<'a> Caps<'a> {
         v
     }
 
-    fn near(&self, mm: f64) -> f64 {
-        mm.min(self.window_mm)
-    }
-
-    fn bend(&mut self, turn: f64, ahead_mm: f64, span_mm: f64, place: Place) {
-        let before_rad = self.heading_rad;
-        let after_rad = before_rad + turn;
-        self.bends.push(Bend { at_mm: self.at_mm + ahead_mm, before_rad, after_rad, span_mm });
-        self.places.push(place);
+    fn bend(&mut self, at_mm: f64, turn: f64, xy: f64, place: Place) {
+        self.bends.push(Bend {
+            at_mm,
+            before_rad: self.heading_rad,
+            turn_rad: turn as f32,
+            xy: xy as f32,
+            place,
+        });
     }
 
     fn arc(&mut self, i: usize, sweep_rad: f64, way_mm: f64, xy: f64) {
         let sweep = sweep_rad.abs();
         let closed = sweep > TAU - BEND_RAD;
         if way_mm <= self.window_mm && !closed {
-            let place = Place::Arc(i as u32, xy as f32);
-            return self.bend(sweep_rad, 0.5 * way_mm, way_mm, place);
+            let middle_mm = self.at_mm + 0.5 * way_mm;
+            return self.bend(middle_mm, sweep_rad, xy, Place::Arc(i as u32));
         }
         let turn = sweep * (self.window_mm / way_mm).min(1.0);
         let tight = is_full(sweep) && way_mm < FULL_CURVE_RADIUS_MM * sweep;
@@ -145,56 +133,66 @@ impl<'a> Caps<'a> {
             (false, true) => turn.max(FULL_CORNER_RAD),
             (false, false) => turn,
         };
-        self.profiles[i].v_peak = self.turning(self.profiles[i].v_peak, turn, xy);
+        self.profiles[i].v_peak = self.turning(self.profiles[i].v_peak, turn as f32, xy as f32);
     }
 
     /// Applies the corner rule to what the direction changes around each bend.
     fn limit_turns(&mut self) {
         let turns = self.summed();
-        for (place, turn) in self.places.iter().zip(&turns) {
-            if let Place::Arc(i, xy) = *place {
+        let bends = std::mem::take(&mut self.bends);
+        for (bend, turn) in bends.iter().zip(&turns) {
+            if let Place::Arc(i) = bend.place {
                 let v = self.profiles[i as usize].v_peak;
-                self.profiles[i as usize].v_peak = self.turning(v, *turn, f64::from(xy));
+                self.profiles[i as usize].v_peak = self.turning(v, *turn, bend.xy);
             }
         }
-        for i in 0..self.moves.len() {
-            let v = self.profiles[i].v_peak;
-            self.profiles[i].v_entry = self.profiles[i].v_entry.min(v);
-            self.profiles[i].v_exit = self.profiles[i].v_exit.min(v);
+        for cap in &mut self.profiles {
+            cap.v_entry = cap.v_entry.min(cap.v_peak);
+            cap.v_exit = cap.v_exit.min(cap.v_peak);
         }
-        for (place, turn) in self.places.iter().zip(&turns) {
-            if let Place::Joint(i, xy) = *place {
-                let i = i as usize;
-                let v = self.profiles[i].v_peak.min(self.profiles[i - 1].v_peak);
-                let cap = self.turning(v, *turn, f64::from(xy));
-                self.profiles[i].v_entry = self.profiles[i].v_entry.min(cap);
-                self.profiles[i - 1].v_exit = self.profiles[i - 1].v_exit.min(cap);
+        for (bend, turn) in bends.iter().zip(&turns) {
+            if let Place::Joint(i) = bend.place {
+                self.limit_joint(i as usize, *turn, bend.xy);
             }
         }
     }
 
-    /// What the direction changes around each bend.
-    fn summed(&self) -> Vec<f64> {
-        let own = |b: &Bend| (b.after_rad - b.before_rad).abs();
-        let mut turns: Vec<f64> = self.bends.iter().map(own).collect();
-        sum_turns(&self.bends, self.window_mm, &mut turns);
-        if self.window_mm < FULL_CURVE_MM {
-            let mut tight = turns.clone();
-            sum_turns(&self.bends, FULL_CURVE_MM, &mut tight);
-            for (turn, tight) in turns.iter_mut().zip(tight) {
-                if is_full(tight) {
-                    *turn = turn.max(tight);
-                }
-            }
+    fn limit_joint(&mut self, i: usize, turn_rad: f32, xy: f32) {
+        let v = self.profiles[i].v_peak.min(self.profiles[i - 1].v_peak);
+        let cap = self.turning(v, turn_rad, xy);
+        self.profiles[i].v_entry = self.profiles[i].v_entry.min(cap);
+        self.profiles[i - 1].v_exit = self.profiles[i - 1].v_exit.min(cap);
+    }
+
+    /// What the direction changes around each bend, radians.
+    fn summed(&self) -> Vec<f32> {
+        let mut turns: Vec<f32> = self.bends.iter().map(|b| b.turn_rad.abs()).collect();
+        let greatest = sum_turns(&self.bends, self.window_mm, &mut turns);
+        // A longer stretch is covered by so many of the window, and cannot turn more than they.
+        let windows = (FULL_CURVE_MM / self.window_mm).ceil();
+        if windows > 1.0 && is_full(windows * f64::from(greatest)) {
+            self.add_tight_curves(&mut turns);
         }
         turns
     }
 
-    fn turning(&self, v: f64, turn_rad: f64, xy: f64) -> f64 {
+    /// Makes a full corner of every bend in a curve that turns by as much on a small radius.
+    fn add_tight_curves(&self, turns: &mut [f32]) {
+        let mut tight = turns.to_vec();
+        sum_turns(&self.bends, FULL_CURVE_MM, &mut tight);
+        for (turn, tight) in turns.iter_mut().zip(tight) {
+            if is_full(f64::from(tight)) {
+                *turn = tight;
+            }
+        }
+    }
+
+    fn turning(&self, v: f64, turn_rad: f32, xy: f32) -> f64 {
+        let turn_rad = f64::from(turn_rad);
         if turn_rad < SLIGHTEST_RAD {
             return v;
         }
-        let in_xy = v * xy;
+        let in_xy = v * f64::from(xy);
         let ramp = self.ramps.cut.xy;
         let slow = corner_speed(in_xy, turn_rad, ramp, self.ramps.slow_corner_percent);
         if slow < in_xy { v * (slow / in_xy) } else { v }
@@ -202,24 +200,26 @@ impl<'a> Caps<'a> {
 
     /// Keeps ramp speed in runs between full corners that are too short to be worth a surge.
     fn hold_short_runs(&mut self) {
-        let (mut first, mut length_mm, mut corner_before) = (0, 0.0, false);
+        // What the squared speed gains up to the middle of the run and loses again.
+        let (mut first, mut gain, mut corner_before) = (0, 0.0, false);
         for (i, m) in self.moves.iter().enumerate() {
-            length_mm += m.length_mm;
-            let joint = self.moves.get(i + 1).is_some_and(|next| next.continues(m));
-            let corner = joint && self.profiles[i].v_exit <= m.ramp_mm_s * (1.0 + 1e-9);
-            if joint && !corner {
+            gain += m.accel_mm_s2 * m.length_mm;
+            let next = self.moves.get(i + 1).filter(|next| next.continues(m));
+            let ramp = next.map(|next| m.ramp_mm_s.max(next.ramp_mm_s) * (1.0 + 1e-9));
+            let corner = ramp.is_some_and(|ramp| self.profiles[i].v_exit <= ramp);
+            if next.is_some() && !corner {
                 continue;
             }
             if corner || corner_before {
-                self.hold(first, i, length_mm);
+                self.hold(first, i, gain);
             }
-            (first, length_mm, corner_before) = (i + 1, 0.0, corner);
+            (first, gain, corner_before) = (i + 1, 0.0, corner);
         }
     }
 
-    fn hold(&mut self, first: usize, last: usize, length_mm: f64) {
-        let Move { ramp_mm_s: ramp, accel_mm_s2: accel, .. } = self.moves[first];
-        if accel * length_mm >= (SURGE * SURGE - 1.0) * ramp * ramp {
+    fn hold(&mut self, first: usize, last: usize, gain: f64) {
+        let ramp = self.moves[first].ramp_mm_s.max(self.moves[last].ramp_mm_s);
+        if gain >= (SURGE * SURGE - 1.0) * ramp * ramp {
             return;
         }
         for i in first..=last {

@@ -2,11 +2,18 @@
 //! profiles of a stack: the look-ahead, over the whole stack at once.
 
 use crate::moves::Move;
+use crate::plan::Plan;
 use crate::profile::Profile;
 
 /// Turns the highest speeds allowed at the ends and inside each move into profiles: a pass back, so
 /// that every move can slow in time, and a pass forward, so that none starts faster than was reached.
-pub(crate) fn fit(moves: &[Move], caps: &mut [Profile]) {
+pub(crate) fn fit(moves: Vec<Move>, mut caps: Vec<Profile>) -> Plan {
+    slow_in_time(&moves, &mut caps);
+    let duration_s = run(&moves, &mut caps);
+    Plan { moves, profiles: caps, duration_s }
+}
+
+fn slow_in_time(moves: &[Move], caps: &mut [Profile]) {
     let mut v = None;
     for i in (0..moves.len()).rev() {
         let (m, cap) = (&moves[i], &mut caps[i]);
@@ -14,15 +21,21 @@ pub(crate) fn fit(moves: &[Move], caps: &mut [Profile]) {
         cap.v_entry = cap.v_entry.min(reach(m, cap.v_exit));
         v = (i > 0 && m.continues(&moves[i - 1])).then_some(cap.v_entry);
     }
-    let mut v = None;
-    for i in 0..moves.len() {
-        let (m, cap) = (&moves[i], &mut caps[i]);
+}
+
+/// Gives the time at the end, seconds.
+fn run(moves: &[Move], caps: &mut [Profile]) -> f64 {
+    let (mut v, mut t_s) = (None, 0.0);
+    for (i, (m, cap)) in moves.iter().zip(caps).enumerate() {
+        cap.start_s = t_s;
         cap.v_entry = v.unwrap_or(cap.v_entry);
         cap.v_exit = cap.v_exit.min(reach(m, cap.v_entry));
         cap.v_peak = peak(m, cap);
+        t_s += cap.phases(m.length_mm, m.accel_mm_s2).duration_s();
         let goes_on = moves.get(i + 1).is_some_and(|next| next.continues(m));
         v = goes_on.then_some(cap.v_exit);
     }
+    t_s
 }
 
 /// The speed to which a move can accelerate from one end to the other.

@@ -10,6 +10,10 @@ use kerf_program::{Arc, At, Axes, Axis, Feed, Line, MoveKind, Settings};
 /// rounding noise of X and Y from turning a plunge into an XY move.
 const STILL_MM: f64 = 1e-9;
 
+/// Coordinates and lengths beyond this are mistakes and refused, mm or degrees: arithmetic stays far
+/// from where numbers end.
+const FAR_MM: f64 = 1e12;
+
 /// No move is slower, mm/s or degrees/s: a speed of zero in the settings must not stop time.
 const MIN_SPEED_MM_S: f64 = 1e-4;
 
@@ -69,7 +73,10 @@ impl Mover {
     }
 
     /// The move of a straight command; `None` when nothing moves, or when a coordinate is not a
-    /// finite number (such a command is refused: the position stays).
+    /// number or beyond all reason (such a command is refused: the position stays).
+    ///
+    /// A feed along the path or by time is taken as it is: the axis speeds of the settings hold for
+    /// [`Feed::Axis`] only.
     pub fn line(&mut self, at: At, line: &Line) -> Option<Move> {
         let delta = line.to.minus(self.position);
         let extent = Extent::new(length2(delta.0[0], delta.0[1]), delta);
@@ -82,6 +89,9 @@ impl Mover {
         let start = Point2::new(self.position.0[0], self.position.0[1]);
         let centre = Point2::new(arc.centre[0], arc.centre[1]);
         let length = Arc2 { start, centre, sweep_rad: arc.sweep_rad }.length();
+        if arc.centre.iter().any(|v| !in_reach(*v)) {
+            return None;
+        }
         if length <= STILL_MM {
             let line = Line { kind: arc.kind, to: arc.to, feed: arc.feed };
             return self.line(at, &line);
@@ -101,10 +111,10 @@ impl Mover {
         feed: Feed,
         extent: &Extent,
     ) -> Option<Move> {
-        let finite = to.0.iter().all(|v| v.is_finite());
+        let sane = to.0.into_iter().all(in_reach);
         let pace = if kind == MoveKind::Jog { &self.jog } else { &self.cut };
         let (basis, length_mm, time_s) = extent.reference(feed, &pace.speed);
-        if !(finite && length_mm > STILL_MM && length_mm.is_finite()) {
+        if !(sane && length_mm > STILL_MM && in_reach(length_mm)) {
             return None;
         }
         let from = std::mem::replace(&mut self.position, to);
@@ -168,7 +178,7 @@ impl Extent {
             }
             Feed::Time(s) => {
                 let (basis, length) = self.by_path();
-                (basis, length, s.max(0.0))
+                (basis, length, s)
             }
         }
     }
@@ -223,8 +233,13 @@ fn within(value: f64, low: f64, high: f64) -> f64 {
     value.max(low).min(high)
 }
 
-/// Length of a vector. `hypot` is slow and only needed where squares leave the range of numbers.
+/// Whether a coordinate or length is a number and not beyond all reason.
+fn in_reach(v: f64) -> bool {
+    v.abs() < FAR_MM
+}
+
+/// Length of a vector. Coordinates are in a range where squares are safe, so `hypot`, which is slow,
+/// is not needed.
 fn length2(x: f64, y: f64) -> f64 {
-    let square = x * x + y * y;
-    if square > 1e-280 && square < 1e280 { square.sqrt() } else { x.hypot(y) }
+    (x * x + y * y).sqrt()
 }

@@ -102,7 +102,13 @@ impl Move {
             path: self.path.part(share),
             ..*self
         };
-        (part(self.from, middle, share), part(middle, self.to, 1.0 - share))
+        let mut after = part(middle, self.to, 1.0 - share);
+        if let (Path::Arc { centre, .. }, Some(arc)) = (&mut after.path, self.arc()) {
+            // The circle wanders with the gap; see `gap`.
+            let gap = self.gap(arc);
+            *centre = [centre[0] + gap[0] * share, centre[1] + gap[1] * share];
+        }
+        (part(self.from, middle, share), after)
     }
 
     /// Whether speed may run on into this move from the one before: both are cuts, and their speeds

@@ -48,16 +48,6 @@ pub struct Span<'a> {
 }
 
 impl Plan {
-    /// Puts profiles in time one after the other. `profiles` must have been made for `moves`.
-    pub(crate) fn new(moves: Vec<Move>, mut profiles: Vec<Profile>) -> Self {
-        let mut t = 0.0;
-        for (made, profile) in moves.iter().zip(&mut profiles) {
-            profile.start_s = t;
-            t += profile.phases(made.length_mm, made.accel_mm_s2).duration_s();
-        }
-        Self { moves, profiles, duration_s: t }
-    }
-
     /// Time of the whole stack, seconds.
     pub const fn duration_s(&self) -> f64 {
         self.duration_s
@@ -84,6 +74,7 @@ impl Plan {
     /// What the machine does at a time: at the first position before the start, at the last one
     /// after the end. All zero for a plan without moves.
     pub fn at(&self, t_s: f64) -> State {
+        let t_s = t_s.max(0.0);
         let Some(index) = self.index_at(t_s) else {
             return State {
                 position: Axes::default(),
@@ -93,7 +84,7 @@ impl Plan {
                 share: 0.0,
             };
         };
-        let inside = t_s >= 0.0 && t_s < self.duration_s;
+        let inside = t_s < self.duration_s;
         let (mm, v) = self.phases(index).at(t_s - self.profiles[index].start_s);
         self.state(index, mm / self.moves[index].length_mm, if inside { v } else { 0.0 })
     }

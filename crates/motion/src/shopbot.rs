@@ -41,8 +41,7 @@ pub fn plan_stack(moves: Vec<Move>, ramps: &Ramps) -> Plan {
 
 impl Model for ShopBot<'_> {
     fn plan(&self, moves: Vec<Move>) -> Plan {
-        let mut profiles = Caps::of(self.ramps, &moves);
-        fit(&moves, &mut profiles);
-        Plan::new(moves, profiles)
+        let caps = Caps::of(self.ramps, &moves);
+        fit(moves, caps)
     }
 }
