@@ -2,7 +2,7 @@
 
 use super::{Core, Status};
 use crate::tree::{Program, Span};
-use kerf_diag::{Code, Diagnostic, Severity};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::{
     Answer, At, Axis, AxisSet, Command, Host, HostError, Question, Settings, Sourced,
 };
@@ -97,10 +97,24 @@ impl Context<'_> {
         Stop::Failed(Box::new(self.diagnostic(span, code, message).hint(hint)))
     }
 
-    /// A warning or note while running.
+    /// A warning while running.
     pub(crate) fn warn(&mut self, code: Code, message: impl Into<String>, hint: impl Into<String>) {
-        let diagnostic =
-            self.diagnostic(self.span, code, message).hint(hint).severity(Severity::Warning);
+        self.tell(Severity::Warning, code, message, hint);
+    }
+
+    /// A note while running.
+    pub(crate) fn note(&mut self, code: Code, message: impl Into<String>, hint: impl Into<String>) {
+        self.tell(Severity::Note, code, message, hint);
+    }
+
+    fn tell(
+        &mut self,
+        severity: Severity,
+        code: Code,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) {
+        let diagnostic = self.diagnostic(self.span, code, message).hint(hint).severity(severity);
         self.emit(Command::Diagnostic(Box::new(diagnostic)));
     }
 
@@ -113,14 +127,19 @@ impl Context<'_> {
     ) -> Diagnostic {
         let place = self.program().place(self.at.line, span);
         let mut diagnostic = Diagnostic::new(code, place, message);
-        let callers = self.core.levels.iter().rev().skip(1);
-        diagnostic.callers = callers
+        diagnostic.callers = self.callers();
+        diagnostic
+    }
+
+    /// The lines that called the innermost file, innermost first.
+    pub(crate) fn callers(&self) -> Vec<Place> {
+        let outer = self.core.levels.iter().rev().skip(1);
+        outer
             .filter_map(|l| {
                 let program = self.core.programs.get(l.file as usize)?;
                 Some(program.place(l.next, Span::default()))
             })
-            .collect();
-        diagnostic
+            .collect()
     }
 
     /// The error of a refused request to the host.

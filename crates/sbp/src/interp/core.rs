@@ -5,15 +5,15 @@ use super::{FileParameters, Options, Session, Variables};
 use crate::{Program, Value};
 use kerf_cut::Tabber;
 use kerf_program::{AXES, At, Axes, Axis, Frame, Settings};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// The state: what is saved, cloned and restored.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Core {
     pub(crate) options: Options,
-    /// Files read so far; [`At::file`] indexes them.
-    #[serde(with = "programs")]
+    /// Files read so far; [`At::file`] indexes them. Saved once for all states, see `saving`.
+    #[serde(skip)]
     pub(crate) programs: Vec<Arc<Program>>,
     /// For each file, the variable slot of each of its names. Made again after restoring.
     #[serde(skip)]
@@ -32,8 +32,10 @@ pub struct Core {
     pub(crate) offset_applied: Axes,
     pub(crate) variables: Variables,
     pub(crate) watches: Vec<Handler>,
-    /// Actions of handlers that fired and have not run yet.
-    pub(crate) fired: Vec<At>,
+    /// Handlers that fired and whose actions have not run yet.
+    pub(crate) fired: Vec<Handler>,
+    /// A timed pause was given while handlers are armed: nothing is read until it is over.
+    pub(crate) pausing: bool,
     /// Motion commands given so far.
     pub(crate) motions: u64,
     /// Everything given so far has been carried out.
@@ -72,6 +74,7 @@ pub(crate) struct Level {
     pub(crate) proportion: [f64; 3],
     /// Temporary zero, working location in mm.
     pub(crate) offset: [f64; 3],
+    /// Its plunge is already multiplied by the caller's Z proportion.
     pub(crate) parameters: FileParameters,
     /// Repetitions still to come after this one.
     pub(crate) repetitions_left: u32,
@@ -79,6 +82,26 @@ pub(crate) struct Level {
     pub(crate) start_z: Option<f64>,
     /// Tabs hold here (own or inherited), on the last repetition.
     pub(crate) tabs: bool,
+    pub(crate) purpose: Purpose,
+}
+
+/// What a file was opened for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Purpose {
+    /// To be run, by the operator, FP or a custom cut.
+    Run,
+    /// To change the tool (C9).
+    ToolChange,
+    /// Only for a subroutine that a handler of ON INPUT called from within a nested file. The
+    /// number is the depth at which the file itself is open.
+    Handler(usize),
+}
+
+impl Level {
+    /// Whether its cuts get tabs now, and those of files it calls.
+    pub(crate) fn tabs_hold(&self) -> bool {
+        self.tabs && self.repetitions_left == 0
+    }
 }
 
 /// A file of the user that is open.
@@ -108,6 +131,7 @@ impl Core {
             variables: session.variables,
             watches: Vec::new(),
             fired: Vec::new(),
+            pausing: false,
             motions: 0,
             settled: true,
             lines: 0,
@@ -126,7 +150,9 @@ impl Core {
 
     /// Adds a program, or finds the same one read before.
     pub(crate) fn load(&mut self, program: Arc<Program>) -> u32 {
-        let known = |p: &Arc<Program>| p.name == program.name && p.text == program.text;
+        let known = |p: &Arc<Program>| {
+            Arc::ptr_eq(p, &program) || p.name == program.name && p.text == program.text
+        };
         if let Some(index) = self.programs.iter().position(known) {
             return index as u32;
         }
@@ -169,24 +195,5 @@ impl Core {
             variables: self.variables,
             last_file: self.last_file,
         }
-    }
-}
-
-/// Programs are saved as name and text, and read again when restored.
-mod programs {
-    use super::{Arc, Deserialize, Deserializer, Program, Serialize, Serializer};
-
-    pub(super) fn serialize<S: Serializer>(list: &[Arc<Program>], s: S) -> Result<S::Ok, S::Error> {
-        list.iter().map(|p| (&*p.name, &*p.text)).collect::<Vec<_>>().serialize(s)
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
-        d: D,
-    ) -> Result<Vec<Arc<Program>>, D::Error> {
-        let list = Vec::<(String, String)>::deserialize(d)?;
-        Ok(list
-            .into_iter()
-            .map(|(name, text)| Arc::new(crate::read(name.into(), text.as_bytes())))
-            .collect())
     }
 }

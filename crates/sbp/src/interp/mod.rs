@@ -13,16 +13,30 @@ mod arguments;
 mod context;
 mod core;
 mod cutting;
+mod dialogs;
+mod fields;
 mod interrupt;
+mod levels;
 mod lifecycle;
 mod locate;
+mod message_box;
 mod outward;
+mod pauses;
+mod printing;
+mod programs;
+mod questions;
+mod registry;
+mod saving;
 mod session;
 mod statements;
 mod step;
 mod sysvar;
+#[cfg(test)]
+mod tests;
+mod user_files;
 mod variables;
 mod watch;
+mod z_moves;
 
 pub use self::core::Core;
 pub use arguments::Arguments;
@@ -70,6 +84,7 @@ const MOST_BEHIND: usize = 20_000;
 
 /// A program being run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(from = "saving::Saved", into = "saving::Saved")]
 pub struct Interpreter {
     core: Core,
     /// State right after each motion command that may still be interrupted, oldest first.
@@ -105,9 +120,18 @@ impl Interpreter {
 
     /// Executes lines until the host is needed, the run is over, or so many lines are done.
     pub fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        let bound = self.core.lines.saturating_add(lines);
+        // Steps that are no line (a file ends, a handler's action) count too, so that this ends.
         for _ in 0..lines {
+            let left = bound.saturating_sub(self.core.lines);
+            if left == 0 {
+                break;
+            }
             if self.core.watches.is_empty() {
-                step::run_moves(&mut self.core, out, lines);
+                step::run_moves(&mut self.core, out, left);
+                if self.core.lines >= bound {
+                    break;
+                }
             }
             match self.step(host, out) {
                 Step::Ran => {}
@@ -119,9 +143,11 @@ impl Interpreter {
 
     /// Tells that a watched input changed and the machine stopped for it.
     ///
-    /// `motion` is the number (counted from 1 over the whole run) of the motion command that was
-    /// interrupted, if any was under way; all later ones were dropped. `position` is where the
-    /// machine stopped, machine frame. The handler's action runs in the next step.
+    /// `motion` is the number (as [`Interpreter::motions`] counts) of the motion command that was
+    /// interrupted, or of the first one not yet begun; it and all later ones were dropped. `None`
+    /// when none was left to do. `position` is where the machine stopped, machine frame. The
+    /// handler's action runs in the next step; a pause that was under way is over, a question that
+    /// was open is asked again unless the action goes elsewhere.
     pub fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes) {
         if let Some(number) = motion {
             let state =
@@ -136,13 +162,13 @@ impl Interpreter {
 
     /// Tells that the operator ended the run.
     pub fn stop(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-        lifecycle::finish(&mut self.core, host, out, Status::Stopped);
+        lifecycle::finish(&mut self.core, host, out);
         Step::Done(Status::Stopped, None)
     }
 
     /// Tells that a bound of the machine ended the run (table limits).
     pub fn limit(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-        lifecycle::finish(&mut self.core, host, out, Status::Limit);
+        lifecycle::finish(&mut self.core, host, out);
         Step::Done(Status::Limit, None)
     }
 
@@ -164,6 +190,20 @@ impl Interpreter {
     /// The open files and the line that runs next in each, outermost first.
     pub fn call_stack(&self) -> impl Iterator<Item = At> {
         self.core.levels.iter().map(|l| At { file: l.file, line: l.next + 1 })
+    }
+
+    /// Number of the last motion command given, counted from 1. After an interrupt the count goes
+    /// on behind the motions of the interrupted line.
+    pub fn motions(&self) -> u64 {
+        self.core.motions
+    }
+
+    /// Tells that all motion up to this number has been carried out: nothing before it can be
+    /// interrupted any more, so the states kept for that are forgotten.
+    pub fn carried_out(&mut self, motion: u64) {
+        while self.behind.front().is_some_and(|(number, _)| *number <= motion) {
+            self.behind.pop_front();
+        }
     }
 
     /// Lines executed so far.

@@ -6,7 +6,49 @@ use kerf_diag::Code;
 
 impl Context<'_> {
     /// Executes one of them.
-    pub(crate) fn outward_statement(&mut self, _statement: &Statement) -> Result<(), Stop> {
-        Err(self.fail(Code::NotSupported, "this statement is not carried out yet"))
+    pub(super) fn outward_statement(&mut self, statement: &Statement) -> Result<(), Stop> {
+        match statement {
+            Statement::Pause { seconds: Some(seconds) } => self.pause_for(seconds),
+            Statement::Pause { seconds: None } => self.pause(),
+            Statement::PauseUntil { switch, state } => self.pause_until(switch, state),
+            Statement::WarningOff => self.warning_off(),
+            Statement::Output(output) => self.output(output),
+            Statement::Input { text, default, variables, span } => {
+                self.span = *span;
+                self.input(text.as_ref(), default.as_ref(), variables)
+            }
+            Statement::MsgBox { body, style, title, span } => {
+                self.span = *span;
+                self.message_box(body, style, title)
+            }
+            Statement::Open { path, mode, number } => self.open_file(path, *mode, number),
+            Statement::Close(number) => self.close(number.as_ref()),
+            Statement::InputFile { file, variables, span } => {
+                self.span = *span;
+                self.input_from_file(file, variables)
+            }
+            Statement::Play(path) => self.play(path),
+            Statement::Shell { line, display, wait, span } => {
+                self.span = *span;
+                self.shell(line, display.as_ref(), *wait)
+            }
+            Statement::Store { which, value, span } => {
+                self.span = *span;
+                self.store(*which, value)
+            }
+            Statement::Fetch { which, variable, span } => {
+                self.span = *span;
+                self.fetch(*which, *variable)
+            }
+            Statement::Custom { number, span } => {
+                self.span = *span;
+                self.custom_cut(number)
+            }
+            Statement::Gcode(_) => {
+                Err(self.fail(Code::NotSupported, "G-code in a part file is not carried out yet"))
+            }
+            // The others are carried out by `Context::statement`.
+            _ => Ok(()),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! What each statement does. The larger families have files of their own.
 
-use super::watch::Handler;
-use super::{Arguments, Context, Status, Stop, Watch, lifecycle};
+use super::core::Purpose;
+use super::{Arguments, Context, Status, Stop};
 use crate::Expr;
 use crate::Value;
 use crate::table::Stack;
@@ -9,6 +9,9 @@ use crate::tree::{Arg, Assigned, NameId, Program, Statement, Target};
 use kerf_diag::Code;
 use kerf_program::{Command, ToolPathStart};
 use std::sync::Arc;
+
+/// GOSUBs within each other at most, in one file.
+const MOST_GOSUBS: usize = 10_000;
 
 impl Context<'_> {
     /// Executes a statement.
@@ -36,7 +39,7 @@ impl Context<'_> {
                 self.end_file();
                 Ok(())
             }
-            Statement::EndAll | Statement::ExitShopbot => Err(Stop::Finished(Status::Ended)),
+            Statement::EndAll | Statement::ExitShopbot => Err(self.end_run(Status::Ended)),
             Statement::OnInput { switch, state, action } => {
                 self.on_input(switch, state, action.is_some())
             }
@@ -66,10 +69,12 @@ impl Context<'_> {
     ) -> Result<(), Stop> {
         let value = match value {
             Assigned::Nothing => Value::text(""),
-            Assigned::Expr(expr) => self.assigned_value(expr)?,
+            Assigned::Expr(expr) => self.eval(expr)?,
             Assigned::Text(text) => Value::Text(text.clone()),
         };
         if persistent {
+            // What survives restarts must not run ahead of the motion before it.
+            self.settle()?;
             let known =
                 self.host.stored(&crate::eval::persistent_key(&self.name_text(name))).is_some();
             if !(only_new && known) {
@@ -83,12 +88,6 @@ impl Context<'_> {
             }
         }
         Ok(())
-    }
-
-    /// An undefined variable alone gives its name's text nowhere: it is an error as a number, and
-    /// copies nothing.
-    fn assigned_value(&mut self, expr: &Expr) -> Result<Value, Stop> {
-        self.eval(expr)
     }
 
     /// The old software had room for 100 variables; files that need more are told of once.
@@ -108,7 +107,7 @@ impl Context<'_> {
         Ok(())
     }
 
-    fn label_line(&self, target: &Target) -> Result<u32, Stop> {
+    pub(super) fn label_line(&self, target: &Target) -> Result<u32, Stop> {
         target.line.ok_or_else(|| {
             let message = format!("label {} not found", target.name);
             self.fail_at(
@@ -122,67 +121,35 @@ impl Context<'_> {
 
     fn gosub(&mut self, target: &Target) -> Result<(), Stop> {
         let line = self.label_line(target)?;
-        let return_to = self.core.level().map_or(0, |l| l.next + 1);
-        self.call_sub(line, return_to)
+        self.call_sub(line)
     }
 
-    pub(crate) fn call_sub(&mut self, line: u32, return_to: u32) -> Result<(), Stop> {
-        let deep = self.core.level().is_some_and(|l| l.gosubs.len() >= lifecycle::MOST_GOSUBS);
+    /// Goes to a line of the innermost file; RETURN comes back to the one that would be next.
+    pub(super) fn call_sub(&mut self, line: u32) -> Result<(), Stop> {
+        let deep = self.core.level().is_some_and(|l| l.gosubs.len() >= MOST_GOSUBS);
         if deep {
-            let message = format!("GOSUB nested deeper than {}", lifecycle::MOST_GOSUBS);
+            let message = format!("GOSUB nested deeper than {MOST_GOSUBS}");
             return Err(self.fail(Code::NestedTooDeep, message));
         }
         if let Some(level) = self.core.levels.last_mut() {
-            level.gosubs.push(return_to);
+            level.gosubs.push(level.next);
             level.next = line;
         }
         Ok(())
     }
 
     fn return_from_sub(&mut self) -> Result<(), Stop> {
-        let back = self.core.levels.last_mut().and_then(|l| Some((l.gosubs.pop()?, l)));
-        match back {
-            Some((line, level)) => {
-                level.next = line;
-                Ok(())
-            }
-            None => {
-                let hint = "put END before the first subroutine of the file";
-                Err(self.fail_at(self.span, Code::ReturnWithoutGosub, "RETURN without GOSUB", hint))
-            }
+        let Some(level) = self.core.levels.last_mut() else { return Ok(()) };
+        if let Some(line) = level.gosubs.pop() {
+            level.next = line;
+            return Ok(());
         }
-    }
-
-    /// ON INPUT arms a handler, or disarms it when no action is given.
-    fn on_input(&mut self, switch: &Expr, state: &Expr, armed: bool) -> Result<(), Stop> {
-        let input = self.switch_number(switch)?;
-        let condition = self.eval_number(state)?;
-        let (on, ramped) = match condition as i64 {
-            0 => (false, false),
-            1 => (true, false),
-            2 => (false, true),
-            3 => (true, true),
-            _ => {
-                let message = format!(
-                    "condition must be 0, 1, 2 or 3, not {}",
-                    Value::Number(condition).display()
-                );
-                return Err(self.fail_at(
-                    state.span,
-                    Code::OutOfRange,
-                    message,
-                    "1 on, 0 off, 3 on with a ramped stop, 2 off with a ramped stop",
-                ));
-            }
-        };
-        self.settle()?;
-        let watch = Watch { input, on, ramped };
-        self.core.watches.retain(|h| h.watch != watch);
-        if armed {
-            let level = self.core.levels.len();
-            self.core.watches.push(Handler { watch, at: self.at, level });
+        if matches!(level.purpose, Purpose::Handler(_)) {
+            self.leave_levels(self.core.levels.len() - 1);
+            return Ok(());
         }
-        Ok(())
+        let hint = "put END before the first subroutine of the file";
+        Err(self.fail_at(self.span, Code::ReturnWithoutGosub, "RETURN without GOSUB", hint))
     }
 
     /// An input or output number, 1 … 12.
@@ -193,37 +160,6 @@ impl Context<'_> {
         }
         let message = format!("switches are numbered 1 to 12, not {}", Value::Number(n).display());
         Err(self.fail_at(expr.span, Code::OutOfRange, message, ""))
-    }
-
-    /// Runs the action of the ON INPUT line at `self.at`, whose handler fired.
-    pub(super) fn handler_action(&mut self, program: &Program) -> Result<(), Stop> {
-        let node = program.lines.get(self.at.line.saturating_sub(1) as usize).map(|l| l.node);
-        let Some(crate::tree::Node::Statement(index)) = node else { return Ok(()) };
-        let Some(Statement::OnInput { action: Some(action), .. }) =
-            program.statements.get(index as usize)
-        else {
-            return Ok(());
-        };
-        self.unwind_to(self.at.file);
-        match &**action {
-            // The line behind the interrupted move is where a subroutine returns to.
-            Statement::Gosub(target) => {
-                let line = self.label_line(target)?;
-                let return_to = self.core.level().map_or(0, |l| l.next);
-                self.call_sub(line, return_to)
-            }
-            action => self.statement(action),
-        }
-    }
-
-    /// A handler's labels are those of its own file: files opened above it end when it jumps.
-    fn unwind_to(&mut self, file: u32) {
-        if self.core.levels.iter().any(|l| l.file == file) {
-            while self.core.levels.last().is_some_and(|l| l.file != file) {
-                self.core.levels.pop();
-            }
-            self.core.refresh_scale();
-        }
     }
 
     /// A full-line comment: shown to the operator; cutter comments name tool paths.

@@ -1,5 +1,6 @@
 //! One line at a time.
 
+use super::watch::Handler;
 use super::{Context, Core, Step, Stop, lifecycle};
 use crate::tree::{MoveCommand, Node, Program, Span};
 use kerf_diag::Code;
@@ -11,11 +12,18 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
     if core.links.len() < core.programs.len() {
         core.relink();
     }
-    if let Some(at) = core.fired.first().copied() {
-        return handler(core, host, out, at);
+    if let Some(fired) = core.fired.first().cloned() {
+        return handler(core, host, out, &fired);
     }
     if !core.started {
         return lifecycle::start(core, host, out);
+    }
+    if core.pausing {
+        if host.settle().is_pending() {
+            return Step::Waiting;
+        }
+        core.pausing = false;
+        core.settled = true;
     }
     let Some(level) = core.levels.last() else { return lifecycle::end(core, host, out) };
     let (file, next) = (level.file, level.next);
@@ -25,38 +33,49 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
     let Some(line) = program.lines.get(next as usize) else {
         return lifecycle::end_of_file(core, host, out);
     };
-    if core.options.max_lines > 0 && core.lines >= core.options.max_lines {
-        return lifecycle::too_many_lines(core, host, out, At { file, line: next + 1 });
-    }
     let at = At { file, line: next + 1 };
+    if core.options.max_lines > 0 && core.lines >= core.options.max_lines {
+        return lifecycle::too_many_lines(core, host, out, at);
+    }
+    execute(core, host, out, at, &program, line.node)
+}
+
+/// Executes a line. The next one is chosen before, so that jumps and calls only replace it.
+fn execute(
+    core: &mut Core,
+    host: &mut dyn Host,
+    out: &mut Vec<Sourced>,
+    at: At,
+    program: &Arc<Program>,
+    line: Node,
+) -> Step {
     let random = core.random;
-    let depth = core.levels.len();
     let given = out.len();
-    let motions = core.motions;
-    let mut context = Context { core, host, out, at, span: whole_line(&program, at.line) };
-    let outcome = node(&mut context, &program, line.node);
-    match outcome {
-        Err(Stop::Waiting) => {
-            core.random = random;
-            // What tabs let go before the wait stays given; nothing else was.
-            debug_assert!(out.len() == given || core.motions > motions || !core.settled);
-            Step::Waiting
-        }
-        other => {
-            advance(core, depth, next);
-            core.lines += 1;
-            lifecycle::after(core, host, out, other)
-        }
+    go_on_at(core, at.line);
+    let mut context = Context { core, host, out, at, span: whole_line(program, at.line) };
+    let outcome = node(&mut context, program, line);
+    if matches!(outcome, Err(Stop::Waiting)) {
+        core.random = random;
+        go_on_at(core, at.line - 1);
+        keep_motion(out, given);
+        return Step::Waiting;
+    }
+    core.lines += 1;
+    lifecycle::after(core, host, out, outcome)
+}
+
+/// Chooses the line (by index) that the innermost file goes on at.
+fn go_on_at(core: &mut Core, index: u32) {
+    if let Some(level) = core.levels.last_mut() {
+        level.next = index;
     }
 }
 
-/// Goes to the next line unless the statement jumped or opened a file.
-fn advance(core: &mut Core, depth: usize, next: u32) {
-    if let Some(level) = core.levels.get_mut(depth - 1)
-        && level.next == next
-    {
-        level.next += 1;
-    }
+/// A step that waits has no effect: what it told is told again when it is repeated. Only moves
+/// that the tab filter let go, which belong to earlier lines, stay given.
+fn keep_motion(out: &mut Vec<Sourced>, given: usize) {
+    let told = out.split_off(given);
+    out.extend(told.into_iter().filter(|c| c.command.is_motion()));
 }
 
 fn whole_line(program: &Program, line: u32) -> Span {
@@ -80,8 +99,11 @@ fn node(c: &mut Context<'_>, program: &Arc<Program>, node: Node) -> Result<(), S
         Node::Bad => {
             let line = c.at.line;
             let known = program.diagnostics.iter().find(|d| d.place.line == line && d.is_error());
-            Err(match known {
-                Some(d) => Stop::Failed(Box::new(d.clone())),
+            Err(match known.cloned() {
+                Some(mut diagnostic) => {
+                    diagnostic.callers = c.callers();
+                    Stop::Failed(Box::new(diagnostic))
+                }
                 None => c.fail(Code::Syntax, "this line cannot be read"),
             })
         }
@@ -154,7 +176,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         for i in 0..usize::from(command.count) {
             if given & (1 << i) != 0 {
                 let axis = usize::from(command.first) + i;
-                let value = program.numbers[index] * scale[axis];
+                let value = program.numbers.get(index).copied().unwrap_or_default() * scale[axis];
                 index += 1;
                 to.0[axis] = value + if relative { position.0[axis] } else { zero[axis] };
             }
@@ -188,16 +210,18 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
 }
 
 /// Runs the action of a handler that fired.
-fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, at: At) -> Step {
-    let Some(program) = core.programs.get(at.file as usize).cloned() else {
-        core.fired.remove(0);
-        return Step::Ran;
-    };
+fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, fired: &Handler) -> Step {
+    let at = fired.at;
+    let program = core.programs.get(at.file as usize).cloned().unwrap_or_default();
+    let random = core.random;
+    let given = out.len();
     let mut context = Context { core, host, out, at, span: whole_line(&program, at.line) };
-    let outcome = context.handler_action(&program);
+    let outcome = context.handler_action(&program, fired.level);
     if matches!(outcome, Err(Stop::Waiting)) {
+        core.random = random;
+        keep_motion(out, given);
         return Step::Waiting;
     }
-    core.fired.retain(|f| *f != at);
+    core.fired.remove(0);
     lifecycle::after(core, host, out, outcome)
 }

@@ -20,6 +20,6 @@ pub(crate) struct Handler {
     pub(crate) watch: Watch,
     /// The line of the ON INPUT statement.
     pub(crate) at: At,
-    /// Level of nesting at which it was armed.
+    /// How many files were open when it was armed; the last of them is the one of `at`.
     pub(crate) level: usize,
 }

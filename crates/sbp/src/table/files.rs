@@ -1,5 +1,151 @@
-//! The commands of this group.
+//! File commands: run a part file, choose the part folder, show a file.
 
-use super::CommandSpec;
+use super::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
+use crate::interp::{Arguments, Context, FileParameters, Stop};
+use kerf_diag::Code;
+use kerf_program::{Button, FileRequest, Folder, QuestionKind};
 
-pub(super) static SPECS: &[CommandSpec] = &[];
+const PROPORTION: Kind = Kind::Number(Unit::None);
+
+/// The parameters of FP and FG.
+static RUN: [ParamSpec; 9] = [
+    ParamSpec::required("File name", Kind::File).about(
+        "Looked for in the current part folder, ignoring case; may carry a path or be a variable. \
+         Without an extension .sbp is tried as well.",
+    ),
+    ParamSpec::number("Proportion X", PROPORTION, 1.0).about("Scales every X value of the file."),
+    ParamSpec::number("Proportion Y", PROPORTION, 1.0).about("Scales every Y value of the file."),
+    ParamSpec::number("Proportion Z", PROPORTION, 1.0).about(
+        "Scales every Z value of the file. Calls with .5, .85 and 1 cut a file in three passes.",
+    ),
+    ParamSpec::number("Repetitions", Kind::Whole, 1.0)
+        .within(Bound::Range(1.0, 4_294_967_295.0))
+        .about("How often the whole file runs, each time from where the tool is."),
+    ParamSpec::number("Offset", Kind::OneOf(&[0, 1, 2]), 0.0).about(
+        "0: locations as written. 1: the present X, Y, Z counts as 0,0,0 in the file. 2: only the \
+         present X, Y; Z as written.",
+    ),
+    ParamSpec::number("Plunge", Kind::Number(Unit::Length), 0.0).about(
+        "How far Z moves before each repetition; negative is down unless VC says otherwise. Z \
+         returns after the last one. For files without Z moves.",
+    ),
+    ParamSpec::number("Tabs", Kind::OneOf(&[0, 1]), 0.0)
+        .about("1: leave tabs (see VB) on the last repetition, also in files that this one calls."),
+    ParamSpec::number("Plunge from Z 0", Kind::OneOf(&[0, 1]), 0.0)
+        .about("1: Z moves to 0 first, so that plunges count from there."),
+];
+
+pub(super) static SPECS: &[CommandSpec] = &[
+    CommandSpec::new(
+        "FP",
+        "Run part file",
+        Group::File,
+        &RUN,
+        Stack::Ends,
+        "Runs another part file and comes back when it ends. Proportions and offset add to those \
+         of the calling file. Up to eight files may be open within each other.",
+        run,
+    ),
+    CommandSpec::new(
+        "FG",
+        "Step through part file",
+        Group::File,
+        &RUN,
+        Stack::Ends,
+        "Loads a file to go through it line by line. The console does the stepping; without one \
+         the file runs as with FP.",
+        step_through,
+    ),
+    CommandSpec::new(
+        "FE",
+        "Edit file",
+        Group::File,
+        &[ParamSpec::keep("File name", Kind::File)
+            .special()
+            .about("The file to show. Blank: the last one that ran, or an empty page.")],
+        Stack::Ends,
+        "Opens a file in the editor. In a part file it shows the file to the operator; the part \
+         file goes on when the editor is closed.",
+        |c, a| {
+            let name = a.text(0).map(|n| n.trim().to_string()).or_else(|| c.core.last_file.clone());
+            edit(c, &name.unwrap_or_default())
+        },
+    ),
+    CommandSpec::new(
+        "FN",
+        "New file",
+        Group::File,
+        &[],
+        Stack::Ends,
+        "Opens the editor with a new, empty part file.",
+        |c, _| edit(c, ""),
+    ),
+    CommandSpec::new(
+        "FS",
+        "Set part folder",
+        Group::File,
+        &[
+            ParamSpec::keep("Folder", Kind::File).special().about(
+                "A path, or a name below the present folder, or .. for the one above. Blank: the \
+                 folder at the start, unless only a mask is given.",
+            ),
+            ParamSpec::keep("Search mask", Kind::Text)
+                .special()
+                .about("Which files lists show: *.sb? at first. It has no effect on a run."),
+        ],
+        Stack::Ends,
+        "Sets the folder that part files are looked for in. It stays when the file ends.",
+        set_folder,
+    ),
+    CommandSpec::new(
+        "FC",
+        "Convert file",
+        Group::File,
+        &[ParamSpec::keep("File name", Kind::File)
+            .special()
+            .about("A .dxf, .plt, .hpg, .nc, .tap, .bmp, .jpg or .png file. Blank: asks for one.")],
+        Stack::Ends,
+        "Converts a drawing, a picture or a G-code file to a part file.",
+        |c, _| {
+            let message = "a part file cannot convert files";
+            let hint = "use `kerf convert`, or the console";
+            Err(c.fail_at(c.span, Code::NotSupported, message, hint))
+        },
+    ),
+];
+
+fn run(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let name = a.text(0).unwrap_or_default().trim().to_string();
+    c.call_file(FileRequest { folder: Folder::Parts, name }, parameters(a))
+}
+
+fn step_through(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    c.note(Code::NotSupported, "FG runs the file through", "only the console can step through it");
+    run(c, a)
+}
+
+fn parameters(a: &Arguments) -> FileParameters {
+    let present = |index| a.flag(index).unwrap_or_default();
+    FileParameters {
+        proportion: std::array::from_fn(|i| a.number_or(1 + i, 1.0)),
+        repetitions: a.number_or(4, 1.0) as u32,
+        offset: a.number_or(5, 0.0) as u8,
+        plunge_mm: a.number_or(6, 0.0),
+        tabs: present(7),
+        plunge_from_zero: present(8),
+    }
+}
+
+fn edit(c: &mut Context<'_>, name: &str) -> Result<(), Stop> {
+    let question = c.question(QuestionKind::Editor, name, &[Button::OK]);
+    c.ask(&question).map(drop)
+}
+
+fn set_folder(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let folder = a.text(0);
+    if folder.is_none() && a.given(1) {
+        return Ok(());
+    }
+    let set = c.host.set_part_folder(folder.as_deref().map(str::trim));
+    set.map(drop).map_err(|e| c.refused(e))
+}

@@ -1,0 +1,54 @@
+//! INPUT: values typed by the operator.
+
+use super::{Context, Stop, fields};
+use crate::tree::NameId;
+use crate::{Expr, Value};
+use kerf_diag::Code;
+use kerf_program::{Answer, Button, Question, QuestionKind};
+
+impl Context<'_> {
+    /// Asks for values and puts them into variables.
+    pub(super) fn input(
+        &mut self,
+        text: Option<&Expr>,
+        default: Option<&Expr>,
+        variables: &[NameId],
+    ) -> Result<(), Stop> {
+        let text = text.map_or(Ok(String::new()), |t| self.eval_text(t))?;
+        let prefill = default.map_or(Ok(Value::Empty), |d| self.eval(d))?.display();
+        let question = Question {
+            prefill,
+            ..self.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel])
+        };
+        let typed = match self.ask(&question)? {
+            Answer::Text(typed) => typed,
+            Answer::Button(Button::Cancel) => return Err(self.terminated()),
+            Answer::Button(_) => question.prefill,
+        };
+        for (name, value) in variables.iter().zip(self.typed_values(&typed, variables.len())?) {
+            self.set_variable(*name, value);
+        }
+        Ok(())
+    }
+
+    /// One variable takes all that was typed; several take fields between commas.
+    fn typed_values(&mut self, typed: &str, wanted: usize) -> Result<Vec<Value>, Stop> {
+        if wanted <= 1 {
+            return Ok(vec![fields::value(typed)]);
+        }
+        if typed.trim().is_empty() {
+            return Err(self.terminated());
+        }
+        let values = fields::split(typed);
+        if values.len() < wanted || values.iter().take(wanted).any(Value::is_blank) {
+            let message = format!("expected {wanted} values, got '{typed}'");
+            let hint = "type the values with commas between them";
+            return Err(self.fail_at(self.span, Code::Terminated, message, hint));
+        }
+        if values.len() > wanted {
+            let message = format!("only the first {wanted} of {} values are used", values.len());
+            self.warn(Code::Unusual, message, "");
+        }
+        Ok(values)
+    }
+}

@@ -1,0 +1,256 @@
+//! Part files within part files: FP, custom cuts, repetitions, plunges.
+//!
+//! ```text
+//!  call_file ──► open_level ──► lines … ──► file_over ──► repetitions left: plunge, first line
+//!                  │ plunge                     └──────► none left: Z back, caller goes on
+//! ```
+
+use super::core::{Level, Purpose};
+use super::{Context, FileParameters, Stop};
+use crate::Program;
+use kerf_diag::{Code, Place};
+use kerf_program::settings::PlungeSign;
+use kerf_program::{Axis, Command, FileRequest, Folder, HostError, MoveKind, SourceFile};
+use std::sync::Arc;
+
+/// Files open within each other at most (programming handbook: eight levels, the first included).
+pub(crate) const MOST_LEVELS: usize = 8;
+
+impl Context<'_> {
+    /// Reads a part file and opens it; its first line runs next. A file with errors does not start.
+    pub(crate) fn call_file(
+        &mut self,
+        request: FileRequest,
+        parameters: FileParameters,
+    ) -> Result<(), Stop> {
+        self.settle()?;
+        if self.core.levels.len() >= MOST_LEVELS {
+            let message = format!("nested deeper than {MOST_LEVELS} files");
+            return Err(self.fail(Code::NestedTooDeep, message));
+        }
+        let source = self.source(&request)?;
+        let program = self.read_cached(&source)?;
+        if request.folder == Folder::Parts {
+            self.core.last_file = Some(source.name.to_string());
+        }
+        self.doubt_plunge(&program, &parameters);
+        self.open_level(program, parameters);
+        Ok(())
+    }
+
+    /// The file itself, or the one with `.sbp` added when the name has no extension.
+    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, Stop> {
+        let found = match self.host.source(request) {
+            Err(HostError::NotFound(_)) if extension(&request.name).is_none() => {
+                let name = format!("{}.sbp", request.name);
+                self.host.source(&FileRequest { folder: request.folder, name })
+            }
+            found => found,
+        };
+        let source = found.map_err(|e| self.refused(e))?;
+        if extension(&source.name).is_some_and(is_gcode) {
+            let message =
+                format!("{}: G-code files cannot be run from a part file yet", source.name);
+            return Err(self.fail(Code::NotSupported, message));
+        }
+        Ok(source)
+    }
+
+    /// The program of a file; what is doubtful in it is told when it is first read.
+    fn read_cached(&mut self, source: &SourceFile) -> Result<Arc<Program>, Stop> {
+        let same = |p: &&Arc<Program>| p.name == source.name && p.text.as_bytes() == &*source.bytes;
+        if let Some(known) = self.core.programs.iter().find(same).cloned() {
+            return Ok(known);
+        }
+        let program = crate::read(source.name.clone(), &source.bytes);
+        let fatal = !self.core.options.allow_errors;
+        let mut first = None;
+        for mut diagnostic in program.diagnostics.iter().cloned() {
+            diagnostic.callers = self.callers_of_called();
+            if fatal && first.is_none() && diagnostic.is_error() {
+                first = Some(diagnostic);
+            } else {
+                self.emit(Command::Diagnostic(Box::new(diagnostic)));
+            }
+        }
+        match first {
+            Some(error) => Err(Stop::Failed(Box::new(error))),
+            None => Ok(Arc::new(program)),
+        }
+    }
+
+    /// The present line and those that led to it: the callers of a file that is about to be opened.
+    fn callers_of_called(&self) -> Vec<Place> {
+        let mut callers = self.callers();
+        callers.insert(0, self.program().place(self.at.line, self.span));
+        callers
+    }
+
+    /// Opens a file that was read; its first line runs next.
+    pub(crate) fn open_level(&mut self, program: Arc<Program>, mut parameters: FileParameters) {
+        let (proportion, offset, tabs) = match self.core.level() {
+            Some(l) => (l.proportion, l.offset, l.tabs_hold()),
+            None => ([1.0; 3], [0.0; 3], false),
+        };
+        // The plunge is a distance of the file that calls, so its proportion holds.
+        parameters.plunge_mm *= proportion[2];
+        let place = self.core.working().minus(self.core.offset_applied).first3();
+        let offset = match parameters.offset {
+            1 => place,
+            2 => [place[0], place[1], offset[2]],
+            _ => offset,
+        };
+        let start_z = self.plunge_start(&parameters);
+        let file = self.core.load(program);
+        self.core.levels.push(Level {
+            file,
+            next: 0,
+            gosubs: Vec::new(),
+            proportion: std::array::from_fn(|i| proportion[i] * parameters.proportion[i]),
+            offset,
+            parameters,
+            repetitions_left: parameters.repetitions.saturating_sub(1),
+            start_z,
+            tabs: tabs || parameters.tabs,
+            purpose: Purpose::Run,
+        });
+        self.core.refresh_scale();
+        self.plunge();
+        self.refresh_tabs();
+    }
+
+    /// Z before the first plunge when the file is to be plunged; moves to Z 0 when asked to.
+    fn plunge_start(&mut self, parameters: &FileParameters) -> Option<f64> {
+        if parameters.plunge_mm == 0.0 && !parameters.plunge_from_zero {
+            return None;
+        }
+        let start = self.core.position[Axis::Z];
+        if parameters.plunge_from_zero {
+            let zero = self.core.file_zero(Axis::Z);
+            self.move_z(zero);
+        }
+        Some(start)
+    }
+
+    /// One plunge of the innermost file, at Z move speed.
+    fn plunge(&mut self) {
+        let Some(level) = self.core.level() else { return };
+        let rise = self.rise(level.parameters.plunge_mm);
+        if rise != 0.0 {
+            let z = self.core.position[Axis::Z] + rise;
+            self.move_z(z);
+        }
+    }
+
+    /// How far a plunge lifts Z: VC says which sign goes down.
+    fn rise(&self, plunge_mm: f64) -> f64 {
+        match self.settings().cutter.plunge {
+            PlungeSign::Minus => plunge_mm,
+            PlungeSign::Plus => -plunge_mm,
+        }
+    }
+
+    fn move_z(&mut self, machine_z: f64) {
+        let mut to = self.core.position;
+        to[Axis::Z] = machine_z;
+        self.line(MoveKind::Cut, to);
+    }
+
+    /// Tells of a plunge that lifts, and of one into a file that moves Z itself.
+    pub(crate) fn doubt_plunge(&mut self, program: &Program, parameters: &FileParameters) {
+        if parameters.plunge_mm == 0.0 {
+            return;
+        }
+        if self.rise(parameters.plunge_mm) > 0.0 {
+            self.warn(Code::Lifts, "this plunge moves the tool up", "plunges down are negative");
+        }
+        if super::z_moves::moves_z(program) {
+            let message =
+                format!("{} has Z moves; plunge passes will not be correct", program.name);
+            self.warn(Code::Unusual, message, "call it several times with growing Z proportions");
+        }
+    }
+
+    /// The innermost file came to its end: repeat it, or go back to its caller.
+    pub(crate) fn file_over(&mut self) {
+        let Some(level) = self.core.levels.last_mut() else { return };
+        level.gosubs.clear();
+        if let Purpose::Handler(home) = level.purpose {
+            self.leave_levels(home);
+            self.end_file();
+        } else if level.repetitions_left > 0 {
+            level.repetitions_left -= 1;
+            level.next = 0;
+            self.plunge();
+            self.refresh_tabs();
+        } else {
+            let start_z = level.start_z;
+            self.leave_levels(self.core.levels.len() - 1);
+            if let Some(z) = start_z {
+                self.move_z(z);
+            }
+        }
+    }
+
+    /// END: the innermost file is over.
+    pub(crate) fn end_file(&mut self) {
+        let Some(level) = self.core.levels.last_mut() else { return };
+        let lines = self.core.programs.get(level.file as usize).map_or(0, |p| p.lines.len());
+        level.next = lines as u32;
+    }
+
+    /// Closes files until only so many are open.
+    pub(crate) fn leave_levels(&mut self, depth: usize) {
+        while self.core.levels.len() > depth {
+            let left = self.core.levels.pop();
+            if left.is_some_and(|l| l.purpose == Purpose::ToolChange) {
+                self.emit(Command::ToolChange { begin: false });
+            }
+        }
+        self.core.refresh_scale();
+        self.refresh_tabs();
+    }
+
+    /// Starts or ends tabs after VB, a file or a repetition changed whether they hold.
+    pub(crate) fn refresh_tabs(&mut self) {
+        let by_file = self.core.level().is_some_and(Level::tabs_hold);
+        let wanted = self.core.settings.tabs.on || by_file;
+        if wanted == self.core.tabs.is_some() {
+            return;
+        }
+        if !wanted {
+            self.end_tabs();
+            return;
+        }
+        let mut tabs = self.core.settings.tabs;
+        if !tabs.on {
+            tabs.count = None;
+            tabs.start_mm = None;
+        }
+        self.core.tabs = Some(kerf_cut::Tabber::new(&tabs, self.core.settings.cutter.safe_z_mm));
+    }
+}
+
+/// What follows the last point of a file name, unless a folder's name holds it.
+fn extension(name: &str) -> Option<&str> {
+    let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    file.rsplit_once('.').map(|(_, extension)| extension)
+}
+
+fn is_gcode(extension: &str) -> bool {
+    ["nc", "tap", "ngc", "gcode"].iter().any(|known| known.eq_ignore_ascii_case(extension))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_extension_belongs_to_the_file_not_to_its_folder() {
+        let cases =
+            [("a.sbp", Some("sbp")), ("x.y\\a", None), ("x.y/a", None), ("a.b.nc", Some("nc"))];
+        for (name, expected) in cases {
+            assert_eq!(extension(name), expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! What all questions to the operator share.
+
+use super::{Context, Status, Stop};
+use crate::tree::{DialogText, TextPart};
+use kerf_diag::Code;
+use kerf_program::{Answer, Button, Question, QuestionKind};
+
+impl Context<'_> {
+    /// A question with the file's name as title and its first button as default.
+    pub(crate) fn question(
+        &self,
+        kind: QuestionKind,
+        text: impl Into<String>,
+        buttons: &[Button],
+    ) -> Question {
+        Question {
+            kind,
+            text: text.into(),
+            title: self.program().name.to_string(),
+            buttons: buttons.to_vec(),
+            default: 0,
+            prefill: String::new(),
+            icon: 0,
+            until: None,
+        }
+    }
+
+    /// Asks something that OK or Cancel answers; Cancel ends the run.
+    pub(crate) fn confirm(&mut self, question: &Question) -> Result<(), Stop> {
+        match self.ask(question)? {
+            Answer::Button(Button::Cancel) => Err(self.terminated()),
+            _ => Ok(()),
+        }
+    }
+
+    /// The operator ended the run here, as with a stop (notes A-30).
+    pub(crate) fn terminated(&mut self) -> Stop {
+        self.note(Code::Terminated, "terminated by the user", "");
+        Stop::Finished(Status::Stopped)
+    }
+
+    /// The text of a dialog or of a command line.
+    pub(crate) fn dialog_text(&mut self, text: &DialogText) -> Result<String, Stop> {
+        match text {
+            DialogText::Expr(expr) => self.eval_text(expr),
+            DialogText::Parts(parts) => Ok(parts.iter().map(|part| self.text_part(part)).collect()),
+        }
+    }
+
+    fn text_part(&self, part: &TextPart) -> String {
+        match part {
+            TextPart::Literal(text) => text.to_string(),
+            TextPart::Variable(name, written) => {
+                self.variable(*name).map_or_else(|| written.to_string(), crate::Value::display)
+            }
+        }
+    }
+}

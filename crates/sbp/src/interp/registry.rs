@@ -1,0 +1,68 @@
+//! SetUsrVal … GetPartFileName: values kept outside the program (handbook, additional registry
+//! commands; notes A-43 … A-45).
+
+use super::{Context, Stop};
+use crate::Value;
+use crate::eval::number_or_text;
+use crate::tree::{DialogText, NameId, Registry};
+use kerf_diag::Code;
+
+/// Key of the value of SetUsrVal.
+pub(crate) const USER_VALUE: &str = "uValue";
+
+/// Key of the value of SetUsrValClrd.
+pub(crate) const CLEARED_VALUE: &str = "uValueClrd";
+
+/// Key of the flag of SetSpindleStatus: `1` while the spindle counts as active.
+pub(crate) const SPINDLE_STATUS: &str = "SpindleStatus";
+
+impl Context<'_> {
+    /// Set…: keeps a value.
+    pub(super) fn store(&mut self, which: Registry, value: &DialogText) -> Result<(), Stop> {
+        let text = self.dialog_text(value)?.trim().to_string();
+        let key = match which {
+            Registry::SetUsrVal => USER_VALUE,
+            Registry::SetUsrValClrd => CLEARED_VALUE,
+            _ => {
+                self.need_flag(&text)?;
+                SPINDLE_STATUS
+            }
+        };
+        self.settle()?;
+        self.host.store(key, Some(&text));
+        Ok(())
+    }
+
+    fn need_flag(&self, text: &str) -> Result<(), Stop> {
+        match text {
+            "0" | "1" => Ok(()),
+            _ => {
+                let message = format!("spindle status must be 0 or 1, not '{text}'");
+                let hint = "0 asks before the next start, 1 counts as running";
+                Err(self.fail_at(self.span, Code::OutOfRange, message, hint))
+            }
+        }
+    }
+
+    /// Get…: puts a kept value into a variable.
+    pub(super) fn fetch(&mut self, which: Registry, variable: NameId) -> Result<(), Stop> {
+        self.settle()?;
+        let value = match which {
+            Registry::GetUsrVal => self.kept(USER_VALUE),
+            Registry::GetUsrValClrd => self.kept(CLEARED_VALUE),
+            Registry::GetSpindleStatus => match self.kept(SPINDLE_STATUS) {
+                Value::Number(n) => Value::Number(n),
+                _ => Value::Number(0.0),
+            },
+            Registry::GetUsrPath => Value::text(self.host.user_path()),
+            Registry::GetAppPath => Value::text(self.host.app_path()),
+            _ => Value::text(self.core.last_file.clone().unwrap_or_default()),
+        };
+        self.set_variable(variable, value);
+        Ok(())
+    }
+
+    fn kept(&mut self, key: &str) -> Value {
+        number_or_text(&self.host.stored(key).unwrap_or_default())
+    }
+}

@@ -1,0 +1,40 @@
+//! How an interpreter is saved: the text of its programs once, then the states.
+
+use super::{Core, Interpreter};
+use crate::Program;
+use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// What is written: programs as name and text, read again when restored.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Saved {
+    programs: Vec<(String, String)>,
+    core: Core,
+    behind: VecDeque<(u64, Core)>,
+}
+
+impl From<Interpreter> for Saved {
+    fn from(interpreter: Interpreter) -> Self {
+        let Interpreter { core, behind } = interpreter;
+        let programs =
+            core.programs.iter().map(|p| (p.name.to_string(), p.text.to_string())).collect();
+        Self { programs, core, behind }
+    }
+}
+
+impl From<Saved> for Interpreter {
+    fn from(saved: Saved) -> Self {
+        let Saved { programs, mut core, mut behind } = saved;
+        let programs: Vec<Arc<Program>> = programs
+            .into_iter()
+            .map(|(name, text)| Arc::new(crate::read(name.into(), text.as_bytes())))
+            .collect();
+        // An older state knows the first few of the same list; knowing more changes nothing.
+        for (_, state) in &mut behind {
+            state.programs.clone_from(&programs);
+        }
+        core.programs = programs;
+        Self { core, behind }
+    }
+}
