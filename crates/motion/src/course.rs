@@ -21,16 +21,17 @@ impl Course {
         let per_mm = 1.0 / m.length_mm;
         let delta = |axis: usize| (m.to.0[axis] - m.from.0[axis]) * per_mm;
         let others = std::array::from_fn(|i| delta(i + 2));
-        let (start, end) = match m.path {
+        let (start, end, xy) = match m.path {
             Path::Line => {
                 let along = Vec2::new(delta(0), delta(1));
-                (along, along)
+                (along, along, along.dot(along).sqrt())
             }
             Path::Arc { centre, sweep_rad, .. } => tangents(m, centre, sweep_rad),
         };
+        // What is 1 or 0 by definition must not become nearly so.
         let xy = match m.basis {
             Basis::Xy => 1.0,
-            Basis::Space => (1.0 - others[0] * others[0]).max(0.0).sqrt(),
+            Basis::Space => xy,
             Basis::Axis(_) | Basis::Rotary => 0.0,
         };
         Self { start, end, xy, others }
@@ -44,9 +45,9 @@ impl Course {
     }
 }
 
-fn tangents(m: &Move, centre: [f64; 2], sweep_rad: f64) -> (Vec2, Vec2) {
+fn tangents(m: &Move, centre: [f64; 2], sweep_rad: f64) -> (Vec2, Vec2, f64) {
     let from = Point2::new(m.from.0[0], m.from.0[1]);
     let radius = (from - Point2::new(centre[0], centre[1])) / m.length_mm;
     let start = radius.left() * sweep_rad.signum();
-    (start, start.rotated(sweep_rad))
+    (start, start.rotated(sweep_rad), radius.length() * sweep_rad.abs())
 }

@@ -53,7 +53,7 @@ impl Plan {
             let made_mm = braking.made_mm + way_mm;
             let stands = made_mm < made.length_mm || v_exit <= made.ramp_mm_s || !ramped;
             match self.moves.get(braking.index + 1) {
-                Some(next) if !stands && next.continues(made) && v_exit > next.ramp_mm_s => {
+                Some(next) if !stands && next.continues(made) => {
                     braking = Braking::entering(braking.index + 1, v_exit, end_s);
                 }
                 _ => {

@@ -71,6 +71,36 @@ fn along_the_path_a_plunge_after_a_cut_is_passed_at_ramp_speed() {
 }
 
 #[test]
+fn along_the_path_a_change_of_xy_speed_alone_counts() {
+    let stiff = |s: &mut Settings| s.ramps.cut.z = 9.0 * INCH;
+    let plan = vs(1.0, 0.1).set(stiff).g1(3.0, 0.0, 0.0, 2.0).g1(3.0, 0.0, -1.0, 2.0).plan();
+    near(&joints(&plan)[1..2], &[0.4], 1e-9);
+}
+
+#[test]
+fn bends_on_both_sides_of_a_plunge_do_not_add_up() {
+    let stack = vs(3.0, 1.0).mx(9.0).ray(30.0, 0.05).mz(-1.0).ray(30.0, 0.05).ray(60.0, 9.0);
+    let reached = (0.16f64 + 28.0 * 0.05).sqrt();
+    near(&joints(&stack.plan()), &[0.4, reached, 0.4, 0.4, reached, 0.4], 1e-9);
+}
+
+#[test]
+fn each_axis_stops_and_starts_at_its_own_ramp_speed() {
+    let soft = |s: &mut Settings| s.ramps.cut.z = 0.2 * INCH;
+    let plan = vs(2.0, 1.0).set(soft).mx(4.0).mz(-1.0).plan();
+    let ends: Vec<f64> = plan.iter().flat_map(|s| [s.v_entry / INCH, s.v_exit / INCH]).collect();
+    near(&ends, &[0.4, 0.4, 0.2, 0.2], 1e-9);
+}
+
+#[test]
+fn a_tangent_arc_is_entered_and_left_at_full_speed() {
+    for sweep in [90.0, -90.0] {
+        let stack = vs(2.0, 1.0).mx(4.0).arc(4.0, sweep / 90.0, sweep, false).ray(sweep, 4.0);
+        near(&joints(&stack.plan()), &[0.4, 2.0, 2.0, 0.4], 1e-9);
+    }
+}
+
+#[test]
 fn xy_and_z_alone_meet_at_ramp_speed() {
     let plan = vs(2.0, 1.0).mx(4.0).mz(-1.0).mz(-2.0).mx(0.0).plan();
     near(&joints(&plan), &[0.4, 0.4, 1.0, 0.4, 0.4], 1e-9);

@@ -77,6 +77,16 @@ fn a_stop_before_the_start_and_after_the_end() {
     near(&[done.duration_s()], &[plan.duration_s()], 1e-12);
 }
 
+#[test]
+fn a_stop_between_two_moves_leaves_the_second_whole() {
+    let plan = vs(2.0, 1.0).j3(4.0, 0.0, 0.0).j3(8.0, 0.0, 0.0).plan();
+    let stop = plan.stop(plan.span_s(1).0, true).unwrap();
+    assert_eq!((stop.move_index, stop.share), (1, 0.0));
+    let (done, rest) = plan.clone().cut(&stop);
+    assert_eq!((done.moves(), &rest[..]), (&plan.moves()[..1], &plan.moves()[1..]));
+    near(&[done.at(99.0).position[Axis::X] / INCH], &[4.0], 1e-9);
+}
+
 /// Passes of Z in the moves `MZ,.5 → -.3 → .1 → .5`, which start at .5.
 fn check_pass(value: f64, from_s: f64, expected: Option<(bool, usize)>) {
     let plan = vs(2.0, 1.0).mz(0.5).mz(-0.3).mz(0.1).mz(0.5).plan();
