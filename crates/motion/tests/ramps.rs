@@ -183,8 +183,3 @@ fn sbp_motion_3d_xyangle() {
     let joints = joints(&stack.plan());
     near(&joints[1..40], &[4.0; 39], 1e-9);
 }
-
-#[test]
-fn sbp_motion_time_est() {
-    near(&[vs(2.0, 1.0).mx(4.0).plan().duration_s()], &[2.09], 5e-3);
-}
