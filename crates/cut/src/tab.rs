@@ -148,6 +148,19 @@ impl<T: Copy> Tabber<T> {
         self.decide(out);
     }
 
+    /// Takes a step that gets no tabs whatever it is: an earlier pass, a plunge, a way back.
+    ///
+    /// It ends the path when it leads up to Safe-Z and else only interrupts it.
+    pub fn pass_by(&mut self, step: Step, tag: T, out: &mut Vec<(T, Step)>) {
+        let jog = matches!(step, Step::Line { kind: MoveKind::Jog, .. });
+        if self.is_safe(step.to()[2]) || (jog && self.safe_z.is_none()) {
+            self.path_end(out);
+        } else {
+            self.flush(out);
+        }
+        out.push((tag, step));
+    }
+
     /// The path is interrupted but not over: gives out everything held; the count goes on.
     ///
     /// A tab that has begun and does not fit any more is left out.
@@ -184,17 +197,6 @@ impl<T: Copy> Tabber<T> {
 
     fn is_safe(&self, z: f64) -> bool {
         self.safe_z.is_some_and(|safe| z >= safe - SAME_LENGTH_MM)
-    }
-
-    /// A step that gets no tabs; it interrupts the path or ends it.
-    fn pass_by(&mut self, step: Step, tag: T, out: &mut Vec<(T, Step)>) {
-        let jog = matches!(step, Step::Line { kind: MoveKind::Jog, .. });
-        if self.is_safe(step.to()[2]) || (jog && self.safe_z.is_none()) {
-            self.path_end(out);
-        } else {
-            self.flush(out);
-        }
-        out.push((tag, step));
     }
 
     /// Gives out all tabs that fit so far and what lies before the first that may not.

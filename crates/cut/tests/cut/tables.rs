@@ -1,9 +1,6 @@
 //! The worked tables of the ledger notes, section 1: every line of them. Inches and degrees.
-// The tables have four decimals, also of the root of 2.
-#![allow(clippy::unwrap_used, clippy::approx_constant)]
 
-mod common;
-use common::{IN, at, ca, cc, cg, cp, cr, legs, origin, passes, refused};
+use crate::common::{IN, at, ca, cc, cg, cp, cr, legs, origin, passes, refused};
 use kerf_cut::{Context, Cut, CutError, Step};
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,9 +1,7 @@
 //! What a pocket removes: the cutter's disc, swept along the moves at one level, must cover the
 //! pocket and must not leave it. Looked at point by point on a grid, in inches.
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod common;
-use common::{cc, cr, legs, nearest, origin};
+use crate::common::{cc, cr, legs, nearest, origin};
 use kerf_cut::{Context, Cut, Step};
 use kerf_program::MoveKind;
 

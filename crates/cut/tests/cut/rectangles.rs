@@ -1,9 +1,6 @@
 //! The ledger's rows of CR and of pockets, one test a row. Parameter lists in inches.
-// Two underscores set off which part of a row a test shows.
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod common;
-use common::{at, cc, check, cp, cr, number, origin, passes, refused};
+use crate::common::{at, cc, check, cp, cr, number, origin, passes, refused};
 use kerf_cut::{Context, Cut};
 use std::fmt::Write;
 
@@ -128,7 +125,7 @@ fn a_mirrored_file_mirrors_rectangles() {
 
 /// The cutting moves at one level, without the small moves out into corners and back.
 fn level(cut: &Cut, z: &str) -> String {
-    let told = common::told(cut);
+    let told = crate::common::told(cut);
     let at_level = |s: &&String| s.starts_with("cut") && s.ends_with(&format!(" {z}"));
     let all: Vec<_> = told.iter().filter(at_level).cloned().collect();
     let mut kept: Vec<String> = Vec::new();
@@ -154,7 +151,7 @@ fn sbp_cut_cr_pocket() {
         [[inset, inset], [inset, y], [x, y], [x, inset], [inset, inset]]
     };
     check_level("2,1,T,1,4,-.1,1,2", &origin(), &[ring(0.0), ring(0.225), ring(0.45)].concat());
-    let told = common::told(&cr("2,1,T,1,4,-.1,1,2", &origin()).unwrap());
+    let told = crate::common::told(&cr("2,1,T,1,4,-.1,1,2", &origin()).unwrap());
     assert_eq!(told[told.len() - 3..], ["jog 0.45 0.45 1", "jog 0 0 1", "cut 0 0 0"]);
 }
 
@@ -240,7 +237,7 @@ fn a_pocket_without_plunge_ends_where_it_began() {
     let cut = cc("4,T,1,0,360,0,1,1,1,2", &at(0.0, 0.0, -0.2)).unwrap();
     assert_eq!(cut.steps.last().unwrap().to(), at(0.0, 0.0, -0.2).start);
     let stays = cc("4,T,1,0,360,-.1,1,1,1,2,1", &origin()).unwrap();
-    assert_eq!(common::told(&stays).last().unwrap(), "cut 0 0 -0.1");
+    assert_eq!(crate::common::told(&stays).last().unwrap(), "cut 0 0 -0.1");
 }
 
 #[test]
@@ -252,7 +249,7 @@ fn sbp_cut_cc_pocket_arc() {
 #[test]
 fn sbp_cut_cp_features() {
     let cut = cp("4,10,10,I,1,,,-.1,1,1,1,2", &origin()).unwrap();
-    assert_eq!(common::told(&cut)[0], "cut 10 11.875 0");
+    assert_eq!(crate::common::told(&cut)[0], "cut 10 11.875 0");
     passes(&origin(), &cut, &[[10.0, 11.875], [11.875, 10.0], [10.0, 10.075]]);
 }
 

@@ -1,5 +1,4 @@
 //! Command lines in inches, as the manual and the ledger write them, and ways to look at the result.
-#![allow(dead_code, missing_docs, clippy::unwrap_used)]
 
 use kerf_cut::*;
 use kerf_program::MoveKind;

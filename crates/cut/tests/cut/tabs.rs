@@ -1,8 +1,6 @@
 //! Tabs along lines, corners, slopes and arcs (VB; rows SBP-VAL-VB-*, SBP-FILE-FP-TAB*, *-TAB).
-#![allow(clippy::unwrap_used)]
 
-mod common;
-use common::{IN, ca, cc, cr, origin};
+use crate::common::{IN, ca, cc, cr, origin};
 use kerf_cut::{Context, Cut, Feature, Step, Tabber};
 use kerf_program::settings::Tabs;
 use kerf_program::{MoveKind, Settings};
@@ -334,4 +332,53 @@ fn pockets_are_not_tabbed() {
     assert_eq!(cut.last_pass, None);
     assert_eq!(Feature::from_number(1), Some(Feature::Tab));
     assert_eq!(Feature::from_number(5), None);
+}
+
+#[test]
+fn earlier_passes_do_not_count() {
+    let cut = cr("2,1,T,1,4,-.5,2,1", &origin()).unwrap();
+    let pass = cut.last_pass.unwrap();
+    let mut tabber = Tabber::for_cut(&Tabs { next_mm: IN, ..vb() }, Some(IN));
+    let (mut at, mut out) = ([0.0; 3], Vec::new());
+    for (i, step) in cut.steps.iter().enumerate() {
+        if pass.contains(&i) {
+            tabber.push(at, *step, i, &mut out);
+        } else {
+            tabber.pass_by(*step, i, &mut out);
+        }
+        at = step.to();
+    }
+    tabber.path_end(&mut out);
+    let tabbed: Vec<_> = out.iter().copied().filter(|p| pass.contains(&p.0)).collect();
+    let found = tabs_at(&profile([0.0, 0.0, -1.0], -1.0, &tabbed), &vb());
+    assert_eq!(found, [(1.0, 3.0), (4.0, 6.0)]);
+    assert_eq!(out.len() - tabbed.len(), cut.steps.len() - pass.len());
+}
+
+#[test]
+fn what_is_broken_off_never_comes_out() {
+    let mut tabber = Tabber::new(&vb(), Some(IN));
+    let mut out = Vec::new();
+    tabber.push(inches([0.0, 0.0, -0.5]), cut(5.0, 0.0, -0.5), 0, &mut out);
+    tabber.drop_buffered();
+    tabber.path_end(&mut out);
+    assert_eq!(out, []);
+    tabber.push(inches([0.0, 0.0, -0.5]), cut(6.0, 0.0, -0.5), 1, &mut out);
+    assert_eq!(round(out[0].1.to()[0] / IN), 4.0);
+}
+
+#[test]
+fn values_that_make_no_tabs_are_told_and_do_nothing() {
+    let nothing = Tabs { next_mm: 0.0, size_mm: 0.0, lead_mm: 0.0, ..vb() };
+    for (tabs, part) in [
+        (Tabs { next_mm: -1.0, ..vb() }, "distance to the next tab must be positive"),
+        (Tabs { size_mm: f64::NAN, ..vb() }, "size of tabs is not a usable number"),
+        (Tabs { up_mm: 1e300, ..vb() }, "pull-up of tabs is not a usable number"),
+        (nothing, "tabs need a length"),
+    ] {
+        let message = Tabber::<()>::check(&tabs).unwrap_err().to_string();
+        assert!(message.contains(part), "{message}");
+        assert!(!Tabber::<()>::new(&tabs, None).active());
+    }
+    assert_eq!(Tabber::<()>::check(&vb()), Ok(()));
 }

@@ -1,9 +1,6 @@
 //! The ledger's rows of CG and CA, one test a row. Parameter lists in inches.
-// Two underscores set off which part of a row a test shows.
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod common;
-use common::{IN, at, ca, cc, cg, cg_after, check, origin, passes, refused};
+use crate::common::{IN, at, ca, cc, cg, cg_after, check, origin, passes, refused};
 use kerf_cut::{CutError, Step};
 use kerf_program::settings::LinearUnit;
 
@@ -94,7 +91,7 @@ fn sbp_cut_cg_features() {
     );
     let stretched = cg(",2,-2,0,-2,T,1,0,1,3,1", &origin()).unwrap();
     passes(&origin(), &stretched, &[[0.0, 0.0], [6.0, -2.0]]);
-    assert_eq!(common::told(&stretched).last().unwrap(), "cut 6 -2 0");
+    assert_eq!(crate::common::told(&stretched).last().unwrap(), "cut 6 -2 0");
 }
 
 #[test]
