@@ -44,6 +44,25 @@ impl Font {
         self.0.as_ref().map_or(1.0, |f| 1.0 / f64::from(f.units_per_em()))
     }
 
+    /// The text in lines no wider than `width` in a size of 1, broken between words; at most
+    /// `most` of them, the last one shortened.
+    pub fn wrapped(&self, text: &str, width: f64, most: usize) -> Vec<String> {
+        let mut lines = Vec::new();
+        let mut line = String::new();
+        for word in text.split_whitespace() {
+            let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+            let full = self.width(&longer) > width && !line.is_empty() && lines.len() + 1 < most;
+            line = if full {
+                lines.push(line);
+                word.to_owned()
+            } else {
+                longer
+            };
+        }
+        lines.push(self.fitted(&line, width));
+        lines
+    }
+
     /// The text, shortened with an ellipsis where it is wider than `width` in a size of 1.
     pub fn fitted(&self, text: &str, width: f64) -> String {
         if self.width(text) <= width {
@@ -81,6 +100,18 @@ mod tests {
                 assert!(face.glyph_index(c).is_some(), "{c}");
             }
         }
+    }
+
+    #[test]
+    fn text_is_wrapped_between_words() {
+        let font = Font::new(false);
+        let lines = font.wrapped("a plunge at jog speed into the material of the part", 10.0, 2);
+        assert_eq!(lines.len(), 2);
+        assert!(
+            lines[1].ends_with('…') && lines.iter().all(|l| font.width(l) <= 10.0),
+            "{lines:?}"
+        );
+        assert_eq!(font.wrapped("", 10.0, 2), [""]);
     }
 
     #[test]

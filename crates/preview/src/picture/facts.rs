@@ -70,7 +70,7 @@ pub struct Drawn {
 /// All blocks in order.
 pub fn blocks(scene: &Scene, view: &View, drawn: &Drawn) -> Vec<Block> {
     let mut blocks = vec![job(scene), bounds(scene)];
-    blocks.push(signs(drawn));
+    blocks.extend(signs(drawn));
     blocks.extend(toolpaths(scene));
     blocks.extend(findings(scene));
     blocks.push(sheet(scene, view, drawn));
@@ -121,11 +121,11 @@ fn bounds(scene: &Scene) -> Block {
     rows
 }
 
-fn signs(drawn: &Drawn) -> Block {
-    let mut rows = vec![Row::Head("Signs".into())];
+fn signs(drawn: &Drawn) -> Option<Block> {
+    let mut rows = vec![Row::Head("Key".into())];
     rows.extend(drawn.depth.map(Row::Depth));
     rows.extend(drawn.samples.iter().map(|(sample, text)| Row::Key(*sample, text.clone())));
-    rows
+    (rows.len() > 1).then_some(rows)
 }
 
 fn toolpaths(scene: &Scene) -> Option<Block> {

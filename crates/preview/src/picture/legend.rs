@@ -12,11 +12,16 @@ use crate::scene::Unit;
 use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Rect, Text};
 use kerf_geom::{Point2, Vec2};
 
-/// Width of a column and of the gap between columns, em.
+/// Width of a column beside the drawing, em.
 const COLUMN: f64 = 21.0;
+/// The least width of a column under the drawing, em.
+const NARROWEST: f64 = 18.0;
+/// Gap between columns, em.
 const GAP: f64 = 2.5;
 /// Space between blocks, em.
 const BETWEEN: f64 = 1.1;
+/// Lines of a note before it is shortened.
+const NOTE_LINES: usize = 3;
 /// Height of the small map, em.
 const MAP: f64 = 9.0;
 /// Drawings wider than this share of their height have the legend below.
@@ -28,6 +33,8 @@ const WIDER: f64 = 1.08;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
     columns: Vec<Vec<Block>>,
+    /// Width of a column, em.
+    width: f64,
     /// The whole legend, page coordinates.
     pub area: Rect,
 }
@@ -35,35 +42,48 @@ pub struct Legend {
 impl Legend {
     /// Arranges blocks beside or below the drawing; `below` is how far the rulers reach, mm.
     pub fn arrange(blocks: Vec<Block>, view: &View, below: f64) -> Self {
-        let (p, em) = (view.panel, view.em);
-        let tall: f64 = blocks.iter().map(|b| height(b) + BETWEEN).sum();
-        if p.w > WIDE * p.h {
-            let fit = ((p.w / em + GAP) / (COLUMN + GAP)).floor().max(1.0);
-            let columns = flow(blocks, fit as usize);
-            let area =
-                Rect { x: p.x, y: p.bottom() + below + em, w: p.w, h: tallest(&columns) * em };
-            Self { columns, area }
+        if view.panel.w > WIDE * view.panel.h {
+            Self::under(blocks, view, below)
         } else {
-            let wanted = (tall / (p.h / em).max(30.0)).ceil().clamp(1.0, 3.0);
-            let columns = flow(blocks, wanted as usize);
-            let width = columns.len() as f64 * (COLUMN + GAP) - GAP;
-            let area =
-                Rect { x: p.right() + GAP * em, y: p.y, w: width * em, h: tallest(&columns) * em };
-            Self { columns, area }
+            Self::beside(blocks, view)
         }
+    }
+
+    /// As many columns as fit under the drawing, filling its width.
+    fn under(blocks: Vec<Block>, view: &View, below: f64) -> Self {
+        let (p, em) = (view.panel, view.em);
+        let count = ((p.w / em + GAP) / (NARROWEST + GAP)).floor().max(1.0);
+        let width = (p.w / em + GAP) / count - GAP;
+        let columns = flow(wrapped(blocks, width), count as usize);
+        let area = Rect { x: p.x, y: p.bottom() + below + em, w: p.w, h: tallest(&columns) * em };
+        Self { columns, width, area }
+    }
+
+    /// As many columns as keep the legend about as high as the drawing.
+    fn beside(blocks: Vec<Block>, view: &View) -> Self {
+        let (p, em) = (view.panel, view.em);
+        let blocks = wrapped(blocks, COLUMN);
+        let tall: f64 = blocks.iter().map(|b| height(b) + BETWEEN).sum();
+        let room = (1.15 * p.h / em + 3.0).max(34.0);
+        let columns = flow(blocks, (tall / room).ceil().clamp(1.0, 3.0) as usize);
+        let width = columns.len() as f64 * (COLUMN + GAP) - GAP;
+        let x = p.right() + GAP * em;
+        let area = Rect { x, y: p.y, w: width * em, h: tallest(&columns) * em };
+        Self { columns, width: COLUMN, area }
     }
 
     /// Draws it.
     pub fn draw(&self, view: &View, unit: Unit) -> Layer {
         let mut layer = Layer::new("legend", Frame::Page, false);
         for (i, column) in self.columns.iter().enumerate() {
-            let x = self.area.x + i as f64 * (COLUMN + GAP) * view.em;
+            let x = self.area.x + i as f64 * (self.width + GAP) * view.em;
             let mut writer = Writer {
                 layer: &mut layer,
                 view,
                 unit,
                 x,
                 y: self.area.y,
+                width: self.width,
                 fonts: [Font::new(false), Font::new(true)],
             };
             for block in column {
@@ -73,6 +93,19 @@ impl Legend {
         }
         layer
     }
+}
+
+/// The blocks with their notes broken to the width of a column.
+fn wrapped(blocks: Vec<Block>, width: f64) -> Vec<Block> {
+    let font = Font::new(false);
+    let lines = |row: Row| match row {
+        Row::Note(text, colour) => {
+            let lines = font.wrapped(&text, width / WIDER, NOTE_LINES);
+            lines.into_iter().map(|line| Row::Note(line, colour)).collect()
+        }
+        row => vec![row],
+    };
+    blocks.into_iter().map(|block| block.into_iter().flat_map(lines).collect()).collect()
 }
 
 fn row_height(row: &Row) -> f64 {
@@ -137,6 +170,8 @@ struct Writer<'a> {
     unit: Unit,
     x: f64,
     y: f64,
+    /// Width of the column, em.
+    width: f64,
     fonts: [Font; 2],
 }
 
@@ -149,7 +184,9 @@ impl Writer<'_> {
             Row::Key(sample, text) => self.key(*sample, text),
             Row::Depth(scale) => self.depth(scale),
             Row::Map => self.map(),
-            Row::Note(text, colour) => self.text(0.0, 1.0, Anchor::Start, COLUMN, *colour, text),
+            Row::Note(text, colour) => {
+                self.text(0.0, 1.0, Anchor::Start, self.width, *colour, text)
+            }
         }
         self.y += row_height(row) * self.view.em;
     }
@@ -171,31 +208,31 @@ impl Writer<'_> {
     }
 
     fn head(&mut self, text: &str) {
-        let text = self.fonts[1].fitted(text, COLUMN / WIDER);
+        let text = self.fonts[1].fitted(text, self.width / WIDER);
         self.put(0.0, 1.0, Anchor::Start, true, INK, text);
         let mut line = Outline::default();
-        line.segment(self.at(0.0, 1.38), self.at(COLUMN, 1.38));
+        line.segment(self.at(0.0, 1.38), self.at(self.width, 1.38));
         self.layer.path(line, Paint::line(GRID, 0.07 * self.view.em));
     }
 
     fn pair(&mut self, name: &str, value: &str) {
-        let value = self.fonts[0].fitted(value, 0.7 * COLUMN);
-        let room = COLUMN - WIDER * self.fonts[0].width(&value) - 0.6;
+        let value = self.fonts[0].fitted(value, 0.7 * self.width);
+        let room = self.width - WIDER * self.fonts[0].width(&value) - 0.6;
         self.text(0.0, 1.0, Anchor::Start, room, SOFT, name);
-        self.put(COLUMN, 1.0, Anchor::End, false, INK, value);
+        self.put(self.width, 1.0, Anchor::End, false, INK, value);
     }
 
     fn cells(&mut self, cells: &[String; 4]) {
         self.text(0.0, 1.0, Anchor::Start, 2.0, SOFT, &cells[0]);
         let heading = cells[0].is_empty();
-        for (cell, right) in cells[1..].iter().zip([8.2, 14.6, COLUMN]) {
+        for (cell, right) in cells[1..].iter().zip([0.39, 0.695, 1.0].map(|s| s * self.width)) {
             self.text(right, 1.0, Anchor::End, 6.2, if heading { SOFT } else { INK }, cell);
         }
     }
 
     fn key(&mut self, sample: Sample, text: &str) {
         self.sample(sample);
-        self.text(4.4, 1.05, Anchor::Start, COLUMN - 4.4, INK, text);
+        self.text(4.4, 1.05, Anchor::Start, self.width - 4.4, INK, text);
     }
 
     fn sample(&mut self, sample: Sample) {
@@ -230,9 +267,9 @@ impl Writer<'_> {
     fn depth(&mut self, scale: &DepthScale) {
         let em = self.view.em;
         let title = format!("Depth of cut (Z), {}", self.unit.symbol);
-        self.text(0.0, 1.0, Anchor::Start, COLUMN, SOFT, &title);
+        self.text(0.0, 1.0, Anchor::Start, self.width, SOFT, &title);
         let (left, top) = (self.x, self.y + 1.5 * em);
-        let cell = COLUMN * em / SHADES as f64;
+        let cell = self.width * em / SHADES as f64;
         for shade in 0..SHADES {
             let colour = if scale.is_flat() { SHADES - 1 } else { shade };
             let bar = Rect { x: left + shade as f64 * cell, y: top, w: 1.02 * cell, h: 0.9 * em };
@@ -240,7 +277,7 @@ impl Writer<'_> {
         }
         if scale.is_flat() {
             let only = words::short(scale.bottom, self.unit, 4);
-            return self.text(0.5 * COLUMN, 3.4, Anchor::Middle, COLUMN, INK, &only);
+            return self.text(0.5 * self.width, 3.4, Anchor::Middle, self.width, INK, &only);
         }
         self.depth_numbers(scale);
     }
@@ -253,14 +290,12 @@ impl Writer<'_> {
         for k in super::steps::multiples(low, high, step.mm, 20) {
             let z = k as f64 * step.mm;
             let share = scale.share(z).clamp(0.0, 1.0);
-            ticks.segment(self.at(share * COLUMN, 2.4), self.at(share * COLUMN, 2.65));
-            let anchor = match share {
-                s if s < 0.06 => Anchor::Start,
-                s if s > 0.94 => Anchor::End,
-                _ => Anchor::Middle,
-            };
+            ticks.segment(self.at(share * self.width, 2.4), self.at(share * self.width, 2.65));
             let number = words::decimal(z, self.unit, step.decimals);
-            self.text(share * COLUMN, 3.6, anchor, 6.0, INK, &number);
+            // Numbers at the ends stay inside the column.
+            let half = 0.5 * WIDER * self.fonts[0].width(&number);
+            let x = (share * self.width).clamp(half, self.width - half);
+            self.text(x, 3.6, Anchor::Middle, 6.0, INK, &number);
         }
         self.layer.path(ticks, Paint::line(SOFT, 0.07 * self.view.em));
     }
@@ -270,7 +305,7 @@ impl Writer<'_> {
         let Some(table) = self.view.table.map(|t| table_rect(&t)) else { return };
         let (em, panel) = (self.view.em, self.view.panel);
         let all = table.around(&panel);
-        let scale = (COLUMN * em / all.w).min(MAP * em / all.h);
+        let scale = (self.width * em / all.w).min(MAP * em / all.h);
         let corner = self.at(0.0, 0.5);
         let small = |r: Rect| Rect {
             x: corner.x + (r.x - all.x) * scale,

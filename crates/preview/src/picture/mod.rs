@@ -114,6 +114,7 @@ fn motion(scene: &Scene, view: &View, tracks: &Tracks, ink: &Ink) -> Vec<Layer> 
         for (shade, cut) in tracks.cuts.iter().enumerate() {
             let colour = DepthScale::colour(shade).mixed(PAPER, BAND);
             bands.path(cut.clone(), Paint::line(colour, ink.cutter_mm));
+            bands.path(signs::bores(tracks, shade, ink.cutter_mm), Paint::fill(colour));
         }
         layers.push(bands);
     }
@@ -191,15 +192,17 @@ fn heading(scene: &Scene, view: &View, page: &Rect) -> Layer {
     layer
 }
 
-/// `120.00 × 80.00 × 6.00 mm · 0:04:12 · no findings`.
+/// `120.00 × 80.00 mm, down to −6.00 mm · 0:04:12`.
 fn summary(scene: &Scene) -> String {
-    let size = scene.bounds.size();
-    let decimals = words::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit);
-    let [x, y, z] = size.map(|mm| words::decimal(mm, scene.unit, decimals));
+    let (size, unit) = (scene.bounds.size(), scene.unit);
+    let decimals = words::coordinate_decimals(size[0].max(size[1]) / unit.mm, unit);
+    let number = |mm: f64| words::decimal(mm, unit, decimals);
     let what = if scene.bounds.is_empty() {
         "nothing is cut".into()
     } else {
-        format!("{x} × {y} × {z} {} cut", scene.unit.symbol)
+        let [x, y] = [size[0], size[1]].map(number);
+        let bottom = number(scene.bounds.min[2]);
+        format!("{x} × {y} {symbol}, down to {bottom} {symbol}", symbol = unit.symbol)
     };
     format!("{what} · {}", words::duration(scene.duration_s))
 }

@@ -14,6 +14,9 @@ const NUMBER_EM: f64 = 7.0;
 /// The table's grid is thinned above so many lines, which is where it turns into a grey area.
 const MOST_LINES: f64 = 120.0;
 
+/// With fewer lines of the table's grid in sight the rulers' own grid helps to read places.
+const FEW_LINES: f64 = 4.0;
+
 /// The step of the rulers.
 pub fn ruler_step(view: &View, unit: Unit) -> Step {
     round_step(NUMBER_EM * view.em, unit)
@@ -45,8 +48,12 @@ pub fn board(view: &View, unit: Unit) -> Vec<Layer> {
         table.path(Outline::of_rect(table_rect(t)), Paint::fill(PAPER));
     }
     let mut grid = Layer::new("grid", Frame::Page, true);
-    grid.path(fine_grid(view, ruler_step(view, unit).mm), Paint::line(FINE, 0.05 * view.em));
-    if let (Some(t), Some(spacing)) = (&view.table, grid_spacing(view)) {
+    let spacing = grid_spacing(view);
+    if spacing.is_none_or(|mm| view.panel.longer() < FEW_LINES * mm) {
+        let fine = fine_grid(view, ruler_step(view, unit).mm);
+        grid.path(fine, Paint::line(FINE, 0.05 * view.em));
+    }
+    if let (Some(t), Some(spacing)) = (&view.table, spacing) {
         grid.path(table_grid(view, t, spacing), Paint::line(GRID, 0.06 * view.em));
     }
     let mut edge = Layer::new("table-edge", Frame::Page, true);
@@ -128,9 +135,9 @@ pub fn rulers(view: &View, unit: Unit) -> Layer {
         layer.marks.push(label(at, em, Anchor::End, number(k, step, unit)));
     }
     let x_name = Point2::new(p.right(), p.bottom() + 3.3 * em);
-    layer.marks.push(label(x_name, em, Anchor::End, format!("X, {} →", unit.symbol)));
+    layer.marks.push(label(x_name, em, Anchor::End, format!("X, {}", unit.symbol)));
     let y_name = Point2::new(p.x, p.y - 0.8 * em);
-    layer.marks.push(label(y_name, em, Anchor::Start, format!("↑ Y, {}", unit.symbol)));
+    layer.marks.push(label(y_name, em, Anchor::Start, format!("Y, {}", unit.symbol)));
     layer
 }
 

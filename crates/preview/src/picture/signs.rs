@@ -11,11 +11,11 @@ use kerf_program::MoveKind;
 use std::collections::BTreeSet;
 
 /// About so many arrows on all cuts, and on all jogs.
-const ARROWS: f64 = 40.0;
+const ARROWS: f64 = 28.0;
 /// Arrows are at least so far apart along the path, em.
 const APART_EM: f64 = 9.0;
 /// Only one arrow in each square of this side, em.
-const CELL_EM: f64 = 4.5;
+const CELL_EM: f64 = 5.5;
 
 /// Direction arrows of cuts and jogs.
 pub fn arrows(scene: &Scene, view: &View) -> Layer {
@@ -88,6 +88,14 @@ pub fn plunges(tracks: &Tracks, radius: f64, em: f64) -> Layer {
     layer
 }
 
+/// What the cutter takes away where it plunges to a shade.
+pub fn bores(tracks: &Tracks, shade: usize, cutter_mm: f64) -> Outline {
+    let mut discs = Outline::default();
+    let same = tracks.plunges.iter().filter(|p| p.1 == Some(shade));
+    same.for_each(|(at, _)| discs.circle(*at, 0.5 * cutter_mm));
+    discs
+}
+
 /// Start and end of the motion.
 pub fn ends(tracks: &Tracks, em: f64) -> Layer {
     let mut layer = Layer::new("ends", Frame::Page, true);
@@ -125,7 +133,7 @@ pub fn end_sign(layer: &mut Layer, at: Point2, em: f64) {
 
 fn name(at: Point2, em: f64, text: &str) -> Mark {
     Mark::Text(Text {
-        at: at + Vec2::new(em, -0.7 * em),
+        at: at + Vec2::new(0.9 * em, 1.5 * em),
         size: em,
         anchor: Anchor::Start,
         bold: true,

@@ -9,7 +9,7 @@ use kerf_geom::Point2;
 /// picture shows the motion large and the table in a small map.
 const SHARE_OF_TABLE: f64 = 0.3;
 /// The shorter side of the drawing is at least this share of the longer one.
-const SLIMMEST: f64 = 0.3;
+const SLIMMEST: f64 = 0.22;
 /// Empty border around what is shown, as a share of the longer side.
 const BORDER: f64 = 0.05;
 /// Em heights along the longer side of the drawing.
@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn slim_parts_get_room_and_tiny_ones_decimals() {
         let slim = view([0.0, 0.0], [1000.0, 0.0], None);
-        assert!(slim.panel.h > 300.0);
+        assert!(slim.panel.h > 220.0);
         assert_eq!((slim.decimals, view([0.0; 2], [0.05, 0.02], None).decimals), (3, 6));
         let point = view([5.0, 5.0], [5.0, 5.0], None);
         assert!(point.panel.w > 0.0 && point.em > 0.0);

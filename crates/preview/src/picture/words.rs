@@ -59,11 +59,11 @@ pub fn path_length(mm: f64, unit: Unit) -> String {
     format!("{} {}", decimal(mm, unit, if unit.mm > 2.0 { 2 } else { 1 }), unit.symbol)
 }
 
-/// Decimals that a coordinate needs when the whole is `size_mm` large: mm with two, inches with
+/// Decimals that a coordinate needs when the whole is `size` units large: mm with two, inches with
 /// three, more where the whole is small.
-pub fn coordinate_decimals(size_mm: f64, unit: Unit) -> usize {
+pub fn coordinate_decimals(size: f64, unit: Unit) -> usize {
     let usual = if unit.mm > 2.0 { 3 } else { 2 };
-    let finer = (-(size_mm.max(1.0e-6) / 10.0).log10()).ceil().clamp(0.0, 4.0);
+    let finer = (-(size.max(1.0e-6) / 0.5).log10()).ceil().clamp(0.0, 4.0);
     usual + finer as usize
 }
 
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(path_length(f64::INFINITY, Unit::MM), "–");
         assert_eq!(
             (coordinate_decimals(100.0, Unit::MM), coordinate_decimals(0.05, Unit::MM)),
-            (2, 5)
+            (2, 3)
         );
     }
 }
