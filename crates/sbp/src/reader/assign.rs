@@ -1,6 +1,6 @@
 //! Assignments: `&name = …`, `$name = …`, `&name := …`.
 
-use super::line::{Line, Read, is_name};
+use super::line::{Failed, Line, Read, is_name};
 use crate::expr::{BinaryOp, Expr, ExprNode};
 use crate::tree::{Assigned, Span, Statement};
 use kerf_diag::Code;
@@ -24,7 +24,7 @@ impl Line<'_, '_> {
     }
 
     /// What stands before `=` is no variable's name.
-    fn bad_name(&mut self, start: usize, end: usize) -> super::line::Failed {
+    fn bad_name(&mut self, start: usize, end: usize) -> Failed {
         let equals = self.until(start, b'=');
         let name = Span { start: start as u32, end: end as u32 };
         if equals >= self.end {
@@ -35,7 +35,7 @@ impl Line<'_, '_> {
         let found = self.slice(bad, equals).chars().next().unwrap_or('=');
         let span = Span { start: bad as u32, end: (bad + found.len_utf8()) as u32 };
         let hint = match found {
-            '[' | '.' => "arrays and objects belong to FabMo's dialect",
+            '[' | '.' => "arrays and objects belong to FabMo's dialect; use plain variables",
             _ => "letters, digits and underscores are allowed",
         };
         let message = format!("character not allowed in a variable name: '{found}'");
@@ -58,6 +58,9 @@ impl Line<'_, '_> {
         {
             self.at = self.end;
             return Ok(Assigned::Expr(self.spelled_out(expr)));
+        }
+        if self.foreign {
+            return Err(Failed);
         }
         self.forget(mark);
         self.at = self.end;

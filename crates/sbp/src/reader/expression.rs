@@ -3,7 +3,7 @@
 use super::line::{Failed, Line, Read, is_name};
 use super::moves::number;
 use crate::expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
-use crate::tree::Span;
+use crate::tree::{NameId, Span};
 use kerf_diag::Code;
 
 /// Operators in one expression; a bound for memory and for whoever walks the tree.
@@ -169,12 +169,10 @@ impl Line<'_, '_> {
             b'0'..=b'9' | b'.' => self.literal()?,
             b'"' => self.quoted()?,
             b'&' if is_name(self.byte(start + 1)) => {
-                self.at = self.word_end(start + 1);
-                ExprNode::Variable(self.name(start + 1, self.at))
+                ExprNode::Variable(self.variable(start)?)
             }
             b'$' if is_name(self.byte(start + 1)) => {
-                self.at = self.word_end(start + 1);
-                ExprNode::Persistent(self.name(start + 1, self.at))
+                ExprNode::Persistent(self.variable(start)?)
             }
             b'%' => {
                 self.at += 1;
@@ -194,6 +192,22 @@ impl Line<'_, '_> {
             _ => return Err(self.no_value()),
         };
         Ok(Expr { node, span: self.span_from(start) })
+    }
+
+    /// The name behind `&` or `$`.
+    fn variable(&mut self, start: usize) -> Read<NameId> {
+        let end = self.word_end(start + 1);
+        self.at = end;
+        let member = self.peek() == b'.' && self.byte(end + 1).is_ascii_alphabetic();
+        if self.peek() == b'[' || (member && self.byte(start) == b'$') {
+            self.foreign = true;
+            let stop = self.until(end, b' ');
+            let span = Span { start: start as u32, end: stop as u32 };
+            let hint = "FabMo's dialect; use plain variables";
+            let message = "arrays and objects are not part of the language";
+            return Err(self.fault(Code::BadExpression, span, message, hint));
+        }
+        Ok(self.name(start + 1, end))
     }
 
     fn no_value(&mut self) -> Failed {

@@ -22,6 +22,8 @@ mod gcode;
 mod line;
 mod moves;
 mod output;
+#[cfg(test)]
+pub(crate) mod shown;
 mod statements;
 mod suggest;
 mod text;

@@ -45,8 +45,10 @@ impl Keyword {
     }
 }
 
-/// Words of other BASICs and what to write instead.
-const FOREIGN: [(&str, &str); 14] = [
+const FABMO_PROBE: &str = "a probe of FabMo's dialect; use ON INPUT(switch, 1) and a move";
+
+/// Words of other BASICs and of FabMo, and what to write instead.
+const FOREIGN: &[(&str, &str)] = &[
     ("ELSE", "use a second IF, or IF ... THEN GOTO"),
     ("ELSEIF", "use a second IF, or IF ... THEN GOTO"),
     ("ENDIF", "an IF ends with its line"),
@@ -58,9 +60,17 @@ const FOREIGN: [(&str, &str); 14] = [
     ("LOOP", "use a label and IF ... THEN GOTO"),
     ("LET", "write &name = value"),
     ("DIM", "variables need no declaration"),
-    ("DIALOG", "this is FabMo's; use MSGBOX or INPUT"),
-    ("FAIL", "this is FabMo's; use MSGBOX and ENDALL"),
-    ("ELSE:", "use a second IF, or IF ... THEN GOTO"),
+    ("LABEL", "a label is a name alone on its line and a colon behind it"),
+    ("DIALOG", "FabMo's dialect; use MSGBOX or INPUT"),
+    ("FAIL", "FabMo's dialect; use MSGBOX and ENDALL"),
+    ("DATA_SEND", "FabMo's dialect; use WRITE"),
+    ("DATA_REQUEST", "FabMo's dialect; use INPUT"),
+    ("PX", FABMO_PROBE),
+    ("PY", FABMO_PROBE),
+    ("PZ", FABMO_PROBE),
+    ("PA", FABMO_PROBE),
+    ("PB", FABMO_PROBE),
+    ("PC", FABMO_PROBE),
 ];
 
 impl Line<'_, '_> {
@@ -199,20 +209,17 @@ impl Line<'_, '_> {
         }
         let name = word.to_uppercase();
         let foreign = FOREIGN.iter().find(|(w, _)| *w == name);
-        if let Some((_, hint)) = foreign {
-            let span = Span { start: start as u32, end: end as u32 };
-            let message = format!("unknown statement {name}");
-            return self.fault(Code::UnknownStatement, span, message, *hint);
-        }
-        if let Some(failed) = self.missing_separator(start, end) {
+        if foreign.is_none() && let Some(failed) = self.missing_separator(start, end) {
             return failed;
         }
         let span = Span { start: start as u32, end: end as u32 };
-        let hint = nearest(&name);
-        if name.len() <= 2 || matches!(self.byte(end), b',') {
-            return self.fault(Code::UnknownCommand, span, format!("unknown command {name}"), hint);
-        }
-        self.fault(Code::UnknownStatement, span, format!("unknown statement {name}"), hint)
+        let hint = foreign.map_or_else(|| nearest(&name), |(_, hint)| (*hint).to_string());
+        let (code, kind) = if name.len() <= 2 || self.byte(end) == b',' {
+            (Code::UnknownCommand, "command")
+        } else {
+            (Code::UnknownStatement, "statement")
+        };
+        self.fault(code, span, format!("unknown {kind} {name}"), hint)
     }
 
     fn unknown_sign(&mut self, start: usize) -> Failed {
