@@ -107,3 +107,71 @@ fn looks_computed(text: &str) -> bool {
         || text.contains('"')
         || !text.bytes().any(|b| b.is_ascii_alphabetic())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn values_are_computed_or_text() {
+        for (text, tree) in [
+            ("&a=5", "&A = 5"),
+            ("&Zdepth = -0.52 'deep", "&ZDEPTH = -0.52"),
+            ("&a=", "&A = nothing"),
+            ("&my_x= 'none", "&MY_X = nothing"),
+            ("$a = &b", "$A = &B"),
+            ("&v := .5", "&V := 0.5"),
+            ("$v:=1", "$V := 1"),
+            ("&MyString = test string ", "&MYSTRING = 'test string'"),
+            ("&MyString = \"test string\"", "&MYSTRING = \"test string\""),
+            ("&a = 3+4", "&A = (3 + 4)"),
+            ("&a = 3/8 ply", "&A = '3/8 ply'"),
+            ("&a = Table Surface", "&A = 'Table Surface'"),
+            ("&ResetZ = no 'comment", "&RESETZ = 'no'"),
+            ("&p = C:\\SbParts\\Custom\\ATC\\", "&P = 'C:\\SbParts\\Custom\\ATC\\'"),
+            ("&a = Tom & Jerry", "&A = 'Tom & Jerry'"),
+            ("&f = T & &n & \"_.sbp\"", "&F = (('T' & &N) & \"_.sbp\")"),
+            ("&a = X-Y table", "&A = 'X-Y table'"),
+            ("&c = (&b = yes)", "&C = (&B = 'yes')"),
+            ("&numrows=(&numrows-.5)\\1", "&NUMROWS = ((&NUMROWS - 0.5) \\ 1)"),
+            ("&answer=\"&answer\"", "&ANSWER = (&ANSWER & \"\")"),
+            ("&a = 1/4\" bit", "&A = '1/4\" bit'"),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
+    fn text_that_looks_computed_warns() {
+        check("&a = 3*", "&A = '3*'");
+        for (text, finding) in [
+            ("&a = 3*", "W003 1:6+2 this is no expression and is taken as text"),
+            ("&a = 1,5", "W003 1:6+3"),
+            ("&a = (&b+1", "W003 1:6+5"),
+            ("&a = &b frogs", "W003 1:6+8"),
+        ] {
+            finds(text, &[finding]);
+        }
+        finds("&a = Material Surface", &[]);
+        finds("&a = \"open", &["S005 1:6+5 a quote is not closed"]);
+    }
+
+    #[test]
+    fn names_are_letters_digits_and_underscores() {
+        for (text, finding) in [
+            ("&a\\b=1", "S011 1:3+1 character not allowed in a variable name: '\\'"),
+            ("&a*b=1", "S011 1:3+1"),
+            ("&a:b=1", "S011 1:3+1"),
+            ("&a b = 1", "S011 1:3+1"),
+            ("&=1", "S011 1:2+1"),
+            (
+                "&tool[3] = 1",
+                "S011 1:6+1 character not allowed in a variable name: '[' [arrays and objects",
+            ),
+            ("&a 5", "S004 1:1+2 = expected behind a variable"),
+        ] {
+            finds(text, &[finding]);
+        }
+        check("&Z_depth=1⏎&5AX=2⏎&z_DEPTH=3", "&Z_DEPTH = 3");
+    }
+}

@@ -60,19 +60,22 @@ impl Line<'_, '_> {
                 Some(param) => {
                     let arg = self.argument(param, span);
                     failed |= arg.is_err();
-                    args.push(arg.unwrap_or(Arg { span, kind: ArgKind::Blank }));
+                    args.push(arg.unwrap_or_else(|_| unreadable(span)));
                 }
                 None => failed |= self.surplus(spec, span).is_err(),
+            }
+            if self.second_command {
+                return Err(Failed);
             }
         }
         self.at = self.end;
         while args.last().is_some_and(|a| a.kind == ArgKind::Blank) {
             args.pop();
         }
+        self.check_required(spec, &args, head)?;
         if failed {
             return Err(Failed);
         }
-        self.check_required(spec, &args, head)?;
         let span = Span { start: start as u32, end: self.end as u32 };
         Ok(Statement::Command { spec, args, span })
     }
@@ -165,6 +168,7 @@ impl Line<'_, '_> {
         }
         let span = self.span_to_end();
         if self.is_command(self.at) || (is_name(self.peek()) && self.is_statement()) {
+            self.second_command = true;
             let hint = "put it on a line of its own";
             return Err(self.fault(Code::OneCommandPerLine, span, "a second command", hint));
         }
@@ -172,9 +176,58 @@ impl Line<'_, '_> {
         let shown: String = found.chars().take(20).collect();
         let hint = match found.as_bytes().first() {
             Some(b'0'..=b'9' | b'.' | b'&' | b'%' | b'-') => "values are separated by commas",
-            Some(b'[' | b'.' | b'!') => "arrays and objects belong to another dialect",
+            Some(b'[' | b'!') => "arrays and objects belong to another dialect",
             _ => "",
         };
         Err(self.fault(Code::Syntax, span, format!("'{shown}' does not belong here"), hint))
+    }
+}
+
+/// Stands for an argument whose diagnostics are told already.
+fn unreadable(span: Span) -> Arg {
+    Arg { span, kind: ArgKind::Word("".into()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn separators_follow_the_handbook() {
+        for (text, tree) in [
+            ("M2,  &a, 4.2", "M2 &A 4.2"),
+            ("M2  &a, 4.2", "M2 &A 4.2"),
+            ("M2\t&a,4", "M2 &A 4"),
+            ("M2,, &a", "M2 _ &A"),
+            ("M2 , &a", "M2 _ &A"),
+            (
+                "M2 ,, &a",
+                "bad S009 1:7+2 M2 takes 2 values, this is one too many [leave it out, or check the commas]",
+            ),
+            ("M2, &a", "M2 &A"),
+            ("M2 -&a,4", "M2 (-&A) 4"),
+            ("m3,&a,,", "M3 &A"),
+            ("ZX,", "ZX"),
+            ("ZX , ,", "ZX"),
+            ("  zx  'comment", "ZX"),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
+    fn too_many_and_too_few_values() {
+        finds("ZX,1", &["S009 1:4+1 ZX takes no values, this is one too many"]);
+        finds("MX,1,2", &["S009 1:6+1 MX takes 1 value, this is one too many"]);
+        finds("MX , 1", &["S009 1:6+1", "S010 1:1+2 value expected"]);
+        finds("MX", &["S010 1:1+2 value expected"]);
+        finds("MX,", &["S010 1:1+2 value expected"]);
+    }
+
+    #[test]
+    fn one_command_a_line() {
+        finds("MX,1 MY,2", &["S013 1:6+2 a second command"]);
+        finds("M2,&a,1 GOTO X", &["S013 1:9+6 a second command"]);
+        finds("M2 3 4", &["S004 1:6+1 '4' does not belong here [values are separated by commas]"]);
     }
 }

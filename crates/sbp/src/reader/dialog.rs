@@ -254,3 +254,108 @@ impl Line<'_, '_> {
         Ok(Statement::Fetch { which, variable, span })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn input_has_a_text_a_default_and_variables() {
+        for (text, tree) in [
+            ("INPUT \"Depth?\" &d", "input \"Depth?\" _ &D"),
+            ("INPUT \"Enter X and Y\" &x, &y", "input \"Enter X and Y\" _ &X &Y"),
+            ("INPUT \"Depth?\", &d", "input \"Depth?\" _ &D"),
+            ("INPUT &d", "input _ _ &D"),
+            ("INPUT &d,&e,", "input _ _ &D &E"),
+            (
+                "INPUT \"You Entered - \" & &v & \" Ok?\"; &t",
+                "input ((\"You Entered - \" & &V) & \" Ok?\") _ &T",
+            ),
+            ("INPUT \"Value - \": &default, &new", "input \"Value - \" &DEFAULT &NEW"),
+            ("INPUT \"Hole \" & &n;: &default, &new", "input (\"Hole \" & &N) &DEFAULT &NEW"),
+            ("INPUT \"Hole \" & &n; : &default, &new", "input (\"Hole \" & &N) &DEFAULT &NEW"),
+            ("INPUT &msg; &d", "input &MSG _ &D"),
+            ("INPUT #1, &a, &b", "input #1 &A &B"),
+        ] {
+            check(text, tree);
+        }
+        for (text, finding) in [
+            ("INPUT \"x\"", "S010 1:1+9 a variable is expected"),
+            ("INPUT \"x\" 5", "S004 1:11+1 a variable is expected, not '5'"),
+            ("INPUT \"a, b -> \" &a, &b", "W003 1:7+10 a comma in the message of INPUT"),
+            ("INPUT &a &b", "S004 1:10+2"),
+            (
+                "INPUT \"x\" &a,&b,&c,&d,&e,&f,&g,&h,&i,&j,&k",
+                "S009 1:41+2 INPUT takes at most ten variables",
+            ),
+        ] {
+            finds(text, &[finding]);
+        }
+    }
+
+    #[test]
+    fn message_boxes_take_unquoted_text() {
+        for (text, tree) in [
+            (
+                "MSGBOX ( Do you want it?, YesNo, Start?)",
+                "msgbox <Do you want it?> <YesNo> <Start?>",
+            ),
+            ("MSGBOX(Is thickness &t mm?, 4, CHECK)", "msgbox <Is thickness {&t=T} mm?> 4 <CHECK>"),
+            ("MSGBOX(&m,4+16+256,Info)", "msgbox <{&m=M}> ((4 + 16) + 256) <Info>"),
+            ("MSGBOX(\"X is \" & %(1),0,Info)", "msgbox (\"X is \" & %1) 0 <Info>"),
+            (
+                "MSGBOX(Update Z? (Yes: No-Keep ,YesNoCancel,\"\")",
+                "msgbox <Update Z? (Yes: No-Keep> <YesNoCancel> \"\"",
+            ),
+            ("MSGBOX(set [&]x = &x,0,t)", "msgbox <set &x = {&x=X}> 0 <t>"),
+            ("MSGBOX(Tom & Jerry)", "msgbox <Tom & Jerry> <> <>"),
+            ("MSGBOX (Cutting T10, 0, Punch It!", "msgbox <Cutting T10> 0 <Punch It!>"),
+        ] {
+            check(text, tree);
+        }
+        finds("MSGBOX (Cutting, 0, Punch It!", &["W003 1:1+29 the ) of MSGBOX is missing"]);
+        finds("MSGBOX(a, b, YesNo, t)", &["W003 1:21+1 MSGBOX takes three values"]);
+        finds("MSGBOX a, b", &["S004 1:1+11 ( expected after MSGBOX"]);
+    }
+
+    #[test]
+    fn programs_and_sounds() {
+        for (text, tree) in [
+            ("SHELL, \"echo hi > out.txt\"", "shell <echo hi > out.txt> _ false"),
+            (
+                "Shell \"MyVars.exe [&]my_x = &my_x\"",
+                "shell <MyVars.exe &my_x = {&my_x=MY_X}> _ false",
+            ),
+            ("SHELL, \"echo \" & &n,1,SYNC", "shell <echo {&n=N}> 1 true"),
+            ("SHELL, \"echo \" & %(1), , async", "shell (\"echo \" & %1) _ false"),
+            ("PLAY C:\\WINDOWS\\Media\\tada.wav", "play <C:\\WINDOWS\\Media\\tada.wav>"),
+            ("PLAY \"my sound.wav\"", "play \"my sound.wav\""),
+        ] {
+            check(text, tree);
+        }
+        finds("SHELL", &["S010 1:1+5 a command line is expected"]);
+        finds("SHELL, \"x\",1,LATER", &["S004 1:14+5 SYNC or ASYNC expected"]);
+        finds("PLAY", &["S010 1:1+4 a sound is expected"]);
+    }
+
+    #[test]
+    fn registry_values() {
+        for (text, tree) in [
+            ("SetUsrVal, hello", "SetUsrVal <hello>"),
+            ("setusrval, &a", "SetUsrVal <{&a=A}>"),
+            ("SetUsrValClrd, used", "SetUsrValClrd <used>"),
+            ("SetSpindleStatus 1", "SetSpindleStatus <1>"),
+            ("GetUsrVal, &v", "GetUsrVal &V"),
+            ("GetUsrVal &v", "GetUsrVal &V"),
+            ("GetUsrValClrd, &v", "GetUsrValClrd &V"),
+            ("GetSpindleStatus, &s", "GetSpindleStatus &S"),
+            ("GetUsrPath, &p", "GetUsrPath &P"),
+            ("GetAppPath, &p", "GetAppPath &P"),
+            ("GetPartFileName, &f", "GetPartFileName &F"),
+        ] {
+            check(text, tree);
+        }
+        finds("SetUsrVal", &["S010 1:1+9 an argument is missing"]);
+        finds("GetUsrVal, v", &["S004 1:12+1 a variable is expected, not 'v'"]);
+    }
+}

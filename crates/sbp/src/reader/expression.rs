@@ -15,6 +15,13 @@ const MOST_DEPTH: u32 = 64;
 const SIGN: u8 = 9;
 const NOT: u8 = 3;
 
+/// Words that end bare words.
+const STOPS: [&str; 8] = ["AND", "OR", "MOD", "NOT", "THEN", "GOTO", "GOSUB", "FOR"];
+
+fn is_stop(word: &str) -> bool {
+    STOPS.iter().any(|stop| stop.eq_ignore_ascii_case(word))
+}
+
 /// What stands between two operands.
 enum Infix {
     Operator(BinaryOp, usize),
@@ -168,12 +175,8 @@ impl Line<'_, '_> {
         let node = match self.peek() {
             b'0'..=b'9' | b'.' => self.literal()?,
             b'"' => self.quoted()?,
-            b'&' if is_name(self.byte(start + 1)) => {
-                ExprNode::Variable(self.variable(start)?)
-            }
-            b'$' if is_name(self.byte(start + 1)) => {
-                ExprNode::Persistent(self.variable(start)?)
-            }
+            b'&' if is_name(self.byte(start + 1)) => ExprNode::Variable(self.variable(start)?),
+            b'$' if is_name(self.byte(start + 1)) => ExprNode::Persistent(self.variable(start)?),
             b'%' => {
                 self.at += 1;
                 if !self.take(b'(') {
@@ -225,10 +228,10 @@ impl Line<'_, '_> {
         if self.take(b')') {
             return Ok(inner);
         }
-        if !self.at_end() && self.peek() != b',' {
+        if !self.at_end() && self.peek() != b',' && !self.at_stop() {
             self.expect_end()?;
         }
-        let span = Span { start: start as u32, end: self.at as u32 };
+        let span = self.span_from(start);
         Err(self.fault(Code::UnclosedParenthesis, span, "a ) is missing", ""))
     }
 
@@ -267,6 +270,12 @@ impl Line<'_, '_> {
     fn word(&mut self, start: usize, adjacent: bool) -> Read<Expr> {
         self.at = self.word_end(start);
         let word = self.slice(start, self.at);
+        if is_stop(word) {
+            let span = self.span_from(start);
+            let message = format!("a value is expected, not {}", word.to_uppercase());
+            self.at = start;
+            return Err(self.fault(Code::BadExpression, span, message, ""));
+        }
         let function = Function::from_name(word);
         self.skip_blanks();
         if self.peek() == b'(' {
@@ -291,12 +300,16 @@ impl Line<'_, '_> {
 
     /// Whether the text goes on with another bare word.
     fn more_words(&self) -> bool {
-        const STOPS: [&str; 8] = ["AND", "OR", "MOD", "NOT", "THEN", "GOTO", "GOSUB", "FOR"];
         if self.peek() == b'.' {
             return true;
         }
         let word = self.slice(self.at, self.word_end(self.at));
-        !word.is_empty() && !STOPS.iter().any(|stop| stop.eq_ignore_ascii_case(word))
+        !word.is_empty() && !is_stop(word)
+    }
+
+    /// Whether the next word ends expressions.
+    fn at_stop(&self) -> bool {
+        is_stop(self.slice(self.at, self.word_end(self.at)))
     }
 
     fn unknown_function(&mut self, start: usize) -> Failed {
@@ -327,5 +340,138 @@ impl Expr {
                 ExprNode::Binary(_, a, b) => a.any(holds) || b.any(holds),
                 _ => false,
             }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn precedence_is_that_of_basic() {
+        for (text, tree) in [
+            ("2+3*4^2/8-1", "((2 + ((3 * (4 ^ 2)) / 8)) - 1)"),
+            ("-2^2", "(-(2 ^ 2))"),
+            ("2^-3", "(2 ^ -3)"),
+            ("10-3-2", "((10 - 3) - 2)"),
+            ("8/4/2", "((8 / 4) / 2)"),
+            ("7\\2", "(7 \\ 2)"),
+            ("2*7\\2 MOD 3+1", "((((2 * 7) \\ 2) MOD 3) + 1)"),
+            ("-&a*2", "((-&A) * 2)"),
+            ("(2+3)*4", "((2 + 3) * 4)"),
+            ("NOT 1=2 AND 3>2 OR 0", "(((NOT (1 = 2)) AND (3 > 2)) OR 0)"),
+            ("1+1=2", "((1 + 1) = 2)"),
+            ("\"x\" & 1+1 = &b", "((\"x\" & (1 + 1)) = &B)"),
+            ("1<2", "(1 < 2)"),
+            ("1<=2", "(1 <= 2)"),
+            ("1>=2", "(1 >= 2)"),
+            ("1<>2", "(1 <> 2)"),
+            ("- -3", "3"),
+            ("+&a", "(+&A)"),
+        ] {
+            check(&format!("&x = {text}"), &format!("&X = {tree}"));
+        }
+    }
+
+    #[test]
+    fn values_have_many_spellings() {
+        for (text, tree) in [
+            ("MX,.5+5.", "MX (0.5 + 5)"),
+            ("MX,1.5e-1*&a", "MX (0.15 * &A)"),
+            ("MX,&5AX_gauge", "MX &5AX_GAUGE"),
+            ("MX,$Zup", "MX $ZUP"),
+            ("MX,%(2)+1", "MX (%2 + 1)"),
+            ("MX,%( 50 + &p )", "MX %(50 + &P)"),
+            ("MX,sqr(4)*Atn(1)", "MX (SQR[4] * ATN[1])"),
+            ("MX,RND*2", "MX (RND[] * 2)"),
+            ("MX,RND(1)", "MX RND[1]"),
+            ("MX,\"abc\"", "MX \"abc\""),
+            ("MX,abc", "MX 'abc'"),
+            ("MX,12+11/16", "MX (12 + (11 / 16))"),
+            ("M2, 2*3, (1+2)/4", "M2 (2 * 3) ((1 + 2) / 4)"),
+            ("MZ,-2-7/32", "MZ (-2 - (7 / 32))"),
+            ("MZ,-(2+7/32)", "MZ (-(2 + (7 / 32)))"),
+            (
+                "MX,1e300*1",
+                "MX (1000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 * 1)",
+            ),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
+    fn an_ampersand_joins_or_begins_a_variable() {
+        for (text, tree) in [
+            ("&a & &b", "(&A & &B)"),
+            ("\"x\" & &b", "(\"x\" & &B)"),
+            ("\"x\"&&b", "(\"x\" & &B)"),
+            ("&a&\"x\"", "(&A & \"x\")"),
+            ("\"X=\" & %(1)", "(\"X=\" & %1)"),
+            ("\"Hole \" & &n & \" of 4\"", "((\"Hole \" & &N) & \" of 4\")"),
+        ] {
+            check(&format!("&s = {text}"), &format!("&S = {tree}"));
+        }
+        check("&s = \"x\" &b", "&S = (\"x\" & &B)");
+        finds("&s = \"x\" &b", &["W003 1:10+0 an & to join is missing"]);
+    }
+
+    #[test]
+    fn bare_words_are_text() {
+        check("IF &m = Material Surface THEN RETURN", "if (&M = 'Material Surface') then return");
+        check(
+            "IF &f = part.sbp AND &b = no THEN END",
+            "if ((&F = 'part.sbp') AND (&B = 'no')) then end",
+        );
+    }
+
+    #[test]
+    fn doubtful_spellings_warn() {
+        for (op, meant) in [("=>", ">="), ("=<", "<="), ("==", "=")] {
+            let line = format!("IF &a {op} 1 THEN END");
+            check(&line, &format!("if (&A {meant} 1) then end"));
+            finds(&line, &[&format!("W003 1:7+2 {op} is read as {meant} [write {meant}]")]);
+        }
+    }
+
+    #[test]
+    fn mistakes_are_pointed_at() {
+        for (text, finding) in [
+            ("MX,3*", "S007 1:5+1 a value is missing after *"),
+            ("MX,(1+2", "S006 1:4+4 a ) is missing"),
+            ("MX,%(1", "S006 1:4+3 a ) is missing"),
+            ("MX,%1", "S007 1:4+1 ( expected after %"),
+            ("MX,1)", "S004 1:5+1 ')' does not belong here"),
+            ("MX,1 2", "S004 1:6+1 '2' does not belong here [values are separated by commas]"),
+            ("MX,*2", "S007 1:4+1 a value is expected, not *"),
+            ("MX,(", "S007 1:5+0 a value is expected"),
+            ("MX,\"abc", "S005 1:4+4 a quote is not closed"),
+            ("MX,1.2.3", "S007 1:4+5 1.2.3 is not a number"),
+            ("MX,12ab", "S007 1:4+4 12ab is not a number"),
+            ("MX,1e999", "S007 1:4+5 1e999 is not a number"),
+            ("MX,SQRT(4)", "S008 1:4+4 unknown function SQRT [did you mean SQR?]"),
+            ("MX,FROB(4)", "S008 1:4+4 unknown function FROB"),
+            ("MX,$tools[3].x", "S007 1:4+11 arrays and objects"),
+            ("&z = $tools[3].x", "S007 1:6+11 arrays and objects"),
+            ("&é = (1", "W003 1:6+2 this is no expression"),
+        ] {
+            finds(text, &[finding]);
+        }
+    }
+
+    #[test]
+    fn every_argument_tells_its_mistake() {
+        finds("M3,1*,2,(3", &["S007 1:5+1", "S006 1:9+2"]);
+    }
+
+    #[test]
+    fn size_and_depth_are_bounded() {
+        let deep = format!("MX,{}1{}", "(".repeat(100_000), ")".repeat(100_000));
+        finds(&deep, &["S007 1:68+1 nested too deep"]);
+        let signs = format!("MX,{}1", "-".repeat(100_000));
+        finds(&signs, &["nested too deep"]);
+        let long = format!("MX,1{}", "+1".repeat(400_000));
+        finds(&long, &["the expression is too long"]);
+        check(&format!("MX,{}&a{}", "(".repeat(60), ")".repeat(60)), "MX &A");
     }
 }

@@ -78,7 +78,7 @@ impl File {
         }
         let before = self.diagnostics.len();
         let node = Line::new(self, text, number).read();
-        if before > MOST_DIAGNOSTICS {
+        if before >= MOST_DIAGNOSTICS {
             self.untold += self.diagnostics.len() - before;
             self.diagnostics.truncate(before);
         }
@@ -223,5 +223,71 @@ pub(super) fn label_name(written: &str) -> Arc<str> {
 impl From<Failed> for Node {
     fn from(_: Failed) -> Self {
         Self::Bad
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn comments_and_blank_lines() {
+        for text in ["'only text", "  ' MZ,-3 and END", "REM MX,5", "rem", "REM\tx", "''x"] {
+            check(text, "comment");
+        }
+        for text in ["  ", "\t", " \u{1a}"] {
+            check(text, "blank");
+        }
+        check("REMARK:", "label REMARK");
+    }
+
+    #[test]
+    fn the_three_line_ends_give_the_same_nodes() {
+        let lines = ["MX,1", "", "'c", "A:", "GOTO A", "&x=\"é\""];
+        let nodes = |end: &str, mark: &str| {
+            let text = format!("{mark}{}{end}", lines.join(end));
+            let program = crate::read("t".into(), text.as_bytes());
+            let lines = program.lines.iter().enumerate();
+            lines.map(|(i, _)| super::super::shown::node(&program, i)).collect::<Vec<_>>()
+        };
+        let unix = nodes("\n", "");
+        assert_eq!(unix.len(), lines.len());
+        assert_eq!(unix[4], "goto A 4");
+        for (end, mark) in [("\r\n", ""), ("\r", ""), ("\n", "\u{feff}")] {
+            assert_eq!(nodes(end, mark), unix, "{end:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_is_refused() {
+        let program = crate::read("t".into(), b"MX,1\nMX\0,2");
+        assert!(program.lines.is_empty() && program.has_errors());
+        finds("MX,1\nMX\0,2", &["S001 2:1+0 not a text file"]);
+    }
+
+    #[test]
+    fn endless_lines_are_refused_at_once() {
+        let long = format!("MX,1\nMX,{}\nMY,2", "1+".repeat(5_000_000));
+        finds(&long, &["S015 2:1+0 the line is longer than 1000000 characters"]);
+        check(&long, "move MY 2");
+        let commas = format!("MX,1{}2", ",".repeat(900_000));
+        finds(&commas, &["S009 1:900005+1"]);
+        let quotes = "\"".repeat(900_001);
+        finds(&quotes, &["S003 1:1+1"]);
+        finds(&format!("MX,{quotes}"), &["S004 1:6+899999"]);
+    }
+
+    #[test]
+    fn millions_of_mistakes_are_counted_and_not_kept() {
+        let text = "QQ,1\n".repeat(50_000);
+        let program = crate::read("t".into(), text.as_bytes());
+        assert_eq!(program.diagnostics.len(), super::MOST_DIAGNOSTICS + 1);
+        let last = program.diagnostics.last().map(super::super::shown::finding);
+        assert_eq!(last.as_deref(), Some("S004 50000:1+0 40000 more findings are not listed"));
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        finds("'é⏎MX,\"éé\" & QQ(1)", &["S008 2:11+2"]);
     }
 }

@@ -104,14 +104,15 @@ impl Line<'_, '_> {
     pub(super) fn variable_list(&mut self, start: usize, most: usize) -> Read<Vec<NameId>> {
         let mut names = Vec::new();
         loop {
-            self.trailing_commas();
+            while self.take(b',') {}
             self.skip_blanks();
             if self.at_end() {
                 break;
             }
+            let from = self.at;
             let name = self.variable_name()?;
             if names.len() == most.min(MOST_VARIABLES) && most != usize::MAX {
-                let span = self.span_from(self.at);
+                let span = self.span_from(from);
                 let message = "INPUT takes at most ten variables";
                 let hint = "use a second INPUT";
                 return Err(self.fault(Code::TooManyParameters, span, message, hint));
@@ -144,5 +145,38 @@ impl Line<'_, '_> {
         }
         self.at = end;
         Ok(self.name(start + 1, end))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn files_are_opened_by_number() {
+        for (text, tree) in [
+            ("OPEN \"myfile.sbp\" FOR OUTPUT as #1", "open \"myfile.sbp\" Output 1"),
+            ("OPEN &f for input AS #2", "open &F Input 2"),
+            ("OPEN &p & \"\\out.txt\" FOR APPEND AS #&n", "open (&P & \"\\out.txt\") Append &N"),
+            ("OPEN my file.txt FOR OUTPUT AS 3", "open \"my file.txt\" Output 3"),
+            ("CLOSE", "close _"),
+            ("CLOSE #1", "close 1"),
+            ("close 2", "close 2"),
+            ("INPUT #1, &a, &b", "input #1 &A &B"),
+        ] {
+            check(text, tree);
+        }
+        for (text, finding) in [
+            ("OPEN \"a\" FOR OUTPUT AS #10", "F007 1:25+2 file numbers are 1 to 9"),
+            ("OPEN \"a\" FOR OUTPUT AS #0", "F007 1:25+1"),
+            ("OPEN \"a\" FOR OUTPUT", "S004 1:1+19 AS #n expected"),
+            ("OPEN \"a\" FOR READING AS #1", "S004 1:1+26 INPUT, OUTPUT or APPEND expected"),
+            ("OPEN \"a\" AS #1", "S004 1:1+14 FOR expected"),
+            ("OPEN a AS #1", "S004 1:1+12 FOR expected"),
+            ("CLOSE #x", "S004 1:8+1 a number is expected here"),
+            ("INPUT #1", "S010 1:1+8 a variable is expected"),
+        ] {
+            finds(text, &[finding]);
+        }
     }
 }

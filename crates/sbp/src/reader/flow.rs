@@ -172,3 +172,118 @@ impl Line<'_, '_> {
         statement
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn conditions_and_actions() {
+        for (text, tree) in [
+            ("IF &c > 2 THEN MX,1", "if (&C > 2) then MX 1"),
+            ("IF(&a=1)THEN MX,1", "if (&A = 1) then MX 1"),
+            ("if &zup = \"\" then &zup = 0", "if (&ZUP = \"\") then &ZUP = 0"),
+            ("IF %(51)=1 THEN PAUSE 3", "if (%51 = 1) then pause 3"),
+            ("IF 1 = 1 THEN GOSUB S", "if (1 = 1) then gosub S 0"),
+            ("IF NOT (&a=2) THEN RETURN", "if (NOT (&A = 2)) then return"),
+            ("IF &a THEN PRINT \"x\"", "if &A then print , \"x\""),
+            ("IF &a=1 THEN C#,90", "if (&A = 1) then custom 90"),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
+    fn mistakes_in_conditions() {
+        for (text, findings) in [
+            ("IF &a = 1 MX,1", &["S012 1:11+2 THEN expected [IF condition THEN statement]"][..]),
+            ("IF %(25) = 1 THE GOTO MM", &["S012 1:14+3 THEN expected [did you mean THEN?]"]),
+            ("IF &a = 1", &["S012 1:10+0 THEN expected"]),
+            ("IF &a = 1 THEN", &["S004 1:15+0 a statement is expected after THEN"]),
+            ("IF THEN GOTO X", &["S007 1:4+4 a value is expected, not THEN"]),
+            (
+                "IF &a = THEN GOTO",
+                &["S007 1:9+4 a value is expected, not THEN", "S004 1:14+4 GOTO needs a label"],
+            ),
+            ("IF &a=1 THEN IF &b=1 THEN END", &["S004 1:14+16 an IF cannot stand here"]),
+            (
+                "IF (&a=1 THEN QQ,1",
+                &["S006 1:4+6 a ) is missing", "S002 1:15+2 unknown command QQ"],
+            ),
+        ] {
+            finds(text, findings);
+        }
+    }
+
+    #[test]
+    fn jumps_find_their_labels() {
+        check("SECOND PLUNGE: 'x⏎GOTO second  plunge", "goto SECOND PLUNGE 1");
+        check("1PRS4:⏎⏎IF 1 THEN GOTO 1prs4", "if 1 then goto 1PRS4 1");
+        check("GOSUB nowhere", "gosub NOWHERE 0");
+        check("Out:⏎GOTO Out:", "goto OUT 1");
+        finds(
+            "Out:⏎GOTO Out:",
+            &["W003 2:6+4 a label is written without a colon after GOTO [write GOTO Out]"],
+        );
+        check("A:⏎&n=1⏎A:⏎GOTO A", "goto A 1");
+        finds(
+            "A:⏎&n=1⏎  a: ⏎GOTO A",
+            &["W001 3:3+2 label A repeated at line 3 [jumps go to line 1]"],
+        );
+        check("  Done :", "label DONE");
+        check("END:", "label END");
+        finds("GOTO", &["S004 1:1+4 GOTO needs a label"]);
+        finds("IF &a THEN GOTO X ELSE GOTO Y", &["S003 1:17+13 unknown statement ELSE"]);
+        finds("GOTO A,B", &["S004 1:6+3 'A,B' is not the name of a label"]);
+        finds("  :", &["S004 1:3+1 a label needs a name"]);
+    }
+
+    #[test]
+    fn on_input_has_two_names() {
+        check("ON INPUT(3,1) GOTO Hit", "on 3 1 goto HIT 0");
+        check("on inp(&t , 0)goto Hit", "on &T 0 goto HIT 0");
+        check("ON INPUT (&a+1,2) MZ, %(3)-&b", "on (&A + 1) 2 MZ (%3 - &B)");
+        check("ON INPUT(3,1)", "on 3 1 _");
+        check("ON INPUT(3,0) RETURN", "on 3 0 return");
+        for (text, finding) in [
+            ("ON 3 GOTO A", "S004 1:1+11 INPUT( expected after ON"),
+            ("ON INPUT(3) GOTO A", "S010 1:1+18 the state is missing"),
+            ("ON INPUT(3,1 GOTO A", "S006 1:14+6 a ) is missing after the state"),
+            ("ON INPUT(3,1) QQ", "S002 1:15+2 unknown command QQ"),
+            ("IF 1 THEN ON INPUT(3,1)", "S004 1:11+13 ON INPUT cannot stand here"),
+        ] {
+            finds(text, &[finding]);
+        }
+    }
+
+    #[test]
+    fn pauses() {
+        for (text, tree) in [
+            ("PAUSE", "pause _"),
+            ("PAUSE 3", "pause 3"),
+            ("pause .25 'short", "pause 0.25"),
+            ("PAUSE,2", "pause 2"),
+            ("PAUSE &v", "pause &V"),
+            ("PAUSE UNTIL 5, 1", "until 5 1"),
+            ("PAUSE UNTIL &in,&state", "until &IN &STATE"),
+        ] {
+            check(text, tree);
+        }
+        finds(
+            "PAUSE \"Change bit\"",
+            &[
+                "S004 1:7+12 PAUSE takes seconds, not text [the message of a pause is the comment line above it]",
+            ],
+        );
+        finds("PAUSE UNTIL 5", &["S010 1:1+13 the state is missing"]);
+        finds("PAUSE 1 2", &["S004 1:9+1 '2' does not belong here"]);
+    }
+
+    #[test]
+    fn text_behind_an_end_is_ignored() {
+        check("END of job", "end");
+        finds("END of job", &["W013 1:5+6 the rest of the line is ignored"]);
+        finds("RETURN now", &["W013 1:8+3"]);
+        finds("END 'of job", &[]);
+    }
+}

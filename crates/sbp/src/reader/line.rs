@@ -35,13 +35,26 @@ pub(super) struct Line<'f, 't> {
     pub(super) depth_left: u32,
     /// Arrays or objects of another dialect were met: no attempt to read it otherwise.
     pub(super) foreign: bool,
+    /// A second command was found on the line; the rest is its own.
+    pub(super) second_command: bool,
 }
 
 impl<'f, 't> Line<'f, 't> {
     pub(super) fn new(file: &'f mut File, text: &'t str, number: u32) -> Self {
         let before = file.diagnostics.len();
         let end = code_end(text.as_bytes());
-        Self { file, text, at: 0, end, number, before, operators_left: 0, depth_left: 0, foreign: false }
+        Self {
+            file,
+            text,
+            at: 0,
+            end,
+            number,
+            before,
+            operators_left: 0,
+            depth_left: 0,
+            foreign: false,
+            second_command: false,
+        }
     }
 
     /// The next byte of code; 0 at its end.

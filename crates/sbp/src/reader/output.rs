@@ -176,3 +176,68 @@ fn split_at_commas(item: Expr) -> Vec<Expr> {
         node => vec![Expr { node, span: item.span }],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn the_first_separator_decides() {
+        for (text, tree) in [
+            ("PRINT", "print ,"),
+            ("PRINT \"Hello\"", "print , \"Hello\""),
+            ("PRINT \"it's on\"", "print , \"it's on\""),
+            ("PRINT it's on", "print , 'it'"),
+            ("PRINT \"a\", \"b\", 3", "print , \"a\" \"b\" 3"),
+            ("PRINT &firstvar, \" = 123,456 \"", "print , &FIRSTVAR \" = 123\" \"456 \""),
+            ("PRINT \"a,b\"", "print , \"a,b\""),
+            ("PRINT \"a\", \"b\";", "print , \"a\" \"b\" ..."),
+            ("PRINT \"a\",,\"b\"", "print , \"a\" \"\" \"b\""),
+            ("PRINT \"a\",", "print , \"a\""),
+            ("PRINT &firstvar; \" = 123,456 \"", "print ; &FIRSTVAR \" = 123,456 \""),
+            ("PRINT \"a\"; \"b\", \"c\"", "print ; \"a\" \"b\" \",\" \"c\""),
+            ("PRINT \"A\";", "print ; \"A\" ..."),
+            ("PRINT &x;", "print ; &X ..."),
+            ("PRINT; \"Starting \" &tile", "print ; (\"Starting \" & &TILE)"),
+            ("PRINT %(48); \"/\"; %(49)", "print ; %48 \"/\" %49"),
+            (
+                "PRINT \"Tool #\"; &in & \" at = \"; %(3)",
+                "print ; \"Tool #\" (&IN & \" at = \") %3",
+            ),
+            ("PRINT \"X is: \", %(1) * -1", "print , \"X is: \" (%1 * -1)"),
+            ("PRINT #1, \"a\", \"b\"", "print #1 , \"a\" \"b\""),
+            ("Write #1, \"M2\", &v, &v", "write #1 , \"M2\" &V &V"),
+            ("WRITE #1; \"&myVar = \"; &v", "write #1 ; \"&myVar = \" &V"),
+            ("WRITE #1;\"&CLIP_X = \";&X10name", "write #1 ; \"&CLIP_X = \" &X10NAME"),
+            ("WRITE #&n; \"A\";", "write #&N ; \"A\" ..."),
+            ("WRITE #1, %(1), %(2)*2", "write #1 , %1 (%2 * 2)"),
+            ("WRITE #1, \"a,b\"", "write #1 , \"a\" \"b\""),
+            ("WRITE #1, \"a,b\" & &c", "write #1 , \"a\" (\"b\" & &C)"),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
+    fn mistakes_in_output() {
+        for (text, finding) in [
+            (
+                "PRINT \"a\", \"b\"; \"c\"",
+                "S004 1:15+1 after a comma a semicolon may only be the last character",
+            ),
+            ("WRITE \"a\"", "S010 1:7+3 WRITE needs a file number"),
+            ("WRITE #; \"a\"", "S004 1:8+5 a number is expected here"),
+            (
+                "WRITE #1, \"a,b\"",
+                "W003 1:16+0 the commas inside the quotes separate items [write WRITE #1; ... with semicolons",
+            ),
+            ("PRINT \"open", "S005 1:7+5 a quote is not closed"),
+            ("PRINT \"a 1/4\" rod\"", "W003 1:7+12 the quotes of this text do not match"),
+            ("PRINT 3*", "S007 1:8+1"),
+        ] {
+            finds(text, &[finding]);
+        }
+        check("PRINT \"a 1/4\" rod\"", "print , \"a 1/4\" rod\"");
+        check("PRINT \"", "print , \"\"");
+    }
+}

@@ -1,7 +1,9 @@
 //! Trees and diagnostics as short text, for tests.
 
 use crate::expr::{Expr, ExprNode, UnaryOp};
-use crate::tree::{Arg, ArgKind, Assigned, DialogText, Node, Program, Separator, Statement, TextPart};
+use crate::tree::{
+    Arg, ArgKind, Assigned, DialogText, Node, Program, Separator, Statement, TextPart,
+};
 use crate::{format_number, read};
 
 /// The last line of a text as a tree; for a bad line its diagnostics.
@@ -52,11 +54,7 @@ pub(crate) fn node(program: &Program, index: usize) -> String {
         Node::Move { command, given, first } => {
             let kind = if command.jog { 'J' } else { 'M' };
             let axes = "XYZABC".chars().skip(command.first.into()).take(command.count.into());
-            let name = if command.count == 1 {
-                axes.collect()
-            } else {
-                command.count.to_string()
-            };
+            let name = if command.count == 1 { axes.collect() } else { command.count.to_string() };
             let mut at = first as usize;
             let mut values = String::new();
             for i in 0..command.count {

@@ -190,7 +190,12 @@ impl Line<'_, '_> {
 
     /// Skips empty fields at the end of the code.
     pub(super) fn trailing_commas(&mut self) {
+        let start = self.at;
         while self.take(b',') {}
+        self.skip_blanks();
+        if !self.at_end() {
+            self.at = start;
+        }
     }
 
     /// Whether the words at the cursor begin a statement or a command.
@@ -209,7 +214,9 @@ impl Line<'_, '_> {
         }
         let name = word.to_uppercase();
         let foreign = FOREIGN.iter().find(|(w, _)| *w == name);
-        if foreign.is_none() && let Some(failed) = self.missing_separator(start, end) {
+        if foreign.is_none()
+            && let Some(failed) = self.missing_separator(start, end)
+        {
             return failed;
         }
         let span = Span { start: start as u32, end: end as u32 };
@@ -275,4 +282,74 @@ fn nearest(name: &str) -> String {
         did_you_mean(name, statements)
     };
     near.unwrap_or_else(|| "a command has two letters and then a comma or a blank".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shown::{check, finds};
+
+    #[test]
+    fn unknown_words_get_a_hint() {
+        for (text, finding) in [
+            (
+                "QQ,1",
+                "S002 1:1+2 unknown command QQ [a command has two letters and then a comma or a blank]",
+            ),
+            ("XM,1", "S002 1:1+2 unknown command XM [did you mean MX?]"),
+            ("M23, 4.2", "S002 1:1+3 unknown command or missing separator: M23 [write M2,3]"),
+            ("MX-5", "S002 1:1+4 unknown command or missing separator: MX-5 [write MX,-5]"),
+            ("JZ&up", "S002 1:1+5 unknown command or missing separator: JZ&UP [write JZ,&up]"),
+            ("REMARK,1", "S002 1:1+6 unknown command REMARK"),
+            ("GOTTO Done", "S003 1:1+5 unknown statement GOTTO [did you mean GOTO?]"),
+            ("ELSE", "S003 1:1+4 unknown statement ELSE [use a second IF, or IF ... THEN GOTO]"),
+            ("END IF", "S003 1:1+6 unknown statement END IF"),
+            ("PZ,-1,2,3", "S002 1:1+2 unknown command PZ [a probe of FabMo's dialect"),
+            ("EXIT", "S003 1:5+0 EXIT SHOPBOT expected"),
+            ("WARNING ON", "S003 1:9+2 WARNING OFF expected"),
+            ("!FABMO!", "S003 1:1+1 a line cannot begin with !"),
+            ("= 5", "S003 1:1+1 a line cannot begin with ="),
+            ("%(1)=5", "S014 1:1+5 system variables are read-only; use VA"),
+            ("Start: MX,1", "S013 1:7+5 the label START shares its line [a label stands alone"),
+            ("___", "S003 1:1+3 unknown statement ___"),
+        ] {
+            finds(text, &[finding]);
+        }
+    }
+
+    #[test]
+    fn custom_cuts_have_three_spellings() {
+        for text in ["C#,90", "C# 90", "CN,90", "CN 90", "cn, 90", "C90", "c90 'load", "CN,90,"] {
+            check(text, "custom 90");
+        }
+        check("CN,&n+1", "custom (&N + 1)");
+        finds("C3,1", &["S004 1:3+2 ',1' does not belong here"]);
+    }
+
+    #[test]
+    fn gcode_lines_are_kept_as_they_are() {
+        for line in [
+            "G1X0.3Y-2.4F90",
+            "G1 Z0.8 F60",
+            "N10 G0 X1",
+            "( New Path )",
+            "%",
+            "; text",
+            "M30",
+            "T1 M6",
+            "X1 Y2",
+            "S12000",
+            "F60",
+        ] {
+            check(line, &format!("gcode {line}"));
+        }
+    }
+
+    #[test]
+    fn case_and_blanks_mean_nothing() {
+        check("  goto   done ⏎DONE:⏎ Goto Done", "goto DONE 2");
+        check("eND", "end");
+        check("End All", "endall");
+        check("Exit ShopBot", "exitshopbot");
+        check("warning OFF", "warningoff");
+    }
 }
