@@ -210,7 +210,7 @@ fn worked_rectangles() {
 }
 
 #[test]
-fn worked_ellipse_beside_the_line() {
+fn sbp_cut_cc_prop_comp() {
     let bounds = |text| {
         let cut = cc(text, &origin()).unwrap();
         let all = || cut.steps.iter().map(Step::to);
