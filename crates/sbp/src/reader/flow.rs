@@ -208,7 +208,7 @@ mod tests {
             ("IF &a=1 THEN IF &b=1 THEN END", &["S004 1:14+16 an IF cannot stand here"]),
             (
                 "IF (&a=1 THEN QQ,1",
-                &["S006 1:4+6 a ) is missing", "S002 1:15+2 unknown command QQ"],
+                &["S006 1:4+5 a ) is missing", "S002 1:15+2 unknown command QQ"],
             ),
         ] {
             finds(text, findings);
