@@ -104,6 +104,8 @@ codes! {
         "The command gives no location at all.";
     DialectDiffers "W016" Warning "means something else in another dialect"
         "Other programs read this line differently.";
+    IgnoredInFile "W017" Warning "a command that does nothing in a part file"
+        "Help and other pages open for the operator at the keyboard. A part file that names them runs on.";
 
     UndefinedVariable "R001" Error "variable has no value"
         "A variable must be assigned before it is used as a number. As text it reads as empty.";

@@ -106,6 +106,11 @@ impl AxisSet {
         self.0 |= 1 << axis.index();
     }
 
+    /// Removes an axis.
+    pub fn remove(&mut self, axis: Axis) {
+        self.0 &= !(1 << axis.index());
+    }
+
     /// The set with one more axis.
     #[must_use]
     pub fn with(mut self, axis: Axis) -> Self {

@@ -377,6 +377,13 @@ pub struct Settings {
     pub resolution: Resolution,
     /// Warning before motion starts, seconds (SW).
     pub warning_s: f64,
+    /// Starting the spindle from a program asks the operator first, unless it counts as active.
+    #[serde(default = "yes")]
+    pub ask_spindle: bool,
+}
+
+const fn yes() -> bool {
+    true
 }
 
 impl Settings {
@@ -434,8 +441,8 @@ impl Default for Settings {
                 jog: PerGroup { xy: inch(6.0), z: inch(3.0), a: inch(3.0), b: 60.0, c: 60.0 },
             },
             ramps: Ramps {
-                cut: PerGroup::splat(inch(0.4)),
-                jog: PerGroup::splat(inch(0.4)),
+                cut: PerGroup { b: 0.4, c: 0.4, ..PerGroup::splat(inch(0.4)) },
+                jog: PerGroup { b: 0.4, c: 0.4, ..PerGroup::splat(inch(0.4)) },
                 cut_rate_mm: inch(0.2),
                 jog_rate_mm: inch(0.2),
                 threshold_3d_percent: 100.0,
@@ -527,6 +534,7 @@ impl Default for Settings {
             },
             // The reference's 2 s before motion; headless runs set 0.
             warning_s: 0.0,
+            ask_spindle: true,
         }
     }
 }

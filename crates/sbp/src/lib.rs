@@ -29,7 +29,8 @@ mod value;
 
 pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 pub use interp::{
-    Dialect, FileParameters, Interpreter, Options, Session, Status, Step, Variables, Watch,
+    BeforePreview, Dialect, FileParameters, Interpreter, Options, Session, Status, Step,
+    SystemVariable, VERSION, Variables, Watch, system_variables,
 };
 pub use number::format_number;
 pub use reader::read;

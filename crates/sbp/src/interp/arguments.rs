@@ -1,9 +1,9 @@
 //! Checked and converted arguments of a command.
 
 use super::{Context, Stop};
-use crate::Value;
 use crate::table::{Bound, CommandSpec, Default as Blank, Kind, ParamSpec, Unit};
 use crate::tree::{Arg, ArgKind, Span};
+use crate::{Value, format_number};
 use kerf_diag::Code;
 use kerf_program::Axis;
 use kerf_program::settings::MM_PER_INCH;
@@ -118,7 +118,7 @@ fn blank(c: &Context<'_>, param: &ParamSpec, span: Span) -> Result<Option<Value>
             Err(c.fail_at(span, Code::MissingParameter, message, "this value has no default"))
         }
         Blank::Keep | Blank::Special => Ok(None),
-        Blank::Number(n) => Ok(Some(Value::Number(n * unit_scale(c, param.kind)))),
+        Blank::Number(n) => Ok(Some(Value::Number(n * param.kind.unit().scale(c.settings())))),
         Blank::Word(word) => Ok(Some(Value::text(word))),
     }
 }
@@ -183,21 +183,11 @@ fn whole(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span) -> Resul
 
 fn number(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span) -> Result<Value, Stop> {
     let n = plain(c, param, value, span)?;
-    let internal = n * unit_scale(c, param.kind);
-    check(c, param, bound_value(param.kind, n, internal), value, span)?;
-    Ok(Value::Number(internal))
+    check(c, param, n, value, span)?;
+    Ok(Value::Number(n * param.kind.unit().scale(c.settings())))
 }
 
-/// Lengths and speeds are compared in inches, everything else as written.
-fn bound_value(kind: Kind, written: f64, internal: f64) -> f64 {
-    match kind {
-        Kind::Number(Unit::Length | Unit::Speed) | Kind::NumberOrOff(Unit::Length) => {
-            internal / MM_PER_INCH
-        }
-        _ => written,
-    }
-}
-
+/// Bounds of lengths and speeds are given in inches and compared in the user's unit.
 fn check(
     c: &Context<'_>,
     param: &ParamSpec,
@@ -205,14 +195,25 @@ fn check(
     value: &Value,
     span: Span,
 ) -> Result<(), Stop> {
+    let inches = matches!(param.kind.unit(), Unit::Length | Unit::Speed);
+    let scale = if inches { MM_PER_INCH / c.settings().linear_unit.mm() } else { 1.0 };
+    let shown = |bound: f64| format_number(bound * scale);
     // A hair of slack, so that 1.27 mm is not below .05 in.
-    let slack = 1e-9;
+    let slack = 1e-9 * scale;
     let (fits, what) = match param.bound {
         Bound::Any => return Ok(()),
         Bound::Positive => (n > 0.0, "greater than 0".to_string()),
         Bound::NotNegative => (n >= 0.0, "0 or greater".to_string()),
-        Bound::Range(low, high) => (n >= low - slack && n <= high + slack, format!("{low}-{high}")),
-        Bound::AtLeast(low) => (n >= low - slack, format!("at least {low}")),
+        Bound::NotZero => (n != 0.0, "other than 0".to_string()),
+        Bound::Range(low, high) => (
+            n >= low * scale - slack && n <= high * scale + slack,
+            format!("{}-{}", shown(low), shown(high)),
+        ),
+        Bound::Below(low, high) => (
+            n >= low * scale - slack && n < high * scale - slack,
+            format!("{0}-{1} and less than {1}", shown(low), shown(high)),
+        ),
+        Bound::AtLeast(low) => (n >= low * scale - slack, format!("at least {}", shown(low))),
     };
     if fits { Ok(()) } else { Err(out_of_range(c, param, value, span, &what)) }
 }
@@ -221,15 +222,4 @@ fn out_of_range(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span, w
     let name = param.name.to_lowercase();
     let message = format!("{name} must be {what}, not {}", value.display());
     c.fail_at(span, Code::OutOfRange, message, "")
-}
-
-/// Internal units of one unit as written.
-fn unit_scale(c: &Context<'_>, kind: Kind) -> f64 {
-    let (Kind::Number(unit) | Kind::NumberOrOff(unit)) = kind else { return 1.0 };
-    match unit {
-        Unit::Length | Unit::Speed => c.settings().linear_unit.mm(),
-        Unit::Axis(axis) => c.settings().axis_scale(axis),
-        Unit::StepsPer(axis) => 1.0 / c.settings().axis_scale(axis),
-        Unit::None | Unit::Degrees | Unit::Seconds | Unit::Percent | Unit::Twips => 1.0,
-    }
 }

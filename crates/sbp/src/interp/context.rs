@@ -158,12 +158,24 @@ impl Context<'_> {
         self.core.programs.get(self.at.file as usize).cloned().unwrap_or_default()
     }
 
-    /// Refuses an axis that VD has not switched on.
+    /// Refuses an axis that VD has not switched on, or that MI keeps moving.
     pub(crate) fn need_axis(&self, axis: Axis) -> Result<(), Stop> {
+        if self.core.independent.contains(axis) {
+            let letter = axis.letter();
+            let message = format!("{letter} axis is moving by itself");
+            let hint = format!("MI,{letter},1,0 stops it");
+            return Err(self.fail_at(self.span, Code::NotSupported, message, hint));
+        }
+        self.need_active(axis)
+    }
+
+    /// Refuses an axis that VD has not switched on.
+    pub(crate) fn need_active(&self, axis: Axis) -> Result<(), Stop> {
+        let letter = axis.letter();
         if axis.index() < usize::from(self.settings().axis_count) {
             return Ok(());
         }
-        let message = format!("{} axis not active", axis.letter());
+        let message = format!("{letter} axis not active");
         let hint =
             format!("switch it on with VD,,{} or in the machine's configuration", axis.index() + 1);
         Err(self.fail_at(self.span, Code::AxisNotActive, message, hint))

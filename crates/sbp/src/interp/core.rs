@@ -1,10 +1,10 @@
 //! The whole state of a running program.
 
 use super::watch::Handler;
-use super::{FileParameters, Options, Session, Variables};
+use super::{BeforePreview, FileParameters, Options, Session, Variables};
 use crate::{Program, Value};
 use kerf_cut::Tabber;
-use kerf_program::{AXES, At, Axes, Axis, Frame, Settings};
+use kerf_program::{AXES, At, Axes, Axis, AxisSet, Frame, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -51,7 +51,11 @@ pub struct Core {
     /// Tabs being cut; `None` outside tabbed paths.
     pub(crate) tabs: Option<Tabber<At>>,
     /// Axes that MI keeps moving.
-    pub(crate) independent: [bool; AXES],
+    pub(crate) independent: AxisSet,
+    /// Axes that moved by themselves: where they are only the machine knows.
+    pub(crate) adrift: AxisSet,
+    /// In preview mode: what SM returns to.
+    pub(crate) before_preview: Option<Box<BeforePreview>>,
     /// State of the random sequence.
     pub(crate) random: u64,
     pub(crate) last_file: Option<String>,
@@ -139,7 +143,9 @@ impl Core {
             last_ij: None,
             files: Default::default(),
             tabs: None,
-            independent: [false; AXES],
+            independent: session.independent,
+            adrift: AxisSet::EMPTY,
+            before_preview: session.before_preview,
             last_file: session.last_file,
             told_many_variables: false,
             scale: [1.0; AXES],
@@ -194,6 +200,8 @@ impl Core {
             position: self.position,
             variables: self.variables,
             last_file: self.last_file,
+            independent: self.independent,
+            before_preview: self.before_preview,
         }
     }
 }

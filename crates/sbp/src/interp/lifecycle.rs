@@ -81,7 +81,9 @@ pub(super) fn finish(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced
     context.core.watches.clear();
     context.core.fired.clear();
     context.core.pausing = false;
-    context.restore_temporary();
+    if !context.core.options.typed {
+        context.restore_temporary();
+    }
     context.leave_levels(0);
     context.host.store(CLEARED_VALUE, None);
 }

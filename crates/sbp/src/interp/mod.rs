@@ -22,6 +22,7 @@ mod locate;
 mod message_box;
 mod outward;
 mod pauses;
+mod preview;
 mod printing;
 mod programs;
 mod questions;
@@ -41,11 +42,14 @@ mod z_moves;
 pub use self::core::Core;
 pub use arguments::Arguments;
 pub use context::{Context, Stop};
-pub use session::{Dialect, FileParameters, Options, Session};
+pub(crate) use registry::SPINDLE_STATUS;
+pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
+pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;
 pub use watch::Watch;
 
-use crate::Program;
+use crate::tree::Span;
+use crate::{Program, Value};
 use kerf_diag::Diagnostic;
 use kerf_program::{At, Axes, Frame, Host, Settings, Sourced};
 use serde::{Deserialize, Serialize};
@@ -229,6 +233,14 @@ impl Interpreter {
     /// The user's variables.
     pub fn variables(&self) -> &Variables {
         &self.core.variables
+    }
+
+    /// A system variable as a program would read it now; `None` while the machine is still busy.
+    pub fn system_variable(&mut self, host: &mut dyn Host, number: u8) -> Option<Value> {
+        let mut out = Vec::new();
+        let (at, span) = (At::default(), Span::default());
+        let mut context = Context { core: &mut self.core, host, out: &mut out, at, span };
+        context.system_variable(f64::from(number), span).ok()
     }
 
     /// What stays after the run: settings, frames, position, variables.

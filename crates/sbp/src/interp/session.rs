@@ -1,8 +1,9 @@
 //! What a run starts from and what stays after it.
 
 use super::Variables;
-use kerf_program::{Axes, Frame, Settings};
+use kerf_program::{Axes, AxisSet, Frame, Settings};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Which reading of the language holds where programs differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -29,6 +30,27 @@ pub struct Session {
     pub variables: Variables,
     /// Name of the last part file.
     pub last_file: Option<String>,
+    /// Axes that MI keeps moving.
+    #[serde(default)]
+    pub independent: AxisSet,
+    /// In preview mode: what SM returns to.
+    #[serde(default)]
+    pub before_preview: Option<Box<BeforePreview>>,
+}
+
+/// The machine as it was when SP was given. Preview changes nothing of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BeforePreview {
+    /// The settings.
+    pub settings: Arc<Settings>,
+    /// What temporary values return to.
+    pub kept: Arc<Settings>,
+    /// The frames.
+    pub frame: Frame,
+    /// Where the machine really is, machine frame.
+    pub position: Axes,
+    /// The part of it that the tool offset of VO contributes.
+    pub offset_applied: Axes,
 }
 
 /// The parameters of FP for the file at the top.
@@ -76,6 +98,14 @@ pub struct Options {
     pub allow_errors: bool,
     /// `%(22)` reads 1 although no SP was given: this run is a preview.
     pub preview: bool,
+    /// The text is what the operator typed, not a file: the values it sets stay, and what belongs
+    /// into files only is refused.
+    #[serde(default)]
+    pub typed: bool,
+    /// `%(6)` to `%(10)` and the base values of VA are locations, as the reference describes them,
+    /// also where the dialect reads them as base minus working (see `interp::locate`).
+    #[serde(default)]
+    pub base_locations: bool,
 }
 
 impl Default for Options {
@@ -87,6 +117,8 @@ impl Default for Options {
             file: FileParameters::default(),
             allow_errors: false,
             preview: false,
+            typed: false,
+            base_locations: false,
         }
     }
 }

@@ -4,13 +4,16 @@ use super::watch::Handler;
 use super::{Context, Core, Step, Stop, lifecycle};
 use crate::tree::{MoveCommand, Node, Program, Span};
 use kerf_diag::Code;
-use kerf_program::{At, Axis, Command, Feed, Host, Line, MoveKind, Sourced};
+use kerf_program::{At, Axis, AxisSet, Command, Feed, Host, Line, MoveKind, Sourced};
 use std::sync::Arc;
 
 /// Executes one line, or the action of a handler that fired.
 pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     if core.links.len() < core.programs.len() {
         core.relink();
+    }
+    if !core.adrift.is_empty() && !find_axes(core, host) {
+        return Step::Waiting;
     }
     if let Some(fired) = core.fired.first().cloned() {
         return handler(core, host, out, &fired);
@@ -78,6 +81,17 @@ fn keep_motion(out: &mut Vec<Sourced>, given: usize) {
     out.extend(told.into_iter().filter(|c| c.command.is_motion()));
 }
 
+/// Takes over where axes are that moved by themselves. False while the machine is not at rest.
+fn find_axes(core: &mut Core, host: &mut dyn Host) -> bool {
+    if host.settle().is_pending() {
+        return false;
+    }
+    core.settled = true;
+    core.take_position(core.adrift, host);
+    core.adrift = AxisSet::EMPTY;
+    true
+}
+
 fn whole_line(program: &Program, line: u32) -> Span {
     let text = program.line_text(line);
     let code = text.trim_start();
@@ -127,10 +141,11 @@ fn plain_move(
         c.need_axis(axis)?;
         let value = program.numbers.get(index).copied().unwrap_or_default();
         index += 1;
-        to[axis] = c.core.target(axis, value * c.settings().axis_scale(axis));
+        let scaled = value * c.core.scale[axis.index()];
+        to[axis] = c.core.target_scaled(axis, scaled);
     }
     if given == 0 {
-        c.warn(Code::NoMotion, "no location is given", "give at least one value");
+        c.warn_no_motion();
     }
     c.line(if command.jog { MoveKind::Jog } else { MoveKind::Cut }, to);
     Ok(())
@@ -144,6 +159,8 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         || !core.fired.is_empty()
         || core.settings.tool_offset.on
         || core.offset_applied != Default::default()
+        || !core.independent.is_empty()
+        || !core.adrift.is_empty()
     {
         return;
     }

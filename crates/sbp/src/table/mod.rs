@@ -4,20 +4,26 @@
 //! carry them out and their tests. Adding a command is adding one entry and one function.
 
 mod cuts;
+mod elsewhere;
 mod files;
 mod moves;
+mod setting;
 mod settings;
 mod spec;
+mod utilities;
 mod values;
 mod zero;
 
+pub use setting::Setting;
 pub use spec::{Bound, CommandSpec, Default, Effect, Group, Kind, ParamSpec, Stack, Unit};
+pub use utilities::settings_lines;
 
 /// Every command, group by group.
 pub fn commands() -> impl Iterator<Item = &'static CommandSpec> {
-    [moves::SPECS, cuts::SPECS, files::SPECS, settings::SPECS, values::SPECS, zero::SPECS]
-        .into_iter()
-        .flatten()
+    let lists = [cuts::SPECS, files::SPECS, &moves::SPECS, &zero::SPECS];
+    let more = [&utilities::SPECS[..], &elsewhere::SPECS];
+    let singles = [&moves::OTHERS[..], &settings::SPECS, &values::SPECS];
+    lists.into_iter().chain(more).flatten().chain(singles.into_iter().flatten().copied())
 }
 
 /// The command of two letters, in any case.

@@ -1,7 +1,8 @@
 //! What an entry of the command table says.
 
+use super::Setting;
 use crate::interp::{Arguments, Context, Stop};
-use kerf_program::Axis;
+use kerf_program::{Axis, Settings};
 
 /// Carries a command out. Arguments are checked before: count, kind, bounds, required ones given.
 pub type Effect = fn(&mut Context<'_>, &Arguments) -> Result<(), Stop>;
@@ -70,6 +71,8 @@ pub struct ParamSpec {
     pub bound: Bound,
     /// What it is for; may be empty when the name says it.
     pub doc: &'static str,
+    /// The place in the settings that it shows and changes, for parameters of that sort.
+    pub setting: Option<Setting>,
 }
 
 /// What may be written for a parameter.
@@ -146,22 +149,55 @@ pub enum Bound {
     Range(f64, f64),
     /// At least.
     AtLeast(f64),
+    /// From … up to, the second not included.
+    Below(f64, f64),
+    /// Anything but 0.
+    NotZero,
+}
+
+impl Unit {
+    /// Internal units in one unit as the user writes it.
+    pub fn scale(self, settings: &Settings) -> f64 {
+        match self {
+            Self::Length | Self::Speed => settings.linear_unit.mm(),
+            Self::Axis(axis) => settings.axis_scale(axis),
+            Self::StepsPer(axis) => 1.0 / settings.axis_scale(axis),
+            Self::None | Self::Degrees | Self::Seconds | Self::Percent | Self::Twips => 1.0,
+        }
+    }
+}
+
+impl Kind {
+    /// The unit of a number.
+    pub const fn unit(self) -> Unit {
+        match self {
+            Self::Number(unit) | Self::NumberOrOff(unit) => unit,
+            _ => Unit::None,
+        }
+    }
 }
 
 impl ParamSpec {
     /// A parameter of a kind that may be left blank to keep the present value.
     pub const fn keep(name: &'static str, kind: Kind) -> Self {
-        Self { name, kind, default: Default::Keep, bound: Bound::Any, doc: "" }
+        Self { name, kind, default: Default::Keep, bound: Bound::Any, doc: "", setting: None }
     }
 
     /// A parameter that must be given.
     pub const fn required(name: &'static str, kind: Kind) -> Self {
-        Self { name, kind, default: Default::Required, bound: Bound::Any, doc: "" }
+        Self { name, kind, default: Default::Required, bound: Bound::Any, doc: "", setting: None }
     }
 
     /// A parameter with a default number.
     pub const fn number(name: &'static str, kind: Kind, default: f64) -> Self {
-        Self { name, kind, default: Default::Number(default), bound: Bound::Any, doc: "" }
+        Self {
+            name,
+            kind,
+            default: Default::Number(default),
+            bound: Bound::Any,
+            doc: "",
+            setting: None,
+        }
     }
 
     /// A parameter with a default word.
@@ -176,6 +212,7 @@ impl ParamSpec {
             default: Default::Word(default),
             bound: Bound::Any,
             doc: "",
+            setting: None,
         }
     }
 
@@ -187,6 +224,7 @@ impl ParamSpec {
             default: Default::Keep,
             bound: Bound::Any,
             doc: "Accepted and ignored.",
+            setting: None,
         }
     }
 
@@ -200,6 +238,13 @@ impl ParamSpec {
     pub const fn special(mut self) -> Self {
         self.default = Default::Special;
         self
+    }
+
+    /// A parameter that shows and changes a setting; blank keeps it.
+    pub const fn of(name: &'static str, kind: Kind, setting: Setting) -> Self {
+        let mut param = Self::keep(name, kind);
+        param.setting = Some(setting);
+        param
     }
 
     /// The same with documentation.

@@ -12,7 +12,7 @@ macro_rules! zero {
     };
 }
 
-pub(super) static SPECS: &[CommandSpec] = &[
+pub(super) static SPECS: [CommandSpec; 13] = [
     zero!("ZX", "Zero X", "Makes the present X location zero. Table base coordinates stay.", X),
     zero!("ZY", "Zero Y", "Makes the present Y location zero. Table base coordinates stay.", Y),
     zero!("ZZ", "Zero Z", "Makes the present Z location zero. Table base coordinates stay.", Z),
@@ -31,7 +31,11 @@ pub(super) static SPECS: &[CommandSpec] = &[
         &[],
         Stack::Ends,
         "Makes the present place the zero of the table base coordinates. Working locations stay.",
-        |c, _| zero_base(c),
+        |c, _| {
+            c.core.frame.base_zero = c.core.position;
+            c.location_set(AxisSet::EMPTY, AxisSet::first(6));
+            Ok(())
+        },
     ),
     CommandSpec::new(
         "UZ",
@@ -41,24 +45,18 @@ pub(super) static SPECS: &[CommandSpec] = &[
         Stack::Ends,
         "Makes all working locations and all table base coordinates zero.",
         |c, _| {
-            zero_working(c, AxisSet::first(6))?;
-            zero_base(c)
+            c.core.frame.working_zero = c.core.position;
+            c.core.frame.base_zero = c.core.position;
+            c.location_set(AxisSet::first(6), AxisSet::first(6));
+            Ok(())
         },
     ),
 ];
 
 fn zero_working(c: &mut Context<'_>, axes: AxisSet) -> Result<(), Stop> {
-    let position = c.core.position;
     for axis in axes.iter() {
-        c.core.frame.set_working(axis, position, 0.0);
-        c.cancel_file_offset(axis);
+        c.set_working(axis, 0.0);
     }
-    c.location_changed(axes, AxisSet::EMPTY);
-    Ok(())
-}
-
-fn zero_base(c: &mut Context<'_>) -> Result<(), Stop> {
-    c.core.frame.base_zero = c.core.position;
-    c.location_changed(AxisSet::EMPTY, AxisSet::first(6));
+    c.location_set(axes, AxisSet::EMPTY);
     Ok(())
 }

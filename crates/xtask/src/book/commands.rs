@@ -92,6 +92,8 @@ fn bound(bound: Bound) -> String {
         Bound::NotNegative => ", 0 or more".to_owned(),
         Bound::Range(from, to) => format!(", {from} to {to}"),
         Bound::AtLeast(least) => format!(", at least {least}"),
+        Bound::Below(from, to) => format!(", {from} to less than {to}"),
+        Bound::NotZero => ", not 0".to_owned(),
     }
 }
 
@@ -112,7 +114,9 @@ const fn unit_word(unit: Unit) -> &'static str {
 fn default(param: &ParamSpec) -> String {
     match param.default {
         Default::Required => "*required*".to_owned(),
-        Default::Keep => String::new(),
+        Default::Keep => {
+            param.factory().map_or_else(String::new, |value| format!("kept; {value} at first"))
+        }
         Default::Number(number) => number.to_string(),
         Default::Word(word) => word.to_owned(),
         Default::Special => "see there".to_owned(),

@@ -1,5 +1,12 @@
 //! Moves and jogs.
 
+mod direction;
+mod home;
+mod independent;
+mod speeds;
+#[cfg(test)]
+mod tests;
+
 use super::{CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
 use crate::interp::{Arguments, Context, Stop};
 use kerf_program::{Axis, MoveKind};
@@ -50,7 +57,19 @@ macro_rules! several {
     };
 }
 
-pub(super) static SPECS: &[CommandSpec] = &[
+/// The commands with files of their own.
+pub(super) static OTHERS: [&CommandSpec; 8] = [
+    &home::MH,
+    &home::JH,
+    &direction::MD,
+    &independent::MI,
+    &independent::MO,
+    &speeds::MS,
+    &speeds::JS,
+    &speeds::MN,
+];
+
+pub(super) static SPECS: [CommandSpec; 22] = [
     single!("MX", Cut, X, Move, Joins),
     single!("MY", Cut, Y, Move, Joins),
     single!("MZ", Cut, Z, Move, Joins),
@@ -79,6 +98,9 @@ pub(super) static SPECS: &[CommandSpec] = &[
 fn go(c: &mut Context<'_>, a: &Arguments, kind: MoveKind, first: usize) -> Result<(), Stop> {
     let given = (0..a.len()).filter_map(|i| Some((Axis::ALL[first + i], a.number(i)?)));
     let given: Vec<_> = given.collect();
+    if given.is_empty() {
+        c.warn_no_motion();
+    }
     for (axis, _) in &given {
         c.need_axis(*axis)?;
     }

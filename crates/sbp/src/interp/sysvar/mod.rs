@@ -1,0 +1,117 @@
+//! System variables, `%(n)`: the state of the machine as programs read it.
+//!
+//! They are a table, like the commands: number, name, unit, and the function that reads it. The
+//! numbers are those of the handbook of 2013, which supersedes the lists before it (notes A-02,
+//! Distances are in the user's units. What only the machine knows, inputs and outputs, is
+//! asked once motion has come to rest.
+
+mod list;
+#[cfg(test)]
+mod tests;
+
+use super::{Context, Stop};
+use crate::Value;
+use crate::tree::Span;
+use kerf_diag::Code;
+use kerf_program::settings::to_user;
+use kerf_program::{Axis, AxisSet};
+use list::FAMILIES;
+
+/// Name and version of the software, `%(48)`; what `kerf --version` prints.
+pub const VERSION: &str = concat!("kerf ", env!("CARGO_PKG_VERSION"));
+
+/// The last number of the table.
+const LAST: u8 = 161;
+
+/// One system variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SystemVariable {
+    /// Its number, 1 … 161.
+    pub number: u8,
+    /// What it shows.
+    pub name: &'static str,
+    /// Its unit, or the values it takes.
+    pub unit: &'static str,
+}
+
+/// All that have a meaning, in order of numbers.
+pub fn system_variables() -> impl Iterator<Item = SystemVariable> {
+    FAMILIES.iter().flat_map(|family| {
+        let named = (family.first..).zip(family.names);
+        named.map(|(number, name)| SystemVariable { number, name, unit: family.unit })
+    })
+}
+
+/// Variables with numbers in a row that are read alike.
+struct Family {
+    first: u8,
+    unit: &'static str,
+    names: &'static [&'static str],
+    /// Reads the one with this place in the family.
+    read: fn(&mut Context<'_>, usize) -> Result<Value, Stop>,
+}
+
+impl Context<'_> {
+    /// The value of a system variable in the user's units.
+    pub(crate) fn system_variable(&mut self, number: f64, span: Span) -> Result<Value, Stop> {
+        if number.fract() != 0.0 || !(1.0..=f64::from(LAST)).contains(&number) {
+            let message = format!("no system variable {}", Value::Number(number).display());
+            let hint = "they are numbered 1 to 161";
+            return Err(self.fail_at(span, Code::NoSystemVariable, message, hint));
+        }
+        let n = number as u8;
+        let found = FAMILIES.iter().find_map(|family| {
+            let place = usize::from(n.checked_sub(family.first)?);
+            (place < family.names.len()).then_some((family, place))
+        });
+        match found {
+            Some((family, place)) => (family.read)(self, place),
+            None => {
+                let message = format!("system variable {n} is not assigned");
+                self.warn(Code::UnassignedSystemVariable, message, "it reads as empty");
+                Ok(Value::Empty)
+            }
+        }
+    }
+
+    /// Machine position of an axis as far as a program may know it.
+    fn real_position(&mut self, axis: Axis) -> Result<f64, Stop> {
+        if self.core.independent.contains(axis) {
+            self.settle()?;
+            self.take_machine_position(AxisSet::EMPTY.with(axis));
+        }
+        Ok(self.core.position[axis])
+    }
+
+    /// Working location of an axis.
+    fn working_location(&mut self, axis: Axis) -> Result<Value, Stop> {
+        let location = self.real_position(axis)? - self.core.frame.working_zero[axis];
+        Ok(self.axis_value(axis, location))
+    }
+
+    /// Table base coordinate of an axis, in the reading of the dialect.
+    fn base_location(&mut self, axis: Axis) -> Result<Value, Stop> {
+        self.real_position(axis)?;
+        Ok(self.axis_value(axis, self.core.base_coordinate(axis)))
+    }
+
+    fn axis_value(&self, axis: Axis, internal: f64) -> Value {
+        Value::Number(to_user(internal, self.settings().axis_scale(axis)))
+    }
+
+    fn length_value(&self, mm: f64) -> Value {
+        Value::Number(to_user(mm, self.settings().linear_unit.mm()))
+    }
+
+    /// State of an input, 1 … 12.
+    fn input_state(&mut self, number: usize) -> Result<bool, Stop> {
+        self.settle()?;
+        Ok(self.host.input(number as u8))
+    }
+
+    /// State of an output, 1 … 12.
+    fn output_state(&mut self, number: usize) -> Result<bool, Stop> {
+        self.settle()?;
+        Ok(self.host.output(number as u8))
+    }
+}

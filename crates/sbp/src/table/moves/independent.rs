@@ -1,0 +1,111 @@
+//! MI: an axis that turns or swings beside the others. MO: motors off.
+
+use crate::interp::{Arguments, Context, Stop};
+use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
+use kerf_diag::Code;
+use kerf_program::{Axis, AxisSet, Command, Independent};
+
+const NUMBER: Kind = Kind::Number(Unit::None);
+
+static PARAMS: [ParamSpec; 5] = [
+    {
+        let mut axis = ParamSpec::keep("Axis", Kind::AxisLetter);
+        axis.default = crate::table::Default::Word("B");
+        axis
+    },
+    ParamSpec::number("Direction", Kind::OneOf(&[1, -1]), 1.0)
+        .about("Of a rotation: 1 clockwise, -1 the other way."),
+    ParamSpec::keep("Rotary speed", NUMBER)
+        .within(Bound::NotNegative)
+        .about("Units of the axis a second; 0 stops it. Not with a frequency."),
+    ParamSpec::keep("Frequency", NUMBER)
+        .within(Bound::NotNegative)
+        .about("Of an oscillation, cycles a second; 0 stops it."),
+    ParamSpec::keep("Distance", NUMBER)
+        .within(Bound::Positive)
+        .about("Of an oscillation, from one end to the other, in units of the axis."),
+];
+
+pub(super) static MI: CommandSpec = CommandSpec::new(
+    "MI",
+    "Move Indexer",
+    Group::Move,
+    &PARAMS,
+    Stack::Ends,
+    "Turns an axis at a speed, or swings it, until it is stopped, while the program goes on with the \
+     other axes. The end of a file does not stop it; MO does.",
+    independent,
+);
+
+/// Above this motors rarely follow (command reference, MI).
+const FAST_HZ: f64 = 30.0;
+
+fn independent(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let axis = a.axis(0).unwrap_or(Axis::B);
+    c.need_active(axis)?;
+    let motion = motion(c, a, axis)?;
+    if motion == Independent::Off {
+        if c.core.independent.contains(axis) {
+            c.core.adrift.insert(axis);
+        }
+        c.core.independent.remove(axis);
+    } else {
+        c.core.independent.insert(axis);
+    }
+    c.emit(Command::Independent { axis, motion });
+    Ok(())
+}
+
+fn motion(c: &mut Context<'_>, a: &Arguments, axis: Axis) -> Result<Independent, Stop> {
+    let scale = c.settings().axis_scale(axis);
+    match (a.number(2), a.number(3), a.number(4)) {
+        (Some(speed), Some(frequency), _) if speed > 0.0 && frequency > 0.0 => {
+            let hint = "a speed turns the axis, a frequency swings it";
+            let message = "a rotary speed and a frequency exclude each other";
+            Err(c.fail_at(a.span(3), Code::OutOfRange, message, hint))
+        }
+        (Some(speed), _, _) if speed > 0.0 => {
+            Ok(Independent::Rotate(a.number_or(1, 1.0) * speed * scale))
+        }
+        (_, Some(frequency), distance) if frequency > 0.0 => {
+            let Some(distance) = distance else {
+                let hint = "how far the axis swings from one end to the other";
+                return Err(c.fail_at(
+                    a.span(4),
+                    Code::MissingParameter,
+                    "distance expected",
+                    hint,
+                ));
+            };
+            if frequency > FAST_HZ {
+                let hint = "most motors follow up to 30 cycles a second";
+                c.warn(Code::Unusual, "a very fast oscillation", hint);
+            }
+            Ok(Independent::Oscillate { frequency_hz: frequency, distance: distance * scale })
+        }
+        (Some(_), _, _) | (_, Some(_), _) => Ok(Independent::Off),
+        (None, None, _) => {
+            let hint = "give a rotary speed, or a frequency and a distance; 0 stops the axis";
+            let message = "rotary speed or frequency expected";
+            Err(c.fail_at(a.span(2), Code::MissingParameter, message, hint))
+        }
+    }
+}
+
+pub(super) static MO: CommandSpec = CommandSpec::new(
+    "MO",
+    "Motors Off",
+    Group::Move,
+    &[],
+    Stack::Ends,
+    "Cuts motor power, where the controller can, and turns all outputs off. Pushing the machine by \
+     hand afterwards loses its position and makes the motors generate voltage. M0 is the same.",
+    |c, _| {
+        for axis in c.core.independent.iter() {
+            c.core.adrift.insert(axis);
+        }
+        c.core.independent = AxisSet::EMPTY;
+        c.emit(Command::MotorsOff);
+        Ok(())
+    },
+);

@@ -1,0 +1,97 @@
+//! U commands that show something of the running session.
+
+use super::setting::plain;
+use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
+use crate::Value;
+use crate::interp::{Context, Stop};
+use kerf_program::settings::Distance;
+use kerf_program::{Axis, Command, Settings};
+
+pub(super) static SPECS: [CommandSpec; 4] = [
+    shows("UL", "List variables", "Shows all user variables and their values.", |c, _| {
+        let lines = c.core.variables.list().into_iter();
+        let lines: Vec<_> = lines.map(|(name, v)| format!("&{name} = {}", v.display())).collect();
+        tell(c, if lines.is_empty() { "no variables".into() } else { lines.join("\n") })
+    }),
+    shows("UV", "Show values", "Shows the values of all V commands.", |c, _| {
+        let text = settings_lines(c.settings()).join("\n");
+        tell(c, text)
+    }),
+    shows(
+        "UD",
+        "Diagnostics",
+        "Shows what helps to find a fault: versions, places, inputs and outputs.",
+        |c, _| {
+            let text = diagnostics(c)?;
+            tell(c, text)
+        },
+    ),
+    CommandSpec::new(
+        "UU",
+        "Calculator",
+        Group::Utilities,
+        &[ParamSpec::keep("Expression", Kind::Text)],
+        Stack::Joins,
+        "Shows what an expression comes to; alone it opens the calculator of the console.",
+        |c, a| {
+            let text = a.value(0).map_or("nothing to calculate".into(), Value::display);
+            tell(c, text)
+        },
+    ),
+];
+
+const fn shows(
+    letters: &'static str,
+    name: &'static str,
+    doc: &'static str,
+    effect: super::Effect,
+) -> CommandSpec {
+    CommandSpec::new(letters, name, Group::Utilities, &[], Stack::Ends, doc, effect)
+}
+
+fn tell(c: &mut Context<'_>, text: String) -> Result<(), Stop> {
+    c.emit(Command::Message { text: text.into() });
+    Ok(())
+}
+
+/// The settings as the lines of a part file that sets them, units first.
+///
+/// Locations are not among them (VA), nor what ends with a file (VO).
+pub fn settings_lines(settings: &Settings) -> Vec<String> {
+    let mut lines: Vec<String> = ["VD", "VB", "VC", "VI", "VL", "VN", "VH", "VP", "VR", "VS", "VU"]
+        .into_iter()
+        .filter_map(|letters| super::find(letters)?.present(settings))
+        .collect();
+    let relative = settings.distance == Distance::Relative;
+    lines.push(if relative { "SR" } else { "SA" }.into());
+    lines.push(format!("SW,{}", plain(settings.warning_s)));
+    lines.push(format!("SO,4,{}", settings.io.output4));
+    lines
+}
+
+fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
+    let mut lines = vec![format!("software: {}", crate::VERSION)];
+    lines.push(format!("firmware: {}", c.host.firmware()));
+    lines.push(format!("port: {}", c.settings().driver.port));
+    lines.push(format!("working: {}", places(c, |c, axis| c.core.working()[axis])));
+    lines.push(format!("base: {}", places(c, |c, axis| c.core.frame.base(c.core.position)[axis])));
+    let inputs = (1..=12).filter(|n| c.host.input(*n)).map(|n| n.to_string());
+    lines.push(format!("inputs on: {}", list(inputs.collect())));
+    let outputs = (1..=12).filter(|n| c.host.output(*n)).map(|n| n.to_string());
+    lines.push(format!("outputs on: {}", list(outputs.collect())));
+    Ok(lines.join("\n"))
+}
+
+fn list(numbers: Vec<String>) -> String {
+    if numbers.is_empty() { "none".into() } else { numbers.join(" ") }
+}
+
+/// A value of every active axis in the user's units.
+fn places(c: &Context<'_>, value: impl Fn(&Context<'_>, Axis) -> f64) -> String {
+    let axes = Axis::ALL.into_iter().take(usize::from(c.settings().axis_count));
+    let shown = axes.map(|axis| {
+        let n = kerf_program::settings::to_user(value(c, axis), c.settings().axis_scale(axis));
+        format!("{} {}", axis.letter(), Value::Number(n).display())
+    });
+    shown.collect::<Vec<_>>().join("  ")
+}

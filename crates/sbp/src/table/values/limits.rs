@@ -1,0 +1,56 @@
+//! VL: table limits.
+
+use crate::interp::{Arguments, Context, Stop};
+use crate::table::setting::{changed, flag, real};
+use crate::table::{CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
+use kerf_diag::Code;
+use kerf_program::Axis;
+
+macro_rules! limit {
+    ($name:literal, $side:ident, $axis:ident) => {
+        ParamSpec::of(
+            $name,
+            Kind::Number(Unit::Axis(Axis::$axis)),
+            real!(limits.$side[Axis::$axis]),
+        )
+    };
+}
+
+static PARAMS: [ParamSpec; 11] = [
+    limit!("Low X", low, X),
+    limit!("High X", high, X),
+    limit!("Low Y", low, Y),
+    limit!("High Y", high, Y),
+    limit!("Low Z", low, Z),
+    limit!("High Z", high, Z),
+    limit!("Low A", low, A),
+    limit!("High A", high, A),
+    ParamSpec::of("Limit checking", Kind::OneOf(&[0, 1]), flag!(limits.check))
+        .about("1 refuses moves that would leave the limits, as SF does."),
+    limit!("Low B", low, B),
+    limit!("High B", high, B),
+];
+
+pub(super) static VL: CommandSpec = CommandSpec::new(
+    "VL",
+    "Values: table limits",
+    Group::Values,
+    &PARAMS,
+    Stack::Ends,
+    "How far each axis may go, in table base coordinates, and whether that is checked. In a part \
+     file the values go back at its end, unless SV keeps them.",
+    limits,
+);
+
+fn limits(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let settings = changed(c, a, &PARAMS);
+    let limits = settings.limits;
+    if let Some(axis) = Axis::ALL.into_iter().find(|axis| limits.low[*axis] > limits.high[*axis]) {
+        let letter = axis.letter();
+        let message = format!("the low limit of {letter} is above its high limit");
+        let hint = "low and high are given in pairs; a blank keeps what was";
+        return Err(c.fail_at(c.span, Code::OutOfRange, message, hint));
+    }
+    c.change_settings(|s| *s = settings);
+    Ok(())
+}
