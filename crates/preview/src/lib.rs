@@ -24,6 +24,7 @@
 //! ```
 
 mod font;
+mod html;
 mod options;
 mod palette;
 mod picture;
@@ -39,6 +40,14 @@ pub use scene::{FARTHEST_MM, Finding, Scene, Segment, Shape, TableView, ToolPath
 /// The picture as SVG, one user unit a millimetre.
 pub fn svg(scene: &Scene, options: &Options) -> String {
     svg::write(&picture::compose(scene, options))
+}
+
+/// A page that turns the motion in 3D, plays it and names source lines; one file, no network.
+///
+/// Arcs are drawn as chords within [`Options::chord_mm`]. With [`Scene::times_s`] the motion plays
+/// in planned time, else along the path.
+pub fn html(scene: &Scene, options: &Options) -> String {
+    html::write(scene, options)
 }
 
 /// The same picture as PNG, its longer side [`Options::pixels`] long.

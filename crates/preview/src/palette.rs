@@ -57,6 +57,14 @@ pub fn depth_colour(share: f64) -> Rgb {
     from_oklab([lightness, chroma * hue.cos(), chroma * hue.sin()])
 }
 
+/// The same on a dark ground: deep cuts are strong in colour rather than dark.
+pub fn depth_colour_on_dark(share: f64) -> Rgb {
+    let t = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+    let chroma = 0.05 + 0.14 * t;
+    let hue = (185.0 + 125.0 * t).to_radians();
+    from_oklab([0.93 - 0.36 * t, chroma * hue.cos(), chroma * hue.sin()])
+}
+
 fn from_oklab([l, a, b]: [f64; 3]) -> Rgb {
     let lms = [
         l + 0.396_337_777_4 * a + 0.215_803_757_3 * b,

@@ -38,5 +38,9 @@ fn draw(folder: &Path, name: &str, scene: &kerf_preview::Scene) -> Result<()> {
     let png = kerf_preview::png(scene, &options)?;
     timed("png", png.len(), start);
     std::fs::write(file("png"), png)?;
+    let start = std::time::Instant::now();
+    let html = kerf_preview::html(scene, &options);
+    timed("html", html.len(), start);
+    std::fs::write(file("html"), html)?;
     Ok(())
 }

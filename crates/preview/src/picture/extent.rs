@@ -47,7 +47,8 @@ impl Extent {
     }
 }
 
-fn reach(segment: &Segment, bounds: &mut Bounds3) {
+/// Adds the reach of a segment.
+pub fn reach(segment: &Segment, bounds: &mut Bounds3) {
     bounds.add(segment.from);
     bounds.add(segment.to);
     if let Some(arc) = arc(segment) {

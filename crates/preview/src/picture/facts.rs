@@ -10,6 +10,8 @@ use kerf_diag::Severity;
 
 /// Tool paths and findings listed before the rest is only counted.
 const MOST_LISTED: usize = 8;
+/// The same where the list can be scrolled.
+const MOST_ON_A_PAGE: usize = 200;
 
 /// A sample of a line or sign with what it means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,8 +74,15 @@ pub fn blocks(scene: &Scene, view: &View, drawn: &Drawn) -> Vec<Block> {
     let mut blocks = vec![job(scene), bounds(scene)];
     blocks.extend(signs(drawn));
     blocks.extend(toolpaths(scene));
-    blocks.extend(findings(scene));
+    blocks.extend(findings(scene, MOST_LISTED));
     blocks.push(sheet(scene, view, drawn));
+    blocks
+}
+
+/// The blocks that do not depend on how the picture is drawn, tool paths aside.
+pub fn story(scene: &Scene) -> Vec<Block> {
+    let mut blocks = vec![job(scene), bounds(scene)];
+    blocks.extend(findings(scene, MOST_ON_A_PAGE));
     blocks
 }
 
@@ -132,7 +141,7 @@ fn toolpaths(scene: &Scene) -> Option<Block> {
     let listed = scene.toolpaths.iter().take(MOST_LISTED);
     let mut rows = vec![Row::Head("Tool paths".into())];
     rows.extend(listed.map(|t| pair(&toolpath_name(t), words::duration(t.seconds))));
-    rows.extend(rest(scene.toolpaths.len()));
+    rows.extend(rest(scene.toolpaths.len(), MOST_LISTED));
     (rows.len() > 1).then_some(rows)
 }
 
@@ -145,13 +154,13 @@ fn toolpath_name(toolpath: &ToolPath) -> String {
     }
 }
 
-fn findings(scene: &Scene) -> Option<Block> {
+fn findings(scene: &Scene, most: usize) -> Option<Block> {
     let mut rows = vec![Row::Head("Findings".into())];
-    for finding in scene.findings.iter().take(MOST_LISTED) {
+    for finding in scene.findings.iter().take(most) {
         let colour = if finding.severity == Severity::Error { AXIS_X } else { SOFT };
         rows.push(Row::Note(finding_text(finding), colour));
     }
-    rows.extend(rest(scene.findings.len()));
+    rows.extend(rest(scene.findings.len(), most));
     (rows.len() > 1).then_some(rows)
 }
 
@@ -166,8 +175,8 @@ pub fn finding_text(finding: &Finding) -> String {
     format!("{severity}{line}: {}", finding.text)
 }
 
-fn rest(all: usize) -> Option<Row> {
-    let more = all.saturating_sub(MOST_LISTED);
+fn rest(all: usize, listed: usize) -> Option<Row> {
+    let more = all.saturating_sub(listed);
     (more > 0).then(|| Row::Note(format!("and {more} more"), SOFT))
 }
 

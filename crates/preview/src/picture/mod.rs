@@ -9,12 +9,16 @@ mod signs;
 mod steps;
 mod tracks;
 mod view;
-mod words;
+pub mod words;
+
+pub use extent::reach;
+pub use facts::{Row, story};
+pub use tracks::{arc, place};
 
 use crate::font::Font;
 use crate::options::Options;
 use crate::palette::{AIR, INK, JOG, PAPER, SOFT};
-use crate::scene::Scene;
+use crate::scene::{Scene, TableView};
 use crate::sheet::{Anchor, Frame, Layer, Mark, Paint, Rect, Sheet, Text};
 use depth::{DepthScale, SHADES};
 use extent::Extent;
@@ -40,7 +44,7 @@ pub fn compose(scene: &Scene, options: &Options) -> Sheet {
     let extent = Extent::of(scene);
     let cutter_mm = cutter(scene, options);
     let view = View::of(scene, &extent, cutter_mm);
-    let scale = DepthScale::new(scene.surface_z_mm, extent.cut.min[2], extent.cut.max[2]);
+    let scale = scale_of(scene, &extent);
     let tolerance_mm = (scene.segments.len() > options.detail_limit)
         .then(|| options.detail.max(1e-6) * view.panel.longer());
     let detail =
@@ -66,6 +70,20 @@ pub fn compose(scene: &Scene, options: &Options) -> Sheet {
         decimals: view.decimals,
         layers,
     }
+}
+
+/// The depth scale of a scene.
+pub fn depth_scale(scene: &Scene) -> DepthScale {
+    scale_of(scene, &Extent::of(scene))
+}
+
+fn scale_of(scene: &Scene, extent: &Extent) -> DepthScale {
+    DepthScale::new(scene.surface_z_mm, extent.cut.min[2], extent.cut.max[2])
+}
+
+/// The scene's table, if it is one that can be drawn.
+pub fn drawable_table(scene: &Scene) -> Option<TableView> {
+    scene.table.filter(view::drawable)
 }
 
 fn cutter(scene: &Scene, options: &Options) -> f64 {
@@ -193,7 +211,7 @@ fn heading(scene: &Scene, view: &View, page: &Rect) -> Layer {
 }
 
 /// `120.00 × 80.00 mm, down to −6.00 mm · 0:04:12`.
-fn summary(scene: &Scene) -> String {
+pub fn summary(scene: &Scene) -> String {
     let (size, unit) = (scene.bounds.size(), scene.unit);
     let decimals = words::coordinate_decimals(size[0].max(size[1]) / unit.mm, unit);
     let number = |mm: f64| words::decimal(mm, unit, decimals);

@@ -57,7 +57,8 @@ pub fn table_rect(table: &TableView) -> Rect {
     Rect { x: table.origin[0], y: -table.origin[1] - h, w, h }
 }
 
-fn drawable(table: &TableView) -> bool {
+/// Whether a table has a size and a place.
+pub fn drawable(table: &TableView) -> bool {
     let near = |v: &f64| v.abs() <= FARTHEST_MM;
     table.origin.iter().all(near)
         && table.size_mm.iter().all(near)
