@@ -1,1 +1,32 @@
-//! kerf-sim
+//! The simulated machine: what a real one would do, computed instead of done.
+//!
+//! A [`Machine`] has a clock of its own, six axes, twelve inputs whose changes are known beforehand
+//! (a script of [`Change`]s), twelve outputs with their modes, a PWM channel, a spindle and a
+//! warning light. Nothing in here waits: whoever owns it says how far the clock goes, and everything
+//! that happens meanwhile is written to a [`Log`] with its time, in order.
+//!
+//! ```text
+//!  script of inputs ─┐
+//!  planned motion ───┼──► Machine ──► Log: outputs, PWM, light … with their times
+//!  commands ─────────┘       └──► Halt: an input that stops motion
+//! ```
+//!
+//! The machine is a value: clone it and run a preview on the copy. Millimetres, degrees and seconds;
+//! positions in the machine frame.
+
+mod halt;
+mod independent;
+mod inputs;
+mod laser;
+pub mod limits;
+mod log;
+mod machine;
+mod outputs;
+mod trigger;
+
+pub use halt::{Halt, HaltCause, Watched};
+pub use inputs::{Change, Inputs};
+pub use limits::Violation;
+pub use log::{Happening, Log, What};
+pub use machine::Machine;
+pub use outputs::Outputs;

@@ -1,0 +1,198 @@
+//! Answers to a program's questions: a script, a person, or the default.
+//!
+//! A script has one answer a line. `OK`, `3, 4` answer the questions in order; `12:OK` answers the
+//! question of line 12; `pause=OK` answers every question of a kind. A button is named by its word in
+//! any case; `"Cancel"` in quotes is text, not the button. Blank lines are empty answers; lines that
+//! begin with `#` are notes.
+
+use kerf_program::{Answer, Button, Question, QuestionKind};
+use std::collections::{BTreeMap, VecDeque};
+
+/// Whoever answers questions.
+pub trait Operator {
+    /// Answers, or leaves it to the default. `line` is the line that asks.
+    fn answer(&mut self, question: &Question, line: u32) -> Option<String>;
+}
+
+/// Answers written down beforehand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Answers {
+    in_order: VecDeque<String>,
+    by_line: BTreeMap<u32, VecDeque<String>>,
+    by_kind: BTreeMap<&'static str, String>,
+}
+
+impl Answers {
+    /// Reads a script.
+    pub fn read(text: &str) -> Self {
+        let mut answers = Self::default();
+        for line in text.lines().filter(|l| !l.starts_with('#')) {
+            answers.add(line.trim());
+        }
+        answers
+    }
+
+    fn add(&mut self, text: &str) {
+        if let Some((line, answer)) = numbered(text) {
+            self.by_line.entry(line).or_default().push_back(answer.to_owned());
+        } else if let Some((kind, answer)) = of_kind(text) {
+            self.by_kind.insert(kind, answer.to_owned());
+        } else {
+            self.in_order.push_back(text.to_owned());
+        }
+    }
+}
+
+impl Operator for Answers {
+    /// The answer of the line, else of the kind, else the next in order. Boxes that the machine
+    /// shows, not the program, leave the next one alone when it does not fit them.
+    fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
+        let by_line = self.by_line.get_mut(&line).and_then(VecDeque::pop_front);
+        let by_kind = || self.by_kind.get(kind_word(question.kind)).cloned();
+        by_line.or_else(by_kind).or_else(|| {
+            let fits = self.in_order.front().is_some_and(|w| meaning(question, w).is_some());
+            let asked = matches!(
+                question.kind,
+                QuestionKind::Input | QuestionKind::Msgbox | QuestionKind::Pause
+            );
+            (asked || fits).then(|| self.in_order.pop_front()).flatten()
+        })
+    }
+}
+
+/// Nobody answers.
+impl Operator for () {
+    fn answer(&mut self, _: &Question, _: u32) -> Option<String> {
+        None
+    }
+}
+
+fn numbered(text: &str) -> Option<(u32, &str)> {
+    let (line, answer) = text.split_once(':')?;
+    Some((line.parse().ok()?, answer.trim()))
+}
+
+fn of_kind(text: &str) -> Option<(&'static str, &str)> {
+    let (kind, answer) = text.split_once('=')?;
+    let kind = KINDS.into_iter().map(kind_word).find(|w| w.eq_ignore_ascii_case(kind.trim()))?;
+    Some((kind, answer.trim()))
+}
+
+const KINDS: [QuestionKind; 8] = [
+    QuestionKind::Input,
+    QuestionKind::Msgbox,
+    QuestionKind::Pause,
+    QuestionKind::Spindle,
+    QuestionKind::Limit,
+    QuestionKind::Keypad,
+    QuestionKind::Editor,
+    QuestionKind::Speed,
+];
+
+/// The word for a kind, as the trace writes it.
+pub const fn kind_word(kind: QuestionKind) -> &'static str {
+    match kind {
+        QuestionKind::Input => "input",
+        QuestionKind::Msgbox => "msgbox",
+        QuestionKind::Pause => "pause",
+        QuestionKind::Spindle => "spindle",
+        QuestionKind::Limit => "limit",
+        QuestionKind::Keypad => "keypad",
+        QuestionKind::Editor => "editor",
+        QuestionKind::Speed => "speed",
+    }
+}
+
+/// What the words of an answer mean in a box; `None` when the box has no such button.
+pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
+    let quoted = words.strip_prefix('"').and_then(|w| w.strip_suffix('"'));
+    let button = Button::ALL.into_iter().find(|b| b.word().eq_ignore_ascii_case(words.trim()));
+    if takes_text(question.kind) {
+        return Some(match button {
+            Some(Button::Cancel) => Answer::Button(Button::Cancel),
+            _ => Answer::Text(quoted.unwrap_or(words).to_owned()),
+        });
+    }
+    button.filter(|b| question.buttons.contains(b)).map(Answer::Button)
+}
+
+/// What ENTER alone answers.
+pub fn default_answer(question: &Question) -> Answer {
+    if takes_text(question.kind) {
+        return Answer::Text(question.prefill.clone());
+    }
+    Answer::Button(question.buttons.get(question.default).copied().unwrap_or(Button::OK))
+}
+
+/// The words of an answer, as the trace shows them.
+pub fn words(answer: &Answer) -> String {
+    match answer {
+        Answer::Button(button) => button.word().to_owned(),
+        Answer::Text(text) => text.clone(),
+    }
+}
+
+fn takes_text(kind: QuestionKind) -> bool {
+    kind == QuestionKind::Input
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn question(kind: QuestionKind, buttons: &[Button]) -> Question {
+        Question {
+            kind,
+            text: String::new(),
+            title: String::new(),
+            buttons: buttons.to_vec(),
+            default: 1,
+            prefill: "7".into(),
+            icon: 0,
+            until: None,
+        }
+    }
+
+    #[test]
+    fn line_before_kind_before_order() {
+        let mut answers = Answers::read("# note\nfirst\n12: twelve\npause = OK\nsecond\n");
+        let input = question(QuestionKind::Input, &[]);
+        let pause = question(QuestionKind::Pause, &[Button::OK, Button::Cancel]);
+        assert_eq!(answers.answer(&pause, 12).as_deref(), Some("twelve"));
+        assert_eq!(answers.answer(&pause, 12).as_deref(), Some("OK"));
+        assert_eq!(answers.answer(&input, 12).as_deref(), Some("first"));
+        assert_eq!(answers.answer(&input, 1).as_deref(), Some("second"));
+        assert_eq!(answers.answer(&input, 1), None);
+    }
+
+    #[test]
+    fn a_box_of_the_machine_takes_no_answer_that_does_not_fit() {
+        let mut answers = Answers::read("3.5\nContinue");
+        let limit = question(QuestionKind::Limit, &[Button::Continue, Button::End]);
+        assert_eq!(answers.answer(&limit, 1), None);
+        assert_eq!(answers.answer(&question(QuestionKind::Input, &[]), 2).as_deref(), Some("3.5"));
+        assert_eq!(answers.answer(&limit, 3).as_deref(), Some("Continue"));
+    }
+
+    #[test]
+    fn words_that_only_look_like_a_line_or_a_kind_are_answers() {
+        let mut answers = Answers::read("a:b\nx=1\n\n3, 4");
+        let input = question(QuestionKind::Input, &[]);
+        let given: Vec<_> = std::iter::from_fn(|| answers.answer(&input, 1)).collect();
+        assert_eq!(given, ["a:b", "x=1", "", "3, 4"]);
+    }
+
+    #[test]
+    fn buttons_by_their_word_and_only_those_of_the_box() {
+        let yes_no = question(QuestionKind::Msgbox, &[Button::Yes, Button::No]);
+        assert_eq!(meaning(&yes_no, "yes"), Some(Answer::Button(Button::Yes)));
+        assert_eq!(meaning(&yes_no, "Cancel"), None);
+        assert_eq!(meaning(&yes_no, "maybe"), None);
+        assert_eq!(default_answer(&yes_no), Answer::Button(Button::No));
+        let input = question(QuestionKind::Input, &[]);
+        assert_eq!(meaning(&input, "cancel"), Some(Answer::Button(Button::Cancel)));
+        assert_eq!(meaning(&input, "\"cancel\""), Some(Answer::Text("cancel".into())));
+        assert_eq!(meaning(&input, "OK"), Some(Answer::Text("OK".into())));
+        assert_eq!(default_answer(&input), Answer::Text("7".into()));
+    }
+}

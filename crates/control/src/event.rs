@@ -1,0 +1,334 @@
+//! What a run tells: the events of the trace, in the user's units.
+//!
+//! Names and fields are a promise of the command line (`kerf trace`); new fields and new events may
+//! come, these stay. Locations are working locations in the program's units, as the display shows
+//! them; times are seconds of machine time since the start.
+
+use kerf_diag::Diagnostic;
+use kerf_program::{FileOp, MoveKind, OutputReason, QuestionKind};
+use kerf_sbp::Status;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// One event.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "e", rename_all = "lowercase")]
+pub enum Event {
+    /// The run begins.
+    Start {
+        /// The part file.
+        file: Arc<str>,
+        /// `in` or `mm`.
+        units: &'static str,
+        /// `preview` or `move`.
+        mode: &'static str,
+        /// Which reading of the language.
+        dialect: &'static str,
+    },
+    /// A straight move was made.
+    Move(MoveEvent),
+    /// A circular move or a helix was made.
+    Arc(ArcEvent),
+    /// An output changed.
+    Output {
+        /// Its number, 1 … 12.
+        n: u8,
+        /// Its state from now on.
+        on: bool,
+        /// When.
+        t: f64,
+        /// What made it change.
+        why: OutputReason,
+    },
+    /// An input changed.
+    Input {
+        /// Its number, 1 … 12.
+        n: u8,
+        /// Its state from now on.
+        on: bool,
+        /// When.
+        t: f64,
+    },
+    /// The duty of a PWM channel changed.
+    Pwm {
+        /// Its number, from 1.
+        channel: u8,
+        /// Duty, 0 … 100.
+        percent: f64,
+        /// When.
+        t: f64,
+        /// Pulse frequency, kHz.
+        khz: f64,
+    },
+    /// A spindle got a speed.
+    Spindle {
+        /// Revolutions a minute.
+        rpm: f64,
+        /// Whether its output is on.
+        on: bool,
+        /// When.
+        t: f64,
+        /// Its number, from 1.
+        n: u8,
+    },
+    /// The warning light before and during motion.
+    Light {
+        /// Its state from now on.
+        on: bool,
+        /// When.
+        t: f64,
+    },
+    /// Power of the motors.
+    Motors {
+        /// Its state from now on.
+        on: bool,
+        /// When.
+        t: f64,
+    },
+    /// An axis began or stopped to move beside the others (MI).
+    Independent {
+        /// Its letter.
+        axis: char,
+        /// Units of the axis a second; 0 when it swings or stops.
+        speed: f64,
+        /// Cycles a second; 0 when it turns or stops.
+        frequency: f64,
+        /// Peak-to-peak displacement.
+        distance: f64,
+        /// When.
+        t: f64,
+    },
+    /// Locations were set.
+    Location {
+        /// Working locations that were set.
+        set: Partial,
+        /// Table base coordinates that were set.
+        base: Partial,
+        /// When.
+        t: f64,
+    },
+    /// The user's unit changed.
+    Units {
+        /// `in` or `mm`.
+        units: &'static str,
+        /// When.
+        t: f64,
+    },
+    /// Text for the print window. Lines are told whole.
+    Print {
+        /// The text.
+        text: Arc<str>,
+        /// When.
+        t: f64,
+    },
+    /// A comment or warning shown to the operator.
+    Message {
+        /// The text.
+        text: Arc<str>,
+        /// When.
+        t: f64,
+    },
+    /// The operator was asked.
+    Ask(AskEvent),
+    /// A file of the user was used.
+    File {
+        /// What happened.
+        op: FileOp,
+        /// Its path.
+        path: Arc<str>,
+        /// When.
+        t: f64,
+    },
+    /// A sound was started.
+    Sound {
+        /// The file.
+        path: Arc<str>,
+        /// When.
+        t: f64,
+    },
+    /// The program waited.
+    Wait {
+        /// How long.
+        seconds: f64,
+        /// When it began.
+        t: f64,
+    },
+    /// A tool path begins.
+    #[serde(rename = "toolpath")]
+    ToolPath {
+        /// Its name.
+        name: Option<Arc<str>>,
+        /// The tool.
+        tool: Option<Arc<str>>,
+        /// When.
+        t: f64,
+    },
+    /// A tool change begins or is over.
+    #[serde(rename = "toolchange")]
+    ToolChange {
+        /// True when it begins.
+        begin: bool,
+        /// When.
+        t: f64,
+    },
+    /// The preview display was cleared.
+    Clear {
+        /// When.
+        t: f64,
+    },
+    /// Motion was stopped before its end.
+    Stop {
+        /// By what: `watch`, `limit`, `stop` or `operator`.
+        by: &'static str,
+        /// The input; 0 for the operator.
+        n: u8,
+        /// When the machine stood.
+        t: f64,
+    },
+    /// Something a person should know about the program.
+    Diag(Box<Diagnostic>),
+    /// The run is over.
+    End(EndEvent),
+}
+
+/// A straight move. Also the common part of an arc.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MoveEvent {
+    /// Cut or jog.
+    pub kind: MoveKind,
+    /// The part file.
+    pub file: Arc<str>,
+    /// Its line.
+    pub line: u32,
+    /// Where it ended.
+    pub to: Place,
+    /// When it started.
+    pub t0: f64,
+    /// When it ended.
+    pub t1: f64,
+    /// Speed asked for, units a second.
+    pub speed: f64,
+    /// Where it started; not part of the trace.
+    #[serde(skip)]
+    pub from: Place,
+}
+
+/// A circular move or a helix.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ArcEvent {
+    /// What it has in common with a straight move.
+    #[serde(flatten)]
+    pub made: MoveEvent,
+    /// Its centre.
+    pub centre: Centre,
+    /// `cw` or `ccw`.
+    pub dir: &'static str,
+    /// Swept angle, degrees, positive.
+    pub sweep: f64,
+}
+
+/// A location of all axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[allow(missing_docs)]
+pub struct Place {
+    pub x: f64,
+    pub y: f64,
+    pub z: f64,
+    pub a: f64,
+    pub b: f64,
+    pub c: f64,
+}
+
+impl From<kerf_program::Axes> for Place {
+    fn from(axes: kerf_program::Axes) -> Self {
+        let [x, y, z, a, b, c] = axes.0;
+        Self { x, y, z, a, b, c }
+    }
+}
+
+/// A centre in X and Y.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(missing_docs)]
+pub struct Centre {
+    pub x: f64,
+    pub y: f64,
+}
+
+/// Values of some axes, by their letter.
+pub type Partial = BTreeMap<char, f64>;
+
+/// A question and its answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AskEvent {
+    /// What kind of box.
+    pub kind: QuestionKind,
+    /// The text in it.
+    pub text: String,
+    /// Its title.
+    pub title: String,
+    /// The words on its buttons.
+    pub buttons: Vec<&'static str>,
+    /// The button that ENTER presses, or what stands in the entry field.
+    pub default: String,
+    /// What was answered.
+    pub answer: String,
+    /// Whether somebody or a script answered, not the default.
+    pub scripted: bool,
+    /// When.
+    pub t: f64,
+    /// The part file that asks.
+    pub file: Arc<str>,
+    /// Its line.
+    pub line: u32,
+}
+
+/// The end of a run and what it came to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EndEvent {
+    /// How it ended.
+    pub status: Status,
+    /// Machine time.
+    pub t: f64,
+    /// Lines executed.
+    pub lines: u64,
+    /// Straight moves made.
+    pub moves: u64,
+    /// Arcs made.
+    pub arcs: u64,
+    /// Length of the cutting moves.
+    pub cut: f64,
+    /// Length of the jogs.
+    pub jog: f64,
+    /// Bounds of the cutting moves; nothing when nothing was cut.
+    pub bounds: Option<BoundsEvent>,
+    /// The user's variables, when asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vars: Option<BTreeMap<String, VarValue>>,
+}
+
+/// A box.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(missing_docs)]
+pub struct BoundsEvent {
+    pub min: Corner,
+    pub max: Corner,
+}
+
+/// A corner of a box.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(missing_docs)]
+pub struct Corner {
+    pub x: f64,
+    pub y: f64,
+    pub z: f64,
+}
+
+/// The value of a variable.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[allow(missing_docs)]
+pub enum VarValue {
+    Number(f64),
+    Text(String),
+}

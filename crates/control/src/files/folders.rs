@@ -1,0 +1,298 @@
+//! From names in part files to paths on a disk.
+//!
+//! Part files come from Windows: any case, `\` or `/`, drives. `C:\SbParts` stands for the part
+//! folder, wherever that is; other drives are looked for in the folders that were allowed besides.
+
+use super::Disk;
+use kerf_program::{Folder, HostError};
+use std::path::{Component, Path, PathBuf};
+
+/// What Windows installations call the folder of part files.
+const WINDOWS_PARTS: &str = "sbparts";
+
+/// What they call the folder of custom cuts in it.
+const CUSTOM: &str = "custom";
+
+/// The folders that programs may name files in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Folders {
+    /// Where part files are at the start.
+    start: PathBuf,
+    /// Where they are now (FS).
+    parts: PathBuf,
+    /// Folders of custom cuts, the first that has a file wins.
+    custom: Vec<PathBuf>,
+    /// Folders allowed besides.
+    allowed: Vec<PathBuf>,
+}
+
+/// What a path is wanted for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The file has to be there.
+    Read,
+    /// Its folder has to be there.
+    Write,
+    /// It has to be a folder.
+    Enter,
+}
+
+impl Folders {
+    /// Part files lie in `parts`, custom cuts in `custom`; files may also be in `allowed`.
+    pub fn new(parts: PathBuf, custom: Vec<PathBuf>, allowed: Vec<PathBuf>) -> Self {
+        Self { start: parts.clone(), parts, custom, allowed }
+    }
+
+    /// The current part folder.
+    pub fn parts(&self) -> &Path {
+        &self.parts
+    }
+
+    /// Changes the current part folder; `None` goes back to the one at the start.
+    pub fn enter(&mut self, disk: &dyn Disk, name: Option<&str>) -> Result<(), HostError> {
+        self.parts = match name {
+            None => self.start.clone(),
+            Some(name) => self.find(disk, Folder::Parts, name, Purpose::Enter)?,
+        };
+        Ok(())
+    }
+
+    /// The path that a name stands for.
+    pub fn find(
+        &self,
+        disk: &dyn Disk,
+        folder: Folder,
+        name: &str,
+        purpose: Purpose,
+    ) -> Result<PathBuf, HostError> {
+        let name = clean(name);
+        let places = self.places(disk, folder, &name)?;
+        let mut refused = None;
+        for (base, rest) in &places {
+            let path = walk(disk, base, rest);
+            if !self.is_allowed(disk, &path) {
+                refused = Some(path);
+                continue;
+            }
+            if fits(disk, &path, purpose) {
+                return Ok(path);
+            }
+        }
+        Err(match (refused, places.first()) {
+            (Some(path), _) => outside(&path.display().to_string()),
+            (None, Some((base, _))) => missing(&name, base, purpose),
+            (None, None) => outside(&name),
+        })
+    }
+
+    /// How a path is shown: as seen from the part folder when it lies in there.
+    pub fn shown(&self, path: &Path) -> String {
+        path.display().to_string()
+    }
+
+    /// Where a name may lie: base folders and the rest of the name.
+    fn places(
+        &self,
+        disk: &dyn Disk,
+        folder: Folder,
+        name: &str,
+    ) -> Result<Vec<(PathBuf, String)>, HostError> {
+        if let Some(rest) = after_drive(name) {
+            return Ok(self.on_drive(disk, rest));
+        }
+        if name.starts_with('/') {
+            return Ok(vec![(PathBuf::from("/"), name.trim_start_matches('/').to_owned())]);
+        }
+        let bases = match folder {
+            Folder::Parts => vec![self.parts.clone()],
+            Folder::Custom => {
+                let inside = walk(disk, &self.start, CUSTOM);
+                self.custom.iter().cloned().chain([inside]).collect()
+            }
+        };
+        Ok(bases.into_iter().map(|base| (base, name.to_owned())).collect())
+    }
+
+    fn on_drive(&self, disk: &dyn Disk, rest: &str) -> Vec<(PathBuf, String)> {
+        let mut places = Vec::new();
+        if let Some(inside) = strip_folder(rest, WINDOWS_PARTS) {
+            places.push((self.start.clone(), inside.to_owned()));
+            let own = disk.is_folder(&walk(disk, &self.start, CUSTOM));
+            if let (false, Some(inside)) = (own, strip_folder(inside, CUSTOM)) {
+                let custom = self.custom.iter().rev();
+                custom.for_each(|folder| places.insert(0, (folder.clone(), inside.to_owned())));
+            }
+        }
+        places.extend(self.allowed.iter().map(|folder| (folder.clone(), rest.to_owned())));
+        places
+    }
+
+    fn is_allowed(&self, disk: &dyn Disk, path: &Path) -> bool {
+        let real = disk.real_path(path);
+        let roots = [&self.start].into_iter().chain(&self.custom).chain(&self.allowed);
+        let climbs = real.components().any(|c| c == Component::ParentDir);
+        roots.into_iter().any(|root| !climbs && real.starts_with(disk.real_path(root)))
+    }
+}
+
+fn fits(disk: &dyn Disk, path: &Path, purpose: Purpose) -> bool {
+    match purpose {
+        Purpose::Read => disk.is_file(path),
+        Purpose::Enter => disk.is_folder(path),
+        Purpose::Write => {
+            !disk.is_folder(path) && disk.is_folder(path.parent().unwrap_or(Path::new("")))
+        }
+    }
+}
+
+/// Blanks and quotes around a name are no part of it; `\` is `/`.
+fn clean(name: &str) -> String {
+    name.trim().trim_matches('"').trim().replace('\\', "/")
+}
+
+/// What follows a drive, without the first slash.
+fn after_drive(name: &str) -> Option<&str> {
+    let mut letters = name.chars();
+    let drive = letters.next()?.is_ascii_alphabetic() && letters.next()? == ':';
+    drive.then(|| letters.as_str().trim_start_matches('/'))
+}
+
+/// What follows a first folder of this name, in any case.
+fn strip_folder<'a>(path: &'a str, folder: &str) -> Option<&'a str> {
+    let (first, rest) = path.split_once('/').unwrap_or((path, ""));
+    first.eq_ignore_ascii_case(folder).then_some(rest)
+}
+
+/// Follows a name from a folder, ignoring case where there is no exact match.
+fn walk(disk: &dyn Disk, base: &Path, name: &str) -> PathBuf {
+    let mut path = base.to_owned();
+    for part in name.split('/') {
+        match part.trim() {
+            "" | "." => {}
+            ".." => up(disk, &mut path),
+            part => step(disk, &mut path, part),
+        }
+    }
+    path
+}
+
+fn up(disk: &dyn Disk, path: &mut PathBuf) {
+    let named = matches!(path.components().next_back(), Some(Component::Normal(_)));
+    if named {
+        path.pop();
+        return;
+    }
+    // The folder we are in has no name here: find it out.
+    let mut real = disk.real_path(path);
+    *path = if real.pop() { real } else { path.join("..") };
+}
+
+fn step(disk: &dyn Disk, path: &mut PathBuf, part: &str) {
+    let exact = path.join(part);
+    if disk.is_file(&exact) || disk.is_folder(&exact) {
+        *path = exact;
+        return;
+    }
+    let names = disk.names(path).unwrap_or_default();
+    let same = names.iter().find(|name| name.to_lowercase() == part.to_lowercase());
+    path.push(same.map_or(part, String::as_str));
+}
+
+fn outside(what: &str) -> HostError {
+    HostError::NotAllowed(format!(
+        "{what} is outside the folders that may be used (--parts, --allow-path)"
+    ))
+}
+
+fn missing(name: &str, base: &Path, purpose: Purpose) -> HostError {
+    let folder = if base.as_os_str().is_empty() { Path::new(".") } else { base }.display();
+    HostError::NotFound(match purpose {
+        Purpose::Write => format!("cannot write {name}: no such folder below {folder}"),
+        Purpose::Enter => format!("folder {name} not found below {folder}"),
+        Purpose::Read => format!("{name} not found in {folder}"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::MemoryDisk;
+    use super::*;
+
+    fn disk() -> MemoryDisk {
+        let files = [
+            "parts/Box.sbp",
+            "parts/doors/a.sbp",
+            "custom/Custom9.sbc",
+            "shop/C/job.txt",
+            "secret/key.txt",
+        ];
+        MemoryDisk::new(files.map(|f| (f, b"x".as_slice())))
+    }
+
+    fn folders() -> Folders {
+        Folders::new("parts".into(), vec!["custom".into()], vec!["shop".into()])
+    }
+
+    #[track_caller]
+    fn check(name: &str, purpose: Purpose, expected: Result<&str, &str>) {
+        let found = folders().find(&disk(), Folder::Parts, name, purpose);
+        match (found, expected) {
+            (Ok(path), Ok(expected)) => assert_eq!(path, Path::new(expected), "{name}"),
+            (Err(HostError::NotFound(_)), Err("not found")) => {}
+            (Err(HostError::NotAllowed(_)), Err("not allowed")) => {}
+            (found, expected) => panic!("{name}: {found:?}, expected {expected:?}"),
+        }
+    }
+
+    #[test]
+    fn names_as_part_files_write_them() {
+        for name in ["Box.sbp", "BOX.SBP", " \"box.sbp\" ", r"doors\..\box.sbp", r"C:\SbParts\Box.SBP"]
+        {
+            check(name, Purpose::Read, Ok("parts/Box.sbp"));
+        }
+        check(r"DOORS\A.SBP", Purpose::Read, Ok("parts/doors/a.sbp"));
+        check("nothing.sbp", Purpose::Read, Err("not found"));
+        check("doors", Purpose::Read, Err("not found"));
+        check("doors", Purpose::Enter, Ok("parts/doors"));
+        check("c:/sbparts/doors/new.txt", Purpose::Write, Ok("parts/doors/new.txt"));
+        check("nowhere/new.txt", Purpose::Write, Err("not found"));
+    }
+
+    #[test]
+    fn drives_are_looked_for_in_the_allowed_folders() {
+        check(r"C:\C\JOB.TXT", Purpose::Read, Ok("shop/C/job.txt"));
+        check(r"D:\key.txt", Purpose::Read, Err("not found"));
+        let closed = Folders::new("parts".into(), Vec::new(), Vec::new());
+        let found = closed.find(&disk(), Folder::Parts, r"C:\a.txt", Purpose::Write);
+        assert!(matches!(found, Err(HostError::NotAllowed(_))), "{found:?}");
+        check(r"C:\SbParts\Custom\custom9.SBC", Purpose::Read, Ok("custom/Custom9.sbc"));
+    }
+
+    #[test]
+    fn nothing_leads_out_of_the_allowed_folders() {
+        check("../secret/key.txt", Purpose::Read, Err("not allowed"));
+        check(r"doors\..\..\secret\key.txt", Purpose::Read, Err("not allowed"));
+        check("/secret/key.txt", Purpose::Read, Err("not allowed"));
+        check("..", Purpose::Enter, Err("not allowed"));
+        check("../../../..", Purpose::Enter, Err("not allowed"));
+        check("../shop/C/job.txt", Purpose::Read, Ok("shop/C/job.txt"));
+    }
+
+    #[test]
+    fn custom_cuts_have_their_own_folder() {
+        let found = folders().find(&disk(), Folder::Custom, "custom9.sbc", Purpose::Read);
+        assert_eq!(found.as_deref().ok(), Some(Path::new("custom/Custom9.sbc")));
+    }
+
+    #[test]
+    fn the_part_folder_changes_and_comes_back() {
+        let mut f = folders();
+        assert!(f.enter(&disk(), Some("DOORS")).is_ok());
+        assert_eq!(f.parts(), Path::new("parts/doors"));
+        assert!(f.enter(&disk(), Some("..")).is_ok());
+        assert_eq!(f.parts(), Path::new("parts"));
+        assert!(f.enter(&disk(), Some("none")).is_err() && f.parts() == Path::new("parts"));
+        let _ = f.enter(&disk(), Some("doors"));
+        assert!(f.enter(&disk(), None).is_ok() && f.parts() == Path::new("parts"));
+    }
+}

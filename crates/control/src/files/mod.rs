@@ -1,0 +1,26 @@
+//! Files that programs name: part files, custom cuts, files they read and write.
+//!
+//! ```text
+//!  name as written ── Folders::find ──► path inside the allowed folders ── Disk ──► bytes
+//!   C:\SbParts\A.SBP                      parts/a.sbp                        real, in memory,
+//!                                                                           or real with a scratch
+//! ```
+//!
+//! Nothing in here follows a name out of the folders that were allowed, whatever dots, drives or
+//! symbolic links it has.
+
+mod disk;
+mod folders;
+mod memory;
+mod open;
+mod real;
+mod scratch;
+mod shipped;
+
+pub use disk::Disk;
+pub use folders::Folders;
+pub use memory::MemoryDisk;
+pub use open::OpenFiles;
+pub use real::RealDisk;
+pub use scratch::Scratch;
+pub use shipped::{SHIPPED, Shipped};

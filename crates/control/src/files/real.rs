@@ -1,0 +1,66 @@
+//! The disk of the computer.
+
+use super::Disk;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+/// The disk of the computer.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RealDisk;
+
+impl Disk for RealDisk {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        fs::read(path)
+    }
+
+    fn names(&self, folder: &Path) -> io::Result<Vec<String>> {
+        let entries = fs::read_dir(or_here(folder))?;
+        let mut names: Vec<String> = entries
+            .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+            .collect();
+        names.sort();
+        Ok(names)
+    }
+
+    fn is_file(&self, path: &Path) -> bool {
+        path.is_file()
+    }
+
+    fn is_folder(&self, path: &Path) -> bool {
+        or_here(path).is_dir()
+    }
+
+    fn real_path(&self, path: &Path) -> PathBuf {
+        let path = or_here(path);
+        for ancestor in path.ancestors() {
+            if let Ok(real) = fs::canonicalize(or_here(ancestor)) {
+                let rest = path.strip_prefix(ancestor).unwrap_or(Path::new(""));
+                return if rest.as_os_str().is_empty() { real } else { real.join(rest) };
+            }
+        }
+        env::current_dir().unwrap_or_default().join(path)
+    }
+
+    fn may_write(&self, path: &Path) -> io::Result<()> {
+        beside(path).map(drop)
+    }
+
+    fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let mut beside = beside(path)?;
+        beside.write_all(bytes)?;
+        beside.as_file().sync_all()?;
+        beside.persist(path).map_err(|e| e.error)?;
+        Ok(())
+    }
+}
+
+/// A new file in the folder of another; gone unless it is put in that one's place.
+fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    tempfile::NamedTempFile::new_in(or_here(path.parent().unwrap_or(Path::new(""))))
+}
+
+/// The folder we are in has an empty name in relative paths.
+fn or_here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
+}

@@ -1,0 +1,66 @@
+//! A disk whose writes stay in a scratch space: what a preview writes, it can read again, and
+//! nothing of it remains.
+
+use super::{Disk, MemoryDisk};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// At most this much is kept in a scratch space, bytes: a loop that writes must not eat the memory.
+const MOST_BYTES: usize = 256 << 20;
+
+/// A disk below and what was written above it.
+pub struct Scratch<D> {
+    below: D,
+    written: MemoryDisk,
+    bytes: usize,
+}
+
+impl<D: Disk> Scratch<D> {
+    /// Nothing written yet.
+    pub fn over(below: D) -> Self {
+        Self { below, written: MemoryDisk::default(), bytes: 0 }
+    }
+
+    /// What was written.
+    pub const fn written(&self) -> &MemoryDisk {
+        &self.written
+    }
+}
+
+impl<D: Disk> Disk for Scratch<D> {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if self.written.is_file(path) { self.written.read(path) } else { self.below.read(path) }
+    }
+
+    fn names(&self, folder: &Path) -> io::Result<Vec<String>> {
+        let mut names = self.below.names(folder)?;
+        names.extend(self.written.names(folder)?);
+        names.sort();
+        names.dedup();
+        Ok(names)
+    }
+
+    fn is_file(&self, path: &Path) -> bool {
+        self.written.is_file(path) || self.below.is_file(path)
+    }
+
+    fn is_folder(&self, path: &Path) -> bool {
+        self.below.is_folder(path)
+    }
+
+    fn real_path(&self, path: &Path) -> PathBuf {
+        self.below.real_path(path)
+    }
+
+    fn may_write(&self, _: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        self.bytes += bytes.len();
+        if self.bytes > MOST_BYTES {
+            return Err(io::Error::other("too much written for a preview"));
+        }
+        self.written.write(path, bytes)
+    }
+}

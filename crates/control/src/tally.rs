@@ -1,0 +1,189 @@
+//! Counting what a run does: lengths, bounds, times by kind and by tool path.
+
+use kerf_geom::Bounds3;
+use kerf_motion::{Move, Path};
+use kerf_program::{Axis, Frame, MoveKind, ToolPathStart};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// Lengths in mm, times in seconds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// Straight moves made.
+    pub moves: u64,
+    /// Arcs made.
+    pub arcs: u64,
+    /// Length of the cutting moves in space.
+    pub cut_mm: f64,
+    /// Length of the jogs in space.
+    pub jog_mm: f64,
+    /// Bounds of the cutting moves, working locations, arcs counted exactly.
+    pub bounds: Bounds3,
+    /// Time cutting, outside tool changes.
+    pub cut_s: f64,
+    /// Time jogging, outside tool changes.
+    pub jog_s: f64,
+    /// Time waiting, outside tool changes: pauses, warnings, waiting for an input.
+    pub wait_s: f64,
+    /// Time in tool changes, of every kind.
+    pub tool_change_s: f64,
+    /// Named parts in order.
+    pub toolpaths: Vec<ToolPathTime>,
+    changing: bool,
+}
+
+/// A named part of the program and how long it takes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct ToolPathTime {
+    /// Its name.
+    pub name: Arc<str>,
+    /// The tool, empty when unknown.
+    pub tool: Arc<str>,
+    /// How long it takes, tool changes included.
+    pub seconds: f64,
+}
+
+impl Tally {
+    /// A move was made.
+    pub(crate) fn made(&mut self, made: &Move, seconds: f64, frame: &Frame) {
+        let length_mm = match made.path {
+            Path::Line => {
+                self.moves += 1;
+                straight(made, [Axis::X, Axis::Y, Axis::Z])
+            }
+            Path::Arc { .. } => {
+                self.arcs += 1;
+                let round = made.arc().map_or(0.0, |arc| arc.length());
+                round.hypot(made.to[Axis::Z] - made.from[Axis::Z])
+            }
+        };
+        match made.kind {
+            MoveKind::Cut => {
+                self.cut_mm += length_mm;
+                self.spend(seconds, |t| &mut t.cut_s);
+                self.grow(made, frame);
+            }
+            MoveKind::Jog => {
+                self.jog_mm += length_mm;
+                self.spend(seconds, |t| &mut t.jog_s);
+            }
+        }
+    }
+
+    /// Time passed without motion.
+    pub(crate) fn waited(&mut self, seconds: f64) {
+        self.spend(seconds, |t| &mut t.wait_s);
+    }
+
+    /// A tool path begins. A start that only names the tool, or only the path, belongs to the part
+    /// that has nothing but the other.
+    pub(crate) fn begins(&mut self, start: &ToolPathStart) {
+        let (name, tool) = (start.name.clone(), start.tool.clone());
+        match self.toolpaths.last_mut() {
+            Some(last) if last.seconds == 0.0 && (last.name.is_empty() || name.is_none()) => {
+                last.name = name.unwrap_or_else(|| last.name.clone());
+                last.tool = tool.unwrap_or_else(|| last.tool.clone());
+            }
+            _ => self.toolpaths.push(ToolPathTime {
+                name: name.unwrap_or_default(),
+                tool: tool.unwrap_or_default(),
+                seconds: 0.0,
+            }),
+        }
+    }
+
+    /// A tool change begins or is over.
+    pub(crate) fn changing(&mut self, begin: bool) {
+        self.changing = begin;
+    }
+
+    fn spend(&mut self, seconds: f64, kind: impl FnOnce(&mut Self) -> &mut f64) {
+        let sum = if self.changing { &mut self.tool_change_s } else { kind(self) };
+        *sum += seconds;
+        if let Some(path) = self.toolpaths.last_mut() {
+            path.seconds += seconds;
+        }
+    }
+
+    fn grow(&mut self, made: &Move, frame: &Frame) {
+        let zero = frame.working_zero.first3();
+        let mut add = |[x, y, z]: [f64; 3]| {
+            self.bounds.add([x - zero[0], y - zero[1], z - zero[2]]);
+        };
+        add(made.from.first3());
+        add(made.to.first3());
+        if let Some(arc) = made.arc() {
+            arc.extremes(|p| add([p.x, p.y, made.to[Axis::Z]]));
+        }
+    }
+}
+
+fn straight(made: &Move, axes: [Axis; 3]) -> f64 {
+    let square: f64 = axes.into_iter().map(|a| (made.to[a] - made.from[a]).powi(2)).sum();
+    square.sqrt()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use kerf_motion::Mover;
+    use kerf_program::{Arc as ArcMove, At, Axes, Feed, Line, Settings};
+
+    fn line(from: Axes, to: Axes, kind: MoveKind) -> Move {
+        let line = Line { kind, to, feed: Feed::Axis };
+        Mover::new(from, &Settings::default()).line(At::default(), &line).unwrap()
+    }
+
+    #[test]
+    fn lengths_are_in_space_and_jogs_have_no_bounds() {
+        let mut tally = Tally::default();
+        let (a, b) = (Axes::default(), Axes::xyz(3.0, 0.0, 4.0));
+        tally.made(&line(a, b, MoveKind::Jog), 1.0, &Frame::default());
+        assert!(tally.bounds.is_empty());
+        tally.made(&line(a, b, MoveKind::Cut), 2.0, &Frame::default());
+        assert_eq!((tally.cut_mm, tally.jog_mm, tally.cut_s, tally.jog_s), (5.0, 5.0, 2.0, 1.0));
+        assert_eq!(tally.bounds.max, [3.0, 0.0, 4.0]);
+    }
+
+    #[test]
+    fn bounds_hold_the_bulge_in_working_locations() {
+        let arc = ArcMove {
+            kind: MoveKind::Cut,
+            centre: [10.0, 0.0],
+            sweep_rad: -std::f64::consts::PI,
+            to: Axes::xyz(20.0, 0.0, 0.0),
+            feed: Feed::Axis,
+            chords: 8,
+            small: false,
+        };
+        let mut mover = Mover::new(Axes::default(), &Settings::default());
+        let mut tally = Tally::default();
+        let frame = Frame { working_zero: Axes::xyz(1.0, 1.0, 0.0), ..Frame::default() };
+        tally.made(&mover.arc(At::default(), &arc).unwrap(), 1.0, &frame);
+        let (min, max) = (tally.bounds.min, tally.bounds.max);
+        assert!((max[1] - 9.0).abs() < 1e-9 && (min[0] + 1.0).abs() < 1e-9, "{min:?} {max:?}");
+        assert!((tally.cut_mm - 10.0 * std::f64::consts::PI).abs() < 1e-9);
+    }
+
+    #[test]
+    fn time_belongs_to_the_tool_path_and_the_tool_change() {
+        let mut tally = Tally::default();
+        let start = |name: Option<&str>, tool: Option<&str>| ToolPathStart {
+            name: name.map(Arc::from),
+            tool: tool.map(Arc::from),
+        };
+        tally.waited(1.0);
+        tally.begins(&start(Some("Pocket"), None));
+        tally.begins(&start(None, Some("End mill")));
+        tally.changing(true);
+        tally.waited(2.0);
+        tally.changing(false);
+        tally.waited(4.0);
+        tally.begins(&start(Some("Outline"), None));
+        assert_eq!((tally.wait_s, tally.tool_change_s), (5.0, 2.0));
+        let first = &tally.toolpaths[0];
+        assert_eq!((&*first.name, &*first.tool, first.seconds), ("Pocket", "End mill", 6.0));
+        assert_eq!(tally.toolpaths.len(), 2);
+    }
+}

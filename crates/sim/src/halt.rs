@@ -1,0 +1,114 @@
+//! Inputs that stop motion.
+
+use crate::inputs::{self, Duty, Inputs};
+use kerf_program::settings::IoModes;
+
+/// A change of an input that a program waits for (ON INPUT).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Watched {
+    /// Its number, 1 … 12.
+    pub input: u8,
+    /// Fires when the input changes to this state.
+    pub on: bool,
+    /// Motion slows along its ramp first, else it stops at once.
+    pub ramped: bool,
+}
+
+/// A moment at which motion is stopped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Halt {
+    /// When the input changed, seconds of machine time.
+    pub t_s: f64,
+    /// Why.
+    pub cause: HaltCause,
+    /// Whether motion slows along its ramp.
+    pub ramped: bool,
+}
+
+/// Why motion is stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HaltCause {
+    /// A watched input changed; the index into the list of watches.
+    Watch(usize),
+    /// A limit input was triggered; its number.
+    Limit(u8),
+    /// A stop input was triggered; its number.
+    Stop(u8),
+}
+
+/// The first change of the script, not later than a time, that stops motion. The inputs are left
+/// as they are.
+pub(crate) fn first(
+    inputs: &Inputs,
+    until_s: f64,
+    modes: &IoModes,
+    watches: &[Watched],
+    limits: bool,
+) -> Option<Halt> {
+    let mut inputs = inputs.clone();
+    while let Some(change) = inputs.step(until_s, modes) {
+        let triggered = inputs::triggers(change.input, change.on, modes);
+        let cause = match inputs::duty(change.input, modes) {
+            Duty::Stop if triggered => Some(HaltCause::Stop(change.input)),
+            Duty::Limit if triggered && limits => Some(HaltCause::Limit(change.input)),
+            _ => watching(change.input, change.on, modes, watches).map(HaltCause::Watch),
+        };
+        if let Some(cause) = cause {
+            let ramped = match cause {
+                HaltCause::Watch(i) => watches[i].ramped,
+                HaltCause::Limit(_) => false,
+                HaltCause::Stop(number) => number != inputs::STOP_INPUT,
+            };
+            return Some(Halt { t_s: change.at_s, cause, ramped });
+        }
+    }
+    None
+}
+
+fn watching(input: u8, closed: bool, modes: &IoModes, watches: &[Watched]) -> Option<usize> {
+    let on = inputs::signal(input, closed, modes);
+    watches.iter().position(|w| w.input == input && w.on == on)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Change;
+    use kerf_program::Settings;
+
+    fn check(input: u8, on: bool, mode: u8, watched: bool, expected: Option<HaltCause>) {
+        let mut modes = Settings::default().io;
+        modes.inputs[usize::from(input) - 1] = mode;
+        let inputs = Inputs::new(vec![Change { input, at_s: 1.0, on }]);
+        let watch = Watched { input, on, ramped: true };
+        let watches = if watched { vec![watch] } else { Vec::new() };
+        let halt = first(&inputs, 5.0, &modes, &watches, true);
+        assert_eq!(halt.map(|h| h.cause), expected, "input {input} to {on}, mode {mode}");
+        assert_eq!(first(&inputs, 0.9, &modes, &watches, true), None);
+    }
+
+    #[test]
+    fn modes_say_which_change_stops() {
+        use HaltCause::{Limit, Stop, Watch};
+        check(2, true, 0, false, None);
+        check(2, true, 0, true, Some(Watch(0)));
+        check(2, true, 1, true, Some(Limit(2)));
+        check(2, false, 1, true, Some(Watch(0)));
+        check(2, false, 2, false, Some(Limit(2)));
+        check(5, true, 3, false, Some(Stop(5)));
+        check(5, false, 4, false, Some(Stop(5)));
+        check(4, false, 0, false, Some(Stop(4)));
+        check(4, true, 0, false, None);
+    }
+
+    #[test]
+    fn limits_can_be_switched_off_and_overridden() {
+        let mut modes = Settings::default().io;
+        modes.inputs[1] = 1;
+        let inputs = Inputs::new(vec![Change { input: 2, at_s: 1.0, on: true }]);
+        assert!(first(&inputs, 5.0, &modes, &[], true).is_some());
+        assert!(first(&inputs, 5.0, &modes, &[], false).is_none());
+        modes.limits_active = false;
+        assert!(first(&inputs, 5.0, &modes, &[], true).is_none());
+    }
+}

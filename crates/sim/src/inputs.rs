@@ -1,0 +1,185 @@
+//! The twelve input switches and the script that moves them.
+
+use kerf_program::settings::{IoModes, SWITCHES};
+
+/// An input changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// Its number, 1 … 12.
+    pub input: u8,
+    /// When, seconds of machine time.
+    pub at_s: f64,
+    /// Its state from then on.
+    pub on: bool,
+}
+
+/// What an input does to motion (command reference, VN).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Duty {
+    /// Nothing.
+    Free,
+    /// Stops motion when it is triggered and limits are active.
+    Limit,
+    /// Stops motion and forbids it until it is released.
+    Stop,
+}
+
+/// The emergency stop (command reference, VN field 2).
+pub(crate) const STOP_INPUT: u8 = 4;
+
+/// States of the inputs, and the changes still to come.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inputs {
+    script: Vec<Change>,
+    /// How many changes of the script have happened.
+    done: usize,
+    /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
+    contact: [Option<bool>; SWITCHES],
+}
+
+impl Inputs {
+    /// Inputs that follow a script. Before its first change an input is in the other state; inputs
+    /// without changes rest: normally closed ones closed, the others open. Changes of inputs that do
+    /// not exist, or at no finite time, are left out.
+    pub fn new(mut script: Vec<Change>) -> Self {
+        script.retain(|c| index(c.input).is_some() && c.at_s.is_finite());
+        script.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+        let mut contact = [None; SWITCHES];
+        for change in script.iter().rev() {
+            contact[usize::from(change.input) - 1] = Some(!change.on);
+        }
+        Self { script, done: 0, contact }
+    }
+
+    /// What a program reads: ON or OFF. The emergency stop reads ON when it is pressed, however it
+    /// is wired.
+    pub fn reads(&self, number: u8, modes: &IoModes) -> bool {
+        index(number).is_some_and(|i| signal(number, self.closed(i, modes), modes))
+    }
+
+    /// Whether an input now forbids motion, and its number.
+    pub(crate) fn stopping(&self, modes: &IoModes) -> Option<u8> {
+        let active = |n: &u8| {
+            let i = usize::from(*n) - 1;
+            duty(*n, modes) == Duty::Stop && triggers(*n, self.closed(i, modes), modes)
+        };
+        (1..=SWITCHES as u8).find(active)
+    }
+
+    /// The next change that has an effect, not later than a time.
+    pub(crate) fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
+        while let Some(change) = self.script.get(self.done).copied() {
+            if change.at_s > until_s {
+                return None;
+            }
+            self.done += 1;
+            let i = usize::from(change.input) - 1;
+            let before = self.closed(i, modes);
+            self.contact[i] = Some(change.on);
+            if before != change.on {
+                return Some(change);
+            }
+        }
+        None
+    }
+
+    fn closed(&self, i: usize, modes: &IoModes) -> bool {
+        self.contact[i].unwrap_or_else(|| normally_closed(i as u8 + 1, modes))
+    }
+}
+
+fn index(number: u8) -> Option<usize> {
+    (1..=SWITCHES as u8).contains(&number).then(|| usize::from(number) - 1)
+}
+
+/// Contact to what a program reads.
+pub(crate) fn signal(number: u8, closed: bool, modes: &IoModes) -> bool {
+    if number == STOP_INPUT { triggers(number, closed, modes) } else { closed }
+}
+
+/// Whether a contact in this state triggers the input.
+pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
+    closed != normally_closed(number, modes)
+}
+
+pub(crate) fn duty(number: u8, modes: &IoModes) -> Duty {
+    if number == STOP_INPUT {
+        return Duty::Stop;
+    }
+    match modes.inputs[usize::from(number) - 1] {
+        1 | 2 if modes.limits_active => Duty::Limit,
+        3 | 4 => Duty::Stop,
+        _ => Duty::Free,
+    }
+}
+
+fn normally_closed(number: u8, modes: &IoModes) -> bool {
+    if number == STOP_INPUT {
+        return !modes.input4_normally_open;
+    }
+    matches!(modes.inputs[usize::from(number) - 1], 2 | 4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_program::Settings;
+
+    fn modes(edit: impl FnOnce(&mut IoModes)) -> IoModes {
+        let mut modes = Settings::default().io;
+        edit(&mut modes);
+        modes
+    }
+
+    #[test]
+    fn an_input_was_in_the_other_state_before_its_first_change() {
+        let io = modes(|_| ());
+        let mut inputs = Inputs::new(vec![Change { input: 3, at_s: 2.0, on: false }]);
+        assert!(inputs.reads(3, &io) && !inputs.reads(2, &io));
+        assert_eq!(inputs.step(1.9, &io), None);
+        assert_eq!(inputs.step(2.0, &io).map(|c| c.input), Some(3));
+        assert!(!inputs.reads(3, &io));
+    }
+
+    #[test]
+    fn changes_come_in_order_of_time_and_repeated_states_are_none() {
+        let io = modes(|_| ());
+        let change = |input, at_s, on| Change { input, at_s, on };
+        let script = vec![change(2, 3.0, true), change(1, 1.0, true), change(1, 2.0, true)];
+        let mut inputs = Inputs::new(script);
+        let seen: Vec<u8> =
+            std::iter::from_fn(|| inputs.step(9.0, &io)).map(|c| c.input).collect();
+        assert_eq!(seen, [1, 2]);
+    }
+
+    #[test]
+    fn the_emergency_stop_reads_pressed_however_it_is_wired() {
+        let closed = modes(|_| ());
+        let open = modes(|m| m.input4_normally_open = true);
+        for (on, wiring, pressed) in
+            [(false, &closed, true), (true, &closed, false), (true, &open, true)]
+        {
+            let mut inputs = Inputs::new(vec![Change { input: 4, at_s: 0.0, on }]);
+            while inputs.step(0.0, wiring).is_some() {}
+            assert_eq!(inputs.reads(4, wiring), pressed, "{on}");
+            assert_eq!(inputs.stopping(wiring).is_some(), pressed, "{on}");
+        }
+        assert!(!Inputs::default().reads(4, &closed));
+    }
+
+    #[test]
+    fn a_normally_closed_input_without_a_script_rests() {
+        let io = modes(|m| m.inputs[4] = 4);
+        assert!(Inputs::default().reads(5, &io));
+        assert_eq!(Inputs::default().stopping(&io), None);
+    }
+
+    #[test]
+    fn inputs_that_do_not_exist_are_left_out() {
+        let nowhere = Change { input: 13, at_s: 0.0, on: true };
+        let never = Change { input: 1, at_s: f64::NAN, on: true };
+        let inputs = Inputs::new(vec![nowhere, never]);
+        assert_eq!(inputs, Inputs::default());
+        assert!(!inputs.reads(13, &modes(|_| ())));
+    }
+}

@@ -1,0 +1,85 @@
+//! What happened, and when.
+
+use kerf_program::{Axis, Independent, OutputReason};
+
+/// One thing that happened.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Happening {
+    /// When, seconds of machine time.
+    pub t_s: f64,
+    /// What.
+    pub what: What,
+}
+
+/// The kinds of things that happen beside motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum What {
+    /// An input changed.
+    Input {
+        /// Its number, 1 … 12.
+        number: u8,
+        /// Its state from now on.
+        on: bool,
+    },
+    /// An output changed.
+    Output {
+        /// Its number, 1 … 12.
+        number: u8,
+        /// Its state from now on.
+        on: bool,
+        /// What made it change.
+        why: OutputReason,
+    },
+    /// The duty of a PWM channel changed; between two changes of one move it changes evenly.
+    Pwm {
+        /// Its number, from 1.
+        channel: u8,
+        /// Duty, 0 … 100.
+        percent: f64,
+        /// Pulse frequency, kHz.
+        frequency_khz: f64,
+    },
+    /// A spindle got a speed.
+    Spindle {
+        /// Its number, from 1.
+        number: u8,
+        /// Revolutions a minute.
+        rpm: f64,
+        /// Whether its output is on.
+        on: bool,
+    },
+    /// The warning light before and during motion.
+    Light(bool),
+    /// Power of the motors.
+    Motors(bool),
+    /// An axis began or stopped to move beside the others (MI).
+    Independent {
+        /// The axis.
+        axis: Axis,
+        /// What it does.
+        motion: Independent,
+    },
+}
+
+/// Happenings in order of time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Log(Vec<Happening>);
+
+impl Log {
+    /// Adds one; it must not lie before the last.
+    pub(crate) fn add(&mut self, t_s: f64, what: What) {
+        self.0.push(Happening { t_s, what });
+    }
+
+    /// Takes everything out, in order of time. What happened at the same time stays in the order in
+    /// which it was written.
+    pub fn take(&mut self) -> impl Iterator<Item = Happening> + '_ {
+        self.0.sort_by(|a, b| a.t_s.total_cmp(&b.t_s));
+        self.0.drain(..)
+    }
+
+    /// True when nothing happened.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}

@@ -1,0 +1,286 @@
+//! The machine itself.
+
+use crate::halt::{self, Halt, Watched};
+use crate::independent::Spin;
+use crate::inputs::Inputs;
+use crate::laser;
+use crate::limits::{self, Violation};
+use crate::log::{Log, What};
+use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
+use crate::trigger;
+use kerf_motion::{Move, Plan, Span};
+use kerf_program::settings::SWITCHES;
+use kerf_program::{AXES, Axes, Axis, Frame, Independent, OutputReason, Settings};
+use std::sync::Arc;
+
+/// A simulated machine. See the [crate] for what it does.
+#[derive(Clone, Debug, Default)]
+pub struct Machine {
+    clock_s: f64,
+    /// Where planned motion has brought it, machine frame.
+    position: Axes,
+    frame: Frame,
+    settings: Arc<Settings>,
+    inputs: Inputs,
+    outputs: Outputs,
+    spins: [Spin; AXES],
+    pwm_percent: f64,
+    light: bool,
+    /// Limits were overridden until the file ends.
+    overridden: bool,
+    log: Log,
+}
+
+impl Machine {
+    /// A machine at rest at time 0.
+    pub fn new(position: Axes, frame: Frame, settings: Arc<Settings>, inputs: Inputs) -> Self {
+        Self { position, frame, settings, inputs, ..Self::default() }
+    }
+
+    /// Machine time, seconds.
+    pub const fn clock_s(&self) -> f64 {
+        self.clock_s
+    }
+
+    /// Where planned motion has brought it, machine frame.
+    pub const fn position(&self) -> Axes {
+        self.position
+    }
+
+    /// Where it is, axes that move on their own included, machine frame.
+    pub fn true_position(&self) -> Axes {
+        let mut place = self.position;
+        for axis in Axis::ALL {
+            place[axis] += self.spins[axis.index()].displacement(self.clock_s);
+        }
+        place
+    }
+
+    /// The frames in force.
+    pub const fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// The settings in force.
+    pub const fn settings(&self) -> &Arc<Settings> {
+        &self.settings
+    }
+
+    /// What an input, 1 … 12, reads.
+    pub fn input(&self, number: u8) -> bool {
+        self.inputs.reads(number, &self.settings.io)
+    }
+
+    /// The outputs.
+    pub const fn outputs(&self) -> &Outputs {
+        &self.outputs
+    }
+
+    /// What happened since this was asked last.
+    pub const fn log(&mut self) -> &mut Log {
+        &mut self.log
+    }
+
+    /// From here on these settings hold.
+    pub fn use_settings(&mut self, settings: Arc<Settings>) {
+        let before = laser::active(&self.settings.height, &self.settings.io);
+        self.settings = settings;
+        let height = self.settings.height;
+        if laser::active(&height, &self.settings.io) {
+            self.pwm(laser::CHANNEL, height.low_percent);
+        } else if before {
+            self.pwm(laser::CHANNEL, 0.0);
+        }
+    }
+
+    /// From here on these frames hold.
+    pub const fn use_frame(&mut self, frame: Frame) {
+        self.frame = frame;
+    }
+
+    /// A part file starts.
+    pub fn begin_file(&mut self) {
+        self.advance(self.clock_s);
+        self.overridden = false;
+        self.by_mode(Occasion::Start, OutputReason::Mode);
+    }
+
+    /// The part file is over.
+    pub fn end_file(&mut self) {
+        self.set_light(false);
+        self.overridden = false;
+        self.by_mode(Occasion::End, OutputReason::End);
+    }
+
+    /// Motion was stopped by the operator or a stop input; `spindles` turns outputs 1 and 2 off.
+    pub fn stopped(&mut self, spindles: bool) {
+        self.set_light(false);
+        self.by_mode(Occasion::Stop, OutputReason::Stop);
+        if spindles {
+            self.output(1, false, OutputReason::Stop);
+            self.output(2, false, OutputReason::Stop);
+        }
+    }
+
+    /// Motion goes on after a stop.
+    pub fn resumed(&mut self) {
+        self.by_mode(Occasion::Resume, OutputReason::Mode);
+    }
+
+    /// Limits do not stop motion any more, until the file ends.
+    pub const fn override_limits(&mut self) {
+        self.overridden = true;
+    }
+
+    /// Switches an output.
+    pub fn output(&mut self, number: u8, on: bool, why: OutputReason) {
+        self.output_at(self.clock_s, number, on, why);
+    }
+
+    /// Sets the PWM channel.
+    pub fn pwm(&mut self, channel: u8, percent: f64) {
+        self.pwm_at(self.clock_s, channel, percent);
+    }
+
+    /// Sets the speed of a spindle.
+    pub fn spindle(&mut self, number: u8, rpm: f64) {
+        let on = self.outputs.is_on(number);
+        self.log.add(self.clock_s, What::Spindle { number, rpm, on });
+    }
+
+    /// Lets an axis move beside the others.
+    pub fn independent(&mut self, axis: Axis, motion: Independent) {
+        self.spins[axis.index()].change(self.clock_s, motion);
+        self.log.add(self.clock_s, What::Independent { axis, motion });
+    }
+
+    /// Cuts motor power; everything that moves or is on stops (MO).
+    pub fn motors_off(&mut self) {
+        for axis in Axis::ALL {
+            if self.spins[axis.index()].moves() {
+                self.independent(axis, Independent::Off);
+            }
+        }
+        self.set_light(false);
+        for number in 1..=SWITCHES as u8 {
+            self.output(number, false, OutputReason::Stop);
+        }
+        self.log.add(self.clock_s, What::Motors(false));
+    }
+
+    /// Ends the warning until the next motion (WARNING OFF, a question to the operator).
+    pub fn warning_off(&mut self) {
+        self.set_light(false);
+    }
+
+    /// Lets the clock run to a time; inputs change on the way.
+    pub fn advance(&mut self, to_s: f64) {
+        let io = self.settings.io;
+        while let Some(change) = self.inputs.step(to_s, &io) {
+            let on = self.inputs.reads(change.input, &io);
+            let t_s = change.at_s.max(self.clock_s);
+            self.log.add(t_s, What::Input { number: change.input, on });
+        }
+        self.clock_s = self.clock_s.max(to_s);
+    }
+
+    /// When an input reads a state: now, or at the time of a later change. `None` for never.
+    pub fn when_input(&self, number: u8, on: bool) -> Option<f64> {
+        let io = &self.settings.io;
+        let mut inputs = self.inputs.clone();
+        let mut t_s = self.clock_s;
+        while inputs.reads(number, io) != on {
+            t_s = inputs.step(f64::INFINITY, io)?.at_s;
+        }
+        Some(t_s)
+    }
+
+    /// The first change of an input up to a time that stops motion, or a program that waits.
+    pub fn first_halt(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
+        halt::first(&self.inputs, until_s, &self.settings.io, watches, !self.overridden)
+    }
+
+    /// A stop input that forbids motion now.
+    pub fn stop_input(&self) -> Option<u8> {
+        self.inputs.stopping(&self.settings.io)
+    }
+
+    /// The first move of a stack that would leave the table, unless limits are off or overridden.
+    pub fn first_outside(&self, moves: &[Move]) -> Option<Violation> {
+        let limits = &self.settings.limits;
+        if !limits.check || self.overridden {
+            return None;
+        }
+        let axes = usize::from(self.settings.axis_count);
+        limits::first_outside(moves, self.frame.base_zero, limits, axes)
+    }
+
+    /// Motion is about to start: the warning comes first. Returns when motion starts, seconds.
+    pub fn begin_motion(&mut self) -> f64 {
+        if !self.light {
+            self.set_light(true);
+            let wait_s = self.settings.warning_s.max(0.0);
+            self.advance(self.clock_s + wait_s);
+        }
+        self.clock_s
+    }
+
+    /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock.
+    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
+        let settings = &self.settings;
+        if settings.cutter.trigger.active
+            && let Some((t_s, on)) =
+                trigger::switch(plan, span.index, &settings.cutter.trigger, self.frame.working_zero)
+        {
+            let number = settings.cutter.trigger.output;
+            self.output_at(t0_s + t_s, number, on, OutputReason::Trigger);
+        }
+        if laser::active(&self.settings.height, &self.settings.io) {
+            let height = self.settings.height;
+            for (t_s, percent) in laser::corners(span, &height) {
+                self.pwm_at(t0_s + t_s, laser::CHANNEL, percent);
+            }
+        }
+        self.position = span.made.to;
+        self.advance(t0_s + span.t1_s);
+    }
+
+    /// The stack is over, the machine stands.
+    pub fn rest(&mut self) {
+        let height = self.settings.height;
+        if laser::active(&height, &self.settings.io) {
+            self.pwm(laser::CHANNEL, height.low_percent);
+        }
+    }
+
+    fn by_mode(&mut self, occasion: Occasion, why: OutputReason) {
+        let io = self.settings.io;
+        for (number, on) in switched(&io, occasion) {
+            self.output(number, on, why);
+        }
+    }
+
+    fn set_light(&mut self, on: bool) {
+        if std::mem::replace(&mut self.light, on) == on {
+            return;
+        }
+        self.log.add(self.clock_s, What::Light(on));
+        if self.settings.io.output4 != -4 {
+            self.output(MOTION_OUTPUT, on, OutputReason::Motion);
+        }
+    }
+
+    fn output_at(&mut self, t_s: f64, number: u8, on: bool, why: OutputReason) {
+        if self.outputs.set(number, on) {
+            self.log.add(t_s, What::Output { number, on, why });
+        }
+    }
+
+    fn pwm_at(&mut self, t_s: f64, channel: u8, percent: f64) {
+        if (self.pwm_percent - percent).abs() > 1e-9 {
+            self.pwm_percent = percent;
+            let frequency_khz = self.settings.height.frequency_khz;
+            self.log.add(t_s, What::Pwm { channel, percent, frequency_khz });
+        }
+    }
+}

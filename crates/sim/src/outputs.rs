@@ -1,0 +1,99 @@
+//! The twelve output switches and their modes.
+
+use kerf_program::settings::{IoModes, SWITCHES};
+
+/// States of the outputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Outputs([bool; SWITCHES]);
+
+impl Outputs {
+    /// State of an output, 1 … 12; one that does not exist is off.
+    pub fn is_on(&self, number: u8) -> bool {
+        let i = usize::from(number).wrapping_sub(1);
+        self.0.get(i).copied().unwrap_or_default()
+    }
+
+    /// Switches one; true when that changed it.
+    pub(crate) fn set(&mut self, number: u8, on: bool) -> bool {
+        let i = usize::from(number).wrapping_sub(1);
+        self.0.get_mut(i).is_some_and(|state| std::mem::replace(state, on) != on)
+    }
+}
+
+/// The output that follows motion (command reference, SO).
+pub(crate) const MOTION_OUTPUT: u8 = 4;
+
+/// When an output is switched without a command (command reference, VN fields 15-26).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Occasion {
+    /// A part file starts.
+    Start,
+    /// Motion was stopped.
+    Stop,
+    /// It goes on after a stop.
+    Resume,
+    /// The part file is over.
+    End,
+}
+
+/// Outputs that change their state on an occasion because of their mode.
+pub(crate) fn switched(
+    modes: &IoModes,
+    occasion: Occasion,
+) -> impl Iterator<Item = (u8, bool)> + '_ {
+    let automatic = modes.output4 != -4;
+    (1..=SWITCHES as u8).filter_map(move |number| {
+        if number == MOTION_OUTPUT && automatic {
+            return None;
+        }
+        let mode = modes.outputs[usize::from(number) - 1];
+        let on = match (occasion, mode) {
+            (Occasion::Start, 3..=5) => true,
+            (Occasion::Resume, 5) => true,
+            (Occasion::Stop, 2 | 5) | (Occasion::End, 0 | 2 | 3 | 5) => false,
+            _ => return None,
+        };
+        Some((number, on))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_program::Settings;
+
+    fn check(mode: u8, occasion: Occasion, expected: Option<bool>) {
+        let mut modes = Settings::default().io;
+        modes.outputs = [1; SWITCHES];
+        modes.outputs[2] = mode;
+        let got = switched(&modes, occasion).next();
+        assert_eq!(got, expected.map(|on| (3, on)), "mode {mode} {occasion:?}");
+    }
+
+    #[test]
+    fn each_mode_switches_when_the_reference_says() {
+        use Occasion::{End, Resume, Start, Stop};
+        let (on, off) = (Some(true), Some(false));
+        for (mode, start, stop, resume, end) in [
+            (0, None, None, None, off),
+            (1, None, None, None, None),
+            (2, None, off, None, off),
+            (3, on, None, None, off),
+            (4, on, None, None, None),
+            (5, on, off, on, off),
+        ] {
+            check(mode, Start, start);
+            check(mode, Stop, stop);
+            check(mode, Resume, resume);
+            check(mode, End, end);
+        }
+    }
+
+    #[test]
+    fn outputs_that_do_not_exist_stay_off() {
+        let mut outputs = Outputs::default();
+        assert!(!outputs.set(0, true) && !outputs.set(13, true));
+        assert!(outputs.set(12, true) && !outputs.set(12, true));
+        assert!(outputs.is_on(12) && !outputs.is_on(0) && !outputs.is_on(13));
+    }
+}
