@@ -85,11 +85,6 @@ impl Folders {
         })
     }
 
-    /// How a path is shown: as seen from the part folder when it lies in there.
-    pub fn shown(&self, path: &Path) -> String {
-        path.display().to_string()
-    }
-
     /// Where a name may lie: base folders and the rest of the name.
     fn places(
         &self,

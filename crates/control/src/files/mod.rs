@@ -18,7 +18,7 @@ mod scratch;
 mod shipped;
 
 pub use disk::Disk;
-pub use folders::Folders;
+pub use folders::{Folders, Purpose};
 pub use memory::MemoryDisk;
 pub use open::OpenFiles;
 pub use real::RealDisk;

@@ -1,0 +1,261 @@
+//! Running one stack of moves on the machine.
+
+use crate::event::{ArcEvent, Centre, Event, MoveEvent};
+use crate::runner::{Over, Runner};
+use crate::stack::Stack;
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_motion::{Move, Path, Plan, plan_stack};
+use kerf_program::{Answer, At, Axis, Button, Question, QuestionKind, Sourced};
+use kerf_sbp::Status;
+use kerf_sim::{Halt, HaltCause, Violation};
+use std::iter::Peekable;
+use std::vec::IntoIter;
+
+/// Why a stack did not run to its end.
+#[derive(Debug)]
+pub(crate) enum Halted {
+    /// A watched input; its index among the watches, and the motion that was interrupted.
+    Watch { index: usize, number: Option<u64> },
+    /// The run is over.
+    Over(Over),
+}
+
+/// Where a stack stopped.
+struct Stopped {
+    /// Index of the move in which the machine stands.
+    index: usize,
+    /// What was not made.
+    rest: Vec<Move>,
+    halt: Option<Halt>,
+}
+
+type Marks = Peekable<IntoIter<(usize, Sourced)>>;
+
+impl Runner<'_> {
+    /// Runs a stack; `None` when all of it was made.
+    pub(crate) fn execute(&mut self, mut stack: Stack) -> Option<Halted> {
+        if let Err(over) = self.check(&stack.moves) {
+            return Some(Halted::Over(over));
+        }
+        loop {
+            let moves = std::mem::take(&mut stack.moves);
+            let marks = std::mem::take(&mut stack.marks);
+            let stopped = match self.make(moves, marks) {
+                Ok(()) => return None,
+                Err(stopped) => stopped,
+            };
+            let number = stack.numbers.get(stopped.index).copied();
+            match self.answer_halt(stopped.halt, number) {
+                Some(halted) => return Some(halted),
+                None => stack = stack.after(stopped.index, stopped.rest),
+            }
+        }
+    }
+
+    /// Nothing moves that would leave the table, or while a stop input is active.
+    fn check(&mut self, moves: &[Move]) -> Result<(), Over> {
+        let Some(first) = moves.first() else { return Ok(()) };
+        if let Some(violation) = self.world.machine.first_outside(moves) {
+            self.ask_about_limit(moves, &violation)?;
+        }
+        match self.world.machine.stop_input() {
+            None => Ok(()),
+            Some(input) => {
+                let message = format!("stop input {input} is active: nothing may move");
+                Err(self.over(Status::Stopped, Code::InputStop, first.at, message))
+            }
+        }
+    }
+
+    fn ask_about_limit(&mut self, moves: &[Move], violation: &Violation) -> Result<(), Over> {
+        let at = moves.get(violation.move_index).map_or(At::default(), |m| m.at);
+        let message = self.limit_message(violation);
+        let question = limit_question(message.clone());
+        if self.ask(&question, at)? == Answer::Button(Button::Continue) {
+            self.world.machine.override_limits();
+            return Ok(());
+        }
+        Err(self.over(Status::Limit, Code::OutsideLimits, at, message))
+    }
+
+    fn limit_message(&self, violation: &Violation) -> String {
+        let scale = self.world.scale(violation.axis);
+        let [reached, limit] =
+            [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
+        let letter = violation.axis.letter();
+        format!("{letter} would reach {reached}, the table limit is {limit} (table base coordinates)")
+    }
+
+    fn over(&self, status: Status, code: Code, at: At, message: String) -> Over {
+        let place = Place::line(self.world.file(at), at.line);
+        let diagnostic = Diagnostic::new(code, place, message);
+        Over { status, diagnostic: Some(Box::new(diagnostic)) }
+    }
+
+    /// Plans and makes moves until they are made or something stops them.
+    fn make(&mut self, moves: Vec<Move>, marks: Vec<(usize, Sourced)>) -> Result<(), Stopped> {
+        let mut marks = marks.into_iter().peekable();
+        if moves.is_empty() {
+            self.carry_out_marks(&mut marks, usize::MAX);
+            return Ok(());
+        }
+        let before_s = self.world.now();
+        let t0_s = self.world.machine.begin_motion();
+        self.world.tally.waited(t0_s - before_s);
+        self.world.tell_log();
+        let plan = plan_stack(moves, &self.world.machine.settings().ramps.clone());
+        let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &self.watched());
+        let stopped = match halt {
+            None => self.follow_plan(plan, t0_s, &mut marks),
+            Some(halt) => {
+                let (plan, stopped) = cut(plan, halt.t_s - t0_s, halt.ramped);
+                let operator = self.follow_plan(plan, t0_s, &mut marks);
+                operator.or(Some(Stopped { halt: Some(halt), ..stopped }))
+            }
+        };
+        self.world.machine.rest();
+        self.world.tell_log();
+        match stopped {
+            Some(stopped) => Err(stopped),
+            None => {
+                self.carry_out_marks(&mut marks, usize::MAX);
+                Ok(())
+            }
+        }
+    }
+
+    /// Makes a plan, move by move; the operator may stop it.
+    fn follow_plan(&mut self, mut plan: Plan, t0_s: f64, marks: &mut Marks) -> Option<Stopped> {
+        let mut stopped = None;
+        let mut index = 0;
+        while index < plan.moves().len() {
+            self.carry_out_marks(marks, index);
+            if stopped.is_none()
+                && let Some(t_s) = self.pace.reach(t0_s + plan.span_s(index).1)
+            {
+                let (rest, why) = cut(plan, (t_s - t0_s).max(0.0), true);
+                plan = rest;
+                stopped = Some(why);
+                continue;
+            }
+            self.make_one(&plan, index, t0_s);
+            index += 1;
+        }
+        stopped
+    }
+
+    fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
+        let span = plan.span(index);
+        let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
+        self.world.tell(&event);
+        let frame = *self.world.machine.frame();
+        self.world.tally.made(span.made, span.t1_s - span.t0_s, &frame);
+        self.world.machine.make(t0_s, plan, &span);
+        self.world.tell_log();
+    }
+
+    fn move_event(&self, made: &Move, t0: f64, t1: f64) -> Event {
+        let event = MoveEvent {
+            kind: made.kind,
+            file: self.world.file(made.at),
+            line: made.at.line,
+            to: self.world.place(made.to),
+            t0,
+            t1,
+            speed: made.speed_mm_s / self.world.scale(leading_axis(made)),
+            from: self.world.place(made.from),
+        };
+        let Path::Arc { centre, sweep_rad, .. } = made.path else { return Event::Move(event) };
+        let mut middle = made.to;
+        (middle[Axis::X], middle[Axis::Y]) = (centre[0], centre[1]);
+        let centre = self.world.place(middle);
+        Event::Arc(ArcEvent {
+            made: event,
+            centre: Centre { x: centre.x, y: centre.y },
+            dir: if sweep_rad < 0.0 { "cw" } else { "ccw" },
+            sweep: sweep_rad.abs().to_degrees(),
+        })
+    }
+
+    /// Carries out what is marked before a move of this index or an earlier one.
+    fn carry_out_marks(&mut self, marks: &mut Marks, index: usize) {
+        while let Some((_, sourced)) = marks.next_if(|(before, _)| *before <= index) {
+            self.world.perform(sourced.command);
+        }
+    }
+
+    /// What follows when motion was stopped; `None` to go on with the rest.
+    fn answer_halt(&mut self, halt: Option<Halt>, number: Option<u64>) -> Option<Halted> {
+        let t = self.world.now();
+        let Some(halt) = halt else {
+            return Some(Halted::Over(self.stopped_by_operator()));
+        };
+        let (by, n) = match halt.cause {
+            HaltCause::Watch(index) => ("watch", self.watched().get(index).map_or(0, |w| w.input)),
+            HaltCause::Limit(n) => ("limit", n),
+            HaltCause::Stop(n) => ("stop", n),
+        };
+        self.world.tell(&Event::Stop { by, n, t });
+        match halt.cause {
+            HaltCause::Watch(index) => Some(Halted::Watch { index, number }),
+            HaltCause::Limit(n) => self.limit_input(n).err().map(Halted::Over),
+            HaltCause::Stop(n) => {
+                self.world.machine.stopped(true);
+                self.world.tell_log();
+                let message = format!("stopped by stop input {n}");
+                Some(Halted::Over(self.over(
+                    Status::Stopped,
+                    Code::InputStop,
+                    self.here(),
+                    message,
+                )))
+            }
+        }
+    }
+
+    fn limit_input(&mut self, n: u8) -> Result<(), Over> {
+        let at = self.here();
+        let message = format!("stopped by limit input {n}");
+        let question = limit_question(message.clone());
+        if self.ask(&question, at)? == Answer::Button(Button::Continue) {
+            self.world.machine.override_limits();
+            return Ok(());
+        }
+        Err(self.over(Status::Limit, Code::InputStop, at, message))
+    }
+
+    /// The line that runs next: what can be said of a stop that no line caused.
+    fn here(&self) -> At {
+        self.interpreter.call_stack().last().unwrap_or_default()
+    }
+}
+
+/// The part of a plan that is made when it is stopped at a time, and what is left.
+fn cut(plan: Plan, t_s: f64, ramped: bool) -> (Plan, Stopped) {
+    let Some(stop) = plan.stop(t_s, ramped) else {
+        return (plan, Stopped { index: 0, rest: Vec::new(), halt: None });
+    };
+    let index = stop.move_index;
+    let (plan, rest) = plan.cut(&stop);
+    (plan, Stopped { index, rest, halt: None })
+}
+
+/// The axis in whose unit the speed of a move is told.
+fn leading_axis(made: &Move) -> Axis {
+    let moves = |axis: &Axis| made.from[*axis] != made.to[*axis];
+    let arc = matches!(made.path, Path::Arc { .. });
+    if arc { Axis::X } else { Axis::ALL.into_iter().find(moves).unwrap_or(Axis::X) }
+}
+
+fn limit_question(text: String) -> Question {
+    Question {
+        kind: QuestionKind::Limit,
+        text,
+        title: "Limits".into(),
+        buttons: vec![Button::Continue, Button::End],
+        default: 1,
+        prefill: String::new(),
+        icon: 48,
+        until: None,
+    }
+}

@@ -1,0 +1,355 @@
+//! The loop of a run: interpreter, planner and machine, one after the other.
+//!
+//! ```text
+//!  Interpreter::run ──► commands ──► Mover ──► stack of moves ──► plan ──► machine, events
+//!        ▲                  │ (not motion)                            │
+//!        └── World: answers ┴──────────► carried out                  └─ input: interrupt
+//! ```
+
+use crate::execute::Halted;
+use crate::stack::{Stack, joins};
+use crate::world::World;
+use crate::{Event, Pace};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_motion::Mover;
+use kerf_program::{Answer, At, Button, Command, MoveKind, Question, Sourced};
+use kerf_sbp::{Interpreter, Status, Step};
+use kerf_sim::{HaltCause, Watched};
+
+/// Lines that are executed before their commands are looked at.
+const LINES: u64 = 4096;
+
+/// One run.
+pub(crate) struct Runner<'a> {
+    pub interpreter: Interpreter,
+    pub world: World<'a>,
+    pub pace: &'a mut dyn Pace,
+    mover: Mover,
+    stack: Stack,
+    out: Vec<Sourced>,
+    lines: u64,
+}
+
+/// Whether a run goes on.
+#[derive(Debug)]
+pub(crate) enum Flow {
+    /// On to the next.
+    On,
+    /// An input interrupted: commands given so far are dropped, the interpreter knows.
+    Interrupted,
+    /// The machine ends the run.
+    Over(Over),
+}
+
+/// The end of a run that the interpreter did not decide.
+#[derive(Debug)]
+pub(crate) struct Over {
+    pub status: Status,
+    pub diagnostic: Option<Box<Diagnostic>>,
+}
+
+impl<'a> Runner<'a> {
+    /// Ready to run.
+    pub fn new(interpreter: Interpreter, world: World<'a>, pace: &'a mut dyn Pace) -> Self {
+        let mover = Mover::new(world.machine.position(), interpreter.settings());
+        let (stack, out) = (Stack::default(), Vec::new());
+        Self { interpreter, world, pace, mover, stack, out, lines: LINES }
+    }
+
+    /// The same, looking at commands after so many lines. The result must not depend on it.
+    #[must_use]
+    pub fn looking_every(mut self, lines: u64) -> Self {
+        self.lines = lines.max(1);
+        self
+    }
+
+    /// Runs the program to its end.
+    pub fn run(&mut self) -> Over {
+        self.world.machine.begin_file();
+        self.world.tell_log();
+        let over = loop {
+            if let Some(over) = self.turn() {
+                break over;
+            }
+        };
+        self.world.machine.end_file();
+        self.world.tell_log();
+        self.world.flush_print();
+        over
+    }
+
+    /// Some lines, and what they ask for.
+    fn turn(&mut self) -> Option<Over> {
+        let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
+        self.learn_files();
+        if let Step::Done(Status::Failed, diagnostic) = step {
+            return Some(self.failed(diagnostic));
+        }
+        let flow = match self.feed() {
+            Flow::On => self.follow(step),
+            flow => flow,
+        };
+        match flow {
+            Flow::On | Flow::Interrupted => None,
+            Flow::Over(over) => Some(self.ended(over)),
+        }
+    }
+
+    /// What a step asks for, after its commands were taken over.
+    fn follow(&mut self, step: Step) -> Flow {
+        match step {
+            Step::Ran => Flow::On,
+            Step::Waiting if self.world.open_question().is_some() => self.answer(),
+            Step::Waiting => {
+                let flow = self.flush();
+                if matches!(flow, Flow::On) {
+                    self.world.settle_now();
+                }
+                flow
+            }
+            Step::Done(status, diagnostic) => match self.flush() {
+                Flow::On => Flow::Over(Over { status, diagnostic }),
+                flow => flow,
+            },
+        }
+    }
+
+    /// The run ends by the machine's or the operator's will: the interpreter tidies up.
+    fn ended(&mut self, over: Over) -> Over {
+        self.drop_motion();
+        match over.status {
+            Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut self.out)),
+            Status::Limit | Status::Failed => {
+                drop(self.interpreter.limit(&mut self.world, &mut self.out));
+            }
+            Status::Ok | Status::Ended => {}
+        }
+        self.carry_out_rest();
+        over
+    }
+
+    /// An error: nothing of the stack that was being read moves.
+    fn failed(&mut self, diagnostic: Option<Box<Diagnostic>>) -> Over {
+        let read = std::mem::take(&mut self.out);
+        let (motion, other): (Vec<_>, Vec<_>) =
+            read.into_iter().partition(|s| s.command.is_motion());
+        let first = self.stack.moves.first().map(|m| m.at).or(motion.first().map(|s| s.at));
+        let count = self.stack.moves.len() + motion.len();
+        self.drop_motion();
+        self.out = other;
+        self.carry_out_rest();
+        if let (Some(at), true) = (first, count > 0) {
+            self.note_dropped(at, count);
+        }
+        Over { status: Status::Failed, diagnostic }
+    }
+
+    fn note_dropped(&mut self, at: At, count: usize) {
+        let moves = if count == 1 { "1 move was".into() } else { format!("{count} moves were") };
+        let message = format!("{moves} read but not made, because of the error in the same stack");
+        let place = Place::line(self.world.file(at), at.line);
+        let hint = "nothing of a stack moves when it cannot be read to its end";
+        self.world.tell_diagnostic(Diagnostic::new(Code::StackDropped, place, message).hint(hint));
+    }
+
+    /// Forgets moves that were not made; what a person should know is still told.
+    fn drop_motion(&mut self) {
+        let stack = std::mem::take(&mut self.stack);
+        let told = |c: &Command| matches!(c, Command::Diagnostic(_));
+        for (_, sourced) in stack.marks.into_iter().filter(|(_, s)| told(&s.command)) {
+            self.world.perform(sourced.command);
+        }
+    }
+
+    /// What the interpreter gives when a run ends early: files closed, settings given back.
+    fn carry_out_rest(&mut self) {
+        for sourced in std::mem::take(&mut self.out) {
+            if !sourced.command.is_motion() {
+                self.world.perform(sourced.command);
+            }
+        }
+    }
+
+    fn learn_files(&mut self) {
+        while let Some(program) = self.interpreter.program(self.world.files_known() as u32) {
+            let name = program.name.clone();
+            self.world.name_file(name);
+        }
+    }
+
+    /// Takes over the commands given: motion goes onto the stack, the rest is carried out.
+    fn feed(&mut self) -> Flow {
+        let mut out = std::mem::take(&mut self.out);
+        let motions = out.iter().filter(|s| s.command.is_motion()).count() as u64;
+        let mut number = self.interpreter.motions() - motions;
+        let mut flow = Flow::On;
+        for sourced in out.drain(..) {
+            number += u64::from(sourced.command.is_motion());
+            flow = self.take(sourced, number);
+            if !matches!(flow, Flow::On) {
+                break;
+            }
+        }
+        self.out = out;
+        self.out.clear();
+        flow
+    }
+
+    fn take(&mut self, sourced: Sourced, number: u64) -> Flow {
+        let made = match &sourced.command {
+            Command::Line(line) => self.mover.line(sourced.at, line),
+            Command::Arc(arc) => self.mover.arc(sourced.at, arc),
+            _ => return self.take_other(sourced),
+        };
+        let Some(made) = made else { return Flow::On };
+        let jog = made.kind == MoveKind::Jog;
+        if jog && !self.stack.is_empty() {
+            match self.flush() {
+                Flow::On => {}
+                flow => return flow,
+            }
+        }
+        self.stack.moves.push(made);
+        self.stack.numbers.push(number);
+        if jog { self.flush() } else { Flow::On }
+    }
+
+    fn take_other(&mut self, sourced: Sourced) -> Flow {
+        if let Command::Settings(settings) = &sourced.command {
+            self.mover.settings(settings);
+        }
+        if joins(&sourced.command) {
+            if self.stack.moves.is_empty() {
+                self.world.perform(sourced.command);
+            } else {
+                self.stack.mark(sourced);
+            }
+            return Flow::On;
+        }
+        match (self.flush(), sourced.command) {
+            (Flow::On, Command::Wait { seconds }) => self.wait(seconds),
+            (Flow::On, command) => {
+                self.world.perform(command);
+                Flow::On
+            }
+            (flow, _) => flow,
+        }
+    }
+
+    /// Runs the stack that was read.
+    pub(crate) fn flush(&mut self) -> Flow {
+        if self.stack.is_empty() {
+            return Flow::On;
+        }
+        let last = self.stack.numbers.last().copied();
+        let stack = std::mem::take(&mut self.stack);
+        let halted = self.execute(stack);
+        match halted {
+            None => {
+                if let Some(number) = last {
+                    self.interpreter.carried_out(number);
+                }
+                Flow::On
+            }
+            Some(halted) => self.halted(halted),
+        }
+    }
+
+    fn halted(&mut self, halted: Halted) -> Flow {
+        match halted {
+            Halted::Watch { index, number } => self.interrupt(index, number),
+            Halted::Over(over) => Flow::Over(over),
+        }
+    }
+
+    /// A watched input stopped the machine: the program's handler comes next.
+    fn interrupt(&mut self, index: usize, motion: Option<u64>) -> Flow {
+        let position = self.world.machine.position();
+        let Some(watch) = self.interpreter.watches().nth(index).cloned() else { return Flow::On };
+        self.interpreter.interrupt(&watch, motion, position);
+        self.stack = Stack::default();
+        self.mover.set_position(position);
+        self.mover.settings(self.interpreter.settings());
+        Flow::Interrupted
+    }
+
+    /// The inputs whose changes stop the machine for the program.
+    pub(crate) fn watched(&self) -> Vec<Watched> {
+        let watched = self.interpreter.watches();
+        watched.map(|w| Watched { input: w.input, on: w.on, ramped: w.ramped }).collect()
+    }
+
+    /// Lets time pass until a moment, unless something stops the program before.
+    pub(crate) fn pass_until(&mut self, until_s: f64) -> Flow {
+        let watches = self.watched();
+        let halt = self.world.machine.first_halt(until_s, &watches);
+        // Nothing moves: limit and stop inputs have nothing to stop.
+        let halt = halt.and_then(|h| match h.cause {
+            HaltCause::Watch(index) => Some((h.t_s, index)),
+            _ => None,
+        });
+        let end_s = halt.map_or(until_s, |(t_s, _)| t_s);
+        let stopped = self.pace.reach(end_s);
+        let begin_s = self.world.now();
+        let end_s = stopped.unwrap_or(end_s).max(begin_s);
+        self.world.machine.advance(end_s);
+        self.world.tally.waited(end_s - begin_s);
+        self.world.tell_log();
+        match (stopped, halt) {
+            (Some(_), _) => Flow::Over(self.stopped_by_operator()),
+            (None, Some((_, index))) => self.interrupt(index, None),
+            (None, None) => Flow::On,
+        }
+    }
+
+    fn wait(&mut self, seconds: f64) -> Flow {
+        let t = self.world.now();
+        self.world.tell(&Event::Wait { seconds, t });
+        self.pass_until(t + seconds.max(0.0))
+    }
+
+    /// The operator ended the run.
+    pub(crate) fn stopped_by_operator(&mut self) -> Over {
+        self.world.machine.stopped(false);
+        self.world.tell_log();
+        self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
+        Over { status: Status::Stopped, diagnostic: None }
+    }
+
+    /// Answers the question that is open: an input does, or the operator.
+    fn answer(&mut self) -> Flow {
+        let at = self.asking_line();
+        let until = self.world.open_question().and_then(|q| q.until);
+        let moment = until.and_then(|(n, on)| self.world.machine.when_input(n, on));
+        if let Some(moment) = moment {
+            let (begin_s, flow) = (self.world.now(), self.pass_until(moment));
+            if matches!(flow, Flow::On) {
+                let seconds = moment - begin_s;
+                self.world.tell(&Event::Wait { seconds, t: begin_s });
+                self.world.answered_by_input(Answer::Button(Button::OK), at);
+            }
+            return flow;
+        }
+        match self.world.answer_open_question(at) {
+            Ok(()) => Flow::On,
+            Err(message) => Flow::Over(self.unanswered(at, message)),
+        }
+    }
+
+    /// A question of the machine, not of the program.
+    pub(crate) fn ask(&mut self, question: &Question, at: At) -> Result<Answer, Over> {
+        self.world.ask_now(question, at).map_err(|message| self.unanswered(at, message))
+    }
+
+    fn unanswered(&self, at: At, message: String) -> Over {
+        let place = Place::line(self.world.file(at), at.line);
+        let diagnostic = Diagnostic::new(Code::Terminated, place, message)
+            .hint("the script of answers has to name a button of the box");
+        Over { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
+    }
+
+    /// The line that asks; it runs again when the answer is there.
+    fn asking_line(&self) -> At {
+        self.interpreter.call_stack().last().unwrap_or_default()
+    }
+}

@@ -1,0 +1,169 @@
+//! Everything of a run that lies on a disk: part files, custom cuts, files that programs read and
+//! write, stored values, external programs.
+
+use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped};
+use crate::stored::Stored;
+use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Files larger than this are no part files, bytes.
+const MOST_BYTES: usize = 1 << 30;
+
+/// Files and values that programs reach.
+pub struct Shelf {
+    disk: Box<dyn Disk>,
+    folders: Folders,
+    open: OpenFiles,
+    /// Values that survive.
+    pub stored: Stored,
+    /// Folder of settings and values.
+    data: PathBuf,
+    shell: Shell,
+}
+
+/// What SHELL does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shell {
+    /// It is refused.
+    #[default]
+    Refused,
+    /// It is allowed, but starts nothing: a preview.
+    Skipped,
+    /// It starts programs.
+    Started,
+}
+
+impl Shelf {
+    /// Programs change these files.
+    pub fn new(disk: Box<dyn Disk>, folders: Folders, stored: Stored, data: PathBuf) -> Self {
+        Self { disk, folders, open: OpenFiles::default(), stored, data, shell: Shell::Refused }
+    }
+
+    /// Programs see these files; what they write stays in a scratch space.
+    pub fn preview(disk: impl Disk + 'static, folders: Folders, stored: &Stored, data: PathBuf) -> Self {
+        Self::new(Box::new(Scratch::over(disk)), folders, stored.copy(), data)
+    }
+
+    /// Files in memory only.
+    pub fn in_memory(disk: MemoryDisk) -> Self {
+        let folders = Folders::new(PathBuf::new(), vec!["custom".into()], Vec::new());
+        Self::new(Box::new(disk), folders, Stored::default(), PathBuf::new())
+    }
+
+    /// The same with another answer to SHELL.
+    #[must_use]
+    pub const fn with_shell(mut self, shell: Shell) -> Self {
+        self.shell = shell;
+        self
+    }
+
+    /// Puts values that changed into their file.
+    pub fn save(&mut self) -> std::io::Result<()> {
+        self.stored.save(&mut *self.disk)
+    }
+
+    /// The current part folder.
+    pub fn part_folder(&self) -> &Path {
+        self.folders.parts()
+    }
+
+    pub(crate) fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
+        let found = self.folders.find(&*self.disk, request.folder, &request.name, Purpose::Read);
+        let path = match found {
+            Ok(path) => path,
+            Err(HostError::NotFound(_)) if request.folder == Folder::Custom => {
+                return shipped(&request.name);
+            }
+            Err(error) => return Err(error),
+        };
+        let bytes = self.disk.read(&path).map_err(|e| cannot("read", &path, &e))?;
+        if bytes.len() > MOST_BYTES {
+            return Err(HostError::Refused(format!("{} is too large", path.display())));
+        }
+        Ok(SourceFile { name: path.display().to_string().into(), bytes: bytes.into() })
+    }
+
+    pub(crate) fn enter(&mut self, folder: Option<&str>) -> Result<String, HostError> {
+        self.folders.enter(&*self.disk, folder)?;
+        Ok(self.folders.parts().display().to_string())
+    }
+
+    pub(crate) fn open(
+        &mut self,
+        number: u8,
+        name: &str,
+        mode: FileMode,
+    ) -> Result<String, HostError> {
+        let purpose = if mode == FileMode::Input { Purpose::Read } else { Purpose::Write };
+        let path = self.folders.find(&*self.disk, Folder::Parts, name, purpose)?;
+        self.open.open(&*self.disk, number, path.clone(), mode)?;
+        Ok(path.display().to_string())
+    }
+
+    pub(crate) fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
+        self.open.write(number, text)
+    }
+
+    pub(crate) fn read_line(&mut self, number: u8) -> Result<String, HostError> {
+        self.open.read_line(number)
+    }
+
+    pub(crate) fn close(&mut self, number: u8) -> Result<(), HostError> {
+        self.open.close(&mut *self.disk, number)
+    }
+
+    pub(crate) fn shell(&self, call: &ShellCall) -> Result<(), HostError> {
+        match self.shell {
+            Shell::Started => {}
+            Shell::Skipped => return Ok(()),
+            Shell::Refused => {
+                let what = "external programs are disabled; --allow-shell lets a run start them";
+                return Err(HostError::Disabled(what.into()));
+            }
+        }
+        let mut command = shell_command(&call.line);
+        let folder = self.disk.real_path(self.folders.parts());
+        command.current_dir(folder).stdin(Stdio::null());
+        let started = if call.wait {
+            command.status().map(drop)
+        } else {
+            command.spawn().map(drop)
+        };
+        started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
+    }
+
+    pub(crate) fn user_path(&self) -> String {
+        self.disk.real_path(self.folders.parts()).display().to_string()
+    }
+
+    pub(crate) fn app_path(&self) -> String {
+        self.disk.real_path(&self.data).display().to_string()
+    }
+}
+
+fn shipped(name: &str) -> Result<SourceFile, HostError> {
+    let missing = || {
+        HostError::NotFound(format!("{name} not found in the folder of custom cuts (--custom)"))
+    };
+    let file = Shipped::find(name).ok_or_else(missing)?;
+    Ok(SourceFile { name: file.name.into(), bytes: file.text.as_bytes().into() })
+}
+
+fn cannot(what: &str, path: &Path, error: &std::io::Error) -> HostError {
+    HostError::Refused(format!("cannot {what} {}: {error}", path.display()))
+}
+
+#[cfg(windows)]
+fn shell_command(line: &str) -> Command {
+    let mut command = Command::new("cmd");
+    command.arg("/C").arg(line);
+    command
+}
+
+#[cfg(not(windows))]
+fn shell_command(line: &str) -> Command {
+    let mut command = Command::new("sh");
+    command.arg("-c").arg(line);
+    command
+}

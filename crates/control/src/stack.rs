@@ -1,0 +1,56 @@
+//! The stack of moves that is being read: nothing of it moves until it is complete.
+//!
+//! Commands that belong to a stack without being motion (switching an output on, a change of speed, a
+//! comment) are kept as marks: they are carried out between two moves while the machine moves on.
+
+use kerf_motion::Move;
+use kerf_program::{Command, Sourced};
+
+/// Moves that are run as one, and what is done between them.
+#[derive(Debug, Default)]
+pub(crate) struct Stack {
+    pub moves: Vec<Move>,
+    /// Number of each motion command of `moves`; kept only while something may interrupt.
+    pub numbers: Vec<u64>,
+    /// What is done before the move of this index starts, in order.
+    pub marks: Vec<(usize, Sourced)>,
+}
+
+impl Stack {
+    pub fn is_empty(&self) -> bool {
+        self.moves.is_empty() && self.marks.is_empty()
+    }
+
+    /// Adds a command that does not end motion.
+    pub fn mark(&mut self, sourced: Sourced) {
+        self.marks.push((self.moves.len(), sourced));
+    }
+
+    /// What is left when the moves before `index` were made: marks before it are gone.
+    pub fn after(mut self, index: usize, rest: Vec<Move>) -> Self {
+        self.moves = rest;
+        self.numbers.drain(..index.min(self.numbers.len()));
+        self.marks.retain(|(before, _)| *before > index);
+        for (before, _) in &mut self.marks {
+            *before -= index;
+        }
+        self
+    }
+}
+
+/// Whether a command leaves motion as it is (ledger notes A-95): it becomes a mark of the stack.
+pub(crate) const fn joins(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Settings(_)
+            | Command::Output { on: true, .. }
+            | Command::Print { .. }
+            | Command::Message { .. }
+            | Command::Diagnostic(_)
+            | Command::File { .. }
+            | Command::Sound { .. }
+            | Command::ToolPath(_)
+            | Command::ToolChange { .. }
+            | Command::ClearPreview
+    )
+}

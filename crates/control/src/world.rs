@@ -1,0 +1,363 @@
+//! What a program works with: machine, operator, files, and the events that tell of it.
+//!
+//! The world answers what the interpreter asks ([`Host`]) and carries out its commands, except
+//! motion, which the [`Runner`](crate::runner) plans first.
+
+use crate::answers::{self, Operator};
+use crate::event::{AskEvent, Event, Partial, Place};
+use crate::shelf::Shelf;
+use crate::{Sink, Tally};
+use kerf_diag::Diagnostic;
+use kerf_program::{
+    AXES, Answer, At, Axes, Axis, AxisSet, Command, FileMode, FileRequest, Frame, Host, HostError,
+    Independent, OutputReason, Question, Settings, ShellCall, SourceFile,
+};
+use kerf_sim::{Happening, Machine, What};
+use std::sync::Arc;
+use std::task::Poll;
+
+/// Version number that `%(49)` reads: the simulated machine has no firmware.
+const FIRMWARE: i32 = 0;
+
+pub(crate) struct World<'a> {
+    pub machine: Machine,
+    pub tally: Tally,
+    pub shelf: &'a mut Shelf,
+    sink: &'a mut dyn Sink,
+    operator: &'a mut dyn Operator,
+    /// The settings whose units events are told in.
+    settings: Arc<Settings>,
+    /// Names of the files that places speak of.
+    files: Vec<Arc<str>>,
+    /// A line of the print window that has no end yet.
+    printed: String,
+    /// Everything given so far was carried out; holds for one question.
+    settled: bool,
+    question: Option<Question>,
+    answer: Option<Answer>,
+    /// Warnings and notes of the same line are told once.
+    told: Option<Diagnostic>,
+}
+
+impl<'a> World<'a> {
+    pub fn new(
+        machine: Machine,
+        shelf: &'a mut Shelf,
+        sink: &'a mut dyn Sink,
+        operator: &'a mut dyn Operator,
+    ) -> Self {
+        let settings = machine.settings().clone();
+        Self {
+            machine,
+            tally: Tally::default(),
+            shelf,
+            sink,
+            operator,
+            settings,
+            files: Vec::new(),
+            printed: String::new(),
+            settled: false,
+            question: None,
+            answer: None,
+            told: None,
+        }
+    }
+
+    /// Tells an event.
+    pub fn tell(&mut self, event: &Event) {
+        self.sink.event(event);
+    }
+
+    /// Tells something a person should know.
+    pub fn tell_diagnostic(&mut self, diagnostic: Diagnostic) {
+        if self.told.as_ref() != Some(&diagnostic) {
+            self.sink.event(&Event::Diag(Box::new(diagnostic.clone())));
+            self.told = Some(diagnostic);
+        }
+    }
+
+    /// Machine time, seconds.
+    pub fn now(&self) -> f64 {
+        self.machine.clock_s()
+    }
+
+    /// Everything given so far has been carried out.
+    pub const fn settle_now(&mut self) {
+        self.settled = true;
+    }
+
+    /// The question the program waits for.
+    pub const fn open_question(&self) -> Option<&Question> {
+        self.question.as_ref()
+    }
+
+    /// How many files have names.
+    pub const fn files_known(&self) -> usize {
+        self.files.len()
+    }
+
+    /// The name of the next file.
+    pub fn name_file(&mut self, name: Arc<str>) {
+        self.files.push(name);
+    }
+
+    /// The name of a file.
+    pub fn file(&self, at: At) -> Arc<str> {
+        self.files.get(at.file as usize).cloned().unwrap_or_default()
+    }
+
+    /// Internal units in a user unit of an axis.
+    pub fn scale(&self, axis: Axis) -> f64 {
+        self.settings.axis_scale(axis)
+    }
+
+    /// A machine position as a working location in the user's units.
+    pub fn place(&self, machine: Axes) -> Place {
+        self.settings.to_user(self.machine.frame().working(machine)).into()
+    }
+
+    /// The user's unit.
+    pub fn units(&self) -> &'static str {
+        self.settings.linear_unit.symbol()
+    }
+
+    /// Tells what the machine logged.
+    pub fn tell_log(&mut self) {
+        if self.machine.log().is_empty() {
+            return;
+        }
+        let happenings: Vec<Happening> = self.machine.log().take().collect();
+        for happening in happenings {
+            let event = self.happened(&happening);
+            self.sink.event(&event);
+        }
+    }
+
+    fn happened(&self, happening: &Happening) -> Event {
+        let t = happening.t_s;
+        match happening.what {
+            What::Input { number, on } => Event::Input { n: number, on, t },
+            What::Output { number, on, why } => Event::Output { n: number, on, t, why },
+            What::Pwm { channel, percent, frequency_khz } => {
+                Event::Pwm { channel, percent, t, khz: frequency_khz }
+            }
+            What::Spindle { number, rpm, on } => Event::Spindle { rpm, on, t, n: number },
+            What::Light(on) => Event::Light { on, t },
+            What::Motors(on) => Event::Motors { on, t },
+            What::Independent { axis, motion } => self.independent(axis, motion, t),
+        }
+    }
+
+    fn independent(&self, axis: Axis, motion: Independent, t: f64) -> Event {
+        let scale = self.scale(axis);
+        let (speed, frequency, distance) = match motion {
+            Independent::Off => (0.0, 0.0, 0.0),
+            Independent::Rotate(speed) => (speed / scale, 0.0, 0.0),
+            Independent::Oscillate { frequency_hz, distance } => {
+                (0.0, frequency_hz, distance / scale)
+            }
+        };
+        Event::Independent { axis: axis.letter(), speed, frequency, distance, t }
+    }
+
+    /// Carries out a command that is no motion and takes no time.
+    pub fn perform(&mut self, command: Command) {
+        let t = self.now();
+        match command {
+            Command::Settings(settings) => self.use_settings(settings),
+            Command::Location { frame, working, base } => self.locate(frame, working, base),
+            Command::Output { number, on } => {
+                self.machine.output(number, on, OutputReason::Program);
+            }
+            Command::Pwm { channel, percent } => self.machine.pwm(channel, percent),
+            Command::Spindle { number, rpm } => self.machine.spindle(number, rpm),
+            Command::Independent { axis, motion } => self.machine.independent(axis, motion),
+            Command::MotorsOff => self.machine.motors_off(),
+            Command::WarningOff => self.machine.warning_off(),
+            Command::Print { text, newline } => self.print(&text, newline),
+            Command::Message { text } => self.sink.event(&Event::Message { text, t }),
+            Command::Diagnostic(diagnostic) => self.tell_diagnostic(*diagnostic),
+            Command::File { op, path } => self.sink.event(&Event::File { op, path, t }),
+            Command::Sound { path } => self.sink.event(&Event::Sound { path, t }),
+            Command::ToolPath(start) => {
+                self.tally.begins(&start);
+                self.sink.event(&Event::ToolPath { name: start.name, tool: start.tool, t });
+            }
+            Command::ToolChange { begin } => {
+                self.tally.changing(begin);
+                self.sink.event(&Event::ToolChange { begin, t });
+            }
+            Command::ClearPreview => self.sink.event(&Event::Clear { t }),
+            // The runner carries these out.
+            Command::Line(_) | Command::Arc(_) | Command::EndStack | Command::Wait { .. } => {}
+        }
+        self.tell_log();
+    }
+
+    fn use_settings(&mut self, settings: Arc<Settings>) {
+        let before = self.units();
+        self.settings = settings.clone();
+        self.machine.use_settings(settings);
+        let units = self.units();
+        if units != before {
+            self.sink.event(&Event::Units { units, t: self.now() });
+        }
+    }
+
+    fn locate(&mut self, frame: Frame, working: AxisSet, base: AxisSet) {
+        self.machine.use_frame(frame);
+        let place = self.machine.position();
+        let set = self.partial(frame.working(place), working);
+        let base = self.partial(frame.base(place), base);
+        self.sink.event(&Event::Location { set, base, t: self.now() });
+    }
+
+    fn partial(&self, internal: Axes, axes: AxisSet) -> Partial {
+        let user = self.settings.to_user(internal);
+        axes.iter().map(|axis| (axis.letter().to_ascii_lowercase(), user[axis])).collect()
+    }
+
+    fn print(&mut self, text: &str, newline: bool) {
+        self.printed.push_str(text);
+        if newline {
+            self.end_line();
+        }
+    }
+
+    fn end_line(&mut self) {
+        let text = Arc::from(std::mem::take(&mut self.printed));
+        self.sink.event(&Event::Print { text, t: self.now() });
+    }
+
+    /// The run is over: what was printed without a line end is told.
+    pub fn flush_print(&mut self) {
+        if !self.printed.is_empty() {
+            self.end_line();
+        }
+    }
+
+    /// Asks the operator, tells it, and keeps the answer for the program's next step.
+    ///
+    /// `Err` when the script answers with a button that the box does not have.
+    pub fn answer_open_question(&mut self, at: At) -> Result<(), String> {
+        if let Some(question) = self.question.take() {
+            self.answer = Some(self.ask_now(&question, at)?);
+        }
+        Ok(())
+    }
+
+    /// Asks the operator and tells it.
+    pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, String> {
+        self.machine.warning_off();
+        self.tell_log();
+        let given = self.operator.answer(question, at.line);
+        let scripted = given.is_some();
+        let answer = match given {
+            None => answers::default_answer(question),
+            Some(words) => answers::meaning(question, &words).ok_or_else(|| {
+                let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
+                format!("the answer '{words}' is no button of this box ({})", buttons.join(", "))
+            })?,
+        };
+        self.told_question(question, &answer, scripted, at);
+        Ok(answer)
+    }
+
+    /// An input that the program waits for answered for the operator.
+    pub fn answered_by_input(&mut self, answer: Answer, at: At) {
+        if let Some(question) = self.question.take() {
+            self.told_question(&question, &answer, true, at);
+            self.answer = Some(answer);
+        }
+    }
+
+    fn told_question(&mut self, question: &Question, answer: &Answer, scripted: bool, at: At) {
+        let event = Event::Ask(AskEvent {
+            kind: question.kind,
+            text: question.text.clone(),
+            title: question.title.clone(),
+            buttons: question.buttons.iter().map(|b| b.word()).collect(),
+            default: answers::words(&answers::default_answer(question)),
+            answer: answers::words(answer),
+            scripted,
+            t: self.now(),
+            file: self.file(at),
+            line: at.line,
+        });
+        self.sink.event(&event);
+    }
+}
+
+impl Host for World<'_> {
+    fn settle(&mut self) -> Poll<()> {
+        if std::mem::take(&mut self.settled) { Poll::Ready(()) } else { Poll::Pending }
+    }
+
+    fn input(&mut self, number: u8) -> bool {
+        self.machine.input(number)
+    }
+
+    fn output(&mut self, number: u8) -> bool {
+        self.machine.outputs().is_on(number)
+    }
+
+    fn ask(&mut self, question: &Question) -> Poll<Answer> {
+        if let Some(answer) = self.answer.take() {
+            return Poll::Ready(answer);
+        }
+        self.question = Some(question.clone());
+        Poll::Pending
+    }
+
+    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
+        self.shelf.source(request)
+    }
+
+    fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError> {
+        self.shelf.enter(folder)
+    }
+
+    fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
+        self.shelf.open(number, path, mode)
+    }
+
+    fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
+        self.shelf.write(number, text)
+    }
+
+    fn read_line(&mut self, number: u8) -> Result<String, HostError> {
+        self.shelf.read_line(number)
+    }
+
+    fn close(&mut self, number: u8) -> Result<(), HostError> {
+        self.shelf.close(number)
+    }
+
+    fn stored(&mut self, key: &str) -> Option<String> {
+        self.shelf.stored.get(key).map(str::to_owned)
+    }
+
+    fn store(&mut self, key: &str, value: Option<&str>) {
+        self.shelf.stored.set(key, value);
+    }
+
+    fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {
+        Poll::Ready(self.shelf.shell(call))
+    }
+
+    fn machine_position(&mut self) -> [f64; AXES] {
+        self.machine.true_position().0
+    }
+
+    fn user_path(&mut self) -> String {
+        self.shelf.user_path()
+    }
+
+    fn app_path(&mut self) -> String {
+        self.shelf.app_path()
+    }
+
+    fn firmware(&mut self) -> i32 {
+        FIRMWARE
+    }
+}
