@@ -83,7 +83,9 @@ impl Runner<'_> {
         let [reached, limit] =
             [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
         let letter = violation.axis.letter();
-        format!("{letter} would reach {reached}, the table limit is {limit} (table base coordinates)")
+        format!(
+            "{letter} would reach {reached}, the table limit is {limit} (table base coordinates)"
+        )
     }
 
     fn over(&self, status: Status, code: Code, at: At, message: String) -> Over {
@@ -145,7 +147,7 @@ impl Runner<'_> {
     }
 
     fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
-        let span = plan.span(index);
+        let Some(span) = plan.span(index) else { return };
         let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
         self.world.tell(&event);
         let frame = *self.world.machine.frame();

@@ -53,7 +53,8 @@ fn write_line(out: &mut impl Write, event: &Event) -> io::Result<()> {
 
 /// Writes a value as JSON on one line.
 pub fn write(out: &mut impl Write, value: &impl Serialize) -> io::Result<()> {
-    let mut serializer = serde_json::Serializer::with_formatter(out, PlainNumbers(CompactFormatter));
+    let mut serializer =
+        serde_json::Serializer::with_formatter(out, PlainNumbers(CompactFormatter));
     Ok(value.serialize(&mut serializer)?)
 }
 
@@ -113,7 +114,8 @@ fn write_fast<W: ?Sized + Write>(out: &mut W, value: f64) -> io::Result<()> {
 
 fn write_decimal<W: ?Sized + Write>(out: &mut W, value: f64) -> io::Result<()> {
     let text = format!("{value:.PLACES$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     out.write_all(text.as_bytes())
 }
 

@@ -1,1 +1,39 @@
-//! kerf-control
+//! One owner of one machine: runs programs on it and tells what happens.
+//!
+//! ```text
+//!  Session::run ── Runner ── Interpreter            asks World: machine, operator, files
+//!                    │  └─── Mover, plan ── Machine (kerf-sim)
+//!                    └─────► Sink: Event, Event, …  trace, picture, progress
+//! ```
+//!
+//! - [`Session`] is what stays between runs; [`Session::run`] is one run.
+//! - [`Event`] is what a run tells, exactly as `kerf trace` prints it; a [`Sink`] takes events.
+//! - [`Shelf`] is everything on disk that a program may reach. A preview gets a copy that keeps its
+//!   writes to itself.
+//! - [`run_text`] does it all in memory: for tests, editors, whoever has no disk.
+//!
+//! The same program, settings, files, answers and inputs give the same events, byte for byte.
+
+pub mod answers;
+pub mod event;
+mod execute;
+pub mod files;
+pub mod json;
+mod pace;
+mod runner;
+mod session;
+mod shelf;
+mod sink;
+mod stack;
+pub mod stored;
+mod tally;
+mod text;
+mod world;
+
+pub use event::Event;
+pub use pace::{Pace, StopAt};
+pub use session::{Company, RunOptions, Session, Summary, dialect_word};
+pub use shelf::{Shelf, Shell};
+pub use sink::Sink;
+pub use tally::{Tally, ToolPathTime};
+pub use text::{Outcome, TextOptions, run_text};

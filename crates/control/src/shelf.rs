@@ -41,7 +41,12 @@ impl Shelf {
     }
 
     /// Programs see these files; what they write stays in a scratch space.
-    pub fn preview(disk: impl Disk + 'static, folders: Folders, stored: &Stored, data: PathBuf) -> Self {
+    pub fn preview(
+        disk: impl Disk + 'static,
+        folders: Folders,
+        stored: &Stored,
+        data: PathBuf,
+    ) -> Self {
         Self::new(Box::new(Scratch::over(disk)), folders, stored.copy(), data)
     }
 
@@ -61,6 +66,13 @@ impl Shelf {
     /// Puts values that changed into their file.
     pub fn save(&mut self) -> std::io::Result<()> {
         self.stored.save(&mut *self.disk)
+    }
+
+    /// The text of a file in the part folder, as a run left it; for tests.
+    pub fn text(&self, name: &str) -> Option<String> {
+        let path = self.folders.find(&*self.disk, Folder::Parts, name, Purpose::Read).ok()?;
+        let bytes = self.disk.read(&path).ok()?;
+        Some(String::from_utf8_lossy(&bytes).into_owned())
     }
 
     /// The current part folder.
@@ -125,11 +137,8 @@ impl Shelf {
         let mut command = shell_command(&call.line);
         let folder = self.disk.real_path(self.folders.parts());
         command.current_dir(folder).stdin(Stdio::null());
-        let started = if call.wait {
-            command.status().map(drop)
-        } else {
-            command.spawn().map(drop)
-        };
+        let started =
+            if call.wait { command.status().map(drop) } else { command.spawn().map(drop) };
         started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
     }
 
@@ -142,10 +151,15 @@ impl Shelf {
     }
 }
 
+impl std::fmt::Debug for Shelf {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Shelf").field("folders", &self.folders).finish_non_exhaustive()
+    }
+}
+
 fn shipped(name: &str) -> Result<SourceFile, HostError> {
-    let missing = || {
-        HostError::NotFound(format!("{name} not found in the folder of custom cuts (--custom)"))
-    };
+    let missing =
+        || HostError::NotFound(format!("{name} not found in the folder of custom cuts (--custom)"));
     let file = Shipped::find(name).ok_or_else(missing)?;
     Ok(SourceFile { name: file.name.into(), bytes: file.text.as_bytes().into() })
 }

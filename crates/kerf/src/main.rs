@@ -1,3 +1,31 @@
-//! The `kerf` command: part files and drawings in, a running machine or a report out.
+//! The `kerf` command: the whole of Kerf from a terminal.
+//!
+//! Each subcommand is a file of [`commands`]; what they share is in [`args`] (options) and [`setup`]
+//! (from options to a machine, its folders and its memory). Exit codes are in [`exit`].
 
-fn main() {}
+mod args;
+mod commands;
+mod exit;
+mod parse;
+mod setup;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+/// Runs part files and pictures, times and checks them.
+#[derive(Parser)]
+#[command(name = "kerf", version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: commands::Command,
+}
+
+fn main() -> ExitCode {
+    match commands::run(Cli::parse().command) {
+        Ok(exit) => exit.into(),
+        Err(error) => {
+            eprintln!("kerf: {error:#}");
+            exit::of_error(&error).into()
+        }
+    }
+}

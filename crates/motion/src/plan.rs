@@ -102,15 +102,25 @@ impl Plan {
 
     /// The moves with their times and speeds, in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Span<'_>> {
-        self.moves.iter().zip(&self.profiles).enumerate().map(|(index, (made, p))| Span {
+        let both = self.moves.iter().zip(&self.profiles).enumerate();
+        both.map(|(index, (made, profile))| self.span_of(index, made, profile))
+    }
+
+    /// One move with its times and speeds.
+    pub fn span(&self, index: usize) -> Option<Span<'_>> {
+        Some(self.span_of(index, self.moves.get(index)?, self.profiles.get(index)?))
+    }
+
+    fn span_of<'a>(&'a self, index: usize, made: &'a Move, profile: &Profile) -> Span<'a> {
+        Span {
             index,
             made,
-            t0_s: p.start_s,
+            t0_s: profile.start_s,
             t1_s: self.span_s(index).1,
-            v_entry: p.v_entry,
-            v_peak: p.v_peak,
-            v_exit: p.v_exit,
-        })
+            v_entry: profile.v_entry,
+            v_peak: profile.v_peak,
+            v_exit: profile.v_exit,
+        }
     }
 
     pub(crate) fn phases(&self, index: usize) -> Phases {

@@ -147,8 +147,7 @@ mod tests {
         let change = |input, at_s, on| Change { input, at_s, on };
         let script = vec![change(2, 3.0, true), change(1, 1.0, true), change(1, 2.0, true)];
         let mut inputs = Inputs::new(script);
-        let seen: Vec<u8> =
-            std::iter::from_fn(|| inputs.step(9.0, &io)).map(|c| c.input).collect();
+        let seen: Vec<u8> = std::iter::from_fn(|| inputs.step(9.0, &io)).map(|c| c.input).collect();
         assert_eq!(seen, [1, 2]);
     }
 

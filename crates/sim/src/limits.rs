@@ -72,11 +72,7 @@ mod tests {
     use kerf_program::{Arc, At, Feed, Line, MoveKind, Settings};
 
     fn limits() -> Limits {
-        Limits {
-            low: Axes::xyz(0.0, 0.0, -10.0),
-            high: Axes::xyz(100.0, 50.0, 10.0),
-            check: true,
-        }
+        Limits { low: Axes::xyz(0.0, 0.0, -10.0), high: Axes::xyz(100.0, 50.0, 10.0), check: true }
     }
 
     fn line(from: Axes, to: Axes) -> Move {

@@ -241,7 +241,8 @@ mod tests {
 
     #[test]
     fn names_as_part_files_write_them() {
-        for name in ["Box.sbp", "BOX.SBP", " \"box.sbp\" ", r"doors\..\box.sbp", r"C:\SbParts\Box.SBP"]
+        for name in
+            ["Box.sbp", "BOX.SBP", " \"box.sbp\" ", r"doors\..\box.sbp", r"C:\SbParts\Box.SBP"]
         {
             check(name, Purpose::Read, Ok("parts/Box.sbp"));
         }

@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn lines_come_without_their_ends() {
-        let mut disk = MemoryDisk::new([("a.txt", b"1\r\n\n3".as_slice())]);
+        let disk = MemoryDisk::new([("a.txt", b"1\r\n\n3".as_slice())]);
         let mut files = OpenFiles::default();
         assert_eq!(files.open(&disk, 2, "a.txt".into(), FileMode::Input), Ok(()));
         let mut next = || files.read_line(2);

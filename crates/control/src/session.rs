@@ -1,0 +1,194 @@
+//! The owner of one machine: what stays between runs, and how a run starts.
+
+use crate::answers::Operator;
+use crate::event::{BoundsEvent, Corner, EndEvent, Event, VarValue};
+use crate::runner::Runner;
+use crate::shelf::Shelf;
+use crate::tally::Tally;
+use crate::world::World;
+use crate::{Pace, Sink};
+use kerf_diag::Diagnostic;
+use kerf_geom::Bounds3;
+use kerf_program::settings::LinearUnit;
+use kerf_sbp::{Dialect, Interpreter, Program, Status, Value, Variables};
+use kerf_sim::{Change, Inputs, Machine};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// How a program is run.
+#[derive(Clone, Debug, Default)]
+pub struct RunOptions {
+    /// How the language is read.
+    pub program: kerf_sbp::Options,
+    /// Changes of the simulated machine's inputs.
+    pub inputs: Vec<Change>,
+    /// Tell the user's variables at the end.
+    pub tell_variables: bool,
+    /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
+    /// on it.
+    pub lines_at_once: u64,
+}
+
+/// Who takes part in a run beside program and machine.
+pub struct Company<'a> {
+    /// Takes the events.
+    pub sink: &'a mut dyn Sink,
+    /// Answers questions.
+    pub operator: &'a mut dyn Operator,
+    /// Lets machine time pass.
+    pub pace: &'a mut dyn Pace,
+}
+
+/// What a run came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// How it ended.
+    pub status: Status,
+    /// Machine time, seconds.
+    pub seconds: f64,
+    /// Lines executed.
+    pub lines: u64,
+    /// Lengths, bounds, times.
+    pub tally: Tally,
+    /// The unit the user reads at the end.
+    pub unit: LinearUnit,
+    /// The error that ended it.
+    pub error: Option<Box<Diagnostic>>,
+}
+
+/// One machine and everything about it that stays between runs.
+#[derive(Clone, Debug, Default)]
+pub struct Session {
+    /// Settings, frames, position, variables.
+    pub memory: kerf_sbp::Session,
+}
+
+impl Session {
+    /// A session in the state of a program's memory.
+    pub const fn new(memory: kerf_sbp::Session) -> Self {
+        Self { memory }
+    }
+
+    /// Runs a program to its end. A program with errors does not start unless that is allowed.
+    pub fn run(
+        &mut self,
+        program: Program,
+        options: RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Summary {
+        let Company { sink, operator, pace } = company;
+        sink.event(&self.start_event(&program, &options));
+        for diagnostic in &program.diagnostics {
+            sink.event(&Event::Diag(Box::new(diagnostic.clone())));
+        }
+        if program.has_errors() && !options.program.allow_errors {
+            return self.refused(&program, sink);
+        }
+        let machine = Machine::new(
+            self.memory.position,
+            self.memory.frame,
+            Arc::new(self.memory.settings.clone()),
+            Inputs::new(options.inputs),
+        );
+        let memory = std::mem::take(&mut self.memory);
+        let interpreter = Interpreter::new(program, memory, options.program);
+        let world = World::new(machine, shelf, sink, operator);
+        let mut runner = Runner::new(interpreter, world, pace);
+        if options.lines_at_once > 0 {
+            runner = runner.looking_every(options.lines_at_once);
+        }
+        let over = runner.run();
+        let (summary, memory) = conclude(runner, over, options.tell_variables);
+        self.memory = memory;
+        summary
+    }
+
+    fn start_event(&self, program: &Program, options: &RunOptions) -> Event {
+        Event::Start {
+            file: program.name.clone(),
+            units: self.memory.settings.linear_unit.symbol(),
+            mode: if options.program.preview { "preview" } else { "move" },
+            dialect: dialect_word(options.program.dialect),
+        }
+    }
+
+    /// The program has errors: it ends before it starts.
+    fn refused(&self, program: &Program, sink: &mut dyn Sink) -> Summary {
+        let error = program.diagnostics.iter().find(|d| d.is_error()).cloned().map(Box::new);
+        let summary = Summary {
+            status: Status::Failed,
+            seconds: 0.0,
+            lines: 0,
+            tally: Tally::default(),
+            unit: self.memory.settings.linear_unit,
+            error,
+        };
+        sink.event(&Event::End(end_event(&summary, None)));
+        summary
+    }
+}
+
+/// The word for a dialect.
+pub const fn dialect_word(dialect: Dialect) -> &'static str {
+    match dialect {
+        Dialect::Sb3 => "sb3",
+        Dialect::Fabmo => "fabmo",
+        Dialect::Strict => "strict",
+    }
+}
+
+fn conclude(
+    runner: Runner<'_>,
+    over: crate::runner::Over,
+    variables: bool,
+) -> (Summary, kerf_sbp::Session) {
+    let Runner { interpreter, mut world, .. } = runner;
+    if let Some(diagnostic) = &over.diagnostic {
+        world.tell_diagnostic((**diagnostic).clone());
+    }
+    let summary = Summary {
+        status: over.status,
+        seconds: world.now(),
+        lines: interpreter.lines(),
+        tally: std::mem::take(&mut world.tally),
+        unit: interpreter.settings().linear_unit,
+        error: over.diagnostic,
+    };
+    let variables = variables.then(|| variables_told(interpreter.variables()));
+    world.tell(&Event::End(end_event(&summary, variables)));
+    let position = world.machine.position();
+    (summary, kerf_sbp::Session { position, ..interpreter.into_session() })
+}
+
+fn end_event(summary: &Summary, vars: Option<BTreeMap<String, VarValue>>) -> EndEvent {
+    let mm = summary.unit.mm();
+    EndEvent {
+        status: summary.status,
+        t: summary.seconds,
+        lines: summary.lines,
+        moves: summary.tally.moves,
+        arcs: summary.tally.arcs,
+        cut: summary.tally.cut_mm / mm,
+        jog: summary.tally.jog_mm / mm,
+        bounds: bounds_event(&summary.tally.bounds, mm),
+        vars,
+    }
+}
+
+fn bounds_event(bounds: &Bounds3, mm: f64) -> Option<BoundsEvent> {
+    let corner = |[x, y, z]: [f64; 3]| Corner { x: x / mm, y: y / mm, z: z / mm };
+    (!bounds.is_empty()).then(|| BoundsEvent { min: corner(bounds.min), max: corner(bounds.max) })
+}
+
+fn variables_told(variables: &Variables) -> BTreeMap<String, VarValue> {
+    let told = |value: Value| match value.number() {
+        // As the language shows it: seven digits, not the noise of single precision.
+        Some(number) => {
+            let shown = kerf_sbp::format_number(number).parse();
+            VarValue::Number(shown.unwrap_or(number))
+        }
+        None => VarValue::Text(value.display()),
+    };
+    variables.list().into_iter().map(|(name, value)| (name, told(value))).collect()
+}

@@ -1,0 +1,97 @@
+//! A run in memory: files in, events out. For tests, editors and whoever has no disk.
+
+use crate::answers::Answers;
+use crate::event::Event;
+use crate::files::MemoryDisk;
+use crate::pace::StopAt;
+use crate::session::{Company, RunOptions, Session, Summary};
+use crate::shelf::Shelf;
+use kerf_program::Settings;
+use kerf_program::settings::LinearUnit;
+use kerf_sbp::Value;
+use kerf_sim::Change;
+
+/// What a run in memory starts from.
+#[derive(Clone, Debug, Default)]
+pub struct TextOptions {
+    /// How the program is run.
+    pub run: RunOptions,
+    /// The settings at the start.
+    pub settings: Settings,
+    /// Answers to questions, one a line, as `--answers` reads them.
+    pub answers: String,
+    /// Variables set before the start.
+    pub variables: Vec<(String, Value)>,
+    /// The operator stops the machine at this time, seconds.
+    pub stop_at_s: Option<f64>,
+}
+
+impl TextOptions {
+    /// The same on a machine set to millimetres.
+    #[must_use]
+    pub fn mm(mut self) -> Self {
+        self.settings.linear_unit = LinearUnit::Mm;
+        self
+    }
+
+    /// The same with answers, one a line.
+    #[must_use]
+    pub fn answers(mut self, answers: &str) -> Self {
+        self.answers = answers.into();
+        self
+    }
+
+    /// The same with an input that changes at a time, seconds.
+    #[must_use]
+    pub fn input(mut self, input: u8, at_s: f64, on: bool) -> Self {
+        self.run.inputs.push(Change { input, at_s, on });
+        self
+    }
+
+    /// The same with a variable set before the start.
+    #[must_use]
+    pub fn set(mut self, name: &str, value: Value) -> Self {
+        self.variables.push((name.into(), value));
+        self
+    }
+
+    /// The same as a preview.
+    #[must_use]
+    pub const fn preview(mut self) -> Self {
+        self.run.program.preview = true;
+        self
+    }
+}
+
+/// A run in memory that is over.
+#[derive(Debug)]
+pub struct Outcome {
+    /// Everything that was told, in order.
+    pub events: Vec<Event>,
+    /// What it came to.
+    pub summary: Summary,
+    /// What stays: settings, frames, position, variables.
+    pub session: Session,
+    /// Stored values and files, as the run left them.
+    pub shelf: Shelf,
+}
+
+/// Runs the file `main` of `files`, which the program sees as its part folder. A missing `main` is
+/// an empty program.
+pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Outcome {
+    let disk = MemoryDisk::new(files.iter().map(|(name, text)| (*name, text.as_bytes())));
+    let text = files.iter().find(|(name, _)| *name == main).map_or("", |(_, text)| text);
+    let program = kerf_sbp::read(main.into(), text.as_bytes());
+    let mut session = Session::default();
+    session.memory.settings = options.settings;
+    for (name, value) in options.variables {
+        session.memory.variables.set(&name, value);
+    }
+    let mut shelf = Shelf::in_memory(disk);
+    let mut events = Vec::new();
+    let mut operator = Answers::read(&options.answers);
+    let mut stop = StopAt(options.stop_at_s.unwrap_or(f64::INFINITY));
+    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut stop };
+    let summary = session.run(program, options.run, &mut shelf, company);
+    Outcome { events, summary, session, shelf }
+}

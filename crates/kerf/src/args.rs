@@ -1,0 +1,126 @@
+//! Options that several subcommands share.
+
+use crate::parse;
+use clap::{Args, ValueEnum};
+use kerf_program::settings::LinearUnit;
+use kerf_sbp::{Dialect, Value};
+use kerf_sim::Change;
+use std::path::PathBuf;
+
+/// Options of everything that runs a part file, on a machine or as a preview.
+#[derive(Args, Clone, Debug)]
+pub struct RunArgs {
+    /// Units at the start, in or mm [default: in]
+    #[arg(long, value_name = "UNIT", value_parser = parse::units)]
+    pub units: Option<LinearUnit>,
+    /// Answers to the program's questions, one a line: OK, or LINE:OK, or pause=OK
+    #[arg(long, value_name = "FILE")]
+    pub answers: Option<PathBuf>,
+    /// Sets a variable before the start
+    #[arg(long, value_name = "NAME=VALUE", value_parser = parse::variable)]
+    pub set: Vec<(String, Value)>,
+    /// Changes an input of the simulated machine at a time in seconds; may be repeated
+    #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
+    pub input: Vec<Change>,
+    /// Stops the machine, as the operator would, at a time in seconds
+    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    pub stop_at: Option<f64>,
+    /// Which reading of the language: sb3, fabmo or strict
+    #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
+    pub dialect: Dialect,
+    /// Bound on executed lines; 0 for none
+    #[arg(long, value_name = "N", default_value_t = 50_000_000)]
+    pub max_lines: u64,
+    /// Runs a file with errors up to the first bad line that is reached
+    #[arg(long)]
+    pub allow_errors: bool,
+    /// Seed of random numbers
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    #[command(flatten)]
+    pub place: PlaceArgs,
+    #[command(flatten)]
+    pub file: FileArgs,
+    #[command(flatten)]
+    pub motion: MotionArgs,
+}
+
+/// Where things lie.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Folders")]
+pub struct PlaceArgs {
+    /// Configuration of the machine
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    /// The part folder [default: where the part file lies]
+    #[arg(long, value_name = "DIR")]
+    pub parts: Option<PathBuf>,
+    /// The folder of custom cuts [default: `custom` in the data folder]
+    #[arg(long, value_name = "DIR")]
+    pub custom: Option<PathBuf>,
+    /// Lets programs use files in another folder too; may be repeated
+    #[arg(long, value_name = "DIR")]
+    pub allow_path: Vec<PathBuf>,
+    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
+    #[arg(long, value_name = "DIR")]
+    pub data: Option<PathBuf>,
+    /// Lets SHELL start programs; never in a preview
+    #[arg(long)]
+    pub allow_shell: bool,
+}
+
+/// The parameters of the FP command, for the file at the top.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "File parameters, as those of FP")]
+pub struct FileArgs {
+    /// Scales the file
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    pub proportion: Option<[f64; 3]>,
+    /// Runs the file so many times
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub repeat: u32,
+    /// Takes the tool's present place as the file's zero: 3d, or 2d without Z
+    #[arg(long, value_name = "3d|2d", value_parser = parse::offset)]
+    pub offset: Option<u8>,
+    /// Moves Z by this before each repetition
+    #[arg(long, value_name = "Z", value_parser = parse::number, allow_negative_numbers = true)]
+    pub plunge: Option<f64>,
+    /// Leaves tabs in the last repetition
+    #[arg(long)]
+    pub tabs: bool,
+    /// Plunges from Z 0
+    #[arg(long)]
+    pub plunge_from_zero: bool,
+}
+
+/// How motion is planned.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Motion")]
+pub struct MotionArgs {
+    /// The model of ramps
+    #[arg(long, value_enum, default_value = "shopbot")]
+    pub ramps: RampModel,
+    /// Deviation allowed at corners, mm
+    #[arg(long, value_name = "MM", value_parser = parse::positive)]
+    pub tolerance: Option<f64>,
+    /// Greatest speed of each axis, mm/s
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    pub axis_speed: Option<[f64; 3]>,
+    /// Greatest acceleration of each axis, mm/s²
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    pub accel: Option<[f64; 3]>,
+    /// Greatest jerk of each axis, mm/s³; 0 for no limit
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    pub jerk: Option<[f64; 3]>,
+}
+
+/// The models of ramps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RampModel {
+    /// The ramps of VR.
+    Shopbot,
+    /// The profiler's ramps.
+    Profiler,
+    /// As fast as the limits of the axes allow.
+    Optimal,
+}

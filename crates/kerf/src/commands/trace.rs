@@ -1,0 +1,42 @@
+//! `kerf trace`: everything a run would do, an event a line.
+
+use crate::args::RunArgs;
+use crate::exit::Exit;
+use crate::setup;
+use anyhow::{Context, Result};
+use clap::Args;
+use kerf_control::json::JsonLines;
+use kerf_control::{Company, StopAt};
+use std::io::{self, BufWriter};
+use std::path::PathBuf;
+
+/// Prints everything a run would do, an event a line, as JSON
+///
+/// The file runs as a preview on the simulated machine: nothing outside changes. Times are seconds of
+/// machine time, locations are working locations in the program's units.
+#[derive(Args)]
+#[command(after_help = "Example: kerf trace box.sbp | grep '\"e\":\"move\"'")]
+pub struct TraceArgs {
+    /// The part file
+    file: PathBuf,
+    /// Tells the user's variables at the end
+    #[arg(long)]
+    vars: bool,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+pub fn run(args: &TraceArgs) -> Result<Exit> {
+    let mut job = setup::job(&args.file, &args.run, true)?;
+    job.options.tell_variables = args.vars;
+    let mut sink = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
+    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
+    let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
+    match sink.finish() {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(error).context("cannot write the trace")
+        }
+        _ => Ok(summary.status.into()),
+    }
+}

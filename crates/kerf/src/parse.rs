@@ -1,0 +1,119 @@
+//! Values of options.
+
+use kerf_program::settings::LinearUnit;
+use kerf_sbp::{Dialect, Value};
+use kerf_sim::Change;
+
+/// `in` or `mm`.
+pub fn units(text: &str) -> Result<LinearUnit, String> {
+    match text {
+        "in" => Ok(LinearUnit::Inch),
+        "mm" => Ok(LinearUnit::Mm),
+        _ => Err("give in or mm".into()),
+    }
+}
+
+/// `sb3`, `fabmo` or `strict`.
+pub fn dialect(text: &str) -> Result<Dialect, String> {
+    match text {
+        "sb3" => Ok(Dialect::Sb3),
+        "fabmo" => Ok(Dialect::Fabmo),
+        "strict" => Ok(Dialect::Strict),
+        _ => Err("give sb3, fabmo or strict".into()),
+    }
+}
+
+/// `3d` or `2d`, as the number of FP.
+pub fn offset(text: &str) -> Result<u8, String> {
+    match text {
+        "3d" => Ok(1),
+        "2d" => Ok(2),
+        _ => Err("give 3d or 2d".into()),
+    }
+}
+
+/// `N@T=0` or `N@T=1`.
+pub fn input(text: &str) -> Result<Change, String> {
+    let parts = text.split_once('@').and_then(|(n, rest)| Some((n, rest.split_once('=')?)));
+    let Some((input, (at, state))) = parts else {
+        return Err("give NUMBER@SECONDS=STATE, as 3@2.5=1".into());
+    };
+    let input = input.trim().parse().ok().filter(|n| (1..=12).contains(n));
+    let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
+    let on = match state.trim() {
+        "0" => Some(false),
+        "1" => Some(true),
+        _ => None,
+    };
+    match (input, at_s, on) {
+        (None, ..) => Err("inputs are numbered 1 to 12".into()),
+        (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
+        (.., None) => Err("the state is 0 or 1".into()),
+        (Some(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),
+    }
+}
+
+/// `NAME=VALUE`; a leading `&` is left out, a value that reads as a number is one.
+pub fn variable(text: &str) -> Result<(String, Value), String> {
+    let (name, value) = text.split_once('=').ok_or("give NAME=VALUE, as depth=0.25")?;
+    let name = name.trim().trim_start_matches('&');
+    let letters = |c: char| c.is_alphanumeric() || c == '_';
+    if name.is_empty() || !name.chars().all(letters) {
+        return Err("a variable's name has letters, digits and underscores".into());
+    }
+    let value = value.trim();
+    let number = value.parse().ok().filter(|n: &f64| n.is_finite());
+    let number = number.filter(|_| !value.contains(['n', 'N', 'i', 'I']));
+    Ok((name.to_owned(), number.map_or_else(|| Value::text(value), Value::Number)))
+}
+
+/// One number for all three, or `X,Y,Z`.
+pub fn three(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[all]) if all.is_finite() => Ok([all; 3]),
+        Ok(&[x, y, z]) if [x, y, z].iter().all(|n| n.is_finite()) => Ok([x, y, z]),
+        _ => Err("give three numbers with commas between, X,Y,Z".into()),
+    }
+}
+
+/// A number greater than 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|n: &f64| n.is_finite() && *n > 0.0);
+    number.ok_or_else(|| "give a number greater than 0".into())
+}
+
+/// Any finite number.
+pub fn number(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok().filter(|n: &f64| n.is_finite());
+    number.ok_or_else(|| "give a number".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inputs_are_number_time_and_state() {
+        assert_eq!(input("3@2.5=1"), Ok(Change { input: 3, at_s: 2.5, on: true }));
+        assert_eq!(input("12@0=0"), Ok(Change { input: 12, at_s: 0.0, on: false }));
+        for wrong in ["", "3", "3@1", "3=1", "0@1=1", "13@1=1", "3@-1=1", "3@nan=1", "3@1=2"] {
+            assert!(input(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn variables_hold_numbers_or_text() {
+        assert_eq!(variable("&Depth=-.25"), Ok(("Depth".into(), Value::Number(-0.25))));
+        assert_eq!(variable("name=a=b"), Ok(("name".into(), Value::text("a=b"))));
+        assert_eq!(variable("x=inf"), Ok(("x".into(), Value::text("inf"))));
+        assert!(variable("=3").is_err() && variable("a b=3").is_err() && variable("a").is_err());
+    }
+
+    #[test]
+    fn three_numbers_or_one_for_all() {
+        assert_eq!(three("1, 2,.5"), Ok([1.0, 2.0, 0.5]));
+        assert_eq!(three("2"), Ok([2.0; 3]));
+        assert!(three("1,2").is_err() && three("1,2,x").is_err() && three("nan").is_err());
+    }
+}

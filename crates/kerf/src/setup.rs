@@ -1,0 +1,154 @@
+//! From options to a machine, its folders and its memory.
+
+use crate::args::{MotionArgs, PlaceArgs, RampModel, RunArgs};
+use crate::exit::Usage;
+use anyhow::{Context, Result, bail};
+use kerf_control::answers::Answers;
+use kerf_control::files::{Folders, RealDisk};
+use kerf_control::stored::Stored;
+use kerf_control::{RunOptions, Session, Shelf, Shell};
+use kerf_program::Settings;
+use kerf_sbp::{FileParameters, Program};
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+/// Everything a run needs besides a sink.
+pub struct Job {
+    pub program: Program,
+    pub session: Session,
+    pub options: RunOptions,
+    pub shelf: Shelf,
+    pub answers: Answers,
+}
+
+/// Reads the part file and prepares its run.
+pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
+    check_motion(&args.motion)?;
+    let program = read_program(file)?;
+    let settings = settings(args)?;
+    let answers = match &args.answers {
+        Some(path) => Answers::read(&read_text(path)?),
+        None => Answers::default(),
+    };
+    let mut session = Session::default();
+    for (name, value) in &args.set {
+        session.memory.variables.set(name, value.clone());
+    }
+    let options = run_options(args, &settings, preview);
+    session.memory.settings = settings;
+    let shelf = shelf(file, &args.place, preview)?;
+    Ok(Job { program, session, options, shelf, answers })
+}
+
+/// Reads a part file; the name shown is the one the user gave.
+pub fn read_program(file: &Path) -> Result<Program> {
+    if is_gcode(file) {
+        bail!("{}: G-code files cannot be run yet", file.display());
+    }
+    let bytes = read_bytes(file)?;
+    Ok(kerf_sbp::read(file.display().to_string().into(), &bytes))
+}
+
+fn read_bytes(file: &Path) -> Result<Vec<u8>> {
+    if file.is_dir() {
+        bail!(Usage(format!("{} is a folder, not a file", file.display())));
+    }
+    fs::read(file).map_err(|e| Usage(format!("cannot read {}: {e}", file.display())).into())
+}
+
+fn read_text(file: &Path) -> Result<String> {
+    Ok(String::from_utf8_lossy(&read_bytes(file)?).into_owned())
+}
+
+fn is_gcode(file: &Path) -> bool {
+    let extension = file.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    matches!(extension.as_str(), "nc" | "tap" | "ngc" | "gcode")
+}
+
+/// Only the ramps of VR are there so far.
+fn check_motion(motion: &MotionArgs) -> Result<()> {
+    if motion.ramps != RampModel::Shopbot {
+        bail!(Usage("only --ramps shopbot is there yet".into()));
+    }
+    let options = [
+        ("--tolerance", motion.tolerance.is_some()),
+        ("--axis-speed", motion.axis_speed.is_some()),
+        ("--accel", motion.accel.is_some()),
+        ("--jerk", motion.jerk.is_some()),
+    ];
+    for (name, given) in options {
+        if given {
+            bail!(Usage(format!(
+                "{name} belongs to --ramps optimal, which is not there yet; \
+                 the ramps of shopbot follow VS and VR"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn settings(args: &RunArgs) -> Result<Settings> {
+    let mut settings = Settings::default();
+    if args.place.config.is_some() {
+        bail!(Usage("--config is not there yet".into()));
+    }
+    if let Some(unit) = args.units {
+        settings.linear_unit = unit;
+    }
+    Ok(settings)
+}
+
+fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions {
+    let file = &args.file;
+    let parameters = FileParameters {
+        proportion: file.proportion.unwrap_or([1.0; 3]),
+        repetitions: file.repeat,
+        offset: file.offset.unwrap_or(0),
+        plunge_mm: file.plunge.unwrap_or(0.0) * settings.linear_unit.mm(),
+        tabs: file.tabs,
+        plunge_from_zero: file.plunge_from_zero,
+    };
+    let program = kerf_sbp::Options {
+        dialect: args.dialect,
+        max_lines: args.max_lines,
+        seed: args.seed,
+        file: parameters,
+        allow_errors: args.allow_errors,
+        preview,
+    };
+    RunOptions { program, inputs: args.input.clone(), ..RunOptions::default() }
+}
+
+/// The folders and values that a program reaches.
+pub fn shelf(file: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
+    let data = data_folder(place)?;
+    let parts =
+        place.parts.clone().unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).into());
+    let custom = place.custom.clone().unwrap_or_else(|| data.join("custom"));
+    let folders = Folders::new(parts, vec![custom], place.allow_path.clone());
+    let file = data.join("stored.json");
+    let stored = Stored::read(&RealDisk, &file)
+        .with_context(|| format!("stored values in {}", file.display()))?;
+    let shelf = if preview {
+        let shell = if place.allow_shell { Shell::Skipped } else { Shell::Refused };
+        Shelf::preview(RealDisk, folders, &stored, data).with_shell(shell)
+    } else {
+        let shell = if place.allow_shell { Shell::Started } else { Shell::Refused };
+        Shelf::new(Box::new(RealDisk), folders, stored, data).with_shell(shell)
+    };
+    Ok(shelf)
+}
+
+/// Where values that survive lie.
+fn data_folder(place: &PlaceArgs) -> Result<PathBuf> {
+    if let Some(folder) = &place.data {
+        return Ok(folder.clone());
+    }
+    let variable = |name| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
+    let home = || variable("HOME").or_else(|| variable("USERPROFILE"));
+    variable("KERF_DATA")
+        .or_else(|| Some(variable("XDG_DATA_HOME")?.join("kerf")))
+        .or_else(|| Some(variable("LOCALAPPDATA")?.join("kerf")))
+        .or_else(|| Some(home()?.join(".local/share/kerf")))
+        .context("no folder for data: give --data or set KERF_DATA")
+}
