@@ -84,7 +84,7 @@ fn write_fast<W: ?Sized + Write>(out: &mut W, value: f64) -> io::Result<()> {
     let mut digits = (value.abs() * 1e9).round() as u64;
     let negative = value < 0.0 && digits > 0;
     let mut places = PLACES;
-    while places > 0 && digits % 10 == 0 {
+    while places > 0 && digits.is_multiple_of(10) {
         digits /= 10;
         places -= 1;
     }

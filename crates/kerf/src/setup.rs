@@ -115,6 +115,7 @@ fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions
         file: parameters,
         allow_errors: args.allow_errors,
         preview,
+        ..kerf_sbp::Options::default()
     };
     RunOptions { program, inputs: args.input.clone(), ..RunOptions::default() }
 }
