@@ -71,20 +71,14 @@ impl Context<'_> {
     pub(super) fn handler_action(&mut self, program: &Program, depth: usize) -> Result<(), Stop> {
         let node = program.lines.get(self.at.line.saturating_sub(1) as usize).map(|l| l.node);
         let Some(Node::Statement(index)) = node else { return Ok(()) };
-        match program.statements.get(index as usize).and_then(action_of) {
-            Some(action) => self.act(action, depth),
-            None => Ok(()),
+        match program.statements.get(index as usize) {
+            Some(Statement::OnInput { action: Some(action), .. }) => self.act(action, depth),
+            _ => Ok(()),
         }
     }
 
     fn act(&mut self, action: &Statement, depth: usize) -> Result<(), Stop> {
         match action {
-            Statement::If { condition, then } => {
-                if self.eval_condition(condition)? {
-                    self.act(then, depth)?;
-                }
-                Ok(())
-            }
             Statement::Gosub(target) => self.handler_sub(target, depth),
             // These belong to the handler's own file: files it called end.
             Statement::Goto(_) | Statement::Return | Statement::End => {
@@ -126,14 +120,5 @@ impl Context<'_> {
             let hint = "set the handler in the file that has its label";
             self.fail_at(self.span, Code::LabelNotFound, message, hint)
         })
-    }
-}
-
-/// The action of an ON INPUT statement, which may itself stand behind IF ... THEN.
-fn action_of(statement: &Statement) -> Option<&Statement> {
-    match statement {
-        Statement::OnInput { action, .. } => action.as_deref(),
-        Statement::If { then, .. } => action_of(then),
-        _ => None,
     }
 }

@@ -1,0 +1,350 @@
+//! FP and its parameters, nesting, folders, custom cuts.
+
+use super::{host_with, run_files};
+use crate::testing::{run, run_with};
+use crate::{Session, Status};
+use kerf_program::{Axes, Button, QuestionKind};
+
+/// A session with the tool somewhere, inches.
+fn tool_at(x: f64, y: f64, z: f64) -> Session {
+    Session { position: Axes::xyz(x * 25.4, y * 25.4, z * 25.4), ..Session::default() }
+}
+
+/// The ends of all moves, inches.
+fn path(ran: &crate::testing::Ran) -> Vec<[f64; 3]> {
+    ran.moves().into_iter().map(|m| m.1).collect()
+}
+
+#[test]
+fn sbp_file_fp_params() {
+    let spec = crate::table::find("FP").unwrap();
+    assert_eq!(spec.params.len(), 9);
+    run_files("FP,part.sbp", &[("part.sbp", "M2,1,2")]).ended(Status::Ok).ends_at(1.0, 2.0, 0.0);
+}
+
+#[test]
+fn sbp_file_fp_name() {
+    let files = [("mypart.sbp", "MX,1"), ("sub/part.sbp", "MX,2"), ("c:/sbparts/x.sbp", "MX,3")];
+    for (call, x) in [
+        ("FP, MYPART.SBP ", 1.0),
+        ("FP MyPart.sbp", 1.0),
+        ("FP, sub\\part.sbp", 2.0),
+        ("FP,C:\\SbParts\\x.sbp", 3.0),
+        ("FP,\"mypart.sbp\"", 1.0),
+        ("&f=mypart.sbp ⏎ FP,&f", 1.0),
+        ("&f=sub ⏎ FP,&f & \"\\part.sbp\"", 2.0),
+        ("FP,mypart", 1.0),
+        ("FP,sub/part", 2.0),
+    ] {
+        let ran = run_files(call, &files);
+        ran.ended(Status::Ok);
+        assert_eq!(path(&ran), [[x, 0.0, 0.0]], "{call}");
+    }
+    run("MX,1 ⏎ FP,none.sbp ⏎ MX,9").fails_at(2, "none.sbp").ends_at(1.0, 0.0, 0.0);
+    run("FP,cut.nc").fails_at(1, "cut.nc");
+}
+
+#[test]
+fn g_code_files_are_refused_honestly() {
+    run_files("FP,cut.nc", &[("cut.nc", "G1 X1")]).fails_at(1, "G-code files cannot be run");
+    run("G1 X1").fails_at(1, "G-code in a part file");
+}
+
+#[test]
+fn sbp_file_fp_last() {
+    for call in ["FP", "FP,", "FP,,2"] {
+        run_files(call, &[("a.sbp", "MX,1")]).fails_at(1, "file name expected");
+    }
+    run("FP,&nothing").fails_at(1, "file name expected");
+}
+
+#[test]
+fn sbp_file_fp_proportion() {
+    let ran = run_files("FP,part.sbp,2,3,.5 ⏎ MZ,1", &[("part.sbp", "M3,1,2,-.5")]);
+    assert_eq!(path(&ran), [[2.0, 6.0, -0.25], [2.0, 6.0, 1.0]]);
+}
+
+#[test]
+fn sbp_file_fp_zpasses() {
+    let ran = run_files(
+        "FP,p.sbp,,,.5 ⏎ FP,p.sbp,,,.85 ⏎ FP,p.sbp,,,1",
+        &[("p.sbp", "MZ,-1 ⏎ MX,5 ⏎ MZ,.2 ⏎ MX,0")],
+    );
+    let z: Vec<_> = path(&ran).iter().map(|p| p[2]).collect();
+    assert_eq!(z, [-0.5, -0.5, 0.1, 0.1, -0.85, -0.85, 0.17, 0.17, -1.0, -1.0, 0.2, 0.2]);
+}
+
+#[test]
+fn sbp_file_fp_reps() {
+    let mut relative = Session::default();
+    relative.settings.distance = kerf_program::settings::Distance::Relative;
+    let host = host_with(&[("part.sbp", "MX,1")]);
+    run_with("FP,part.sbp,,,,3", host, relative).ended(Status::Ok).ends_at(3.0, 0.0, 0.0);
+    for reps in ["0", "-1", "1.5"] {
+        run_files(&format!("FP,part.sbp,,,,{reps}"), &[("part.sbp", "MX,1")])
+            .fails_at(1, "repetitions");
+    }
+}
+
+#[test]
+fn sbp_file_fp_offset0() {
+    for call in ["FP,part.sbp", "FP,part.sbp,,,,,0"] {
+        let ran = run_with(call, host_with(&[("part.sbp", "M2,1,0")]), tool_at(10.0, 4.0, 0.0));
+        ran.ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    }
+}
+
+#[test]
+fn sbp_file_fp_offset1() {
+    let host = host_with(&[("part.sbp", "M3,1,0,-.2")]);
+    run_with("FP,part.sbp,,,,,1", host, tool_at(10.0, 4.0, 0.5))
+        .ended(Status::Ok)
+        .ends_at(11.0, 4.0, 0.3);
+}
+
+#[test]
+fn sbp_file_fp_offset2() {
+    let host = host_with(&[("part.sbp", "M3,1,0,-.2")]);
+    run_with("FP,part.sbp,,,,,2", host, tool_at(10.0, 4.0, 0.5))
+        .ended(Status::Ok)
+        .ends_at(11.0, 4.0, -0.2);
+}
+
+#[test]
+fn sbp_file_fp_offset_commas() {
+    let host = || host_with(&[("mypart.sbp", "MX,1")]);
+    let offset = run_with("FP, MYPART.SBP , , , , , 2", host(), tool_at(10.0, 4.0, 0.0));
+    assert_eq!(path(&offset), [[11.0, 4.0, 0.0]]);
+    let repeated = run_with("FP, MYPART.SBP , , , , 2", host(), tool_at(10.0, 4.0, 0.0));
+    assert_eq!(path(&repeated), [[1.0, 4.0, 0.0]]);
+    assert_eq!(repeated.session.position, Axes::xyz(25.4, 4.0 * 25.4, 0.0));
+}
+
+#[test]
+fn sbp_file_fp_allparts() {
+    let master = [10, 20, 30, 40].map(|x| format!("M2,{x},4 ⏎ FP,MYPART.SBP,,,,,2")).join(" ⏎ ");
+    let ran = run_files(&master, &[("mypart.sbp", "M2,1,0 ⏎ M2,0,0")]);
+    let visited: Vec<_> = path(&ran).iter().map(|p| p[0]).collect();
+    assert_eq!(visited, [10.0, 11.0, 10.0, 20.0, 21.0, 20.0, 30.0, 31.0, 30.0, 40.0, 41.0, 40.0]);
+}
+
+#[test]
+fn sbp_file_fp_offset_scale() {
+    let host = host_with(&[("part.sbp", "M2,1,1")]);
+    run_with("FP,part.sbp,2,3,,,2", host, tool_at(10.0, 4.0, 0.0)).ends_at(12.0, 7.0, 0.0);
+}
+
+#[test]
+fn sbp_file_fp_nested_compose() {
+    let files = [("a.sbp", "M2,1,0 ⏎ FP,in.sbp,3,3,,,2 ⏎ M2,2,1"), ("in.sbp", "M2,1,1")];
+    let ran = run_with("FP,a.sbp,2,2,,,2", host_with(&files), tool_at(10.0, 0.0, 0.0));
+    assert_eq!(path(&ran), [[12.0, 0.0, 0.0], [18.0, 6.0, 0.0], [14.0, 2.0, 0.0]]);
+}
+
+const TEMPLATE: (&str, &str) = ("t.sbp", "M2,1,0 ⏎ M2,1,1 ⏎ M2,0,0");
+
+/// The heights of all moves of a call from (5,5,z).
+fn heights(call: &str, z: f64) -> Vec<f64> {
+    let ran = run_with(call, host_with(&[TEMPLATE]), tool_at(5.0, 5.0, z));
+    ran.ended(Status::Ok);
+    path(&ran).iter().map(|p| p[2]).collect()
+}
+
+#[test]
+fn sbp_file_fp_plunge() {
+    let expected = [-0.25, -0.25, -0.25, -0.25, -0.5, -0.5, -0.5, -0.5, 0.0];
+    assert_eq!(heights("FP,t.sbp,,,,2,2,-.25", 0.0), expected);
+    let ran = run_with("FP,t.sbp,,,,,2,.25", host_with(&[TEMPLATE]), Session::default());
+    assert!(ran.told().contains("moves the tool up"), "{}", ran.told());
+}
+
+#[test]
+fn a_plunge_follows_the_sign_of_vc_and_the_proportion_of_its_caller() {
+    let mut plus = tool_at(5.0, 5.0, 0.0);
+    plus.settings.cutter.plunge = kerf_program::settings::PlungeSign::Plus;
+    let ran = run_with("FP,t.sbp,,,,,2,.25", host_with(&[TEMPLATE]), plus);
+    assert_eq!(path(&ran)[0][2], -0.25);
+    assert_eq!(ran.told(), "");
+    let files = [TEMPLATE, ("a.sbp", "FP,t.sbp,,,,,2,-.25")];
+    let ran = run_files("FP,a.sbp,,,2", &files);
+    assert_eq!(path(&ran)[0][2], -0.5);
+}
+
+#[test]
+fn sbp_file_fp_plunge_zmoves() {
+    for line in ["MZ,-1", "M3,1,1,-1", "JZ,&z", "J3,1,,-1", "IF 1=1 THEN MZ,-1"] {
+        let ran = run_files("&z=1 ⏎ FP,t.sbp,,,,,,-.25", &[("t.sbp", line)]);
+        ran.ended(Status::Ok);
+        assert!(ran.told().contains("has Z moves"), "{line}");
+    }
+    let flat = run_files("FP,t.sbp,,,,,2,-.25", &[TEMPLATE]);
+    assert_eq!(flat.told(), "");
+}
+
+#[test]
+fn sbp_file_fp_from0() {
+    let expected = [0.0, -0.25, -0.25, -0.25, -0.25, -0.5, -0.5, -0.5, -0.5, 0.5];
+    assert_eq!(heights("FP,t.sbp,,,,2,2,-.25,,1", 0.5), expected);
+}
+
+#[test]
+fn sbp_file_nest_return() {
+    run_files("MX,1 ⏎ FP,B ⏎ MX,5", &[("b.sbp", "MY,2")]).ended(Status::Ok).ends_at(5.0, 2.0, 0.0);
+}
+
+/// f1 calls f2 … up to the last, which moves.
+fn chain(last: usize) -> Vec<(String, String)> {
+    let file = |n: usize| match n {
+        n if n == last => "MX,1".to_string(),
+        n => format!("FP,f{}.sbp", n + 1),
+    };
+    (1..=last).map(|n| (format!("f{n}.sbp"), file(n))).collect()
+}
+
+#[test]
+fn sbp_file_nest_depth() {
+    let run_chain = |last| {
+        let files = chain(last);
+        let files: Vec<_> = files.iter().map(|(n, t)| (n.as_str(), t.as_str())).collect();
+        run_files(files[0].1, &files)
+    };
+    run_chain(8).ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    let ran = run_chain(9);
+    ran.fails_at(1, "nested deeper than 8").ends_at(0.0, 0.0, 0.0);
+    let error = ran.error.unwrap();
+    assert_eq!((&*error.place.file, error.callers.len()), ("f8.sbp", 7));
+}
+
+#[test]
+fn sbp_file_nest_recursion() {
+    let mut session = Session::default();
+    session.settings.speeds.cut.xy = 10.0;
+    let ran = run_with("FP,self.sbp", host_with(&[("self.sbp", "FP,self.sbp")]), session);
+    ran.fails_at(1, "nested deeper than 8").ends_at(0.0, 0.0, 0.0);
+    assert_eq!(ran.session.settings.speeds.cut.xy, 10.0);
+}
+
+#[test]
+fn sbp_file_nest_subroutine() {
+    let master = "&depth=-.5 ⏎ M2,1,0 ⏎ FP,drill.sbp ⏎ M2,2,0 ⏎ &depth=-.7 ⏎ FP,drill.sbp";
+    let ran = run_files(master, &[("drill.sbp", "MZ,&depth ⏎ JZ,.5 ⏎ &holes=&holes & x")]);
+    let holes: Vec<_> = path(&ran).into_iter().filter(|p| p[2] < 0.0).collect();
+    assert_eq!(holes, [[1.0, 0.0, -0.5], [2.0, 0.0, -0.7]]);
+    ran.ended(Status::Ok);
+}
+
+#[test]
+fn sbp_file_error_line() {
+    let ran = run_files("MX,1 ⏎ ⏎ ⏎ ⏎ FP,B.sbp", &[("b.sbp", "MX,2 ⏎ MX,1/0")]);
+    let error = ran.error.unwrap();
+    assert_eq!((&*error.place.file, error.place.line), ("B.sbp", 2));
+    let callers: Vec<_> = error.callers.iter().map(|p| (&*p.file, p.line)).collect();
+    assert_eq!(callers, [("test.sbp", 5)]);
+}
+
+#[test]
+fn a_nested_file_with_errors_does_not_start() {
+    let files = [("b.sbp", "FP,c.sbp"), ("c.sbp", "MX,2 ⏎ QQ,1 ⏎ M23,4")];
+    let ran = run_files("MX,1 ⏎ FP,b.sbp", &files);
+    ran.fails_at(2, "QQ").ends_at(1.0, 0.0, 0.0);
+    assert!(ran.told().contains("M23"), "the second mistake is told too: {}", ran.told());
+    let error = ran.error.unwrap();
+    let callers: Vec<_> = error.callers.iter().map(|p| (&*p.file, p.line)).collect();
+    assert_eq!(callers, [("b.sbp", 1), ("test.sbp", 2)]);
+}
+
+#[test]
+fn warnings_of_a_nested_file_are_told_once() {
+    let ran = run_files("FP,b.sbp ⏎ FP,b.sbp", &[("b.sbp", "GOTO A: ⏎ A: ⏎ MX,1")]);
+    assert_eq!(ran.told().lines().count(), 1, "{}", ran.told());
+}
+
+#[test]
+fn sbp_file_fg_params() {
+    let spec = crate::table::find("FG").unwrap();
+    assert_eq!(spec.params.len(), 9);
+    let host = host_with(&[("part.sbp", "M2,1,1")]);
+    let ran = run_with("FG,part.sbp,2,2,,,2", host, tool_at(10.0, 4.0, 0.0));
+    ran.ended(Status::Ok).ends_at(12.0, 6.0, 0.0);
+    assert!(ran.told().contains("step through"), "{}", ran.told());
+}
+
+#[test]
+fn sbp_file_fe_infile() {
+    let ran = run("FE,notes.txt ⏎ MX,1");
+    ran.ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    let question = &ran.host.asked[0];
+    assert_eq!((question.kind, question.text.as_str()), (QuestionKind::Editor, "notes.txt"));
+    assert_eq!(question.buttons, [Button::OK]);
+}
+
+#[test]
+fn fe_without_a_name_shows_the_last_file_and_fn_an_empty_page() {
+    let ran = run_files("FE ⏎ FP,a.sbp ⏎ FE ⏎ FN", &[("a.sbp", "MX,1")]);
+    let shown: Vec<_> = ran.host.asked.iter().map(|q| q.text.as_str()).collect();
+    assert_eq!(shown, ["", "a.sbp", ""]);
+}
+
+#[test]
+fn sbp_file_fs_set() {
+    assert_eq!(run("FS,C:\\SHOPBOT\\PARTS").host.folder, "C:\\SHOPBOT\\PARTS");
+    assert_eq!(run("&f=doors ⏎ FS,&f").host.folder, "doors");
+}
+
+#[test]
+fn sbp_file_fs_blank() {
+    for line in ["FS", "FS,", "FS,,"] {
+        assert_eq!(run(&format!("FS,x ⏎ {line}")).host.folder, "/", "{line}");
+    }
+}
+
+#[test]
+fn a_mask_alone_keeps_the_folder() {
+    assert_eq!(run("FS,x ⏎ FS,,proj??.sbp").host.folder, "x");
+    assert_eq!(run("FS,x,*.*").host.folder, "x");
+}
+
+#[test]
+fn conversion_is_not_the_part_files_business() {
+    run("FC,a.dxf").fails_at(1, "cannot convert");
+}
+
+#[test]
+fn sbp_ext_custom_cuts() {
+    let files = [
+        ("custom90.sbc", "MX,1"),
+        ("custom6.sbc", "MY,2"),
+        ("custom9.sbc", "MZ,3 ⏎ FP,n.sbp"),
+        ("n.sbp", "MX,4"),
+    ];
+    for (call, x, y, z) in [
+        ("C#,90", 1.0, 0.0, 0.0),
+        ("CN, 90", 1.0, 0.0, 0.0),
+        ("C6 'Spindle on", 0.0, 2.0, 0.0),
+        ("&n=6 ⏎ CN,&n", 0.0, 2.0, 0.0),
+        ("C9", 4.0, 0.0, 3.0),
+    ] {
+        run_files(call, &files).ended(Status::Ok).ends_at(x, y, z);
+    }
+    run("MX,1 ⏎ C7 ⏎ MX,9").fails_at(2, "Custom7.sbc");
+    let ran = run("CN,90 ⏎ MX,1");
+    ran.ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    assert!(ran.told().contains("Custom90.sbc"), "{}", ran.told());
+    run("CN,1.5").fails_at(1, "whole numbers");
+}
+
+#[test]
+fn c9_is_a_tool_change_from_its_first_line_to_its_last() {
+    let files = [("custom9.sbc", "MX,1 ⏎ FP,n.sbp"), ("n.sbp", "MX,2")];
+    let ran = run_files("C9 ⏎ MX,3", &files);
+    assert_eq!(ran.order(), "tool change true, 1, 2, tool change false, 3");
+    let ran = run_files("C9", &[("custom9.sbc", "MX,1 ⏎ ENDALL")]);
+    assert_eq!(ran.order(), "tool change true, 1, tool change false");
+}
+
+#[test]
+fn sbp_file_template_2d() {
+    let ran = run_files("MZ,-.3 ⏎ FP,t.sbp,,,,,2", &[TEMPLATE]);
+    assert!(path(&ran).iter().all(|p| p[2] == -0.3));
+    ran.ends_at(0.0, 0.0, -0.3);
+}

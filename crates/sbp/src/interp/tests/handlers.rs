@@ -1,0 +1,431 @@
+//! ON INPUT with a machine that moves later than the program is read.
+
+use super::host_with;
+use crate::interp::Watch;
+use crate::testing::FakeHost;
+use crate::{Interpreter, Options, Session, Status, Step, Value, read};
+use kerf_program::{
+    Answer, Axes, Command, FileMode, FileRequest, Host, HostError, Question, ShellCall, SourceFile,
+    Sourced,
+};
+use std::task::Poll;
+
+/// A host whose machine is still moving as long as it is told so.
+#[derive(Debug, Default)]
+pub(super) struct Machine {
+    pub(super) inner: FakeHost,
+    pub(super) moving: bool,
+}
+
+impl Host for Machine {
+    fn settle(&mut self) -> Poll<()> {
+        if self.moving { Poll::Pending } else { Poll::Ready(()) }
+    }
+    fn input(&mut self, number: u8) -> bool {
+        self.inner.input(number)
+    }
+    fn output(&mut self, number: u8) -> bool {
+        self.inner.output(number)
+    }
+    fn ask(&mut self, question: &Question) -> Poll<Answer> {
+        self.inner.ask(question)
+    }
+    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
+        self.inner.source(request)
+    }
+    fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError> {
+        self.inner.set_part_folder(folder)
+    }
+    fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
+        self.inner.open(number, path, mode)
+    }
+    fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
+        self.inner.write(number, text)
+    }
+    fn read_line(&mut self, number: u8) -> Result<String, HostError> {
+        self.inner.read_line(number)
+    }
+    fn close(&mut self, number: u8) -> Result<(), HostError> {
+        self.inner.close(number)
+    }
+    fn stored(&mut self, key: &str) -> Option<String> {
+        self.inner.stored(key)
+    }
+    fn store(&mut self, key: &str, value: Option<&str>) {
+        self.inner.store(key, value);
+    }
+    fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {
+        self.inner.shell(call)
+    }
+    fn machine_position(&mut self) -> [f64; 6] {
+        self.inner.machine_position()
+    }
+    fn user_path(&mut self) -> String {
+        self.inner.user_path()
+    }
+    fn app_path(&mut self) -> String {
+        self.inner.app_path()
+    }
+    fn firmware(&mut self) -> i32 {
+        self.inner.firmware()
+    }
+}
+
+/// A program and the machine that carries it out.
+pub(super) struct Rig {
+    pub(super) interpreter: Interpreter,
+    pub(super) host: Machine,
+    /// What was given and is not dropped.
+    pub(super) out: Vec<Sourced>,
+    pub(super) done: Option<Status>,
+    error: String,
+}
+
+impl Rig {
+    pub(super) fn new(text: &str, files: &[(&str, &str)]) -> Self {
+        let text = text.split('⏎').map(str::trim).collect::<Vec<_>>().join("\n");
+        let program = read("test.sbp".into(), text.as_bytes());
+        assert!(!program.has_errors(), "{:?}", program.diagnostics);
+        let options = Options { max_lines: 400, ..Options::default() };
+        Self {
+            interpreter: Interpreter::new(program, Session::default(), options),
+            host: Machine { inner: host_with(files), moving: false },
+            out: Vec::new(),
+            done: None,
+            error: String::new(),
+        }
+    }
+
+    /// One step. The machine moves from the first motion command on.
+    pub(super) fn step(&mut self) -> Step {
+        let before = self.out.len();
+        let step = self.interpreter.step(&mut self.host, &mut self.out);
+        self.host.moving |= self.out[before..].iter().any(|c| c.command.is_motion());
+        if let Step::Done(status, error) = &step {
+            self.done = Some(*status);
+            self.error = error.as_ref().map_or(String::new(), |e| e.message.clone());
+        }
+        step
+    }
+
+    /// Reads as far as the language allows while the machine does not come on.
+    pub(super) fn read_ahead(&mut self) -> &mut Self {
+        while self.done.is_none() && self.step() == Step::Ran {}
+        self
+    }
+
+    /// The machine carries out everything given.
+    pub(super) fn come_to_rest(&mut self) -> &mut Self {
+        self.host.moving = false;
+        self
+    }
+
+    /// An input changes while a motion is under way; the machine stops at a place (inches).
+    pub(super) fn fires(
+        &mut self,
+        input: u8,
+        condition: u8,
+        motion: u64,
+        at: [f64; 3],
+    ) -> &mut Self {
+        let watch = watch(input, condition);
+        assert!(self.interpreter.watches().any(|w| *w == watch), "{watch:?} is not armed");
+        let mut count = 0;
+        self.out.retain(|c| {
+            count += u64::from(c.command.is_motion());
+            count <= motion
+        });
+        self.host.moving = false;
+        self.interpreter.interrupt(&watch, Some(motion), place(at));
+        self
+    }
+
+    /// Runs to the end without further events.
+    pub(super) fn finish(&mut self) -> &mut Self {
+        for _ in 0..10_000 {
+            self.read_ahead().come_to_rest();
+            if self.done.is_some() {
+                return self;
+            }
+        }
+        panic!("the run does not end");
+    }
+
+    #[track_caller]
+    fn at(&self, x: f64, y: f64, z: f64) -> &Self {
+        assert_eq!(self.interpreter.position(), place([x, y, z]), "{}", self.error);
+        self
+    }
+
+    #[track_caller]
+    fn variable(&self, name: &str, expected: &str) -> &Self {
+        let value = self.interpreter.variables().get(name).map_or("(none)".into(), Value::display);
+        assert_eq!(value, expected, "&{name}");
+        self
+    }
+
+    fn printed(&self) -> String {
+        let texts = self.out.iter().filter_map(|c| match &c.command {
+            Command::Print { text, .. } => Some(text.to_string()),
+            _ => None,
+        });
+        texts.collect::<Vec<_>>().join("|")
+    }
+
+    fn motion_count(&self) -> usize {
+        self.out.iter().filter(|c| c.command.is_motion()).count()
+    }
+}
+
+fn place(inches: [f64; 3]) -> Axes {
+    Axes::xyz(inches[0] * 25.4, inches[1] * 25.4, inches[2] * 25.4)
+}
+
+fn watch(input: u8, condition: u8) -> Watch {
+    Watch { input, on: condition % 2 == 1, ramped: condition >= 2 }
+}
+
+fn rig(text: &str) -> Rig {
+    Rig::new(text, &[])
+}
+
+#[test]
+fn sbp_flow_oninput_on() {
+    let mut rig = rig("ON INPUT(3,1) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ PRINT %(1)");
+    rig.read_ahead();
+    assert_eq!((rig.motion_count(), rig.done), (1, None), "handlers live until the motion is made");
+    rig.fires(3, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 0.0, 0.0);
+    assert_eq!((rig.printed().as_str(), rig.done), ("4", Some(Status::Ok)));
+}
+
+#[test]
+fn sbp_flow_oninput_off() {
+    let mut rig = rig("ON INPUT(3,0) &hit=1 ⏎ MX,10");
+    rig.read_ahead().fires(3, 0, 1, [4.0, 0.0, 0.0]).finish();
+    rig.at(4.0, 0.0, 0.0).variable("hit", "1");
+}
+
+#[test]
+fn the_four_conditions_are_two_directions_and_two_stops() {
+    let rig = &mut rig(
+        "ON INPUT(3,0) &a=1 ⏎ ON INPUT(3,1) &a=1 ⏎ ON INPUT(3,2) &a=1 ⏎ ON INPUT(3,3) &a=1 ⏎ PAUSE 1",
+    );
+    for _ in 0..5 {
+        rig.step();
+    }
+    let expected = [(false, false), (true, false), (false, true), (true, true)];
+    let armed: Vec<_> = rig.interpreter.watches().map(|w| (w.on, w.ramped)).collect();
+    assert_eq!(armed, expected);
+    for line in ["ON INPUT(3,4) &a=1", "ON INPUT(3,-1) &a=1", "ON INPUT(3,.5) &a=1"] {
+        crate::testing::run(line).fails_with("condition must be 0, 1, 2 or 3");
+    }
+}
+
+#[test]
+fn sbp_flow_oninput_resume() {
+    let mut rig = rig("ON INPUT(3,1) &hit=1 ⏎ MX,10 ⏎ MY,2");
+    rig.read_ahead();
+    assert_eq!(rig.motion_count(), 2);
+    rig.fires(3, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 2.0, 0.0).variable("hit", "1");
+    assert_eq!(rig.motion_count(), 2);
+}
+
+#[test]
+fn nothing_behind_the_interrupted_move_has_happened() {
+    let text = "&n=1 ⏎ ON INPUT(3,1) &hit=&n ⏎ MX,10 ⏎ &n=2 ⏎ GOSUB Sub ⏎ MX,20 ⏎ END ⏎ \
+                Sub: ⏎ &r=RND(1) ⏎ MY,&n ⏎ &n=3 ⏎ RETURN";
+    let mut undisturbed = rig(text);
+    undisturbed.finish();
+    let r = undisturbed.interpreter.variables().get("r").unwrap().display();
+    let mut rig = rig(text);
+    rig.read_ahead();
+    assert_eq!(rig.interpreter.variables().get("n"), Some(&Value::Number(3.0)), "was read");
+    rig.fires(3, 1, 1, [4.0, 0.0, 0.0]).step();
+    rig.variable("hit", "1").variable("n", "1").variable("r", "(none)");
+    rig.finish().at(20.0, 2.0, 0.0).variable("n", "3").variable("r", &r);
+}
+
+#[test]
+fn sbp_flow_oninput_action() {
+    let mut location = rig("ON INPUT(2,1) ZX ⏎ MX,10 ⏎ PRINT %(1)");
+    location.read_ahead().fires(2, 1, 1, [4.2, 0.0, 0.0]).finish();
+    assert_eq!(location.printed(), "0");
+    let mut sub = rig("ON INPUT(2,1) GOSUB S ⏎ MX,10 ⏎ MY,1 ⏎ END ⏎ S: ⏎ MZ,1 ⏎ RETURN");
+    sub.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 1.0, 1.0);
+    let mut command = rig("ON INPUT(2,1) MZ,1 ⏎ MX,10 ⏎ MY,1");
+    command.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 1.0, 1.0);
+    let mut end = rig("ON INPUT(2,1) END ⏎ MX,10 ⏎ MY,1");
+    end.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 0.0, 0.0);
+    let mut all = rig("ON INPUT(2,1) ENDALL ⏎ MX,10 ⏎ MY,1");
+    all.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 0.0, 0.0);
+    assert_eq!(all.done, Some(Status::Ended));
+}
+
+#[test]
+fn a_subroutine_of_a_handler_returns_into_the_subroutine_that_was_interrupted() {
+    let mut rig =
+        rig("ON INPUT(2,1) GOSUB S ⏎ GOSUB Cut ⏎ MX,9 ⏎ END ⏎ Cut: ⏎ MX,5 ⏎ MY,5 ⏎ RETURN ⏎ \
+         S: ⏎ &s=&s & x ⏎ RETURN");
+    rig.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().at(9.0, 5.0, 0.0);
+    assert_eq!(rig.done, Some(Status::Ok));
+}
+
+#[test]
+fn sbp_flow_oninput_autoclear() {
+    let mut rig = rig("ON INPUT(3,1) &n=&n+1 ⏎ MX,10 ⏎ MX,20");
+    rig.interpreter = {
+        let mut session = Session::default();
+        session.variables.set("n", Value::Number(0.0));
+        let program =
+            read("t".into(), b"Top:\nON INPUT(3,1) &n=&n+1\nMX,10\nMX,20\nIF &n<2 THEN GOTO Top");
+        Interpreter::new(program, session, Options::default())
+    };
+    rig.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).step();
+    assert_eq!(rig.interpreter.watches().count(), 0, "cleared after firing");
+    // The line is executed again and arms it again.
+    rig.read_ahead().come_to_rest().read_ahead();
+    assert_eq!(rig.interpreter.watches().count(), 1);
+    let motion = rig.interpreter.motions() - 1;
+    rig.fires(3, 1, motion, [15.0, 0.0, 0.0]).finish().at(20.0, 0.0, 0.0).variable("n", "2");
+}
+
+#[test]
+fn sbp_flow_oninput_clear() {
+    let mut rig = rig("ON INPUT(3,1) GOTO Hit ⏎ ON INPUT(3,1) ⏎ MX,10 ⏎ Hit:");
+    rig.read_ahead();
+    assert_eq!(rig.interpreter.watches().count(), 0);
+    // The other condition of the same switch stays.
+    let mut other = self::rig("ON INPUT(3,1) &a=1 ⏎ ON INPUT(3,0) ⏎ MX,10");
+    other.read_ahead();
+    assert_eq!(other.interpreter.watches().count(), 1);
+}
+
+#[test]
+fn sbp_flow_oninput_many() {
+    let text =
+        "ON INPUT(2,1) &a=1 ⏎ ON INPUT(2,0) &b=1 ⏎ ON INPUT(3,1) &c=1 ⏎ MX,1 ⏎ MX,2 ⏎ MX,3 ⏎ MX,4";
+    let mut rig = rig(text);
+    rig.read_ahead().fires(2, 0, 1, [0.5, 0.0, 0.0]);
+    rig.read_ahead().fires(3, 1, 2, [1.5, 0.0, 0.0]);
+    rig.read_ahead().fires(2, 1, 3, [2.5, 0.0, 0.0]);
+    rig.finish().at(4.0, 0.0, 0.0).variable("a", "1").variable("b", "1").variable("c", "1");
+    crate::testing::run("ON INPUT(12,1) &a=1").ended(Status::Ok);
+    crate::testing::run("ON INPUT(13,1) &a=1").fails_with("1 to 12");
+    crate::testing::run("ON INPUT(0,1) &a=1").fails_with("1 to 12");
+}
+
+#[test]
+fn a_handler_armed_twice_holds_its_last_action() {
+    let mut rig = rig("ON INPUT(2,1) &a=1 ⏎ ON INPUT(2,1) &a=2 ⏎ MX,10");
+    rig.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().variable("a", "2");
+}
+
+#[test]
+fn sbp_flow_oninput_abbrev() {
+    let mut rig = rig("&t=3 ⏎ &on=1 ⏎ ON INP(&t,&on) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1");
+    rig.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 1.0, 0.0);
+}
+
+#[test]
+fn sbp_flow_oninput_scope() {
+    // A nested file inherits its caller's handlers.
+    let files = [("b.sbp", "MX,10 ⏎ MY,1")];
+    let mut inherited = Rig::new("ON INPUT(3,1) &hit=1 ⏎ FP,b.sbp ⏎ MZ,1", &files);
+    inherited.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).finish();
+    inherited.at(4.0, 1.0, 1.0).variable("hit", "1");
+    // They end with the run.
+    let mut over = rig("ON INPUT(3,1) &hit=1 ⏎ MX,1");
+    over.finish();
+    assert_eq!(over.interpreter.watches().count(), 0);
+    over.variable("hit", "(none)");
+}
+
+const CALLED: [(&str, &str); 1] = [("b.sbp", "MX,10 ⏎ MY,1 ⏎ &b=1")];
+
+#[test]
+fn a_jump_of_a_handler_leaves_the_files_that_its_own_called() {
+    let text = "ON INPUT(3,1) GOTO Hit ⏎ FP,b.sbp,2 ⏎ MZ,9 ⏎ END ⏎ Hit: ⏎ MZ,1 ⏎ MX,5";
+    let mut rig = Rig::new(text, &CALLED);
+    rig.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).finish();
+    // MX,5 is not scaled: the proportion of b.sbp is gone with it.
+    rig.at(5.0, 0.0, 1.0).variable("b", "(none)");
+    assert_eq!(rig.done, Some(Status::Ok));
+}
+
+#[test]
+fn a_subroutine_of_a_handler_returns_into_the_file_that_was_interrupted() {
+    let text = "ON INPUT(3,1) GOSUB Hit ⏎ FP,b.sbp,2 ⏎ MZ,9 ⏎ END ⏎ Hit: ⏎ MZ,1 ⏎ MX,5 ⏎ RETURN";
+    let mut rig = Rig::new(text, &CALLED);
+    rig.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).finish();
+    rig.at(5.0, 1.0, 9.0).variable("b", "1");
+    assert_eq!(rig.done, Some(Status::Ok));
+}
+
+#[test]
+fn a_subroutine_of_a_handler_that_never_returns_ends_with_its_own_file() {
+    let text = "ON INPUT(3,1) GOSUB Hit ⏎ FP,b.sbp ⏎ MZ,9 ⏎ END ⏎ Hit: ⏎ MZ,1";
+    for ending in ["", " ⏎ END ⏎ MZ,8"] {
+        let mut rig = Rig::new(&format!("{text}{ending}"), &CALLED);
+        rig.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).finish();
+        rig.at(4.0, 0.0, 1.0).variable("b", "(none)");
+        assert_eq!(rig.done, Some(Status::Ok));
+    }
+}
+
+#[test]
+fn a_label_of_a_file_that_is_over_cannot_be_reached() {
+    let files = [("arm.sbp", "ON INPUT(3,1) GOTO Hit ⏎ END ⏎ Hit: ⏎ MZ,9")];
+    let mut rig = Rig::new("FP,arm.sbp ⏎ MX,10 ⏎ MY,1", &files);
+    rig.read_ahead().fires(3, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 0.0, 0.0);
+    assert_eq!(rig.done, Some(Status::Failed));
+    assert!(rig.error.contains("file of this ON INPUT is over"), "{}", rig.error);
+    // An action without a label works from anywhere.
+    let files = [("arm.sbp", "ON INPUT(3,1) &hit=1")];
+    let mut rig = Rig::new("FP,arm.sbp ⏎ MX,10 ⏎ MY,1", &files);
+    rig.read_ahead()
+        .fires(3, 1, 1, [4.0, 0.0, 0.0])
+        .finish()
+        .at(4.0, 1.0, 0.0)
+        .variable("hit", "1");
+}
+
+#[test]
+fn nothing_is_read_behind_a_pause_while_handlers_are_armed() {
+    let text = "ON INPUT(3,1) &hit=&n ⏎ &n=1 ⏎ PAUSE 5 ⏎ &n=2 ⏎ MX,1";
+    let mut rig = rig(text);
+    rig.step();
+    rig.step();
+    rig.step();
+    rig.step();
+    rig.host.moving = true;
+    assert_eq!(rig.step(), Step::Waiting, "the pause lasts");
+    rig.host.moving = false;
+    rig.interpreter.interrupt(&watch(3, 1), None, Axes::default());
+    rig.finish().at(1.0, 0.0, 0.0).variable("hit", "1").variable("n", "2");
+    // Without handlers the program is read on.
+    let mut free = self::rig("PAUSE 5 ⏎ MX,1");
+    free.step();
+    free.step();
+    free.host.moving = true;
+    assert_eq!(free.step(), Step::Ran);
+}
+
+#[test]
+fn a_handler_that_fires_during_a_question_runs_before_the_answer() {
+    let mut rig = rig("ON INPUT(3,1) GOTO Hit ⏎ MX,1 ⏎ PAUSE ⏎ MX,9 ⏎ Hit: ⏎ MY,1");
+    rig.read_ahead();
+    assert!(rig.host.inner.asked.is_empty());
+    rig.come_to_rest();
+    rig.interpreter.interrupt(&watch(3, 1), None, place([1.0, 0.0, 0.0]));
+    rig.finish().at(1.0, 1.0, 0.0);
+}
+
+#[test]
+fn states_of_motion_that_was_made_are_forgotten() {
+    let mut rig = rig("ON INPUT(3,1) &hit=&n ⏎ &n=1 ⏎ MX,1 ⏎ &n=2 ⏎ MX,2 ⏎ &n=3 ⏎ MX,3");
+    rig.read_ahead();
+    assert_eq!(rig.interpreter.behind.len(), 3);
+    rig.interpreter.carried_out(1);
+    assert_eq!(rig.interpreter.behind.len(), 2);
+    rig.fires(3, 1, 2, [1.5, 0.0, 0.0]).finish().at(3.0, 0.0, 0.0).variable("hit", "2");
+}

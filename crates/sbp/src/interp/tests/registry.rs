@@ -1,0 +1,85 @@
+//! Values kept outside the program.
+
+use super::run_files;
+use crate::testing::{run, run_with};
+use crate::{Session, Status};
+
+#[test]
+fn sbp_io_setusrval() {
+    let first = run("SetUsrVal, hello");
+    assert_eq!(first.host.stored["uValue"], "hello");
+    let second = run_with("GetUsrVal, &v ⏎ PRINT &v", first.host, Session::default());
+    assert_eq!(second.printed(), "hello\n");
+}
+
+#[test]
+fn sbp_io_setusrval_var() {
+    run("&a=2.5 ⏎ SetUsrVal, &a ⏎ GetUsrVal, &b ⏎ MX,&b").ends_at(2.5, 0.0, 0.0);
+    run("SetUsrVal, 3 ⏎ GetUsrVal, &b ⏎ MX,&b").ends_at(3.0, 0.0, 0.0);
+    assert_eq!(run("SetUsrVal, \"a b\"").host.stored["uValue"], "a b");
+}
+
+#[test]
+fn sbp_io_setusrvalclrd() {
+    let text = "GetUsrValClrd, &v ⏎ IF &v = \"\" THEN MX,1 ⏎ SetUsrValClrd, used ⏎ FP,n.sbp";
+    let nested = [("n.sbp", "GetUsrValClrd, &seen")];
+    let mut ran = run_files(text, &nested);
+    ran.ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    assert_eq!(ran.variable("seen"), "used");
+    assert!(!ran.host.stored.contains_key("uValueClrd"));
+    // What a run that never ended left behind is gone as well.
+    ran.host.stored.insert("uValueClrd".into(), "stale".into());
+    run_with(text, ran.host, Session::default()).ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+}
+
+#[test]
+fn sbp_io_getusrval() {
+    let ran = run("GetUsrVal, &v ⏎ IF &v = \"\" THEN MX,1");
+    ran.ends_at(1.0, 0.0, 0.0);
+    assert_eq!(ran.variable("v"), "");
+}
+
+#[test]
+fn sbp_io_getusrvalclrd() {
+    assert_eq!(run("SetUsrValClrd, a ⏎ GetUsrValClrd, &v").variable("v"), "a");
+    assert_eq!(run("GetUsrValClrd, &v").variable("v"), "");
+}
+
+#[test]
+fn sbp_io_setspindle() {
+    assert_eq!(run("SetSpindleStatus, 1").host.stored["SpindleStatus"], "1");
+    assert_eq!(run("&on=0 ⏎ SetSpindleStatus, &on").host.stored["SpindleStatus"], "0");
+    run("SetSpindleStatus, 2").fails_at(1, "0 or 1");
+}
+
+#[test]
+fn sbp_io_getspindle() {
+    assert_eq!(run("SetSpindleStatus, 1 ⏎ GetSpindleStatus, &s").variable("s"), "1");
+    assert_eq!(run("GetSpindleStatus, &s").variable("s"), "0");
+}
+
+#[test]
+fn sbp_io_getusrpath() {
+    assert_eq!(run("GetUsrPath, &p").variable("p"), "/user");
+}
+
+#[test]
+fn sbp_io_getapppath() {
+    assert_eq!(run("GetAppPath, &p").variable("p"), "/app");
+}
+
+#[test]
+fn sbp_io_getpartfilename() {
+    let last = Session { last_file: Some("/parts/a.sbp".into()), ..Session::default() };
+    let text = "GetPartFileName, &f ⏎ FP,b.sbp ⏎ GetPartFileName, &g";
+    let ran = run_with(text, super::host_with(&[("b.sbp", "MX,1")]), last);
+    assert_eq!((ran.variable("f").as_str(), ran.variable("g").as_str()), ("/parts/a.sbp", "b.sbp"));
+    assert_eq!(ran.session.last_file.as_deref(), Some("b.sbp"));
+}
+
+#[test]
+fn sbp_io_regvalues_scope() {
+    assert_eq!(run("SetUsrVal x ⏎ GetUsrVal &v").variable("v"), "x");
+    run("GetUsrVal").fails_at(1, "argument is missing");
+    run("GetUsrVal, v").fails_at(1, "variable is expected");
+}
