@@ -1,16 +1,23 @@
 //! How fast part files are read: `cargo run --release -p kerf-sbp --example read_speed`.
 //!
 //! Prints lines a second for a million plain moves and for a hundred thousand lines of variables,
-//! conditions and computed moves; each is read several times and the best time counts.
+//! conditions and computed moves; each is read several times and the best time counts. A word as
+//! argument chooses the files whose name contains it.
 #![allow(clippy::print_stdout)]
 
 use std::fmt::Write;
 use std::time::Instant;
 
 fn main() {
-    report("M3,x,y,z", &moves(1_000_000, "M3,", ","));
-    report("M3 x, y, z", &moves(1_000_000, "M3 ", ", "));
-    report("expressions", &expressions(100_000));
+    let wanted = std::env::args().nth(1).unwrap_or_default();
+    let files: [(&str, fn() -> String); 3] = [
+        ("M3,x,y,z", || moves(1_000_000, "M3,", ",")),
+        ("M3 x, y, z", || moves(1_000_000, "M3 ", ", ")),
+        ("expressions", || expressions(100_000)),
+    ];
+    for (name, text) in files.into_iter().filter(|(name, _)| name.contains(&wanted)) {
+        report(name, &text());
+    }
 }
 
 /// Lines as a CAM program writes them.
@@ -41,7 +48,7 @@ fn expressions(lines: u32) -> String {
 fn report(name: &str, text: &str) {
     let mut best = f64::INFINITY;
     let mut lines = 0;
-    for _ in 0..7 {
+    for _ in 0..15 {
         let start = Instant::now();
         let program = kerf_sbp::read("speed.sbp".into(), text.as_bytes());
         best = best.min(start.elapsed().as_secs_f64());

@@ -115,43 +115,43 @@ impl Scan<'_> {
 
 /// Reads an unsigned decimal number at `at` and goes behind it; finite numbers only.
 pub(super) fn number(bytes: &[u8], at: &mut usize) -> Option<f64> {
-    let start = *at;
-    let mut digits: u64 = 0;
-    let mut places = 0;
-    let mut at_digit = start;
-    while let Some(d) = digit(bytes, at_digit) {
-        digits = digits.wrapping_mul(10).wrapping_add(d);
-        at_digit += 1;
-    }
-    let mut count = at_digit - start;
-    if bytes.get(at_digit) == Some(&b'.') {
-        at_digit += 1;
-        let fraction = at_digit;
-        while let Some(d) = digit(bytes, at_digit) {
-            digits = digits.wrapping_mul(10).wrapping_add(d);
-            at_digit += 1;
-        }
-        places = at_digit - fraction;
+    let text = bytes.get(*at..)?;
+    let (whole, rest) = digits(0, text);
+    let mut mantissa = whole;
+    let mut count = text.len() - rest.len();
+    let (mut after, mut places) = (rest, 0);
+    if let [b'.', fraction @ ..] = rest {
+        (mantissa, after) = digits(whole, fraction);
+        places = fraction.len() - after.len();
         count += places;
     }
     if count == 0 {
         return None;
     }
-    let exponent = matches!(bytes.get(at_digit), Some(b'e' | b'E'));
     // Up to 15 digits fit a double and so does the power of ten: one division rounds rightly
     // (Clinger, How to read floating point numbers accurately, 1990).
-    if count <= 15 && !exponent {
-        *at = at_digit;
-        return Some(digits as f64 / TENS[places]);
+    if count <= 15 && !matches!(after, [b'e' | b'E', ..]) {
+        *at += text.len() - after.len();
+        return Some(mantissa as i64 as f64 / TENS[places]);
     }
-    let (value, length) = fast_float2::parse_partial::<f64, _>(&bytes[start..]).ok()?;
-    *at = start + length;
+    let (value, length) = fast_float2::parse_partial::<f64, _>(text).ok()?;
+    *at += length;
     value.is_finite().then_some(value)
 }
 
-fn digit(bytes: &[u8], at: usize) -> Option<u64> {
-    let d = bytes.get(at)?.wrapping_sub(b'0');
-    (d < 10).then_some(u64::from(d))
+/// Appends the decimal digits at the start of a text to a whole number; also what follows them.
+///
+/// Wraps when there are too many; the caller counts them.
+fn digits(mut value: u64, mut text: &[u8]) -> (u64, &[u8]) {
+    while let [first, rest @ ..] = text {
+        let digit = first.wrapping_sub(b'0');
+        if digit > 9 {
+            break;
+        }
+        value = value.wrapping_mul(10).wrapping_add(u64::from(digit));
+        text = rest;
+    }
+    (value, text)
 }
 
 #[cfg(test)]
