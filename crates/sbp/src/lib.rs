@@ -26,6 +26,7 @@ pub mod table;
 mod testing;
 pub mod tree;
 mod value;
+mod walk;
 
 pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 pub use interp::{

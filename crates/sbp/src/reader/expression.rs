@@ -151,10 +151,12 @@ impl Line<'_, '_> {
         self.at += length;
         let operand = self.deeper(start, |line| line.binary(binds, adjacent))?;
         let span = Span { start: start as u32, end: operand.span.end };
-        if let (UnaryOp::Minus, ExprNode::Number(n)) = (op, &operand.node) {
-            return Ok(Expr { node: ExprNode::Number(-n), span });
-        }
-        Ok(Expr { node: ExprNode::Unary(op, Box::new(operand)), span })
+        let node = match (op, operand.node) {
+            (UnaryOp::Minus, ExprNode::Number(n)) => ExprNode::Number(-n),
+            (UnaryOp::Plus, ExprNode::Number(n)) => ExprNode::Number(n),
+            (_, node) => ExprNode::Unary(op, Box::new(Expr { node, ..operand })),
+        };
+        Ok(Expr { node, span })
     }
 
     /// Goes one level down, within bounds.
@@ -321,25 +323,6 @@ impl Line<'_, '_> {
         let hint = super::suggest::did_you_mean(word, names)
             .unwrap_or_else(|| "see kerf explain S008 for the list".into());
         self.fault(Code::UnknownFunction, span, message, hint)
-    }
-}
-
-impl Expr {
-    /// True when a bare word stands somewhere in it.
-    pub(super) fn has_words(&self) -> bool {
-        self.any(&|node| matches!(node, ExprNode::Word(_)))
-    }
-
-    /// True when something holds for one of its nodes.
-    pub(super) fn any(&self, holds: &impl Fn(&ExprNode) -> bool) -> bool {
-        holds(&self.node)
-            || match &self.node {
-                ExprNode::System(a) | ExprNode::Unary(_, a) | ExprNode::Call(_, Some(a)) => {
-                    a.any(holds)
-                }
-                ExprNode::Binary(_, a, b) => a.any(holds) || b.any(holds),
-                _ => false,
-            }
     }
 }
 

@@ -23,6 +23,8 @@ mod line;
 mod moves;
 mod output;
 #[cfg(test)]
+mod properties;
+#[cfg(test)]
 pub(crate) mod shown;
 mod statements;
 mod suggest;

@@ -8,7 +8,7 @@ use kerf_program::{Button, FileRequest, Folder, QuestionKind};
 const PROPORTION: Kind = Kind::Number(Unit::None);
 
 /// The parameters of FP and FG.
-static RUN: [ParamSpec; 9] = [
+static RUN: [ParamSpec; 11] = [
     ParamSpec::required("File name", Kind::File).about(
         "Looked for in the current part folder, ignoring case; may carry a path or be a variable. \
          Without an extension .sbp is tried as well.",
@@ -33,6 +33,9 @@ static RUN: [ParamSpec; 9] = [
         .about("1: leave tabs (see VB) on the last repetition, also in files that this one calls."),
     ParamSpec::number("Plunge from Z 0", Kind::OneOf(&[0, 1]), 0.0)
         .about("1: Z moves to 0 first, so that plunges count from there."),
+    // Files in use carry two more values that the manuals do not describe.
+    ParamSpec::obsolete(),
+    ParamSpec::obsolete(),
 ];
 
 pub(super) static SPECS: &[CommandSpec] = &[

@@ -1,0 +1,136 @@
+//! Going through the tree: the expressions, variables and jumps of a statement.
+
+use crate::expr::{Expr, ExprNode};
+use crate::tree::{ArgKind, Assigned, DialogText, NameId, Span, Statement, Target, TextPart};
+
+impl Statement {
+    /// The statement itself and the one behind its THEN or ON INPUT.
+    pub(crate) fn with_inner(&self) -> impl Iterator<Item = &Self> {
+        let inner = match self {
+            Self::If { then, .. } => Some(&**then),
+            Self::OnInput { action, .. } => action.as_deref(),
+            _ => None,
+        };
+        std::iter::once(self).chain(inner)
+    }
+
+    /// The label that it jumps to, itself or behind THEN or ON INPUT.
+    pub(crate) fn target(&self) -> Option<&Target> {
+        self.with_inner().find_map(|s| match s {
+            Self::Goto(target) | Self::Gosub(target) => Some(target),
+            _ => None,
+        })
+    }
+
+    /// Calls `f` with each of its own expressions, not those of an inner statement.
+    pub(crate) fn expressions<'a>(&'a self, f: &mut impl FnMut(&'a Expr)) {
+        match self {
+            Self::Command { args, .. } => {
+                for arg in args {
+                    if let ArgKind::Expr(expr) = &arg.kind {
+                        f(expr);
+                    }
+                }
+            }
+            Self::Assign { value: Assigned::Expr(expr), .. }
+            | Self::If { condition: expr, .. }
+            | Self::Pause { seconds: Some(expr) }
+            | Self::InputFile { file: expr, .. }
+            | Self::Close(Some(expr))
+            | Self::Custom { number: expr, .. } => f(expr),
+            Self::OnInput { switch: a, state: b, .. }
+            | Self::PauseUntil { switch: a, state: b }
+            | Self::Open { path: a, number: b, .. } => [a, b].into_iter().for_each(f),
+            Self::Output(output) => output.file.iter().chain(&output.items).for_each(f),
+            Self::Input { text, default, .. } => text.iter().chain(default).for_each(f),
+            Self::Shell { display: Some(expr), line, .. } => {
+                f(expr);
+                line.expression().into_iter().for_each(f);
+            }
+            _ => self
+                .dialog_texts()
+                .into_iter()
+                .flatten()
+                .filter_map(DialogText::expression)
+                .for_each(f),
+        }
+    }
+
+    /// The texts that are shown to people or given to programs.
+    pub(crate) fn dialog_texts(&self) -> [Option<&DialogText>; 3] {
+        match self {
+            Self::MsgBox { body, style, title, .. } => [Some(body), Some(style), Some(title)],
+            Self::Play(text) | Self::Shell { line: text, .. } | Self::Store { value: text, .. } => {
+                [Some(text), None, None]
+            }
+            _ => [None; 3],
+        }
+    }
+
+    /// The variables it gives a value.
+    pub(crate) fn assigned(&self) -> &[NameId] {
+        match self {
+            Self::Assign { name, persistent: false, .. } => std::slice::from_ref(name),
+            Self::Input { variables, .. } | Self::InputFile { variables, .. } => variables,
+            Self::Fetch { variable, .. } => std::slice::from_ref(variable),
+            _ => &[],
+        }
+    }
+}
+
+impl DialogText {
+    /// The expression, if it is one.
+    pub(crate) fn expression(&self) -> Option<&Expr> {
+        match self {
+            Self::Expr(expr) => Some(expr),
+            Self::Parts(_) => None,
+        }
+    }
+
+    /// The variables in unquoted text.
+    pub(crate) fn variables(&self) -> impl Iterator<Item = NameId> {
+        let parts = if let Self::Parts(parts) = self { parts.as_slice() } else { &[] };
+        parts.iter().filter_map(|part| match part {
+            TextPart::Variable(name, _) => Some(*name),
+            TextPart::Literal(_) => None,
+        })
+    }
+}
+
+impl Expr {
+    /// True when something holds for one of its nodes.
+    pub(crate) fn any(&self, holds: &impl Fn(&ExprNode) -> bool) -> bool {
+        let mut found = false;
+        self.each(&mut |expr| found |= holds(&expr.node));
+        found
+    }
+
+    /// True when a bare word stands somewhere in it.
+    pub(crate) fn has_words(&self) -> bool {
+        self.any(&|node| matches!(node, ExprNode::Word(_)))
+    }
+
+    /// Calls `f` with the expression and every expression inside it.
+    pub(crate) fn each<'a>(&'a self, f: &mut impl FnMut(&'a Self)) {
+        f(self);
+        match &self.node {
+            ExprNode::System(a) | ExprNode::Unary(_, a) | ExprNode::Call(_, Some(a)) => a.each(f),
+            ExprNode::Binary(_, a, b) => {
+                a.each(f);
+                b.each(f);
+            }
+            _ => {}
+        }
+    }
+
+    /// The variables in it and where they stand.
+    pub(crate) fn variables(&self) -> Vec<(NameId, Span)> {
+        let mut found = Vec::new();
+        self.each(&mut |expr| {
+            if let ExprNode::Variable(name) = expr.node {
+                found.push((name, expr.span));
+            }
+        });
+        found
+    }
+}
