@@ -18,7 +18,8 @@ fn path(ran: &crate::testing::Ran) -> Vec<[f64; 3]> {
 #[test]
 fn sbp_file_fp_params() {
     let spec = crate::table::find("FP").unwrap();
-    assert_eq!(spec.params.len(), 9);
+    let read = spec.params.iter().filter(|p| p.kind != crate::table::Kind::Obsolete);
+    assert_eq!(read.count(), 9);
     run_files("FP,part.sbp", &[("part.sbp", "M2,1,2")]).ended(Status::Ok).ends_at(1.0, 2.0, 0.0);
 }
 
@@ -262,7 +263,8 @@ fn warnings_of_a_nested_file_are_told_once() {
 #[test]
 fn sbp_file_fg_params() {
     let spec = crate::table::find("FG").unwrap();
-    assert_eq!(spec.params.len(), 9);
+    let read = spec.params.iter().filter(|p| p.kind != crate::table::Kind::Obsolete);
+    assert_eq!(read.count(), 9);
     let host = host_with(&[("part.sbp", "M2,1,1")]);
     let ran = run_with("FG,part.sbp,2,2,,,2", host, tool_at(10.0, 4.0, 0.0));
     ran.ended(Status::Ok).ends_at(12.0, 6.0, 0.0);
