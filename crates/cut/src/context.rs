@@ -4,7 +4,6 @@ use crate::CutError;
 use crate::error::check_length;
 use kerf_geom::Point2;
 use kerf_program::Settings;
-use kerf_program::settings::PlungeSign;
 
 /// The state of the machine and of the file at the moment of the command.
 ///
@@ -25,8 +24,6 @@ pub struct Context {
     pub circle_mm: f64,
     /// Circles of a smaller diameter are flagged small.
     pub small_circle_mm: f64,
-    /// The sign of a plunge that goes down.
-    pub plunge_down: PlungeSign,
     /// File proportions X, Y, Z of FP; they scale shapes and plunges, not the cutter.
     pub scale: [f64; 3],
 }
@@ -88,7 +85,6 @@ impl Context {
             overlap_percent: settings.cutter.pocket_overlap_percent,
             circle_mm: settings.resolution.circle_mm,
             small_circle_mm: settings.ramps.small_circle_mm,
-            plunge_down: settings.cutter.plunge,
             scale: [1.0; 3],
         }
     }
@@ -98,12 +94,11 @@ impl Context {
     }
 
     /// The change of Z that a plunge parameter means.
+    ///
+    /// The sign that VC gives for plunges never turns Z round: on a machine whose Z grows
+    /// downwards a positive plunge already goes down (ledger row SBP-VAL-VC-PLUNGEDIR).
     pub(crate) fn plunge_mm(&self, value: f64) -> f64 {
-        let down = match self.plunge_down {
-            PlungeSign::Minus => value,
-            PlungeSign::Plus => -value,
-        };
-        down * self.scale[2]
+        value * self.scale[2]
     }
 
     /// The height at which the tool travels back over the work.

@@ -49,7 +49,7 @@ impl Feature {
 /// How often and how deep a path is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passes {
-    /// Change of Z for each repetition as the user wrote it, mm; see [`Context::plunge_down`].
+    /// Change of Z for each repetition as the user wrote it, mm; negative goes down.
     pub plunge_mm: f64,
     /// Number of passes.
     pub repetitions: u32,

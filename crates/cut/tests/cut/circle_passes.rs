@@ -2,7 +2,6 @@
 
 use crate::common::{IN, at, cc, check, number, origin, refused};
 use kerf_cut::Cut;
-use kerf_program::settings::PlungeSign;
 
 #[track_caller]
 fn end_z(cut: &Cut) -> f64 {
@@ -17,12 +16,6 @@ fn sbp_cut_cc_plunge() {
          cw 360 about 0 -2 to 0 0 -0.25
          cut 0 0 0",
     );
-}
-
-#[test]
-fn plunges_are_positive_where_z_counts_downwards() {
-    let plus = kerf_cut::Context { plunge_down: PlungeSign::Plus, ..origin() };
-    assert_eq!(cc("4,T,1,0,360,.25,3", &plus), cc("4,T,1,0,360,-.25,3", &origin()));
 }
 
 #[test]

@@ -2,7 +2,6 @@
 
 use kerf_cut::*;
 use kerf_program::MoveKind;
-use kerf_program::settings::PlungeSign;
 
 pub const IN: f64 = 25.4;
 
@@ -16,7 +15,6 @@ pub fn at(x: f64, y: f64, z: f64) -> Context {
         overlap_percent: 10.0,
         circle_mm: 0.05 * IN,
         small_circle_mm: 0.25 * IN,
-        plunge_down: PlungeSign::Minus,
         scale: [1.0; 3],
     }
 }

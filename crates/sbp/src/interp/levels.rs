@@ -135,18 +135,10 @@ impl Context<'_> {
     /// One plunge of the innermost file, at Z move speed.
     fn plunge(&mut self) {
         let Some(level) = self.core.level() else { return };
-        let rise = self.rise(level.parameters.plunge_mm);
+        let rise = level.parameters.plunge_mm;
         if rise != 0.0 {
             let z = self.core.position[Axis::Z] + rise;
             self.move_z(z);
-        }
-    }
-
-    /// How far a plunge lifts Z: VC says which sign goes down.
-    fn rise(&self, plunge_mm: f64) -> f64 {
-        match self.settings().cutter.plunge {
-            PlungeSign::Minus => plunge_mm,
-            PlungeSign::Plus => -plunge_mm,
         }
     }
 
@@ -156,14 +148,24 @@ impl Context<'_> {
         self.line(MoveKind::Cut, to);
     }
 
+    /// Tells of a plunge that lifts. The sign of VC says which way is down; it turns nothing round.
+    pub(crate) fn doubt_lift(&mut self, plunge_mm: f64) {
+        let lifts = match self.settings().cutter.plunge {
+            PlungeSign::Minus => plunge_mm > 0.0,
+            PlungeSign::Plus => plunge_mm < 0.0,
+        };
+        if lifts {
+            let hint = "plunges are negative unless VC says that Z counts downwards";
+            self.warn(Code::Lifts, "this plunge lifts the tool", hint);
+        }
+    }
+
     /// Tells of a plunge that lifts, and of one into a file that moves Z itself.
     pub(crate) fn doubt_plunge(&mut self, program: &Program, parameters: &FileParameters) {
         if parameters.plunge_mm == 0.0 {
             return;
         }
-        if self.rise(parameters.plunge_mm) > 0.0 {
-            self.warn(Code::Lifts, "this plunge moves the tool up", "plunges down are negative");
-        }
+        self.doubt_lift(parameters.plunge_mm);
         if super::z_moves::moves_z(program) {
             let message =
                 format!("{} has Z moves; plunge passes will not be correct", program.name);

@@ -7,7 +7,6 @@ use kerf_cut::{
 };
 use kerf_diag::Code;
 use kerf_program::Axis;
-use kerf_program::settings::PlungeSign;
 
 const LENGTH: Kind = Kind::Number(Unit::Length);
 const ANGLE: Kind = Kind::Number(Unit::Degrees);
@@ -193,25 +192,11 @@ fn feature(a: &Arguments, index: usize) -> Feature {
 /// Plunge at `plunge`, repetitions behind it; a plunge that lifts is told of.
 fn passes(c: &mut Context<'_>, a: &Arguments, plunge: usize) -> Passes {
     let plunge_mm = a.number_or(plunge, 0.0);
-    warn_lift(c, plunge_mm);
+    c.doubt_lift(plunge_mm);
     Passes {
         plunge_mm,
         repetitions: a.number_or(plunge + 1, 1.0).min(f64::from(u32::MAX)) as u32,
         ..Passes::default()
-    }
-}
-
-fn warn_lift(c: &mut Context<'_>, plunge_mm: f64) {
-    let lifts = match c.settings().cutter.plunge {
-        PlungeSign::Minus => plunge_mm > 0.0,
-        PlungeSign::Plus => plunge_mm < 0.0,
-    };
-    if lifts {
-        c.warn(
-            Code::Lifts,
-            "this plunge lifts the tool",
-            "plunges are negative unless VC says that Z counts downwards",
-        );
     }
 }
 
@@ -438,6 +423,16 @@ mod tests {
         assert_eq!(z.iter().filter(|z| **z == -0.9).count(), 12);
         let first = made[1].sweep_rad.abs() * 6.0;
         assert!((first - 4.0).abs() < 1e-6, "{first}");
+    }
+
+    #[test]
+    fn plunges_are_added_to_z_and_lifts_are_told_of() {
+        let told = |ran: &Ran| {
+            ran.commands.iter().any(|c| matches!(&c.command, Command::Diagnostic(d) if d.code == kerf_diag::Code::Lifts))
+        };
+        let up = run("CC,4,T,1,0,360,.25,1,1,1,0,1");
+        assert!(told(up.ends_at(0.0, 0.0, 0.25)));
+        assert!(!told(run("CC,4,T,1,0,360,-.25,1,1,1,0,1").ends_at(0.0, 0.0, -0.25)));
     }
 
     #[test]
