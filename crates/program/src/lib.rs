@@ -14,6 +14,7 @@
 
 mod axes;
 mod command;
+mod dynamics;
 mod frame;
 mod host;
 pub mod settings;
@@ -23,6 +24,7 @@ pub use command::{
     Arc, At, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason, Sourced,
     ToolPathStart,
 };
+pub use dynamics::Dynamics;
 pub use frame::Frame;
 pub use host::{
     Answer, Button, FileMode, FileRequest, Folder, Host, HostError, Question, QuestionKind,

@@ -5,7 +5,7 @@
 //! the unit changes how they are shown, so there is no drift. The defaults are those of the OpenSBP
 //! command reference where it gives one; the notes beside the others say so.
 
-use crate::{AXES, Axes, Axis};
+use crate::{AXES, Axes, Axis, Dynamics};
 use serde::{Deserialize, Serialize};
 
 /// Millimetres in an inch.
@@ -380,6 +380,9 @@ pub struct Settings {
     /// Starting the spindle from a program asks the operator first, unless it counts as active.
     #[serde(default = "yes")]
     pub ask_spindle: bool,
+    /// What the axes can do; from the machine's configuration, no V command sets it.
+    #[serde(default)]
+    pub dynamics: Option<Dynamics>,
 }
 
 const fn yes() -> bool {
@@ -535,6 +538,7 @@ impl Default for Settings {
             // The reference's 2 s before motion; headless runs set 0.
             warning_s: 0.0,
             ask_spindle: true,
+            dynamics: None,
         }
     }
 }

@@ -1,0 +1,22 @@
+//! What a machine's axes can do, for planners that use it all.
+
+use crate::Axes;
+use serde::{Deserialize, Serialize};
+
+/// Limits of every axis and the tolerance of the path: what the `optimal` model of motion plans
+/// with. A machine whose configuration gives them is planned so; one without (`None` in
+/// [`Settings`](crate::Settings)) ramps as VR says.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Dynamics {
+    /// Highest speed of each axis, mm/s or degrees/s.
+    pub speed_mm_s: Axes,
+    /// Highest acceleration of each axis, mm/s² or degrees/s².
+    pub accel_mm_s2: Axes,
+    /// Highest jerk of each axis, mm/s³ or degrees/s³; `None` leaves it free.
+    #[serde(default)]
+    pub jerk_mm_s3: Option<Axes>,
+    /// How far the path may leave the programmed one, mm (rotary axes count a degree as a
+    /// millimetre).
+    pub tolerance_mm: f64,
+}
