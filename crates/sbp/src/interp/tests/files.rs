@@ -156,15 +156,15 @@ fn sbp_file_fp_plunge() {
     let expected = [-0.25, -0.25, -0.25, -0.25, -0.5, -0.5, -0.5, -0.5, 0.0];
     assert_eq!(heights("FP,t.sbp,,,,2,2,-.25", 0.0), expected);
     let ran = run_with("FP,t.sbp,,,,,2,.25", host_with(&[TEMPLATE]), Session::default());
-    assert!(ran.told().contains("moves the tool up"), "{}", ran.told());
+    assert!(ran.told().contains("lifts the tool"), "{}", ran.told());
 }
 
 #[test]
-fn a_plunge_follows_the_sign_of_vc_and_the_proportion_of_its_caller() {
+fn a_plunge_is_added_as_given_and_follows_the_proportion_of_its_caller() {
     let mut plus = tool_at(5.0, 5.0, 0.0);
     plus.settings.cutter.plunge = kerf_program::settings::PlungeSign::Plus;
     let ran = run_with("FP,t.sbp,,,,,2,.25", host_with(&[TEMPLATE]), plus);
-    assert_eq!(path(&ran)[0][2], -0.25);
+    assert_eq!(path(&ran)[0][2], 0.25);
     assert_eq!(ran.told(), "");
     let files = [TEMPLATE, ("a.sbp", "FP,t.sbp,,,,,2,-.25")];
     let ran = run_files("FP,a.sbp,,,2", &files);
