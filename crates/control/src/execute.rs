@@ -126,6 +126,15 @@ impl Runner<'_> {
         }
     }
 
+    /// Makes moves that nothing stops.
+    pub(crate) fn make_unasked(&mut self, moves: Vec<Move>) {
+        let t0_s = self.world.now();
+        let plan = plan_stack(moves, &self.world.machine.settings().ramps.clone());
+        for index in 0..plan.moves().len() {
+            self.make_one(&plan, index, t0_s);
+        }
+    }
+
     /// Makes a plan, move by move; the operator may stop it.
     fn follow_plan(&mut self, mut plan: Plan, t0_s: f64, marks: &mut Marks) -> Option<Stopped> {
         let mut stopped = None;
@@ -133,7 +142,7 @@ impl Runner<'_> {
         while index < plan.moves().len() {
             self.carry_out_marks(marks, index);
             if stopped.is_none()
-                && let Some(t_s) = self.pace.reach(t0_s + plan.span_s(index).1)
+                && let Some(t_s) = self.pace.pass(self.world.now(), t0_s + plan.span_s(index).1)
             {
                 let (rest, why) = cut(plan, (t_s - t0_s).max(0.0), true);
                 plan = rest;
@@ -190,7 +199,7 @@ impl Runner<'_> {
     fn answer_halt(&mut self, halt: Option<Halt>, number: Option<u64>) -> Option<Halted> {
         let t = self.world.now();
         let Some(halt) = halt else {
-            return Some(Halted::Over(self.stopped_by_operator()));
+            return Some(Halted::Over(self.operator_stops()));
         };
         let (by, n) = match halt.cause {
             HaltCause::Watch(index) => ("watch", self.watched().get(index).map_or(0, |w| w.input)),

@@ -2,14 +2,14 @@
 
 /// Says how far machine time may run, and when the operator wants it to stop.
 pub trait Pace {
-    /// Machine time is about to reach `t_s`. Returns earlier with a time when the operator stopped
-    /// the machine before.
-    fn reach(&mut self, t_s: f64) -> Option<f64>;
+    /// Machine time is about to go from one moment to another, seconds; both may be the same. When
+    /// the operator stops the machine before, returns the moment at which that happens.
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<f64>;
 }
 
 /// As fast as can be computed, never stopped.
 impl Pace for () {
-    fn reach(&mut self, _: f64) -> Option<f64> {
+    fn pass(&mut self, _: f64, _: f64) -> Option<f64> {
         None
     }
 }
@@ -19,7 +19,7 @@ impl Pace for () {
 pub struct StopAt(pub f64);
 
 impl Pace for StopAt {
-    fn reach(&mut self, t_s: f64) -> Option<f64> {
-        (t_s >= self.0).then_some(self.0)
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
+        (to_s >= self.0).then_some(self.0.max(from_s))
     }
 }

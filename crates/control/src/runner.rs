@@ -12,7 +12,7 @@ use crate::world::World;
 use crate::{Event, Pace};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Mover;
-use kerf_program::{Answer, At, Button, Command, MoveKind, Question, Sourced};
+use kerf_program::{Answer, At, Axis, Button, Command, Feed, Line, MoveKind, Question, Sourced};
 use kerf_sbp::{Interpreter, Status, Step};
 use kerf_sim::{HaltCause, Watched};
 
@@ -87,6 +87,10 @@ impl<'a> Runner<'a> {
         }
         let flow = match self.feed() {
             Flow::On => self.follow(step),
+            flow => flow,
+        };
+        let flow = match flow {
+            Flow::On | Flow::Interrupted => self.heed_operator(),
             flow => flow,
         };
         match flow {
@@ -289,14 +293,14 @@ impl<'a> Runner<'a> {
             _ => None,
         });
         let end_s = halt.map_or(until_s, |(t_s, _)| t_s);
-        let stopped = self.pace.reach(end_s);
         let begin_s = self.world.now();
+        let stopped = self.pace.pass(begin_s, end_s);
         let end_s = stopped.unwrap_or(end_s).max(begin_s);
         self.world.machine.advance(end_s);
         self.world.tally.waited(end_s - begin_s);
         self.world.tell_log();
         match (stopped, halt) {
-            (Some(_), _) => Flow::Over(self.stopped_by_operator()),
+            (Some(_), _) => Flow::Over(self.operator_stops()),
             (None, Some((_, index))) => self.interrupt(index, None),
             (None, None) => Flow::On,
         }
@@ -308,12 +312,38 @@ impl<'a> Runner<'a> {
         self.pass_until(t + seconds.max(0.0))
     }
 
-    /// The operator ended the run.
-    pub(crate) fn stopped_by_operator(&mut self) -> Over {
+    /// The operator may stop a program that computes and does not move.
+    fn heed_operator(&mut self) -> Flow {
+        let now = self.world.now();
+        match self.pace.pass(now, now) {
+            Some(_) => Flow::Over(self.operator_stops()),
+            None => Flow::On,
+        }
+    }
+
+    /// The operator stopped the machine, which stands: the tool is lifted, the run is over.
+    pub(crate) fn operator_stops(&mut self) -> Over {
         self.world.machine.stopped(false);
         self.world.tell_log();
         self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
+        self.lift();
         Over { status: Status::Stopped, diagnostic: None }
+    }
+
+    /// Lifts the tool to safe Z when it is lower (command reference, stopping).
+    fn lift(&mut self) {
+        let position = self.world.machine.position();
+        let Some(safe_mm) = self.world.machine.settings().cutter.safe_z_mm else { return };
+        let safe = self.world.machine.frame().working_zero[Axis::Z] + safe_mm;
+        if position[Axis::Z] >= safe {
+            return;
+        }
+        let mut to = position;
+        to[Axis::Z] = safe;
+        self.mover.set_position(position);
+        let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
+        let lift = self.mover.line(self.asking_line(), &line);
+        self.make_unasked(lift.into_iter().collect());
     }
 
     /// Answers the question that is open: an input does, or the operator.

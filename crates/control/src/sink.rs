@@ -19,3 +19,26 @@ impl Sink for Vec<Event> {
 impl Sink for () {
     fn event(&mut self, _: &Event) {}
 }
+
+/// Two take every event.
+impl<A: Sink, B: Sink> Sink for (A, B) {
+    fn event(&mut self, event: &Event) {
+        self.0.event(event);
+        self.1.event(event);
+    }
+}
+
+impl<S: Sink + ?Sized> Sink for &mut S {
+    fn event(&mut self, event: &Event) {
+        (**self).event(event);
+    }
+}
+
+/// Perhaps one takes them.
+impl<S: Sink> Sink for Option<S> {
+    fn event(&mut self, event: &Event) {
+        if let Some(sink) = self {
+            sink.event(event);
+        }
+    }
+}

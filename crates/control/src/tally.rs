@@ -41,6 +41,9 @@ pub struct ToolPathTime {
     pub tool: Arc<str>,
     /// How long it takes, tool changes included.
     pub seconds: f64,
+    /// How many moves and arcs were made before it.
+    #[serde(skip)]
+    pub first_move: u64,
 }
 
 impl Tally {
@@ -88,6 +91,7 @@ impl Tally {
                 name: name.unwrap_or_default(),
                 tool: tool.unwrap_or_default(),
                 seconds: 0.0,
+                first_move: self.moves + self.arcs,
             }),
         }
     }

@@ -124,3 +124,12 @@ pub enum RampModel {
     /// As fast as the limits of the axes allow.
     Optimal,
 }
+
+/// How reports are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}

@@ -6,8 +6,14 @@
 mod args;
 mod commands;
 mod exit;
+mod operator;
+mod out;
 mod parse;
+mod picture;
+mod progress;
+mod report;
 mod setup;
+mod sources;
 
 use clap::Parser;
 use std::process::ExitCode;

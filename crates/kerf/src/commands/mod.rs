@@ -1,5 +1,9 @@
 //! The subcommands, one file each.
 
+mod explain;
+mod preview;
+mod run;
+mod time;
 mod trace;
 
 use crate::exit::Exit;
@@ -9,12 +13,20 @@ use clap::Subcommand;
 /// What `kerf` can be told to do.
 #[derive(Subcommand)]
 pub enum Command {
+    Run(run::RunCommand),
+    Preview(preview::PreviewArgs),
+    Time(time::TimeArgs),
     Trace(trace::TraceArgs),
+    Explain(explain::ExplainArgs),
 }
 
 /// Does it.
 pub fn run(command: Command) -> Result<Exit> {
     match command {
+        Command::Run(args) => run::run(&args),
+        Command::Preview(args) => preview::run(&args),
+        Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),
+        Command::Explain(args) => explain::run(&args),
     }
 }

@@ -1,0 +1,117 @@
+//! The person at the terminal: answers, Ctrl-C, and the time of the world.
+
+use anyhow::{Context, Result};
+use kerf_control::Pace;
+use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
+use kerf_program::Question;
+use std::io::{self, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// Answers from a script, then from a person when there is one.
+pub struct Person {
+    script: Answers,
+    present: bool,
+}
+
+impl Person {
+    /// `present` when somebody sits at a terminal.
+    pub const fn new(script: Answers, present: bool) -> Self {
+        Self { script, present }
+    }
+
+    fn ask(question: &Question) -> Option<String> {
+        let default = words(&default_answer(question));
+        let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
+        loop {
+            eprint!("? {} [{}] ({default}): ", question.text, buttons.join("/"));
+            io::stderr().flush().ok()?;
+            let mut line = String::new();
+            if io::stdin().read_line(&mut line).ok()? == 0 {
+                return None;
+            }
+            let line = line.trim_end_matches(['\r', '\n']);
+            if line.is_empty() {
+                return Some(default);
+            }
+            if meaning(question, line).is_some() {
+                return Some(line.to_owned());
+            }
+            eprintln!("  press one of {}", buttons.join(", "));
+        }
+    }
+}
+
+impl Operator for Person {
+    fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
+        let scripted = self.script.answer(question, line);
+        scripted.or_else(|| self.present.then(|| Self::ask(question)).flatten())
+    }
+}
+
+/// How machine time passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// As fast as can be computed.
+    Fast,
+    /// A second takes a second.
+    Real,
+}
+
+/// How long a nap is while machine time passes: what Ctrl-C may wait.
+const NAP: Duration = Duration::from_millis(10);
+
+/// Machine time against the time of the world; Ctrl-C stops the machine.
+pub struct RealPace {
+    clock: Clock,
+    stop_at_s: f64,
+    pressed: Arc<AtomicBool>,
+    /// The moment of the world at which machine time was last seen, and that machine time.
+    seen: Option<(Instant, f64)>,
+}
+
+impl RealPace {
+    /// Listens to Ctrl-C from now on.
+    pub fn new(clock: Clock, stop_at_s: Option<f64>) -> Result<Self> {
+        let pressed = Arc::new(AtomicBool::new(false));
+        let flag = pressed.clone();
+        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
+            .context("cannot listen to Ctrl-C")?;
+        Ok(Self { clock, stop_at_s: stop_at_s.unwrap_or(f64::INFINITY), pressed, seen: None })
+    }
+
+    /// Sleeps until the moment of the world at which a machine time is reached; earlier, and with
+    /// the machine time, when Ctrl-C is pressed.
+    fn sleep(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
+        let (since, since_s) = *self.seen.get_or_insert_with(|| (Instant::now(), from_s));
+        loop {
+            let now_s = since_s + since.elapsed().as_secs_f64();
+            if self.pressed.load(Ordering::Relaxed) {
+                return Some(now_s.clamp(from_s, to_s));
+            }
+            let left_s = to_s - now_s;
+            if left_s <= 0.0 {
+                return None;
+            }
+            sleep(NAP.min(Duration::from_secs_f64(left_s)));
+        }
+    }
+}
+
+impl Pace for RealPace {
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
+        let end_s = to_s.min(self.stop_at_s.max(from_s));
+        if self.pressed.load(Ordering::Relaxed) {
+            return Some(from_s);
+        }
+        if self.clock == Clock::Real
+            && end_s > from_s
+            && let Some(stopped_s) = self.sleep(from_s, end_s)
+        {
+            return Some(stopped_s);
+        }
+        (to_s >= self.stop_at_s).then_some(end_s)
+    }
+}

@@ -1,0 +1,56 @@
+//! Words and numbers for people, and standard output.
+
+use std::io::{self, Write};
+
+/// Writes to standard output. A reader that went away (`kerf … | head`) is no error.
+pub fn print(text: &str) {
+    let _ = io::stdout().write_all(text.as_bytes());
+}
+
+/// A duration: `12.3 s`, `4 min 05 s`, `2 h 03 min`.
+pub fn duration(seconds: f64) -> String {
+    if seconds < 60.0 {
+        return format!("{seconds:.1} s");
+    }
+    let whole = seconds.round() as u64;
+    let (hours, minutes, seconds) = (whole / 3600, whole / 60 % 60, whole % 60);
+    if hours == 0 {
+        format!("{minutes} min {seconds:02} s")
+    } else {
+        format!("{hours} h {minutes:02} min")
+    }
+}
+
+/// A number as people write it: at most so many decimals, no zeros at the end.
+pub fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" || text.is_empty() { "0".into() } else { text.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn durations_read_well() {
+        for (seconds, text) in [
+            (0.0, "0.0 s"),
+            (59.94, "59.9 s"),
+            (60.0, "1 min 00 s"),
+            (245.4, "4 min 05 s"),
+            (7380.0, "2 h 03 min"),
+        ] {
+            assert_eq!(duration(seconds), text);
+        }
+    }
+
+    #[test]
+    fn numbers_have_no_idle_zeros() {
+        for (value, text) in
+            [(1.0, "1"), (-0.0001, "0"), (10.0, "10"), (2.5, "2.5"), (0.1239, "0.124")]
+        {
+            assert_eq!(number(value, 3), text);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! What a person at a terminal reads while a program runs.
+
+use crate::sources::FileLines;
+use kerf_control::event::AskEvent;
+use kerf_control::{Event, Sink};
+use kerf_diag::{Diagnostic, render_text};
+use std::io::{IsTerminal, Write};
+use std::{env, io};
+
+/// Writes diagnostics to the error stream, drawn like a compiler does.
+#[derive(Default)]
+pub struct Diagnostics {
+    lines: FileLines,
+}
+
+impl Diagnostics {
+    /// Writes one.
+    pub fn show(&self, diagnostic: &Diagnostic) {
+        eprintln!("{}\n", render_text(diagnostic, &self.lines, colour(&io::stderr())));
+    }
+}
+
+impl Sink for Diagnostics {
+    fn event(&mut self, event: &Event) {
+        if let Event::Diag(diagnostic) = event {
+            self.show(diagnostic);
+        }
+    }
+}
+
+/// Whether colours are wanted: on a terminal, unless NO_COLOR says otherwise.
+pub fn colour(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
+}
+
+/// Writes what a program says to the operator to standard output.
+#[derive(Debug, Default)]
+pub struct Talk;
+
+impl Sink for Talk {
+    fn event(&mut self, event: &Event) {
+        match event {
+            Event::Print { text, .. } => say(text),
+            Event::Message { text, .. } => say(&format!("· {text}")),
+            Event::Ask(ask) => say(&asked(ask)),
+            _ => {}
+        }
+    }
+}
+
+fn asked(ask: &AskEvent) -> String {
+    let by = if ask.scripted { "" } else { " (default)" };
+    format!("? {} → {}{by}", ask.text, ask.answer)
+}
+
+/// Writes a line. A reader that went away is no reason to complain.
+fn say(text: &str) {
+    let _ = writeln!(io::stdout(), "{text}");
+}

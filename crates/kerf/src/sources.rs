@@ -1,0 +1,23 @@
+//! The lines of files that diagnostics point to.
+
+use kerf_diag::Sources;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fs;
+
+/// Reads files when a line of them is first shown.
+#[derive(Debug, Default)]
+pub struct FileLines(RefCell<BTreeMap<String, Vec<String>>>);
+
+impl Sources for FileLines {
+    fn line(&self, file: &str, line: u32) -> Option<String> {
+        let mut files = self.0.borrow_mut();
+        let lines = files.entry(file.to_owned()).or_insert_with(|| read_lines(file));
+        lines.get(line.checked_sub(1)? as usize).cloned()
+    }
+}
+
+fn read_lines(file: &str) -> Vec<String> {
+    let bytes = fs::read(file).unwrap_or_default();
+    String::from_utf8_lossy(&bytes).lines().map(str::to_owned).collect()
+}
