@@ -52,5 +52,7 @@ pub(crate) const fn joins(command: &Command) -> bool {
             | Command::ToolPath(_)
             | Command::ToolChange { .. }
             | Command::ClearPreview
+            | Command::PathControl(_)
+            | Command::Overrides { .. }
     )
 }

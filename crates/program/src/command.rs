@@ -132,6 +132,36 @@ pub struct ToolPathStart {
     pub tool: Option<Shared<str>>,
 }
 
+/// How closely the path is followed where moves meet (G61, G61.1, G64 of G-code).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum PathControl {
+    /// Every programmed point is visited, slowing down as little as that allows.
+    ExactPath,
+    /// Motion comes to rest at every programmed point.
+    ExactStop,
+    /// Corners may be rounded to keep up speed.
+    Blend {
+        /// How far the path may leave the programmed one, mm; `None`: as the machine likes.
+        tolerance_mm: Option<f64>,
+        /// Points that lie so close to a line may be left out, mm.
+        merge_mm: Option<f64>,
+    },
+}
+
+/// How a spindle or laser is driven (M3, M4, M5 of G-code).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Turn {
+    /// Stopped.
+    Off,
+    /// Clockwise, or a laser at constant power.
+    Clockwise,
+    /// Counter-clockwise.
+    Counterclockwise,
+    /// A laser whose power follows the real speed; off at rest.
+    Dynamic,
+}
+
 /// What a machine is asked to do.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Command {
@@ -177,6 +207,29 @@ pub enum Command {
         number: u8,
         /// Revolutions a minute.
         rpm: f64,
+    },
+    /// Which way a spindle turns; the speed comes with [`Command::Spindle`].
+    SpindleTurn {
+        /// Spindle number, from 1.
+        number: u8,
+        /// Direction, or off.
+        turn: Turn,
+    },
+    /// Coolant on or off.
+    Coolant {
+        /// Mist.
+        mist: bool,
+        /// Flood.
+        flood: bool,
+    },
+    /// How closely the path is followed from here on. Does not end motion.
+    PathControl(PathControl),
+    /// Whether the operator's overrides hold from here on.
+    Overrides {
+        /// Of the feed.
+        feed: bool,
+        /// Of the spindle speed.
+        spindle: bool,
     },
     /// Motion of one axis beside the others (MI).
     Independent {

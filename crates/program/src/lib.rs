@@ -17,12 +17,13 @@ mod command;
 mod dynamics;
 mod frame;
 mod host;
+mod interpreter;
 pub mod settings;
 
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use command::{
-    Arc, At, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason, Sourced,
-    ToolPathStart,
+    Arc, At, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason, PathControl,
+    Sourced, ToolPathStart, Turn,
 };
 pub use dynamics::Dynamics;
 pub use frame::Frame;
@@ -30,4 +31,5 @@ pub use host::{
     Answer, Button, FileMode, FileRequest, Folder, Host, HostError, Question, QuestionKind,
     ShellCall, SourceFile,
 };
+pub use interpreter::{Interpreter, Status, Step, Watch};
 pub use settings::Settings;

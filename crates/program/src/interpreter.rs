@@ -1,0 +1,99 @@
+//! What every interpreter is to those who run programs: a value that is stepped.
+//!
+//! OpenSBP and G-code are two languages and one machine; whoever runs a program, draws it or steps
+//! through it works with this trait and need not know which language it is.
+
+use crate::{At, Axes, Frame, Host, Settings, Sourced};
+use kerf_diag::Diagnostic;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// It ran to its end.
+    Ok,
+    /// The program asked to end everything (ENDALL, EXIT SHOPBOT).
+    Ended,
+    /// An error.
+    Failed,
+    /// The operator stopped it.
+    Stopped,
+    /// A bound was reached: lines or table limits.
+    Limit,
+}
+
+/// What a step did.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// A line was executed.
+    Ran,
+    /// The host has to do something first; the step had no effect.
+    Waiting,
+    /// The run is over. An error is told in the diagnostic.
+    Done(Status, Option<Box<Diagnostic>>),
+}
+
+/// A change of an input that a program waits for (ON INPUT, a probe).
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Watch {
+    /// Input, 1 … 12.
+    pub input: u8,
+    /// Fires when the input changes to this state.
+    pub on: bool,
+    /// Motion ramps down first, else it stops at once.
+    pub ramped: bool,
+}
+
+/// A program being run.
+pub trait Interpreter: Send {
+    /// Executes one line. Commands are appended to `out`.
+    fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step;
+
+    /// Executes lines until the host is needed, the run is over, or so many lines are done.
+    fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step;
+
+    /// Tells that a watched input changed and the machine stopped for it.
+    ///
+    /// `motion` is the number (as [`Interpreter::motions`] counts) of the motion command that was
+    /// interrupted, or of the first one not yet begun; it and all later ones were dropped. `None`
+    /// when none was left to do. `position` is where the machine stopped, machine frame.
+    fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes);
+
+    /// Tells that all motion up to this number has been carried out.
+    fn carried_out(&mut self, motion: u64);
+
+    /// Tells that the operator ended the run.
+    fn stop(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step;
+
+    /// Tells that a bound of the machine ended the run (table limits).
+    fn limit(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step;
+
+    /// The changes of inputs that the program waits for.
+    fn watches(&self) -> Vec<Watch>;
+
+    /// Name of a file of [`At`]; `None` when so many files were not read.
+    fn file_name(&self, file: u32) -> Option<Arc<str>>;
+
+    /// The open files and the line that runs next in each, outermost first.
+    fn call_stack(&self) -> Vec<At>;
+
+    /// Number of the last motion command given, counted from 1.
+    fn motions(&self) -> u64;
+
+    /// Lines executed so far.
+    fn lines(&self) -> u64;
+
+    /// The settings in force.
+    fn settings(&self) -> &Arc<Settings>;
+
+    /// The frames in force.
+    fn frame(&self) -> &Frame;
+
+    /// Where the program has sent the machine, machine frame.
+    fn position(&self) -> Axes;
+
+    /// The user's variables, name and value as people write them, in order of names.
+    fn variables(&self) -> Vec<(String, String)>;
+}
