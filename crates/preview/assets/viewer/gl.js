@@ -1,13 +1,15 @@
-// Draws with WebGL 2: every piece is one instance of a quad that the vertex shader lays along it,
-// so that a million pieces need no more memory than their points.
+// Draws with WebGL 2 straight from the points of the motion: every piece is one instance of a quad
+// that the vertex shader lays along it; very long motion is one strip of thin lines, which needs no
+// graphics hardware to be bearable.
 
 const PROJECT = `
 uniform vec3 right, up, back, target;
 uniform vec2 view;
 uniform float scale, radius;
 vec3 project(vec3 p) { vec3 d = p - target; return vec3(dot(d, right) * scale, dot(d, up) * scale, dot(d, back)); }
+float nearness(float z) { return clamp(-z / radius, -0.99, 0.99); }
 // The corner of a quad of so many pixels along a line; nearer is smaller in depth.
-vec4 corner(vec3 a, vec3 b, float width, float lift, out float along) {
+vec4 corner(vec3 a, vec3 b, float width, out float along) {
   vec3 p = project(a), q = project(b);
   float far = distance(p.xy, q.xy);
   vec2 dir = far > 1e-4 ? (q.xy - p.xy) / far : vec2(1.0, 0.0);
@@ -16,35 +18,52 @@ vec4 corner(vec3 a, vec3 b, float width, float lift, out float along) {
   float half_width = 0.5 * width, side = (gl_VertexID & 1) == 0 ? -half_width : half_width;
   vec2 at = base.xy + vec2(-dir.y, dir.x) * side + dir * (end ? 0.5 : -0.5) * half_width;
   along = end ? far : 0.0;
-  return vec4(at / (0.5 * view), clamp(-base.z / radius, -0.99, 0.99) - lift, 1.0);
+  return vec4(at / (0.5 * view), nearness(base.z), 1.0);
 }`;
 
-const PIECE_VERTEX = `#version 300 es
+// What quads and thin lines have in common: the colour of a height and of a kind.
+const SHADE = `
+uniform vec3 ramp[16], jog, air, ground;
+uniform vec2 depth;
+uniform float fade;
+vec3 shade(float z, uint kind) {
+  float range = depth.x - depth.y, share = range > 1e-6 ? clamp((depth.x - z) / range, 0.0, 1.0) * 15.0 : 15.0;
+  int low = int(floor(share));
+  vec3 cut = z > depth.x + 1e-4 ? air : mix(ramp[low], ramp[min(low + 1, 15)], share - float(low));
+  return mix(kind == 2u ? jog : cut, ground, fade);
+}`;
+
+const QUAD_VERTEX = `#version 300 es
 precision highp float;
 layout(location = 0) in vec3 a;
 layout(location = 1) in vec3 b;
 layout(location = 2) in uint kind;
-${PROJECT}
-uniform vec3 ramp[16], jog, air, ground;
-uniform vec2 depth, width;
-uniform float fade;
-uniform bool jogs;
+${PROJECT}${SHADE}
+uniform vec2 width;
 out vec3 colour;
 out float along;
-flat out float dashed;
-vec3 shade(float z) {
-  if (z > depth.x + 1e-4) return air;
-  float range = depth.x - depth.y, share = range > 1e-6 ? clamp((depth.x - z) / range, 0.0, 1.0) * 15.0 : 15.0;
-  int low = int(floor(share));
-  return mix(ramp[low], ramp[min(low + 1, 15)], share - float(low));
-}
+flat out uint what;
 void main() {
-  dashed = kind == 2u ? 1.0 : 0.0;
-  bool hidden = kind == 0u || (kind == 2u && !jogs);
-  vec4 at = corner(a, b, kind == 2u ? width.y : width.x, 0.0, along);
-  gl_Position = hidden ? vec4(2.0, 2.0, 2.0, 1.0) : at;
-  vec3 strong = kind == 2u ? jog : shade((gl_VertexID >= 2 ? b : a).z);
-  colour = mix(strong, ground, fade);
+  what = kind;
+  gl_Position = corner(a, b, kind == 2u ? width.y : width.x, along);
+  colour = shade((gl_VertexID >= 2 ? b : a).z, kind);
+}`;
+
+// Flat values come from the last point of a line: the kind of the piece that ends there.
+const THIN_VERTEX = `#version 300 es
+precision highp float;
+layout(location = 0) in vec3 a;
+layout(location = 2) in uint kind;
+${PROJECT}${SHADE}
+out vec3 colour;
+out float along;
+flat out uint what;
+void main() {
+  what = kind;
+  vec3 p = project(a);
+  along = p.x + p.y;
+  gl_Position = vec4(p.xy / (0.5 * view), nearness(p.z), 1.0);
+  colour = shade(a.z, kind);
 }`;
 
 const LINE_VERTEX = `#version 300 es
@@ -53,13 +72,13 @@ layout(location = 0) in vec3 a;
 layout(location = 1) in vec3 b;
 layout(location = 2) in vec4 look;
 ${PROJECT}
-uniform float lift, pixel;
+uniform float pixel;
 out vec3 colour;
 out float along;
-flat out float dashed;
+flat out uint what;
 void main() {
-  dashed = 0.0;
-  gl_Position = corner(a, b, look.w * pixel, lift, along);
+  what = 1u;
+  gl_Position = corner(a, b, look.w * pixel, along);
   colour = look.rgb;
 }`;
 
@@ -67,11 +86,12 @@ const FRAGMENT = `#version 300 es
 precision mediump float;
 in vec3 colour;
 in float along;
-flat in float dashed;
+flat in uint what;
 uniform float dash;
+uniform bool jogs;
 out vec4 paint;
 void main() {
-  if (dashed > 0.5 && mod(along, dash) > 0.6 * dash) discard;
+  if (what == 0u || (what == 2u && (!jogs || mod(along, dash) > 0.6 * dash))) discard;
   paint = vec4(colour, 1.0);
 }`;
 
@@ -81,13 +101,13 @@ class GlPainter {
     const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
     if (!gl) throw new Error("no WebGL 2");
     Object.assign(this, { gl, facts, motion });
-    this.pieces = this.program(PIECE_VERTEX);
+    this.thin = motion.count > MANY_PIECES;
+    this.pieces = this.program(this.thin ? THIN_VERTEX : QUAD_VERTEX);
     this.lines = this.program(LINE_VERTEX);
-    this.points = this.buffer(motion.points);
-    this.kinds = this.buffer(motion.kinds);
+    this.full = this.chain(motion);
+    this.coarse = this.thin ? this.chain(motion.coarse(Math.hypot(...facts.high.map((v, i) => v - facts.low[i])))) : this.full;
     this.scratch = gl.createBuffer();
     gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LEQUAL);
   }
 
   program(vertex) {
@@ -108,6 +128,13 @@ class GlPainter {
     return { program, at };
   }
 
+  /** The buffers of a chain; the kind of a piece stands at its end, so there is one more of them. */
+  chain({ points, kinds, first, count }) {
+    const shifted = new Uint8Array(count + 1);
+    shifted.set(kinds, 1);
+    return { points: this.buffer(points), kinds: this.buffer(shifted), first, count };
+  }
+
   buffer(data) {
     const { gl } = this, buffer = gl.createBuffer();
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
@@ -115,13 +142,13 @@ class GlPainter {
     return buffer;
   }
 
-  /** Draws a frame; `step` leaves out pieces while the picture moves. */
-  draw({ camera, colours, jogs, still, live, done, step, pixel }) {
+  /** Draws a frame; pieces from `done` on are faint. */
+  draw({ camera, colours, jogs, still, done, coarse, pixel }) {
     const { gl } = this;
     gl.viewport(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight);
     gl.clearColor(...colours.ground, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    this.drawLines(camera, colours, still, 0, pixel);
+    this.drawLines(camera, colours, still, pixel);
     this.use(this.pieces, camera, pixel);
     const { at } = this.pieces, { depth, middle } = this.facts;
     gl.uniform3fv(at.ramp, colours.ramp.flat());
@@ -130,9 +157,17 @@ class GlPainter {
     gl.uniform2f(at.width, 2 * pixel, 1.5 * pixel);
     gl.uniform1i(at.jogs, jogs);
     gl.uniform1f(at.dash, 10 * pixel);
-    this.drawPieces(0, done, 0, step);
-    this.drawPieces(done, this.motion.count, 0.8, step);
-    this.drawLines(camera, colours, live, 0.005, pixel);
+    const chain = coarse ? this.coarse : this.full, split = Math.min(reached(chain, done), chain.count);
+    // From above, cuts lie over earlier ones as they do in the drawing, so that the deepest pass shows.
+    gl.depthFunc(camera.axes().back[2] > 0.999 ? gl.ALWAYS : gl.LEQUAL);
+    this.drawPieces(chain, 0, split, 0);
+    gl.depthFunc(gl.LEQUAL);
+    this.drawPieces(chain, split, chain.count, 0.8);
+  }
+
+  /** Waits until the frame is painted. */
+  finish() {
+    this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   use({ program, at }, camera, pixel) {
@@ -154,39 +189,50 @@ class GlPainter {
     return far;
   }
 
-  drawPieces(first, end, fade, step) {
-    const { gl } = this, count = Math.floor((end - first) / step);
+  drawPieces(chain, first, end, fade) {
+    const { gl } = this, count = end - first, each = this.thin ? 0 : 1;
     if (count <= 0) return;
     gl.uniform1f(this.pieces.at.fade, fade);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.points);
-    this.attribute(0, 3, gl.FLOAT, 12 * step, 12 * first);
-    this.attribute(1, 3, gl.FLOAT, 12 * step, 12 * (first + 1));
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.kinds);
+    gl.bindBuffer(gl.ARRAY_BUFFER, chain.points);
+    this.attribute(0, 3, gl.FLOAT, 12, 12 * first, each);
+    if (each) this.attribute(1, 3, gl.FLOAT, 12, 12 * (first + 1), each); else gl.disableVertexAttribArray(1);
+    gl.bindBuffer(gl.ARRAY_BUFFER, chain.kinds);
     gl.enableVertexAttribArray(2);
-    gl.vertexAttribIPointer(2, 1, gl.UNSIGNED_BYTE, step, first);
-    gl.vertexAttribDivisor(2, 1);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+    gl.vertexAttribIPointer(2, 1, gl.UNSIGNED_BYTE, 1, first + each);
+    gl.vertexAttribDivisor(2, each);
+    if (each) gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count); else gl.drawArrays(gl.LINE_STRIP, 0, count + 1);
   }
 
-  drawLines(camera, colours, lines, lift, pixel) {
+  drawLines(camera, colours, lines, pixel) {
     if (!lines.length) return;
     const { gl } = this, data = new Float32Array(10 * lines.length);
     lines.forEach(([a, b, colour, width], i) => data.set([...a, ...b, ...colours[colour], width], 10 * i));
     this.use(this.lines, camera, pixel);
-    gl.uniform1f(this.lines.at.lift, lift);
     gl.uniform1f(this.lines.at.pixel, pixel);
+    gl.depthFunc(gl.LEQUAL);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.scratch);
     gl.bufferData(gl.ARRAY_BUFFER, data, gl.DYNAMIC_DRAW);
-    this.attribute(0, 3, gl.FLOAT, 40, 0);
-    this.attribute(1, 3, gl.FLOAT, 40, 12);
-    this.attribute(2, 4, gl.FLOAT, 40, 24);
+    this.attribute(0, 3, gl.FLOAT, 40, 0, 1);
+    this.attribute(1, 3, gl.FLOAT, 40, 12, 1);
+    this.attribute(2, 4, gl.FLOAT, 40, 24, 1);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, lines.length);
   }
 
-  attribute(index, size, type, stride, offset) {
+  attribute(index, size, type, stride, offset, each) {
     const { gl } = this;
     gl.enableVertexAttribArray(index);
     gl.vertexAttribPointer(index, size, type, false, stride, offset);
-    gl.vertexAttribDivisor(index, 1);
+    gl.vertexAttribDivisor(index, each);
   }
+}
+
+/** How many pieces of a chain begin before a piece of the motion. */
+function reached(chain, piece) {
+  if (!chain.first) return piece;
+  let low = 0, high = chain.count;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (chain.first[middle] < piece) low = middle + 1; else high = middle;
+  }
+  return low;
 }

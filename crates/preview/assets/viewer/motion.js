@@ -3,6 +3,11 @@
 
 const GAP = 0, CUT = 1, JOG = 2;
 
+/** Longer motion is drawn as thin lines, and coarsely while it moves on a slow machine. */
+const MANY_PIECES = 150000;
+/** Pieces of the coarse drawing. */
+const COARSE_PIECES = 50000;
+
 class Motion {
   constructor(facts, text) {
     const n = facts.pieces, bytes = Motion.bytes(text), buffer = bytes.buffer;
@@ -27,6 +32,31 @@ class Motion {
     const letters = atob(text), bytes = new Uint8Array(letters.length);
     for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
     return bytes;
+  }
+
+  /**
+   * The motion with fewer pieces: pieces of one kind are joined until they are long enough. `first`
+   * tells the piece of the motion at which each begins.
+   */
+  coarse(size) {
+    for (let long = size / 2000; ; long *= 1.5) {
+      const chain = this.joined(long);
+      if (chain.count <= COARSE_PIECES || long > size) return chain;
+    }
+  }
+
+  joined(long) {
+    const points = [...this.point(0)], kinds = [], first = [];
+    for (let i = 0, start = 0; i < this.count; i++) {
+      const a = 3 * start, b = 3 * i + 3, p = this.points, kind = this.kinds[i];
+      const far = Math.hypot(p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]) >= long;
+      if (!far && i + 1 < this.count && this.kinds[i + 1] === kind) continue;
+      points.push(p[b], p[b + 1], p[b + 2]);
+      kinds.push(kind);
+      first.push(start);
+      start = i + 1;
+    }
+    return { points: Float32Array.from(points), kinds: Uint8Array.from(kinds), first: Uint32Array.from(first), count: kinds.length };
   }
 
   lengths() {
@@ -58,9 +88,11 @@ class Motion {
     return { piece: low, place: a.map((v, i) => v + (b[i] - v) * share) };
   }
 
-  /** The moment at which a piece begins. */
+  /** A moment just after a piece has begun. */
   start(piece) {
-    return piece > 0 && this.count ? this.ends[Math.min(piece, this.count) - 1] : 0;
+    if (piece >= this.count) return this.total;
+    const start = piece > 0 ? this.ends[piece - 1] : 0;
+    return start + 0.001 * (this.ends[piece] - start);
   }
 
   /** The moment of the next source line, or of the one before. */

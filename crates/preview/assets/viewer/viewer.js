@@ -6,7 +6,7 @@ const motion = new Motion(facts, $("motion").textContent);
 const overlay = new Overlay(facts), camera = new Camera(), canvas = $("view");
 
 /** Everything that changes; `draw` shows it. */
-const state = { moment: motion.total, playing: false, jogs: facts.show_jogs, marked: -1, moving: false, step: 1, pointer: null };
+const state = { moment: motion.total, playing: false, jogs: facts.show_jogs, marked: -1, moving: false, slow: null, pointer: null };
 
 let painter;
 try {
@@ -51,43 +51,63 @@ function where(place) {
 
 function clock(moment) {
   if (!motion.timed) return `${number(moment)} ${facts.unit}`;
-  const s = Math.floor(moment + 1e-6), two = (v) => String(v).padStart(2, "0");
+  const s = Math.round(moment), two = (v) => String(v).padStart(2, "0");
   return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
 }
 
 // ---- Drawing
 
-let due = false, slow = 0;
+/** A frame that takes longer is drawn coarsely while it moves, milliseconds. */
+const SLOW_MS = 60;
+
+// The motion and the lines over it are drawn apart: the pointer changes only the latter.
+let due = null;
 
 function redraw() {
-  if (due) return;
-  due = true;
-  requestAnimationFrame(draw);
+  if (!due) requestAnimationFrame(draw);
+  due = "all";
+}
+
+function redrawLive() {
+  if (!due) requestAnimationFrame(draw);
+  due = due || "live";
 }
 
 function draw(now) {
-  due = false;
+  const all = due === "all";
+  due = null;
   if (state.playing) advance(now);
-  if (state.pointer && !state.moving) point();
   const { piece, place } = motion.at(state.moment), atEnd = state.moment >= motion.total;
-  const live = [];
-  if (motion.count && !atEnd) {
-    if (motion.kinds[piece] !== GAP) live.push([motion.point(piece), place, "tool", 2.5]);
-    live.push(...overlay.tool(place));
-  }
-  if (state.marked >= 0) live.push(...overlay.marked(motion, state.marked));
-  const pixel = Math.min(devicePixelRatio || 1, 2);
-  painter.draw({ camera, colours: palette, jogs: state.jogs, still: overlay.still, live, done: atEnd ? motion.count : piece, step: state.step, moving: state.moving, pixel });
+  if (all) paint(atEnd ? motion.count : piece);
+  point();
+  live(piece, place, atEnd);
   labels();
   readout(piece, place, atEnd);
   if (state.playing) redraw();
 }
 
-/** Leaves out pieces while the picture moves, when frames take long. */
-function pace(now) {
-  const took = now - slow;
-  slow = now;
-  if (took > 80 && took < 1000) state.step = Math.min(2 * state.step, 16);
+const density = () => Math.min(devicePixelRatio || 1, 2);
+
+function paint(done) {
+  const since = performance.now(), coarse = state.slow && (state.moving || state.playing);
+  painter.draw({ camera, colours: palette, jogs: state.jogs, still: overlay.still, done, coarse, pixel: density() });
+  if (state.slow === null) {
+    painter.finish();
+    state.slow = performance.now() - since > SLOW_MS;
+  }
+}
+
+/** The tool and the marked line. */
+function live(piece, place, atEnd) {
+  const pen = $("live").getContext("2d"), lines = [], pixel = density();
+  if (motion.count && !atEnd) {
+    if (motion.kinds[piece] !== GAP) lines.push([motion.point(piece), place, "tool", 2.5]);
+    lines.push(...overlay.tool(place));
+  }
+  if (state.marked >= 0) lines.push(...overlay.marked(motion, state.marked));
+  pen.setTransform(pixel, 0, 0, pixel, 0, 0);
+  pen.clearRect(0, 0, camera.width, camera.height);
+  strokeLines(pen, camera, palette, lines);
 }
 
 function labels() {
@@ -121,12 +141,13 @@ function readout(piece, place, atEnd) {
 // ---- Size and view
 
 function resize() {
-  const pixel = Math.min(devicePixelRatio || 1, 2);
   const first = camera.width === 1;
   camera.width = innerWidth;
   camera.height = innerHeight;
-  canvas.width = Math.round(innerWidth * pixel);
-  canvas.height = Math.round(innerHeight * pixel);
+  for (const sheet of [canvas, $("live")]) {
+    sheet.width = Math.round(innerWidth * density());
+    sheet.height = Math.round(innerHeight * density());
+  }
   if (first) look("iso"); else redraw();
 }
 
@@ -189,13 +210,14 @@ function seek(moment) {
 
 const pointers = new Map();
 
+/** Marks the line under a pointer that is at rest or passing, not one that turns the picture. */
 function point() {
+  const tip = $("tip"), seen = state.pointer && !state.moving && motion.count;
   const done = state.moment >= motion.total ? motion.count : motion.at(state.moment).piece;
-  const { x, y } = state.pointer;
-  state.marked = motion.count ? pick(motion, camera, x, y, state.jogs, done) : -1;
-  const tip = $("tip");
+  state.marked = seen ? pick(motion, camera, state.pointer.x, state.pointer.y, state.jogs, done) : -1;
   tip.hidden = state.marked < 0;
   if (state.marked < 0) return;
+  const { x, y } = state.pointer;
   const line = motion.lines[state.marked], kind = motion.kinds[state.marked] === JOG ? "jog" : "cut";
   tip.textContent = `${line ? `line ${line} · ` : ""}${kind} to ${where(motion.point(motion.lastOf(state.marked) + 1))}`;
   const left = Math.min(x + 14, innerWidth - tip.offsetWidth - 8), top = Math.min(y + 16, innerHeight - tip.offsetHeight - 8);
@@ -208,20 +230,17 @@ canvas.addEventListener("pointerdown", (event) => {
   pointers.set(event.pointerId, event);
   state.moving = true;
   canvas.classList.add("moving");
-  $("tip").hidden = true;
-  state.marked = -1;
 });
 
 canvas.addEventListener("pointermove", (event) => {
   const last = pointers.get(event.pointerId);
   state.pointer = { x: event.clientX, y: event.clientY };
-  if (!last) return redraw();
+  if (!last) return redrawLive();
   const dx = event.clientX - last.clientX, dy = event.clientY - last.clientY;
   if (pointers.size === 2) pinch(event, dx, dy);
   else if (event.buttons & 6 || event.shiftKey || event.ctrlKey) camera.pan(dx, dy);
   else camera.turn(dx, dy);
   pointers.set(event.pointerId, event);
-  pace(event.timeStamp);
   redraw();
 });
 
@@ -237,8 +256,21 @@ function release(event) {
   if (event.pointerType !== "mouse") state.pointer = null;
   if (pointers.size) return;
   state.moving = false;
-  state.step = 1;
   canvas.classList.remove("moving");
+  redraw();
+}
+
+// Wheel and keys turn in steps; the picture is at rest a moment after the last one.
+const REST_MS = 250;
+let rest = 0;
+
+function nudged() {
+  state.moving = true;
+  clearTimeout(rest);
+  rest = setTimeout(() => {
+    state.moving = pointers.size > 0;
+    redraw();
+  }, REST_MS);
   redraw();
 }
 
@@ -246,15 +278,13 @@ canvas.addEventListener("pointerup", release);
 canvas.addEventListener("pointercancel", release);
 canvas.addEventListener("pointerleave", () => {
   state.pointer = null;
-  state.marked = -1;
-  $("tip").hidden = true;
-  redraw();
+  redrawLive();
 });
 canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 canvas.addEventListener("wheel", (event) => {
   event.preventDefault();
   camera.zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), event.clientX, event.clientY);
-  redraw();
+  nudged();
 }, { passive: false });
 canvas.addEventListener("dblclick", fit);
 
@@ -278,6 +308,7 @@ addEventListener("keydown", (event) => {
   if (arrow) {
     const [x, y] = arrow;
     if (event.shiftKey) camera.pan(-x * PAN_PX, -y * PAN_PX); else camera.turn(x * TURN_PX, y * TURN_PX);
+    nudged();
   } else if (action) {
     action();
   } else {

@@ -196,7 +196,7 @@ fn sheet(scene: &Scene, view: &View, drawn: &Drawn) -> Block {
         rows.push(Row::Map);
     }
     if let Some(tolerance) = drawn.tolerance_mm {
-        let within = words::short(tolerance, scene.unit, 6);
+        let within = words::at_most(tolerance, scene.unit);
         rows.push(Row::Note(format!("simplified, within {within} {unit}"), SOFT));
     }
     if drawn.left_out > 0 {

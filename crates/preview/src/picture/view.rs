@@ -118,7 +118,9 @@ fn origin(panel: Rect) -> Point2 {
         return Point2::default();
     }
     let step = 10f64.powf(panel.longer().log10().ceil());
-    Point2::new((panel.x / step).round() * step, (-panel.bottom() / step).round() * step)
+    // Adding zero turns a negative zero into a plain one.
+    let near = |v: f64| (v / step).round() * step + 0.0;
+    Point2::new(near(panel.x), near(-panel.bottom()))
 }
 
 #[cfg(test)]

@@ -47,6 +47,14 @@ pub fn short(mm: f64, unit: Unit, decimals: usize) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
+/// A small length rounded up to two digits: `0.12`.
+pub fn at_most(mm: f64, unit: Unit) -> String {
+    let value = (mm / unit.mm).max(1e-9);
+    let decimals = (1.0 - value.log10().floor()).clamp(0.0, 12.0);
+    let factor = 10f64.powf(decimals);
+    short((value * factor).ceil() / factor * unit.mm, unit, decimals as usize)
+}
+
 /// A length along a path with its unit: `12 345 mm`, `486.02 in`.
 pub fn path_length(mm: f64, unit: Unit) -> String {
     let value = mm / unit.mm;
@@ -84,6 +92,10 @@ mod tests {
         assert_eq!(short(6.35, Unit::INCH, 3), "0.25");
         assert_eq!(path_length(12_345.4, Unit::MM), "12\u{2009}345 mm");
         assert_eq!(path_length(254.0, Unit::INCH), "10.00 in");
+        assert_eq!(
+            (at_most(0.11022, Unit::MM), at_most(25.4, Unit::INCH)),
+            ("0.12".into(), "1".into())
+        );
         assert_eq!(path_length(f64::INFINITY, Unit::MM), "–");
         assert_eq!(
             (coordinate_decimals(100.0, Unit::MM), coordinate_decimals(0.05, Unit::MM)),
