@@ -413,12 +413,16 @@ impl Settings {
 
 /// An internal value in a user unit of `scale` internal units.
 ///
-/// Of the two nearest candidates the decimal that converts back to exactly this value is taken, so
-/// that 3 in is read back as 3 and not as 2.9999999999999996.
+/// The decimal that converts back to this value, give or take the last bit, is taken where there
+/// is one, so that 3 in is read back as 3 and not as 2.9999999999999996, and as 76.2 in mm.
 pub fn to_user(internal: f64, scale: f64) -> f64 {
     let quotient = internal / scale;
     let decimal = (quotient * 1e9).round() / 1e9;
-    if decimal * scale == internal { decimal } else { quotient }
+    if (decimal * scale - internal).abs() <= 2.0 * f64::EPSILON * internal.abs() {
+        decimal
+    } else {
+        quotient
+    }
 }
 
 const fn inch(v: f64) -> f64 {

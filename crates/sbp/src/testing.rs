@@ -1,5 +1,9 @@
 //! A host made of maps, for the tests of this crate.
 
+mod rows;
+
+pub(crate) use rows::{check, check_as, rows};
+
 use crate::{Interpreter, Options, Session, Status, Step, Value, read};
 use kerf_diag::Diagnostic;
 use kerf_program::{
@@ -26,6 +30,23 @@ pub(crate) struct FakeHost {
     pub(crate) folder: String,
     /// How often `settle` answers Pending before it is ready.
     pub(crate) busy: u32,
+    /// Where the machine is: the end of the last move, or what a test puts here.
+    pub(crate) machine: [f64; 6],
+    /// Where hand controls or an axis moving by itself take the machine.
+    pub(crate) strays_to: Option<[f64; 6]>,
+}
+
+impl FakeHost {
+    /// Does what a real machine does with a command.
+    fn carry_out(&mut self, command: &Command) {
+        match command {
+            Command::Line(line) => self.machine = line.to.0,
+            Command::Arc(arc) => self.machine = arc.to.0,
+            Command::Output { number, on } => self.outputs[usize::from(*number)] = *on,
+            Command::MotorsOff => self.outputs = [false; 13],
+            _ => {}
+        }
+    }
 }
 
 fn key(name: &str) -> String {
@@ -108,7 +129,7 @@ impl Host for FakeHost {
         Poll::Ready(Ok(()))
     }
     fn machine_position(&mut self) -> [f64; 6] {
-        [0.0; 6]
+        self.strays_to.unwrap_or(self.machine)
     }
     fn user_path(&mut self) -> String {
         "/user".into()
@@ -137,24 +158,26 @@ pub(crate) fn run(text: &str) -> Ran {
 }
 
 /// Runs a program with a host and a session.
-pub(crate) fn run_with(text: &str, mut host: FakeHost, session: Session) -> Ran {
+pub(crate) fn run_with(text: &str, host: FakeHost, session: Session) -> Ran {
+    run_as(text, host, session, Options { max_lines: 100_000, ..Options::default() })
+}
+
+/// Runs a program with everything given.
+pub(crate) fn run_as(text: &str, mut host: FakeHost, session: Session, options: Options) -> Ran {
     let text: String = text.split('⏎').map(str::trim).collect::<Vec<_>>().join("\n");
     let program = read(Arc::from("test.sbp"), text.as_bytes());
-    let options = Options { max_lines: 100_000, ..Options::default() };
     let first_error = program.diagnostics.iter().find(|d| d.is_error()).cloned();
     let mut commands = Vec::new();
     if let Some(error) = first_error {
-        return Ran {
-            commands,
-            status: Status::Failed,
-            error: Some(Box::new(error)),
-            host,
-            session,
-        };
+        let error = Some(Box::new(error));
+        return Ran { commands, status: Status::Failed, error, host, session };
     }
     let mut interpreter = Interpreter::new(program, session, options);
     loop {
-        if let Step::Done(status, error) = interpreter.step(&mut host, &mut commands) {
+        let given = commands.len();
+        let step = interpreter.step(&mut host, &mut commands);
+        commands[given..].iter().for_each(|c: &Sourced| host.carry_out(&c.command));
+        if let Step::Done(status, error) = step {
             return Ran { commands, status, error, host, session: interpreter.into_session() };
         }
     }

@@ -51,6 +51,12 @@ impl Line<'_, '_> {
         if self.peek() == b',' {
             self.at += 1;
         }
+        if spec.letters == "VV" {
+            self.skip_blanks();
+            if let sign @ (b'&' | b'$') = self.peek() {
+                return self.assignment(sign == b'$');
+            }
+        }
         let mut args = Vec::new();
         let mut failed = false;
         while !self.at_end() {
