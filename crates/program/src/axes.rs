@@ -74,6 +74,12 @@ impl Axes {
         self.zip(other, |a, b| a - b)
     }
 
+    /// Whether going from here to there moves nothing: what is left of a change of units in the
+    /// last bits of a number is no motion.
+    pub fn same_place(&self, there: &Self) -> bool {
+        self.0.iter().zip(&there.0).all(|(a, b)| (a - b).abs() <= 1e-9)
+    }
+
     /// The first three values.
     pub fn first3(self) -> [f64; 3] {
         [self.0[0], self.0[1], self.0[2]]

@@ -68,7 +68,7 @@ impl Context<'_> {
     /// A straight move to a machine position.
     pub(crate) fn line(&mut self, kind: MoveKind, to: Axes) {
         let from = self.core.position;
-        if to == from {
+        if to.same_place(&from) {
             return;
         }
         let delta = Vec2::new(to[Axis::X] - from[Axis::X], to[Axis::Y] - from[Axis::Y]);

@@ -200,7 +200,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         }
         next += 1;
         left -= 1;
-        if to == position {
+        if to.same_place(&position) {
             continue;
         }
         if to.0[0] != position.0[0] || to.0[1] != position.0[1] {

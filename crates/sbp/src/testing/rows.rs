@@ -88,10 +88,12 @@ fn holds(ran: &Ran, clause: &str) -> bool {
             let count = ran.commands.iter().filter(|c| c.command.is_motion()).count();
             rest.parse() == Ok(count)
         }
-        "last" => ran.commands.iter().rev().find_map(|c| match &c.command {
-            Command::Line(line) => Some(if line.kind == MoveKind::Jog { "jog" } else { "cut" }),
-            _ => None,
-        }) == Some(rest),
+        "last" => {
+            ran.commands.iter().rev().find_map(|c| match &c.command {
+                Command::Line(line) => Some(if line.kind == MoveKind::Jog { "jog" } else { "cut" }),
+                _ => None,
+            }) == Some(rest)
+        }
         "error" => ran.error.as_ref().is_some_and(|e| contains(&e.message, &e.hint, rest)),
         "warning" => warnings(ran).any(|(message, hint)| contains(message, hint, rest)),
         "no" => warnings(ran).next().is_none(),

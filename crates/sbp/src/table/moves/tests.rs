@@ -30,7 +30,8 @@ rows! {
     sbp_cmd_multi_blank: "M3,1,2,3⏎M3,,5" => "at 1,5,3", "M3,1,2,3⏎J3,,,1" => "at 1,2,1", "M2,1,2⏎M2,4" => "at 4,2",
         "M2,1,2⏎M2" => "at 1,2; moves 1; warning no location", "M2,1,2⏎M2,%(1)" => "at 1,2; moves 1; no warning";
     sbp_cmd_multi_relative: "M3,1,2,3⏎SR⏎M3,1,,-1" => "at 2,2,2", "M3,1,2,3⏎SR⏎M3,1,,-1⏎M3,1,,-1" => "at 3,2,1";
-    sbp_cmd_abs_same: "M2,3,7⏎M2,3,7" => "at 3,7; moves 1; no warning";
+    sbp_cmd_abs_same: "M2,3,7⏎M2,3,7" => "at 3,7; moves 1; no warning",
+        "M2,6,7⏎VD,,,1⏎M2,152.4,177.8⏎M2,%(1),%(2)" => "at 152.4,177.8; moves 1";
 
     sbp_cmd_mh_high: "M3,5,4,2⏎MH" => "at 0,0,2; moves 2";
     sbp_cmd_home_relative: "M3,5,4,2⏎SR⏎MH" => "at 0,0,2; 21=1", "M3,5,4,2⏎SR⏎JH" => "at 0,0,2; 21=1";
@@ -66,20 +67,14 @@ fn kinds(program: &str) -> Vec<(MoveKind, [f64; 3])> {
 fn sbp_cmd_mh_low() {
     let from = (MoveKind::Cut, [5.0, 4.0, -0.5]);
     let (up, home) = ([5.0, 4.0, 1.0], [0.0, 0.0, 1.0]);
-    assert_eq!(
-        kinds("M3,5,4,-.5⏎MH"),
-        [from, (MoveKind::Cut, up), (MoveKind::Cut, home)]
-    );
+    assert_eq!(kinds("M3,5,4,-.5⏎MH"), [from, (MoveKind::Cut, up), (MoveKind::Cut, home)]);
 }
 
 #[test]
 fn sbp_cmd_jh() {
     let from = (MoveKind::Cut, [5.0, 4.0, -0.5]);
     let (up, home) = ([5.0, 4.0, 1.0], [0.0, 0.0, 1.0]);
-    assert_eq!(
-        kinds("M3,5,4,-.5⏎JH"),
-        [from, (MoveKind::Jog, up), (MoveKind::Jog, home)]
-    );
+    assert_eq!(kinds("M3,5,4,-.5⏎JH"), [from, (MoveKind::Jog, up), (MoveKind::Jog, home)]);
     run("M3,5,4,2⏎JH").ends_at(0.0, 0.0, 2.0);
     assert_eq!(kinds("M3,5,4,2⏎JH").len(), 2);
 }
@@ -163,5 +158,6 @@ fn relative_moves_and_turns_see_the_proportions_of_the_file() {
     run("FP,part.sbp,2,3,4", "SR\nM3,1,1,1\nM3,1,1,1").ends_at(4.0, 6.0, 8.0);
     run("M3,10,4,.5⏎FP,part.sbp,,,,,1", "MD,1,90,-.2").ends_at(11.0, 4.0, 0.3);
     run("M3,10,4,.5⏎FP,part.sbp,,,,,1", "MX,5\nMZ,.1\nMH").ends_at(10.0, 4.0, 1.0);
-    run("M2,10,4⏎FP,part.sbp,2,2,,,2", "VO,1,1,1\nM2,1,1\nMD,1,90\nMH\nVO,2\nMH").ends_at(10.0, 4.0, 1.0);
+    run("M2,10,4⏎FP,part.sbp,2,2,,,2", "VO,1,1,1\nM2,1,1\nMD,1,90\nMH\nVO,2\nMH")
+        .ends_at(10.0, 4.0, 1.0);
 }

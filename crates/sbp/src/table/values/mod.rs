@@ -11,6 +11,8 @@ mod driver;
 mod height;
 mod limits;
 mod offset;
+#[cfg(test)]
+mod properties;
 mod ramps;
 mod speeds;
 mod switches;
