@@ -41,6 +41,15 @@ impl Context<'_> {
         self.need_number(expr, &value)
     }
 
+    /// The value of an argument: a variable without a value is a mistake there, not a blank.
+    pub(crate) fn eval_given(&mut self, expr: &Expr) -> Result<Value, Stop> {
+        let value = self.eval(expr)?;
+        if value == Value::Empty && matches!(expr.node, ExprNode::Variable(_)) {
+            self.need_number(expr, &value)?;
+        }
+        Ok(value)
+    }
+
     /// True unless the expression is 0, empty or empty text.
     pub(crate) fn eval_condition(&mut self, expr: &Expr) -> Result<bool, Stop> {
         let value = self.eval(expr)?;

@@ -102,7 +102,7 @@ fn argument(
     let value = match arg.map(|a| &a.kind) {
         None | Some(ArgKind::Blank) => None,
         Some(ArgKind::Word(word)) => Some(Value::Text(word.clone())),
-        Some(ArgKind::Expr(expr)) => Some(c.eval(expr)?),
+        Some(ArgKind::Expr(expr)) => Some(c.eval_given(expr)?),
     };
     // A text argument that is empty ("") counts as blank, as post-processors write VS,"","",1.
     match value.filter(|v| !v.is_blank()) {

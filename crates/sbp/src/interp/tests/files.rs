@@ -56,7 +56,7 @@ fn sbp_file_fp_last() {
     for call in ["FP", "FP,", "FP,,2"] {
         run_files(call, &[("a.sbp", "MX,1")]).fails_at(1, "file name expected");
     }
-    run("FP,&nothing").fails_at(1, "file name expected");
+    run("FP,&nothing").fails_at(1, "&NOTHING has no value");
 }
 
 #[test]

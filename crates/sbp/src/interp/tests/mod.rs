@@ -5,6 +5,7 @@ mod dialogs;
 mod files;
 mod flow;
 mod handlers;
+mod lang;
 mod output;
 mod registry;
 mod saving;
