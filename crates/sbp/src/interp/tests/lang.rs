@@ -170,7 +170,7 @@ fn sbp_lang_param_blank() {
 fn sbp_lang_param_trailing() {
     run("SR ⏎ SA, ⏎ VA,,,.5,,,,,0,,,").ended(Status::Ok).ends_at(0.0, 0.0, 0.5);
     refuses("SA,1", "takes no values");
-    refuses("MX,1,2", "takes one value");
+    refuses("MX,1,2", "takes 1 value");
 }
 
 #[test]
