@@ -148,6 +148,8 @@ impl Context<'_> {
             self.leave_levels(self.core.levels.len() - 1);
             return Ok(());
         }
+        // What was read before it is complete, as at the end of a file, and is carried out.
+        self.settle()?;
         let hint = "put END before the first subroutine of the file";
         Err(self.fail_at(self.span, Code::ReturnWithoutGosub, "RETURN without GOSUB", hint))
     }

@@ -57,6 +57,7 @@ fn sbp_file_fp_last() {
         run_files(call, &[("a.sbp", "MX,1")]).fails_at(1, "file name expected");
     }
     run("FP,&nothing").fails_at(1, "&NOTHING has no value");
+    run("&empty = ⏎ FP,&empty").fails_at(2, "file name expected");
 }
 
 #[test]

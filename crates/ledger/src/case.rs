@@ -1,0 +1,137 @@
+//! A program and the world it runs in.
+
+use crate::Run;
+use kerf_control::answers::Answers;
+use kerf_control::files::MemoryDisk;
+use kerf_control::{Company, Event, RunOptions, Session, Shelf, json};
+use kerf_program::Axis;
+use kerf_program::settings::LinearUnit;
+use kerf_sim::Change;
+
+/// Name of the program that a case runs.
+const MAIN: &str = "main.sbp";
+
+/// A program with everything that its row says about the start.
+#[derive(Clone, Debug)]
+pub struct Case {
+    program: String,
+    before: Vec<String>,
+    files: Vec<(String, String)>,
+    answers: Vec<String>,
+    options: RunOptions,
+    session: Session,
+}
+
+/// A program in the state S0; `⏎` separates lines as `\n` does.
+pub fn sbp(program: &str) -> Case {
+    Case {
+        program: lines(program),
+        before: Vec::new(),
+        files: Vec::new(),
+        answers: Vec::new(),
+        options: RunOptions::default(),
+        session: Session::default(),
+    }
+}
+
+/// Runs a program from the state S0.
+pub fn run(program: &str) -> Run {
+    sbp(program).run()
+}
+
+/// Runs a program with the tool at a place, working and base locations alike.
+pub fn at<const N: usize>(location: [f64; N], program: &str) -> Run {
+    sbp(program).at(location).run()
+}
+
+impl Case {
+    /// Another program ran before on the same machine.
+    #[must_use]
+    pub fn after(mut self, program: &str) -> Self {
+        self.before.push(lines(program));
+        self
+    }
+
+    /// A file in the part folder.
+    #[must_use]
+    pub fn file(mut self, name: &str, text: &str) -> Self {
+        self.files.push((name.to_owned(), lines(text)));
+        self
+    }
+
+    /// Answers to the questions, in order.
+    #[must_use]
+    pub fn answers(mut self, answers: &[&str]) -> Self {
+        self.answers.extend(answers.iter().map(|answer| (*answer).to_owned()));
+        self
+    }
+
+    /// An input changes at a machine time, seconds.
+    #[must_use]
+    pub fn input(mut self, input: u8, at_s: f64, on: bool) -> Self {
+        self.options.inputs.push(Change { input, at_s, on });
+        self
+    }
+
+    /// The machine has so many axes.
+    #[must_use]
+    pub const fn axes(mut self, count: u8) -> Self {
+        self.session.memory.settings.axis_count = count;
+        self
+    }
+
+    /// The machine is set to millimetres.
+    #[must_use]
+    pub const fn millimetres(mut self) -> Self {
+        self.session.memory.settings.linear_unit = LinearUnit::Mm;
+        self
+    }
+
+    /// The tool is at a place, working and base locations alike; the first axes, in their units.
+    #[must_use]
+    pub fn at<const N: usize>(mut self, location: [f64; N]) -> Self {
+        for (axis, value) in Axis::ALL.into_iter().zip(location) {
+            let scale = self.session.memory.settings.axis_scale(axis);
+            self.session.memory.position[axis] = value * scale;
+        }
+        self
+    }
+
+    /// Runs it.
+    pub fn run(mut self) -> Run {
+        let mut files = self.files.clone();
+        files.push((MAIN.to_owned(), self.program.clone()));
+        let files = files.iter().map(|(name, text)| (name.as_str(), text.as_bytes()));
+        let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
+        for program in std::mem::take(&mut self.before) {
+            self.one(&program, RunOptions::default(), &mut shelf);
+        }
+        let memory = &self.session.memory;
+        let start = memory.settings.to_user(memory.frame.working(memory.position)).0;
+        let (program, options) = (self.program.clone(), self.options.clone());
+        let events = self.one(&program, options, &mut shelf);
+        let trace: Vec<String> = events.iter().map(json::to_string).collect();
+        Run::new(&trace.join("\n"), start, shelf)
+    }
+
+    /// Runs it as a preview.
+    pub fn preview(mut self) -> Run {
+        self.options.program.preview = true;
+        self.run()
+    }
+
+    fn one(&mut self, program: &str, options: RunOptions, shelf: &mut Shelf) -> Vec<Event> {
+        let mut events = Vec::new();
+        let mut operator = Answers::read(&self.answers.join("\n"));
+        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
+        let program = kerf_sbp::read(MAIN.into(), program.as_bytes());
+        self.session.run(program, options, shelf, company);
+        events
+    }
+}
+
+/// The text with `⏎` and the blanks around it turned into line ends.
+fn lines(program: &str) -> String {
+    let lines: Vec<&str> = program.split('⏎').map(|line| line.trim_matches(' ')).collect();
+    if lines.len() == 1 { program.to_owned() } else { lines.join("\n") }
+}

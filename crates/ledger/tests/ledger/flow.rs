@@ -1,0 +1,270 @@
+//! Flow of a program: jumps, subroutines, conditions, ON INPUT, PAUSE.
+
+use kerf_ledger::{Run, run, sbp};
+
+/// When X 4 is reached on the way from 0 to 10 with default ramps and speed, seconds.
+///
+/// From 0.4 in/s at 14 in/s² to 2 in/s: 0.1142857 s over 0.1371429 in; the rest at 2 in/s.
+const AT_X4_S: f64 = 1.6 / 14.0 + (4.0 - 3.84 / 28.0) / 2.0;
+
+/// Runs while an input changes at the time the tool passes X 4.
+fn pressed_at_x4(input: u8, program: &str) -> Run {
+    sbp(program).input(input, AT_X4_S, true).run()
+}
+
+#[test]
+fn sbp_flow_sequence() {
+    run("MX,1 ⏎ MY,1").ends_at([1.0, 1.0]).status("ok");
+}
+
+#[test]
+fn sbp_flow_end() {
+    run("MX,1 ⏎ END ⏎ MX,9").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_end_nested() {
+    sbp("FP,B.sbp ⏎ MY,2").file("b.sbp", "MX,1 ⏎ END ⏎ MX,9").run().ends_at([1.0, 2.0]);
+}
+
+#[test]
+fn sbp_flow_endall() {
+    sbp("FP,B.sbp ⏎ MY,2").file("b.sbp", "VS,4 ⏎ MX,1 ⏎ ENDALL").run().ends_at([1.0, 0.0]);
+    sbp("FP,B.sbp ⏎ MY,2").file("b.sbp", "MX,1 ⏎ END ALL").run().ends_at([1.0, 0.0]);
+    sbp("PRINT %(71)").file("b.sbp", "VS,4 ⏎ ENDALL").after("FP,B.sbp").run().prints(&["2"]);
+}
+
+#[test]
+fn sbp_flow_goto() {
+    run("&n=0 ⏎ Top: ⏎ &n=&n+1 ⏎ IF &n<3 THEN GOTO Top ⏎ GOTO Out ⏎ MX,9 ⏎ Out: ⏎ MX,&n")
+        .ends_at([3.0]);
+}
+
+#[test]
+fn sbp_flow_goto_colon() {
+    run("GOTO Out: ⏎ MX,9 ⏎ Out: ⏎ MX,1").ends_at([1.0]).warns(1, "W003");
+    run("GOTO Out ⏎ MX,9 ⏎ Out: ⏎ MX,1").ends_at([1.0]).is_silent();
+}
+
+#[test]
+fn sbp_flow_goto_missing() {
+    run("GOTO Nowhere ⏎ MX,1").fails(1, "R005").says("NOWHERE").visits::<3>(&[]);
+    // Not taken, not an error.
+    run("IF 1 = 2 THEN GOTO Nowhere ⏎ MX,1").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_gosub() {
+    run("GOSUB A ⏎ MX,1 ⏎ END ⏎ A: ⏎ MY,2 ⏎ RETURN").visits(&[[0.0, 2.0], [1.0, 2.0]]);
+}
+
+#[test]
+fn sbp_flow_gosub_nested() {
+    run("GOSUB A ⏎ END ⏎ A: ⏎ MX,1 ⏎ GOSUB B ⏎ MY,1 ⏎ RETURN ⏎ B: ⏎ MZ,1 ⏎ RETURN").visits(&[
+        [1.0, 0.0, 0.0],
+        [1.0, 0.0, 1.0],
+        [1.0, 1.0, 1.0],
+    ]);
+    run("&n=0 ⏎ GOSUB A ⏎ MX,&n ⏎ END ⏎ A: ⏎ &n=&n+1 ⏎ IF &n<100 THEN GOSUB A ⏎ RETURN")
+        .ends_at([100.0]);
+    run("A: ⏎ GOSUB A").fails(2, "R007");
+}
+
+#[test]
+fn sbp_flow_return_stray() {
+    run("MX,1 ⏎ RETURN").fails(2, "R006");
+    sbp("GOSUB A ⏎ END ⏎ A: ⏎ FP,b.sbp ⏎ RETURN").file("b.sbp", "RETURN").run().fails(1, "R006");
+}
+
+#[test]
+fn sbp_flow_fall_into_sub() {
+    run("MX,1 ⏎ A: ⏎ MY,2 ⏎ RETURN").fails(4, "R006").visits(&[[1.0, 0.0], [1.0, 2.0]]);
+    run("MX,1 ⏎ END ⏎ A: ⏎ MY,2 ⏎ RETURN").ends_at([1.0, 0.0]);
+}
+
+#[test]
+fn sbp_flow_if_command() {
+    run("&c=3 ⏎ IF &c > 2 THEN MX,1 ⏎ IF &c < 2 THEN MY,1").ends_at([1.0, 0.0]);
+}
+
+#[test]
+fn sbp_flow_if_assign() {
+    run("&c=3 ⏎ IF &c = 3 THEN &d = 5 ⏎ MX,&d").ends_at([5.0]);
+}
+
+#[test]
+fn sbp_flow_if_goto() {
+    run("IF 1 = 1 THEN GOTO L ⏎ MX,9 ⏎ L: ⏎ MX,1").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_if_other_actions() {
+    run("IF 1=1 THEN GOSUB S ⏎ END ⏎ S: ⏎ MX,1 ⏎ IF 1=1 THEN RETURN ⏎ MX,9").ends_at([1.0]);
+    sbp("PAUSE .1 ⏎ IF %(51)=1 THEN PAUSE 3").input(1, 0.0, true).run().lasts(3.1);
+}
+
+#[test]
+fn sbp_flow_if_ops() {
+    run("IF %(1)+1 = 1 THEN MX,2").ends_at([2.0]);
+    run("&a=2 ⏎ IF &a*2 > 3 THEN MX,1").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_if_neq() {
+    run("&u=1 ⏎ IF &u <> %(25) THEN MX,1").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_if_andor() {
+    run("&a=1 ⏎ &b=2 ⏎ IF (&a=1) AND (&b=2) THEN MX,1 ⏎ IF NOT (&a=2) THEN MY,1")
+        .ends_at([1.0, 1.0]);
+    run("&a=1 ⏎ &b=2 ⏎ IF &a=1 AND &b=2 THEN MX,1 ⏎ IF &a=1 AND &b=3 THEN MX,9").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_if_string() {
+    run("&a = Yes ⏎ IF &a = \"yes\" THEN MX,1 ⏎ IF &a = Yes THEN MY,1").ends_at([1.0, 1.0]);
+    run("IF &zup = \"\" THEN &zup=0 ⏎ MX,&zup+1").ends_at([1.0]);
+}
+
+#[test]
+fn sbp_flow_if_mixed() {
+    run("&a=\"10\" ⏎ IF &a > 9 THEN MX,1").ends_at([1.0]);
+    let text = run("&b=abc ⏎ IF &b > 9 THEN MX,1");
+    assert!(text.events("diag").any(|d| d["line"] == 2 && d["severity"] == "warning"), "{text}");
+}
+
+#[test]
+fn sbp_flow_if_nothen() {
+    run("&a=1 ⏎ IF &a = 1 MX,1").fails(2, "S012");
+    run("ELSE").fails(1, "S003");
+}
+
+#[test]
+fn sbp_flow_oninput_on() {
+    pressed_at_x4(3, "ON INPUT(3,1) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1").ends_at([4.0, 1.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_off() {
+    sbp("PAUSE 1 ⏎ ON INPUT(3,0) &hit=1 ⏎ MX,10 ⏎ PRINT &hit")
+        .input(3, 0.0, true)
+        .input(3, 1.0 + AT_X4_S, false)
+        .run()
+        .prints(&["1"])
+        .stands_at([4.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_ramped() {
+    pressed_at_x4(3, "ON INPUT(3,3) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1").ends_at([4.1371, 1.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_action() {
+    pressed_at_x4(2, "ON INPUT(2,1) VA, 0.0 ⏎ MX,10 ⏎ PRINT %(1)").prints(&["0"]);
+    pressed_at_x4(2, "ON INPUT(2,1) GOSUB S ⏎ MX,10 ⏎ MY,2 ⏎ END ⏎ S: ⏎ MZ,1 ⏎ RETURN")
+        .ends_at([4.0, 2.0, 1.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_resume() {
+    pressed_at_x4(3, "ON INPUT(3,1) &hit=1 ⏎ MX,10 ⏎ MY,2").ends_at([4.0, 2.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_autoclear() {
+    let twice = |program: &str| {
+        sbp(program).input(3, 1.0, true).input(3, 2.0, false).input(3, 3.0, true).run()
+    };
+    twice("&n=0 ⏎ ON INPUT(3,1) &n=&n+1 ⏎ MX,10 ⏎ MY,10 ⏎ PRINT &n").prints(&["1"]);
+    twice("&n=0 ⏎ ON INPUT(3,1) &n=&n+1 ⏎ MX,10 ⏎ ON INPUT(3,1) &n=&n+1 ⏎ MY,10 ⏎ PRINT &n")
+        .prints(&["2"]);
+}
+
+#[test]
+fn sbp_flow_oninput_clear() {
+    pressed_at_x4(3, "ON INPUT(3,1) GOTO Hit ⏎ ON INPUT(3,1) ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1")
+        .ends_at([10.0, 0.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_edge() {
+    sbp("PAUSE 1 ⏎ ON INPUT(3,1) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1")
+        .input(3, 0.0, true)
+        .run()
+        .ends_at([10.0, 0.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_scope() {
+    sbp("ON INPUT(3,1) GOTO Hit ⏎ FP,b.sbp ⏎ END ⏎ Hit: ⏎ MY,1")
+        .file("b.sbp", "MX,10")
+        .input(3, AT_X4_S, true)
+        .run()
+        .ends_at([4.0, 1.0]);
+}
+
+#[test]
+fn sbp_flow_oninput_many() {
+    let program = "&a=0 ⏎ &b=0 ⏎ &c=0 ⏎ ON INPUT(2,1) &a=1 ⏎ ON INPUT(2,0) &b=1 ⏎ \
+        ON INPUT(3,1) &c=1 ⏎ MX,10 ⏎ MY,10 ⏎ MX,0 ⏎ MY,0 ⏎ PRINT &a;&b;&c";
+    sbp(program)
+        .input(2, 1.0, true)
+        .input(2, 2.0, false)
+        .input(3, 3.0, true)
+        .run()
+        .prints(&["111"]);
+    run("ON INPUT(13,1) &a=1").status("failed");
+}
+
+#[test]
+fn sbp_flow_oninput_abbrev() {
+    pressed_at_x4(3, "&t=3 ⏎ ON INP(&t,1) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1")
+        .ends_at([4.0, 1.0]);
+}
+
+#[test]
+fn sbp_flow_pause_timed() {
+    let run = run("MX,1 ⏎ PAUSE 3 ⏎ MY,1");
+    let times: Vec<(f64, f64)> = run
+        .events("move")
+        .map(|m| (m["t0"].as_f64().unwrap(), m["t1"].as_f64().unwrap()))
+        .collect();
+    assert!((times[1].0 - times[0].1 - 3.0).abs() < 0.001, "{run}");
+    kerf_ledger::run("PAUSE .25").lasts(0.25);
+    kerf_ledger::run("PAUSE,2").lasts(2.0);
+}
+
+#[test]
+fn sbp_flow_pause_plain_msg() {
+    run("' Is the Vacuum Pump on? ⏎ PAUSE").asks(&["Is the Vacuum Pump on?"]);
+    run("MX,1 ⏎ PAUSE").asks(&["Continue?"]);
+    run("MX,1 'note ⏎ PAUSE").asks(&["Continue?"]);
+}
+
+#[test]
+fn sbp_flow_pause_cancel() {
+    sbp("FP,b.sbp ⏎ MX,9")
+        .file("b.sbp", "MX,1 ⏎ PAUSE ⏎ MX,2")
+        .answers(&["Cancel"])
+        .run()
+        .stands_at([1.0])
+        .status("stopped")
+        .says("terminated by the user");
+}
+
+#[test]
+fn sbp_flow_pause_until() {
+    let run = sbp("PAUSE UNTIL 5, 1 ⏎ MX,1").input(5, 2.0, true).run();
+    run.ends_at([1.0]);
+    let start = run.events("move").next().unwrap()["t0"].as_f64().unwrap();
+    assert!((start - 2.0).abs() < 0.01, "{run}");
+}
+
+#[test]
+fn sbp_flow_pause_until_0() {
+    let run = sbp("PAUSE UNTIL 5, 0 ⏎ MX,1").input(5, 0.0, true).input(5, 2.0, false).run();
+    run.ends_at([1.0]);
+    kerf_ledger::run("PAUSE UNTIL 5, 0 ⏎ MX,1").ends_at([1.0]);
+}

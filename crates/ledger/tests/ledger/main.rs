@@ -1,0 +1,15 @@
+//! The rows of the ledgers, a module an area.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod cut;
+mod file;
+mod flow;
+mod io;
+mod lang;
+mod moves;
+mod outputs;
+mod set;
+mod sysvar;
+mod values;
+mod zero;

@@ -1,0 +1,296 @@
+//! Value commands: settings and what they change.
+
+use kerf_ledger::{at, run, sbp};
+
+#[test]
+fn sbp_val_general() {
+    run("VC,.5 ⏎ PRINT %(23);\" \";%(28)").prints(&["0.5 1"]);
+    run("VC,,,,1.5 ⏎ PRINT %(23);\" \";%(28)").prints(&["0.25 1.5"]);
+}
+
+#[test]
+fn sbp_val_range() {
+    run("VS,0").fails(1, "R009");
+    run("VC,,,,,,150").fails(1, "R009");
+    // Nothing of a refused line is taken over.
+    sbp("PRINT %(71)").after("VS,0,5 ⏎ SV").run().prints(&["2"]);
+    sbp("PRINT %(23)").after("VC,.5,,,,,150").run().prints(&["0.25"]);
+}
+
+#[test]
+fn sbp_val_va_loc() {
+    at([2.0], "VA,5.3 ⏎ PRINT %(1);\" \";%(1)+%(6)").visits::<3>(&[]).prints(&["5.3 2"]);
+    at([1.0, 2.0, 3.0], "VA,,,.5 ⏎ PRINT %(1);%(2);\" \";%(3)").prints(&["12 0.5"]);
+}
+
+#[test]
+fn sbp_val_va_base() {
+    run("VA,,,.75,,,,,0 ⏎ PRINT %(3);\" \";%(8)").prints(&["0.75 0"]);
+    run("VA,2,,,,,0 ⏎ PRINT %(1);\" \";%(6)").prints(&["2 0"]);
+}
+
+#[test]
+fn sbp_val_va_basekeep() {
+    run("VA,,,,,,5,5,5 ⏎ VA,0,0,0 ⏎ ST").ends_at([5.0, 5.0, 5.0]);
+}
+
+#[test]
+fn sbp_val_vb_params() {
+    run("VB,.2,5,2,.25,0,, ⏎ PRINT %(41);\" \";%(42);\" \";%(43);\" \";%(44)")
+        .prints(&["0.2 5 2 0.25"]);
+}
+
+#[test]
+fn sbp_val_vb_on_off() {
+    let run = run("MZ,-.5 ⏎ VB,,,,,1 ⏎ MX,20 ⏎ VB,,,,,0 ⏎ MX,40");
+    assert_eq!(run.is_ok().tops(-0.4), [[4.5, 5.5], [10.5, 11.5], [16.5, 17.5]], "{run}");
+    let next = sbp("MZ,-.5 ⏎ MX,20").after("MZ,-.5 ⏎ VB,,,,,1 ⏎ MX,20 ⏎ JZ,1 ⏎ JX,0").run();
+    assert_eq!(next.tops(-0.4).len(), 0, "{next}");
+}
+
+#[test]
+fn sbp_val_vc_params() {
+    run("VC,.3,,,2,-,20,3,0,0,0,Z,8 ⏎ PRINT %(23);\" \";%(28);\" \";%(29)").prints(&["0.3 2 3"]);
+}
+
+#[test]
+fn sbp_val_vc_diam() {
+    let run = run("VC,.5 ⏎ CC,4,O ⏎ PRINT %(23)");
+    run.prints(&["0.5"]);
+    assert_eq!(run.events("arc").next().unwrap()["centre"]["y"], -2.25, "{run}");
+}
+
+#[test]
+fn sbp_val_vc_safez() {
+    run("PRINT %(28) ⏎ VC,,,,.5 ⏎ MX,1 ⏎ JH").prints(&["1"]).ends_at([0.0, 0.0, 0.5]);
+}
+
+#[test]
+fn sbp_val_vc_plungedir() {
+    run("VC,,,,,+ ⏎ CC,4,T,1,0,360,.25,1,1,1,0,1").ends_at([0.0, 0.0, 0.25]);
+    run("VC,,,,,- ⏎ CC,4,T,1,0,360,.25").warns(2, "W012");
+}
+
+#[test]
+fn sbp_val_vc_overlap() {
+    let second_ring = |overlap: u32| {
+        let run = run(&format!("VC,,,,,,{overlap} ⏎ CC,4,T,1,0,360,-.1,1,1,1,2"));
+        run.is_ok().events("arc").nth(1).unwrap()["to"]["y"].as_f64().unwrap()
+    };
+    assert!((second_ring(10) + 0.225).abs() < 1e-6);
+    assert!((second_ring(50) + 0.125).abs() < 1e-6);
+    run("VC,,,,,,100").fails(1, "R009");
+}
+
+#[test]
+fn sbp_val_vc_safea() {
+    sbp("PRINT %(29) ⏎ JH")
+        .axes(4)
+        .at([0.0, 0.0, 0.0, -0.2])
+        .run()
+        .prints(&["1"])
+        .ends_at([0.0, 0.0, 1.0, 1.0]);
+}
+
+#[test]
+fn sbp_val_vc_trigger_on() {
+    let run = run("VC,,,,,,,,1,.05,.1,Z,8 ⏎ JZ,.5 ⏎ MZ,-.3 ⏎ MZ,.5");
+    run.is_ok().switches(8, &[(true, "trigger"), (false, "trigger")]);
+}
+
+#[test]
+fn sbp_val_vc_trigger_above() {
+    run("VC,,,,,,,,1,.05,.1,Z,8 ⏎ MZ,-.3").switches(8, &[(true, "trigger"), (false, "end")]);
+}
+
+#[test]
+fn sbp_val_vc_trigger_nooff() {
+    run("VC,,,,,,,,1,.05,.1,Z,8 ⏎ JZ,.5 ⏎ MZ,-.3 ⏎ MZ,.05")
+        .switches(8, &[(true, "trigger"), (false, "end")]);
+}
+
+#[test]
+fn sbp_val_vc_trigger_xy() {
+    run("VC,,,,,,,,1,.05,.1,Z,8 ⏎ JZ,.5 ⏎ M3,5,0,-.3").switches(8, &[]);
+}
+
+#[test]
+fn sbp_val_vc_trigger_axis() {
+    run("VC,,,,,,,,1,.05,.1,B,8").status("failed");
+    run("VC,,,,,,,,1,.05,.1,A,8").is_ok();
+}
+
+#[test]
+fn sbp_val_vc_trigger_out() {
+    for output in [3, 5, 12] {
+        run(&format!("VC,,,,,,,,1,.05,.1,Z,{output} ⏎ PRINT %(141);\" \";%(142)"))
+            .prints(&["0.05 0.1"]);
+    }
+    for output in [1, 2, 4] {
+        run(&format!("VC,,,,,,,,1,.05,.1,Z,{output}")).fails(1, "R009");
+    }
+}
+
+#[test]
+fn sbp_val_vc_trigger_end() {
+    sbp("MZ,-.3").after("VC,,,,,,,,1,.05,.1,Z,8 ⏎ JZ,.5").run().switches(8, &[]);
+}
+
+#[test]
+fn sbp_val_vd_axes() {
+    run("VD,,5 ⏎ PRINT %(27) ⏎ M5,1,2,3,4,5").ends_at([1.0, 2.0, 3.0, 4.0, 5.0]).prints(&["5"]);
+    run("MA,1").fails(1, "R011").says("A");
+}
+
+#[test]
+fn sbp_val_vd_units() {
+    let read = "PRINT %(1);\" \";%(23);\" \";%(28);\" \";%(71);\" \";%(12);\" \";%(25) ⏎ \
+        PRINT %(41);\" \";%(42);\" \";%(43);\" \";%(44)";
+    run(&format!("MX,1 ⏎ VD,,,1 ⏎ {read} ⏎ VD,,,0 ⏎ {read}")).prints(&[
+        "25.4 6.35 25.4 50.8 2438.4 1",
+        "2.54 101.6 25.4 12.7",
+        "1 0.25 1 2 96 0",
+        "0.1 4 1 0.5",
+    ]);
+}
+
+#[test]
+fn sbp_val_vd_units_steps() {
+    run("VD,,,1 ⏎ PRINT %(31) ⏎ MX,25.4 ⏎ VD,,,0").prints(&["15.74803"]).ends_at([1.0]);
+}
+
+#[test]
+fn sbp_val_vd_aunits() {
+    run("VD,,4,,2 ⏎ MA,90 ⏎ VD,,,1 ⏎ PRINT %(4)").prints(&["90"]);
+}
+
+#[test]
+fn sbp_val_vl_params() {
+    run("VL,0,96,0,48,-6,6,-6,6,1,-360,360 ⏎ PRINT %(11);\" \";%(12);\" \";%(15);\" \";%(20) ⏎ MX,97")
+        .prints(&["0 96 -6 360"])
+        .stands_at([0.0]);
+}
+
+#[test]
+fn sbp_val_vl_base() {
+    let limited = "VA,0,,,,,10 ⏎ VL,0,12,,,,,,,1 ⏎";
+    run(&format!("{limited} MX,1.5")).ends_at([1.5]);
+    run(&format!("{limited} MX,3")).stands_at([0.0]).status("limit");
+}
+
+#[test]
+fn sbp_val_vl_err() {
+    run("VL,10,5").status("failed");
+    sbp("PRINT %(11);\" \";%(12)").after("VL,10,5 ⏎ SV").run().prints(&["0 96"]);
+}
+
+#[test]
+fn sbp_val_vl_check() {
+    run("SF,1 ⏎ VL,,,,,,,,,0 ⏎ MX,97").ends_at([97.0]);
+    sbp("MX,97").after("VL,,,,,,,,,1").run().ends_at([97.0]);
+}
+
+#[test]
+fn sbp_lim_sf() {
+    run("VL,0,10 ⏎ SF,1 ⏎ MX,12").stands_at([0.0]);
+    run("VL,0,10 ⏎ SF,1 ⏎ SF,0 ⏎ MX,12").ends_at([12.0]);
+    run("SF").fails(1, "S010");
+}
+
+#[test]
+fn sbp_lim_sf_dialog() {
+    let case = sbp("VL,0,10 ⏎ SF,1 ⏎ MX,12 ⏎ MY,1");
+    case.clone().answers(&["Continue"]).run().ends_at([12.0, 1.0]);
+    case.answers(&["End"]).run().stands_at([0.0, 0.0]).status("limit");
+}
+
+#[test]
+fn sbp_lim_sf_base() {
+    let limited = "VA,0,,,,,5 ⏎ VL,0,10 ⏎ SF,1 ⏎";
+    run(&format!("{limited} MX,4")).ends_at([4.0]);
+    run(&format!("{limited} MX,6")).stands_at([0.0]).status("limit");
+}
+
+#[test]
+fn sbp_lim_sf_temp() {
+    sbp("VL,0,10 ⏎ MX,12").after("SF,1 ⏎ SV").run().stands_at([0.0]);
+    sbp("VL,0,10 ⏎ MX,12").after("SF,1").run().ends_at([12.0]);
+}
+
+#[test]
+fn sbp_val_vn_inmode() {
+    run("VN,,,,1 ⏎ PRINT %(91) ⏎ VN,,,,,2 ⏎ PRINT %(92)").prints(&["1", "2"]);
+    run("VN,,,,5").fails(1, "R009");
+}
+
+#[test]
+fn sbp_val_vn_torch() {
+    run("VN,,,1 ⏎ PRINT %(99)").prints(&["1"]);
+}
+
+#[test]
+fn sbp_val_vn_outmode0() {
+    run("SO,3,1 ⏎ MX,1").switches(3, &[(true, "program"), (false, "end")]);
+}
+
+#[test]
+fn sbp_val_vn_outmode1() {
+    run("VN,,,,,,,,,,,,,,,,,1 ⏎ SO,3,1 ⏎ MX,1").switches(3, &[(true, "program")]);
+}
+
+#[test]
+fn sbp_val_vn_outmode4() {
+    run("VN,,,,,,,,,,,,,,,,,4 ⏎ SO,3,1 ⏎ MX,1").switches(3, &[(true, "program")]);
+}
+
+#[test]
+fn sbp_val_vo_params() {
+    run("VO,1,2,1,0 ⏎ M2,5,0").visits(&[[7.0, 1.0]]);
+    run("VO,1,2,1,0 ⏎ MX,5 ⏎ PRINT %(2)").ends_at([7.0, 0.0]);
+    run("VO,1,2,1,0 ⏎ VO,2 ⏎ M2,5,0").ends_at([5.0, 0.0]);
+    run("VO,1,2,1,0 ⏎ VO,0 ⏎ M2,5,0").ends_at([5.0, 0.0]);
+}
+
+#[test]
+fn sbp_val_vo_display() {
+    run("VO,1,2,1,0 ⏎ M2,5,0 ⏎ PRINT %(1);%(2)").prints(&["71"]);
+}
+
+#[test]
+fn sbp_val_vo_reuse() {
+    run("VO,1,2,1 ⏎ VO,2 ⏎ VO,1 ⏎ MX,5").ends_at([7.0]);
+}
+
+#[test]
+fn sbp_val_vo_adds() {
+    sbp("FP,p.sbp,2").file("p.sbp", "VO,1,1 ⏎ MX,2").run().ends_at([5.0]);
+}
+
+#[test]
+fn sbp_val_vo_end() {
+    sbp("MX,5").after("VO,1,2 ⏎ MX,1").run().ends_at([5.0]);
+}
+
+#[test]
+fn sbp_val_vr_rampspeed() {
+    run("VR,1 ⏎ PRINT %(81);\" \";%(82);\" \";%(83)").prints(&["1 1 0.4"]);
+}
+
+#[test]
+fn sbp_val_vs() {
+    let all = "PRINT %(71);\" \";%(72);\" \";%(73);\" \";%(74);\" \";%(75) ⏎ \
+        PRINT %(76);\" \";%(77);\" \";%(78);\" \";%(79);\" \";%(80)";
+    sbp(&format!("VS,3,1,2,50,8,4,4,100 ⏎ {all}"))
+        .axes(5)
+        .run()
+        .prints(&["3 3 1 2 50", "8 8 4 4 100"]);
+}
+
+#[test]
+fn sbp_val_vs_oldorder() {
+    sbp("VS, 1.25, .45, , 2.75, .80 ⏎ PRINT %(71);\" \";%(73);\" \";%(75);\" \";%(76)")
+        .axes(5)
+        .run()
+        .prints(&["1.25 0.45 2.75 0.8"])
+        .warns(1, "W011");
+}
