@@ -2,7 +2,9 @@
 //!
 //! A row says what must be observed when a few lines of OpenSBP run; a test says the same:
 //!
-//! ```ignore
+//! ```
+//! use kerf_ledger::{at, run, sbp};
+//!
 //! run("MX,1 ⏎ MY,2").ends_at([1.0, 2.0]);
 //! at([1.0, 1.0], "M2,, 4.2").ends_at([1.0, 4.2]);
 //! sbp("INPUT \"Depth?\" &d ⏎ MZ,&d").answers(&["-.25"]).run().ends_at([0.0, 0.0, -0.25]);

@@ -23,11 +23,6 @@ fn is_one_arc(run: &Run, centre: [f64; 2], dir: &str, sweep: f64, to: [f64; 2]) 
 }
 
 #[test]
-fn sbp_cut_cc_default() {
-    is_one_arc(&run("CC,4"), [0.0, -2.0], "cw", 360.0, [0.0, 0.0]);
-}
-
-#[test]
 fn sbp_cut_cc_params() {
     let run = run("CC,4,T,1,0,360,-.1,2,1,1,0,1,0");
     run.ends_at([0.0, 0.0, -0.2]);
@@ -59,15 +54,6 @@ fn sbp_cut_cc_true() {
 #[test]
 fn sbp_cut_cc_feature_range() {
     run("CC,4,,,,,,,,,5").fails(1, "R009");
-}
-
-#[test]
-fn sbp_cut_cc_prop_comp() {
-    let run = run("VC,.25 ⏎ CC,16,O,1,0,360,0,1,3,1");
-    let bounds = &run.is_ok().end()["bounds"];
-    let size =
-        |axis: &str| bounds["max"][axis].as_f64().unwrap() - bounds["min"][axis].as_f64().unwrap();
-    assert!((size("x") - 48.25).abs() < 2e-3 && (size("y") - 16.25).abs() < 2e-3, "{bounds}");
 }
 
 #[test]
@@ -104,19 +90,6 @@ fn sbp_cut_cp_nolift() {
 }
 
 #[test]
-fn sbp_cut_cp_relative() {
-    let run = at([5.0, 5.0], "SR ⏎ CP,4,10,10");
-    run.visits(&[[15.0, 17.0], [15.0, 17.0]]);
-    is_one_arc(&run, [15.0, 15.0], "cw", 360.0, [15.0, 17.0]);
-}
-
-#[test]
-fn sbp_cut_cg_ij() {
-    is_one_arc(&run("CG,,2,-2,0,-2,T,1"), [0.0, -2.0], "cw", 90.0, [2.0, -2.0]);
-    is_one_arc(&run("CG,,2,-2,0,-2,T,-1"), [0.0, -2.0], "ccw", 270.0, [2.0, -2.0]);
-}
-
-#[test]
 fn sbp_cut_cr_params() {
     run("CR").fails(1, "S010");
     run("CR,10").visits(&[[0.0, 10.0], [10.0, 10.0], [10.0, 0.0], [0.0, 0.0]]);
@@ -131,14 +104,6 @@ fn sbp_cut_cr_feature_range() {
 fn sbp_cut_ca_params() {
     run("CA,10").fails(1, "S010");
     is_one_arc(&run("CA,10,2.5"), [5.0, -3.75], "cw", 106.2602, [10.0, 0.0]);
-}
-
-#[test]
-fn sbp_cut_relative_mode() {
-    let ends = |program: &str| at([3.0, 1.0], program).is_ok().location();
-    for command in ["CC,4", "CC,4,T,1,0,90", "CR,10,5", "CA,10,2.5"] {
-        assert_eq!(ends(&format!("SR ⏎ {command}")), ends(command), "{command}");
-    }
 }
 
 #[test]

@@ -8,11 +8,6 @@ fn with(part: &str, program: &str) -> Run {
 }
 
 #[test]
-fn sbp_file_fp_params() {
-    with("M3,1,2,-.5", "FP,part.sbp").ends_at([1.0, 2.0, -0.5]).visits(&[[1.0, 2.0, -0.5]]);
-}
-
-#[test]
 fn sbp_file_fp_name() {
     with("MX,1", "FP, PART.SBP").ends_at([1.0]);
     with("MX,1", "FP, part").ends_at([1.0]);
@@ -22,44 +17,8 @@ fn sbp_file_fp_name() {
 }
 
 #[test]
-fn sbp_file_fp_last() {
-    run("FP").fails(1, "S010");
-}
-
-#[test]
 fn sbp_file_fp_proportion() {
     with("M3,1,2,-.5", "FP,part.sbp,2,3,.5").ends_at([2.0, 6.0, -0.25]);
-}
-
-#[test]
-fn sbp_file_fp_zpasses() {
-    with("MZ,-1 ⏎ MX,5 ⏎ MZ,.2 ⏎ MX,0", "FP,part.sbp,,,.5 ⏎ FP,part.sbp,,,.85 ⏎ FP,part.sbp,,,1")
-        .visits(&[
-            [0.0, 0.0, -0.5],
-            [5.0, 0.0, -0.5],
-            [5.0, 0.0, 0.1],
-            [0.0, 0.0, 0.1],
-            [0.0, 0.0, -0.85],
-            [5.0, 0.0, -0.85],
-            [5.0, 0.0, 0.17],
-            [0.0, 0.0, 0.17],
-            [0.0, 0.0, -1.0],
-            [5.0, 0.0, -1.0],
-            [5.0, 0.0, 0.2],
-            [0.0, 0.0, 0.2],
-        ]);
-}
-
-#[test]
-fn sbp_file_fp_reps() {
-    with("SR ⏎ MX,1 ⏎ SA", "FP,part.sbp,,,,3").ends_at([3.0]);
-    with("MX,1", "FP,part.sbp,,,,0").fails(1, "R009");
-    with("MX,1", "FP,part.sbp,,,,-1").fails(1, "R009");
-}
-
-#[test]
-fn sbp_file_fp_offset0() {
-    with("M2,1,0", "M2,10,4 ⏎ FP,part.sbp").ends_at([1.0, 0.0]);
 }
 
 #[test]
@@ -67,18 +26,6 @@ fn sbp_file_fp_offset1() {
     with("M3,1,0,-.2 ⏎ PRINT %(61)", "M3,10,4,.5 ⏎ FP,part.sbp,,,,,1 ⏎ PRINT %(61)")
         .ends_at([11.0, 4.0, 0.3])
         .prints(&["10", "0"]);
-}
-
-#[test]
-fn sbp_file_fp_offset2() {
-    with("M3,1,0,-.2", "M3,10,4,.5 ⏎ FP,part.sbp,,,,,2").ends_at([11.0, 4.0, -0.2]);
-}
-
-#[test]
-fn sbp_file_fp_offset_commas() {
-    let part = "SR ⏎ MX,1 ⏎ SA ⏎ MY,0";
-    with(part, "M2,10,4 ⏎ FP, PART.SBP , , , , , 2").ends_at([11.0, 4.0]);
-    with(part, "M2,10,4 ⏎ FP, PART.SBP , , , , 2").ends_at([12.0, 0.0]);
 }
 
 #[test]
@@ -102,43 +49,6 @@ fn sbp_file_fp_allparts() {
         [41.0, 4.0],
         [40.0, 4.0],
     ]);
-}
-
-#[test]
-fn sbp_file_fp_offset_scale() {
-    with("M2,1,1", "M2,10,4 ⏎ FP,part.sbp,2,3,,,2").ends_at([12.0, 7.0]);
-}
-
-#[test]
-fn sbp_file_fp_nested_compose() {
-    sbp("M2,10,0 ⏎ FP,outer.sbp,2,2,,,2")
-        .file("outer.sbp", "M2,1,0 ⏎ FP,in.sbp,3,3,,,2")
-        .file("in.sbp", "M2,1,1")
-        .run()
-        .visits(&[[10.0, 0.0], [12.0, 0.0], [18.0, 6.0]]);
-}
-
-#[test]
-fn sbp_file_fp_plunge() {
-    with("M2,1,0 ⏎ M2,1,1 ⏎ M2,0,0", "M2,5,5 ⏎ FP,part.sbp,,,,2,2,-.25").visits(&[
-        [5.0, 5.0, 0.0],
-        [5.0, 5.0, -0.25],
-        [6.0, 5.0, -0.25],
-        [6.0, 6.0, -0.25],
-        [5.0, 5.0, -0.25],
-        [5.0, 5.0, -0.5],
-        [6.0, 5.0, -0.5],
-        [6.0, 6.0, -0.5],
-        [5.0, 5.0, -0.5],
-        [5.0, 5.0, 0.0],
-    ]);
-}
-
-#[test]
-fn sbp_file_fp_plunge_zmoves() {
-    let run = with("MZ,-.1 ⏎ MX,1", "FP,part.sbp,,,,2,2,-.25");
-    run.is_ok();
-    assert!(run.events("diag").any(|d| d["severity"] == "warning"), "{run}");
 }
 
 #[test]
@@ -173,11 +83,6 @@ fn sbp_file_fp_tab_subfiles() {
 }
 
 #[test]
-fn sbp_file_nest_return() {
-    with("MY,2", "MX,1 ⏎ FP,part.sbp ⏎ MX,5").ends_at([5.0, 2.0]);
-}
-
-#[test]
 fn sbp_file_nest_depth() {
     let chain = |last: &str| {
         let mut case = sbp("FP,f2.sbp").file("f8.sbp", last);
@@ -188,20 +93,6 @@ fn sbp_file_nest_depth() {
     };
     chain("MX,8").ends_at([8.0]);
     chain("FP,f9.sbp").fails(1, "R007").stands_at([0.0]);
-}
-
-#[test]
-fn sbp_file_nest_recursion() {
-    with("FP,part.sbp", "VS,4 ⏎ FP,part.sbp").fails(1, "R007").stands_at([0.0]);
-}
-
-#[test]
-fn sbp_file_nest_subroutine() {
-    let hole = "FP,part.sbp";
-    let program = format!("&depth=-.5 ⏎ J2,1,1 ⏎ {hole} ⏎ J2,2,1 ⏎ {hole} ⏎ J2,3,1 ⏎ {hole}");
-    let run = with("MZ,&depth ⏎ JZ,.5", &program);
-    let deep = run.is_ok().events("move").filter(|m| m["to"]["z"] == -0.5).count();
-    assert_eq!(deep, 3, "{run}");
 }
 
 #[test]
@@ -275,13 +166,4 @@ fn sbp_file_fp_offset_home() {
 fn sbp_file_fp_offset_sysvar() {
     with("MX,1 ⏎ PRINT %(1);\" \";(%(1)-%(61))/%(66)", "M2,10,4 ⏎ FP,part.sbp,2,,,,2")
         .prints(&["12 1"]);
-}
-
-#[test]
-fn sbp_file_template_2d() {
-    with("M2,1,0 ⏎ M2,0,0", "MZ,-.3 ⏎ FP,part.sbp,,,,,2").visits(&[
-        [0.0, 0.0, -0.3],
-        [1.0, 0.0, -0.3],
-        [0.0, 0.0, -0.3],
-    ]);
 }

@@ -13,21 +13,6 @@ fn pressed_at_x4(input: u8, program: &str) -> Run {
 }
 
 #[test]
-fn sbp_flow_sequence() {
-    run("MX,1 ⏎ MY,1").ends_at([1.0, 1.0]).status("ok");
-}
-
-#[test]
-fn sbp_flow_end() {
-    run("MX,1 ⏎ END ⏎ MX,9").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_end_nested() {
-    sbp("FP,B.sbp ⏎ MY,2").file("b.sbp", "MX,1 ⏎ END ⏎ MX,9").run().ends_at([1.0, 2.0]);
-}
-
-#[test]
 fn sbp_flow_endall() {
     sbp("FP,B.sbp ⏎ MY,2").file("b.sbp", "VS,4 ⏎ MX,1 ⏎ ENDALL").run().ends_at([1.0, 0.0]);
     sbp("FP,B.sbp ⏎ MY,2").file("b.sbp", "MX,1 ⏎ END ALL").run().ends_at([1.0, 0.0]);
@@ -35,39 +20,10 @@ fn sbp_flow_endall() {
 }
 
 #[test]
-fn sbp_flow_goto() {
-    run("&n=0 ⏎ Top: ⏎ &n=&n+1 ⏎ IF &n<3 THEN GOTO Top ⏎ GOTO Out ⏎ MX,9 ⏎ Out: ⏎ MX,&n")
-        .ends_at([3.0]);
-}
-
-#[test]
-fn sbp_flow_goto_colon() {
-    run("GOTO Out: ⏎ MX,9 ⏎ Out: ⏎ MX,1").ends_at([1.0]).warns(1, "W003");
-    run("GOTO Out ⏎ MX,9 ⏎ Out: ⏎ MX,1").ends_at([1.0]).is_silent();
-}
-
-#[test]
 fn sbp_flow_goto_missing() {
     run("GOTO Nowhere ⏎ MX,1").fails(1, "R005").says("NOWHERE").visits::<3>(&[]);
     // Not taken, not an error.
     run("IF 1 = 2 THEN GOTO Nowhere ⏎ MX,1").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_gosub() {
-    run("GOSUB A ⏎ MX,1 ⏎ END ⏎ A: ⏎ MY,2 ⏎ RETURN").visits(&[[0.0, 2.0], [1.0, 2.0]]);
-}
-
-#[test]
-fn sbp_flow_gosub_nested() {
-    run("GOSUB A ⏎ END ⏎ A: ⏎ MX,1 ⏎ GOSUB B ⏎ MY,1 ⏎ RETURN ⏎ B: ⏎ MZ,1 ⏎ RETURN").visits(&[
-        [1.0, 0.0, 0.0],
-        [1.0, 0.0, 1.0],
-        [1.0, 1.0, 1.0],
-    ]);
-    run("&n=0 ⏎ GOSUB A ⏎ MX,&n ⏎ END ⏎ A: ⏎ &n=&n+1 ⏎ IF &n<100 THEN GOSUB A ⏎ RETURN")
-        .ends_at([100.0]);
-    run("A: ⏎ GOSUB A").fails(2, "R007");
 }
 
 #[test]
@@ -80,64 +36,6 @@ fn sbp_flow_return_stray() {
 fn sbp_flow_fall_into_sub() {
     run("MX,1 ⏎ A: ⏎ MY,2 ⏎ RETURN").fails(4, "R006").visits(&[[1.0, 0.0], [1.0, 2.0]]);
     run("MX,1 ⏎ END ⏎ A: ⏎ MY,2 ⏎ RETURN").ends_at([1.0, 0.0]);
-}
-
-#[test]
-fn sbp_flow_if_command() {
-    run("&c=3 ⏎ IF &c > 2 THEN MX,1 ⏎ IF &c < 2 THEN MY,1").ends_at([1.0, 0.0]);
-}
-
-#[test]
-fn sbp_flow_if_assign() {
-    run("&c=3 ⏎ IF &c = 3 THEN &d = 5 ⏎ MX,&d").ends_at([5.0]);
-}
-
-#[test]
-fn sbp_flow_if_goto() {
-    run("IF 1 = 1 THEN GOTO L ⏎ MX,9 ⏎ L: ⏎ MX,1").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_if_other_actions() {
-    run("IF 1=1 THEN GOSUB S ⏎ END ⏎ S: ⏎ MX,1 ⏎ IF 1=1 THEN RETURN ⏎ MX,9").ends_at([1.0]);
-    sbp("PAUSE .1 ⏎ IF %(51)=1 THEN PAUSE 3").input(1, 0.0, true).run().lasts(3.1);
-}
-
-#[test]
-fn sbp_flow_if_ops() {
-    run("IF %(1)+1 = 1 THEN MX,2").ends_at([2.0]);
-    run("&a=2 ⏎ IF &a*2 > 3 THEN MX,1").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_if_neq() {
-    run("&u=1 ⏎ IF &u <> %(25) THEN MX,1").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_if_andor() {
-    run("&a=1 ⏎ &b=2 ⏎ IF (&a=1) AND (&b=2) THEN MX,1 ⏎ IF NOT (&a=2) THEN MY,1")
-        .ends_at([1.0, 1.0]);
-    run("&a=1 ⏎ &b=2 ⏎ IF &a=1 AND &b=2 THEN MX,1 ⏎ IF &a=1 AND &b=3 THEN MX,9").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_if_string() {
-    run("&a = Yes ⏎ IF &a = \"yes\" THEN MX,1 ⏎ IF &a = Yes THEN MY,1").ends_at([1.0, 1.0]);
-    run("IF &zup = \"\" THEN &zup=0 ⏎ MX,&zup+1").ends_at([1.0]);
-}
-
-#[test]
-fn sbp_flow_if_mixed() {
-    run("&a=\"10\" ⏎ IF &a > 9 THEN MX,1").ends_at([1.0]);
-    let text = run("&b=abc ⏎ IF &b > 9 THEN MX,1");
-    assert!(text.events("diag").any(|d| d["line"] == 2 && d["severity"] == "warning"), "{text}");
-}
-
-#[test]
-fn sbp_flow_if_nothen() {
-    run("&a=1 ⏎ IF &a = 1 MX,1").fails(2, "S012");
-    run("ELSE").fails(1, "S003");
 }
 
 #[test]

@@ -57,6 +57,10 @@ fn sbp_out_warn_file() {
     assert!((once[0] - 2.0).abs() < 1e-6, "{once:?}");
     let plain = starts("SW,0 ⏎ MX,1 ⏎ MX,2");
     assert!((once[1] - once[0] - (plain[1] - plain[0])).abs() < 1e-6, "{once:?} {plain:?}");
+    // After the operator was asked it comes again.
+    let again = starts("SW,2 ⏎ MX,1 ⏎ PAUSE ⏎ MX,2");
+    let plain = starts("SW,0 ⏎ MX,1 ⏎ PAUSE ⏎ MX,2");
+    assert!((again[1] - plain[1] - 4.0).abs() < 1e-6, "{again:?} {plain:?}");
 }
 
 #[test]

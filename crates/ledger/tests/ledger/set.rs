@@ -28,11 +28,6 @@ fn sbp_cmd_sm() {
 }
 
 #[test]
-fn sbp_cmd_sp_noeffect() {
-    sbp("SO,3,1 ⏎ PAUSE 5 ⏎ ZX ⏎ MX,1 ⏎ PRINT %(22)").preview().is_ok().prints(&["1"]);
-}
-
-#[test]
 fn sbp_cmd_sl() {
     run("&a=1 ⏎ SL ⏎ PRINT &a").prints(&["&a"]);
     sbp("MSGBOX (ready?, YesNo, t) ⏎ SL ⏎ PRINT &msganswer")
