@@ -188,3 +188,32 @@ fn help(c: &mut Context<'_>, page: &str) -> Result<(), Stop> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Options;
+    use crate::testing::{FakeHost, check, rows, run_as};
+    use kerf_program::Command;
+
+    rows! {
+        the_recorder_is_named: "RA" => "error RA needs the recorder", "RR,A,20" => "error RR needs the recorder", "RS,a.sbp,3" => "error recorder";
+        tools_are_named: "TC, 1500, small, 2" => "error TC needs the virtual tools";
+        settings_files_are_named: "US,mine" => "error US needs the console", "UR" => "error needs the console", "UI" => "error firmware";
+        the_nudge_panel_is_named: "MN" => "error MN needs the console";
+    }
+
+    #[test]
+    fn help_in_a_part_file_is_passed_over() {
+        for letter in "ABCENQRTUW".chars() {
+            check(&format!("H{letter}⏎MX,1"), "at 1,0,0; warning help is not shown");
+        }
+    }
+
+    #[test]
+    fn typed_help_names_its_page() {
+        let typed = Options { typed: true, ..Options::default() };
+        let ran = run_as("HC", FakeHost::default(), Default::default(), typed);
+        let page = Command::Message { text: "HC: Command reference".into() };
+        assert!(ran.commands.iter().any(|c| c.command == page), "{:?}", ran.commands);
+    }
+}

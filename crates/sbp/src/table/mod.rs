@@ -46,4 +46,21 @@ mod tests {
             }
         }
     }
+
+    /// Every command that the reference or the handbooks name, and the extensions of real files.
+    #[test]
+    fn every_command_of_the_manuals_is_here() {
+        let named = "CA CC CG CP CR FC FE FG FN FP FS HA HB HC HE HN HQ HR HT HU HW \
+             J2 J3 J4 J5 JA JB JH JS JX JY JZ M2 M3 M4 M5 MA MB MD MH MI MN MO MS MX MY MZ \
+             RA RI RP RR RS RZ SA SC SF SI SK SL SM SO SP SR ST SV SW TC TD TF TH TI TS TT TU \
+             UD UI UL UN UR US UU UV UZ VA VB VC VD VH VI VL VN VO VP VR VS VU VV \
+             Z2 Z3 Z4 Z5 ZA ZB ZT ZX ZY ZZ";
+        let extensions = "JC J6 MC M6 TR Z6 ZC";
+        assert_eq!(named.split_whitespace().count(), 107);
+        let mut wanted: Vec<_> = named.split_whitespace().chain(extensions.split(' ')).collect();
+        let mut found: Vec<_> = commands().map(|c| c.letters).collect();
+        wanted.sort_unstable();
+        found.sort_unstable();
+        assert_eq!(found, wanted);
+    }
 }

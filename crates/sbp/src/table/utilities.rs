@@ -95,3 +95,69 @@ fn places(c: &Context<'_>, value: impl Fn(&Context<'_>, Axis) -> f64) -> String 
     });
     shown.collect::<Vec<_>>().join("  ")
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{FakeHost, run, run_with};
+    use crate::{Session, VERSION};
+    use kerf_program::Command;
+
+    /// The last thing shown to the operator.
+    fn shown(text: &str) -> String {
+        let ran = run(text);
+        assert!(ran.error.is_none(), "{text}: {:?}", ran.error);
+        let told = ran.commands.iter().rev().find_map(|c| match &c.command {
+            Command::Message { text } => Some(text.to_string()),
+            _ => None,
+        });
+        told.unwrap_or_default()
+    }
+
+    #[test]
+    fn ul_lists_variables_by_name() {
+        assert_eq!(shown("&b=2⏎&A=two words⏎UL"), "&A = two words\n&B = 2");
+        assert_eq!(shown("&b=2⏎SL⏎UL"), "no variables");
+    }
+
+    #[test]
+    fn sbp_cmd_uu_test() {
+        assert_eq!(shown("UU,3 > 2"), "-1");
+        assert_eq!(shown("&a=2⏎UU,&a = 3"), "0");
+    }
+
+    #[test]
+    fn sbp_lang_expr_example() {
+        assert_eq!(shown("UU,1.5 * SQR(4.2)/(23-12.23)"), "0.2854304");
+        run("MX,1.5*SQR(4.2)/(23-12.23)").ends_at(0.285_430_4, 0.0, 0.0);
+    }
+
+    #[test]
+    fn sbp_cmd_uu_vars() {
+        assert_eq!(shown("&a=2⏎UU,&a*3"), "6");
+        run("&a=2⏎MX,&a").ends_at(2.0, 0.0, 0.0);
+        assert_eq!(shown("UU"), "nothing to calculate");
+    }
+
+    #[test]
+    fn uv_shows_every_value_in_the_users_unit() {
+        let text = shown("VD,,,1⏎UV");
+        for line in ["VC,6.35,,,25.4,-,10,25.4,0,0,0,Z,8", "VP,152.4,2438.4", "VS,50.8,25.4", "SA"]
+        {
+            assert!(text.lines().any(|l| l.starts_with(line)), "{line} in\n{text}");
+        }
+        assert!(text.starts_with("VD,,3,1,1,2,1,0,2.54"), "units first: {text}");
+    }
+
+    #[test]
+    fn ud_shows_places_and_switches() {
+        let mut host = FakeHost::default();
+        host.inputs[3] = true;
+        let ran = run_with("ZT⏎MX,2⏎VA,5⏎SO,7,1⏎UD", host, Session::default());
+        let told = format!("{:?}", ran.commands.last());
+        for part in
+            [VERSION, "working: X 5  Y 0", "base: X 2  Y 0", "inputs on: 3", "outputs on: 7"]
+        {
+            assert!(told.contains(part), "{part} in {told}");
+        }
+    }
+}

@@ -16,7 +16,7 @@ macro_rules! limit {
     };
 }
 
-static PARAMS: [ParamSpec; 11] = [
+static PARAMS: [ParamSpec; 12] = [
     limit!("Low X", low, X),
     limit!("High X", high, X),
     limit!("Low Y", low, Y),
@@ -29,6 +29,8 @@ static PARAMS: [ParamSpec; 11] = [
         .about("1 refuses moves that would leave the limits, as SF does."),
     limit!("Low B", low, B),
     limit!("High B", high, B),
+    // Real files end with the number of axes to check, which the reference has not.
+    ParamSpec::obsolete(),
 ];
 
 pub(super) static VL: CommandSpec = CommandSpec::new(
