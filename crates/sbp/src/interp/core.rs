@@ -120,6 +120,7 @@ pub(crate) struct UserFile {
 impl Core {
     pub(super) fn new(program: Arc<Program>, session: Session, options: Options) -> Self {
         let settings = Arc::new(session.settings);
+        let typed = options.typed;
         let mut core = Self {
             random: options.seed,
             options,
@@ -131,7 +132,7 @@ impl Core {
             settings,
             frame: session.frame,
             position: session.position,
-            offset_applied: Axes::default(),
+            offset_applied: session.offset_applied,
             variables: session.variables,
             watches: Vec::new(),
             fired: Vec::new(),
@@ -139,7 +140,7 @@ impl Core {
             motions: 0,
             settled: true,
             lines: 0,
-            heading: None,
+            heading: session.heading.filter(|_| typed),
             last_ij: None,
             files: Default::default(),
             tabs: None,
@@ -201,6 +202,8 @@ impl Core {
             variables: self.variables,
             last_file: self.last_file,
             independent: self.independent,
+            offset_applied: self.offset_applied,
+            heading: self.heading,
             before_preview: self.before_preview,
         }
     }

@@ -33,6 +33,12 @@ pub struct Session {
     /// Axes that MI keeps moving.
     #[serde(default)]
     pub independent: AxisSet,
+    /// The part of the position that the tool offset of VO contributes.
+    #[serde(default)]
+    pub offset_applied: Axes,
+    /// Clock angle of the last XY motion, degrees; a typed MD turns from it, a file begins without.
+    #[serde(default)]
+    pub heading: Option<f64>,
     /// In preview mode: what SM returns to.
     #[serde(default)]
     pub before_preview: Option<Box<BeforePreview>>,

@@ -31,7 +31,7 @@ rows! {
     sbp_val_vd_axes: "VD,,5" => "27=5", "MA,1" => "error A axis not active", "VD,,2" => "error 3-6", "VD,,7" => "error 3-6";
     sbp_val_vd_units: "MX,1⏎VD,,,1" => "1=25.4; 23=6.35; 28=25.4; 71=50.8; 41=2.54; 42=101.6; 43=25.4; 44=12.7; 12=2438.4; 25=1",
         "MX,1⏎VD,,,1⏎VD,,,0" => "1=1; 23=0.25; 28=1; 71=2; 41=0.1; 42=4; 43=1; 44=0.5; 12=96; 25=0; moves 1";
-    sbp_val_vd_units_steps: "VD,,,1" => "31=15.74803", "VD,,,1⏎MX,25.4" => "31=15.74803; at 25.4,0,0", "VD,,,1⏎VD,,,0" => "31=400";
+    unit_values_follow_the_unit: "VD,,,1" => "31=15.74803", "VD,,,1⏎VD,,,0" => "31=400";
     ramp_speeds_follow_the_unit: "VD,,,1" => "81=10.16; 85=0.4";
     sbp_val_vd_aunits: "VD,,4,,2⏎MA,5⏎VD,,,1" => "4=5; at 0,0,0,5", "VD,,4⏎MA,1⏎VD,,,1" => "4=25.4", "VD,,4,1,0⏎MA,1" => "4=1; 25=1", "VD,,4,,1⏎MA,25.4⏎VD,,,,0" => "4=1";
     sbp_val_vd_bunits: "VD,,5⏎MB,90⏎VD,,,1" => "5=90", "VD,,5,,,0⏎MB,1⏎VD,,,1" => "5=25.4";
@@ -189,6 +189,16 @@ fn sbp_val_vd_units_ramps() {
 }
 
 #[test]
+fn sbp_val_vd_units_steps() {
+    for (text, shown) in [("MX,1", "400"), ("VD,,,1⏎MX,25.4", "15.74803")] {
+        let ran = run(&format!("{text}⏎&steps=%(31)"));
+        assert_eq!(ran.variable("steps"), shown);
+        let steps = ran.session.settings.resolution.steps_per_unit[Axis::X];
+        assert!((steps * ran.session.position[Axis::X] - 400.0).abs() < 1e-9, "{text}");
+    }
+}
+
+#[test]
 fn vd_is_told_even_when_nothing_changes() {
     let told = |text: &str| {
         run(text).commands.iter().filter(|c| matches!(c.command, Command::Settings(_))).count()
@@ -282,6 +292,24 @@ fn sbp_val_vo_end() {
     let typed = Options { typed: true, ..Options::default() };
     let next = crate::testing::run_as("MX,5", FakeHost::default(), session, typed);
     next.ends_at(5.0, 0.0, 0.0);
+}
+
+#[test]
+fn what_is_typed_line_by_line_is_one_session() {
+    let typed = Options { typed: true, ..Options::default() };
+    let lines = |text: &str| {
+        let mut session = Session::default();
+        for line in text.split('⏎') {
+            let ran = crate::testing::run_as(line, FakeHost::default(), session, typed.clone());
+            assert!(ran.error.is_none(), "{line}: {:?}", ran.error);
+            session = ran.session;
+        }
+        session.settings.to_user(session.frame.working(session.position)).first3()
+    };
+    let near = |at: [f64; 3], x: f64, y: f64| (at[0] - x).abs() < 1e-9 && (at[1] - y).abs() < 1e-9;
+    assert!(near(lines("VO,1,2⏎MX,5⏎SR⏎MX,1"), 8.0, 0.0), "the offset counts once");
+    assert!(near(lines("MX,5⏎MD,4,90R"), 5.0, -4.0), "turns from the last move");
+    assert!(near(lines("M2,1,1⏎SP⏎MX,5⏎ZX⏎SM⏎MY,2"), 1.0, 2.0), "preview is undone later");
 }
 
 #[test]
