@@ -1,5 +1,5 @@
 //! S commands, by the rows of the ledger.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 use crate::testing::{FakeHost, Ran, check_as, rows, run, run_as, run_with};
 use crate::{Options, Session};
@@ -16,8 +16,8 @@ rows! {
     sbp_cmd_sc_other: "SC,1" => "error only SC,2 is defined", "SC" => "error only SC,2 is defined";
     leaving_preview_without_entering_it: "SM⏎MX,1" => "22=0; at 1,0,0";
     sbp_cmd_sp_track: "M2,1,1⏎SP⏎M2,5,5⏎&x=%(1)⏎&mode=%(22)⏎SM" => "&x=5; &mode=1; at 1,1,0; 1=1; 2=1; 22=0";
-    preview_undoes_zeros_and_values: "MX,1⏎SP⏎ZX⏎MX,4⏎VC,.5⏎VA,,9⏎SR⏎SM" => "at 1,0,0; base 1,0,0; 23=0.25; 21=0; 22=0";
-    preview_may_start_at_zero: "M3,1,1,2⏎VP,,,,,,,0⏎SP⏎&x=%(1)⏎&y=%(2)⏎&z=%(3)⏎SM" => "&x=0; &y=0; &z=2; at 1,1,2",
+    sbp_cmd_sp_noeffect__in_the_language: "MX,1⏎SP⏎ZX⏎MX,4⏎VC,.5⏎VA,,9⏎SR⏎SM" => "at 1,0,0; base 1,0,0; 23=0.25; 21=0; 22=0";
+    sbp_cmd_sp_start__in_the_language: "M3,1,1,2⏎VP,,,,,,,0⏎SP⏎&x=%(1)⏎&y=%(2)⏎&z=%(3)⏎SM" => "&x=0; &y=0; &z=2; at 1,1,2",
         "M2,1,1⏎SP⏎&x=%(1)" => "&x=1";
     sw_takes_seconds: "SW,-1" => "error 0 or greater", "SW,.5" => "no warning";
     sf_needs_its_value: "SF" => "error value expected", "SF,2" => "error one of 0, 1";
