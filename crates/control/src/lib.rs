@@ -15,6 +15,7 @@
 //! The same program, settings, files, answers and inputs give the same events, byte for byte.
 
 pub mod answers;
+mod check;
 pub mod event;
 mod execute;
 pub mod files;
@@ -30,6 +31,7 @@ mod tally;
 mod text;
 mod world;
 
+pub use check::check;
 pub use event::Event;
 pub use pace::{Pace, StopAt};
 pub use session::{Company, RunOptions, Session, Summary, dialect_word};

@@ -1,7 +1,7 @@
 //! Everything of a run that lies on a disk: part files, custom cuts, files that programs read and
 //! write, stored values, external programs.
 
-use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped};
+use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
 use crate::stored::Stored;
 use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
 use std::path::{Path, PathBuf};
@@ -84,8 +84,8 @@ impl Shelf {
         let found = self.folders.find(&*self.disk, request.folder, &request.name, Purpose::Read);
         let path = match found {
             Ok(path) => path,
-            Err(HostError::NotFound(_)) if request.folder == Folder::Custom => {
-                return shipped(&request.name);
+            Err(error @ HostError::NotFound(_)) => {
+                return shipped(request).ok_or(error);
             }
             Err(error) => return Err(error),
         };
@@ -157,11 +157,15 @@ impl std::fmt::Debug for Shelf {
     }
 }
 
-fn shipped(name: &str) -> Result<SourceFile, HostError> {
-    let missing =
-        || HostError::NotFound(format!("{name} not found in the folder of custom cuts (--custom)"));
-    let file = Shipped::find(name).ok_or_else(missing)?;
-    Ok(SourceFile { name: file.name.into(), bytes: file.text.as_bytes().into() })
+/// A custom cut that comes with the program.
+fn shipped(request: &FileRequest) -> Option<SourceFile> {
+    let name = match request.folder {
+        Folder::Custom => Some(request.name.as_str()),
+        Folder::Parts => None,
+    };
+    let name = name.map(str::to_owned).or_else(|| custom_name(&request.name))?;
+    let file = Shipped::find(&name)?;
+    Some(SourceFile { name: file.name.into(), bytes: file.text.as_bytes().into() })
 }
 
 fn cannot(what: &str, path: &Path, error: &std::io::Error) -> HostError {

@@ -59,6 +59,7 @@ impl Stored {
     /// Puts what changed into the file.
     pub fn save(&mut self, disk: &mut dyn Disk) -> io::Result<()> {
         if let (true, Some(file)) = (self.changed, &self.file) {
+            disk.make_folder(file.parent().unwrap_or(Path::new("")))?;
             disk.write(file, &serde_json::to_vec_pretty(&self.values)?)?;
             self.changed = false;
         }

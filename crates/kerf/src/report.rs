@@ -5,6 +5,7 @@ use kerf_control::event::AskEvent;
 use kerf_control::{Event, Sink};
 use kerf_diag::{Diagnostic, render_text};
 use std::io::{IsTerminal, Write};
+use std::sync::Arc;
 use std::{env, io};
 
 /// Writes diagnostics to the error stream, drawn like a compiler does.
@@ -34,14 +35,24 @@ pub fn colour(stream: &impl IsTerminal) -> bool {
 }
 
 /// Writes what a program says to the operator to standard output.
+///
+/// A comment is shown when the program pauses right after it, as the message of the pause.
 #[derive(Debug, Default)]
-pub struct Talk;
+pub struct Talk {
+    comment: Option<Arc<str>>,
+}
 
 impl Sink for Talk {
     fn event(&mut self, event: &Event) {
+        let comment = self.comment.take();
         match event {
             Event::Print { text, .. } => say(text),
-            Event::Message { text, .. } => say(&format!("· {text}")),
+            Event::Message { text, .. } => self.comment = Some(text.clone()),
+            Event::Wait { seconds, .. } => {
+                if let Some(text) = comment {
+                    say(&format!("· {text} ({})", crate::out::duration(*seconds)));
+                }
+            }
             Event::Ask(ask) => say(&asked(ask)),
             _ => {}
         }

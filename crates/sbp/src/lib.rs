@@ -19,6 +19,7 @@
 mod eval;
 mod expr;
 mod interp;
+mod named_files;
 mod number;
 mod reader;
 pub mod table;
@@ -33,6 +34,7 @@ pub use interp::{
     BeforePreview, Dialect, FileParameters, Interpreter, Options, Session, Status, Step,
     SystemVariable, VERSION, Variables, Watch, system_variables,
 };
+pub use named_files::NamedFile;
 pub use number::format_number;
 pub use reader::read;
 pub use tree::Program;

@@ -23,6 +23,9 @@ pub trait Disk {
     /// Whether a file could be written there; changes nothing.
     fn may_write(&self, path: &Path) -> io::Result<()>;
 
+    /// Makes a folder and those above it.
+    fn make_folder(&mut self, path: &Path) -> io::Result<()>;
+
     /// Puts a whole file in place: afterwards it is there complete, or as it was before.
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 }

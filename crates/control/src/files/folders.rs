@@ -65,8 +65,7 @@ impl Folders {
         name: &str,
         purpose: Purpose,
     ) -> Result<PathBuf, HostError> {
-        let name = clean(name);
-        let places = self.places(disk, folder, &name)?;
+        let places = self.places(disk, folder, &clean(name))?;
         let mut refused = None;
         for (base, rest) in &places {
             let path = walk(disk, base, rest);
@@ -80,8 +79,8 @@ impl Folders {
         }
         Err(match (refused, places.first()) {
             (Some(path), _) => outside(&path.display().to_string()),
-            (None, Some((base, _))) => missing(&name, base, purpose),
-            (None, None) => outside(&name),
+            (None, Some((base, _))) => missing(name.trim(), base, purpose),
+            (None, None) => outside(name.trim()),
         })
     }
 
@@ -138,6 +137,13 @@ fn fits(disk: &dyn Disk, path: &Path, purpose: Purpose) -> bool {
             !disk.is_folder(path) && disk.is_folder(path.parent().unwrap_or(Path::new("")))
         }
     }
+}
+
+/// The name of a custom cut that is written with the folder it has on Windows.
+pub fn custom_name(name: &str) -> Option<String> {
+    let name = clean(name);
+    let inside = strip_folder(after_drive(&name)?, WINDOWS_PARTS)?;
+    strip_folder(inside, CUSTOM).map(str::to_owned)
 }
 
 /// Blanks and quotes around a name are no part of it; `\` is `/`.

@@ -57,6 +57,10 @@ impl Disk for MemoryDisk {
         Ok(())
     }
 
+    fn make_folder(&mut self, _: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         self.files.insert(path.to_owned(), bytes.to_vec());
         Ok(())

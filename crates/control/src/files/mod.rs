@@ -18,7 +18,7 @@ mod scratch;
 mod shipped;
 
 pub use disk::Disk;
-pub use folders::{Folders, Purpose};
+pub use folders::{Folders, Purpose, custom_name};
 pub use memory::MemoryDisk;
 pub use open::OpenFiles;
 pub use real::RealDisk;

@@ -45,6 +45,10 @@ impl Disk for RealDisk {
         beside(path).map(drop)
     }
 
+    fn make_folder(&mut self, path: &Path) -> io::Result<()> {
+        fs::create_dir_all(or_here(path))
+    }
+
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let mut beside = beside(path)?;
         beside.write_all(bytes)?;

@@ -56,6 +56,10 @@ impl<D: Disk> Disk for Scratch<D> {
         Ok(())
     }
 
+    fn make_folder(&mut self, _: &Path) -> io::Result<()> {
+        Ok(())
+    }
+
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         self.bytes += bytes.len();
         if self.bytes > MOST_BYTES {

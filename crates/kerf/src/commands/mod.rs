@@ -1,5 +1,6 @@
 //! The subcommands, one file each.
 
+mod check;
 mod explain;
 mod preview;
 mod run;
@@ -14,6 +15,7 @@ use clap::Subcommand;
 #[derive(Subcommand)]
 pub enum Command {
     Run(run::RunCommand),
+    Check(check::CheckArgs),
     Preview(preview::PreviewArgs),
     Time(time::TimeArgs),
     Trace(trace::TraceArgs),
@@ -24,6 +26,7 @@ pub enum Command {
 pub fn run(command: Command) -> Result<Exit> {
     match command {
         Command::Run(args) => run::run(&args),
+        Command::Check(args) => check::run(&args),
         Command::Preview(args) => preview::run(&args),
         Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),

@@ -59,7 +59,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, false)?;
     let picture = format.map(|_| Picture::new(&args.file));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(&job.program));
-    let mut sink = (Talk, (Diagnostics::default(), (picture, progress)));
+    let mut sink = (Talk::default(), (Diagnostics::default(), (picture, progress)));
     let person = args.run.answers.is_none() && io::stdin().is_terminal();
     let mut operator = Person::new(job.answers, person);
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };

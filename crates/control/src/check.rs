@@ -1,0 +1,162 @@
+//! Checking a part file without a machine: everything that can be said about it and the files it
+//! names, and what a dry run finds.
+
+use crate::answers::Operator;
+use crate::event::Event;
+use crate::session::{Company, RunOptions, Session};
+use crate::shelf::Shelf;
+use crate::sink::Sink;
+use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_program::{FileRequest, HostError, SourceFile};
+use kerf_sbp::{NamedFile, Program};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// What a check found, file by file in the order in which they were read, each in order of lines.
+///
+/// The program and every file it names is read once, also where a run would not come. A program
+/// without errors is then run as a preview; `shelf` has to be one for previews. Branches that are not
+/// taken are not explored.
+pub fn check(
+    session: &Session,
+    program: Program,
+    options: RunOptions,
+    shelf: &mut Shelf,
+    operator: &mut dyn Operator,
+) -> Vec<Diagnostic> {
+    let mut findings = Findings::default();
+    let good = !program.has_errors();
+    findings.follow(&program, shelf);
+    if good {
+        let mut session = session.clone();
+        let company = Company { sink: &mut findings, operator, pace: &mut () };
+        session.run(program, options, shelf, company);
+    }
+    findings.sorted()
+}
+
+/// What was found so far.
+#[derive(Default)]
+struct Findings {
+    list: Vec<Diagnostic>,
+    /// Names of the files that were read, in order.
+    files: Vec<Arc<str>>,
+}
+
+impl Findings {
+    /// Reads a program and everything it names.
+    fn follow(&mut self, program: &Program, shelf: &mut Shelf) {
+        let mut waiting: VecDeque<NamedFile> = self.read(program, shelf).into();
+        while let Some(named) = waiting.pop_front() {
+            let Ok(source) = find(shelf, &named.request) else { continue };
+            if !self.files.contains(&source.name) {
+                let program = kerf_sbp::read(source.name, &source.bytes);
+                waiting.extend(self.read(&program, shelf));
+            }
+        }
+    }
+
+    /// Takes over what is wrong with one file; gives the files it names.
+    fn read(&mut self, program: &Program, shelf: &mut Shelf) -> Vec<NamedFile> {
+        self.files.push(program.name.clone());
+        program.diagnostics.iter().for_each(|d| self.add(d));
+        let named = program.named_files();
+        if !program.changes_folder() {
+            for file in &named {
+                if let Err(HostError::NotFound(message)) = find(shelf, &file.request) {
+                    self.missing(program, file.line, message);
+                }
+            }
+        }
+        named
+    }
+
+    /// A file that is not there is an error only where a run comes to it.
+    fn missing(&mut self, program: &Program, line: u32, message: String) {
+        let place = Place::line(program.name.clone(), line);
+        let diagnostic = Diagnostic::new(Code::FileNotFound, place, message);
+        self.add(&diagnostic.severity(Severity::Warning));
+    }
+
+    /// Adds what is not known yet. The same at the same line but worse takes the place of the milder.
+    fn add(&mut self, new: &Diagnostic) {
+        let same = |d: &&mut Diagnostic| {
+            d.code == new.code && d.place.file == new.place.file && d.place.line == new.place.line
+        };
+        let known = self.list.iter_mut().filter(same);
+        for known in known {
+            if known.message == new.message {
+                if new.severity < known.severity {
+                    *known = new.clone();
+                }
+                return;
+            }
+        }
+        self.list.push(new.clone());
+    }
+
+    fn sorted(mut self) -> Vec<Diagnostic> {
+        let files = self.files;
+        self.list.sort_by_key(|d| {
+            let file = files.iter().position(|f| *f == d.place.file).unwrap_or(files.len());
+            (file, d.place.line, d.place.column)
+        });
+        self.list
+    }
+}
+
+impl Sink for Findings {
+    fn event(&mut self, event: &Event) {
+        if let Event::Diag(diagnostic) = event {
+            self.add(diagnostic);
+        }
+    }
+}
+
+/// The file itself, or the one with `.sbp` added, as FP looks for it.
+fn find(shelf: &mut Shelf, request: &FileRequest) -> Result<SourceFile, HostError> {
+    shelf.source(request).or_else(|error| {
+        let name = format!("{}.sbp", request.name);
+        shelf.source(&FileRequest { name, ..request.clone() }).map_err(|_| error)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::MemoryDisk;
+
+    fn check_text(files: &[(&str, &str)], expected: &[&str]) {
+        let disk = MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes())));
+        let (name, text) = files[0];
+        let program = kerf_sbp::read(name.into(), text.as_bytes());
+        let mut shelf = Shelf::in_memory(disk);
+        let found = check(&Session::default(), program, RunOptions::default(), &mut shelf, &mut ());
+        let found: Vec<String> = found
+            .iter()
+            .map(|d| format!("{}:{} {} {:?}", d.place.file, d.place.line, d.code, d.severity))
+            .collect();
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn files_that_are_named_are_read_once_also_when_not_reached() {
+        let files = [
+            ("a.sbp", "MX,1\nFP,b.sbp\nEND\nFP,c.sbp\nFP,d.sbp"),
+            ("b.sbp", "MX,2\n"),
+            ("c.sbp", "FP,b.sbp\nFP,a.sbp\nM23,1\n"),
+        ];
+        check_text(&files, &["a.sbp:5 F001 Warning", "c.sbp:3 S002 Error"]);
+    }
+
+    #[test]
+    fn a_dry_run_finds_what_reading_cannot() {
+        check_text(&[("a.sbp", "&a=0\nMX,1/&a\n")], &["a.sbp:2 R003 Error"]);
+        check_text(&[("a.sbp", "FP,none.sbp")], &["a.sbp:1 F001 Error"]);
+    }
+
+    #[test]
+    fn a_file_with_errors_is_not_run() {
+        check_text(&[("a.sbp", "&a=0\nM23,1\nMX,1/&a\n")], &["a.sbp:2 S002 Error"]);
+    }
+}

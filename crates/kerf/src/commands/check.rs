@@ -1,0 +1,95 @@
+//! `kerf check`: what is wrong or doubtful in part files.
+
+use crate::args::{Format, RunArgs};
+use crate::exit::{Exit, Usage};
+use crate::report::colour;
+use crate::sources::FileLines;
+use crate::{out, setup};
+use anyhow::Result;
+use clap::Args;
+use kerf_control::{Event, json};
+use kerf_diag::{Code, Diagnostic, Place, Severity, render_text};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Reads and dry-runs part files and tells everything that is wrong or doubtful
+///
+/// Files that a part file names (FP, C#) are checked too. Nothing outside changes. Branches that a run
+/// would not take are read, but not run.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  kerf check box.sbp\n  kerf check *.sbp --format json\n\n\
+    Exit codes: 0 clean or warnings only, 1 errors")]
+pub struct CheckArgs {
+    /// The part files
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Text for people or JSON for programs
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+pub fn run(args: &CheckArgs) -> Result<Exit> {
+    let mut found = Vec::new();
+    for file in &args.files {
+        let mut new = check(file, &args.run)?;
+        new.retain(|d| !found.contains(d));
+        found.extend(new);
+    }
+    out::print(&match args.format {
+        Format::Json => as_json(&found),
+        Format::Text => as_text(&found, args.files.len()),
+    });
+    let failed = found.iter().any(Diagnostic::is_error);
+    Ok(if failed { Exit::Failed } else { Exit::Good })
+}
+
+fn check(file: &Path, args: &RunArgs) -> Result<Vec<Diagnostic>> {
+    let mut job = match setup::job(file, args, true) {
+        Ok(job) => job,
+        Err(error) if error.is::<Usage>() && !file.is_file() => {
+            let place = Place::line(file.display().to_string().into(), 1);
+            return Ok(vec![Diagnostic::new(Code::FileNotFound, place, error.to_string())]);
+        }
+        Err(error) => return Err(error),
+    };
+    Ok(kerf_control::check(
+        &job.session,
+        job.program,
+        job.options,
+        &mut job.shelf,
+        &mut job.answers,
+    ))
+}
+
+fn as_json(found: &[Diagnostic]) -> String {
+    let events: Vec<Event> = found.iter().map(|d| Event::Diag(Box::new(d.clone()))).collect();
+    json::to_string(&events) + "\n"
+}
+
+fn as_text(found: &[Diagnostic], files: usize) -> String {
+    let lines = FileLines::default();
+    let colour = colour(&io::stdout());
+    let drawn = found.iter().map(|d| render_text(d, &lines, colour) + "\n\n");
+    drawn.collect::<String>() + &summary(found, files) + "\n"
+}
+
+/// `2 errors, 1 warning`, or that nothing is wrong.
+fn summary(found: &[Diagnostic], files: usize) -> String {
+    let count = |severity| found.iter().filter(|d| d.severity == severity).count();
+    let words = [
+        (count(Severity::Error), "error"),
+        (count(Severity::Warning), "warning"),
+        (count(Severity::Note), "note"),
+    ];
+    let told: Vec<String> = words
+        .into_iter()
+        .filter(|(n, _)| *n > 0)
+        .map(|(n, word)| format!("{n} {word}{}", if n == 1 { "" } else { "s" }))
+        .collect();
+    if !told.is_empty() {
+        return told.join(", ");
+    }
+    if files == 1 { "nothing wrong".into() } else { format!("nothing wrong in {files} files") }
+}
