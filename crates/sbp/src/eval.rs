@@ -41,13 +41,15 @@ impl Context<'_> {
         self.need_number(expr, &value)
     }
 
-    /// The value of an argument: a variable without a value is a mistake there, not a blank.
+    /// The value of an argument: a variable that was never set is a mistake there; one that was
+    /// given nothing (`&x=`, or an empty system variable) is a blank.
     pub(crate) fn eval_given(&mut self, expr: &Expr) -> Result<Value, Stop> {
-        let value = self.eval(expr)?;
-        if value == Value::Empty && matches!(expr.node, ExprNode::Variable(_)) {
-            self.need_number(expr, &value)?;
+        if let ExprNode::Variable(name) = expr.node
+            && self.variable(name).is_none()
+        {
+            self.need_number(expr, &Value::Empty)?;
         }
-        Ok(value)
+        self.eval(expr)
     }
 
     /// True unless the expression is 0, empty or empty text.

@@ -46,7 +46,7 @@ rows! {
     vi_ranges: "VI,17" => "error 1-16", "VI,0" => "error 1-16", "VI,,,,,Q" => "error one of X, Y, Z, A, B, C", "VI,,,,,,,,,6" => "error one of 2, 3, 4, 5";
 
     sbp_val_vl_err: "VL,10,5" => "error low limit of X is above", "VL,100" => "error above its high limit", "VL,,,,,,,,,,5,-5" => "error limit of B";
-    vl_as_real_files_write_it: "VL,,,,,&low" => "no warning", "&low=-4⏎VL,,,,,&low" => "15=-4; 16=6", "VL,0,96,0,48,-6,6,-6,6,1,-5,5,5" => "19=-5; no warning";
+    vl_as_real_files_write_it: "VL,,,,,&low" => "error &LOW has no value", "&low=-4⏎VL,,,,,&low" => "15=-4; 16=6", "VL,0,96,0,48,-6,6,-6,6,1,-5,5,5" => "19=-5; no warning";
 
     sbp_val_vn_torch: "VN,,,1" => "99=1", "VN,,,2" => "99=0", "VN,,,5" => "99=0", "VN,,,6" => "error one of";
     sbp_val_vn_inmode: "VN,,,,1" => "91=1", "VN,,,,,2" => "92=2", "VN,,,,5" => "error one of 0, 1, 2, 3, 4";
