@@ -30,8 +30,7 @@ book: ## write the generated pages of the user's book
 	$(CARGO) xtask book
 
 run: prepare ## run the first example on the simulated machine and draw its path
-	$(CARGO) run --release --locked --package kerf -- run $(PART)
-	$(CARGO) run --release --locked --package kerf -- preview $(PART) -o $(PART:.sbp=.svg)
+	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
 
 prepare: ## install what building and testing need
 	@.ci/prepare

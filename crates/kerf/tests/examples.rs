@@ -1,0 +1,99 @@
+//! Runs every numbered example as a person would and compares what it did with its `expected.txt`.
+//!
+//! The expectation is short and made to be read: how the run ended, what was cut, what was
+//! switched, shown and asked. Times are left out; the planner's own tests hold them.
+
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+#[test]
+fn examples_do_what_they_say() {
+    let folders = example_folders();
+    assert!(folders.len() >= 7, "{folders:?}");
+    let differing: Vec<String> = folders.iter().filter_map(|folder| difference(folder)).collect();
+    assert!(differing.is_empty(), "\n{}", differing.join("\n"));
+}
+
+#[test]
+fn examples_are_free_of_warnings() {
+    for folder in example_folders() {
+        let told: Vec<Value> = trace(&folder).into_iter().filter(|e| e["e"] == "diag").collect();
+        assert!(told.is_empty(), "{}: {told:?}", folder.display());
+    }
+}
+
+fn example_folders() -> Vec<PathBuf> {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let entries = std::fs::read_dir(examples).expect("the folder of examples");
+    let mut folders: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    folders.retain(|path| path.is_dir());
+    folders.sort();
+    folders
+}
+
+/// What an example did, when that is not what was expected.
+fn difference(folder: &Path) -> Option<String> {
+    let expected = std::fs::read_to_string(folder.join("expected.txt")).unwrap_or_default();
+    let did = summary(&trace(folder));
+    let name = folder.display();
+    (did != expected).then(|| format!("{name}: expected\n{expected}--- did\n{did}"))
+}
+
+/// The trace of an example: the part file named after the folder, with the options of
+/// `options.txt` if there are any.
+fn trace(folder: &Path) -> Vec<Value> {
+    let name = folder.file_name().unwrap().to_string_lossy();
+    let (_, name) = name.split_once('-').expect("NN-name");
+    let options = std::fs::read_to_string(folder.join("options.txt")).unwrap_or_default();
+    let data = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_kerf"))
+        .current_dir(folder)
+        .env("KERF_DATA", data.path())
+        .arg("trace")
+        .arg(format!("{name}.sbp"))
+        .args(options.split_whitespace())
+        .output()
+        .expect("kerf runs");
+    let text = String::from_utf8(output.stdout).expect("text");
+    text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+fn summary(events: &[Value]) -> String {
+    let end = events.last().expect("an end");
+    let mut text = format!("ended {}\n", end["status"].as_str().unwrap());
+    let _ = writeln!(text, "cut {}, arcs {}", number(&end["cut"]), end["arcs"]);
+    let range = |axis: &str| {
+        let corner = |which: &str| number(&end["bounds"][which][axis]);
+        format!("{} {} to {}", axis.to_uppercase(), corner("min"), corner("max"))
+    };
+    let _ = writeln!(text, "{}, {}, {}", range("x"), range("y"), range("z"));
+    for line in events.iter().filter_map(told) {
+        let _ = writeln!(text, "{line}");
+    }
+    text
+}
+
+/// What of an event a person at the machine would notice.
+fn told(event: &Value) -> Option<String> {
+    let text = event["text"].as_str().unwrap_or_default();
+    match event["e"].as_str()? {
+        "print" => Some(format!("print {text}")),
+        "ask" => Some(format!("ask {text} -> {}", event["answer"].as_str()?)),
+        "output" if event["why"] == "program" => {
+            let state = if event["on"] == true { "on" } else { "off" };
+            Some(format!("output {} {state}", event["n"]))
+        }
+        "stop" => Some(format!("stopped by {} {}", event["by"].as_str()?, event["n"])),
+        _ => None,
+    }
+}
+
+/// To a thousandth, without trailing zeros.
+fn number(value: &Value) -> String {
+    let rounded = (value.as_f64().unwrap_or(f64::NAN) * 1e3).round() / 1e3;
+    (rounded + 0.0).to_string()
+}
