@@ -18,6 +18,7 @@
 
 mod eval;
 mod expr;
+mod format;
 mod interp;
 mod named_files;
 mod number;
@@ -30,6 +31,7 @@ mod value;
 mod walk;
 
 pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
+pub use format::format;
 pub use interp::{
     BeforePreview, Dialect, FileParameters, Interpreter, Options, Session, Status, Step,
     SystemVariable, VERSION, Variables, Watch, system_variables,

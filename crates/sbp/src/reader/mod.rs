@@ -23,12 +23,14 @@ mod line;
 mod moves;
 mod output;
 #[cfg(test)]
-mod properties;
+pub(crate) mod properties;
 #[cfg(test)]
 pub(crate) mod shown;
 mod statements;
 mod suggest;
 mod text;
+
+pub(crate) use text::{code_end, is_blank};
 
 use crate::Program;
 use kerf_diag::{Code, Diagnostic, Place};

@@ -107,12 +107,12 @@ const PIECES: &[&str] = &[
     "\u{1a}",
 ];
 
-fn lines() -> impl Strategy<Value = String> {
+pub(crate) fn lines() -> impl Strategy<Value = String> {
     prop::collection::vec(prop::sample::select(PIECES), 0..40).prop_map(|pieces| pieces.concat())
 }
 
 /// Lines that begin like a statement, so that the rest of the pieces meets its reader.
-fn statements() -> impl Strategy<Value = String> {
+pub(crate) fn statements() -> impl Strategy<Value = String> {
     (prop::sample::select(PIECES), lines()).prop_map(|(first, rest)| format!("{first} {rest}"))
 }
 

@@ -35,7 +35,7 @@ fn windows_1252(byte: u8) -> char {
 }
 
 /// True for what separates words: blanks, tabs and the control characters old editors left behind.
-pub(super) const fn is_blank(byte: u8) -> bool {
+pub(crate) const fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0x0B | 0x0C | 0x1A)
 }
 
@@ -57,7 +57,7 @@ pub(super) fn after_line_end(bytes: &[u8], end: usize) -> usize {
 /// Where the code of a line ends: before its comment, trailing blanks left out.
 ///
 /// An apostrophe between quotes is text.
-pub(super) fn code_end(line: &[u8]) -> usize {
+pub(crate) fn code_end(line: &[u8]) -> usize {
     let mut from = 0;
     let mut end = line.len();
     while let Some(at) = memchr::memchr2(b'\'', b'"', &line[from..]) {
