@@ -17,7 +17,7 @@ mod statement;
 mod tests;
 
 use crate::read;
-use crate::reader::code_end;
+use crate::reader::{blank, code_end};
 use crate::tree::{Node, Program};
 
 /// Formats a part file.
@@ -108,10 +108,6 @@ fn push_fields<'a>(fields: impl Iterator<Item = &'a str>, out: &mut String) {
         }
     }
     out.truncate(full);
-}
-
-fn blank(c: char) -> bool {
-    u8::try_from(c).is_ok_and(crate::reader::is_blank)
 }
 
 fn trim_end(text: &str) -> &str {

@@ -1,6 +1,7 @@
 //! Statements, tidy.
 
-use super::{blank, push_fields, trim_end};
+use super::{push_fields, trim_end};
+use crate::reader::blank;
 use crate::tree::{Span, Statement};
 
 /// The code of a statement within its line.
@@ -90,7 +91,11 @@ impl<'a> Code<'a> {
     }
 
     fn push_assignment(self, out: &mut String) {
-        let text = self.text();
+        let mut text = self.text();
+        if !text.starts_with(['&', '$']) {
+            out.push_str("VV,");
+            text = text.trim_start_matches(|c: char| c != '&' && c != '$');
+        }
         let equals = text.find('=').unwrap_or(text.len());
         let (name, op) = match text[..equals].strip_suffix(':') {
             Some(name) => (name, ":="),

@@ -48,6 +48,7 @@ fn statements() {
     check("&a=5", "&a = 5");
     check("  $Name:=\"x  y\"  'c", "  $Name := \"x  y\"  'c");
     check("&a  =", "&a =");
+    check("vv &a=5", "VV,&a = 5");
     check("&a =\"a = b\"", "&a = \"a = b\"");
     check("if(&a=1)then   m2 , 5", "IF (&a=1) THEN M2,,5");
     check("if(&a=1)then   mx  5", "IF (&a=1) THEN MX,5");
@@ -93,11 +94,11 @@ fn layout() {
 
 mod properties {
     use super::keeps_meaning;
-    use crate::reader::properties::{lines, statements};
+    use crate::reader::properties::{config, lines, statements};
     use proptest::prelude::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig { cases: 3000, failure_persistence: None, ..ProptestConfig::default() })]
+        #![proptest_config(config(1000))]
 
         #[test]
         fn any_program_keeps_its_meaning(

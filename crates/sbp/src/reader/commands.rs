@@ -94,9 +94,8 @@ impl Line<'_, '_> {
                 Kind::Number(_) | Kind::NumberOrOff(_) | Kind::Whole | Kind::OneOf(_) => {
                     ArgKind::Expr(self.whole_expression(span)?)
                 }
-                Kind::Text => self.text_argument(span),
-                Kind::File => self.computed_argument(span)?,
-                Kind::Word(_) | Kind::AxisLetter | Kind::Obsolete => {
+                Kind::Text => self.text_argument(span)?,
+                Kind::File | Kind::Word(_) | Kind::AxisLetter | Kind::Obsolete => {
                     self.computed_argument(span)?
                 }
             }
@@ -119,15 +118,21 @@ impl Line<'_, '_> {
     }
 
     /// Text is computed where all of it can be, and taken as written otherwise.
-    fn text_argument(&mut self, span: Span) -> ArgKind {
+    fn text_argument(&mut self, span: Span) -> Read<ArgKind> {
         let mark = self.mark();
-        match self.whole_expression(span) {
-            Ok(expr) if !expr.has_words() => ArgKind::Expr(expr),
-            _ => {
-                self.forget(mark);
-                ArgKind::Word(self.slice(span.start as usize, span.end as usize).into())
+        let computed = self.whole_expression(span);
+        let text = self.slice(span.start as usize, span.end as usize);
+        match computed {
+            Ok(expr) if !expr.has_words() => return Ok(ArgKind::Expr(expr)),
+            // A number and then a command: a comma or a line end was forgotten.
+            Err(failed) if self.second_command && !text.starts_with(char::is_alphabetic) => {
+                return Err(failed);
             }
+            _ => {}
         }
+        self.forget(mark);
+        self.second_command = false;
+        Ok(ArgKind::Word(text.into()))
     }
 
     /// A field behind the last parameter may only be blank.
@@ -162,8 +167,7 @@ impl Line<'_, '_> {
     /// Whether the code at the cursor begins with a command and its separator.
     pub(super) fn is_command(&self, at: usize) -> bool {
         let end = self.word_end(at);
-        let separated = matches!(self.byte(end), 0 | b',' | b' ' | b'\t');
-        separated && self.file.commands.find(self.slice(at, end)).is_some()
+        self.separated(end) && self.file.commands.find(self.slice(at, end)).is_some()
     }
 
     /// Behind a value: nothing may follow. Says what is wrong when something does.
@@ -182,7 +186,7 @@ impl Line<'_, '_> {
         let shown: String = found.chars().take(20).collect();
         let hint = match found.as_bytes().first() {
             Some(b'0'..=b'9' | b'.' | b'&' | b'%' | b'-') => "values are separated by commas",
-            Some(b'[' | b'!') => "arrays and objects belong to another dialect",
+            Some(b'!') => "not equal is written <>",
             _ => "",
         };
         Err(self.fault(Code::Syntax, span, format!("'{shown}' does not belong here"), hint))
@@ -231,8 +235,16 @@ mod tests {
     }
 
     #[test]
+    fn vv_is_an_assignment() {
+        check("VV,&a=5+1", "&A = (5 + 1)");
+        check("vv $a := x", "$A := 'x'");
+        finds("VV", &["S010 1:1+2 assignment expected"]);
+    }
+
+    #[test]
     fn one_command_a_line() {
         finds("MX,1 MY,2", &["S013 1:6+2 a second command"]);
+        finds("MD,10,90 MX,1", &["S013 1:10+2 a second command"]);
         finds("M2,&a,1 GOTO X", &["S013 1:9+6 a second command"]);
         finds("M2 3 4", &["S004 1:6+1 '4' does not belong here [values are separated by commas]"]);
     }

@@ -2,10 +2,10 @@
 
 use super::commands::CommandIndex;
 use super::line::{Failed, Line, Read};
-use super::text::{after_line_end, is_blank, line_end};
+use super::text::{after_line_end, blank, is_blank, line_end};
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, moves};
 use crate::tree::{Label, LineNode, NameId, Node, Program, Span, Statement};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -22,6 +22,8 @@ pub(super) struct File {
     name_ids: HashMap<Arc<str>, u32>,
     pub(super) diagnostics: Vec<Diagnostic>,
     pub(super) commands: CommandIndex,
+    /// The line of an unconditional END with no label behind it.
+    pub(super) last_end: Option<u32>,
     /// Diagnostics that were told but not kept.
     pub(super) untold: usize,
 }
@@ -39,6 +41,7 @@ impl File {
             name_ids: HashMap::new(),
             diagnostics: Vec::new(),
             commands: CommandIndex::new(),
+            last_end: None,
             untold: 0,
         }
     }
@@ -117,6 +120,15 @@ impl File {
         NameId(id)
     }
 
+    /// What stands behind the last END is never reached, so it is no reason not to run.
+    fn soften_unreachable(&mut self) {
+        let Some(end) = self.last_end else { return };
+        for diagnostic in self.diagnostics.iter_mut().filter(|d| d.place.line > end) {
+            diagnostic.severity = Severity::Warning;
+            diagnostic.hint = format!("never reached: it stands behind line {end}");
+        }
+    }
+
     /// Everything together; jumps find their labels.
     pub(super) fn finish(mut self, text: Arc<str>) -> Program {
         if self.untold > 0 {
@@ -125,6 +137,7 @@ impl File {
             let place = Place::line(self.name.clone(), line);
             self.diagnostics.push(Diagnostic::new(Code::Syntax, place, message));
         }
+        self.soften_unreachable();
         for statement in &mut self.statements {
             link(statement, &self.label_lines);
         }
@@ -164,6 +177,9 @@ impl Line<'_, '_> {
             return Ok(node);
         }
         let statement = self.statement(false)?;
+        if matches!(statement, Statement::End | Statement::EndAll | Statement::ExitShopbot) {
+            self.file.last_end.get_or_insert(self.number);
+        }
         let index = self.file.statements.len() as u32;
         self.file.statements.push(statement);
         Ok(Node::Statement(index))
@@ -180,12 +196,12 @@ impl Line<'_, '_> {
             return Ok(None);
         }
         let start = self.at;
-        let written = self.slice(start, self.end - 1).trim();
+        let written = self.slice(start, self.end - 1).trim_matches(blank);
         let span = Span { start: start as u32, end: self.end as u32 };
         if written.is_empty() {
             return Err(self.fault(Code::Syntax, span, "a label needs a name", ""));
         }
-        if !is_label(written) || (written.contains(char::is_whitespace) && self.is_statement()) {
+        if !is_label(written) || (written.contains(blank) && self.is_statement()) {
             return Ok(None);
         }
         let name = label_name(written);
@@ -196,6 +212,7 @@ impl Line<'_, '_> {
             let hint = format!("jumps go to line {first}");
             self.warn(Code::RepeatedLabel, span, message, hint);
         }
+        self.file.last_end = None;
         self.file.labels.push(Label { name, line });
         Ok(Some(Node::Label(self.file.labels.len() as u32 - 1)))
     }
@@ -211,7 +228,7 @@ pub(super) fn is_label(text: &str) -> bool {
 /// A label's name as it is kept: capitals, single blanks.
 pub(super) fn label_name(written: &str) -> Arc<str> {
     let mut name = String::with_capacity(written.len());
-    for word in written.split_whitespace() {
+    for word in written.split(blank).filter(|word| !word.is_empty()) {
         if !name.is_empty() {
             name.push(' ');
         }
@@ -284,6 +301,22 @@ mod tests {
         assert_eq!(program.diagnostics.len(), super::MOST_DIAGNOSTICS + 1);
         let last = program.diagnostics.last().map(super::super::shown::finding);
         assert_eq!(last.as_deref(), Some("S004 50000:1+0 40000 more findings are not listed"));
+    }
+
+    #[test]
+    fn mistakes_behind_the_last_end_are_warnings() {
+        let reads = |text: &str| {
+            let text = text.replace('⏎', "\n");
+            !crate::read("t".into(), text.as_bytes()).has_errors()
+        };
+        assert!(reads("MX,1⏎END⏎____"));
+        finds(
+            "MX,1⏎END⏎____",
+            &["S003 3:1+4 unknown statement ____ [never reached: it stands behind line 2]"],
+        );
+        assert!(!reads("MX,1⏎END⏎A:⏎____"));
+        assert!(!reads("MX,1⏎IF &a THEN END⏎____"));
+        assert!(!reads("____⏎END"));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::file::{is_label, label_name};
 use super::line::{Line, Read};
 use super::suggest::did_you_mean;
+use super::text::blank;
 use crate::expr::{Expr, ExprNode};
 use crate::tree::{Span, Statement, Target};
 use kerf_diag::Code;
@@ -64,9 +65,9 @@ impl Line<'_, '_> {
         let mut written = self.rest();
         if let Some(name) = written.strip_suffix(':') {
             let message = format!("a label is written without a colon after {keyword}");
-            let hint = format!("write {keyword} {}", name.trim_end());
+            let hint = format!("write {keyword} {}", name.trim_end_matches(blank));
             self.warn(Code::DoubtfulSpelling, span, message, hint);
-            written = name.trim_end();
+            written = name.trim_end_matches(blank);
             span.end = span.start + written.len() as u32;
         }
         self.at = self.end;
@@ -75,7 +76,7 @@ impl Line<'_, '_> {
             let whole = Span { start: start as u32, end: self.end as u32 };
             return Err(self.fault(Code::Syntax, whole, message, "name a label of this file"));
         }
-        if written.split_whitespace().any(|w| w.eq_ignore_ascii_case("ELSE")) {
+        if written.split(blank).any(|w| w.eq_ignore_ascii_case("ELSE")) {
             let hint = "there is no ELSE; use a second IF";
             return Err(self.fault(Code::UnknownStatement, span, "unknown statement ELSE", hint));
         }
@@ -143,6 +144,11 @@ impl Line<'_, '_> {
             return Err(self.fault(Code::Syntax, seconds.span, message, hint));
         }
         self.trailing_commas();
+        self.skip_blanks();
+        if !self.at_end() && !self.is_statement() {
+            let pause = Statement::Pause { seconds: Some(seconds) };
+            return Ok(self.ended(pause));
+        }
         self.expect_end()?;
         Ok(Statement::Pause { seconds: Some(seconds) })
     }
@@ -276,7 +282,9 @@ mod tests {
             ],
         );
         finds("PAUSE UNTIL 5", &["S010 1:1+13 the state is missing"]);
-        finds("PAUSE 1 2", &["S004 1:9+1 '2' does not belong here"]);
+        finds("PAUSE 1 MX,1", &["S013 1:9+4 a second command"]);
+        finds("PAUSE .25   ??needed", &["W013 1:13+8"]);
+        finds("PAUSE 1 2", &["W013 1:9+1 the rest of the line is ignored"]);
     }
 
     #[test]

@@ -120,6 +120,11 @@ impl<'f, 't> Line<'f, 't> {
         at
     }
 
+    /// Whether a word ends at a place as a command does: with a comma, a blank or the code.
+    pub(super) fn separated(&self, at: usize) -> bool {
+        at >= self.end || self.byte(at) == b',' || is_blank(self.byte(at))
+    }
+
     /// Takes a word if it stands here, in any case.
     pub(super) fn take_word(&mut self, word: &str) -> bool {
         self.skip_blanks();

@@ -30,7 +30,7 @@ mod statements;
 mod suggest;
 mod text;
 
-pub(crate) use text::{code_end, is_blank};
+pub(crate) use text::{blank, code_end};
 
 use crate::Program;
 use kerf_diag::{Code, Diagnostic, Place};

@@ -68,7 +68,7 @@ impl Scan<'_> {
     /// The values behind the command: bit i of the result says that value i is given.
     fn values(&mut self, count: u8, numbers: &mut Vec<f64>) -> Option<u8> {
         match self.peek() {
-            b',' | b' ' | b'\t' => self.at += 1,
+            separator if separator == b',' || is_blank(separator) => self.at += 1,
             b'\n' | b'\r' | b'\'' => return Some(0),
             _ => return None,
         }

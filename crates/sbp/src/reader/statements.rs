@@ -3,6 +3,7 @@
 use super::file::is_label;
 use super::line::{Failed, Line, Read, is_name};
 use super::suggest::did_you_mean;
+use super::text::blank;
 use crate::table;
 use crate::tree::{Span, Statement};
 use kerf_diag::Code;
@@ -86,7 +87,7 @@ impl Line<'_, '_> {
         }
         let end = self.word_end(start);
         let word = self.slice(start, end);
-        let separated = matches!(self.byte(end), 0 | b',' | b' ' | b'\t' | 0x0B | 0x0C);
+        let separated = self.separated(end);
         if word.len() == 2
             && separated
             && let Some(spec) = self.file.commands.find(word)
@@ -171,7 +172,7 @@ impl Line<'_, '_> {
         let rest = &word[1..];
         let listed = rest.eq_ignore_ascii_case("N") || (rest.is_empty() && self.byte(end) == b'#');
         let plain = !rest.is_empty() && rest.len() <= 5 && rest.bytes().all(|b| b.is_ascii_digit());
-        if !listed && !(plain && matches!(self.byte(end), 0 | b',' | b' ' | b'\t')) {
+        if !listed && !(plain && self.separated(end)) {
             return Ok(None);
         }
         // `C1 X2` is G-code: an axis word and another one.
@@ -179,10 +180,12 @@ impl Line<'_, '_> {
             return Ok(None);
         }
         self.at = if plain { start + 1 } else { end + usize::from(rest.is_empty()) };
-        if listed {
+        let number = if plain {
+            self.single_value()?
+        } else {
             self.take(b',');
-        }
-        let number = self.expression()?;
+            self.expression()?
+        };
         self.trailing_commas();
         self.expect_end()?;
         Ok(Some(Statement::Custom { number, span: self.span_from(start) }))
@@ -239,7 +242,7 @@ impl Line<'_, '_> {
     /// `Start: MX,1`: a label does not share its line.
     fn label_with_text(&mut self, start: usize) -> Option<Failed> {
         let colon = self.until(start, b':');
-        let written = self.slice(start, colon).trim_end();
+        let written = self.slice(start, colon).trim_end_matches(blank);
         if colon >= self.end || !is_label(written) || written.contains([' ', '\t']) {
             return None;
         }
@@ -322,6 +325,7 @@ mod tests {
             check(text, "custom 90");
         }
         check("CN,&n+1", "custom (&N + 1)");
+        finds("C9 &x", &["S004 1:4+2 '&x' does not belong here"]);
         finds("C3,1", &["S004 1:3+2 ',1' does not belong here"]);
     }
 

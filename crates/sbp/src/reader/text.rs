@@ -39,6 +39,11 @@ pub(crate) const fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0x0B | 0x0C | 0x1A)
 }
 
+/// The same for a character.
+pub(crate) fn blank(c: char) -> bool {
+    u8::try_from(c).is_ok_and(is_blank)
+}
+
 /// Where the line that begins at `start` ends, and where the next one begins.
 pub(super) fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
     let Some(length) = memchr::memchr2(b'\n', b'\r', &bytes[start..]) else {
