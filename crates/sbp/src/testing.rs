@@ -34,9 +34,19 @@ pub(crate) struct FakeHost {
     pub(crate) machine: [f64; 6],
     /// Where hand controls or an axis moving by itself take the machine.
     pub(crate) strays_to: Option<[f64; 6]>,
+    /// The machine is moving: `settle` is not ready.
+    pub(crate) moving: bool,
+    /// Whatever may wait waits once; `hesitated` says that it did.
+    pub(crate) hesitant: bool,
+    pub(crate) hesitated: bool,
 }
 
 impl FakeHost {
+    /// True the first time when it is a host that hesitates.
+    fn hesitates(&mut self) -> bool {
+        self.hesitant && !std::mem::replace(&mut self.hesitated, true)
+    }
+
     /// Does what a real machine does with a command.
     fn carry_out(&mut self, command: &Command) {
         match command {
@@ -55,6 +65,9 @@ fn key(name: &str) -> String {
 
 impl Host for FakeHost {
     fn settle(&mut self) -> Poll<()> {
+        if self.moving || self.hesitates() {
+            return Poll::Pending;
+        }
         if self.busy > 0 {
             self.busy -= 1;
             return Poll::Pending;
@@ -68,6 +81,9 @@ impl Host for FakeHost {
         self.outputs[usize::from(number)]
     }
     fn ask(&mut self, question: &Question) -> Poll<Answer> {
+        if self.hesitates() {
+            return Poll::Pending;
+        }
         self.asked.push(question.clone());
         if self.answers.is_empty() {
             let button = question.buttons.get(question.default).copied();
@@ -125,6 +141,9 @@ impl Host for FakeHost {
         }
     }
     fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {
+        if self.hesitates() {
+            return Poll::Pending;
+        }
         self.shells.push(call.clone());
         Poll::Ready(Ok(()))
     }

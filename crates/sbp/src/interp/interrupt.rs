@@ -22,7 +22,6 @@ pub(super) fn arrive(core: &mut Core, watch: &Watch, position: Axes) {
     }
     core.position = position;
     core.settled = true;
-    core.pausing = false;
     // Moves that were still in the tab filter lie behind the interruption and are dropped.
     if let Some(tabs) = core.tabs.as_mut() {
         tabs.drop_buffered();

@@ -52,16 +52,13 @@ fn execute(
     program: &Arc<Program>,
     line: Node,
 ) -> Step {
-    let random = core.random;
-    let given = out.len();
+    let before = Before::of(core, out);
     go_on_at(core, at.line);
     let mut context = Context { core, host, out, at, span: whole_line(program, at.line) };
     let outcome = node(&mut context, program, line);
     if matches!(outcome, Err(Stop::Waiting)) {
-        core.random = random;
         go_on_at(core, at.line - 1);
-        keep_motion(out, given);
-        return Step::Waiting;
+        return before.wait(core, out);
     }
     core.lines += 1;
     lifecycle::after(core, host, out, outcome)
@@ -74,11 +71,27 @@ fn go_on_at(core: &mut Core, index: u32) {
     }
 }
 
-/// A step that waits has no effect: what it told is told again when it is repeated. Only moves
-/// that the tab filter let go, which belong to earlier lines, stay given.
-fn keep_motion(out: &mut Vec<Sourced>, given: usize) {
-    let told = out.split_off(given);
-    out.extend(told.into_iter().filter(|c| c.command.is_motion()));
+/// What a step that has to wait gives back.
+struct Before {
+    random: u64,
+    settled: bool,
+    given: usize,
+}
+
+impl Before {
+    fn of(core: &Core, out: &[Sourced]) -> Self {
+        Self { random: core.random, settled: core.settled, given: out.len() }
+    }
+
+    /// A step that waits has no effect: what it told is told again when it is repeated. Only moves
+    /// that the tab filter let go, which belong to earlier lines, stay given.
+    fn wait(self, core: &mut Core, out: &mut Vec<Sourced>) -> Step {
+        let told = out.split_off(self.given);
+        out.extend(told.into_iter().filter(|c| c.command.is_motion()));
+        core.random = self.random;
+        core.settled = self.settled && out.len() == self.given;
+        Step::Waiting
+    }
 }
 
 /// Takes over where axes are that moved by themselves. False while the machine is not at rest.
@@ -230,14 +243,11 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
 fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, fired: &Handler) -> Step {
     let at = fired.at;
     let program = core.programs.get(at.file as usize).cloned().unwrap_or_default();
-    let random = core.random;
-    let given = out.len();
+    let before = Before::of(core, out);
     let mut context = Context { core, host, out, at, span: whole_line(&program, at.line) };
     let outcome = context.handler_action(&program, fired.level);
     if matches!(outcome, Err(Stop::Waiting)) {
-        core.random = random;
-        keep_motion(out, given);
-        return Step::Waiting;
+        return before.wait(core, out);
     }
     core.fired.remove(0);
     lifecycle::after(core, host, out, outcome)

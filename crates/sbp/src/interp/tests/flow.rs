@@ -125,8 +125,23 @@ fn sbp_flow_if_ops() {
 
 #[test]
 fn sbp_flow_if_neq() {
+    run("&u=1 ⏎ IF &u <> %(25) THEN MX,1").ends_at(1.0, 0.0, 0.0);
     run("&u=1 ⏎ IF &u <> 0 THEN MX,1 ⏎ IF &u <> 1 THEN MY,1").ends_at(1.0, 0.0, 0.0);
     run("&u=1 ⏎ IF &u <= 1 THEN MX,1 ⏎ IF &u >= 2 THEN MY,1").ends_at(1.0, 0.0, 0.0);
+}
+
+#[test]
+fn sbp_flow_if_arrow() {
+    // Files out there use it, so it is accepted with a warning that shows the usual spelling.
+    for (condition, x) in
+        [("&a => &b", 1.0), ("&b => &a", 0.0), ("&b =< &a", 1.0), ("&a =< &b", 0.0)]
+    {
+        let text = format!("&a=2 ⏎ &b=1 ⏎ IF {condition} THEN MX,1");
+        run(&text).ended(Status::Ok).ends_at(x, 0.0, 0.0);
+    }
+    let program = crate::read("t".into(), b"IF &a => &b THEN MX,1");
+    assert_eq!(program.diagnostics.len(), 1);
+    assert!(!program.has_errors() && program.diagnostics[0].hint.contains(">="));
 }
 
 #[test]

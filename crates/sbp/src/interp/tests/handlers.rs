@@ -1,193 +1,8 @@
 //! ON INPUT with a machine that moves later than the program is read.
 
-use super::host_with;
-use crate::interp::Watch;
-use crate::testing::FakeHost;
+use super::rig::{Rig, place, rig, watch};
 use crate::{Interpreter, Options, Session, Status, Step, Value, read};
-use kerf_program::{
-    Answer, Axes, Command, FileMode, FileRequest, Host, HostError, Question, ShellCall, SourceFile,
-    Sourced,
-};
-use std::task::Poll;
-
-/// A host whose machine is still moving as long as it is told so.
-#[derive(Debug, Default)]
-pub(super) struct Machine {
-    pub(super) inner: FakeHost,
-    pub(super) moving: bool,
-}
-
-impl Host for Machine {
-    fn settle(&mut self) -> Poll<()> {
-        if self.moving { Poll::Pending } else { Poll::Ready(()) }
-    }
-    fn input(&mut self, number: u8) -> bool {
-        self.inner.input(number)
-    }
-    fn output(&mut self, number: u8) -> bool {
-        self.inner.output(number)
-    }
-    fn ask(&mut self, question: &Question) -> Poll<Answer> {
-        self.inner.ask(question)
-    }
-    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        self.inner.source(request)
-    }
-    fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError> {
-        self.inner.set_part_folder(folder)
-    }
-    fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
-        self.inner.open(number, path, mode)
-    }
-    fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
-        self.inner.write(number, text)
-    }
-    fn read_line(&mut self, number: u8) -> Result<String, HostError> {
-        self.inner.read_line(number)
-    }
-    fn close(&mut self, number: u8) -> Result<(), HostError> {
-        self.inner.close(number)
-    }
-    fn stored(&mut self, key: &str) -> Option<String> {
-        self.inner.stored(key)
-    }
-    fn store(&mut self, key: &str, value: Option<&str>) {
-        self.inner.store(key, value);
-    }
-    fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {
-        self.inner.shell(call)
-    }
-    fn machine_position(&mut self) -> [f64; 6] {
-        self.inner.machine_position()
-    }
-    fn user_path(&mut self) -> String {
-        self.inner.user_path()
-    }
-    fn app_path(&mut self) -> String {
-        self.inner.app_path()
-    }
-    fn firmware(&mut self) -> i32 {
-        self.inner.firmware()
-    }
-}
-
-/// A program and the machine that carries it out.
-pub(super) struct Rig {
-    pub(super) interpreter: Interpreter,
-    pub(super) host: Machine,
-    /// What was given and is not dropped.
-    pub(super) out: Vec<Sourced>,
-    pub(super) done: Option<Status>,
-    error: String,
-}
-
-impl Rig {
-    pub(super) fn new(text: &str, files: &[(&str, &str)]) -> Self {
-        let text = text.split('⏎').map(str::trim).collect::<Vec<_>>().join("\n");
-        let program = read("test.sbp".into(), text.as_bytes());
-        assert!(!program.has_errors(), "{:?}", program.diagnostics);
-        let options = Options { max_lines: 400, ..Options::default() };
-        Self {
-            interpreter: Interpreter::new(program, Session::default(), options),
-            host: Machine { inner: host_with(files), moving: false },
-            out: Vec::new(),
-            done: None,
-            error: String::new(),
-        }
-    }
-
-    /// One step. The machine moves from the first motion command on.
-    pub(super) fn step(&mut self) -> Step {
-        let before = self.out.len();
-        let step = self.interpreter.step(&mut self.host, &mut self.out);
-        self.host.moving |= self.out[before..].iter().any(|c| c.command.is_motion());
-        if let Step::Done(status, error) = &step {
-            self.done = Some(*status);
-            self.error = error.as_ref().map_or(String::new(), |e| e.message.clone());
-        }
-        step
-    }
-
-    /// Reads as far as the language allows while the machine does not come on.
-    pub(super) fn read_ahead(&mut self) -> &mut Self {
-        while self.done.is_none() && self.step() == Step::Ran {}
-        self
-    }
-
-    /// The machine carries out everything given.
-    pub(super) fn come_to_rest(&mut self) -> &mut Self {
-        self.host.moving = false;
-        self
-    }
-
-    /// An input changes while a motion is under way; the machine stops at a place (inches).
-    pub(super) fn fires(
-        &mut self,
-        input: u8,
-        condition: u8,
-        motion: u64,
-        at: [f64; 3],
-    ) -> &mut Self {
-        let watch = watch(input, condition);
-        assert!(self.interpreter.watches().any(|w| *w == watch), "{watch:?} is not armed");
-        let mut count = 0;
-        self.out.retain(|c| {
-            count += u64::from(c.command.is_motion());
-            count <= motion
-        });
-        self.host.moving = false;
-        self.interpreter.interrupt(&watch, Some(motion), place(at));
-        self
-    }
-
-    /// Runs to the end without further events.
-    pub(super) fn finish(&mut self) -> &mut Self {
-        for _ in 0..10_000 {
-            self.read_ahead().come_to_rest();
-            if self.done.is_some() {
-                return self;
-            }
-        }
-        panic!("the run does not end");
-    }
-
-    #[track_caller]
-    fn at(&self, x: f64, y: f64, z: f64) -> &Self {
-        assert_eq!(self.interpreter.position(), place([x, y, z]), "{}", self.error);
-        self
-    }
-
-    #[track_caller]
-    fn variable(&self, name: &str, expected: &str) -> &Self {
-        let value = self.interpreter.variables().get(name).map_or("(none)".into(), Value::display);
-        assert_eq!(value, expected, "&{name}");
-        self
-    }
-
-    fn printed(&self) -> String {
-        let texts = self.out.iter().filter_map(|c| match &c.command {
-            Command::Print { text, .. } => Some(text.to_string()),
-            _ => None,
-        });
-        texts.collect::<Vec<_>>().join("|")
-    }
-
-    fn motion_count(&self) -> usize {
-        self.out.iter().filter(|c| c.command.is_motion()).count()
-    }
-}
-
-fn place(inches: [f64; 3]) -> Axes {
-    Axes::xyz(inches[0] * 25.4, inches[1] * 25.4, inches[2] * 25.4)
-}
-
-fn watch(input: u8, condition: u8) -> Watch {
-    Watch { input, on: condition % 2 == 1, ramped: condition >= 2 }
-}
-
-fn rig(text: &str) -> Rig {
-    Rig::new(text, &[])
-}
+use kerf_program::Axes;
 
 #[test]
 fn sbp_flow_oninput_on() {
@@ -247,9 +62,11 @@ fn nothing_behind_the_interrupted_move_has_happened() {
 
 #[test]
 fn sbp_flow_oninput_action() {
-    let mut location = rig("ON INPUT(2,1) ZX ⏎ MX,10 ⏎ PRINT %(1)");
+    let mut location = rig("ON INPUT(2,1) VA, 0.0 ⏎ MX,10 ⏎ PRINT %(1)");
     location.read_ahead().fires(2, 1, 1, [4.2, 0.0, 0.0]).finish();
     assert_eq!(location.printed(), "0");
+    let base = location.interpreter.frame().base(location.interpreter.position());
+    assert_eq!(base, place([4.2, 0.0, 0.0]), "the table base stays");
     let mut sub = rig("ON INPUT(2,1) GOSUB S ⏎ MX,10 ⏎ MY,1 ⏎ END ⏎ S: ⏎ MZ,1 ⏎ RETURN");
     sub.read_ahead().fires(2, 1, 1, [4.0, 0.0, 0.0]).finish().at(4.0, 1.0, 1.0);
     let mut command = rig("ON INPUT(2,1) MZ,1 ⏎ MX,10 ⏎ MY,1");
@@ -414,7 +231,7 @@ fn nothing_is_read_behind_a_pause_while_handlers_are_armed() {
 fn a_handler_that_fires_during_a_question_runs_before_the_answer() {
     let mut rig = rig("ON INPUT(3,1) GOTO Hit ⏎ MX,1 ⏎ PAUSE ⏎ MX,9 ⏎ Hit: ⏎ MY,1");
     rig.read_ahead();
-    assert!(rig.host.inner.asked.is_empty());
+    assert!(rig.host.asked.is_empty());
     rig.come_to_rest();
     rig.interpreter.interrupt(&watch(3, 1), None, place([1.0, 0.0, 0.0]));
     rig.finish().at(1.0, 1.0, 0.0);
@@ -428,4 +245,53 @@ fn states_of_motion_that_was_made_are_forgotten() {
     rig.interpreter.carried_out(1);
     assert_eq!(rig.interpreter.behind.len(), 2);
     rig.fires(3, 1, 2, [1.5, 0.0, 0.0]).finish().at(3.0, 0.0, 0.0).variable("hit", "2");
+}
+
+#[test]
+fn what_ends_the_stack_of_moves_and_what_does_not() {
+    let files = [("d", "1"), ("b.sbp", "&b=1"), ("custom6.sbc", "&b=1")];
+    let open = "OPEN \"o\" FOR OUTPUT AS #1 ⏎ OPEN \"d\" FOR INPUT AS #2";
+    for (line, ends) in [
+        ("VS,3", false),
+        ("L:", false),
+        ("'comment", false),
+        ("&a=%(1)+2", false),
+        ("IF &n=1 THEN &a=2", false),
+        ("IF %(51)=1 THEN &a=2", true),
+        ("GOTO L ⏎ L:", false),
+        ("PRINT &n", true),
+        ("WRITE #1, 2", true),
+        ("PRINT #1, 2", true),
+        ("INPUT #2, &a", true),
+        ("OPEN \"e\" FOR OUTPUT AS #3", true),
+        ("CLOSE", true),
+        ("CLOSE #1", true),
+        ("INPUT &a", true),
+        ("MSGBOX(a,0,b)", true),
+        ("PAUSE", true),
+        ("PAUSE 1", true),
+        ("PAUSE UNTIL 5,0", true),
+        ("WARNING OFF", true),
+        ("PLAY a.wav", true),
+        ("SHELL, \"x\"", true),
+        ("SetUsrVal, 1", true),
+        ("GetUsrVal, &a", true),
+        ("$a=1", true),
+        ("FP,b.sbp", true),
+        ("C6", true),
+        ("FE,x", true),
+        ("FS,x", true),
+        ("SO,2,1", false),
+        ("SO,2,0", true),
+        ("ON INPUT(3,1) &a=1", true),
+        ("ENDALL", true),
+    ] {
+        let mut rig = Rig::new(&format!("&n=1 ⏎ {open} ⏎ MX,1 ⏎ {line} ⏎ MX,2"), &files);
+        rig.read_ahead();
+        assert_eq!(rig.motion_count(), if ends { 1 } else { 2 }, "{line}");
+        assert_eq!(rig.done, None, "{line}");
+        assert!(rig.host.asked.is_empty() && rig.host.shells.is_empty(), "{line}");
+        rig.finish();
+        assert_ne!(rig.done, Some(Status::Failed), "{line}: {}", rig.error);
+    }
 }

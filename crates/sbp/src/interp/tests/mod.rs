@@ -2,12 +2,14 @@
 #![allow(clippy::unwrap_used)]
 
 mod dialogs;
+mod file_parameters;
 mod files;
 mod flow;
 mod handlers;
 mod lang;
 mod output;
 mod registry;
+mod rig;
 mod saving;
 mod user_files;
 

@@ -1,8 +1,9 @@
 //! Values kept outside the program.
 
-use super::run_files;
+use super::{press, run_answered, run_files};
 use crate::testing::{run, run_with};
 use crate::{Session, Status};
+use kerf_program::{Button, QuestionKind};
 
 #[test]
 fn sbp_io_setusrval() {
@@ -56,6 +57,21 @@ fn sbp_io_setspindle() {
 fn sbp_io_getspindle() {
     assert_eq!(run("SetSpindleStatus, 1 ⏎ GetSpindleStatus, &s").variable("s"), "1");
     assert_eq!(run("GetSpindleStatus, &s").variable("s"), "0");
+}
+
+#[test]
+fn sbp_io_spindle_dialog() {
+    let ran = run("SO,1,1 ⏎ SO,1,0 ⏎ SO,1,1 ⏎ GetSpindleStatus, &s ⏎ SO,2,1");
+    assert_eq!(ran.host.asked.len(), 1, "asked once, then it counts as active");
+    assert_eq!((ran.host.asked[0].kind, ran.variable("s").as_str()), (QuestionKind::Spindle, "1"));
+    assert!(run("SetSpindleStatus, 1 ⏎ SO,1,1").host.asked.is_empty());
+    let again = run("SO,1,1 ⏎ SetSpindleStatus, 0 ⏎ SO,1,1");
+    assert_eq!(again.host.asked.len(), 2);
+    let ran = run_answered("SO,1,1 ⏎ MX,9", &[press(Button::Cancel)]);
+    ran.ended(Status::Stopped).ends_at(0.0, 0.0, 0.0);
+    let mut silent = Session::default();
+    silent.settings.ask_spindle = false;
+    assert!(run_with("SO,1,1", Default::default(), silent).host.asked.is_empty());
 }
 
 #[test]

@@ -1,12 +1,9 @@
 //! Saving and restoring between any two steps, waiting without effect, reading ahead.
 
-use super::handlers::{Machine, Rig};
-use crate::Interpreter;
-use kerf_program::{
-    Answer, FileMode, FileRequest, Host, HostError, Question, ShellCall, SourceFile, Sourced,
-};
+use super::rig::Rig;
+use crate::{Interpreter, Step};
+use kerf_program::Sourced;
 use proptest::prelude::*;
-use std::task::Poll;
 
 const FILES: [(&str, &str); 4] = [
     ("b.sbp", "MX,7 ⏎ &a=&a+1 ⏎ MY,&a ⏎ GOSUB S ⏎ END ⏎ S: ⏎ PRINT \"in b\" ⏎ RETURN"),
@@ -16,7 +13,7 @@ const FILES: [(&str, &str); 4] = [
 ];
 
 /// Lines that programs are thrown together from.
-const LINES: [&str; 28] = [
+const LINES: [&str; 31] = [
     "MX,1",
     "MX,&a",
     "M2,&b,&a/3",
@@ -34,6 +31,9 @@ const LINES: [&str; 28] = [
     "C9",
     "Z3",
     "PAUSE 1",
+    "PAUSE RND(1)",
+    "PRINT &b, RND(1)",
+    "IF &c > &a THEN PAUSE",
     "PAUSE",
     "'a comment",
     "OPEN \"d.txt\" FOR INPUT AS #1",
@@ -117,17 +117,16 @@ proptest! {
         let mut plain = Rig::new(&text, &FILES);
         plain.finish();
         let mut rig = Rig::new(&text, &FILES);
-        let mut host = Hesitant { inner: std::mem::take(&mut rig.host), asked: false };
-        let mut out = Vec::new();
-        loop {
+        rig.host.hesitant = true;
+        while rig.done.is_none() {
             let before = saved(&rig.interpreter);
-            match rig.interpreter.step(&mut host, &mut out) {
-                crate::Step::Waiting => prop_assert_eq!(saved(&rig.interpreter), before),
-                crate::Step::Ran => host.asked = false,
-                crate::Step::Done(..) => break,
+            match rig.step() {
+                Step::Waiting => prop_assert_eq!(saved(&rig.interpreter), before),
+                _ => rig.host.hesitated = false,
             }
+            rig.come_to_rest();
         }
-        prop_assert_eq!(out, plain.out);
+        prop_assert_eq!(rig.out, plain.out);
     }
 
     #[test]
@@ -146,75 +145,5 @@ proptest! {
         }
         strict.fires(3, 1, motion, [0.25, 0.5, 0.75]).finish();
         prop_assert_eq!(outcome(&ahead), outcome(&strict));
-    }
-}
-
-/// A host that lets everything wait once.
-struct Hesitant {
-    inner: Machine,
-    asked: bool,
-}
-
-impl Hesitant {
-    fn once<T>(&mut self, answer: impl FnOnce(&mut Machine) -> Poll<T>) -> Poll<T> {
-        if std::mem::replace(&mut self.asked, true) {
-            answer(&mut self.inner)
-        } else {
-            Poll::Pending
-        }
-    }
-}
-
-impl Host for Hesitant {
-    fn settle(&mut self) -> Poll<()> {
-        self.once(Machine::settle)
-    }
-    fn input(&mut self, number: u8) -> bool {
-        self.inner.input(number)
-    }
-    fn output(&mut self, number: u8) -> bool {
-        self.inner.output(number)
-    }
-    fn ask(&mut self, question: &Question) -> Poll<Answer> {
-        self.once(|inner| inner.ask(question))
-    }
-    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        self.inner.source(request)
-    }
-    fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError> {
-        self.inner.set_part_folder(folder)
-    }
-    fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
-        self.inner.open(number, path, mode)
-    }
-    fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
-        self.inner.write(number, text)
-    }
-    fn read_line(&mut self, number: u8) -> Result<String, HostError> {
-        self.inner.read_line(number)
-    }
-    fn close(&mut self, number: u8) -> Result<(), HostError> {
-        self.inner.close(number)
-    }
-    fn stored(&mut self, key: &str) -> Option<String> {
-        self.inner.stored(key)
-    }
-    fn store(&mut self, key: &str, value: Option<&str>) {
-        self.inner.store(key, value);
-    }
-    fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {
-        self.once(|inner| inner.shell(call))
-    }
-    fn machine_position(&mut self) -> [f64; 6] {
-        self.inner.machine_position()
-    }
-    fn user_path(&mut self) -> String {
-        self.inner.user_path()
-    }
-    fn app_path(&mut self) -> String {
-        self.inner.app_path()
-    }
-    fn firmware(&mut self) -> i32 {
-        self.inner.firmware()
     }
 }
