@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub type Make = fn() -> Scene;
 
 /// All of them by name.
-pub const ALL: [(&str, Make); 12] = [
+pub const ALL: [(&str, Make); 13] = [
     ("rectangle", rectangle),
     ("spiral", spiral),
     ("pocket", pocket),
@@ -23,6 +23,7 @@ pub const ALL: [(&str, Make); 12] = [
     ("tiny", tiny),
     ("odd", odd),
     ("million", million),
+    ("noise", noise),
 ];
 
 /// Speeds of the gallery's machine, mm/s.
@@ -331,5 +332,20 @@ fn million() -> Scene {
     let mut t = Tool::new("A million moves", Unit::MM);
     t.scene.cutter_mm = 1.0;
     raster(&mut t, 500.0, 1000, 1000);
+    t.done()
+}
+
+/// A million moves with nothing to simplify: the worst there can be.
+fn noise() -> Scene {
+    let mut t = Tool::new("Noise", Unit::MM);
+    let mut seed = 1u32;
+    let mut next = move || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(seed >> 8) / f64::from(1 << 24)
+    };
+    for i in 0..1_000_000 {
+        let (x, y) = (f64::from(i % 1000), f64::from(i / 1000));
+        t.cut(0.3 * x + 2.0 * next(), 0.3 * y + 2.0 * next(), -5.0 * next());
+    }
     t.done()
 }
