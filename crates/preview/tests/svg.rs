@@ -238,7 +238,7 @@ fn the_legend_says_what_the_program_does() {
     let text = draw(&scene);
     let words = words(&Document::parse(&text).unwrap());
     for expected in
-        ["1:02:05", "100.00 in", "1 warning", "warning, line 7: deep", "10.000", "−0.250"]
+        ["1:02:05", "100.00 in", "1 warning", "• warning, line 7: deep", "10.000", "−0.250"]
     {
         assert!(words.contains(expected), "{expected} is missing in\n{words}");
     }

@@ -16,7 +16,7 @@ use serde::Serialize;
 const PAGE: &str = include_str!("../../assets/viewer/page.html");
 const STYLE: &str = include_str!("../../assets/viewer/style.css");
 /// In the order in which they build on each other.
-const SCRIPTS: [&str; 7] = [
+const SCRIPTS: [&str; 9] = [
     include_str!("../../assets/viewer/motion.js"),
     include_str!("../../assets/viewer/camera.js"),
     include_str!("../../assets/viewer/overlay.js"),
@@ -24,6 +24,8 @@ const SCRIPTS: [&str; 7] = [
     include_str!("../../assets/viewer/canvas.js"),
     include_str!("../../assets/viewer/pick.js"),
     include_str!("../../assets/viewer/viewer.js"),
+    include_str!("../../assets/viewer/hands.js"),
+    include_str!("../../assets/viewer/panel.js"),
 ];
 /// Colours of the depth scale given to the page.
 const STOPS: u32 = 16;

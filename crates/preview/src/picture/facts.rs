@@ -156,9 +156,11 @@ fn toolpath_name(toolpath: &ToolPath) -> String {
 
 fn findings(scene: &Scene, most: usize) -> Option<Block> {
     let mut rows = vec![Row::Head("Findings".into())];
-    for finding in scene.findings.iter().take(most) {
+    let mut sorted: Vec<&Finding> = scene.findings.iter().collect();
+    sorted.sort_by_key(|f| f.severity);
+    for finding in sorted.into_iter().take(most) {
         let colour = if finding.severity == Severity::Error { AXIS_X } else { SOFT };
-        rows.push(Row::Note(finding_text(finding), colour));
+        rows.push(Row::Note(format!("• {}", finding_text(finding)), colour));
     }
     rows.extend(rest(scene.findings.len(), most));
     (rows.len() > 1).then_some(rows)

@@ -1,9 +1,10 @@
 //! The legend: blocks of rows flowing into columns right of the drawing, or under a wide one.
 
+use super::columns::{flow, height, row_height, tallest, wrapped};
 use super::depth::{DepthScale, SHADES};
 use super::facts::{Block, Row, Sample};
 use super::signs::{end_sign, start_sign};
-use super::steps::round_step;
+use super::steps::{multiples, round_step};
 use super::view::{View, table_rect};
 use super::words;
 use crate::font::Font;
@@ -19,15 +20,13 @@ const NARROWEST: f64 = 18.0;
 /// Gap between columns, em.
 const GAP: f64 = 2.5;
 /// Space between blocks, em.
-const BETWEEN: f64 = 1.1;
-/// Lines of a note before it is shortened.
-const NOTE_LINES: usize = 3;
+pub const BETWEEN: f64 = 1.1;
 /// Height of the small map, em.
-const MAP: f64 = 9.0;
+pub const MAP: f64 = 9.0;
 /// Drawings wider than this share of their height have the legend below.
 const WIDE: f64 = 1.7;
 /// Letters in a viewer's own font may be so much wider than ours.
-const WIDER: f64 = 1.08;
+pub const WIDER: f64 = 1.08;
 
 /// Where the legend's columns stand.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,75 +94,6 @@ impl Legend {
     }
 }
 
-/// The blocks with their notes broken to the width of a column.
-fn wrapped(blocks: Vec<Block>, width: f64) -> Vec<Block> {
-    let font = Font::new(false);
-    let lines = |row: Row| match row {
-        Row::Note(text, colour) => {
-            let lines = font.wrapped(&text, width / WIDER, NOTE_LINES);
-            lines.into_iter().map(|line| Row::Note(line, colour)).collect()
-        }
-        row => vec![row],
-    };
-    blocks.into_iter().map(|block| block.into_iter().flat_map(lines).collect()).collect()
-}
-
-fn row_height(row: &Row) -> f64 {
-    match row {
-        Row::Head(_) => 1.8,
-        Row::Pair(..) | Row::Cells(_) => 1.5,
-        Row::Key(..) => 1.6,
-        Row::Depth(_) => 3.9,
-        Row::Map => MAP + 0.8,
-        Row::Note(..) => 1.4,
-    }
-}
-
-fn height(block: &[Row]) -> f64 {
-    block.iter().map(row_height).sum()
-}
-
-fn tallest(columns: &[Vec<Block>]) -> f64 {
-    let tall = |c: &Vec<Block>| c.iter().map(|b| height(b) + BETWEEN).sum::<f64>() - BETWEEN;
-    columns.iter().map(tall).fold(0.0, f64::max)
-}
-
-/// Fills at most `count` columns in order, as low as the order allows.
-fn flow(blocks: Vec<Block>, count: usize) -> Vec<Vec<Block>> {
-    let heights: Vec<f64> = blocks.iter().map(|b| height(b) + BETWEEN).collect();
-    let total: f64 = heights.iter().sum();
-    let fits = |limit: f64| columns_needed(&heights, limit) <= count;
-    let mut limit = heights.iter().copied().fold(total / count as f64, f64::max);
-    while !fits(limit) {
-        limit += 0.5;
-    }
-    let mut columns: Vec<Vec<Block>> = Vec::new();
-    let mut used = f64::INFINITY;
-    for (block, height) in blocks.into_iter().zip(heights) {
-        if used + height > limit {
-            columns.push(Vec::new());
-            used = 0.0;
-        }
-        used += height;
-        if let Some(column) = columns.last_mut() {
-            column.push(block);
-        }
-    }
-    columns
-}
-
-fn columns_needed(heights: &[f64], limit: f64) -> usize {
-    let mut used = 0.0;
-    1 + heights
-        .iter()
-        .filter(|h| {
-            let full = used + **h > limit;
-            used = if full { **h } else { used + **h };
-            full
-        })
-        .count()
-}
-
 struct Writer<'a> {
     layer: &'a mut Layer,
     view: &'a View,
@@ -197,7 +127,7 @@ impl Writer<'_> {
     }
 
     fn text(&mut self, x: f64, y: f64, anchor: Anchor, room: f64, colour: Rgb, text: &str) {
-        let text = self.fonts[0].fitted(text, room / WIDER);
+        let text = self.fonts[0].fitted(text, room / WIDER + 1e-9);
         self.put(x, y, anchor, false, colour, text);
     }
 
@@ -282,12 +212,15 @@ impl Writer<'_> {
         self.depth_numbers(scale);
     }
 
-    /// Numbers at round heights; the ends are in the bounds already.
+    /// Numbers at round heights, as many as there is room for.
     fn depth_numbers(&mut self, scale: &DepthScale) {
         let step = round_step(scale.range() / 5.0, self.unit);
         let mut ticks = Outline::default();
-        let (low, high) = (scale.bottom, scale.top);
-        for k in super::steps::multiples(low, high, step.mm, 20) {
+        // Up to here the line of numbers is taken, em.
+        let mut taken = f64::NEG_INFINITY;
+        for k in
+            multiples(scale.bottom, scale.top, step.mm, 20).collect::<Vec<_>>().into_iter().rev()
+        {
             let z = k as f64 * step.mm;
             let share = scale.share(z).clamp(0.0, 1.0);
             ticks.segment(self.at(share * self.width, 2.4), self.at(share * self.width, 2.65));
@@ -295,7 +228,10 @@ impl Writer<'_> {
             // Numbers at the ends stay inside the column.
             let half = 0.5 * WIDER * self.fonts[0].width(&number);
             let x = (share * self.width).clamp(half, self.width - half);
-            self.text(x, 3.6, Anchor::Middle, 6.0, INK, &number);
+            if x - half >= taken {
+                self.text(x, 3.6, Anchor::Middle, 2.0 * half, INK, &number);
+                taken = x + half + 0.5;
+            }
         }
         self.layer.path(ticks, Paint::line(SOFT, 0.07 * self.view.em));
     }
@@ -318,25 +254,5 @@ impl Writer<'_> {
         let seen = here.grown((0.25 * em - 0.5 * here.longer()).max(0.0));
         self.layer
             .path(Outline::of_rect(seen), Paint::edged(AXIS_X.mixed(PAPER, 0.8), AXIS_X, 0.1 * em));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn block(rows: usize) -> Block {
-        vec![Row::Pair("a".into(), "b".into()); rows]
-    }
-
-    #[test]
-    fn blocks_flow_in_order_and_evenly() {
-        let sizes = |columns: Vec<Vec<Block>>| -> Vec<Vec<usize>> {
-            columns.iter().map(|c| c.iter().map(Vec::len).collect()).collect()
-        };
-        let blocks = || vec![block(6), block(5), block(8), block(3), block(4)];
-        assert_eq!(sizes(flow(blocks(), 1)), [[6, 5, 8, 3, 4]]);
-        assert_eq!(sizes(flow(blocks(), 2)), [vec![6, 5], vec![8, 3, 4]]);
-        assert!(flow(blocks(), 9).len() <= 5);
     }
 }

@@ -1,5 +1,6 @@
 //! Composes the picture of a scene: what is where on the sheet, from board to legend.
 
+mod columns;
 mod depth;
 mod extent;
 mod facts;
