@@ -144,6 +144,25 @@ fn jogs_are_red_and_dashed_or_absent() {
     assert!(!words(&doc).contains("jog\n"));
 }
 
+#[test]
+fn hidden_jogs_take_no_room() {
+    let mut scene =
+        scene(vec![cut([0.0; 3], [50.0, 50.0, 0.0]), jog([50.0, 50.0, 0.0], [900.0, 0.0, 9.0])]);
+    let width = |scene: &Scene| {
+        let text = draw(scene);
+        let doc = Document::parse(&text).unwrap();
+        doc.root_element()
+            .attribute("width")
+            .unwrap()
+            .trim_end_matches("mm")
+            .parse::<f64>()
+            .unwrap()
+    };
+    assert!(width(&scene) > 900.0);
+    scene.show_jogs = false;
+    assert!(width(&scene) < 120.0);
+}
+
 /// Perceived lightness from 0 to 100.
 fn lightness(hex: &str) -> f64 {
     let channel = |i: usize| {
