@@ -3,7 +3,7 @@
 
 use crate::answers::Operator;
 use crate::event::Event;
-use crate::session::{Company, RunOptions, Session};
+use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::sink::Sink;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
@@ -12,7 +12,7 @@ use kerf_sbp::{NamedFile, Program};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// What a check found, file by file in the order in which they were read, each in order of lines.
+/// Checks a program.
 ///
 /// The program and every file it names is read once, also where a run would not come. A program
 /// without errors is then run as a preview; `shelf` has to be one for previews. Branches that are not
@@ -23,16 +23,27 @@ pub fn check(
     options: RunOptions,
     shelf: &mut Shelf,
     operator: &mut dyn Operator,
-) -> Vec<Diagnostic> {
+) -> Checked {
     let mut findings = Findings::default();
     let good = !program.has_errors();
     findings.follow(&program, shelf);
-    if good {
+    let summary = good.then(|| {
         let mut session = session.clone();
         let company = Company { sink: &mut findings, operator, pace: &mut () };
-        session.run(program, options, shelf, company);
-    }
-    findings.sorted()
+        let options = RunOptions { limits: LimitPolicy::List, ..options };
+        session.run(program, options, shelf, company)
+    });
+    Checked { diagnostics: findings.sorted(), summary }
+}
+
+/// What a check found.
+#[derive(Debug)]
+pub struct Checked {
+    /// Everything wrong or doubtful: file by file in the order in which they were read, each in order
+    /// of lines.
+    pub diagnostics: Vec<Diagnostic>,
+    /// What the dry run came to; nothing when the file has errors.
+    pub summary: Option<Summary>,
 }
 
 /// What was found so far.
@@ -133,6 +144,7 @@ mod tests {
         let mut shelf = Shelf::in_memory(disk);
         let found = check(&Session::default(), program, RunOptions::default(), &mut shelf, &mut ());
         let found: Vec<String> = found
+            .diagnostics
             .iter()
             .map(|d| format!("{}:{} {} {:?}", d.place.file, d.place.line, d.code, d.severity))
             .collect();
@@ -153,6 +165,12 @@ mod tests {
     fn a_dry_run_finds_what_reading_cannot() {
         check_text(&[("a.sbp", "&a=0\nMX,1/&a\n")], &["a.sbp:2 R003 Error"]);
         check_text(&[("a.sbp", "FP,none.sbp")], &["a.sbp:1 F001 Error"]);
+    }
+
+    #[test]
+    fn every_move_outside_the_limits_is_told() {
+        let text = "VL,0,10\nSF,1\nMX,12\nMX,5\nMX,-1\n";
+        check_text(&[("a.sbp", text)], &["a.sbp:3 M001 Error", "a.sbp:5 M001 Error"]);
     }
 
     #[test]

@@ -115,6 +115,13 @@ pub enum Event {
         /// When.
         t: f64,
     },
+    /// Commands are only drawn from here on, or carried out again (SP, SM).
+    Mode {
+        /// `preview` or `move`.
+        mode: &'static str,
+        /// When.
+        t: f64,
+    },
     /// Text for the print window. Lines are told whole.
     Print {
         /// The text.

@@ -2,6 +2,7 @@
 
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
 use crate::runner::{Over, Runner};
+use crate::session::LimitPolicy;
 use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Move, Path, Plan, plan_stack};
@@ -55,7 +56,9 @@ impl Runner<'_> {
     /// Nothing moves that would leave the table, or while a stop input is active.
     fn check(&mut self, moves: &[Move]) -> Result<(), Over> {
         let Some(first) = moves.first() else { return Ok(()) };
-        if let Some(violation) = self.world.machine.first_outside(moves) {
+        if self.lists_limits() {
+            self.list_violations(moves);
+        } else if let Some(violation) = self.world.machine.first_outside(moves) {
             self.ask_about_limit(moves, &violation)?;
         }
         match self.world.machine.stop_input() {
@@ -63,6 +66,23 @@ impl Runner<'_> {
             Some(input) => {
                 let message = format!("stop input {input} is active: nothing may move");
                 Err(self.over(Status::Stopped, Code::InputStop, first.at, message))
+            }
+        }
+    }
+
+    /// Nothing is asked about what is only drawn.
+    fn lists_limits(&self) -> bool {
+        self.limits == LimitPolicy::List || self.world.machine.draws()
+    }
+
+    fn list_violations(&mut self, moves: &[Move]) {
+        for made in moves {
+            let alone = std::slice::from_ref(made);
+            if let Some(violation) = self.world.machine.first_outside(alone) {
+                let message = self.limit_message(&violation);
+                let place = Place::line(self.world.file(made.at), made.at.line);
+                let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
+                self.world.tell_diagnostic(diagnostic);
             }
         }
     }

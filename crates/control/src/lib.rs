@@ -16,6 +16,7 @@
 
 pub mod answers;
 mod check;
+pub mod config;
 pub mod event;
 mod execute;
 pub mod files;
@@ -31,10 +32,10 @@ mod tally;
 mod text;
 mod world;
 
-pub use check::check;
+pub use check::{Checked, check};
 pub use event::Event;
 pub use pace::{Pace, StopAt};
-pub use session::{Company, RunOptions, Session, Summary, dialect_word};
+pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word};
 pub use shelf::{Shelf, Shell};
 pub use sink::Sink;
 pub use tally::{Tally, ToolPathTime};

@@ -7,6 +7,7 @@
 //! ```
 
 use crate::execute::Halted;
+use crate::session::LimitPolicy;
 use crate::stack::{Stack, joins};
 use crate::world::World;
 use crate::{Event, Pace};
@@ -28,6 +29,7 @@ pub(crate) struct Runner<'a> {
     stack: Stack,
     out: Vec<Sourced>,
     lines: u64,
+    pub limits: LimitPolicy,
 }
 
 /// Whether a run goes on.
@@ -49,18 +51,18 @@ pub(crate) struct Over {
 }
 
 impl<'a> Runner<'a> {
-    /// Ready to run.
-    pub fn new(interpreter: Interpreter, world: World<'a>, pace: &'a mut dyn Pace) -> Self {
+    /// Ready to run; looks at commands after so many lines, 0 for the usual.
+    pub fn new(
+        interpreter: Interpreter,
+        world: World<'a>,
+        pace: &'a mut dyn Pace,
+        limits: LimitPolicy,
+        lines: u64,
+    ) -> Self {
         let mover = Mover::new(world.machine.position(), interpreter.settings());
         let (stack, out) = (Stack::default(), Vec::new());
-        Self { interpreter, world, pace, mover, stack, out, lines: LINES }
-    }
-
-    /// The same, looking at commands after so many lines. The result must not depend on it.
-    #[must_use]
-    pub fn looking_every(mut self, lines: u64) -> Self {
-        self.lines = lines.max(1);
-        self
+        let lines = if lines == 0 { LINES } else { lines };
+        Self { interpreter, world, pace, mover, stack, out, lines, limits }
     }
 
     /// Runs the program to its end.
@@ -222,7 +224,7 @@ impl<'a> Runner<'a> {
         if let Command::Settings(settings) = &sourced.command {
             self.mover.settings(settings);
         }
-        if joins(&sourced.command) {
+        if self.joins(&sourced.command) {
             if self.stack.moves.is_empty() {
                 self.world.perform(sourced.command);
             } else {
@@ -234,9 +236,19 @@ impl<'a> Runner<'a> {
             (Flow::On, Command::Wait { seconds }) => self.wait(seconds),
             (Flow::On, command) => {
                 self.world.perform(command);
+                // A preview begins and ends elsewhere than the last move.
+                self.mover.set_position(self.world.machine.position());
                 Flow::On
             }
             (flow, _) => flow,
+        }
+    }
+
+    /// Whether motion goes on through a command. It does not when a preview begins or ends.
+    fn joins(&self, command: &Command) -> bool {
+        match command {
+            Command::Settings(new) => new.mode == self.world.machine.settings().mode,
+            other => joins(other),
         }
     }
 
@@ -307,6 +319,9 @@ impl<'a> Runner<'a> {
     }
 
     fn wait(&mut self, seconds: f64) -> Flow {
+        if self.world.machine.draws() {
+            return Flow::On;
+        }
         let t = self.world.now();
         self.world.tell(&Event::Wait { seconds, t });
         self.pass_until(t + seconds.max(0.0))

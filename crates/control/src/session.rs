@@ -24,9 +24,21 @@ pub struct RunOptions {
     pub inputs: Vec<Change>,
     /// Tell the user's variables at the end.
     pub tell_variables: bool,
+    /// What happens when a move would leave the table limits.
+    pub limits: LimitPolicy,
     /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
     /// on it.
     pub lines_at_once: u64,
+}
+
+/// What happens when a move would leave the table limits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LimitPolicy {
+    /// The operator is asked whether to go on; the default ends the run.
+    #[default]
+    Ask,
+    /// Each such move is told, and made.
+    List,
 }
 
 /// Who takes part in a run beside program and machine.
@@ -85,23 +97,26 @@ impl Session {
         if program.has_errors() && !options.program.allow_errors {
             return self.refused(&program, sink);
         }
-        let machine = Machine::new(
-            self.memory.position,
-            self.memory.frame,
-            Arc::new(self.memory.settings.clone()),
-            Inputs::new(options.inputs),
-        );
+        let machine = self.machine(options.inputs);
         let memory = std::mem::take(&mut self.memory);
         let interpreter = Interpreter::new(program, memory, options.program);
         let world = World::new(machine, shelf, sink, operator);
-        let mut runner = Runner::new(interpreter, world, pace);
-        if options.lines_at_once > 0 {
-            runner = runner.looking_every(options.lines_at_once);
-        }
+        let mut runner =
+            Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         let over = runner.run();
         let (summary, memory) = conclude(runner, over, options.tell_variables);
         self.memory = memory;
         summary
+    }
+
+    fn machine(&self, inputs: Vec<Change>) -> Machine {
+        let memory = &self.memory;
+        let settings = Arc::new(memory.settings.clone());
+        let machine = Machine::new(memory.position, memory.frame, settings, Inputs::new(inputs));
+        match &memory.before_preview {
+            Some(before) => machine.drawing_from(before.position),
+            None => machine,
+        }
     }
 
     fn start_event(&self, program: &Program, options: &RunOptions) -> Event {

@@ -201,12 +201,17 @@ impl<'a> World<'a> {
     }
 
     fn use_settings(&mut self, settings: Arc<Settings>) {
-        let before = self.units();
+        let (before, drew) = (self.units(), self.machine.draws());
         self.settings = settings.clone();
         self.machine.use_settings(settings);
-        let units = self.units();
+        self.tell_log();
+        let (units, t) = (self.units(), self.now());
         if units != before {
-            self.sink.event(&Event::Units { units, t: self.now() });
+            self.sink.event(&Event::Units { units, t });
+        }
+        if self.machine.draws() != drew {
+            let mode = if drew { "move" } else { "preview" };
+            self.sink.event(&Event::Mode { mode, t });
         }
     }
 

@@ -1,5 +1,6 @@
 //! Words and numbers for people, and standard output.
 
+use kerf_control::Summary;
 use std::io::{self, Write};
 
 /// Writes to standard output. A reader that went away (`kerf … | head`) is no error.
@@ -26,6 +27,18 @@ pub fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" || text.is_empty() { "0".into() } else { text.into() }
+}
+
+/// What the cutting moves cover: `X 0 … 4, Y 0 … 3, Z -0.25 … 0 in`; nothing when nothing is cut.
+pub fn bounds(summary: &Summary) -> Option<String> {
+    let bounds = &summary.tally.bounds;
+    let mm = summary.unit.mm();
+    let axis = |i: usize| {
+        let [low, high] = [bounds.min[i], bounds.max[i]].map(|v| number(v / mm, 3));
+        format!("{low} … {high}")
+    };
+    let unit = summary.unit.symbol();
+    (!bounds.is_empty()).then(|| format!("X {}, Y {}, Z {} {unit}", axis(0), axis(1), axis(2)))
 }
 
 #[cfg(test)]

@@ -88,10 +88,11 @@ fn check_motion(motion: &MotionArgs) -> Result<()> {
 }
 
 fn settings(args: &RunArgs) -> Result<Settings> {
-    let mut settings = Settings::default();
-    if args.place.config.is_some() {
-        bail!(Usage("--config is not there yet".into()));
-    }
+    let mut settings = match &args.place.config {
+        None => Settings::default(),
+        Some(file) => kerf_control::config::settings(&read_text(file)?)
+            .map_err(|e| Usage(format!("{}: {e}", file.display())))?,
+    };
     if let Some(unit) = args.units {
         settings.linear_unit = unit;
     }

@@ -9,7 +9,7 @@ use crate::log::{Log, What};
 use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
 use crate::trigger;
 use kerf_motion::{Move, Plan, Span};
-use kerf_program::settings::SWITCHES;
+use kerf_program::settings::{Mode, SWITCHES};
 use kerf_program::{AXES, Axes, Axis, Frame, Independent, OutputReason, Settings};
 use std::sync::Arc;
 
@@ -28,6 +28,8 @@ pub struct Machine {
     light: bool,
     /// Limits were overridden until the file ends.
     overridden: bool,
+    /// Commands are only drawn (SP): where the machine really stands.
+    drawing_from: Option<Axes>,
     log: Log,
 }
 
@@ -35,6 +37,18 @@ impl Machine {
     /// A machine at rest at time 0.
     pub fn new(position: Axes, frame: Frame, settings: Arc<Settings>, inputs: Inputs) -> Self {
         Self { position, frame, settings, inputs, ..Self::default() }
+    }
+
+    /// The same machine, standing elsewhere while a preview is drawn.
+    #[must_use]
+    pub const fn drawing_from(mut self, position: Axes) -> Self {
+        self.drawing_from = Some(position);
+        self
+    }
+
+    /// Whether commands are only drawn (SP): outputs, waits and inputs have no effect.
+    pub const fn draws(&self) -> bool {
+        self.drawing_from.is_some()
     }
 
     /// Machine time, seconds.
@@ -83,6 +97,7 @@ impl Machine {
 
     /// From here on these settings hold.
     pub fn use_settings(&mut self, settings: Arc<Settings>) {
+        self.use_mode(settings.mode, &settings);
         let before = laser::active(&self.settings.height, &self.settings.io);
         self.settings = settings;
         let height = self.settings.height;
@@ -90,6 +105,25 @@ impl Machine {
             self.pwm(laser::CHANNEL, height.low_percent);
         } else if before {
             self.pwm(laser::CHANNEL, 0.0);
+        }
+    }
+
+    fn use_mode(&mut self, mode: Mode, settings: &Settings) {
+        match (mode, self.drawing_from) {
+            (Mode::Preview, None) => {
+                self.set_light(false);
+                self.drawing_from = Some(self.position);
+                if !settings.view.start_actual {
+                    for axis in [Axis::X, Axis::Y] {
+                        self.position[axis] = self.frame.working_zero[axis];
+                    }
+                }
+            }
+            (Mode::Move, Some(position)) => {
+                self.drawing_from = None;
+                self.position = position;
+            }
+            _ => {}
         }
     }
 
@@ -144,18 +178,27 @@ impl Machine {
 
     /// Sets the speed of a spindle.
     pub fn spindle(&mut self, number: u8, rpm: f64) {
+        if self.draws() {
+            return;
+        }
         let on = self.outputs.is_on(number);
         self.log.add(self.clock_s, What::Spindle { number, rpm, on });
     }
 
     /// Lets an axis move beside the others.
     pub fn independent(&mut self, axis: Axis, motion: Independent) {
+        if self.draws() {
+            return;
+        }
         self.spins[axis.index()].change(self.clock_s, motion);
         self.log.add(self.clock_s, What::Independent { axis, motion });
     }
 
     /// Cuts motor power; everything that moves or is on stops (MO).
     pub fn motors_off(&mut self) {
+        if self.draws() {
+            return;
+        }
         for axis in Axis::ALL {
             if self.spins[axis.index()].moves() {
                 self.independent(axis, Independent::Off);
@@ -197,11 +240,17 @@ impl Machine {
 
     /// The first change of an input up to a time that stops motion, or a program that waits.
     pub fn first_halt(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
+        if self.draws() {
+            return None;
+        }
         halt::first(&self.inputs, until_s, &self.settings.io, watches, !self.overridden)
     }
 
     /// A stop input that forbids motion now.
     pub fn stop_input(&self) -> Option<u8> {
+        if self.draws() {
+            return None;
+        }
         self.inputs.stopping(&self.settings.io)
     }
 
@@ -217,7 +266,7 @@ impl Machine {
 
     /// Motion is about to start: the warning comes first. Returns when motion starts, seconds.
     pub fn begin_motion(&mut self) -> f64 {
-        if !self.light {
+        if !self.light && !self.draws() {
             self.set_light(true);
             let wait_s = self.settings.warning_s.max(0.0);
             self.advance(self.clock_s + wait_s);
@@ -271,13 +320,13 @@ impl Machine {
     }
 
     fn output_at(&mut self, t_s: f64, number: u8, on: bool, why: OutputReason) {
-        if self.outputs.set(number, on) {
+        if !self.draws() && self.outputs.set(number, on) {
             self.log.add(t_s, What::Output { number, on, why });
         }
     }
 
     fn pwm_at(&mut self, t_s: f64, channel: u8, percent: f64) {
-        if (self.pwm_percent - percent).abs() > 1e-9 {
+        if !self.draws() && (self.pwm_percent - percent).abs() > 1e-9 {
             self.pwm_percent = percent;
             let frequency_khz = self.settings.height.frequency_khz;
             self.log.add(t_s, What::Pwm { channel, percent, frequency_khz });

@@ -7,7 +7,7 @@ use crate::sources::FileLines;
 use crate::{out, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::{Event, json};
+use kerf_control::{Checked, Event, Summary, json};
 use kerf_diag::{Code, Diagnostic, Place, Severity, render_text};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -31,26 +31,28 @@ pub struct CheckArgs {
 }
 
 pub fn run(args: &CheckArgs) -> Result<Exit> {
-    let mut found = Vec::new();
+    let (mut found, mut runs) = (Vec::new(), String::new());
     for file in &args.files {
-        let mut new = check(file, &args.run)?;
-        new.retain(|d| !found.contains(d));
-        found.extend(new);
+        let checked = check(file, &args.run)?;
+        let new = checked.diagnostics.into_iter().filter(|d| !found.contains(d));
+        found.extend(new.collect::<Vec<_>>());
+        runs += &checked.summary.map_or_else(String::new, |s| told(file, &s));
     }
     out::print(&match args.format {
         Format::Json => as_json(&found),
-        Format::Text => as_text(&found, args.files.len()),
+        Format::Text => as_text(&found, &runs, args.files.len()),
     });
     let failed = found.iter().any(Diagnostic::is_error);
     Ok(if failed { Exit::Failed } else { Exit::Good })
 }
 
-fn check(file: &Path, args: &RunArgs) -> Result<Vec<Diagnostic>> {
+fn check(file: &Path, args: &RunArgs) -> Result<Checked> {
     let mut job = match setup::job(file, args, true) {
         Ok(job) => job,
         Err(error) if error.is::<Usage>() && !file.is_file() => {
             let place = Place::line(file.display().to_string().into(), 1);
-            return Ok(vec![Diagnostic::new(Code::FileNotFound, place, error.to_string())]);
+            let missing = Diagnostic::new(Code::FileNotFound, place, error.to_string());
+            return Ok(Checked { diagnostics: vec![missing], summary: None });
         }
         Err(error) => return Err(error),
     };
@@ -68,11 +70,17 @@ fn as_json(found: &[Diagnostic]) -> String {
     json::to_string(&events) + "\n"
 }
 
-fn as_text(found: &[Diagnostic], files: usize) -> String {
+/// How long a file takes and what it covers.
+fn told(file: &Path, summary: &Summary) -> String {
+    let cutting = out::bounds(summary).map_or_else(String::new, |b| format!(", cutting {b}"));
+    format!("{}: {}{cutting}\n", file.display(), out::duration(summary.seconds))
+}
+
+fn as_text(found: &[Diagnostic], runs: &str, files: usize) -> String {
     let lines = FileLines::default();
     let colour = colour(&io::stdout());
     let drawn = found.iter().map(|d| render_text(d, &lines, colour) + "\n\n");
-    drawn.collect::<String>() + &summary(found, files) + "\n"
+    drawn.collect::<String>() + runs + &summary(found, files) + "\n"
 }
 
 /// `2 errors, 1 warning`, or that nothing is wrong.

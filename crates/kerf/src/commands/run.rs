@@ -103,12 +103,8 @@ fn told(summary: &Summary) -> String {
         length(tally.cut_mm),
         length(tally.jog_mm)
     );
-    if !tally.bounds.is_empty() {
-        let axis = |i: usize| {
-            let [low, high] = [tally.bounds.min[i], tally.bounds.max[i]];
-            format!("{} … {}", out::number(low / mm, 3), out::number(high / mm, 3))
-        };
-        text += &format!("  cutting X {}, Y {}, Z {} {unit}\n", axis(0), axis(1), axis(2));
+    if let Some(bounds) = out::bounds(summary) {
+        text += &format!("  cutting {bounds}\n");
     }
     text
 }
