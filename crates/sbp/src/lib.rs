@@ -16,6 +16,7 @@
 //!
 //! The crate knows nothing of planning, machines, files or clocks.
 
+mod check;
 mod eval;
 mod expr;
 mod format;
@@ -30,6 +31,7 @@ pub mod tree;
 mod value;
 mod walk;
 
+pub use check::check;
 pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 pub use format::format;
 pub use interp::{

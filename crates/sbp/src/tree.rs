@@ -19,7 +19,7 @@ pub struct Span {
 }
 
 /// Index into [`Program::names`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NameId(pub u32);
 
 /// A part file that was read.

@@ -30,6 +30,7 @@ mod statements;
 mod suggest;
 mod text;
 
+pub(crate) use suggest::did_you_mean;
 pub(crate) use text::{blank, code_end};
 
 use crate::Program;
