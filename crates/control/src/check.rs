@@ -7,6 +7,7 @@ use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::sink::Sink;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
 use kerf_sbp::{NamedFile, Program};
 use std::collections::VecDeque;
@@ -26,7 +27,7 @@ pub fn check(
 ) -> Checked {
     let mut findings = Findings::default();
     let good = !program.has_errors();
-    findings.follow(&program, shelf);
+    findings.follow(&program, session.memory.settings.linear_unit, shelf);
     let summary = good.then(|| {
         let mut session = session.clone();
         let company = Company { sink: &mut findings, operator, pace: &mut () };
@@ -55,22 +56,28 @@ struct Findings {
 }
 
 impl Findings {
-    /// Reads a program and everything it names.
-    fn follow(&mut self, program: &Program, shelf: &mut Shelf) {
-        let mut waiting: VecDeque<NamedFile> = self.read(program, shelf).into();
+    /// Reads a program, started on a machine in a unit, and everything it names.
+    fn follow(&mut self, program: &Program, unit: LinearUnit, shelf: &mut Shelf) {
+        let mut waiting: VecDeque<NamedFile> = self.read(program, Some(unit), shelf).into();
         while let Some(named) = waiting.pop_front() {
             let Ok(source) = find(shelf, &named.request) else { continue };
             if !self.files.contains(&source.name) {
                 let program = kerf_sbp::read(source.name, &source.bytes);
-                waiting.extend(self.read(&program, shelf));
+                waiting.extend(self.read(&program, None, shelf));
             }
         }
     }
 
     /// Takes over what is wrong with one file; gives the files it names.
-    fn read(&mut self, program: &Program, shelf: &mut Shelf) -> Vec<NamedFile> {
+    fn read(
+        &mut self,
+        program: &Program,
+        alone: Option<LinearUnit>,
+        shelf: &mut Shelf,
+    ) -> Vec<NamedFile> {
         self.files.push(program.name.clone());
         program.diagnostics.iter().for_each(|d| self.add(d));
+        kerf_sbp::check(program, alone).iter().for_each(|d| self.add(d));
         let named = program.named_files();
         if !program.changes_folder() {
             for file in &named {
@@ -158,7 +165,7 @@ mod tests {
             ("b.sbp", "MX,2\n"),
             ("c.sbp", "FP,b.sbp\nFP,a.sbp\nM23,1\n"),
         ];
-        check_text(&files, &["a.sbp:5 F001 Warning", "c.sbp:3 S002 Error"]);
+        check_text(&files, &["a.sbp:4 W018 Warning", "a.sbp:5 F001 Warning", "c.sbp:3 S002 Error"]);
     }
 
     #[test]

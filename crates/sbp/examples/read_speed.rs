@@ -10,7 +10,7 @@ use std::time::Instant;
 
 fn main() {
     let wanted = std::env::args().nth(1).unwrap_or_default();
-    let files: [(&str, fn() -> String); 3] = [
+    let files: [(&str, Make); 3] = [
         ("M3,x,y,z", || moves(1_000_000, "M3,", ",")),
         ("M3 x, y, z", || moves(1_000_000, "M3 ", ", ")),
         ("expressions", || expressions(100_000)),
@@ -19,6 +19,9 @@ fn main() {
         report(name, &text());
     }
 }
+
+/// Makes the text of a file.
+type Make = fn() -> String;
 
 /// Lines as a CAM program writes them.
 fn moves(lines: u32, head: &str, comma: &str) -> String {

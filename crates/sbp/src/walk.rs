@@ -1,7 +1,7 @@
 //! Going through the tree: the expressions, variables and jumps of a statement.
 
 use crate::expr::{Expr, ExprNode};
-use crate::tree::{ArgKind, Assigned, DialogText, NameId, Span, Statement, Target, TextPart};
+use crate::tree::{ArgKind, Assigned, DialogText, NameId, Span, Statement, Target};
 
 impl Statement {
     /// The statement itself and the one behind its THEN or ON INPUT.
@@ -85,15 +85,6 @@ impl DialogText {
             Self::Expr(expr) => Some(expr),
             Self::Parts(_) => None,
         }
-    }
-
-    /// The variables in unquoted text.
-    pub(crate) fn variables(&self) -> impl Iterator<Item = NameId> {
-        let parts = if let Self::Parts(parts) = self { parts.as_slice() } else { &[] };
-        parts.iter().filter_map(|part| match part {
-            TextPart::Variable(name, _) => Some(*name),
-            TextPart::Literal(_) => None,
-        })
     }
 }
 

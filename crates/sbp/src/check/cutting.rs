@@ -24,22 +24,14 @@ pub(super) fn jogs_below_surface(facts: &Facts<'_>) -> Vec<Diagnostic> {
 
 /// Cutting at literal places below Z 0 in a file that never turns the spindle on.
 pub(super) fn spindle_off(facts: &Facts<'_>) -> Vec<Diagnostic> {
-    if facts.relative || facts.calls_files || z_counts_down(facts) || spindle_may_turn(facts) {
+    if facts.calls_files || z_counts_down(facts) || spindle_may_turn(facts) {
         return Vec::new();
     }
-    let mut below = false;
-    for (line, jog, [x, y, z]) in facts.literal_moves() {
-        if let Some(z) = z {
-            below = z < 0.0;
-        }
-        if below && !jog && (x.is_some() || y.is_some()) {
-            let span = facts.whole(line);
-            let message = "the file cuts but never turns the spindle on";
-            let hint = "C6 or SO,1,1 turns it on, C7 or SO,1,0 off";
-            return vec![facts.finding(Code::SpindleOff, line, span, message, hint)];
-        }
-    }
-    Vec::new()
+    let Some(line) = facts.first_cut() else { return Vec::new() };
+    let span = facts.whole(line);
+    let message = "the file cuts but never turns the spindle on";
+    let hint = "C6 or SO,1,1 turns it on, C7 or SO,1,0 off";
+    vec![facts.finding(Code::SpindleOff, line, span, message, hint)]
 }
 
 /// Whether some line may turn the spindle on: an output, G-code, or a person at a question.

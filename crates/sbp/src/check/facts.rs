@@ -90,6 +90,20 @@ impl<'a> Facts<'a> {
         })
     }
 
+    /// The first line that cuts: a move in X or Y at a literal Z below 0.
+    ///
+    /// None for files that use distances; where they cut is not known without running them.
+    pub(super) fn first_cut(&self) -> Option<u32> {
+        if self.relative {
+            return None;
+        }
+        let mut below = false;
+        self.literal_moves().find_map(|(line, jog, [x, y, z])| {
+            below = z.map_or(below, |z| z < 0.0);
+            (below && !jog && (x.is_some() || y.is_some())).then_some(line)
+        })
+    }
+
     /// A finding that points to a part of a line.
     pub(super) fn finding(
         &self,

@@ -47,6 +47,6 @@ pub fn check(program: &Program, alone: Option<LinearUnit>) -> Vec<Diagnostic> {
     let more = if alone.is_some() { RULES_ALONE } else { &[] };
     let rules = RULES.iter().chain(more);
     let mut found: Vec<Diagnostic> = rules.flat_map(|rule| rule(&facts)).collect();
-    found.sort_by(|a, b| (a.place.line, a.place.column).cmp(&(b.place.line, b.place.column)));
+    found.sort_by_key(|d| (d.place.line, d.place.column));
     found
 }

@@ -9,13 +9,12 @@ use kerf_program::settings::LinearUnit;
 /// The system variable that tells the unit: 0 inches, 1 mm.
 const UNIT_VARIABLE: f64 = 25.0;
 
-/// A note for files with literal places that neither test nor set the unit.
+/// A note for files that cut at literal places and neither test nor set the unit.
 pub(super) fn missing_guard(facts: &Facts<'_>) -> Vec<Diagnostic> {
     if asks_unit(facts) || sets_unit(facts) {
         return Vec::new();
     }
-    let first = facts.literal_moves().find(|(_, _, to)| to[0].is_some() || to[1].is_some());
-    let Some((line, ..)) = first else { return Vec::new() };
+    let Some(line) = facts.first_cut() else { return Vec::new() };
     let hint = "begin with IF %(25) = 1 THEN GOTO UNIT_ERROR (0 for files in mm)";
     let message = "the file does not say whether it is in inches or mm";
     let span = facts.whole(line);

@@ -231,7 +231,7 @@ proptest! {
         slow.statements[0].expressions(&mut |e| {
             if let crate::ExprNode::Number(n) = e.node { numbers.push(n); }
         });
-        let parsed: Vec<f64> = values.iter().map(|v| v.parse().unwrap()).collect();
+        let parsed: Vec<f64> = values.iter().map(|v| v.parse().expect("digits")).collect();
         prop_assert_eq!(&fast.numbers, &parsed);
         prop_assert_eq!(&numbers, &parsed);
     }

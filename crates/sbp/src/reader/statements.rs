@@ -172,7 +172,8 @@ impl Line<'_, '_> {
         let rest = &word[1..];
         let listed = rest.eq_ignore_ascii_case("N") || (rest.is_empty() && self.byte(end) == b'#');
         let plain = !rest.is_empty() && rest.len() <= 5 && rest.bytes().all(|b| b.is_ascii_digit());
-        if !listed && !(plain && self.separated(end)) {
+        let found = listed || (plain && self.separated(end));
+        if !found {
             return Ok(None);
         }
         // `C1 X2` is G-code: an axis word and another one.
