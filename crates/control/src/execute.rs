@@ -7,7 +7,7 @@ use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Move, Path, Plan, plan_stack};
 use kerf_program::{Answer, At, Axis, Button, Question, QuestionKind, Sourced};
-use kerf_sbp::Status;
+use kerf_sbp::{SPINDLE_STATUS, Status};
 use kerf_sim::{Halt, HaltCause, Violation};
 use std::iter::Peekable;
 use std::vec::IntoIter;
@@ -177,6 +177,7 @@ impl Runner<'_> {
 
     fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
         let Some(span) = plan.span(index) else { return };
+        self.last_move = span.made.at;
         let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
         self.world.tell(&event);
         let frame = *self.world.machine.frame();
@@ -232,12 +233,13 @@ impl Runner<'_> {
             HaltCause::Limit(n) => self.limit_input(n).err().map(Halted::Over),
             HaltCause::Stop(n) => {
                 self.world.machine.stopped(true);
+                self.world.shelf.stored.set(SPINDLE_STATUS, Some("0"));
                 self.world.tell_log();
                 let message = format!("stopped by stop input {n}");
                 Some(Halted::Over(self.over(
                     Status::Stopped,
                     Code::InputStop,
-                    self.here(),
+                    self.last_move,
                     message,
                 )))
             }
@@ -245,7 +247,7 @@ impl Runner<'_> {
     }
 
     fn limit_input(&mut self, n: u8) -> Result<(), Over> {
-        let at = self.here();
+        let at = self.last_move;
         let message = format!("stopped by limit input {n}");
         let question = limit_question(message.clone());
         if self.ask(&question, at)? == Answer::Button(Button::Continue) {
@@ -253,11 +255,6 @@ impl Runner<'_> {
             return Ok(());
         }
         Err(self.over(Status::Limit, Code::InputStop, at, message))
-    }
-
-    /// The line that runs next: what can be said of a stop that no line caused.
-    fn here(&self) -> At {
-        self.interpreter.call_stack().last().unwrap_or_default()
     }
 }
 

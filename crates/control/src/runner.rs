@@ -30,6 +30,8 @@ pub(crate) struct Runner<'a> {
     out: Vec<Sourced>,
     lines: u64,
     pub limits: LimitPolicy,
+    /// The line of the move made last.
+    pub last_move: At,
 }
 
 /// Whether a run goes on.
@@ -62,7 +64,17 @@ impl<'a> Runner<'a> {
         let mover = Mover::new(world.machine.position(), interpreter.settings());
         let (stack, out) = (Stack::default(), Vec::new());
         let lines = if lines == 0 { LINES } else { lines };
-        Self { interpreter, world, pace, mover, stack, out, lines, limits }
+        Self {
+            interpreter,
+            world,
+            pace,
+            mover,
+            stack,
+            out,
+            lines,
+            limits,
+            last_move: At::default(),
+        }
     }
 
     /// Runs the program to its end.
@@ -357,7 +369,7 @@ impl<'a> Runner<'a> {
         to[Axis::Z] = safe;
         self.mover.set_position(position);
         let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
-        let lift = self.mover.line(self.asking_line(), &line);
+        let lift = self.mover.line(self.last_move, &line);
         self.make_unasked(lift.into_iter().collect());
     }
 

@@ -3,7 +3,7 @@
 use crate::Run;
 use kerf_control::answers::Answers;
 use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, json};
+use kerf_control::{Company, Event, RunOptions, Session, Shelf, StopAt, json};
 use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
 use kerf_sim::Change;
@@ -20,6 +20,7 @@ pub struct Case {
     answers: Vec<String>,
     options: RunOptions,
     session: Session,
+    stop_at_s: f64,
 }
 
 /// A program in the state S0; `⏎` separates lines as `\n` does.
@@ -31,6 +32,7 @@ pub fn sbp(program: &str) -> Case {
         answers: Vec::new(),
         options: RunOptions::default(),
         session: Session::default(),
+        stop_at_s: f64::INFINITY,
     }
 }
 
@@ -73,6 +75,13 @@ impl Case {
         self
     }
 
+    /// The operator stops the machine at a machine time, seconds.
+    #[must_use]
+    pub const fn stopped_at(mut self, seconds: f64) -> Self {
+        self.stop_at_s = seconds;
+        self
+    }
+
     /// The machine has so many axes.
     #[must_use]
     pub const fn axes(mut self, count: u8) -> Self {
@@ -104,12 +113,12 @@ impl Case {
         let files = files.iter().map(|(name, text)| (name.as_str(), text.as_bytes()));
         let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
         for program in std::mem::take(&mut self.before) {
-            self.one(&program, RunOptions::default(), &mut shelf);
+            self.one(&program, RunOptions::default(), &mut shelf, f64::INFINITY);
         }
         let memory = &self.session.memory;
         let start = memory.settings.to_user(memory.frame.working(memory.position)).0;
         let (program, options) = (self.program.clone(), self.options.clone());
-        let events = self.one(&program, options, &mut shelf);
+        let events = self.one(&program, options, &mut shelf, self.stop_at_s);
         let trace: Vec<String> = events.iter().map(json::to_string).collect();
         Run::new(&trace.join("\n"), start, shelf)
     }
@@ -120,10 +129,17 @@ impl Case {
         self.run()
     }
 
-    fn one(&mut self, program: &str, options: RunOptions, shelf: &mut Shelf) -> Vec<Event> {
+    fn one(
+        &mut self,
+        program: &str,
+        options: RunOptions,
+        shelf: &mut Shelf,
+        stop_at_s: f64,
+    ) -> Vec<Event> {
         let mut events = Vec::new();
         let mut operator = Answers::read(&self.answers.join("\n"));
-        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
+        let mut pace = StopAt(stop_at_s);
+        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
         let program = kerf_sbp::read(MAIN.into(), program.as_bytes());
         self.session.run(program, options, shelf, company);
         events

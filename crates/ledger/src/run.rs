@@ -142,6 +142,12 @@ impl Run {
         self.tells("error", line, code)
     }
 
+    /// An error of this code points to this line; the run goes on.
+    #[track_caller]
+    pub fn errs(&self, line: u64, code: &str) -> &Self {
+        self.tells("error", line, code)
+    }
+
     /// A warning of this code points to this line.
     #[track_caller]
     pub fn warns(&self, line: u64, code: &str) -> &Self {
@@ -170,6 +176,11 @@ impl Run {
         let said = self.events("diag").any(|d| text(d, "message").contains(part));
         assert!(said, "no message says {part:?}\n{self}");
         self
+    }
+
+    /// A value that the run keeps under a key.
+    pub fn stored(&self, key: &str) -> Option<String> {
+        self.shelf.stored.get(key).map(str::to_owned)
     }
 
     /// How long the run takes in machine time, seconds.

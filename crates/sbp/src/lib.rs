@@ -35,8 +35,8 @@ pub use check::check;
 pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 pub use format::format;
 pub use interp::{
-    BeforePreview, Dialect, FileParameters, Interpreter, Options, Session, Status, Step,
-    SystemVariable, VERSION, Variables, Watch, system_variables,
+    BeforePreview, Dialect, FileParameters, Interpreter, Options, SPINDLE_STATUS, Session, Status,
+    Step, SystemVariable, VERSION, Variables, Watch, system_variables,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;

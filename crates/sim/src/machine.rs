@@ -148,7 +148,9 @@ impl Machine {
 
     /// Motion was stopped by the operator or a stop input; `spindles` turns outputs 1 and 2 off.
     pub fn stopped(&mut self, spindles: bool) {
-        self.set_light(false);
+        if matches!(self.settings.io.output4, -2 | -3) {
+            self.output(MOTION_OUTPUT, false, OutputReason::Stop);
+        }
         self.by_mode(Occasion::Stop, OutputReason::Stop);
         if spindles {
             self.output(1, false, OutputReason::Stop);

@@ -7,6 +7,8 @@ mod file;
 mod flow;
 mod io;
 mod lang;
+mod limits;
+mod motion;
 mod moves;
 mod outputs;
 mod set;

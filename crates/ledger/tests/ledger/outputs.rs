@@ -69,3 +69,103 @@ fn sbp_ext_tr() {
     let spindle = run.events("spindle").next().expect("a spindle event");
     assert_eq!(spindle["rpm"], 12000.0, "{run}");
 }
+
+/// When the light is switched, and to what.
+fn lights(run: &kerf_ledger::Run) -> Vec<(f64, bool)> {
+    let light = |e: &serde_json::Value| (e["t"].as_f64().unwrap(), e["on"].as_bool().unwrap());
+    run.events("light").map(light).collect()
+}
+
+#[test]
+fn sbp_out_so4_m2() {
+    let stopped = |mode: i8| sbp(&format!("SO,4,{mode} ⏎ MX,10")).stopped_at(1.0).run();
+    stopped(-2).switches(4, &[(true, "motion"), (false, "stop")]);
+    stopped(-1).switches(4, &[(true, "motion"), (false, "motion")]);
+    let ends = |mode: i8| {
+        let run = stopped(mode);
+        let off = run.events("output").filter(|e| e["n"] == 4).last().cloned().unwrap();
+        run.seconds() - off["t"].as_f64().unwrap()
+    };
+    assert!(ends(-2) > 0.1, "off before the tool is lifted");
+    assert_eq!(ends(-1), 0.0, "on until the end");
+}
+
+#[test]
+fn sbp_out_warn_zero() {
+    let run = run("SW,0 ⏎ MX,1");
+    let made = run.events("move").next().unwrap().clone();
+    let (start, end) = (made["t0"].as_f64().unwrap(), made["t1"].as_f64().unwrap());
+    assert_eq!((start, lights(&run)), (0.0, vec![(0.0, true), (end, false)]), "{run}");
+}
+
+#[test]
+fn sbp_out_warn_end() {
+    let three = run("SW,2 ⏎ MX,1 ⏎ PRINT 1 ⏎ MX,2 ⏎ PAUSE 1 ⏎ MX,3");
+    assert_eq!(lights(&three), [(0.0, true), (three.seconds(), false)], "{three}");
+    let off = run("SW,2 ⏎ MX,1 ⏎ WARNING OFF ⏎ PAUSE 1 ⏎ MX,2");
+    let states: Vec<bool> = lights(&off).into_iter().map(|(_, on)| on).collect();
+    assert_eq!(states, [true, false, true, false], "{off}");
+    let dark = lights(&off)[2].0 - lights(&off)[1].0;
+    assert!((dark - 1.0).abs() < 1e-9, "{off}");
+}
+
+#[test]
+fn sbp_out_spindle() {
+    let program = "SetSpindleStatus, 1 ⏎ SO,1,1 ⏎ SO,2,1 ⏎ MX,10";
+    let run = sbp(program).input(4, 1.0, false).run();
+    run.status("stopped").asks(&[]);
+    run.switches(1, &[(true, "program"), (false, "stop")]);
+    run.switches(2, &[(true, "program"), (false, "stop")]);
+    assert_eq!(run.stored("SpindleStatus").as_deref(), Some("0"), "{run}");
+}
+
+/// Percents of the laser with their times.
+fn burns(run: &kerf_ledger::Run) -> Vec<(f64, f64)> {
+    let number = |e: &serde_json::Value, key: &str| e[key].as_f64().unwrap();
+    run.is_ok().events("pwm").map(|e| (number(e, "t"), number(e, "percent"))).collect()
+}
+
+#[test]
+fn sbp_val_vh_laser() {
+    // Ramp speed .4 of 2 in/s: 20 + 60·.2 = 32 %, up to 80 at full speed, 20 at rest.
+    let run = run("VN,,,2 ⏎ VH,1,,20,80 ⏎ MX,5 ⏎ VH,0");
+    let end = run.seconds();
+    let expected = [
+        (0.0, 20.0),
+        (0.0, 32.0),
+        (0.114_285_714, 80.0),
+        (end - 0.114_285_714, 80.0),
+        (end, 32.0),
+        (end, 20.0),
+        (end, 0.0),
+    ];
+    let burns = burns(&run);
+    let expected: Vec<_> = expected.into_iter().filter(|e| e.0 != end - 0.114_285_714).collect();
+    assert_eq!(burns.len(), expected.len(), "{run}");
+    for (got, want) in burns.iter().zip(&expected) {
+        assert!((got.0 - want.0).abs() < 1e-6 && (got.1 - want.1).abs() < 1e-6, "{got:?} {run}");
+    }
+}
+
+#[test]
+fn sbp_val_vh_laser_preset() {
+    let percents = |program: &str| -> Vec<f64> {
+        burns(&run(program)).into_iter().map(|(_, percent)| percent).collect()
+    };
+    assert_eq!(percents("VN,,,2 ⏎ VH,0,,20,80 ⏎ VH,1 ⏎ VH,0"), [20.0, 0.0]);
+    assert_eq!(percents("VN,,,2 ⏎ VH,0,,20,80 ⏎ MX,1"), [0.0; 0]);
+}
+
+#[test]
+fn sbp_val_vh_laser_test() {
+    let run = run("VN,,,2 ⏎ VH,1,,35,0 ⏎ MX,5");
+    let percents: Vec<f64> = burns(&run).into_iter().map(|(_, percent)| percent).collect();
+    assert_eq!((percents[0], percents.iter().copied().fold(99.0, f64::min)), (35.0, 0.0), "{run}");
+}
+
+#[test]
+fn sbp_val_vh_freq() {
+    let khz = |program: &str| run(program).events("pwm").next().unwrap()["khz"].as_f64().unwrap();
+    assert_eq!(khz("VN,,,2 ⏎ VH,1,,20,80"), 5.4);
+    assert_eq!(khz("VN,,,2 ⏎ VH,1,,20,80,10"), 10.0);
+}

@@ -60,3 +60,31 @@ fn sbp_cmd_sc_other() {
     run("SC,1").fails(1, "R009").says("only SC,2 is defined");
     run("SC").fails(1, "R009").says("only SC,2 is defined");
 }
+
+#[test]
+fn sbp_cmd_sp() {
+    let run = run("SP ⏎ MX,5 ⏎ PRINT %(22) ⏎ SM");
+    run.is_ok().prints(&["1"]).visits(&[[5.0]]).stands_at([0.0]);
+    let mode = run.events("mode").next().expect("the mode changes");
+    assert_eq!(mode["mode"], "preview", "{run}");
+}
+
+#[test]
+fn sbp_cmd_sp_start() {
+    let from = |program: &str| {
+        let run = at([1.0, 1.0], program);
+        let y = run.is_ok().events("move").next().unwrap()["to"]["y"].as_f64().unwrap();
+        (y, run.end()["cut"].as_f64().unwrap())
+    };
+    assert_eq!(from("SP ⏎ MX,5"), (1.0, 4.0));
+    assert_eq!(from("VP,,,,,,,0 ⏎ SP ⏎ MX,5"), (0.0, 5.0));
+}
+
+#[test]
+fn sbp_cmd_sp_noeffect() {
+    let program = "SP ⏎ SO,3,1 ⏎ PAUSE 5 ⏎ ZX ⏎ PRINT %(103) ⏎ SM ⏎ PRINT %(1), %(103)";
+    let run = at([2.0], program);
+    run.is_ok().prints(&["0", "2     0"]).switches(3, &[]);
+    assert_eq!((run.seconds(), run.events("wait").count()), (0.0, 0), "{run}");
+    at([2.0], "SP ⏎ PAUSE ⏎ SM").asks(&["Continue?"]);
+}

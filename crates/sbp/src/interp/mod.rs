@@ -42,7 +42,7 @@ mod z_moves;
 pub use self::core::Core;
 pub use arguments::Arguments;
 pub use context::{Context, Stop};
-pub(crate) use registry::SPINDLE_STATUS;
+pub use registry::SPINDLE_STATUS;
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
 pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;

@@ -14,7 +14,7 @@ pub(crate) const USER_VALUE: &str = "uValue";
 pub(crate) const CLEARED_VALUE: &str = "uValueClrd";
 
 /// Key of the flag of SetSpindleStatus: `1` while the spindle counts as active.
-pub(crate) const SPINDLE_STATUS: &str = "SpindleStatus";
+pub const SPINDLE_STATUS: &str = "SpindleStatus";
 
 impl Context<'_> {
     /// Set…: keeps a value.

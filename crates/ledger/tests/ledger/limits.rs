@@ -1,0 +1,136 @@
+//! Limits and stops.
+
+use kerf_ledger::{Run, run, sbp};
+
+/// When `MX,10` at the default speed passes X 4: .13714 in of ramp in .11429 s, then 2 in/s.
+const AT_X4: f64 = 0.114_285_714 + (4.0 - 0.137_142_857) / 2.0;
+
+/// Where a ramped stop that begins at X 4 ends.
+const RAMPED: f64 = 4.137_142_857;
+
+fn stops(run: &Run) -> Vec<&str> {
+    run.events("stop").map(|e| e["by"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn sbp_lim_sf_preview() {
+    let run = run("VL,0,10,0,10 ⏎ SF,1 ⏎ SP ⏎ MX,12 ⏎ MX,5 ⏎ MY,60 ⏎ SM");
+    run.is_ok().asks(&[]).errs(4, "M001").errs(6, "M001").stands_at([0.0, 0.0]);
+}
+
+#[test]
+fn sbp_lim_switch_stop() {
+    let run = sbp("VN,,,,,1 ⏎ MX,10 ⏎ MY,1").input(2, AT_X4, true).run();
+    run.status("limit").stands_at([4.0]).says("limit input 2");
+    assert_eq!(stops(&run), ["limit"], "{run}");
+}
+
+#[test]
+fn sbp_lim_switch_options() {
+    let go_on = sbp("VN,,,,,1 ⏎ MX,10 ⏎ MX,0").answers(&["Continue"]);
+    go_on.input(2, AT_X4, true).input(2, 3.0, false).input(2, 6.0, true).run().ends_at([0.0]);
+    let quit = sbp("VN,,,,,1 ⏎ MX,10").answers(&["End"]).input(2, AT_X4, true).run();
+    quit.status("limit").stands_at([4.0]);
+}
+
+#[test]
+fn sbp_lim_switch_off() {
+    sbp("VN,0,,,,1 ⏎ MX,10").input(2, AT_X4, true).run().ends_at([10.0]);
+    let handler = "VN,0,,,,1 ⏎ ON INPUT(2,1) GOTO HIT ⏎ MX,10 ⏎ END ⏎ HIT: ⏎ PRINT %(1)";
+    sbp(handler).input(2, AT_X4, true).run().prints(&["4"]).ends_at([4.0]);
+}
+
+#[test]
+fn sbp_val_vn_limits() {
+    let program = |active: u8| format!("VN,{active},,,,1 ⏎ MX,10");
+    sbp(&program(1)).input(2, AT_X4, true).run().stands_at([4.0]);
+    sbp(&program(0)).input(2, AT_X4, true).run().stands_at([10.0]);
+}
+
+#[test]
+fn sbp_val_vn_inmode_std() {
+    sbp("MX,10 ⏎ PRINT %(55)").input(5, AT_X4, true).run().ends_at([10.0]).prints(&["1"]);
+    let handler = "ON INPUT(5,1) &hit=1 ⏎ MX,10 ⏎ PRINT &hit";
+    sbp(handler).input(5, AT_X4, true).run().ends_at([4.0]).prints(&["1"]);
+}
+
+#[test]
+fn sbp_lim_stop_input() {
+    let program = "VN,,,,,,,4 ⏎ SO,1,1 ⏎ SO,2,1 ⏎ SO,3,1 ⏎ MX,10";
+    let run = sbp(program).input(5, AT_X4, false).run();
+    run.status("stopped").stands_at([RAMPED]).says("stop input 5");
+    run.switches(1, &[(true, "program"), (false, "stop")]);
+    run.switches(2, &[(true, "program"), (false, "stop")]);
+    run.switches(3, &[(true, "program"), (false, "end")]);
+    // Until it is released nothing moves.
+    let open = sbp("VN,,,,,,,4 ⏎ MX,10").input(5, 0.0, false).run();
+    open.status("stopped").stands_at([0.0]).says("stop input 5");
+}
+
+#[test]
+fn sbp_lim_stop4() {
+    let run = sbp("MX,10").input(4, AT_X4, false).run();
+    run.status("stopped").stands_at([4.0]);
+    assert_eq!(stops(&run), ["stop"], "{run}");
+}
+
+#[test]
+fn sbp_val_vn_in4() {
+    run("MX,10").ends_at([10.0]);
+    sbp("MX,10").input(4, AT_X4, false).run().status("stopped").stands_at([4.0]);
+    sbp("VN,,1 ⏎ MX,10").input(4, AT_X4, true).run().status("stopped").stands_at([4.0]);
+}
+
+#[test]
+fn sbp_lim_stop_nc() {
+    let run = sbp("MX,10").input(4, 0.0, false).run();
+    run.status("stopped").stands_at([0.0]).says("stop input 4");
+}
+
+#[test]
+fn sbp_lim_stop_key() {
+    let run = sbp("MZ,-.5 ⏎ MX,10").stopped_at(0.75 + AT_X4).run();
+    let visited: Vec<_> = run.events("move").map(|m| m["to"]["z"].as_f64().unwrap()).collect();
+    assert_eq!(visited, [-0.5, -0.5, 1.0], "{run}");
+    run.status("stopped");
+    assert_eq!(stops(&run), ["operator"], "{run}");
+    let stood = run.events("move").nth(1).unwrap()["to"]["x"].as_f64().unwrap();
+    assert!(stood < 10.0 && run.location()[0] == stood, "{run}");
+    sbp("MX,10").stopped_at(AT_X4).run().stands_at([RAMPED, 0.0, 1.0]);
+}
+
+#[test]
+fn sbp_lim_stop_quit() {
+    let nested = sbp("VS,4 ⏎ FP,b.sbp ⏎ MY,1").file("b.sbp", "MX,10").stopped_at(1.0).run();
+    nested.status("stopped");
+    assert_eq!(nested.events("move").count(), 2, "the cut and the lift: {nested}");
+    let speed = |program: &str| sbp("PRINT %(71)").after(program).run().prints(&["2"]).seconds();
+    assert_eq!(speed("VS,4 ⏎ MX,10"), 0.0);
+}
+
+/// VN with a mode for output 3, its 17th value.
+fn output3(mode: u8) -> String {
+    format!("VN{}{mode}", ",".repeat(17))
+}
+
+#[test]
+fn sbp_val_vn_outmode2() {
+    let program = &format!("{} ⏎ SO,3,1 ⏎ MX,10", output3(2));
+    run(program).switches(3, &[(true, "program"), (false, "end")]);
+    sbp(program).stopped_at(1.0).run().switches(3, &[(true, "program"), (false, "stop")]);
+}
+
+#[test]
+fn sbp_val_vn_outmode3() {
+    let set = &output3(3);
+    sbp("MX,10").after(set).run().switches(3, &[(true, "mode"), (false, "end")]);
+}
+
+#[test]
+fn sbp_val_vn_outmode5() {
+    let set = &output3(5);
+    sbp("MX,10").after(set).run().switches(3, &[(true, "mode"), (false, "end")]);
+    // A stop switches it off before the end of the file would.
+    let at_start = sbp("MX,10").after(set).stopped_at(1.0).run();
+    at_start.switches(3, &[(true, "mode"), (false, "stop")]);
+}

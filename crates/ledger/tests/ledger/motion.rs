@@ -1,0 +1,103 @@
+//! Stacks of moves, and independent axes.
+
+use kerf_ledger::{Run, run, sbp};
+
+fn times(run: &Run) -> Vec<[f64; 2]> {
+    let time = |m: &serde_json::Value, key: &str| m[key].as_f64().unwrap();
+    run.is_ok().events("move").map(|m| [time(m, "t0"), time(m, "t1")]).collect()
+}
+
+/// Whether the machine stands after the first move: then it lasts as long as alone.
+fn stands_after_first(program: &str) -> bool {
+    let first = times(&run(program))[0];
+    let alone = times(&run("MX,5"))[0];
+    ((first[1] - first[0]) - (alone[1] - alone[0])).abs() < 1e-9
+}
+
+#[test]
+fn sbp_motion_stack() {
+    let run = run("MX,5 ⏎ SO,3,1 ⏎ CC,4 ⏎ MY,2");
+    let switched = run.events("output").find(|e| e["n"] == 3).unwrap()["t"].as_f64().unwrap();
+    let first = times(&run)[0];
+    assert_eq!(switched, first[1], "{run}");
+    assert!(!stands_after_first("MX,5 ⏎ SO,3,1 ⏎ MX,10"));
+}
+
+#[test]
+fn sbp_motion_stack_end() {
+    for ends in ["J2,0,0", "PRINT 1", "PAUSE 0", "MS,2", "JS,6", "&a=%(51)", "ON INPUT(3,1)"] {
+        assert!(stands_after_first(&format!("MX,5 ⏎ {ends} ⏎ MX,10")), "{ends}");
+    }
+    for joins in ["'note", "L:", "VS,2", "&a=1", "IF 1=1 THEN &a=1", "GOTO L ⏎ L:"] {
+        assert!(!stands_after_first(&format!("MX,5 ⏎ {joins} ⏎ MX,10")), "{joins}");
+    }
+    let run = run("&i=0 ⏎ L: ⏎ &i=&i+1 ⏎ MX,&i ⏎ IF &i<5 THEN GOTO L");
+    let whole = times(&sbp("MX,5").run())[0];
+    let last = times(&run)[4];
+    assert!((last[1] - whole[1]).abs() < 1e-9, "{run}");
+}
+
+#[test]
+fn sbp_motion_stack_nostart() {
+    let nothing = run("MX,5 ⏎ MY,5 ⏎ MZ,1/0");
+    nothing.status("failed").stands_at([0.0, 0.0]).fails(3, "R003").says("2 moves were read");
+    run("MX,5 ⏎ PAUSE 1 ⏎ MZ,1/0").status("failed").stands_at([5.0]).fails(3, "R003");
+    // A file that cannot be read does not start at all.
+    run("MX,5 ⏎ PAUSE 1 ⏎ QQ,1").status("failed").stands_at([0.0]);
+}
+
+#[test]
+fn sbp_motion_switchoff_stack() {
+    assert!(stands_after_first("MX,5 ⏎ SO,3,0 ⏎ MX,10"));
+    assert!(!stands_after_first("MX,5 ⏎ SO,3,1 ⏎ MX,10"));
+}
+
+#[test]
+fn sbp_cmd_speed_vector() {
+    // Ramp speed 5 leaves no ramps.
+    let lasts = |program: &str| {
+        let run = run(&format!("VR,5 ⏎ VS,2 ⏎ {program}"));
+        run.seconds()
+    };
+    assert!((lasts("M2,3,4") - 2.5).abs() < 1e-6);
+    assert!((lasts("CC,4") - 4.0 * std::f64::consts::PI / 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn sbp_cmd_mi_rotate() {
+    let run = sbp("MI,B,1,30 ⏎ MX,5 ⏎ PRINT %(123)").axes(5).run();
+    run.is_ok().prints(&["1"]);
+    let turns = run.events("independent").next().unwrap();
+    assert_eq!((&turns["axis"], &turns["speed"]), (&"B".into(), &30.into()), "{run}");
+    let place = sbp("MI,B,1,30 ⏎ PAUSE 10 ⏎ MI,B,1,0 ⏎ PRINT %(5)").axes(5).run();
+    place.is_ok().prints(&["300"]);
+}
+
+#[test]
+fn sbp_cmd_mi_direction() {
+    let place = sbp("MI,B,-1,30 ⏎ PAUSE 10 ⏎ MI,B,1,0 ⏎ PRINT %(5)").axes(5).run();
+    place.is_ok().prints(&["-300"]);
+    sbp("MI,B,,30 ⏎ PAUSE 10 ⏎ MI,B,1,0 ⏎ PRINT %(5)").axes(5).run().prints(&["300"]);
+}
+
+#[test]
+fn sbp_cmd_mi_oscillate() {
+    let run = run("MI,Z,,,2,.5 ⏎ MX,5");
+    let swings = run.is_ok().events("independent").next().unwrap();
+    assert_eq!((&swings["frequency"], &swings["distance"]), (&2.into(), &0.5.into()), "{run}");
+    // An eighth of a second after the start, a quarter of a cycle, it is at its peak.
+    sbp("MI,Z,,,2,.5 ⏎ PAUSE .125 ⏎ MI,Z,,,0 ⏎ PRINT %(3)").run().prints(&["0.25"]);
+}
+
+#[test]
+fn sbp_cmd_mi_stop() {
+    let stopped = |program: &str| {
+        let run = sbp(program).axes(5).run();
+        let last = run.is_ok().events("independent").last().cloned();
+        last.is_some_and(|e| e["speed"] == 0 && e["frequency"] == 0)
+    };
+    assert!(stopped("MI,B,1,30 ⏎ PAUSE 1 ⏎ MI,B,1,0"));
+    assert!(stopped("MI,Z,,,2,.5 ⏎ PAUSE 1 ⏎ MI,Z,,,0"));
+    assert!(stopped("MI,B,1,30 ⏎ PAUSE 1 ⏎ MO"));
+    assert!(!stopped("MI,B,1,30 ⏎ PAUSE 1"));
+}
