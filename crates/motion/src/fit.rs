@@ -2,15 +2,16 @@
 //! profiles of a stack: the look-ahead, over the whole stack at once.
 
 use crate::moves::Move;
-use crate::plan::Plan;
+use crate::plan::{Law, Plan};
 use crate::profile::Profile;
+use crate::ramped::Ramped;
 
 /// Turns the highest speeds allowed at the ends and inside each move into profiles: a pass back, so
 /// that every move can slow in time, and a pass forward, so that none starts faster than was reached.
 pub(crate) fn fit(moves: Vec<Move>, mut caps: Vec<Profile>) -> Plan {
     slow_in_time(&moves, &mut caps);
     let duration_s = run(&moves, &mut caps);
-    Plan { moves, profiles: caps, duration_s }
+    Plan { moves, law: Law::Ramped(Ramped { profiles: caps, duration_s }) }
 }
 
 fn slow_in_time(moves: &[Move], caps: &mut [Profile]) {

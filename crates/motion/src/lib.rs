@@ -36,15 +36,18 @@ mod course;
 mod fit;
 mod mover;
 mod moves;
+mod optimal;
 mod pass;
 mod plan;
 mod profile;
+mod ramped;
 mod shopbot;
 mod stop;
 mod turns;
 
 pub use mover::Mover;
 pub use moves::{Move, Path};
+pub use optimal::Optimal;
 pub use pass::Pass;
 pub use plan::{Plan, Span, State};
 pub use shopbot::{Model, ShopBot, plan_stack};

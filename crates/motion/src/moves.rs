@@ -92,6 +92,18 @@ impl Move {
         all
     }
 
+    /// Change of that derivative for a whole share of 1: zero but in X and Y of an arc.
+    pub(crate) fn second_derivative(&self, share: f64) -> Axes {
+        let mut all = Axes::default();
+        if let Some(arc) = self.arc() {
+            let place = arc.at(share);
+            let square = arc.sweep_rad * arc.sweep_rad;
+            all.0[0] = (arc.centre.x - place.x) * square;
+            all.0[1] = (arc.centre.y - place.y) * square;
+        }
+        all
+    }
+
     /// The two parts of the move before and after a share of the path.
     pub fn split(&self, share: f64) -> (Self, Self) {
         let middle = self.position(share);

@@ -67,20 +67,21 @@ impl Phases {
         s < self.rise_s
     }
 
-    /// Way made and speed at a time since the start of the move.
-    pub fn at(&self, s: f64) -> (f64, f64) {
+    /// Way made, speed and acceleration at a time since the start of the move.
+    pub fn at(&self, s: f64) -> (f64, f64, f64) {
         let s = s.clamp(0.0, self.duration_s());
         if s < self.rise_s {
             let v = self.entry + self.accel * s;
-            return (0.5 * (self.entry + v) * s, v);
+            return (0.5 * (self.entry + v) * s, v, self.accel);
         }
         let s = s - self.rise_s;
         if s < self.cruise_s {
-            return (self.rise_mm + self.peak * s, self.peak);
+            return (self.rise_mm + self.peak * s, self.peak, 0.0);
         }
         let s = s - self.cruise_s;
         let v = self.peak - self.accel * s;
-        ((self.rise_mm + self.cruise_mm + 0.5 * (self.peak + v) * s).min(self.length_mm), v)
+        let mm = self.rise_mm + self.cruise_mm + 0.5 * (self.peak + v) * s;
+        (mm.min(self.length_mm), v, -self.accel)
     }
 
     /// Time since the start of the move at which a way has been made.

@@ -1,12 +1,15 @@
 //! Stopping inside a plan, and what is left of it.
 //!
-//! A ramped stop slows along the path at the ramp's acceleration until ramp speed is reached, where
+//! With the ramps of VR a ramped stop slows along the path at the ramp's acceleration until ramp speed is reached, where
 //! the machine stands; it may run on into later moves. As the plan itself never slows more steeply,
-//! the stop never runs faster than the plan would have.
+//! the stop never runs faster than the plan would have. On a smoothed path it slows as steeply as
+//! the axes allow, down to rest.
 
 use crate::moves::Move;
-use crate::plan::Plan;
+use crate::optimal::{Node, Timed};
+use crate::plan::{Law, Plan};
 use crate::profile::Profile;
+use crate::ramped::Ramped;
 use kerf_program::Axes;
 
 /// Where and when a stop comes to rest.
@@ -22,9 +25,17 @@ pub struct Stop {
     pub move_index: usize,
     /// How much of that move's path has been made, 0 … 1.
     pub share: f64,
+    law: Braked,
+}
+
+/// How the stop runs.
+#[derive(Clone, Debug, PartialEq)]
+enum Braked {
     /// Profiles of the moves from the one in which the stop began to the one in which it stands;
     /// the last only over its share.
-    profiles: Vec<Profile>,
+    Ramped(Vec<Profile>),
+    /// Nodes from the time at which the stop began.
+    Timed(Vec<Node>),
 }
 
 /// How far the braking has come: in which move, how far into it, how fast.
@@ -39,12 +50,77 @@ impl Plan {
     /// A stop that begins at a time: ramped along the path, or at once. `None` only for a plan
     /// without moves.
     pub fn stop(&self, t_s: f64, ramped: bool) -> Option<Stop> {
-        let begin_s = t_s.max(0.0).min(self.duration_s);
-        let mut braking = self.braking(begin_s)?;
+        let begin_s = t_s.max(0.0).min(self.duration_s());
+        if self.moves.is_empty() {
+            return None;
+        }
+        Some(match &self.law {
+            Law::Ramped(law) => law.stop(begin_s, ramped, &self.moves),
+            Law::Timed(law) => law.stop(begin_s, ramped, &self.moves),
+        })
+    }
+
+    /// The plan as it runs with this stop, and the moves that are left for resuming. The stop must
+    /// come from this plan.
+    pub fn cut(mut self, stop: &Stop) -> (Self, Vec<Move>) {
+        let mut rest = self.moves.split_off(stop.move_index.min(self.moves.len()));
+        if let Some(last) = rest.first_mut() {
+            let (mut made, mut left) = last.split(stop.share);
+            (made.to, left.from) = (stop.position, stop.position);
+            *last = left;
+            if stop.share > 0.0 {
+                self.moves.push(made);
+            }
+        }
+        if stop.share >= 1.0 {
+            rest.remove(0);
+            if let Some(next) = rest.first_mut() {
+                next.from = stop.position;
+            }
+        }
+        match (&mut self.law, &stop.law) {
+            (Law::Ramped(law), Braked::Ramped(profiles)) => {
+                law.cut(stop, profiles, self.moves.len());
+            }
+            (Law::Timed(law), Braked::Timed(nodes)) => law.cut(stop, nodes),
+            _ => {}
+        }
+        (self, rest)
+    }
+}
+
+impl Timed {
+    fn stop(&self, begin_s: f64, ramped: bool, moves: &[Move]) -> Stop {
+        let mut nodes = self.brake(begin_s, moves);
+        if !ramped {
+            nodes.truncate(1);
+        }
+        let stands = nodes[nodes.len() - 1];
+        let (move_index, share) = self.share(stands.at_mm);
+        Stop {
+            begin_s,
+            end_s: stands.t_s,
+            position: self.geometry(stands.at_mm)[0],
+            move_index,
+            share,
+            law: Braked::Timed(nodes),
+        }
+    }
+
+    fn cut(&mut self, stop: &Stop, nodes: &[Node]) {
+        let made = self.nodes.partition_point(|n| n.t_s < stop.begin_s);
+        self.nodes.truncate(made);
+        self.nodes.extend(nodes);
+    }
+}
+
+impl Ramped {
+    fn stop(&self, begin_s: f64, ramped: bool, moves: &[Move]) -> Stop {
+        let mut braking = self.braking(begin_s, moves);
         let mut profiles = Vec::new();
         let mut end_s = begin_s;
         loop {
-            let made = &self.moves[braking.index];
+            let made = &moves[braking.index];
             let (way_mm, v_exit) = if ramped { braking.brake(made) } else { (0.0, braking.v) };
             // Mean speed times time is way, for constant acceleration.
             end_s += if way_mm > 0.0 { 2.0 * way_mm / (braking.v + v_exit) } else { 0.0 };
@@ -52,51 +128,37 @@ impl Plan {
             profiles.push(braking.profile);
             let made_mm = braking.made_mm + way_mm;
             let stands = made_mm < made.length_mm || v_exit <= made.ramp_mm_s || !ramped;
-            match self.moves.get(braking.index + 1) {
+            match moves.get(braking.index + 1) {
                 Some(next) if !stands && next.continues(made) => {
                     braking = Braking::entering(braking.index + 1, v_exit, end_s);
                 }
                 _ => {
                     let share = (made_mm / made.length_mm).min(1.0);
                     let position = made.position(share);
-                    let move_index = braking.index;
-                    return Some(Stop { begin_s, end_s, position, move_index, share, profiles });
+                    let (move_index, law) = (braking.index, Braked::Ramped(profiles));
+                    return Stop { begin_s, end_s, position, move_index, share, law };
                 }
             }
         }
     }
 
-    /// The plan as it runs with this stop, and the moves that are left for resuming. The stop must
-    /// come from this plan.
-    pub fn cut(mut self, stop: &Stop) -> (Self, Vec<Move>) {
-        let mut rest = self.moves.split_off(stop.move_index.min(self.moves.len()));
-        self.profiles.truncate((stop.move_index + 1).saturating_sub(stop.profiles.len()));
-        self.profiles.extend(&stop.profiles);
+    fn cut(&mut self, stop: &Stop, profiles: &[Profile], moves: usize) {
+        self.profiles.truncate((stop.move_index + 1).saturating_sub(profiles.len()));
+        self.profiles.extend(profiles);
+        self.profiles.truncate(moves);
         self.duration_s = stop.end_s;
-        if let Some(last) = rest.first_mut() {
-            let (made, left) = last.split(stop.share);
-            *last = left;
-            if stop.share > 0.0 {
-                self.moves.push(made);
-            }
-        }
-        self.profiles.truncate(self.moves.len());
-        if stop.share >= 1.0 {
-            rest.remove(0);
-        }
-        (self, rest)
     }
 
-    fn braking(&self, t_s: f64) -> Option<Braking> {
-        let index = self.index_at(t_s)?;
+    fn braking(&self, t_s: f64, moves: &[Move]) -> Braking {
+        let index = self.index_at(t_s);
         let mut profile = self.profiles[index];
         let since = t_s - profile.start_s;
-        let phases = self.phases(index);
-        let (made_mm, v) = phases.at(since);
+        let phases = self.phases(index, &moves[index]);
+        let (made_mm, v, _) = phases.at(since);
         if phases.rises_at(since) {
             profile.v_peak = v;
         }
-        Some(Braking { index, made_mm, v, profile })
+        Braking { index, made_mm, v, profile }
     }
 }
 

@@ -1,0 +1,180 @@
+//! A smoothed path with its times: where every axis is at time t.
+
+use super::cells::Cells;
+use super::reach::{Bounds, Gate};
+use super::speeds::Node;
+use super::track::Track;
+use super::widths::Kernel;
+use crate::moves::Move;
+use crate::plan::State;
+use kerf_program::{AXES, Axes, Dynamics};
+
+/// The law of motion of the `optimal` model.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Timed {
+    pub track: Track,
+    pub widths: Vec<f64>,
+    pub kernel: Kernel,
+    pub nodes: Vec<Node>,
+    pub dynamics: Dynamics,
+}
+
+/// A place on the path with the motion along it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Along {
+    pub at_mm: f64,
+    pub v: f64,
+    pub accel: f64,
+}
+
+impl Timed {
+    pub fn duration_s(&self) -> f64 {
+        self.nodes.last().map_or(0.0, |n| n.t_s)
+    }
+
+    /// The motion along the path at a time.
+    pub fn along(&self, t_s: f64) -> Along {
+        let later = self.nodes.partition_point(|n| n.t_s <= t_s);
+        let Some(a) = self.nodes.get(later.saturating_sub(1)) else {
+            return Along { at_mm: 0.0, v: 0.0, accel: 0.0 };
+        };
+        match self.nodes.get(later) {
+            Some(b) if later > 0 => {
+                let accel = (b.v - a.v) / (b.t_s - a.t_s);
+                let s = t_s - a.t_s;
+                let at_mm = (a.at_mm + s * (a.v + 0.5 * accel * s)).min(b.at_mm);
+                Along { at_mm, v: a.v + accel * s, accel }
+            }
+            _ => Along { at_mm: a.at_mm, v: 0.0, accel: 0.0 },
+        }
+    }
+
+    /// When a place on the path is reached.
+    pub fn time_at(&self, at_mm: f64) -> f64 {
+        let later = self.nodes.partition_point(|n| n.at_mm < at_mm);
+        let (Some(a), Some(b)) = (self.nodes.get(later.wrapping_sub(1)), self.nodes.get(later)) else {
+            return if later == 0 { 0.0 } else { self.duration_s() };
+        };
+        let accel = (b.v * b.v - a.v * a.v) / (2.0 * (b.at_mm - a.at_mm));
+        let way = at_mm - a.at_mm;
+        let v = (a.v * a.v + 2.0 * accel * way).max(0.0).sqrt();
+        let within = if way > 0.0 { 2.0 * way / (a.v + v) } else { 0.0 };
+        a.t_s + within.min(b.t_s - a.t_s)
+    }
+
+    /// Where a move begins on the track; beyond the last, where the track ends.
+    pub fn start_mm(&self, index: usize) -> f64 {
+        let vertex = self.track.owner.partition_point(|owner| (*owner as usize) < index);
+        let vertex = if index > self.last_move() { self.track.len() } else { vertex };
+        self.track.at_mm.get(vertex).or(self.track.at_mm.last()).copied().unwrap_or(0.0)
+    }
+
+    fn last_move(&self) -> usize {
+        self.track.owner.last().map_or(0, |owner| *owner as usize)
+    }
+
+    /// The move to which a place on the track belongs, and how much of its path lies before.
+    pub fn share(&self, at_mm: f64) -> (usize, f64) {
+        let index = self.track.owner[self.track.segment(at_mm)] as usize;
+        let (a, b) = (self.start_mm(index), self.start_mm(index + 1));
+        let share = if b > a { (at_mm - a) / (b - a) } else { 1.0 };
+        (index, share.clamp(0.0, 1.0))
+    }
+
+    /// What the machine does at a time.
+    pub fn at(&self, t_s: f64, moves: &[Move]) -> State {
+        let along = self.along(t_s);
+        let (move_index, share) = self.share(along.at_mm);
+        let made = &moves[move_index.min(moves.len() - 1)];
+        let [position, slope, bend] = self.geometry(along.at_mm);
+        let square = along.v * along.v;
+        State {
+            position,
+            path_speed_mm_s: along.v * self.scale(move_index, made),
+            velocity: Axes(slope.0.map(|p| p * along.v)),
+            acceleration: slope.zip(bend, |p, c| p * along.accel + c * square),
+            move_index,
+            share,
+        }
+    }
+
+    /// Reference length of a move for a millimetre of the track.
+    fn scale(&self, index: usize, made: &Move) -> f64 {
+        let length = self.start_mm(index + 1) - self.start_mm(index);
+        if length > 0.0 { made.length_mm / length } else { 1.0 }
+    }
+
+    /// Speeds of a move along its reference length: at its start, the highest, at its end.
+    pub fn speeds(&self, index: usize, made: &Move) -> [f64; 3] {
+        let (a, b) = (self.start_mm(index), self.start_mm(index + 1));
+        let (entry, exit) = (self.v_at(a), self.v_at(b));
+        let first = self.nodes.partition_point(|n| n.at_mm <= a);
+        let inside = self.nodes[first..].iter().take_while(|n| n.at_mm < b);
+        let peak = inside.map(|n| n.v).fold(entry.max(exit), f64::max);
+        let scale = self.scale(index, made);
+        [entry * scale, peak * scale, exit * scale]
+    }
+
+    fn v_at(&self, at_mm: f64) -> f64 {
+        self.along(self.time_at(at_mm)).v
+    }
+
+    /// Position, slope and curvature by the length at a place on the track.
+    pub fn geometry(&self, at_mm: f64) -> [Axes; 3] {
+        let at = &self.track.at_mm;
+        let segment = self.track.segment(at_mm);
+        let direction = self.track.direction::<AXES>(segment);
+        // At its end exactly where the program says.
+        let ends = at_mm >= at[at.len() - 1];
+        let from = self.track.point::<AXES>(if ends { at.len() - 1 } else { segment });
+        let way = if ends { 0.0 } else { at_mm - at[segment] };
+        let mut out = [std::array::from_fn(|k| from[k] + way * direction[k]), direction, [0.0; AXES]];
+        let mut add = |j: usize, offset: f64| {
+            if self.widths[j] < 0.0 {
+                return;
+            }
+            let shape = self.kernel.shape(self.widths[j], offset);
+            let (a, b) = (self.track.direction::<AXES>(j - 1), self.track.direction::<AXES>(j));
+            for (value, factor) in out.iter_mut().zip(shape) {
+                (0..AXES).for_each(|k| value[k] += factor * (b[k] - a[k]));
+            }
+        };
+        let mut j = segment;
+        while self.widths[j].abs() > at_mm - at[j] {
+            add(j, (at_mm - at[j]).max(f64::MIN_POSITIVE));
+            j -= 1;
+        }
+        let mut j = segment + 1;
+        while j < at.len() && self.widths[j].abs() > at[j] - at_mm {
+            add(j, -(at[j] - at_mm).max(f64::MIN_POSITIVE));
+            j += 1;
+        }
+        out.map(Axes)
+    }
+
+    /// Nodes of the steepest braking from a time on, the first at that time.
+    pub fn brake(&self, t_s: f64, moves: &[Move]) -> Vec<Node> {
+        match self.track.dims {
+            3 => self.brake_in::<3>(t_s, moves),
+            _ => self.brake_in::<AXES>(t_s, moves),
+        }
+    }
+
+    fn brake_in<const N: usize>(&self, t_s: f64, moves: &[Move]) -> Vec<Node> {
+        let along = self.along(t_s);
+        let bounds = Bounds::<N>::new(&self.dynamics.speed_mm_s.0, &self.dynamics.accel_mm_s2.0);
+        let mut nodes = vec![Node { at_mm: along.at_mm, v: along.v, t_s }];
+        let cells = Cells::<N>::from(&self.track, &self.widths, self.kernel, moves, along.at_mm);
+        let mut y = along.v * along.v;
+        for cell in cells {
+            if y <= 0.0 {
+                break;
+            }
+            let gate = Gate::new(&cell, &bounds, moves);
+            let (way, exit) = gate.slow(y, &bounds);
+            super::speeds::step(&mut nodes, cell.at_mm + way, exit.sqrt());
+            y = exit;
+        }
+        nodes
+    }
+}
