@@ -60,6 +60,10 @@ impl Optimal<'_> {
                 let mut gates: Vec<Gate<N>> =
                     cells.map(|cell| Gate::new(&cell, &bounds, moves)).collect();
                 speeds::run(&mut gates, &bounds, nodes);
+                // Sums of cells are rounded; the end of a run is a vertex.
+                if let Some(end) = nodes.last_mut() {
+                    end.at_mm = track.at_mm[last];
+                }
             };
             time(&narrow, &mut nodes);
             if narrow[first..last] == chosen[first..last] {
