@@ -76,7 +76,10 @@ fn main() {
                 "{:24} {tolerance_mm} {:9.4} s  {:5.2} M/s  v {:.5} a {:.5} j {:.2}",
                 file.file_stem().unwrap().to_string_lossy(),
                 plan.duration_s(),
-                moves.len() as f64 / took / 1e6, w[0], w[1], w[2]
+                moves.len() as f64 / took / 1e6,
+                w[0],
+                w[1],
+                w[2]
             );
         }
     }

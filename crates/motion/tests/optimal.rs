@@ -41,7 +41,10 @@ fn distance(m: &Move, place: &Axes) -> f64 {
     let n = if m.arc().is_some() { 2000 } else { 1 };
     (0..n)
         .map(|k| {
-            let (a, b) = (m.position(f64::from(k) / f64::from(n)), m.position(f64::from(k + 1) / f64::from(n)));
+            let (a, b) = (
+                m.position(f64::from(k) / f64::from(n)),
+                m.position(f64::from(k + 1) / f64::from(n)),
+            );
             let (ab, ap) = (b.minus(a).0, place.minus(a).0);
             let square: f64 = ab.iter().map(|v| v * v).sum();
             let dot: f64 = ab.iter().zip(&ap).map(|(u, v)| u * v).sum();
@@ -75,7 +78,8 @@ fn check(plan: &Plan, d: &Dynamics, samples: u32) {
             assert!(gained.abs() <= most * (1.0 + ROUNDING) + 1e-9, "jump of {gained} at {t}");
         }
         let near = s.move_index.saturating_sub(20)..(s.move_index + 21).min(moves.len());
-        let off = moves[near].iter().map(|m| distance(m, &s.position)).fold(f64::INFINITY, f64::min);
+        let off =
+            moves[near].iter().map(|m| distance(m, &s.position)).fold(f64::INFINITY, f64::min);
         assert!(off <= d.tolerance_mm.max(1e-3) * (1.0 + 1e-9) + 1e-9, "{off} off at {t}");
         let feed = moves[s.move_index].speed_mm_s;
         let v = length(&s.velocity.0[..3]);

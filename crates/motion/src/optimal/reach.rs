@@ -92,7 +92,9 @@ impl<const N: usize> Gate<N> {
         if self.straight || gain <= COARSE * y {
             return 1;
         }
-        ((gain / (COARSE * y)).min(f64::from(MOST_PARTS)) as u32 + 1).next_power_of_two().min(MOST_PARTS)
+        ((gain / (COARSE * y)).min(f64::from(MOST_PARTS)) as u32 + 1)
+            .next_power_of_two()
+            .min(MOST_PARTS)
     }
 
     /// One of the equal parts.

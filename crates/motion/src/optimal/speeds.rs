@@ -15,7 +15,11 @@ pub(crate) struct Node {
 }
 
 /// Appends the nodes of a run from rest to rest, after the one at its start.
-pub(crate) fn run<const N: usize>(gates: &mut [Gate<N>], bounds: &Bounds<N>, nodes: &mut Vec<Node>) {
+pub(crate) fn run<const N: usize>(
+    gates: &mut [Gate<N>],
+    bounds: &Bounds<N>,
+    nodes: &mut Vec<Node>,
+) {
     let mut most = vec![0.0; gates.len() + 1];
     for (i, gate) in gates.iter_mut().enumerate().rev() {
         most[i] = entry(gate, most[i + 1], bounds);

@@ -52,7 +52,8 @@ impl Timed {
     /// When a place on the path is reached.
     pub fn time_at(&self, at_mm: f64) -> f64 {
         let later = self.nodes.partition_point(|n| n.at_mm < at_mm);
-        let (Some(a), Some(b)) = (self.nodes.get(later.wrapping_sub(1)), self.nodes.get(later)) else {
+        let (Some(a), Some(b)) = (self.nodes.get(later.wrapping_sub(1)), self.nodes.get(later))
+        else {
             return if later == 0 { 0.0 } else { self.duration_s() };
         };
         let accel = (b.v * b.v - a.v * a.v) / (2.0 * (b.at_mm - a.at_mm));
@@ -128,7 +129,8 @@ impl Timed {
         let ends = at_mm >= at[at.len() - 1];
         let from = self.track.point::<AXES>(if ends { at.len() - 1 } else { segment });
         let way = if ends { 0.0 } else { at_mm - at[segment] };
-        let mut out = [std::array::from_fn(|k| from[k] + way * direction[k]), direction, [0.0; AXES]];
+        let mut out =
+            [std::array::from_fn(|k| from[k] + way * direction[k]), direction, [0.0; AXES]];
         let mut add = |j: usize, offset: f64| {
             if self.widths[j] < 0.0 {
                 return;

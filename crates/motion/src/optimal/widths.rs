@@ -127,8 +127,7 @@ impl Widths<'_> {
         let mut start = first;
         for vertex in first + 1..=last {
             let widest = self.kernel.width() * tolerance_or(vertex, last, &tolerance);
-            let sharp = self.turns[vertex] > STRAIGHT
-                && widest < SHARPEST_MM * self.turns[vertex];
+            let sharp = self.turns[vertex] > STRAIGHT && widest < SHARPEST_MM * self.turns[vertex];
             if vertex == last || sharp {
                 self.smooth(start, vertex, &tolerance);
                 start = vertex;
@@ -185,8 +184,13 @@ impl Widths<'_> {
                 slope += self.turns[k] * by_width;
             };
             add(j, 0.0);
-            (j + 1..last).take_while(|k| self.at[*k] - at < c).for_each(|k| add(k, self.at[k] - at));
-            (first + 1..j).rev().take_while(|k| at - self.at[*k] < c).for_each(|k| add(k, at - self.at[k]));
+            (j + 1..last)
+                .take_while(|k| self.at[*k] - at < c)
+                .for_each(|k| add(k, self.at[k] - at));
+            (first + 1..j)
+                .rev()
+                .take_while(|k| at - self.at[*k] < c)
+                .for_each(|k| add(k, at - self.at[k]));
             let over = sum - tolerance;
             if over <= 1e-3 * tolerance {
                 break;
@@ -217,9 +221,10 @@ impl Widths<'_> {
     fn hold_tolerance(&mut self, first: usize, last: usize, tolerance: &impl Fn(usize) -> f64) {
         let mut factors = vec![1.0f64; last + 1 - first];
         for j in first + 1..last {
-            let sum: f64 = self.reaching(j, first, last).map(|(k, d)| {
-                self.turns[k] * self.kernel.bump(self.widths[k], d).0
-            }).sum();
+            let sum: f64 = self
+                .reaching(j, first, last)
+                .map(|(k, d)| self.turns[k] * self.kernel.bump(self.widths[k], d).0)
+                .sum();
             let most = tolerance(j);
             if sum > most {
                 let factor = most / sum;
