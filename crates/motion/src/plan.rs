@@ -133,13 +133,20 @@ impl Plan {
 
     /// The moves with their times and speeds, in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Span<'_>> {
-        self.moves.iter().enumerate().map(|(index, made)| {
-            let (t0_s, t1_s) = self.span_s(index);
-            let [v_entry, v_peak, v_exit] = match &self.law {
-                Law::Ramped(law) => law.speeds(index),
-                Law::Timed(law) => law.speeds(index, made),
-            };
-            Span { index, made, t0_s, t1_s, v_entry, v_peak, v_exit }
-        })
+        self.moves.iter().enumerate().map(|(index, made)| self.span_of(index, made))
+    }
+
+    /// One move with its times and speeds.
+    pub fn span(&self, index: usize) -> Option<Span<'_>> {
+        Some(self.span_of(index, self.moves.get(index)?))
+    }
+
+    fn span_of<'a>(&'a self, index: usize, made: &'a Move) -> Span<'a> {
+        let (t0_s, t1_s) = self.span_s(index);
+        let [v_entry, v_peak, v_exit] = match &self.law {
+            Law::Ramped(law) => law.speeds(index),
+            Law::Timed(law) => law.speeds(index, made),
+        };
+        Span { index, made, t0_s, t1_s, v_entry, v_peak, v_exit }
     }
 }

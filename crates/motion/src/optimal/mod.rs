@@ -35,6 +35,9 @@ pub struct Optimal<'a> {
 
 impl Model for Optimal<'_> {
     fn plan(&self, moves: Vec<Move>) -> Plan {
+        if moves.is_empty() {
+            return Plan::default();
+        }
         let (track, breaks) = Track::of(&moves, self.dynamics.tolerance_mm.max(0.0));
         let timed = match track.dims {
             3 => self.time::<3>(track, &breaks, &moves),
