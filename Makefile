@@ -12,7 +12,9 @@ help: ## list these targets
 	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 test: prepare ## run every test, once
-	$(CARGO) test --workspace --locked --no-fail-fast
+	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
+		/^test result:/ { passed += $$4; failed += $$6 } \
+		END { printf "all tests: %d passed, %d failed\n", passed, failed }'
 
 check: prepare ## formatting, lints and the project's own rules
 	$(CARGO) fmt --all --check
