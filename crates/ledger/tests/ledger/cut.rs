@@ -127,3 +127,10 @@ fn sbp_cut_check_limits() {
     run.visits::<3>(&[]);
     assert!(run.events("ask").next().is_some() || run.events("diag").next().is_some(), "{run}");
 }
+
+#[test]
+fn sbp_cut_seg_stack() {
+    // At the default speed and ramps: one speed all around, a ramp only at the ends.
+    let (length_in, ramp_s, ramp_in) = (std::f64::consts::PI * 8.0, 1.6 / 14.0, 3.84 / 28.0);
+    run("CC,8").is_ok().lasts(2.0 * ramp_s + (length_in - 2.0 * ramp_in) / 2.0);
+}

@@ -134,3 +134,30 @@ fn sbp_val_vn_outmode5() {
     let at_start = sbp("MX,10").after(set).stopped_at(1.0).run();
     at_start.switches(3, &[(true, "mode"), (false, "stop")]);
 }
+
+#[test]
+fn sbp_lim_sf() {
+    run("VL,0,10 ⏎ SF,1 ⏎ MX,12").stands_at([0.0]);
+    run("VL,0,10 ⏎ SF,1 ⏎ SF,0 ⏎ MX,12").ends_at([12.0]);
+    run("SF").fails(1, "S010");
+}
+
+#[test]
+fn sbp_lim_sf_dialog() {
+    let case = sbp("VL,0,10 ⏎ SF,1 ⏎ MX,12 ⏎ MY,1");
+    case.clone().answers(&["Continue"]).run().ends_at([12.0, 1.0]);
+    case.answers(&["End"]).run().stands_at([0.0, 0.0]).status("limit");
+}
+
+#[test]
+fn sbp_lim_sf_base() {
+    let limited = "VA,0,,,,,5 ⏎ VL,0,10 ⏎ SF,1 ⏎";
+    run(&format!("{limited} MX,4")).ends_at([4.0]);
+    run(&format!("{limited} MX,6")).stands_at([0.0]).status("limit");
+}
+
+#[test]
+fn sbp_lim_sf_temp() {
+    sbp("VL,0,10 ⏎ MX,12").after("SF,1 ⏎ SV").run().stands_at([0.0]);
+    sbp("VL,0,10 ⏎ MX,12").after("SF,1").run().ends_at([12.0]);
+}

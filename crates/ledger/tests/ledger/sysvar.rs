@@ -230,3 +230,13 @@ fn sbp_sys_unassigned() {
     run("&a = %(162)").fails(1, "R008");
     run("&a = %(0)").fails(1, "R008");
 }
+
+#[test]
+fn sbp_sys_048() {
+    reads("MX,0", &[(48, concat!("kerf ", env!("CARGO_PKG_VERSION")))]);
+}
+
+#[test]
+fn sbp_sys_049() {
+    reads("MX,0", &[(49, "0")]);
+}

@@ -191,33 +191,6 @@ fn sbp_val_vl_check() {
 }
 
 #[test]
-fn sbp_lim_sf() {
-    run("VL,0,10 ⏎ SF,1 ⏎ MX,12").stands_at([0.0]);
-    run("VL,0,10 ⏎ SF,1 ⏎ SF,0 ⏎ MX,12").ends_at([12.0]);
-    run("SF").fails(1, "S010");
-}
-
-#[test]
-fn sbp_lim_sf_dialog() {
-    let case = sbp("VL,0,10 ⏎ SF,1 ⏎ MX,12 ⏎ MY,1");
-    case.clone().answers(&["Continue"]).run().ends_at([12.0, 1.0]);
-    case.answers(&["End"]).run().stands_at([0.0, 0.0]).status("limit");
-}
-
-#[test]
-fn sbp_lim_sf_base() {
-    let limited = "VA,0,,,,,5 ⏎ VL,0,10 ⏎ SF,1 ⏎";
-    run(&format!("{limited} MX,4")).ends_at([4.0]);
-    run(&format!("{limited} MX,6")).stands_at([0.0]).status("limit");
-}
-
-#[test]
-fn sbp_lim_sf_temp() {
-    sbp("VL,0,10 ⏎ MX,12").after("SF,1 ⏎ SV").run().stands_at([0.0]);
-    sbp("VL,0,10 ⏎ MX,12").after("SF,1").run().ends_at([12.0]);
-}
-
-#[test]
 fn sbp_val_vn_inmode() {
     run("VN,,,,1 ⏎ PRINT %(91) ⏎ VN,,,,,2 ⏎ PRINT %(92)").prints(&["1", "2"]);
     run("VN,,,,5").fails(1, "R009");
@@ -293,4 +266,33 @@ fn sbp_val_vs_oldorder() {
         .run()
         .prints(&["1.25 0.45 2.75 0.8"])
         .warns(1, "W011");
+}
+
+#[test]
+fn sbp_val_vr_rate() {
+    // Twice the distance for the same gain of speed: half the acceleration.
+    let plain = run("MX,5").is_ok().seconds();
+    let slow = run("VR,,,,,,,,,.4 ⏎ MX,5").is_ok().seconds();
+    let lost_s = |acceleration: f64| (2.0 - 0.4) * (2.0 - 0.4) / (2.0 * acceleration);
+    assert!((slow - plain - 2.0 * (lost_s(7.0) - lost_s(14.0)) / 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn sbp_val_vr_small() {
+    let at_ramp_speed = |program: &str| {
+        let run = run(program);
+        let arc = run.is_ok().events("arc").next().unwrap();
+        let seconds = arc["t1"].as_f64().unwrap() - arc["t0"].as_f64().unwrap();
+        (std::f64::consts::PI * 0.4 / seconds - 0.4).abs() < 1e-3
+    };
+    assert!(at_ramp_speed("VR,,,,,,,,,,,,,,,,,.5 ⏎ CC,.4"));
+    assert!(!at_ramp_speed("VR,,,,,,,,,,,,,,,,,.25 ⏎ CC,.4"));
+}
+
+#[test]
+fn sbp_val_vu_divider() {
+    let plain = run("VS,.2 ⏎ MX,1").is_ok().seconds();
+    let divided = run("VU,,,,,,,,,,,,,,,4 ⏎ VS,.2 ⏎ MX,1").is_ok().seconds();
+    assert!((divided / plain - 4.0).abs() < 0.01, "{plain} {divided}");
+    run("VU,,,,,,,,,,,,,,,101").fails(1, "R009");
 }
