@@ -275,6 +275,10 @@ fn sbp_val_vr_rate() {
     let slow = run("VR,,,,,,,,,.4 ⏎ MX,5").is_ok().seconds();
     let lost_s = |acceleration: f64| (2.0 - 0.4) * (2.0 - 0.4) / (2.0 * acceleration);
     assert!((slow - plain - 2.0 * (lost_s(7.0) - lost_s(14.0)) / 2.0).abs() < 1e-6);
+    // The tenth value does the same for jogs, and only for them.
+    let jog = |values: &str| run(&format!("{values} ⏎ JX,20")).is_ok().seconds();
+    assert_eq!(jog("VR,,,,,,,,,.4"), jog("VR"));
+    assert!(jog("VR,,,,,,,,,,.4") > jog("VR") + 0.1);
 }
 
 #[test]
