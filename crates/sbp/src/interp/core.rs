@@ -1,10 +1,11 @@
 //! The whole state of a running program.
 
+use super::cutting::Origin;
 use super::watch::Handler;
 use super::{BeforePreview, FileParameters, Options, Session, Variables};
 use crate::{Program, Value};
 use kerf_cut::Tabber;
-use kerf_program::{AXES, At, Axes, Axis, AxisSet, Frame, Settings};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -36,6 +37,10 @@ pub struct Core {
     pub(crate) fired: Vec<Handler>,
     /// A timed pause was given while handlers are armed: nothing is read until it is over.
     pub(crate) pausing: bool,
+    /// Steps that had an effect so far.
+    pub(crate) steps: u64,
+    /// The step behind each motion command given in this one, while handlers are armed.
+    pub(crate) given_by: Vec<u64>,
     /// Motion commands given so far.
     pub(crate) motions: u64,
     /// Everything given so far has been carried out.
@@ -49,7 +54,7 @@ pub struct Core {
     /// User files by number − 1.
     pub(crate) files: [Option<UserFile>; 9],
     /// Tabs being cut; `None` outside tabbed paths.
-    pub(crate) tabs: Option<Tabber<At>>,
+    pub(crate) tabs: Option<Tabber<Origin>>,
     /// Axes that MI keeps moving.
     pub(crate) independent: AxisSet,
     /// Axes that moved by themselves: where they are only the machine knows.
@@ -137,6 +142,8 @@ impl Core {
             watches: Vec::new(),
             fired: Vec::new(),
             pausing: false,
+            steps: 0,
+            given_by: Vec::new(),
             motions: 0,
             settled: true,
             lines: 0,

@@ -5,6 +5,16 @@ use kerf_cut::{Cut, Step, Tabber};
 use kerf_geom::Vec2;
 use kerf_program::settings::Tabs;
 use kerf_program::{Arc, At, Axes, Axis, Command, Feed, Line, MoveKind};
+use serde::{Deserialize, Serialize};
+
+/// Where a move in the tab filter comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Origin {
+    /// Its line.
+    at: At,
+    /// The step of the run that executed the line.
+    step: u64,
+}
 
 impl Context<'_> {
     /// What the geometry of a cut needs to know; places are working millimetres.
@@ -61,7 +71,7 @@ impl Context<'_> {
             self.through_tabs(step);
             self.core.position = self.machine_of(step.to());
         } else {
-            self.plain_step(self.at, step);
+            self.plain_step(self.origin(), step);
         }
     }
 
@@ -84,7 +94,11 @@ impl Context<'_> {
             self.interrupt_tabs();
         }
         self.core.position = to;
-        self.motion(Command::Line(Line { kind, to, feed: Feed::Axis }));
+        self.motion(self.origin(), Command::Line(Line { kind, to, feed: Feed::Axis }));
+    }
+
+    fn origin(&self) -> Origin {
+        Origin { at: self.at, step: self.core.steps }
     }
 
     /// Machine position of working X, Y, Z, the other axes where they are.
@@ -96,8 +110,8 @@ impl Context<'_> {
         to
     }
 
-    /// Gives one step as a motion command of the line `at`.
-    fn plain_step(&mut self, at: At, step: Step) {
+    /// Gives one step as a motion command of the line it comes from.
+    fn plain_step(&mut self, origin: Origin, step: Step) {
         let to = self.machine_of(step.to());
         let command = match step {
             Step::Line { kind, .. } => Command::Line(Line { kind, to, feed: Feed::Axis }),
@@ -116,20 +130,23 @@ impl Context<'_> {
             }
         };
         self.core.position = to;
-        let here = std::mem::replace(&mut self.at, at);
-        self.motion(command);
-        self.at = here;
+        self.motion(origin, command);
     }
 
-    fn motion(&mut self, command: Command) {
+    fn motion(&mut self, origin: Origin, command: Command) {
         self.core.motions += 1;
+        if !self.core.watches.is_empty() {
+            self.core.given_by.push(origin.step);
+        }
+        let here = std::mem::replace(&mut self.at, origin.at);
         self.emit(command);
+        self.at = here;
     }
 
     fn through_tabs(&mut self, step: Step) {
         let from = self.core.working().first3();
-        let at = self.at;
-        self.let_go(|tabs, out| tabs.push(from, step, at, out));
+        let origin = self.origin();
+        self.let_go(|tabs, out| tabs.push(from, step, origin, out));
     }
 
     /// The path is interrupted but not over: what is buffered goes out.
@@ -149,13 +166,13 @@ impl Context<'_> {
     }
 
     /// Gives the moves that the tab filter lets go; the planned position stays what it is.
-    fn let_go(&mut self, act: impl FnOnce(&mut Tabber<At>, &mut Vec<(At, Step)>)) {
+    fn let_go(&mut self, act: impl FnOnce(&mut Tabber<Origin>, &mut Vec<(Origin, Step)>)) {
         let Some(mut tabs) = self.core.tabs.take() else { return };
         let mut cut = Vec::new();
         act(&mut tabs, &mut cut);
         let planned = self.core.position;
-        for (at, step) in cut {
-            self.plain_step(at, step);
+        for (origin, step) in cut {
+            self.plain_step(origin, step);
         }
         self.core.position = planned;
         self.core.tabs = Some(tabs);

@@ -21,6 +21,7 @@ mod lifecycle;
 mod locate;
 mod message_box;
 mod outward;
+mod past;
 mod pauses;
 mod preview;
 mod printing;
@@ -53,7 +54,6 @@ use crate::{Program, Value};
 use kerf_diag::Diagnostic;
 use kerf_program::{At, Axes, Frame, Host, Settings, Sourced};
 use serde::{Deserialize, Serialize};
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// How a run ended.
@@ -91,34 +91,30 @@ const MOST_BEHIND: usize = 20_000;
 #[serde(from = "saving::Saved", into = "saving::Saved")]
 pub struct Interpreter {
     core: Core,
-    /// State right after each motion command that may still be interrupted, oldest first.
-    behind: VecDeque<(u64, Core)>,
+    /// What an interrupt goes back to.
+    past: past::Past,
 }
 
 impl Interpreter {
     /// Prepares to run a program from the state of a session.
     pub fn new(program: Program, session: Session, options: Options) -> Self {
-        Self { core: Core::new(Arc::new(program), session, options), behind: VecDeque::new() }
+        Self { core: Core::new(Arc::new(program), session, options), past: past::Past::default() }
     }
 
     /// Executes one line. Commands are appended to `out`.
     pub fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-        if self.behind.len() >= MOST_BEHIND {
+        if self.past.len() >= MOST_BEHIND {
             // The stack is cut here so that memory stays bounded.
             if host.settle().is_pending() {
                 return Step::Waiting;
             }
             self.core.settled = true;
-            self.behind.clear();
+            self.past.clear();
         }
-        let before = self.core.motions;
+        let number = self.core.steps;
         let step = step::step(&mut self.core, host, out);
-        if self.core.watches.is_empty() || self.core.settled {
-            self.behind.clear();
-        }
-        if !self.core.watches.is_empty() && self.core.motions > before {
-            self.behind.push_back((self.core.motions, self.core.clone()));
-        }
+        self.core.steps += u64::from(step != Step::Waiting);
+        self.past.keep(&mut self.core, number, &step);
         step
     }
 
@@ -153,14 +149,10 @@ impl Interpreter {
     /// handler's action runs in the next step; a pause that was under way is over, a question that
     /// was open is asked again unless the action goes elsewhere.
     pub fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes) {
-        if let Some(number) = motion {
-            let state =
-                self.behind.iter().find(|(n, _)| *n >= number).map(|(_, core)| core.clone());
-            if let Some(core) = state {
-                self.core = core;
-            }
+        if let Some(state) = motion.and_then(|number| self.past.after(number)) {
+            self.core = state.clone();
         }
-        self.behind.clear();
+        self.past.clear();
         interrupt::arrive(&mut self.core, watch, position);
     }
 
@@ -205,9 +197,7 @@ impl Interpreter {
     /// Tells that all motion up to this number has been carried out: nothing before it can be
     /// interrupted any more, so the states kept for that are forgotten.
     pub fn carried_out(&mut self, motion: u64) {
-        while self.behind.front().is_some_and(|(number, _)| *number <= motion) {
-            self.behind.pop_front();
-        }
+        self.past.forget(motion);
     }
 
     /// Lines executed so far.

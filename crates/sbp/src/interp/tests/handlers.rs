@@ -241,9 +241,9 @@ fn a_handler_that_fires_during_a_question_runs_before_the_answer() {
 fn states_of_motion_that_was_made_are_forgotten() {
     let mut rig = rig("ON INPUT(3,1) &hit=&n ⏎ &n=1 ⏎ MX,1 ⏎ &n=2 ⏎ MX,2 ⏎ &n=3 ⏎ MX,3");
     rig.read_ahead();
-    assert_eq!(rig.interpreter.behind.len(), 3);
+    assert_eq!(rig.interpreter.past.len(), 3);
     rig.interpreter.carried_out(1);
-    assert_eq!(rig.interpreter.behind.len(), 2);
+    assert_eq!(rig.interpreter.past.len(), 2);
     rig.fires(3, 1, 2, [1.5, 0.0, 0.0]).finish().at(3.0, 0.0, 0.0).variable("hit", "2");
 }
 
@@ -293,5 +293,33 @@ fn what_ends_the_stack_of_moves_and_what_does_not() {
         assert!(rig.host.asked.is_empty() && rig.host.shells.is_empty(), "{line}");
         rig.finish();
         assert_ne!(rig.done, Some(Status::Failed), "{line}: {}", rig.error);
+    }
+}
+
+/// Tabs as VB sets them: on, in every file.
+const TABS_ON: &str = "VB,.1,4,1,.5,1";
+
+#[test]
+fn moves_that_wait_for_tabs_lie_behind_the_interrupted_one() {
+    let text = format!(
+        "&n=0 ⏎ {TABS_ON} ⏎ MZ,-.5 ⏎ ON INPUT(3,1) &hit=&n ⏎ MX,9 ⏎ &n=1 ⏎ MY,9 ⏎ &n=2 ⏎ MX,0 ⏎ \
+         &n=3 ⏎ MY,0 ⏎ &n=4"
+    );
+    let mut undisturbed = rig(&text);
+    undisturbed.read_ahead();
+    let line_of = |motion: u64| {
+        let mut motions = undisturbed.out.iter().filter(|c| c.command.is_motion());
+        motions.nth(motion as usize - 1).map_or(0, |c| c.at.line)
+    };
+    for motion in 2..=undisturbed.interpreter.motions() {
+        let mut rig = rig(&text);
+        rig.read_ahead().fires(3, 1, motion, [5.0, 5.0, -0.5]).step();
+        // Lines 5, 7, 9 and 11 move; &n counts those before.
+        let before = (line_of(motion) - 5) / 2;
+        rig.variable("hit", &before.to_string()).variable("n", &before.to_string());
+        let lines: Vec<_> = rig.finish().out.iter().filter(|c| c.command.is_motion()).collect();
+        let next = lines.get(motion as usize).map(|c| c.at.line);
+        let expected = (line_of(motion) < 11).then_some(line_of(motion) + 2);
+        assert_eq!(next, expected, "interrupted in line {}", line_of(motion));
     }
 }
