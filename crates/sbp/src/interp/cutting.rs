@@ -146,6 +146,8 @@ impl Context<'_> {
     fn through_tabs(&mut self, step: Step) {
         let from = self.core.working().first3();
         let origin = self.origin();
+        // Whatever the filter holds back has still to be carried out.
+        self.core.settled = false;
         self.let_go(|tabs, out| tabs.push(from, step, origin, out));
     }
 

@@ -302,18 +302,20 @@ const TABS_ON: &str = "VB,.1,4,1,.5,1";
 #[test]
 fn moves_that_wait_for_tabs_lie_behind_the_interrupted_one() {
     let text = format!(
-        "&n=0 ⏎ {TABS_ON} ⏎ MZ,-.5 ⏎ ON INPUT(3,1) &hit=&n ⏎ MX,9 ⏎ &n=1 ⏎ MY,9 ⏎ &n=2 ⏎ MX,0 ⏎ \
+        "&n=0 ⏎ {TABS_ON} ⏎ MZ,-.5 ⏎ ON INPUT(3,1) &hit=&n ⏎ MX,5 ⏎ &n=1 ⏎ MY,5 ⏎ &n=2 ⏎ MX,0 ⏎ \
          &n=3 ⏎ MY,0 ⏎ &n=4"
     );
     let mut undisturbed = rig(&text);
-    undisturbed.read_ahead();
+    undisturbed.read_ahead().come_to_rest().read_ahead();
+    assert!(undisturbed.motion_count() > 12, "tabs make many moves of four");
     let line_of = |motion: u64| {
         let mut motions = undisturbed.out.iter().filter(|c| c.command.is_motion());
         motions.nth(motion as usize - 1).map_or(0, |c| c.at.line)
     };
     for motion in 2..=undisturbed.interpreter.motions() {
         let mut rig = rig(&text);
-        rig.read_ahead().fires(3, 1, motion, [5.0, 5.0, -0.5]).step();
+        rig.read_ahead().come_to_rest().read_ahead();
+        rig.fires(3, 1, motion, [2.0, 2.0, -0.5]).step();
         // Lines 5, 7, 9 and 11 move; &n counts those before.
         let before = (line_of(motion) - 5) / 2;
         rig.variable("hit", &before.to_string()).variable("n", &before.to_string());
