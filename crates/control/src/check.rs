@@ -165,7 +165,7 @@ mod tests {
             ("b.sbp", "MX,2\n"),
             ("c.sbp", "FP,b.sbp\nFP,a.sbp\nM23,1\n"),
         ];
-        check_text(&files, &["a.sbp:4 W018 Warning", "a.sbp:5 F001 Warning", "c.sbp:3 S002 Error"]);
+        check_text(&files, &["a.sbp:4 W018 Note", "a.sbp:5 F001 Warning", "c.sbp:3 S002 Error"]);
     }
 
     #[test]

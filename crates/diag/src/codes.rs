@@ -106,8 +106,8 @@ codes! {
         "Other programs read this line differently.";
     IgnoredInFile "W017" Warning "a command that does nothing in a part file"
         "Help and other pages open for the operator at the keyboard. A part file that names them runs on.";
-    Unreachable "W018" Warning "a line that is never reached"
-        "The line before it ends the program or jumps away, and no label stands between. Remove it, or put a label there.";
+    Unreachable "W018" Note "a line that is never reached"
+        "The line before it ends the program or jumps away, and no label stands between. Code that was set aside on purpose may stay; code that was forgotten wants a label.";
     NeverAssigned "W019" Warning "a variable that the file gives no value"
         "The file calculates with a variable that no line of it assigns. It works only when another file has set it before.";
 

@@ -17,6 +17,8 @@
 //! The crate knows nothing of planning, machines, files or clocks.
 
 mod check;
+#[cfg(test)]
+mod corpus;
 mod eval;
 mod expr;
 mod format;

@@ -14,7 +14,7 @@
 
 mod statement;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use crate::read;
 use crate::reader::{blank, code_end};

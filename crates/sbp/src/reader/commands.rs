@@ -186,7 +186,6 @@ impl Line<'_, '_> {
         let shown: String = found.chars().take(20).collect();
         let hint = match found.as_bytes().first() {
             Some(b'0'..=b'9' | b'.' | b'&' | b'%' | b'-') => "values are separated by commas",
-            Some(b'!') => "not equal is written <>",
             _ => "",
         };
         Err(self.fault(Code::Syntax, span, format!("'{shown}' does not belong here"), hint))

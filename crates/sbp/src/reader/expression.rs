@@ -93,7 +93,7 @@ impl Line<'_, '_> {
             return Err(self.fault(Code::BadExpression, span, "the expression is too long", hint));
         }
         let written = self.slice(start, end);
-        if matches!(written, "=>" | "=<" | "==") {
+        if matches!(written, "=>" | "=<" | "==" | "!=") {
             let message = format!("{written} is read as {}", op.symbol());
             self.warn(Code::DoubtfulSpelling, span, message, format!("write {}", op.symbol()));
         } else if length == 0 {
@@ -112,7 +112,7 @@ impl Line<'_, '_> {
             (b'/', _) => (Divide, 1),
             (b'\\', _) => (IntegerDivide, 1),
             (b'^', _) => (Power, 1),
-            (b'<', b'>') => (NotEqual, 2),
+            (b'<', b'>') | (b'!', b'=') => (NotEqual, 2),
             (b'<', b'=') | (b'=', b'<') => (LessEqual, 2),
             (b'>', b'=') | (b'=', b'>') => (GreaterEqual, 2),
             (b'=', b'=') => (Equal, 2),
@@ -410,7 +410,7 @@ mod tests {
 
     #[test]
     fn doubtful_spellings_warn() {
-        for (op, meant) in [("=>", ">="), ("=<", "<="), ("==", "=")] {
+        for (op, meant) in [("=>", ">="), ("=<", "<="), ("==", "="), ("!=", "<>")] {
             let line = format!("IF &a {op} 1 THEN END");
             check(&line, &format!("if (&A {meant} 1) then end"));
             finds(&line, &[&format!("W003 1:7+2 {op} is read as {meant} [write {meant}]")]);

@@ -121,8 +121,14 @@ impl File {
     }
 
     /// What stands behind the last END is never reached, so it is no reason not to run.
+    ///
+    /// Unless a jump misses its label: one of the lines may be that label, misspelt.
     fn soften_unreachable(&mut self) {
         let Some(end) = self.last_end else { return };
+        let misses = |s: &Statement| s.target().is_some_and(|target| target.line.is_none());
+        if self.statements.iter().any(misses) {
+            return;
+        }
         for diagnostic in self.diagnostics.iter_mut().filter(|d| d.place.line > end) {
             diagnostic.severity = Severity::Warning;
             diagnostic.hint = format!("never reached: it stands behind line {end}");
@@ -137,10 +143,10 @@ impl File {
             let place = Place::line(self.name.clone(), line);
             self.diagnostics.push(Diagnostic::new(Code::Syntax, place, message));
         }
-        self.soften_unreachable();
         for statement in &mut self.statements {
             link(statement, &self.label_lines);
         }
+        self.soften_unreachable();
         Program {
             name: self.name,
             text,
@@ -315,6 +321,7 @@ mod tests {
             &["S003 3:1+4 unknown statement ____ [never reached: it stands behind line 2]"],
         );
         assert!(!reads("MX,1⏎END⏎A:⏎____"));
+        assert!(!reads("GOTO A⏎END⏎LABEL A⏎____"));
         assert!(!reads("MX,1⏎IF &a THEN END⏎____"));
         assert!(!reads("____⏎END"));
     }

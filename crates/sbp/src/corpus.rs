@@ -1,0 +1,115 @@
+//! Real part files: what is read, what is refused, and that formatting keeps their meaning.
+//!
+//! The files are not part of the project. They are looked for in `shared/corpus/sbp` beside the
+//! checkout or beside one of its parents; `KERF_SHARED` names another place.
+
+use crate::format::tests::keeps_meaning;
+use crate::{check, read};
+use kerf_diag::{Code, Diagnostic, Severity};
+use kerf_program::settings::LinearUnit;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Files that cannot run as they are; docs/conformance-notes.md says why.
+const FAULTY: &[&str] = &[
+    "fabmo-dev-tests-app__test_shortmotion.sbp",
+    "fabmo-engine__atc_macro_102-60b353.sbp",
+    "fabmo-engine__data_request_example-d485d3.sbp",
+    "fabmo-engine__default_macro_301-c9b762.sbp",
+    "fabmo-engine__desktop_max_macro_3-6e45a6.sbp",
+    "fabmo-engine__dt_macro_3.sbp",
+    "fabmo-engine__dt_macro_78.sbp",
+    "fabmo-engine__dt_macro_9.sbp",
+    "fabmo-engine__dtatc_macro_1.sbp",
+    "fabmo-engine__dtatc_macro_205.sbp",
+    "fabmo-engine__dtatc_macro_71-eaea7c.sbp",
+    "fabmo-engine__dtatc_macro_71.sbp",
+    "fabmo-engine__dtatc_macro_73-86c7e2.sbp",
+    "fabmo-engine__dtatc_macro_73.sbp",
+    "fabmo-engine__dtatc_macro_74-2f36d0.sbp",
+    "fabmo-engine__dtatc_macro_74.sbp",
+    "fabmo-engine__falcon_macro_9-edef06.sbp",
+    "fabmo-engine__gantry_1_macro_23-857fa3.sbp",
+    "fabmo-engine__gantry_1_macro_305-124003.sbp",
+    "fabmo-engine__handibot-2_NEWmacro_78.sbp",
+    "fabmo-engine__handibot-2_macro_77.sbp",
+    "fabmo-engine__probe_digitize_example.sbp",
+    "fabmo-engine__test2.sbp",
+    "fabmo-macroinstall-sb-app__macro_3_new_Wbugs-adffbf.sbp",
+    "fabmo-production-test-app__y-extents-390c02.sbp",
+    "fabmo-production-test-app__y-extents.sbp",
+    "fabmo-profile-5axis__macro_1.sbp",
+    "fabmo-profile-5axis__macro_3.sbp",
+    "fabmo-profile-dt__macro_3-08e495.sbp",
+    "fabmo-profile-dt__macro_3-63fa2e.sbp",
+    "fabmo-profile-dt__macro_3-cfa349.sbp",
+    "fabmo-profile-dt__macro_9-5e19c5.sbp",
+    "fabmo-profile-dt__macro_9-ed2ea2.sbp",
+    "nist-shopbotpyqt__Test.sbp",
+    "voxel-builder__pickup_voxel_all.sbp",
+];
+
+/// Findings of the static checks that mean something, file by file.
+const DOUBTFUL: &[(&str, &str)] = &[
+    ("fablab-5ax__custom4.sbc", "W019"),
+    ("fabmo-engine__default_macro_77-6f3935.sbp", "W019"),
+    ("fabmo-engine__dtatc_macro_19-f06c4e.sbp", "W006"),
+];
+
+fn corpus() -> Option<BTreeMap<String, Vec<u8>>> {
+    let named = std::env::var_os("KERF_SHARED").map(PathBuf::from);
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let around = here.ancestors().map(|parent| parent.join("shared"));
+    let mut folders = named.into_iter().chain(around).map(|shared| shared.join("corpus/sbp"));
+    let entries = std::fs::read_dir(folders.find(|folder| folder.is_dir())?).ok()?;
+    let files = entries.filter_map(|entry| {
+        let path = entry.ok()?.path();
+        Some((path.file_name()?.to_string_lossy().into_owned(), std::fs::read(&path).ok()?))
+    });
+    Some(files.collect())
+}
+
+/// Calls `look` with every file, or says that there are none.
+fn with_corpus(look: impl FnOnce(BTreeMap<String, Vec<u8>>)) {
+    match corpus() {
+        Some(files) => look(files),
+        None => eprintln!("skipped: no corpus"),
+    }
+}
+
+#[test]
+fn files_that_are_refused_are_at_fault_themselves() {
+    with_corpus(|files| {
+        assert!(files.len() >= 150, "{}", files.len());
+        let program = |(name, bytes): (&String, &Vec<u8>)| read(name.as_str().into(), bytes);
+        let faulty = files.iter().map(program).filter(|program| program.has_errors());
+        let faulty: Vec<String> = faulty.map(|program| program.name.to_string()).collect();
+        assert_eq!(faulty, FAULTY);
+    });
+}
+
+#[test]
+fn the_static_checks_raise_no_false_alarm() {
+    with_corpus(|files| {
+        let mut found = Vec::new();
+        for (name, bytes) in files.iter().filter(|(name, _)| !FAULTY.contains(&name.as_str())) {
+            let program = read(name.as_str().into(), bytes);
+            let told = check(&program, Some(LinearUnit::Inch));
+            let loud =
+                |d: &&Diagnostic| d.severity != Severity::Note && d.code != Code::UnknownLabel;
+            found.extend(told.iter().filter(loud).map(|d| (name.clone(), d.code.to_string())));
+        }
+        found.dedup();
+        let found: Vec<_> = found.iter().map(|(n, c)| (n.as_str(), c.as_str())).collect();
+        assert_eq!(found, DOUBTFUL);
+    });
+}
+
+#[test]
+fn formatting_keeps_every_real_file() {
+    with_corpus(|files| {
+        for bytes in files.values() {
+            keeps_meaning(&read("".into(), bytes).text);
+        }
+    });
+}
