@@ -1,6 +1,7 @@
 //! Tests of the interpreter, named after the rows of the ledger where there is one.
 #![allow(clippy::unwrap_used)]
 
+mod corpus;
 mod dialogs;
 mod file_parameters;
 mod files;

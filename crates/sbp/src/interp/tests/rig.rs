@@ -22,13 +22,11 @@ impl Rig {
         let program = read("test.sbp".into(), text.as_bytes());
         assert!(!program.has_errors(), "{:?}", program.diagnostics);
         let options = Options { max_lines: 400, ..Options::default() };
-        Self {
-            interpreter: Interpreter::new(program, Session::default(), options),
-            host: host_with(files),
-            out: Vec::new(),
-            done: None,
-            error: String::new(),
-        }
+        Self::of(Interpreter::new(program, Session::default(), options), host_with(files))
+    }
+
+    pub(super) fn of(interpreter: Interpreter, host: FakeHost) -> Self {
+        Self { interpreter, host, out: Vec::new(), done: None, error: String::new() }
     }
 
     /// One step. The machine moves from the first motion command on.

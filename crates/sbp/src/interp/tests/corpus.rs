@@ -1,0 +1,75 @@
+//! Real part files, where they are at hand: whatever they do, their runs end in order, and saving
+//! and restoring in the middle changes nothing.
+
+use super::rig::Rig;
+use crate::testing::FakeHost;
+use crate::{Interpreter, Options, Session, Status, read};
+use std::path::{Path, PathBuf};
+
+/// The folder of real files beside the checkout, or where KERF_SHARED says.
+fn corpus() -> Option<PathBuf> {
+    let here = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let beside = here.ancestors().map(|folder| folder.join("shared"));
+    let shared = std::env::var_os("KERF_SHARED").map(PathBuf::from);
+    shared.into_iter().chain(beside).map(|s| s.join("corpus/sbp")).find(|c| c.is_dir())
+}
+
+/// Name, origin and text of every file; a file is called `origin__name.sbp`.
+fn files(folder: &Path) -> Vec<(String, String, String)> {
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            let (origin, name) = name.split_once("__").unwrap_or(("", &name));
+            let bytes = std::fs::read(&path).unwrap();
+            (name.into(), origin.into(), String::from_utf8_lossy(&bytes).into_owned())
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+/// A run that may call the other files of its origin; saved and restored now and then when asked.
+fn run(file: &(String, String, String), all: &[(String, String, String)], saving: bool) -> Rig {
+    let siblings = all.iter().filter(|other| other.1 == file.1);
+    let files = siblings.map(|(name, _, text)| (name.to_lowercase(), text.clone())).collect();
+    let options = Options { max_lines: 3_000, allow_errors: true, ..Options::default() };
+    let program = read(file.0.as_str().into(), file.2.as_bytes());
+    let interpreter = Interpreter::new(program, Session::default(), options);
+    let mut rig = Rig::of(interpreter, FakeHost { files, ..FakeHost::default() });
+    for step in 1.. {
+        rig.step();
+        rig.come_to_rest();
+        if rig.done.is_some() {
+            break;
+        }
+        if saving && step % 701 == 0 {
+            let saved = serde_json::to_string(&rig.interpreter).unwrap();
+            rig.interpreter = serde_json::from_str(&saved).unwrap();
+        }
+    }
+    rig
+}
+
+#[test]
+fn real_files_run_to_an_end_that_is_told() {
+    let Some(folder) = corpus() else { return eprintln!("skipped: no corpus") };
+    let all = files(&folder);
+    let mut complete = 0;
+    for file in &all {
+        let plain = run(file, &all, false);
+        let failed = plain.done == Some(Status::Failed);
+        assert_eq!(
+            failed,
+            !plain.error.is_empty() && plain.done != Some(Status::Limit),
+            "{}",
+            file.0
+        );
+        complete += usize::from(!failed);
+        let restored = run(file, &all, true);
+        assert_eq!((restored.out, restored.done), (plain.out, plain.done), "{}", file.0);
+    }
+    // The others want files, answers or machines that are not here, or another dialect.
+    assert!(complete * 3 > all.len(), "{complete} of {} run to their end", all.len());
+}
