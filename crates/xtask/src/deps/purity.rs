@@ -42,12 +42,28 @@ const FORBIDDEN_WORDS: &[&str] = &[
 /// What the sources of one crate reach for.
 pub fn check(tree: &Tree, folder: &str) -> Vec<Finding> {
     let src = format!("{folder}src/");
-    let files = tree.matching(&src, ".rs").filter(|(path, _)| !is_test_file(path));
+    let tests: Vec<String> =
+        tree.matching(&src, ".rs").flat_map(|(path, text)| test_modules(path, text)).collect();
+    let files = tree.matching(&src, ".rs").filter(|(path, _)| !is_inside(path, &tests));
     files.flat_map(|(path, text)| check_file(path, text)).collect()
 }
 
-fn is_test_file(path: &str) -> bool {
-    path.ends_with("/tests.rs") || path.contains("/tests/")
+/// Where the modules of their own that a file declares for tests only lie, without `.rs` or `/`.
+fn test_modules(path: &str, text: &str) -> Vec<String> {
+    let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
+    let folder = match file {
+        "lib.rs" | "main.rs" | "mod.rs" => folder.to_owned(),
+        _ => path.trim_end_matches(".rs").to_owned(),
+    };
+    let lines: Vec<&str> = text.lines().collect();
+    let pairs = lines.windows(2).filter(|pair| pair[0] == "#[cfg(test)]");
+    let names = pairs.filter_map(|pair| pair[1].strip_suffix(';')?.rsplit_once("mod "));
+    names.map(|(_, name)| format!("{folder}/{name}")).collect()
+}
+
+fn is_inside(path: &str, modules: &[String]) -> bool {
+    let below = |rest: &str| rest == ".rs" || rest.starts_with('/');
+    modules.iter().any(|module| path.strip_prefix(module.as_str()).is_some_and(below))
 }
 
 fn check_file(path: &str, text: &str) -> Vec<Finding> {
@@ -134,7 +150,7 @@ fn without_tests_and_comments(text: &str) -> String {
         if !in_tests {
             code.push_str(line.split("//").next().unwrap_or_default());
         }
-        in_tests &= line != "}" && !(line.starts_with("mod ") && line.ends_with(';'));
+        in_tests &= line != "}" && !(line.contains("mod ") && line.ends_with(';'));
         code.push('\n');
     }
     code
@@ -169,6 +185,20 @@ mod tests {
         check_text("// std::fs is not for us\n/// println! neither\n", &[]);
         check_text("fn a() { pretty_println!() }\n", &[]);
         check_text("use std::format;\nuse std::environment;\nstatic N: u32 = 0;\n", &[]);
+    }
+
+    #[test]
+    fn files_of_test_modules_are_free() {
+        let outside = "use std::fs;\n";
+        let found = |declares: &str| {
+            let lib = ("crates/a/src/lib.rs", declares);
+            let files = [lib, ("crates/a/src/b.rs", outside), ("crates/a/src/b/c.rs", outside)];
+            check(&Tree::of(&files), "crates/a/").len()
+        };
+        assert_eq!(found("#[cfg(test)]\nmod b;\n"), 0);
+        assert_eq!(found("#[cfg(test)]\npub(crate) mod b;\n"), 0);
+        assert_eq!(found("mod b;\n"), 2);
+        assert_eq!(found("#[cfg(test)]\nmod bb;\n"), 2);
     }
 
     #[test]
