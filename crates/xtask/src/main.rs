@@ -31,7 +31,10 @@ fn run(words: &[&str]) -> Result<Vec<Finding>> {
     Ok(match words {
         ["check"] => check(&tree)?,
         ["deps"] => deps::check(&tree)?,
-        ["tidy"] => tidy::check(&tree)?,
+        ["tidy"] => {
+            tell_long_files(&tree);
+            tidy::check(&tree)?
+        }
         ["conformance", "check"] => conformance::check(&tree)?,
         ["conformance", "mark"] => written(conformance::mark(&tree)?),
         ["conformance", "page"] => written(pages::write(&tree, conformance::PAGE)?),
@@ -39,6 +42,12 @@ fn run(words: &[&str]) -> Result<Vec<Finding>> {
         ["conformance", "sync"] => written(conformance::sync(&tree)?),
         _ => bail!("{USAGE}"),
     })
+}
+
+fn tell_long_files(tree: &Tree) {
+    for (path, lines) in tidy::long_files(tree) {
+        eprintln!("{path}: {lines} lines, worth splitting");
+    }
 }
 
 fn check(tree: &Tree) -> Result<Vec<Finding>> {
