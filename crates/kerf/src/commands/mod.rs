@@ -2,6 +2,7 @@
 
 mod check;
 mod explain;
+mod fmt;
 mod preview;
 mod run;
 mod time;
@@ -19,6 +20,7 @@ pub enum Command {
     Preview(preview::PreviewArgs),
     Time(time::TimeArgs),
     Trace(trace::TraceArgs),
+    Fmt(fmt::FmtArgs),
     Explain(explain::ExplainArgs),
 }
 
@@ -30,6 +32,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Preview(args) => preview::run(&args),
         Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),
+        Command::Fmt(args) => fmt::run(&args),
         Command::Explain(args) => explain::run(&args),
     }
 }

@@ -1,0 +1,82 @@
+//! `kerf fmt`: part files, tidied.
+
+use crate::exit::{Exit, Usage};
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use kerf_control::files::{Disk, RealDisk};
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Formats part files: capitals, commas, blanks; names, numbers and comments stay
+///
+/// Files are rewritten in place, whole or not at all. Lines that cannot be read stay as they are.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  kerf fmt box.sbp\n  kerf fmt --check *.sbp\n  kerf fmt - < box.sbp\
+    \n\nExit codes: 0 done, 1 with --check when a file would change"
+)]
+pub struct FmtArgs {
+    /// The part files; - reads standard input and writes standard output
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Only tells which files would change
+    #[arg(long)]
+    check: bool,
+}
+
+pub fn run(args: &FmtArgs) -> Result<Exit> {
+    let mut changed = false;
+    for file in &args.files {
+        changed |= one(file, args.check)?;
+    }
+    Ok(if args.check && changed { Exit::Failed } else { Exit::Good })
+}
+
+/// Formats one file; true when that changes it.
+fn one(file: &Path, check: bool) -> Result<bool> {
+    let stream = file == Path::new("-");
+    let bytes = if stream { read_stream()? } else { read_file(file)? };
+    let formatted = format(&bytes);
+    let changes = formatted != bytes;
+    if check {
+        if changes {
+            tell(file);
+        }
+    } else if stream {
+        io::stdout().write_all(&formatted).context("cannot write the formatted text")?;
+    } else if changes {
+        RealDisk
+            .write(file, &formatted)
+            .with_context(|| format!("cannot write {}", file.display()))?;
+    }
+    Ok(changes)
+}
+
+/// Old files are not UTF-8: each byte stands for a character then, and comes back as it was.
+fn format(bytes: &[u8]) -> Vec<u8> {
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        return kerf_sbp::format(text).into_bytes();
+    }
+    let text: String = bytes.iter().map(|b| char::from(*b)).collect();
+    let formatted: Option<Vec<u8>> =
+        kerf_sbp::format(&text).chars().map(|c| u8::try_from(c).ok()).collect();
+    formatted.unwrap_or_else(|| bytes.to_vec())
+}
+
+fn read_stream() -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::stdin().read_to_end(&mut bytes).context("cannot read standard input")?;
+    Ok(bytes)
+}
+
+fn read_file(file: &Path) -> Result<Vec<u8>> {
+    match fs::read(file) {
+        Ok(bytes) => Ok(bytes),
+        Err(error) => bail!(Usage(format!("cannot read {}: {error}", file.display()))),
+    }
+}
+
+fn tell(file: &Path) {
+    crate::out::print(&format!("{}\n", file.display()));
+}
