@@ -20,6 +20,6 @@ pub struct StopAt(pub f64);
 
 impl Pace for StopAt {
     fn pass(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
-        (to_s >= self.0).then_some(self.0.max(from_s))
+        (to_s > from_s && to_s >= self.0).then_some(self.0.max(from_s))
     }
 }

@@ -8,7 +8,7 @@
 
 use crate::execute::Halted;
 use crate::session::LimitPolicy;
-use crate::stack::{Stack, joins};
+use crate::stack::Stack;
 use crate::world::World;
 use crate::{Event, Pace};
 use kerf_diag::{Code, Diagnostic, Place};
@@ -96,9 +96,6 @@ impl<'a> Runner<'a> {
     fn turn(&mut self) -> Option<Over> {
         let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
         self.learn_files();
-        if let Step::Done(Status::Failed, diagnostic) = step {
-            return Some(self.failed(diagnostic));
-        }
         let flow = match self.feed() {
             Flow::On => self.follow(step),
             flow => flow,
@@ -125,6 +122,9 @@ impl<'a> Runner<'a> {
                 }
                 flow
             }
+            Step::Done(Status::Failed, diagnostic) => {
+                Flow::Over(Over { status: Status::Failed, diagnostic })
+            }
             Step::Done(status, diagnostic) => match self.flush() {
                 Flow::On => Flow::Over(Over { status, diagnostic }),
                 flow => flow,
@@ -132,34 +132,33 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// The run ends by the machine's or the operator's will: the interpreter tidies up.
+    /// The run is over: what was read and not made is dropped, what ended it is told.
     fn ended(&mut self, over: Over) -> Over {
-        self.drop_motion();
         match over.status {
             Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut self.out)),
-            Status::Limit | Status::Failed => {
-                drop(self.interpreter.limit(&mut self.world, &mut self.out));
-            }
-            Status::Ok | Status::Ended => {}
+            Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut self.out)),
+            Status::Ok | Status::Ended | Status::Failed => {}
         }
-        self.carry_out_rest();
+        if let Some(diagnostic) = &over.diagnostic {
+            self.world.tell_diagnostic((**diagnostic).clone());
+        }
+        self.drop_motion(over.status);
         over
     }
 
-    /// An error: nothing of the stack that was being read moves.
-    fn failed(&mut self, diagnostic: Option<Box<Diagnostic>>) -> Over {
-        let read = std::mem::take(&mut self.out);
-        let (motion, other): (Vec<_>, Vec<_>) =
-            read.into_iter().partition(|s| s.command.is_motion());
-        let first = self.stack.moves.first().map(|m| m.at).or(motion.first().map(|s| s.at));
-        let count = self.stack.moves.len() + motion.len();
-        self.drop_motion();
-        self.out = other;
-        self.carry_out_rest();
-        if let (Some(at), true) = (first, count > 0) {
-            self.note_dropped(at, count);
+    /// Forgets moves that were not made. What does not belong to them is carried out: files that
+    /// were closed, settings given back, what a person should know.
+    fn drop_motion(&mut self, status: Status) {
+        let stack = std::mem::take(&mut self.stack);
+        if let (Status::Failed, Some(first)) = (status, stack.moves.first()) {
+            self.note_dropped(first.at, stack.moves.len());
         }
-        Over { status: Status::Failed, diagnostic }
+        let marks = stack.marks.into_iter().map(|(_, sourced)| sourced);
+        for sourced in marks.chain(std::mem::take(&mut self.out)) {
+            if outlives_motion(&sourced.command) {
+                self.world.perform(sourced.command);
+            }
+        }
     }
 
     fn note_dropped(&mut self, at: At, count: usize) {
@@ -168,24 +167,6 @@ impl<'a> Runner<'a> {
         let place = Place::line(self.world.file(at), at.line);
         let hint = "nothing of a stack moves when it cannot be read to its end";
         self.world.tell_diagnostic(Diagnostic::new(Code::StackDropped, place, message).hint(hint));
-    }
-
-    /// Forgets moves that were not made; what a person should know is still told.
-    fn drop_motion(&mut self) {
-        let stack = std::mem::take(&mut self.stack);
-        let told = |c: &Command| matches!(c, Command::Diagnostic(_));
-        for (_, sourced) in stack.marks.into_iter().filter(|(_, s)| told(&s.command)) {
-            self.world.perform(sourced.command);
-        }
-    }
-
-    /// What the interpreter gives when a run ends early: files closed, settings given back.
-    fn carry_out_rest(&mut self) {
-        for sourced in std::mem::take(&mut self.out) {
-            if !sourced.command.is_motion() {
-                self.world.perform(sourced.command);
-            }
-        }
     }
 
     fn learn_files(&mut self) {
@@ -260,7 +241,7 @@ impl<'a> Runner<'a> {
     fn joins(&self, command: &Command) -> bool {
         match command {
             Command::Settings(new) => new.mode == self.world.machine.settings().mode,
-            other => joins(other),
+            other => !other.ends_stack(),
         }
     }
 
@@ -409,4 +390,15 @@ impl<'a> Runner<'a> {
     fn asking_line(&self) -> At {
         self.interpreter.call_stack().last().unwrap_or_default()
     }
+}
+
+/// Whether a command is carried out although the moves around it are not made.
+const fn outlives_motion(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Settings(_)
+            | Command::File { .. }
+            | Command::ToolChange { .. }
+            | Command::Diagnostic(_)
+    )
 }

@@ -159,9 +159,6 @@ fn conclude(
     variables: bool,
 ) -> (Summary, kerf_sbp::Session) {
     let Runner { interpreter, mut world, .. } = runner;
-    if let Some(diagnostic) = &over.diagnostic {
-        world.tell_diagnostic((**diagnostic).clone());
-    }
     let summary = Summary {
         status: over.status,
         seconds: world.now(),

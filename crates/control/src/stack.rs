@@ -4,7 +4,7 @@
 //! comment) are kept as marks: they are carried out between two moves while the machine moves on.
 
 use kerf_motion::Move;
-use kerf_program::{Command, Sourced};
+use kerf_program::Sourced;
 
 /// Moves that are run as one, and what is done between them.
 #[derive(Debug, Default)]
@@ -36,23 +36,4 @@ impl Stack {
         }
         self
     }
-}
-
-/// Whether a command leaves motion as it is (ledger notes A-95): it becomes a mark of the stack.
-pub(crate) const fn joins(command: &Command) -> bool {
-    matches!(
-        command,
-        Command::Settings(_)
-            | Command::Output { on: true, .. }
-            | Command::Print { .. }
-            | Command::Message { .. }
-            | Command::Diagnostic(_)
-            | Command::File { .. }
-            | Command::Sound { .. }
-            | Command::ToolPath(_)
-            | Command::ToolChange { .. }
-            | Command::ClearPreview
-            | Command::PathControl(_)
-            | Command::Overrides { .. }
-    )
 }

@@ -280,6 +280,30 @@ pub enum Command {
 }
 
 impl Command {
+    /// Whether the stack of moves ends with this command: motion comes to rest before it, and it is
+    /// carried out before anything behind it is read (OpenSBP handbook, "Movement stacks"). A jog is
+    /// a stack of its own.
+    pub const fn ends_stack(&self) -> bool {
+        match self {
+            Self::Line(Line { kind, .. }) | Self::Arc(Arc { kind, .. }) => {
+                matches!(kind, MoveKind::Jog)
+            }
+            Self::Output { on, .. } => !*on,
+            Self::Settings(_)
+            | Self::Print { .. }
+            | Self::Message { .. }
+            | Self::Diagnostic(_)
+            | Self::File { .. }
+            | Self::Sound { .. }
+            | Self::ToolPath(_)
+            | Self::ToolChange { .. }
+            | Self::ClearPreview
+            | Self::PathControl(_)
+            | Self::Overrides { .. } => false,
+            _ => true,
+        }
+    }
+
     /// Whether this is motion.
     pub const fn is_motion(&self) -> bool {
         matches!(self, Self::Line(_) | Self::Arc(_))

@@ -51,7 +51,8 @@ pub trait Interpreter: Send {
     /// Executes one line. Commands are appended to `out`.
     fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step;
 
-    /// Executes lines until the host is needed, the run is over, or so many lines are done.
+    /// Executes lines until the host is needed, the run is over, a stack of moves has ended (see
+    /// [`Command::ends_stack`](crate::Command::ends_stack)), or so many lines are done.
     fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step;
 
     /// Tells that a watched input changed and the machine stopped for it.

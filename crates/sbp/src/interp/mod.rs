@@ -118,7 +118,8 @@ impl Interpreter {
         step
     }
 
-    /// Executes lines until the host is needed, the run is over, or so many lines are done.
+    /// Executes lines until the host is needed, the run is over, a stack of moves has ended (so that
+    /// the machine is never more than one stack behind), or so many lines are done.
     pub fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
         let bound = self.core.lines.saturating_add(lines);
         // Steps that are no line (a file ends, a handler's action) count too, so that this ends.
@@ -129,13 +130,19 @@ impl Interpreter {
             }
             if self.core.watches.is_empty() {
                 step::run_moves(&mut self.core, out, left);
-                if self.core.lines >= bound {
+                let jogs = out.last().is_some_and(|s| s.command.ends_stack());
+                if jogs || self.core.lines >= bound {
                     break;
                 }
             }
+            let given = out.len();
             match self.step(host, out) {
                 Step::Ran => {}
                 other => return other,
+            }
+            let new = out.get(given..).unwrap_or_default();
+            if new.iter().any(|s| s.command.ends_stack()) {
+                break;
             }
         }
         Step::Ran

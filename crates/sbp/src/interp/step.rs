@@ -223,6 +223,9 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         let kind = if command.jog { MoveKind::Jog } else { MoveKind::Cut };
         let command = Command::Line(Line { kind, to, feed: Feed::Axis });
         out.push(Sourced { at: At { file, line: next as u32 }, command });
+        if kind == MoveKind::Jog {
+            break;
+        }
     }
     if next == start {
         return;
