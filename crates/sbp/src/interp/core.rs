@@ -63,7 +63,6 @@ pub struct Core {
     pub(crate) before_preview: Option<Box<BeforePreview>>,
     /// State of the random sequence.
     pub(crate) random: u64,
-    pub(crate) last_file: Option<String>,
     /// Variables made beyond the hundredth were told of.
     pub(crate) told_many_variables: bool,
     /// Internal units (mm, degrees) of one unit in the file, per axis: unit times proportion.
@@ -154,7 +153,6 @@ impl Core {
             independent: session.independent,
             adrift: AxisSet::EMPTY,
             before_preview: session.before_preview,
-            last_file: session.last_file,
             told_many_variables: false,
             scale: [1.0; AXES],
         };
@@ -207,7 +205,6 @@ impl Core {
             frame: self.frame,
             position: self.position,
             variables: self.variables,
-            last_file: self.last_file,
             independent: self.independent,
             offset_applied: self.offset_applied,
             heading: self.heading,

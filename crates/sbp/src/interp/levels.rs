@@ -6,6 +6,7 @@
 //! ```
 
 use super::core::{Level, Purpose};
+use super::registry::PART_FILE;
 use super::{Context, FileParameters, Stop};
 use crate::Program;
 use kerf_diag::{Code, Place};
@@ -31,7 +32,7 @@ impl Context<'_> {
         let source = self.source(&request)?;
         let program = self.read_cached(&source)?;
         if request.folder == Folder::Parts {
-            self.core.last_file = Some(source.name.to_string());
+            self.host.store(PART_FILE, Some(&source.name));
         }
         self.doubt_plunge(&program, &parameters);
         self.open_level(program, parameters);

@@ -1,6 +1,6 @@
 //! How a run begins and ends.
 
-use super::registry::CLEARED_VALUE;
+use super::registry::{CLEARED_VALUE, PART_FILE};
 use super::{Context, Core, Status, Step, Stop};
 use crate::tree::Span;
 use kerf_diag::Code;
@@ -48,6 +48,9 @@ pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>
     core.started = true;
     let Some(program) = core.programs.first().cloned() else { return end(core, host, out) };
     host.store(CLEARED_VALUE, None);
+    if !core.options.typed {
+        host.store(PART_FILE, Some(&program.name));
+    }
     let parameters = core.options.file;
     let mut context =
         Context { core, host, out, at: At { file: 0, line: 0 }, span: Span::default() };

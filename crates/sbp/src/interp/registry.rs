@@ -13,6 +13,9 @@ pub(crate) const USER_VALUE: &str = "uValue";
 /// Key of the value of SetUsrValClrd.
 pub(crate) const CLEARED_VALUE: &str = "uValueClrd";
 
+/// Key of the name of the part file that was read last (GetPartFileName, FE, FP at the keyboard).
+pub(crate) const PART_FILE: &str = "uPartFile";
+
 /// Key of the flag of SetSpindleStatus: `1` while the spindle counts as active.
 pub const SPINDLE_STATUS: &str = "SpindleStatus";
 
@@ -56,10 +59,15 @@ impl Context<'_> {
             },
             Registry::GetUsrPath => Value::text(self.host.user_path()),
             Registry::GetAppPath => Value::text(self.host.app_path()),
-            _ => Value::text(self.core.last_file.clone().unwrap_or_default()),
+            _ => Value::text(self.last_part_file()),
         };
         self.set_variable(variable, value);
         Ok(())
+    }
+
+    /// Name of the part file that was read last, also by an earlier run; empty when there is none.
+    pub(crate) fn last_part_file(&mut self) -> String {
+        self.host.stored(PART_FILE).unwrap_or_default()
     }
 
     fn kept(&mut self, key: &str) -> Value {

@@ -28,8 +28,6 @@ pub struct Session {
     pub position: Axes,
     /// The user's variables.
     pub variables: Variables,
-    /// Name of the last part file.
-    pub last_file: Option<String>,
     /// Axes that MI keeps moving.
     #[serde(default)]
     pub independent: AxisSet,

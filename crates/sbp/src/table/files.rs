@@ -70,8 +70,11 @@ pub(super) static SPECS: &[CommandSpec] = &[
         "Opens a file in the editor. In a part file it shows the file to the operator; the part \
          file goes on when the editor is closed.",
         |c, a| {
-            let name = a.text(0).map(|n| n.trim().to_string()).or_else(|| c.core.last_file.clone());
-            edit(c, &name.unwrap_or_default())
+            let name = match a.text(0) {
+                Some(name) => name.trim().to_string(),
+                None => c.last_part_file(),
+            };
+            edit(c, &name)
         },
     ),
     CommandSpec::new(

@@ -145,7 +145,7 @@ fn sbp_file_fe_infile() {
 fn fe_without_a_name_shows_the_last_file_and_fn_an_empty_page() {
     let ran = run_files("FE ⏎ FP,a.sbp ⏎ FE ⏎ FN", &[("a.sbp", "MX,1")]);
     let shown: Vec<_> = ran.host.asked.iter().map(|q| q.text.as_str()).collect();
-    assert_eq!(shown, ["", "a.sbp", ""]);
+    assert_eq!(shown, ["test.sbp", "a.sbp", ""]);
 }
 
 #[test]

@@ -49,6 +49,9 @@ fn a_line_that_jumps_to_itself_loops() {
 #[test]
 fn sbp_flow_goto_colon() {
     run("GOTO Out: ⏎ MX,9 ⏎ Out: ⏎ MX,1").ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    let read = crate::read("t".into(), b"GOTO Out:\nOut:");
+    let told: Vec<_> = read.diagnostics.iter().map(|d| (d.place.line, d.hint.as_str())).collect();
+    assert_eq!(told, [(1, "write GOTO Out")]);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Values kept outside the program.
 
 use super::{press, run_answered, run_files};
-use crate::testing::{run, run_with};
-use crate::{Session, Status};
+use crate::testing::{run, run_as, run_with};
+use crate::{Options, Session, Status};
 use kerf_program::{Button, QuestionKind};
 
 #[test]
@@ -86,11 +86,14 @@ fn sbp_io_getapppath() {
 
 #[test]
 fn sbp_io_getpartfilename() {
-    let last = Session { last_file: Some("/parts/a.sbp".into()), ..Session::default() };
-    let text = "GetPartFileName, &f ⏎ FP,b.sbp ⏎ GetPartFileName, &g";
-    let ran = run_with(text, super::host_with(&[("b.sbp", "MX,1")]), last);
-    assert_eq!((ran.variable("f").as_str(), ran.variable("g").as_str()), ("/parts/a.sbp", "b.sbp"));
-    assert_eq!(ran.session.last_file.as_deref(), Some("b.sbp"));
+    let text = "GetPartFileName, &f ⏎ FP,b.sbp ⏎ GetPartFileName, &g ⏎ C6 ⏎ GetPartFileName, &h";
+    let ran = run_files(text, &[("b.sbp", "MX,1"), ("custom6.sbc", "MX,2")]);
+    let names = ["f", "g", "h"].map(|n| ran.variable(n));
+    assert_eq!(names, ["test.sbp", "b.sbp", "b.sbp"]);
+    // What is typed is no part file: the one of the last session is still told.
+    let typed = Options { typed: true, ..Options::default() };
+    let ran = run_as("GetPartFileName, &f", ran.host, Session::default(), typed);
+    assert_eq!(ran.variable("f"), "b.sbp");
 }
 
 #[test]
