@@ -5,8 +5,8 @@ use crate::runner::{Over, Runner};
 use crate::session::LimitPolicy;
 use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_motion::{Move, Path, Plan, plan_stack};
-use kerf_program::{Answer, At, Axis, Button, Question, QuestionKind, Sourced};
+use kerf_motion::{Model, Move, Optimal, Path, Plan, plan_stack};
+use kerf_program::{Answer, At, Axis, Button, Question, QuestionKind, Settings, Sourced};
 use kerf_sbp::{SPINDLE_STATUS, Status};
 use kerf_sim::{Halt, HaltCause, Violation};
 use std::iter::Peekable;
@@ -125,7 +125,7 @@ impl Runner<'_> {
         let t0_s = self.world.machine.begin_motion();
         self.world.tally.waited(t0_s - before_s);
         self.world.tell_log();
-        let plan = plan_stack(moves, &self.world.machine.settings().ramps.clone());
+        let plan = plan(moves, self.world.machine.settings());
         let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &self.watched());
         let stopped = match halt {
             None => self.follow_plan(plan, t0_s, &mut marks),
@@ -149,7 +149,7 @@ impl Runner<'_> {
     /// Makes moves that nothing stops.
     pub(crate) fn make_unasked(&mut self, moves: Vec<Move>) {
         let t0_s = self.world.now();
-        let plan = plan_stack(moves, &self.world.machine.settings().ramps.clone());
+        let plan = plan(moves, self.world.machine.settings());
         for index in 0..plan.moves().len() {
             self.make_one(&plan, index, t0_s);
         }
@@ -255,6 +255,15 @@ impl Runner<'_> {
             return Ok(());
         }
         Err(self.over(Status::Limit, Code::InputStop, at, message))
+    }
+}
+
+/// Plans a stack: with all that the axes can do where the machine's settings tell it, else with the
+/// ramps of VR.
+fn plan(moves: Vec<Move>, settings: &Settings) -> Plan {
+    match &settings.dynamics {
+        Some(dynamics) => Optimal { dynamics }.plan(moves),
+        None => plan_stack(moves, &settings.ramps),
     }
 }
 

@@ -29,6 +29,8 @@ pub(crate) struct Runner<'a> {
     stack: Stack,
     out: Vec<Sourced>,
     lines: u64,
+    /// An input may interrupt: moves need their numbers.
+    watching: bool,
     pub limits: LimitPolicy,
     /// The line of the move made last.
     pub last_move: At,
@@ -73,6 +75,7 @@ impl<'a> Runner<'a> {
             out,
             lines,
             limits,
+            watching: false,
             last_move: At::default(),
         }
     }
@@ -178,6 +181,7 @@ impl<'a> Runner<'a> {
 
     /// Takes over the commands given: motion goes onto the stack, the rest is carried out.
     fn feed(&mut self) -> Flow {
+        self.watching = self.interpreter.watches().next().is_some();
         let mut out = std::mem::take(&mut self.out);
         let motions = out.iter().filter(|s| s.command.is_motion()).count() as u64;
         let mut number = self.interpreter.motions() - motions;
@@ -209,7 +213,9 @@ impl<'a> Runner<'a> {
             }
         }
         self.stack.moves.push(made);
-        self.stack.numbers.push(number);
+        if self.watching {
+            self.stack.numbers.push(number);
+        }
         if jog { self.flush() } else { Flow::On }
     }
 

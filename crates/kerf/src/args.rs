@@ -97,19 +97,19 @@ pub struct FileArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Motion")]
 pub struct MotionArgs {
-    /// The model of ramps
-    #[arg(long, value_enum, default_value = "shopbot")]
-    pub ramps: RampModel,
-    /// Deviation allowed at corners, mm
-    #[arg(long, value_name = "MM", value_parser = parse::positive)]
+    /// The model of ramps [default: shopbot, unless the configuration tells what the axes can do]
+    #[arg(long, value_enum)]
+    pub ramps: Option<RampModel>,
+    /// With --ramps optimal: how far the path may leave the programmed one, mm [default: 0.01]
+    #[arg(long, value_name = "MM", value_parser = parse::not_negative)]
     pub tolerance: Option<f64>,
-    /// Greatest speed of each axis, mm/s
-    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    /// With --ramps optimal: greatest speed of each axis, mm/s [default: jog speeds]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three_positive)]
     pub axis_speed: Option<[f64; 3]>,
-    /// Greatest acceleration of each axis, mm/s²
-    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    /// With --ramps optimal: greatest acceleration of each axis, mm/s² [default: 500]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three_positive)]
     pub accel: Option<[f64; 3]>,
-    /// Greatest jerk of each axis, mm/s³; 0 for no limit
+    /// With --ramps optimal: greatest jerk of each axis, mm/s³; 0 for no limit [default: 0]
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
     pub jerk: Option<[f64; 3]>,
 }

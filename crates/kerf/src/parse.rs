@@ -77,10 +77,16 @@ pub fn three(text: &str) -> Result<[f64; 3], String> {
     }
 }
 
-/// A number greater than 0.
-pub fn positive(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|n: &f64| n.is_finite() && *n > 0.0);
-    number.ok_or_else(|| "give a number greater than 0".into())
+/// The same, all greater than 0.
+pub fn three_positive(text: &str) -> Result<[f64; 3], String> {
+    let all = three(text)?;
+    let positive = all.iter().all(|n| *n > 0.0);
+    positive.then_some(all).ok_or_else(|| "give numbers greater than 0".into())
+}
+
+/// A number, 0 or greater.
+pub fn not_negative(text: &str) -> Result<f64, String> {
+    number(text).ok().filter(|n| *n >= 0.0).ok_or_else(|| "give a number, 0 or greater".into())
 }
 
 /// Any finite number.

@@ -7,7 +7,7 @@ use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{RunOptions, Session, Shelf, Shell};
-use kerf_program::Settings;
+use kerf_program::{Axes, Axis, Dynamics, Settings};
 use kerf_sbp::{FileParameters, Program};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -23,7 +23,6 @@ pub struct Job {
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
-    check_motion(&args.motion)?;
     let program = read_program(file)?;
     let settings = settings(args)?;
     let answers = match &args.answers {
@@ -65,10 +64,16 @@ fn is_gcode(file: &Path) -> bool {
     matches!(extension.as_str(), "nc" | "tap" | "ngc" | "gcode")
 }
 
-/// Only the ramps of VR are there so far.
-fn check_motion(motion: &MotionArgs) -> Result<()> {
-    if motion.ramps != RampModel::Shopbot {
-        bail!(Usage("only --ramps shopbot is there yet".into()));
+/// Chooses the model of motion: with limits of the axes the optimal one, without them the ramps of VR.
+fn choose_model(motion: &MotionArgs, settings: &mut Settings) -> Result<()> {
+    match motion.ramps {
+        Some(RampModel::Optimal) => {
+            let dynamics = settings.dynamics.unwrap_or_else(|| usual_dynamics(settings));
+            settings.dynamics = Some(with_options(dynamics, motion));
+        }
+        Some(RampModel::Profiler) => bail!(Usage("--ramps profiler is not there yet".into())),
+        Some(RampModel::Shopbot) => settings.dynamics = None,
+        None => {}
     }
     let options = [
         ("--tolerance", motion.tolerance.is_some()),
@@ -76,15 +81,40 @@ fn check_motion(motion: &MotionArgs) -> Result<()> {
         ("--accel", motion.accel.is_some()),
         ("--jerk", motion.jerk.is_some()),
     ];
-    for (name, given) in options {
-        if given {
-            bail!(Usage(format!(
-                "{name} belongs to --ramps optimal, which is not there yet; \
-                 the ramps of shopbot follow VS and VR"
-            )));
+    match options.into_iter().find(|(_, given)| *given) {
+        Some((name, _)) if motion.ramps != Some(RampModel::Optimal) => {
+            bail!(Usage(format!("{name} belongs to --ramps optimal; other ramps follow VS and VR")))
         }
+        _ => Ok(()),
     }
-    Ok(())
+}
+
+/// What the axes of a mid-size router can do, where nothing else is known: jog speeds, a modest
+/// acceleration, a hundredth of a millimetre at corners. The last two are guesses.
+fn usual_dynamics(settings: &Settings) -> Dynamics {
+    Dynamics {
+        speed_mm_s: Axes(Axis::ALL.map(|axis| settings.speeds.jog.of(axis))),
+        accel_mm_s2: Axes::splat(500.0),
+        jerk_mm_s3: None,
+        tolerance_mm: 0.01,
+    }
+}
+
+fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
+    if let Some(speed) = motion.axis_speed {
+        dynamics.speed_mm_s.0[..3].copy_from_slice(&speed);
+    }
+    if let Some(accel) = motion.accel {
+        dynamics.accel_mm_s2.0[..3].copy_from_slice(&accel);
+    }
+    if let Some(jerk) = motion.jerk {
+        let free = |j: f64| if j > 0.0 { j } else { f64::INFINITY };
+        let mut all = dynamics.jerk_mm_s3.unwrap_or(Axes::splat(f64::INFINITY));
+        all.0[..3].copy_from_slice(&jerk.map(free));
+        dynamics.jerk_mm_s3 = all.0.iter().any(|j| j.is_finite()).then_some(all);
+    }
+    dynamics.tolerance_mm = motion.tolerance.unwrap_or(dynamics.tolerance_mm);
+    dynamics
 }
 
 fn settings(args: &RunArgs) -> Result<Settings> {
@@ -96,6 +126,7 @@ fn settings(args: &RunArgs) -> Result<Settings> {
     if let Some(unit) = args.units {
         settings.linear_unit = unit;
     }
+    choose_model(&args.motion, &mut settings)?;
     Ok(settings)
 }
 

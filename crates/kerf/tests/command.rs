@@ -305,3 +305,20 @@ fn ctrl_c_stops_with_a_ramp_and_lifts() {
         "{out}"
     );
 }
+
+#[test]
+fn the_optimal_ramps_follow_their_limits() {
+    let shop = Shop::new(&[("a.sbp", "VS,4\nMX,4\nMY,4\n")]);
+    let total = |options: &str| {
+        let did = shop.kerf(&format!("time a.sbp --format json {options}"));
+        did.exits(0).json()["total"].as_f64().unwrap()
+    };
+    let slow = total("--ramps optimal --axis-speed 50,50,50 --accel 100,100,100");
+    let fast = total("--ramps optimal --axis-speed 50,50,50 --accel 1000,1000,1000");
+    let loose = total("--ramps optimal --axis-speed 50,50,50 --accel 100,100,100 --tolerance 5");
+    // 4 in at 50 mm/s, one ramp up and one down at 100 mm/s², twice: at least 2·(101.6/50 + .5) s.
+    assert!((slow - 2.0 * (101.6 / 50.0 + 0.5)).abs() < 0.1, "{slow}");
+    assert!(fast < slow && loose < slow, "{fast} {loose} {slow}");
+    shop.kerf("time a.sbp --accel 1,1,1").exits(2).complains("--accel belongs to --ramps optimal");
+    shop.kerf("time a.sbp --ramps profiler").exits(2).complains("not there yet");
+}

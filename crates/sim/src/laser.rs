@@ -28,12 +28,13 @@ pub(crate) fn corners(span: &Span<'_>, height: &Height) -> [(f64, f64); 4] {
         MoveKind::Cut => percent(height, mm_s, made.speed_mm_s),
         MoveKind::Jog => height.low_percent,
     };
-    let rise_s = (span.v_peak - span.v_entry) / made.accel_mm_s2;
-    let fall_s = (span.v_peak - span.v_exit) / made.accel_mm_s2;
+    // A plan that does not follow the ramps of VR may be faster: the corners stay inside the move.
+    let half_s = 0.5 * (span.t1_s - span.t0_s);
+    let ramp_s = |v: f64| ((span.v_peak - v) / made.accel_mm_s2).clamp(0.0, half_s);
     [
         (span.t0_s, duty(span.v_entry)),
-        (span.t0_s + rise_s, duty(span.v_peak)),
-        (span.t1_s - fall_s, duty(span.v_peak)),
+        (span.t0_s + ramp_s(span.v_entry), duty(span.v_peak)),
+        (span.t1_s - ramp_s(span.v_exit), duty(span.v_peak)),
         (span.t1_s, duty(span.v_exit)),
     ]
 }
