@@ -167,7 +167,7 @@ impl<'a> Caps<'a> {
     /// What the direction changes around each bend, radians.
     fn summed(&self) -> Vec<f32> {
         let mut turns: Vec<f32> = self.bends.iter().map(|b| b.turn_rad.abs()).collect();
-        let greatest = sum_turns(&self.bends, self.window_mm, &mut turns);
+        let greatest = sum_turns(&self.bends, self.window_mm, SLIGHTEST_RAD, &mut turns);
         // A longer stretch is covered by so many of the window, and cannot turn more than they.
         let windows = (FULL_CURVE_MM / self.window_mm).ceil();
         if windows > 1.0 && is_full(windows * f64::from(greatest)) {
@@ -179,7 +179,7 @@ impl<'a> Caps<'a> {
     /// Makes a full corner of every bend in a curve that turns by as much on a small radius.
     fn add_tight_curves(&self, turns: &mut [f32]) {
         let mut tight = turns.to_vec();
-        sum_turns(&self.bends, FULL_CURVE_MM, &mut tight);
+        sum_turns(&self.bends, FULL_CURVE_MM, SLIGHTEST_RAD, &mut tight);
         for (turn, tight) in turns.iter_mut().zip(tight) {
             if is_full(f64::from(tight)) {
                 *turn = tight;

@@ -11,6 +11,8 @@
 //! found with the sliding minimum and maximum of a monotone queue: one step for each bend however
 //! many share a window.
 
+use std::ops::Range;
+
 /// A place where the direction changes. Compact: a stack may have millions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bend {
@@ -49,21 +51,58 @@ const OF_CURVE: f32 = 0.25;
 /// For each bend, what the direction changes over a stretch of at most `window_mm` that begins or
 /// ends at it, radians, not negative; `found` (one for each bend) holds what is known already and is only raised. Gives
 /// the greatest change over any stretch, whether or not its ends belong to the curve.
-pub(crate) fn sum_turns(bends: &[Bend], window_mm: f64, found: &mut [f32]) -> f32 {
+///
+/// Changes below `least_rad` do not matter to the caller and may be told too small; what is given
+/// may be too great where only they are.
+pub(crate) fn sum_turns(bends: &[Bend], window_mm: f64, least_rad: f64, found: &mut [f32]) -> f32 {
+    let (curves, mut greatest) = curves(bends, window_mm, least_rad);
     let mut queue = Extremes::default();
-    let mut greatest = 0.0f32;
-    for (k, found) in found.iter_mut().enumerate() {
-        let turn = queue.turn(bends, k, window_mm, |b| b.before_rad, Bend::after_rad) as f32;
-        greatest = greatest.max(turn);
-        raise(bends, k, window_mm, turn, found);
-    }
-    queue.clear();
-    for (k, found) in found.iter_mut().enumerate().rev() {
-        let turn = queue.turn(bends, k, window_mm, Bend::after_rad, |b| b.before_rad) as f32;
-        raise(bends, k, window_mm, turn, found);
+    for curve in curves {
+        queue.clear();
+        for k in curve.clone() {
+            let turn = queue.turn(bends, k, window_mm, |b| b.before_rad, Bend::after_rad) as f32;
+            greatest = greatest.max(turn);
+            raise(bends, k, window_mm, turn, &mut found[k]);
+        }
+        queue.clear();
+        for k in curve.rev() {
+            let turn = queue.turn(bends, k, window_mm, Bend::after_rad, |b| b.before_rad) as f32;
+            raise(bends, k, window_mm, turn, &mut found[k]);
+        }
     }
     greatest
 }
+
+/// The bends between which the direction may change by `least_rad` within the window, as far as
+/// the sum of all their turns, whatever their sense, tells; and the greatest such sum of the others.
+///
+/// Most of a path is nearly straight, and the sum is far quicker than the search for the extremes.
+fn curves(bends: &[Bend], window_mm: f64, least_rad: f64) -> (Vec<Range<usize>>, f32) {
+    // Whole numbers, so that nothing adds up over a million bends.
+    let turn = |k: usize| (f64::from(bends[k].turn_rad.abs()) / GRAIN_RAD).ceil() as u64;
+    let least = (least_rad / GRAIN_RAD) as u64;
+    let mut curves: Vec<Range<usize>> = Vec::new();
+    let (mut first, mut sum, mut greatest) = (0, 0, 0);
+    for k in 0..bends.len() {
+        sum += turn(k);
+        while bends[k].at_mm - bends[first].at_mm > window_mm {
+            sum -= turn(first);
+            first += 1;
+        }
+        if sum < least {
+            greatest = greatest.max(sum);
+            continue;
+        }
+        match curves.last_mut() {
+            Some(curve) if first <= curve.end => curve.end = k + 1,
+            _ => curves.push(first..k + 1),
+        }
+    }
+    (curves, (greatest as f64 * GRAIN_RAD) as f32)
+}
+
+/// What turns are counted in when they are only added up, radians.
+const GRAIN_RAD: f64 = 1.0 / (1u64 << 32) as f64;
 
 fn raise(bends: &[Bend], k: usize, window_mm: f64, turn: f32, found: &mut f32) {
     if turn > *found {
@@ -158,7 +197,7 @@ mod tests {
         };
         let bends: Vec<Bend> = places.iter().map(bend).collect();
         let mut found: Vec<f32> = bends.iter().map(|b| b.turn_rad.abs()).collect();
-        let greatest = sum_turns(&bends, window, &mut found);
+        let greatest = sum_turns(&bends, window, 0.0, &mut found);
         for (got, want) in found.iter().zip(expected) {
             assert!((got.to_degrees() - want).abs() < 1e-4, "{found:?} is not {expected:?}");
             assert!(*got <= greatest);
@@ -185,5 +224,37 @@ mod tests {
     fn a_slight_bend_of_a_long_straight_is_not_the_corner_after_it() {
         check(&[(0.0, 0.1), (3.0, 90.0)], 4.0, &[0.1, 90.1]);
         check(&[(0.0, 40.0), (3.0, 90.0)], 4.0, &[130.0, 130.0]);
+    }
+
+    #[test]
+    fn what_matters_is_found_whatever_is_left_out() {
+        let (least, window) = (0.3, 2.0);
+        let mut seed = 7u64;
+        let mut random = move || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 40) as f64 / (1u64 << 24) as f64
+        };
+        let (mut at_mm, mut before_rad, mut left_out) = (0.0, 0.0, 0);
+        let bends: Vec<Bend> = (0..5000)
+            .map(|k| {
+                at_mm += random();
+                let rough = if k / 100 % 2 == 0 { 0.05 } else { 0.4 };
+                let turn_rad = ((random() - 0.5) * rough) as f32;
+                let bend = Bend { at_mm, before_rad, turn_rad, xy: 1.0, place: Place::Joint(0) };
+                before_rad += f64::from(turn_rad);
+                bend
+            })
+            .collect();
+        let mut all = vec![0.0; bends.len()];
+        let mut some = all.clone();
+        let greatest = sum_turns(&bends, window, 0.0, &mut all);
+        assert_eq!(sum_turns(&bends, window, least, &mut some), greatest);
+        for (all, some) in all.into_iter().zip(some) {
+            if f64::from(all.max(some)) >= least {
+                assert_eq!(all, some);
+            }
+            left_out += usize::from(all > 0.0 && some == 0.0);
+        }
+        assert!(left_out > 1000, "{left_out}");
     }
 }
