@@ -129,6 +129,10 @@ impl Sink for Findings {
             self.add(diagnostic);
         }
     }
+
+    fn looks_at_motion(&self) -> bool {
+        false
+    }
 }
 
 /// The file itself, or the one with `.sbp` added, as FP looks for it.

@@ -178,8 +178,10 @@ impl Runner<'_> {
     fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
         let Some(span) = plan.span(index) else { return };
         self.last_move = span.made.at;
-        let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
-        self.world.tell(&event);
+        if self.world.tells_motion() {
+            let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
+            self.world.tell(&event);
+        }
         let frame = *self.world.machine.frame();
         self.world.tally.made(span.made, span.t1_s - span.t0_s, &frame);
         self.world.machine.make(t0_s, plan, &span);

@@ -6,6 +6,12 @@ use crate::Event;
 pub trait Sink {
     /// Takes one.
     fn event(&mut self, event: &Event);
+
+    /// Whether it looks at moves and arcs. Where nobody does they are not described at all, which
+    /// matters for programs with a million of them.
+    fn looks_at_motion(&self) -> bool {
+        true
+    }
 }
 
 /// Keeps every event.
@@ -18,6 +24,10 @@ impl Sink for Vec<Event> {
 /// Keeps none: for runs of which only the summary is wanted.
 impl Sink for () {
     fn event(&mut self, _: &Event) {}
+
+    fn looks_at_motion(&self) -> bool {
+        false
+    }
 }
 
 /// Two take every event.
@@ -26,11 +36,19 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.0.event(event);
         self.1.event(event);
     }
+
+    fn looks_at_motion(&self) -> bool {
+        self.0.looks_at_motion() || self.1.looks_at_motion()
+    }
 }
 
 impl<S: Sink + ?Sized> Sink for &mut S {
     fn event(&mut self, event: &Event) {
         (**self).event(event);
+    }
+
+    fn looks_at_motion(&self) -> bool {
+        (**self).looks_at_motion()
     }
 }
 
@@ -40,5 +58,9 @@ impl<S: Sink> Sink for Option<S> {
         if let Some(sink) = self {
             sink.event(event);
         }
+    }
+
+    fn looks_at_motion(&self) -> bool {
+        self.as_ref().is_some_and(S::looks_at_motion)
     }
 }

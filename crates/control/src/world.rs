@@ -68,6 +68,11 @@ impl<'a> World<'a> {
         self.sink.event(event);
     }
 
+    /// Whether anybody looks at moves and arcs.
+    pub fn tells_motion(&self) -> bool {
+        self.sink.looks_at_motion()
+    }
+
     /// Tells something a person should know.
     pub fn tell_diagnostic(&mut self, diagnostic: Diagnostic) {
         if self.told.as_ref() != Some(&diagnostic) {

@@ -27,6 +27,10 @@ impl Sink for Diagnostics {
             self.show(diagnostic);
         }
     }
+
+    fn looks_at_motion(&self) -> bool {
+        false
+    }
 }
 
 /// Whether colours are wanted: on a terminal, unless NO_COLOR says otherwise.
