@@ -6,8 +6,10 @@ use crate::session::LimitPolicy;
 use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Model, Move, Optimal, Path, Plan, plan_stack};
-use kerf_program::{Answer, At, Axis, Button, Question, QuestionKind, Settings, Sourced};
-use kerf_sbp::{SPINDLE_STATUS, Status};
+use kerf_program::{
+    Answer, At, Axis, Button, Interpreter, Question, QuestionKind, Settings, Sourced, Status,
+};
+use kerf_sbp::SPINDLE_STATUS;
 use kerf_sim::{Halt, HaltCause, Violation};
 use std::iter::Peekable;
 use std::vec::IntoIter;
@@ -32,7 +34,7 @@ struct Stopped {
 
 type Marks = Peekable<IntoIter<(usize, Sourced)>>;
 
-impl Runner<'_> {
+impl<I: Interpreter> Runner<'_, I> {
     /// Runs a stack; `None` when all of it was made.
     pub(crate) fn execute(&mut self, mut stack: Stack) -> Option<Halted> {
         if let Err(over) = self.check(&stack.moves) {

@@ -13,16 +13,18 @@ use crate::world::World;
 use crate::{Event, Pace};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Mover;
-use kerf_program::{Answer, At, Axis, Button, Command, Feed, Line, MoveKind, Question, Sourced};
-use kerf_sbp::{Interpreter, Status, Step};
+use kerf_program::{
+    Answer, At, Axis, Button, Command, Feed, Interpreter, Line, MoveKind, Question, Sourced,
+    Status, Step,
+};
 use kerf_sim::{HaltCause, Watched};
 
 /// Lines that are executed before their commands are looked at.
 const LINES: u64 = 4096;
 
 /// One run.
-pub(crate) struct Runner<'a> {
-    pub interpreter: Interpreter,
+pub(crate) struct Runner<'a, I> {
+    pub interpreter: I,
     pub world: World<'a>,
     pub pace: &'a mut dyn Pace,
     mover: Mover,
@@ -54,10 +56,10 @@ pub(crate) struct Over {
     pub diagnostic: Option<Box<Diagnostic>>,
 }
 
-impl<'a> Runner<'a> {
+impl<'a, I: Interpreter> Runner<'a, I> {
     /// Ready to run; looks at commands after so many lines, 0 for the usual.
     pub fn new(
-        interpreter: Interpreter,
+        interpreter: I,
         world: World<'a>,
         pace: &'a mut dyn Pace,
         limits: LimitPolicy,
@@ -173,15 +175,14 @@ impl<'a> Runner<'a> {
     }
 
     fn learn_files(&mut self) {
-        while let Some(program) = self.interpreter.program(self.world.files_known() as u32) {
-            let name = program.name.clone();
+        while let Some(name) = self.interpreter.file_name(self.world.files_known() as u32) {
             self.world.name_file(name);
         }
     }
 
     /// Takes over the commands given: motion goes onto the stack, the rest is carried out.
     fn feed(&mut self) -> Flow {
-        self.watching = self.interpreter.watches().next().is_some();
+        self.watching = !self.interpreter.watches().is_empty();
         let mut out = std::mem::take(&mut self.out);
         let motions = out.iter().filter(|s| s.command.is_motion()).count() as u64;
         let mut number = self.interpreter.motions() - motions;
@@ -280,7 +281,7 @@ impl<'a> Runner<'a> {
     /// A watched input stopped the machine: the program's handler comes next.
     fn interrupt(&mut self, index: usize, motion: Option<u64>) -> Flow {
         let position = self.world.machine.position();
-        let Some(watch) = self.interpreter.watches().nth(index).cloned() else { return Flow::On };
+        let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
         self.interpreter.interrupt(&watch, motion, position);
         self.stack = Stack::default();
         self.mover.set_position(position);
@@ -291,7 +292,10 @@ impl<'a> Runner<'a> {
     /// The inputs whose changes stop the machine for the program.
     pub(crate) fn watched(&self) -> Vec<Watched> {
         let watched = self.interpreter.watches();
-        watched.map(|w| Watched { input: w.input, on: w.on, ramped: w.ramped }).collect()
+        watched
+            .into_iter()
+            .map(|w| Watched { input: w.input, on: w.on, ramped: w.ramped })
+            .collect()
     }
 
     /// Lets time pass until a moment, unless something stops the program before.
@@ -394,7 +398,7 @@ impl<'a> Runner<'a> {
 
     /// The line that asks; it runs again when the answer is there.
     fn asking_line(&self) -> At {
-        self.interpreter.call_stack().last().unwrap_or_default()
+        self.interpreter.call_stack().last().copied().unwrap_or_default()
     }
 }
 

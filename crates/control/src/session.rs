@@ -154,7 +154,7 @@ pub const fn dialect_word(dialect: Dialect) -> &'static str {
 }
 
 fn conclude(
-    runner: Runner<'_>,
+    runner: Runner<'_, Interpreter>,
     over: crate::runner::Over,
     variables: bool,
 ) -> (Summary, kerf_sbp::Session) {

@@ -16,6 +16,7 @@ mod cutting;
 mod dialogs;
 mod fields;
 mod interrupt;
+mod language;
 mod levels;
 mod lifecycle;
 mod locate;
@@ -43,45 +44,17 @@ mod z_moves;
 pub use self::core::Core;
 pub use arguments::Arguments;
 pub use context::{Context, Stop};
+pub use kerf_program::{Status, Step, Watch};
 pub use registry::SPINDLE_STATUS;
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
 pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;
-pub use watch::Watch;
 
 use crate::tree::Span;
 use crate::{Program, Value};
-use kerf_diag::Diagnostic;
 use kerf_program::{At, Axes, Frame, Host, Settings, Sourced};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-
-/// How a run ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Status {
-    /// It ran to the end of the file, or to END.
-    Ok,
-    /// ENDALL or EXIT SHOPBOT.
-    Ended,
-    /// An error.
-    Failed,
-    /// The operator stopped it.
-    Stopped,
-    /// A bound was reached: lines or table limits.
-    Limit,
-}
-
-/// What a step did.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Step {
-    /// A line was executed.
-    Ran,
-    /// The host has to do something first; the step had no effect.
-    Waiting,
-    /// The run is over. An error is told in the diagnostic.
-    Done(Status, Option<Box<Diagnostic>>),
-}
 
 /// States kept behind moves that may be interrupted; some tens of megabytes.
 const MOST_BEHIND: usize = 20_000;
