@@ -33,6 +33,8 @@ pub(crate) struct Runner<'a, I> {
     lines: u64,
     /// An input may interrupt: moves need their numbers.
     watching: bool,
+    /// The program's state is saved and restored before each look.
+    pub restore: bool,
     pub limits: LimitPolicy,
     /// The line of the move made last.
     pub last_move: At,
@@ -78,6 +80,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             lines,
             limits,
             watching: false,
+            restore: false,
             last_move: At::default(),
         }
     }
@@ -99,6 +102,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Some lines, and what they ask for.
     fn turn(&mut self) -> Option<Over> {
+        if self.restore
+            && let Err(over) = self.save_and_restore()
+        {
+            return Some(over);
+        }
         let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
         self.learn_files();
         let flow = match self.feed() {
@@ -113,6 +121,22 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             Flow::On | Flow::Interrupted => None,
             Flow::Over(over) => Some(self.ended(over)),
         }
+    }
+
+    /// Goes on from the saved state of the program.
+    fn save_and_restore(&mut self) -> Result<(), Over> {
+        let saved = serde_json::to_vec(&self.interpreter);
+        let restored = saved.and_then(|state| serde_json::from_slice(&state));
+        self.interpreter = restored.map_err(|error| self.lost(&error))?;
+        Ok(())
+    }
+
+    fn lost(&self, error: &serde_json::Error) -> Over {
+        let at = self.asking_line();
+        let place = Place::line(self.world.file(at), at.line);
+        let message = format!("the state of the program cannot be saved: {error}");
+        let diagnostic = Diagnostic::new(Code::Terminated, place, message);
+        Over { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }
 
     /// What a step asks for, after its commands were taken over.

@@ -29,6 +29,9 @@ pub struct RunOptions {
     /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
     /// on it.
     pub lines_at_once: u64,
+    /// Save the state of the program at each look and go on from what was saved. Results do not
+    /// depend on it.
+    pub restore: bool,
 }
 
 /// What happens when a move would leave the table limits.
@@ -103,6 +106,7 @@ impl Session {
         let world = World::new(machine, shelf, sink, operator);
         let mut runner =
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
+        runner.restore = options.restore;
         let over = runner.run();
         let (summary, memory) = conclude(runner, over, options.tell_variables);
         self.memory = memory;

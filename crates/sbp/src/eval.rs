@@ -133,9 +133,13 @@ impl Context<'_> {
                 let message = format!("{} has no value", self.spelled(expr.span));
                 self.fail_at(expr.span, Code::UndefinedVariable, message, "")
             }
-            _ => {
+            (node, _) => {
                 let message = format!("'{}' is not a number", value.display());
-                self.fail_at(expr.span, Code::NotANumber, message, "a number is needed here")
+                let hint = match node {
+                    ExprNode::Word(word) => format!("is the variable &{word} meant?"),
+                    _ => "a number is needed here".into(),
+                };
+                self.fail_at(expr.span, Code::NotANumber, message, hint)
             }
         })
     }

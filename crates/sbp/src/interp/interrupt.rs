@@ -40,6 +40,10 @@ impl Context<'_> {
         state: &Expr,
         armed: bool,
     ) -> Result<(), Stop> {
+        if !armed && self.eval(switch)? == Value::Empty {
+            self.nothing_to_disarm(switch);
+            return Ok(());
+        }
         let watch = self.watch(switch, state)?;
         self.settle()?;
         self.core.watches.retain(|h| h.watch != watch);
@@ -48,6 +52,13 @@ impl Context<'_> {
             self.core.watches.push(Handler { watch, at: self.at, level });
         }
         Ok(())
+    }
+
+    /// Files tidy up with a variable that they never set: nothing was armed with it either.
+    fn nothing_to_disarm(&mut self, switch: &Expr) {
+        let message = format!("{} has no value: no ON INPUT is ended", self.spelled(switch.span));
+        self.span = switch.span;
+        self.warn(Code::Unusual, message, "name the switch that is no longer watched");
     }
 
     fn watch(&mut self, switch: &Expr, state: &Expr) -> Result<Watch, Stop> {

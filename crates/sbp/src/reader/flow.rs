@@ -139,7 +139,7 @@ impl Line<'_, '_> {
         }
         let seconds = self.expression()?;
         if seconds.any(&|node| matches!(node, ExprNode::Text(_))) {
-            let hint = "the message of a pause is the comment line above it";
+            let hint = "text is FabMo's dialect; here the comment line above is the message";
             let message = "PAUSE takes seconds, not text";
             return Err(self.fault(Code::Syntax, seconds.span, message, hint));
         }
@@ -278,7 +278,7 @@ mod tests {
         finds(
             "PAUSE \"Change bit\"",
             &[
-                "S004 1:7+12 PAUSE takes seconds, not text [the message of a pause is the comment line above it]",
+                "S004 1:7+12 PAUSE takes seconds, not text [text is FabMo's dialect; here the comment line above is the message]",
             ],
         );
         finds("PAUSE UNTIL 5", &["S010 1:1+13 the state is missing"]);

@@ -66,6 +66,7 @@ const FOREIGN: &[(&str, &str)] = &[
     ("FAIL", "FabMo's dialect; use MSGBOX and ENDALL"),
     ("DATA_SEND", "FabMo's dialect; use WRITE"),
     ("DATA_REQUEST", "FabMo's dialect; use INPUT"),
+    ("SU", "FabMo's dialect; VD,,,0 sets inches, VD,,,1 millimetres"),
     ("PX", FABMO_PROBE),
     ("PY", FABMO_PROBE),
     ("PZ", FABMO_PROBE),

@@ -37,6 +37,12 @@ fn the_four_conditions_are_two_directions_and_two_stops() {
 }
 
 #[test]
+fn ending_a_watch_with_a_variable_that_was_never_set_ends_none() {
+    rig("ON INPUT(3,1) &a=1 ⏎ ON INPUT(&none,1) ⏎ MX,1").finish().at(1.0, 0.0, 0.0);
+    crate::testing::run("ON INPUT(&none,1) &a=1").fails_with("variable &NONE has no value");
+}
+
+#[test]
 fn sbp_flow_oninput_resume() {
     let mut rig = rig("ON INPUT(3,1) &hit=1 ⏎ MX,10 ⏎ MY,2");
     rig.read_ahead();
