@@ -20,9 +20,15 @@ pub struct Ended {
 }
 
 impl Ended {
+    /// It ended as its line says, and showed what it had to.
+    pub fn is_as(&self, row: &Row) -> bool {
+        let shown = |event: &String| event.contains(row.shows);
+        self.told == row.expected && self.trace.iter().any(shown)
+    }
+
     /// In what it differs from what its line says.
     pub fn difference(&self, row: &Row) -> String {
-        format!("{}, expected {} ({})", self.told, row.expected, self.message)
+        format!("{}, expected {} {} ({})", self.told, row.expected, row.shows, self.message)
     }
 }
 
@@ -53,7 +59,6 @@ fn run_with(tree: &Tree, row: &Row, options: RunOptions) -> Ended {
     let mut options = RunOptions { inputs: row.inputs.clone(), ..options };
     options.program.preview = !row.moves;
     options.program.max_lines = row.max_lines;
-    options.program.dialect = row.dialect;
     one(&mut session, &path.display().to_string(), tree.bytes(row.file), options, row, &mut shelf)
 }
 

@@ -60,7 +60,7 @@ fn every_file_of_the_corpus_has_a_line() {
 fn files_end_as_their_line_says() {
     every(|tree, row| {
         let ended = run(tree, row);
-        if row.expected == ended.told { Ok(()) } else { Err(ended.difference(row)) }
+        if ended.is_as(row) { Ok(()) } else { Err(ended.difference(row)) }
     });
 }
 

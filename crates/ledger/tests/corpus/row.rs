@@ -1,6 +1,6 @@
 //! The lines of `files.txt`: what a file needs, and what has to come of it.
 
-use kerf_sbp::{Dialect, Value};
+use kerf_sbp::Value;
 use kerf_sim::Change;
 
 /// The list.
@@ -27,8 +27,8 @@ pub struct Row {
     pub max_lines: u64,
     /// On the machine, not as a preview.
     pub moves: bool,
-    /// Reading of the language.
-    pub dialect: Dialect,
+    /// A text that the operator has to see.
+    pub shows: &'static str,
 }
 
 /// All lines.
@@ -50,7 +50,7 @@ impl Row {
             axes: 3,
             max_lines: 200_000,
             moves: false,
-            dialect: Dialect::Sb3,
+            shows: "",
         };
         for option in columns.filter(|option| !option.is_empty()) {
             let (key, value) = option.split_once(' ').unwrap_or((option, ""));
@@ -59,7 +59,7 @@ impl Row {
         row
     }
 
-    fn option(&mut self, key: &str, value: &str) {
+    fn option(&mut self, key: &str, value: &'static str) {
         match key {
             "answers" => self.answers = value.split('⏎').map(|a| format!("{}\n", a.trim())).collect(),
             "input" => self.inputs.extend(value.split_whitespace().map(change)),
@@ -68,7 +68,7 @@ impl Row {
             "axes" => self.axes = value.parse().unwrap(),
             "lines" => self.max_lines = value.parse().unwrap(),
             "moves" => self.moves = true,
-            "fabmo" => self.dialect = Dialect::Fabmo,
+            "shows" => self.shows = value,
             // Why the file ends as it does, for readers.
             "note" => {}
             _ => panic!("{}: what is {key}?", self.file),
