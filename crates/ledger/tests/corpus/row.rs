@@ -61,7 +61,9 @@ impl Row {
 
     fn option(&mut self, key: &str, value: &'static str) {
         match key {
-            "answers" => self.answers = value.split('⏎').map(|a| format!("{}\n", a.trim())).collect(),
+            "answers" => {
+                self.answers = value.split('⏎').map(|a| format!("{}\n", a.trim())).collect()
+            }
             "input" => self.inputs.extend(value.split_whitespace().map(change)),
             "set" => self.set.extend(value.split_whitespace().map(variable)),
             "before" => self.before.extend(value.split('⏎').map(|line| line.trim().to_owned())),
