@@ -22,6 +22,9 @@ use kerf_sim::{HaltCause, Watched};
 /// Lines that are executed before their commands are looked at.
 const LINES: u64 = 4096;
 
+/// What comes back of a state that is saved, or why nothing does.
+pub(crate) type Restore<I> = fn(&I) -> Result<I, String>;
+
 /// One run.
 pub(crate) struct Runner<'a, I> {
     pub interpreter: I,
@@ -33,8 +36,8 @@ pub(crate) struct Runner<'a, I> {
     lines: u64,
     /// An input may interrupt: moves need their numbers.
     watching: bool,
-    /// The program's state is saved and restored before each look.
-    pub restore: bool,
+    /// Saves and restores the program's state before each look.
+    pub restore: Option<Restore<I>>,
     pub limits: LimitPolicy,
     /// The line of the move made last.
     pub last_move: At,
@@ -80,7 +83,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             lines,
             limits,
             watching: false,
-            restore: false,
+            restore: None,
             last_move: At::default(),
         }
     }
@@ -102,10 +105,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Some lines, and what they ask for.
     fn turn(&mut self) -> Option<Over> {
-        if self.restore
-            && let Err(over) = self.save_and_restore()
-        {
-            return Some(over);
+        if let Some(restore) = self.restore {
+            match restore(&self.interpreter) {
+                Ok(restored) => self.interpreter = restored,
+                Err(why) => return Some(self.lost(&why)),
+            }
         }
         let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
         self.learn_files();
@@ -123,18 +127,10 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
     }
 
-    /// Goes on from the saved state of the program.
-    fn save_and_restore(&mut self) -> Result<(), Over> {
-        let saved = serde_json::to_vec(&self.interpreter);
-        let restored = saved.and_then(|state| serde_json::from_slice(&state));
-        self.interpreter = restored.map_err(|error| self.lost(&error))?;
-        Ok(())
-    }
-
-    fn lost(&self, error: &serde_json::Error) -> Over {
+    fn lost(&self, why: &str) -> Over {
         let at = self.asking_line();
         let place = Place::line(self.world.file(at), at.line);
-        let message = format!("the state of the program cannot be saved: {error}");
+        let message = format!("the state of the program cannot be saved: {why}");
         let diagnostic = Diagnostic::new(Code::Terminated, place, message);
         Over { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }

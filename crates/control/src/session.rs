@@ -106,7 +106,7 @@ impl Session {
         let world = World::new(machine, shelf, sink, operator);
         let mut runner =
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
-        runner.restore = options.restore;
+        runner.restore = options.restore.then_some(saved_and_restored);
         let over = runner.run();
         let (summary, memory) = conclude(runner, over, options.tell_variables);
         self.memory = memory;
@@ -146,6 +146,11 @@ impl Session {
         sink.event(&Event::End(end_event(&summary, None)));
         summary
     }
+}
+
+fn saved_and_restored(interpreter: &Interpreter) -> Result<Interpreter, String> {
+    let saved = serde_json::to_vec(interpreter).map_err(|e| e.to_string())?;
+    serde_json::from_slice(&saved).map_err(|e| e.to_string())
 }
 
 /// The word for a dialect.
