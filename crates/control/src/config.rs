@@ -153,10 +153,10 @@ pub fn settings(text: &str) -> Result<Settings, ConfigError> {
 impl Config {
     fn units(&self, s: &mut Settings) -> Result<(), ConfigError> {
         if let Some(unit) = self.units {
-            s.linear_unit = match unit {
+            s.use_linear_unit(match unit {
                 Unit::In => LinearUnit::Inch,
                 Unit::Mm => LinearUnit::Mm,
-            };
+            });
         }
         if let Some(units) = self.rotary {
             s.rotary_units = units.map(|u| match u {

@@ -30,7 +30,7 @@ impl TextOptions {
     /// The same on a machine set to millimetres.
     #[must_use]
     pub fn mm(mut self) -> Self {
-        self.settings.linear_unit = LinearUnit::Mm;
+        self.settings.use_linear_unit(LinearUnit::Mm);
         self
     }
 

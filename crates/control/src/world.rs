@@ -7,12 +7,13 @@ use crate::answers::{self, Operator};
 use crate::event::{AskEvent, Event, Partial, Place};
 use crate::shelf::Shelf;
 use crate::{Sink, Tally};
-use kerf_diag::Diagnostic;
+use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_program::{
     AXES, Answer, At, Axes, Axis, AxisSet, Command, FileMode, FileRequest, Frame, Host, HostError,
     Independent, OutputReason, Question, Settings, ShellCall, SourceFile,
 };
 use kerf_sim::{Happening, Machine, What};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::task::Poll;
 
@@ -35,8 +36,8 @@ pub(crate) struct World<'a> {
     settled: bool,
     question: Option<Question>,
     answer: Option<Answer>,
-    /// Warnings and notes of the same line are told once.
-    told: Option<Diagnostic>,
+    /// What was told already: a line in a loop finds the same again and again.
+    told: BTreeSet<(Code, SourcePlace, String)>,
 }
 
 impl<'a> World<'a> {
@@ -59,7 +60,7 @@ impl<'a> World<'a> {
             settled: false,
             question: None,
             answer: None,
-            told: None,
+            told: BTreeSet::new(),
         }
     }
 
@@ -75,9 +76,9 @@ impl<'a> World<'a> {
 
     /// Tells something a person should know.
     pub fn tell_diagnostic(&mut self, diagnostic: Diagnostic) {
-        if self.told.as_ref() != Some(&diagnostic) {
-            self.sink.event(&Event::Diag(Box::new(diagnostic.clone())));
-            self.told = Some(diagnostic);
+        let what = (diagnostic.code, diagnostic.place.clone(), diagnostic.message.clone());
+        if self.told.insert(what) {
+            self.sink.event(&Event::Diag(Box::new(diagnostic)));
         }
     }
 

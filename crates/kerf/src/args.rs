@@ -61,12 +61,19 @@ pub struct PlaceArgs {
     /// Lets programs use files in another folder too; may be repeated
     #[arg(long, value_name = "DIR")]
     pub allow_path: Vec<PathBuf>,
-    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
-    #[arg(long, value_name = "DIR")]
-    pub data: Option<PathBuf>,
+    #[command(flatten)]
+    pub data: DataArgs,
     /// Lets SHELL start programs; never in a preview
     #[arg(long)]
     pub allow_shell: bool,
+}
+
+/// Where values that survive lie.
+#[derive(Args, Clone, Debug)]
+pub struct DataArgs {
+    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
+    #[arg(long = "data", value_name = "DIR")]
+    pub folder: Option<PathBuf>,
 }
 
 /// The parameters of the FP command, for the file at the top.

@@ -1,12 +1,13 @@
 //! From options to a machine, its folders and its memory.
 
-use crate::args::{MotionArgs, PlaceArgs, RampModel, RunArgs};
+use crate::args::{DataArgs, MotionArgs, PlaceArgs, RampModel, RunArgs};
 use crate::exit::Usage;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{RunOptions, Session, Shelf, Shell};
+use kerf_program::settings::LinearUnit;
 use kerf_program::{Axes, Axis, Dynamics, Settings};
 use kerf_sbp::{FileParameters, Program};
 use std::path::{Path, PathBuf};
@@ -118,15 +119,21 @@ fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
 }
 
 fn settings(args: &RunArgs) -> Result<Settings> {
-    let mut settings = match &args.place.config {
+    let mut settings = configured(args.place.config.as_deref(), args.units)?;
+    choose_model(&args.motion, &mut settings)?;
+    Ok(settings)
+}
+
+/// The settings a machine starts with.
+pub fn configured(config: Option<&Path>, unit: Option<LinearUnit>) -> Result<Settings> {
+    let mut settings = match config {
         None => Settings::default(),
         Some(file) => kerf_control::config::settings(&read_text(file)?)
             .map_err(|e| Usage(format!("{}: {e}", file.display())))?,
     };
-    if let Some(unit) = args.units {
-        settings.linear_unit = unit;
+    if let Some(unit) = unit {
+        settings.use_linear_unit(unit);
     }
-    choose_model(&args.motion, &mut settings)?;
     Ok(settings)
 }
 
@@ -154,14 +161,12 @@ fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions
 
 /// The folders and values that a program reaches.
 pub fn shelf(file: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
-    let data = data_folder(place)?;
+    let data = data_folder(&place.data)?;
     let parts =
         place.parts.clone().unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).into());
     let custom = place.custom.clone().unwrap_or_else(|| data.join("custom"));
     let folders = Folders::new(parts, vec![custom], place.allow_path.clone());
-    let file = data.join("stored.json");
-    let stored = Stored::read(&RealDisk, &file)
-        .with_context(|| format!("stored values in {}", file.display()))?;
+    let stored = stored(&data)?;
     let shelf = if preview {
         let shell = if place.allow_shell { Shell::Skipped } else { Shell::Refused };
         Shelf::preview(RealDisk, folders, &stored, data).with_shell(shell)
@@ -172,9 +177,15 @@ pub fn shelf(file: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
     Ok(shelf)
 }
 
+/// The values that survive.
+pub fn stored(data: &Path) -> Result<Stored> {
+    let file = data.join("stored.json");
+    Stored::read(&RealDisk, &file).with_context(|| format!("stored values in {}", file.display()))
+}
+
 /// Where values that survive lie.
-fn data_folder(place: &PlaceArgs) -> Result<PathBuf> {
-    if let Some(folder) = &place.data {
+pub fn data_folder(args: &DataArgs) -> Result<PathBuf> {
+    if let Some(folder) = &args.folder {
         return Ok(folder.clone());
     }
     let variable = |name| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);

@@ -322,3 +322,34 @@ fn the_optimal_ramps_follow_their_limits() {
     shop.kerf("time a.sbp --accel 1,1,1").exits(2).complains("--accel belongs to --ramps optimal");
     shop.kerf("time a.sbp --ramps profiler").exits(2).complains("not there yet");
 }
+
+#[test]
+fn the_registry_keeps_what_programs_and_people_set() {
+    let shop =
+        Shop::new(&[("a.sbp", "SetUsrVal, hello\n"), ("b.sbp", "GetUsrVal, &v\nPRINT &v\n")]);
+    shop.kerf("registry get uValue").exits(1).complains("uValue has no value");
+    shop.kerf("run a.sbp").exits(0);
+    assert_eq!(shop.kerf("registry get ShopBot/UserData/uValue").exits(0).out(), "hello\n");
+    shop.kerf("registry set uValue 7").exits(0);
+    shop.kerf("run b.sbp").exits(0).says("7\n");
+    shop.kerf("registry get").exits(0).says("uValue=7\n");
+    shop.kerf("registry set uValue").exits(0);
+    shop.kerf("registry get uValue").exits(1);
+    assert_eq!(shop.kerf("registry get Status").exits(0).out(), "0\n");
+}
+
+#[test]
+fn sbp_sys_list() {
+    let shop = Shop::new(&[]);
+    let list = shop.kerf("sysvars").exits(0).out();
+    let row = |list: &str, number: &str| -> Vec<String> {
+        let row = list.lines().find(|l| l.split_whitespace().next() == Some(number)).unwrap();
+        row.split_whitespace().map(str::to_owned).collect()
+    };
+    assert_eq!(row(&list, "23")[1], "0.25");
+    assert_eq!((row(&list, "25")[1].as_str(), row(&list, "71")[1].as_str()), ("0", "2"));
+    let metric = shop.kerf("sysvars --units mm").exits(0).out();
+    assert_eq!((row(&metric, "25")[1].as_str(), row(&metric, "71")[1].as_str()), ("1", "50.8"));
+    let numbers = kerf_sbp::system_variables().count();
+    assert_eq!(list.lines().count(), numbers);
+}

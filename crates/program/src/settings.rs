@@ -400,6 +400,16 @@ impl Settings {
         }
     }
 
+    /// Changes the user's linear unit; linear rotary axes follow.
+    pub fn use_linear_unit(&mut self, unit: LinearUnit) {
+        self.linear_unit = unit;
+        for axis in &mut self.rotary_units {
+            if let AxisUnit::Linear(linear) = axis {
+                *linear = unit;
+            }
+        }
+    }
+
     /// Internal units (mm or degrees) in one user unit of an axis.
     pub const fn axis_scale(&self, axis: Axis) -> f64 {
         self.axis_unit(axis).scale()

@@ -4,7 +4,9 @@ mod check;
 mod explain;
 mod fmt;
 mod preview;
+mod registry;
 mod run;
+mod sysvars;
 mod time;
 mod trace;
 
@@ -22,6 +24,8 @@ pub enum Command {
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
     Explain(explain::ExplainArgs),
+    Registry(registry::RegistryArgs),
+    Sysvars(sysvars::SysvarsArgs),
 }
 
 /// Does it.
@@ -33,6 +37,8 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),
+        Command::Registry(args) => registry::run(&args),
+        Command::Sysvars(args) => sysvars::run(&args),
         Command::Explain(args) => explain::run(&args),
     }
 }

@@ -59,13 +59,8 @@ const LINEAR: Setting = Setting {
     read: |s| Some(Value::Number(unit_code(AxisUnit::Linear(s.linear_unit)))),
     write: |s, v| {
         let unit = if v.number() == Some(1.0) { LinearUnit::Mm } else { LinearUnit::Inch };
-        s.linear_unit = unit;
         // The other linear axes follow, unless their own fields say otherwise.
-        for axis in &mut s.rotary_units {
-            if let AxisUnit::Linear(linear) = axis {
-                *linear = unit;
-            }
-        }
+        s.use_linear_unit(unit);
     },
 };
 

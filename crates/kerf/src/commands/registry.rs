@@ -1,0 +1,76 @@
+//! `kerf registry`: the values that programs and other software keep.
+
+use crate::args::DataArgs;
+use crate::exit::Exit;
+use crate::{out, setup};
+use anyhow::{Context, Result};
+use clap::{Args, Subcommand};
+use kerf_control::files::{Disk, RealDisk};
+
+/// Shows and sets the values that survive runs: uValue, $variables, what other software leaves
+///
+/// Keys are those of the external-control registry; a path before the last / is left out, so that
+/// ShopBot/UserData/uValue is uValue.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  kerf registry get\n  kerf registry get uValue\n  \
+    kerf registry set uValue hello\n  kerf registry set uValue")]
+pub struct RegistryArgs {
+    #[command(subcommand)]
+    action: Action,
+    #[command(flatten)]
+    data: DataArgs,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Prints a value, or all of them
+    Get {
+        /// Its key
+        key: Option<String>,
+    },
+    /// Sets a value; without one the key is removed
+    Set {
+        /// Its key
+        key: String,
+        /// The value
+        value: Option<String>,
+    },
+}
+
+/// Keys that the machine keeps itself, and what they read while no program runs.
+const IDLE: &[&str] =
+    &["Status", "InputSwitches", "InputSwitchesUpper", "OutPutSwitches", "OutPutSwitchesUpper"];
+
+pub fn run(args: &RegistryArgs) -> Result<Exit> {
+    let data = setup::data_folder(&args.data)?;
+    let mut stored = setup::stored(&data)?;
+    match &args.action {
+        Action::Get { key: None } => {
+            let lines = stored.iter().map(|(key, value)| format!("{key}={value}\n"));
+            out::print(&lines.collect::<String>());
+        }
+        Action::Get { key: Some(key) } => {
+            let key = last_part(key);
+            let folder = || RealDisk.real_path(&data).display().to_string();
+            let value = match stored.get(key) {
+                Some(value) => value.to_owned(),
+                None if IDLE.contains(&key) => "0".into(),
+                None if key == "uAppPath" => folder(),
+                None => {
+                    eprintln!("kerf: {key} has no value");
+                    return Ok(Exit::Failed);
+                }
+            };
+            out::print(&(value + "\n"));
+        }
+        Action::Set { key, value } => {
+            stored.set(last_part(key), value.as_deref());
+            stored.save(&mut RealDisk).context("cannot keep the stored values")?;
+        }
+    }
+    Ok(Exit::Good)
+}
+
+fn last_part(key: &str) -> &str {
+    key.rsplit(['/', '\\']).next().unwrap_or(key)
+}
