@@ -184,8 +184,8 @@ impl<I: Interpreter> Runner<'_, I> {
             let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
             self.world.tell(&event);
         }
-        let frame = *self.world.machine.frame();
-        self.world.tally.made(span.made, span.t1_s - span.t0_s, &frame);
+        let frame = self.world.machine.frame();
+        self.world.tally.made(span.made, span.t1_s - span.t0_s, frame);
         self.world.machine.make(t0_s, plan, &span);
         self.world.tell_log();
     }

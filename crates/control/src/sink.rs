@@ -64,3 +64,17 @@ impl<S: Sink> Sink for Option<S> {
         self.as_ref().is_some_and(S::looks_at_motion)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moves_are_told_when_anybody_looks() {
+        let (list, nobody) = (Vec::<Event>::new(), None::<Vec<Event>>);
+        assert!((list.clone(), ()).looks_at_motion() && ((), list.clone()).looks_at_motion());
+        assert!(Some(list).looks_at_motion());
+        assert!(!((), nobody).looks_at_motion());
+        assert!(!(&mut () as &mut dyn Sink).looks_at_motion());
+    }
+}

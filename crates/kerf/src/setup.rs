@@ -46,7 +46,7 @@ pub fn read_program(file: &Path) -> Result<Program> {
         bail!("{}: G-code files cannot be run yet", file.display());
     }
     let bytes = read_bytes(file)?;
-    Ok(kerf_sbp::read(file.display().to_string().into(), &bytes))
+    Ok(kerf_sbp::read(file.display().to_string().into(), bytes))
 }
 
 fn read_bytes(file: &Path) -> Result<Vec<u8>> {

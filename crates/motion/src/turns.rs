@@ -79,7 +79,7 @@ pub(crate) fn sum_turns(bends: &[Bend], window_mm: f64, least_rad: f64, found: &
 /// Most of a path is nearly straight, and the sum is far quicker than the search for the extremes.
 fn curves(bends: &[Bend], window_mm: f64, least_rad: f64) -> (Vec<Range<usize>>, f32) {
     // Whole numbers, so that nothing adds up over a million bends.
-    let turn = |k: usize| (f64::from(bends[k].turn_rad.abs()) / GRAIN_RAD).ceil() as u64;
+    let turn = |k: usize| (f64::from(bends[k].turn_rad.abs()) / GRAIN_RAD) as u64 + 1;
     let least = (least_rad / GRAIN_RAD) as u64;
     let mut curves: Vec<Range<usize>> = Vec::new();
     let (mut first, mut sum, mut greatest) = (0, 0, 0);

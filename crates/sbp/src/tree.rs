@@ -28,7 +28,7 @@ pub struct Program {
     /// Name shown to people.
     pub name: Arc<str>,
     /// The whole text, as it was read (line ends kept, byte-order mark removed).
-    pub text: Arc<str>,
+    pub text: String,
     /// One entry a line; line n of the file is `lines[n - 1]`.
     pub lines: Vec<LineNode>,
     /// The literal values of [`Node::Move`] lines, in order, only those given.

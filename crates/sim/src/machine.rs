@@ -220,9 +220,9 @@ impl Machine {
 
     /// Lets the clock run to a time; inputs change on the way.
     pub fn advance(&mut self, to_s: f64) {
-        let io = self.settings.io;
-        while let Some(change) = self.inputs.step(to_s, &io) {
-            let on = self.inputs.reads(change.input, &io);
+        let io = &self.settings.io;
+        while let Some(change) = self.inputs.step(to_s, io) {
+            let on = self.inputs.reads(change.input, io);
             let t_s = change.at_s.max(self.clock_s);
             self.log.add(t_s, What::Input { number: change.input, on });
         }

@@ -63,7 +63,7 @@ impl Context<'_> {
         if let Some(known) = self.core.programs.iter().find(same).cloned() {
             return Ok(known);
         }
-        let program = crate::read(source.name.clone(), &source.bytes);
+        let program = crate::read(source.name.clone(), &*source.bytes);
         let fatal = !self.core.options.allow_errors;
         let mut first = None;
         for mut diagnostic in program.diagnostics.iter().cloned() {

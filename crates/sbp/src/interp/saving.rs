@@ -17,8 +17,7 @@ pub(super) struct Saved {
 impl From<Interpreter> for Saved {
     fn from(interpreter: Interpreter) -> Self {
         let Interpreter { core, past } = interpreter;
-        let programs =
-            core.programs.iter().map(|p| (p.name.to_string(), p.text.to_string())).collect();
+        let programs = core.programs.iter().map(|p| (p.name.to_string(), p.text.clone())).collect();
         Self { programs, core, past }
     }
 }
@@ -28,7 +27,7 @@ impl From<Saved> for Interpreter {
         let Saved { programs, mut core, mut past } = saved;
         let programs: Vec<Arc<Program>> = programs
             .into_iter()
-            .map(|(name, text)| Arc::new(crate::read(name.into(), text.as_bytes())))
+            .map(|(name, text)| Arc::new(crate::read(name.into(), text.into_bytes())))
             .collect();
         // An older state knows the first few of the same list; knowing more changes nothing.
         for state in past.states_mut() {

@@ -136,7 +136,7 @@ impl File {
     }
 
     /// Everything together; jumps find their labels.
-    pub(super) fn finish(mut self, text: Arc<str>) -> Program {
+    pub(super) fn finish(mut self, text: String) -> Program {
         if self.untold > 0 {
             let line = self.lines.len() as u32;
             let message = format!("{} more findings are not listed", self.untold);

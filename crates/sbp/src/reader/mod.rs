@@ -35,6 +35,7 @@ pub(crate) use text::{blank, code_end};
 
 use crate::Program;
 use kerf_diag::{Code, Diagnostic, Place};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Longer lines are refused; no person and no program writes them.
@@ -46,9 +47,14 @@ const MOST_DIAGNOSTICS: usize = 10_000;
 /// Reads a part file.
 ///
 /// Every line becomes one node; what is wrong or doubtful stands in [`Program::diagnostics`].
-pub fn read(name: Arc<str>, bytes: &[u8]) -> Program {
-    let text: Arc<str> = match text::decode(bytes) {
-        Ok(text) if text.len() < u32::MAX as usize => text.as_ref().into(),
+/// Bytes that are given away (a `Vec`) become the program's text without a copy.
+pub fn read<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>) -> Program {
+    read_bytes(name, bytes.into())
+}
+
+fn read_bytes(name: Arc<str>, bytes: Cow<'_, [u8]>) -> Program {
+    let text = match text::decode(bytes) {
+        Ok(text) if text.len() < u32::MAX as usize => text,
         Ok(_) => return refused(name, 1, "the file is larger than 4 GB"),
         Err(line) => return refused(name, line, "not a text file"),
     };

@@ -2,22 +2,26 @@
 
 use std::borrow::Cow;
 
+/// What some editors put before UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
 /// The text of a file, without a byte-order mark; line ends stay as they are.
 ///
 /// UTF-8 where the bytes are valid UTF-8, Windows-1252 otherwise: that is what old editors wrote.
 ///
 /// # Errors
 /// The line (from 1) of the first NUL byte: such a file is no text.
-pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, u32> {
-    if let Some(at) = memchr::memchr(0, bytes) {
+pub(super) fn decode(bytes: Cow<'_, [u8]>) -> Result<String, u32> {
+    if let Some(at) = memchr::memchr(0, &bytes) {
         let above = bytes[..at].iter().filter(|b| **b == b'\n').count();
         return Err(above as u32 + 1);
     }
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    Ok(match std::str::from_utf8(bytes) {
-        Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(bytes.iter().map(|b| windows_1252(*b)).collect()),
-    })
+    let mut bytes = bytes.into_owned();
+    if bytes.starts_with(BYTE_ORDER_MARK) {
+        bytes.drain(..BYTE_ORDER_MARK.len());
+    }
+    let wide = |bytes: Vec<u8>| bytes.into_iter().map(windows_1252).collect();
+    Ok(String::from_utf8(bytes).unwrap_or_else(|error| wide(error.into_bytes())))
 }
 
 /// Windows-1252, 0x80 to 0x9F; the five unused places become the replacement character.
@@ -94,9 +98,9 @@ mod tests {
             ("'größe".as_bytes(), "'größe"),
             (b"'gr\xF6\xDFe \x80\x93", "'größe €“"),
         ] {
-            assert_eq!(decode(bytes).as_deref(), Ok(text));
+            assert_eq!(decode(bytes.into()).as_deref(), Ok(text));
         }
-        assert_eq!(decode(b"MX,1\n\0"), Err(2));
+        assert_eq!(decode(b"MX,1\n\0".into()), Err(2));
     }
 
     #[test]
