@@ -62,7 +62,7 @@ impl Findings {
         while let Some(named) = waiting.pop_front() {
             let Ok(source) = find(shelf, &named.request) else { continue };
             if !self.files.contains(&source.name) {
-                let program = kerf_sbp::read(source.name, &source.bytes);
+                let program = kerf_sbp::read(source.name, &*source.bytes);
                 waiting.extend(self.read(&program, None, shelf));
             }
         }
