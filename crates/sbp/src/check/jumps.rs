@@ -7,13 +7,22 @@ use crate::tree::{NameId, Node, Statement};
 use kerf_diag::{Code, Diagnostic};
 use std::collections::BTreeSet;
 
+/// Names are compared with at most so many others, so that huge files stay quick to check.
+const MOST_NAMES: usize = 300;
+
+/// Loops of more lines than this are not looked at, for the same reason.
+const MOST_LINES: u32 = 1000;
+
 /// Jumps to labels that the file has not; an error only when the jump is taken.
 pub(super) fn unknown_labels(facts: &Facts<'_>) -> Vec<Diagnostic> {
-    let labels = || facts.program.labels.iter().map(|label| label.name.as_ref());
+    let labels = || facts.program.labels.iter().take(MOST_NAMES).map(|label| label.name.as_ref());
+    let mut hints = MOST_NAMES;
     let missing = facts.lines().filter_map(|(line, statement)| {
         let target = statement.target().filter(|target| target.line.is_none())?;
-        let hint = did_you_mean(&target.name, labels())
-            .unwrap_or_else(|| "a label is a name alone on a line, ending in a colon".into());
+        hints = hints.saturating_sub(1);
+        let near = (hints > 0).then(|| did_you_mean(&target.name, labels())).flatten();
+        let hint =
+            near.unwrap_or_else(|| "a label is a name alone on a line, ending in a colon".into());
         let message = format!("there is no label {}", target.name);
         Some(facts.finding(Code::UnknownLabel, line, target.span, message, hint))
     });
@@ -70,7 +79,8 @@ pub(super) fn endless_loops(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (line, statement) in facts.lines() {
         let Some(target) = statement.target() else { continue };
-        let Some(first) = target.line.filter(|first| *first <= line) else { continue };
+        let first = target.line.filter(|first| (*first..=first + MOST_LINES).contains(&line));
+        let Some(first) = first else { continue };
         let condition = match statement {
             Statement::Goto(_) => None,
             Statement::If { condition, then } if matches!(**then, Statement::Goto(_)) => {

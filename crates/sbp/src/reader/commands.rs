@@ -68,7 +68,12 @@ impl Line<'_, '_> {
                     failed |= arg.is_err();
                     args.push(arg.unwrap_or_else(|_| unreadable(span)));
                 }
-                None => failed |= self.surplus(spec, span).is_err(),
+                None if span.start == span.end => {}
+                None => {
+                    self.surplus(spec, span);
+                    failed = true;
+                    break;
+                }
             }
             if self.second_command {
                 return Err(Failed);
@@ -136,17 +141,14 @@ impl Line<'_, '_> {
     }
 
     /// A field behind the last parameter may only be blank.
-    fn surplus(&mut self, spec: &CommandSpec, span: Span) -> Read<()> {
-        if span.start == span.end {
-            return Ok(());
-        }
+    fn surplus(&mut self, spec: &CommandSpec, span: Span) -> Failed {
         let takes = match spec.params.len() {
             0 => "no values".to_string(),
             1 => "1 value".to_string(),
             n => format!("{n} values"),
         };
         let message = format!("{} takes {takes}, this is one too many", spec.letters);
-        Err(self.fault(Code::TooManyParameters, span, message, "leave it out, or check the commas"))
+        self.fault(Code::TooManyParameters, span, message, "leave it out, or check the commas")
     }
 
     fn check_required(&mut self, spec: &CommandSpec, args: &[Arg], head: Span) -> Read<()> {
@@ -228,6 +230,7 @@ mod tests {
     fn too_many_and_too_few_values() {
         finds("ZX,1", &["S009 1:4+1 ZX takes no values, this is one too many"]);
         finds("MX,1,2", &["S009 1:6+1 MX takes 1 value, this is one too many"]);
+        finds("MX,1,2,3", &["S009 1:6+1"]);
         finds("MX , 1", &["S009 1:6+1", "S010 1:1+2 value expected"]);
         finds("MX", &["S010 1:1+2 value expected"]);
         finds("MX,", &["S010 1:1+2 value expected"]);

@@ -1,7 +1,7 @@
 //! What is gathered while a file is read.
 
 use super::commands::CommandIndex;
-use super::line::{Failed, Line, Read};
+use super::line::{Line, Read};
 use super::text::{after_line_end, blank, is_blank, line_end};
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, moves};
 use crate::tree::{Label, LineNode, NameId, Node, Program, Span, Statement};
@@ -24,8 +24,9 @@ pub(super) struct File {
     pub(super) commands: CommandIndex,
     /// The line of an unconditional END with no label behind it.
     pub(super) last_end: Option<u32>,
-    /// Diagnostics that were told but not kept.
-    pub(super) untold: usize,
+    /// How many diagnostics were told but not kept, and whether errors are among them.
+    untold: usize,
+    untold_errors: bool,
 }
 
 impl File {
@@ -43,6 +44,7 @@ impl File {
             commands: CommandIndex::new(),
             last_end: None,
             untold: 0,
+            untold_errors: false,
         }
     }
 
@@ -83,6 +85,7 @@ impl File {
         let node = Line::new(self, text, number).read();
         if before >= MOST_DIAGNOSTICS {
             self.untold += self.diagnostics.len() - before;
+            self.untold_errors |= self.diagnostics[before..].iter().any(Diagnostic::is_error);
             self.diagnostics.truncate(before);
         }
         node.unwrap_or(Node::Bad)
@@ -141,7 +144,9 @@ impl File {
             let line = self.lines.len() as u32;
             let message = format!("{} more findings are not listed", self.untold);
             let place = Place::line(self.name.clone(), line);
-            self.diagnostics.push(Diagnostic::new(Code::Syntax, place, message));
+            let severity = if self.untold_errors { Severity::Error } else { Severity::Warning };
+            let last = Diagnostic::new(Code::Syntax, place, message).severity(severity);
+            self.diagnostics.push(last);
         }
         for statement in &mut self.statements {
             link(statement, &self.label_lines);
@@ -243,12 +248,6 @@ pub(super) fn label_name(written: &str) -> Arc<str> {
     name.into()
 }
 
-impl From<Failed> for Node {
-    fn from(_: Failed) -> Self {
-        Self::Bad
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::shown::{check, finds};
@@ -295,6 +294,7 @@ mod tests {
         check(&long, "move MY 2");
         let commas = format!("MX,1{}2", ",".repeat(900_000));
         finds(&commas, &["S009 1:900005+1"]);
+        finds(&format!("PRINT {}", "\"\";".repeat(300_000)), &["S009 1:3007+2"]);
         let quotes = "\"".repeat(900_001);
         finds(&quotes, &["S003 1:1+1"]);
         finds(&format!("MX,{quotes}"), &["S004 1:6+899999"]);
@@ -307,6 +307,10 @@ mod tests {
         assert_eq!(program.diagnostics.len(), super::MOST_DIAGNOSTICS + 1);
         let last = program.diagnostics.last().map(super::super::shown::finding);
         assert_eq!(last.as_deref(), Some("S004 50000:1+0 40000 more findings are not listed"));
+        assert!(program.has_errors());
+        let doubtful = crate::read("t".into(), "A:\n".repeat(20_000).as_bytes());
+        assert_eq!(doubtful.diagnostics.len(), super::MOST_DIAGNOSTICS + 1);
+        assert!(!doubtful.has_errors());
     }
 
     #[test]

@@ -154,7 +154,12 @@ impl<'f, 't> Line<'f, 't> {
 
     /// The next place of a byte outside quotes, or the end of the code.
     pub(super) fn until(&self, from: usize, byte: u8) -> usize {
-        let bytes = &self.text.as_bytes()[..self.end];
+        self.until_within(from, self.end, byte)
+    }
+
+    /// The next place of a byte outside quotes before `end`, or `end`.
+    pub(super) fn until_within(&self, from: usize, end: usize, byte: u8) -> usize {
+        let bytes = &self.text.as_bytes()[..end];
         let mut at = from;
         while let Some(found) = memchr::memchr2(byte, b'"', bytes.get(at..).unwrap_or(&[])) {
             at += found;
@@ -166,7 +171,7 @@ impl<'f, 't> Line<'f, 't> {
                 None => break,
             }
         }
-        self.end
+        end
     }
 
     /// The field at the cursor without blanks around it; the cursor goes to its end.

@@ -5,6 +5,9 @@ use crate::expr::{BinaryOp, Expr, ExprNode};
 use crate::tree::{Output, Separator, Span, Statement};
 use kerf_diag::Code;
 
+/// Items of one PRINT or WRITE; a bound for memory.
+const MOST_ITEMS: usize = 1000;
+
 impl Line<'_, '_> {
     /// The rest of PRINT, or of WRITE; the cursor stands behind the word.
     pub(super) fn output(&mut self, write: bool) -> Read<Statement> {
@@ -59,7 +62,7 @@ impl Line<'_, '_> {
         while !self.at_end() {
             let stop = self.until(self.at, b';');
             while self.at < stop {
-                let comma = self.until(self.at, b',').min(stop);
+                let comma = self.until_within(self.at, stop, b',');
                 self.item(comma, &mut items)?;
                 if comma < stop {
                     let span = Span { start: comma as u32, end: comma as u32 + 1 };
@@ -112,6 +115,11 @@ impl Line<'_, '_> {
         let span = self.span_from(start);
         if span.start >= span.end {
             return Ok(());
+        }
+        if items.len() >= MOST_ITEMS {
+            let message = format!("more than {MOST_ITEMS} items");
+            let hint = "use several lines; a semicolon at the end keeps them together";
+            return Err(self.fault(Code::TooManyParameters, span, message, hint));
         }
         items.push(self.loosely_quoted(span).map_or_else(|| self.whole_expression(span), Ok)?);
         Ok(())
@@ -234,6 +242,7 @@ mod tests {
             ("PRINT \"open", "S005 1:7+5 a quote is not closed"),
             ("PRINT \"a 1/4\" rod\"", "W003 1:7+12 the quotes of this text do not match"),
             ("PRINT 3*", "S007 1:8+1"),
+            (&format!("PRINT {}", "1;".repeat(2000)), "S009 1:2007+1 more than 1000 items"),
         ] {
             finds(text, &[finding]);
         }
