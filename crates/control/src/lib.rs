@@ -24,6 +24,7 @@ pub mod json;
 mod pace;
 mod runner;
 mod session;
+pub mod settings_file;
 mod shelf;
 mod sink;
 mod stack;

@@ -10,7 +10,7 @@ use crate::{Pace, Sink};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
 use kerf_program::settings::LinearUnit;
-use kerf_sbp::{Dialect, Interpreter, Program, Status, Value, Variables};
+use kerf_sbp::{Dialect, Interpreter, Program, Status, SystemVariable, Value, Variables};
 use kerf_sim::{Change, Inputs, Machine};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -111,6 +111,20 @@ impl Session {
         let (summary, memory) = conclude(runner, over, options.tell_variables);
         self.memory = memory;
         summary
+    }
+
+    /// What every system variable reads now, in order of numbers.
+    pub fn system_variables(&self, shelf: &mut Shelf) -> Vec<(SystemVariable, Value)> {
+        let (mut sink, mut operator) = ((), ());
+        let mut world = World::new(self.machine(Vec::new()), shelf, &mut sink, &mut operator);
+        let options = kerf_sbp::Options::default();
+        let mut reader = Interpreter::new(Program::default(), self.memory.clone(), options);
+        let read = |variable: SystemVariable| {
+            world.settle_now();
+            let value = reader.system_variable(&mut world, variable.number);
+            (variable, value.unwrap_or(Value::Empty))
+        };
+        kerf_sbp::system_variables().map(read).collect()
     }
 
     fn machine(&self, inputs: Vec<Change>) -> Machine {

@@ -2,6 +2,7 @@
 //! write, stored values, external programs.
 
 use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
+use crate::settings_file::SETTINGS_FILE;
 use crate::stored::Stored;
 use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
 use std::path::{Path, PathBuf};
@@ -66,6 +67,35 @@ impl Shelf {
     /// Puts values that changed into their file.
     pub fn save(&mut self) -> std::io::Result<()> {
         self.stored.save(&mut *self.disk)
+    }
+
+    /// The text of the settings file; `None` when there is none yet.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn settings_text(&self) -> std::io::Result<Option<String>> {
+        let path = self.data.join(SETTINGS_FILE);
+        if !self.disk.is_file(&path) {
+            return Ok(None);
+        }
+        Ok(Some(String::from_utf8_lossy(&self.disk.read(&path)?).into_owned()))
+    }
+
+    /// Writes the settings file, whole or not at all.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn keep_settings(&mut self, text: &str) -> std::io::Result<()> {
+        self.disk.make_folder(&self.data)?;
+        self.disk.write(&self.data.join(SETTINGS_FILE), text.as_bytes())
+    }
+
+    /// Puts a file into the part folder, whole or not at all.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn put(&mut self, name: &str, bytes: &[u8]) -> std::io::Result<()> {
+        self.disk.write(&self.folders.parts().join(name), bytes)
     }
 
     /// The text of a file in the part folder, as a run left it; for tests.
@@ -142,11 +172,13 @@ impl Shelf {
         started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
     }
 
-    pub(crate) fn user_path(&self) -> String {
+    /// Folder of the user's data.
+    pub fn user_path(&self) -> String {
         self.disk.real_path(self.folders.parts()).display().to_string()
     }
 
-    pub(crate) fn app_path(&self) -> String {
+    /// Folder of settings and stored values.
+    pub fn app_path(&self) -> String {
         self.disk.real_path(&self.data).display().to_string()
     }
 }

@@ -110,6 +110,8 @@ codes! {
         "The line before it ends the program or jumps away, and no label stands between. Code that was set aside on purpose may stay; code that was forgotten wants a label.";
     NeverAssigned "W019" Warning "a variable that the file gives no value"
         "The file calculates with a variable that no line of it assigns. It works only when another file has set it before.";
+    NoSound "W020" Warning "a sound that is not there"
+        "PLAY names a file that is not in the part folder. The part file goes on without it.";
 
     UndefinedVariable "R001" Error "variable has no value"
         "A variable must be assigned before it is used as a number. As text it reads as empty.";

@@ -63,6 +63,10 @@ pub struct PlaceArgs {
     pub allow_path: Vec<PathBuf>,
     #[command(flatten)]
     pub data: DataArgs,
+    /// Start from the machine as it was left, or from inches and zeros [default: kept for run and
+    /// send, fresh for the others]
+    #[arg(long, value_enum, value_name = "HOW")]
+    pub start: Option<Start>,
     /// Lets SHELL start programs; never in a preview
     #[arg(long)]
     pub allow_shell: bool,
@@ -74,6 +78,15 @@ pub struct DataArgs {
     /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
     #[arg(long = "data", value_name = "DIR")]
     pub folder: Option<PathBuf>,
+}
+
+/// What a run starts from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Start {
+    /// The settings and locations that the last run left; this one leaves its own.
+    Kept,
+    /// Inches, every location 0; nothing is left.
+    Fresh,
 }
 
 /// The parameters of the FP command, for the file at the top.

@@ -6,6 +6,7 @@
 mod args;
 mod commands;
 mod exit;
+mod memory;
 mod operator;
 mod out;
 mod parse;

@@ -44,6 +44,14 @@ pub fn colour(stream: &impl IsTerminal) -> bool {
 #[derive(Debug, Default)]
 pub struct Talk {
     comment: Option<Arc<str>>,
+    all: bool,
+}
+
+impl Talk {
+    /// Writes every message: the operator typed what asks for it.
+    pub const fn all() -> Self {
+        Self { comment: None, all: true }
+    }
 }
 
 impl Sink for Talk {
@@ -51,6 +59,7 @@ impl Sink for Talk {
         let comment = self.comment.take();
         match event {
             Event::Print { text, .. } => say(text),
+            Event::Message { text, .. } if self.all => say(text),
             Event::Message { text, .. } => self.comment = Some(text.clone()),
             Event::Wait { seconds, .. } => {
                 if let Some(text) = comment {

@@ -2,12 +2,12 @@
 
 use crate::args::{DataArgs, MotionArgs, PlaceArgs, RampModel, RunArgs};
 use crate::exit::Usage;
+use crate::memory::Memory;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{RunOptions, Session, Shelf, Shell};
-use kerf_program::settings::LinearUnit;
 use kerf_program::{Axes, Axis, Dynamics, Settings};
 use kerf_sbp::{FileParameters, Program};
 use std::path::{Path, PathBuf};
@@ -20,24 +20,36 @@ pub struct Job {
     pub options: RunOptions,
     pub shelf: Shelf,
     pub answers: Answers,
+    pub memory: Memory,
 }
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     let program = read_program(file)?;
-    let settings = settings(args)?;
+    let parts = file.parent().unwrap_or(Path::new(""));
+    job_of(program, shelf(parts, &args.place, preview)?, args, preview)
+}
+
+/// Prepares the run of a program.
+pub fn job_of(program: Program, mut shelf: Shelf, args: &RunArgs, preview: bool) -> Result<Job> {
+    let mut session = Session::default();
+    let memory =
+        Memory::recall(&args.place, args.units.is_some(), preview, &mut shelf, &mut session)?;
+    let mut settings = settings(&args.place, session.memory.settings.clone())?;
+    if let Some(unit) = args.units {
+        settings.use_linear_unit(unit);
+    }
+    choose_model(&args.motion, &mut settings)?;
     let answers = match &args.answers {
         Some(path) => Answers::read(&read_text(path)?),
         None => Answers::default(),
     };
-    let mut session = Session::default();
     for (name, value) in &args.set {
         session.memory.variables.set(name, value.clone());
     }
     let options = run_options(args, &settings, preview);
     session.memory.settings = settings;
-    let shelf = shelf(file, &args.place, preview)?;
-    Ok(Job { program, session, options, shelf, answers })
+    Ok(Job { program, session, options, shelf, answers, memory })
 }
 
 /// Reads a part file; the name shown is the one the user gave.
@@ -118,23 +130,11 @@ fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
     dynamics
 }
 
-fn settings(args: &RunArgs) -> Result<Settings> {
-    let mut settings = configured(args.place.config.as_deref(), args.units)?;
-    choose_model(&args.motion, &mut settings)?;
-    Ok(settings)
-}
-
-/// The settings a machine starts with.
-pub fn configured(config: Option<&Path>, unit: Option<LinearUnit>) -> Result<Settings> {
-    let mut settings = match config {
-        None => Settings::default(),
-        Some(file) => kerf_control::config::settings(&read_text(file)?)
-            .map_err(|e| Usage(format!("{}: {e}", file.display())))?,
-    };
-    if let Some(unit) = unit {
-        settings.use_linear_unit(unit);
-    }
-    Ok(settings)
+/// Settings at the start: those of a configuration, or the present ones.
+pub fn settings(place: &PlaceArgs, present: Settings) -> Result<Settings> {
+    let Some(file) = &place.config else { return Ok(present) };
+    let settings = kerf_control::config::settings(&read_text(file)?);
+    settings.map_err(|e| Usage(format!("{}: {e}", file.display())).into())
 }
 
 fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions {
@@ -159,11 +159,10 @@ fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions
     RunOptions { program, inputs: args.input.clone(), ..RunOptions::default() }
 }
 
-/// The folders and values that a program reaches.
-pub fn shelf(file: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
+/// The folders and values that a program reaches; its part folder unless an option names another.
+pub fn shelf(parts: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
     let data = data_folder(&place.data)?;
-    let parts =
-        place.parts.clone().unwrap_or_else(|| file.parent().unwrap_or(Path::new("")).into());
+    let parts = place.parts.clone().unwrap_or_else(|| parts.into());
     let custom = place.custom.clone().unwrap_or_else(|| data.join("custom"));
     let folders = Folders::new(parts, vec![custom], place.allow_path.clone());
     let stored = stored(&data)?;

@@ -35,7 +35,7 @@ fn exit_codes_tell_how_it_ended() {
         ("cancel.txt", "Cancel"),
         ("limit.sbp", "VL,0,10\nSF,1\nMX,12"),
     ]);
-    for command in ["run", "trace", "time", "preview -o x.svg"] {
+    for command in ["run --start fresh", "trace", "time", "preview -o x.svg"] {
         for (args, code) in [
             ("ok.sbp", 0),
             ("ended.sbp", 0),

@@ -30,6 +30,7 @@ pub mod table;
 #[cfg(test)]
 mod testing;
 pub mod tree;
+mod typed;
 mod value;
 mod walk;
 
@@ -37,11 +38,12 @@ pub use check::check;
 pub use expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 pub use format::format;
 pub use interp::{
-    BeforePreview, Dialect, FileParameters, Interpreter, Options, SPINDLE_STATUS, Session, Status,
-    Step, SystemVariable, VERSION, Variables, Watch, system_variables,
+    BeforePreview, Dialect, FileParameters, Interpreter, Options, POSITION_LOST, SPINDLE_STATUS,
+    Session, Status, Step, SystemVariable, VERSION, Variables, Watch, system_variables,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;
 pub use reader::read;
 pub use tree::Program;
+pub use typed::read_typed;
 pub use value::Value;

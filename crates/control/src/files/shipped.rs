@@ -1,4 +1,4 @@
-//! The custom cuts that come with the program. A file of the same name in the folder of custom cuts
+//! The custom cuts and sample part files that come with the program. A custom cut of the same name in the folder of custom cuts
 //! is used instead.
 
 /// A file that comes with the program.
@@ -11,21 +11,29 @@ pub struct Shipped {
 }
 
 macro_rules! shipped {
-    ($($name:literal)*) => {
-        /// Every file that comes with the program.
-        pub const SHIPPED: &[Shipped] = &[
-            $(Shipped { name: $name, text: include_str!(concat!("../../custom/", $name)) },)*
+    ($(#[$doc:meta])* $list:ident in $folder:literal: $($name:literal)*) => {
+        $(#[$doc])*
+        pub const $list: &[Shipped] = &[
+            $(Shipped { name: $name, text: include_str!(concat!("../../", $folder, "/", $name)) },)*
         ];
     };
 }
 
 shipped! {
+    /// Part files to begin with.
+    SAMPLES in "samples":
+    "S_box.sbp" "S_circles.sbp" "S_holes.sbp" "S_sign.sbp" "S_wave.sbp"
+}
+
+shipped! {
+    /// Custom cuts.
+    SHIPPED in "custom":
     "Custom2.sbc" "Custom3.sbc" "Custom5.sbc" "Custom6.sbc" "Custom7.sbc" "Custom9.sbc"
     "Custom90.sbc" "Custom91.sbc" "my_variables.sbc"
 }
 
 impl Shipped {
-    /// The shipped file of a name, in any case.
+    /// The custom cut of a name, in any case.
     pub fn find(name: &str) -> Option<&'static Self> {
         SHIPPED.iter().find(|s| s.name.eq_ignore_ascii_case(name.trim()))
     }

@@ -6,9 +6,12 @@ mod fmt;
 mod preview;
 mod registry;
 mod run;
+mod samples;
+mod send;
 mod sysvars;
 mod time;
 mod trace;
+mod wavlength;
 
 use crate::exit::Exit;
 use anyhow::Result;
@@ -18,27 +21,33 @@ use clap::Subcommand;
 #[derive(Subcommand)]
 pub enum Command {
     Run(run::RunCommand),
+    Send(send::SendArgs),
     Check(check::CheckArgs),
     Preview(preview::PreviewArgs),
     Time(time::TimeArgs),
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
     Explain(explain::ExplainArgs),
+    Wavlength(wavlength::WavlengthArgs),
     Registry(registry::RegistryArgs),
     Sysvars(sysvars::SysvarsArgs),
+    Samples(samples::SamplesArgs),
 }
 
 /// Does it.
 pub fn run(command: Command) -> Result<Exit> {
     match command {
         Command::Run(args) => run::run(&args),
+        Command::Send(args) => send::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Preview(args) => preview::run(&args),
         Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),
-        Command::Registry(args) => registry::run(&args),
+        Command::Samples(args) => samples::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
+        Command::Registry(args) => registry::run(&args),
+        Command::Wavlength(args) => wavlength::run(&args),
         Command::Explain(args) => explain::run(&args),
     }
 }

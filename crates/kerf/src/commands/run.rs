@@ -3,16 +3,17 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
+use crate::out;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
-use crate::{out, setup};
-use anyhow::{Context, Result, bail};
+use crate::setup::{self, Job};
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::{Company, Sink, Summary};
 use kerf_program::settings::LinearUnit;
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Runs a part file on a machine: the simulated one
 ///
@@ -25,6 +26,15 @@ use std::path::PathBuf;
 pub struct RunCommand {
     /// The part file
     file: PathBuf,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+/// What everything that moves a machine can be told.
+#[derive(Args)]
+pub struct MachineArgs {
     /// The machine to run on
     #[arg(long, value_name = "NAME", default_value = "sim")]
     machine: String,
@@ -37,8 +47,6 @@ pub struct RunCommand {
     /// No progress, no summary
     #[arg(short, long)]
     quiet: bool,
-    #[command(flatten)]
-    run: RunArgs,
 }
 
 /// How machine time passes.
@@ -51,23 +59,26 @@ enum PaceName {
 }
 
 pub fn run(args: &RunCommand) -> Result<Exit> {
-    if args.machine != "sim" {
-        let name = &args.machine;
-        bail!(Usage(format!("there is no machine '{name}'; only the simulated one, sim, so far")));
-    }
+    args.machine.check()?;
+    let job = setup::job(&args.file, &args.run, false)?;
+    on_machine(job, &args.machine, &args.run, Talk::default())
+}
+
+/// Runs a job on the machine and keeps what stays.
+pub fn on_machine(mut job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
-    let mut job = setup::job(&args.file, &args.run, false)?;
-    let picture = format.map(|_| Picture::new(&args.file));
+    let picture = format.map(|_| Picture::new(Path::new(&*job.program.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(&job.program));
-    let mut sink = (Talk::default(), (Diagnostics::default(), (picture, progress)));
-    let person = args.run.answers.is_none() && io::stdin().is_terminal();
+    let mut sink = (talk, (Diagnostics::default(), (picture, progress)));
+    let person = run.answers.is_none() && io::stdin().is_terminal();
     let mut operator = Person::new(job.answers, person);
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
-    let mut pace = RealPace::new(clock, args.run.stop_at)?;
+    let mut pace = RealPace::new(clock, run.stop_at)?;
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
+    job.memory.begin(&mut job.shelf, &job.session)?;
     let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
-    job.shelf.save().context("cannot keep the stored values")?;
+    job.memory.end(&mut job.shelf, &job.session)?;
     let (_, (_, (picture, progress))) = sink;
     if let Some(progress) = progress {
         progress.finish();
@@ -79,6 +90,19 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
         out::print(&told(&summary));
     }
     Ok(summary.status.into())
+}
+
+impl MachineArgs {
+    /// Refuses machines that are not there.
+    pub fn check(&self) -> Result<()> {
+        if self.machine != "sim" {
+            let name = &self.machine;
+            bail!(Usage(format!(
+                "there is no machine '{name}'; only the simulated one, sim, so far"
+            )));
+        }
+        Ok(())
+    }
 }
 
 /// The summary of a run.

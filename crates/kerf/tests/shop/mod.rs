@@ -82,6 +82,11 @@ impl Shop {
 }
 
 impl Did {
+    /// What a command that was started otherwise did.
+    pub fn of(output: Output) -> Self {
+        Self { output }
+    }
+
     pub fn out(&self) -> String {
         String::from_utf8(self.output.stdout.clone()).unwrap()
     }

@@ -141,6 +141,10 @@ impl Context<'_> {
             let message = format!("the offset of the file for {ended} ends here");
             self.warn(Code::Unusual, message, "locations that follow count from the new zero");
         }
+        let lost = self.lost_axes();
+        self.remember_lost(
+            lost.iter().filter(|a| !base.contains(*a)).fold(AxisSet::EMPTY, AxisSet::with),
+        );
         self.location_changed(working, base);
     }
 

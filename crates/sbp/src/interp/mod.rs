@@ -45,7 +45,7 @@ pub use self::core::Core;
 pub use arguments::Arguments;
 pub use context::{Context, Stop};
 pub use kerf_program::{Status, Step, Watch};
-pub use registry::SPINDLE_STATUS;
+pub use registry::{POSITION_LOST, SPINDLE_STATUS};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
 pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;

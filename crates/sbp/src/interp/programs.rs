@@ -5,7 +5,7 @@ use super::{Context, FileParameters, Stop};
 use crate::tree::DialogText;
 use crate::{Expr, Value};
 use kerf_diag::Code;
-use kerf_program::{Command, FileRequest, Folder, ShellCall};
+use kerf_program::{Command, FileRequest, Folder, HostError, ShellCall};
 use std::task::Poll;
 
 /// How a window can be shown: hidden, normal, minimised, maximised with focus; normal and
@@ -22,8 +22,14 @@ impl Context<'_> {
     /// PLAY: starts a sound and goes on.
     pub(super) fn play(&mut self, path: &DialogText) -> Result<(), Stop> {
         let path = self.dialog_text(path)?;
+        let name = path.trim();
         self.settle()?;
-        self.emit(Command::Sound { path: path.trim().into() });
+        let request = FileRequest { folder: Folder::Parts, name: name.into() };
+        if let Err(HostError::NotFound(_)) = self.host.source(&request) {
+            let message = format!("there is no sound {name}");
+            self.warn(Code::NoSound, message, "the part file goes on in silence");
+        }
+        self.emit(Command::Sound { path: name.into() });
         Ok(())
     }
 

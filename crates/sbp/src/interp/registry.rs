@@ -6,6 +6,8 @@ use crate::Value;
 use crate::eval::number_or_text;
 use crate::tree::{DialogText, NameId, Registry};
 use kerf_diag::Code;
+use kerf_program::settings::Mode;
+use kerf_program::{Axis, AxisSet};
 
 /// Key of the value of SetUsrVal.
 pub(crate) const USER_VALUE: &str = "uValue";
@@ -18,6 +20,10 @@ pub(crate) const PART_FILE: &str = "uPartFile";
 
 /// Key of the flag of SetSpindleStatus: `1` while the spindle counts as active.
 pub const SPINDLE_STATUS: &str = "SpindleStatus";
+
+/// Key of the letters of axes whose base coordinates are not to be trusted: motors were without
+/// power, or a run never came to its end.
+pub const POSITION_LOST: &str = "PositionLost";
 
 impl Context<'_> {
     /// Set…: keeps a value.
@@ -68,6 +74,22 @@ impl Context<'_> {
     /// Name of the part file that was read last, also by an earlier run; empty when there is none.
     pub(crate) fn last_part_file(&mut self) -> String {
         self.host.stored(PART_FILE).unwrap_or_default()
+    }
+
+    /// The axes whose base coordinates are not to be trusted.
+    pub(crate) fn lost_axes(&mut self) -> AxisSet {
+        let letters = self.host.stored(POSITION_LOST).unwrap_or_default();
+        let axes = letters.chars().filter_map(Axis::from_letter);
+        axes.fold(AxisSet::EMPTY, AxisSet::with)
+    }
+
+    /// Remembers which axes are not to be trusted; a preview moves nothing.
+    pub(crate) fn remember_lost(&mut self, axes: AxisSet) {
+        if self.settings().mode == Mode::Preview || axes == self.lost_axes() {
+            return;
+        }
+        let letters: String = axes.iter().map(Axis::letter).collect();
+        self.host.store(POSITION_LOST, Some(letters.as_str()).filter(|l| !l.is_empty()));
     }
 
     fn kept(&mut self, key: &str) -> Value {

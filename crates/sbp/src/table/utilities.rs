@@ -75,6 +75,10 @@ fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
     lines.push(format!("port: {}", c.settings().driver.port));
     lines.push(format!("working: {}", places(c, |c, axis| c.core.working()[axis])));
     lines.push(format!("base: {}", places(c, |c, axis| c.core.frame.base(c.core.position)[axis])));
+    let lost: Vec<String> = c.lost_axes().iter().map(|axis| axis.letter().to_string()).collect();
+    if !lost.is_empty() {
+        lines.push(format!("position not verified: {}", lost.join(" ")));
+    }
     let inputs = (1..=12).filter(|n| c.host.input(*n)).map(|n| n.to_string());
     lines.push(format!("inputs on: {}", list(inputs.collect())));
     let outputs = (1..=12).filter(|n| c.host.output(*n)).map(|n| n.to_string());

@@ -106,6 +106,7 @@ pub(super) static MO: CommandSpec = CommandSpec::new(
         }
         c.core.independent = AxisSet::EMPTY;
         c.emit(Command::MotorsOff);
+        c.remember_lost(AxisSet::first(c.settings().axis_count.into()));
         Ok(())
     },
 );

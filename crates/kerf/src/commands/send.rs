@@ -1,0 +1,46 @@
+//! `kerf send`: commands to be carried out at once.
+
+use super::run::{MachineArgs, on_machine};
+use crate::args::RunArgs;
+use crate::exit::Exit;
+use crate::report::Talk;
+use crate::setup;
+use anyhow::{Context, Result};
+use clap::Args;
+use std::path::Path;
+
+/// What the lines are kept as, in the part folder, as SI does.
+const FILE: &str = "temp_code.sbp";
+
+/// Carries out command lines at once, as if they were typed at the machine
+///
+/// Settings that they make stay. Several lines are a program: they may jump and decide. A line alone
+/// has to be a command or an assignment. The lines are kept in temp_code.sbp in the part folder: the
+/// present folder, unless --parts names another.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  kerf send 'MX,1' 'MY,2'\n  kerf send 'VC,.375'\n  kerf send UV \
+    --quiet"
+)]
+pub struct SendArgs {
+    /// The lines
+    #[arg(required = true, value_name = "LINE", allow_hyphen_values = false)]
+    lines: Vec<String>,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+pub fn run(args: &SendArgs) -> Result<Exit> {
+    args.machine.check()?;
+    let text = args.lines.join("\n") + "\n";
+    let program = kerf_sbp::read_typed(FILE.into(), &text);
+    let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
+    if !program.has_errors() {
+        shelf.put(FILE, text.as_bytes()).with_context(|| format!("cannot write {FILE}"))?;
+    }
+    let mut job = setup::job_of(program, shelf, &args.run, false)?;
+    job.options.program.typed = true;
+    on_machine(job, &args.machine, &args.run, Talk::all())
+}

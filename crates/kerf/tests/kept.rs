@@ -1,0 +1,156 @@
+//! What the machine remembers between commands, and the commands that show it.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
+
+mod shop;
+
+use shop::{Did, Shop};
+
+/// Carries out lines as `kerf send` does.
+fn send(shop: &Shop, lines: &[&str]) -> Did {
+    let mut command = shop.command();
+    Did::of(command.arg("send").arg("--quiet").args(lines).output().unwrap())
+}
+
+/// What a program prints when it goes on from where the last one ended.
+fn prints(shop: &Shop, what: &str) -> String {
+    shop.write("print.sbp", format!("PRINT {what}\n").as_bytes());
+    let out = shop.kerf("run print.sbp --quiet").exits(0).out();
+    out.trim_end().to_owned()
+}
+
+#[test]
+fn sbp_val_persist() {
+    let shop = Shop::new(&[("a.sbp", "VC,.5\nVS,9\n")]);
+    send(&shop, &["VC,.375"]).exits(0);
+    send(&shop, &["VS,3"]).exits(0);
+    assert_eq!(prints(&shop, "%(23);\" \";%(71)"), "0.375 3");
+    assert!(shop.read("data/settings.sbd").contains("\nVC,0.375,"));
+    shop.kerf("run a.sbp").exits(0);
+    assert_eq!(prints(&shop, "%(23);\" \";%(71)"), "0.5 3", "what VS sets in a file ends with it");
+}
+
+#[test]
+fn sbp_cmd_zt_persist() {
+    let shop = Shop::new(&[]);
+    send(&shop, &["ZT", "MX,5", "ZX"]).exits(0);
+    assert_eq!(prints(&shop, "%(1);\" \";%(6)"), "0 5");
+    let settings = shop.read("data/settings.sbd");
+    assert!(settings.ends_with("VA,0,0,0,0,0,5,0,0,0,0\n"), "{settings}");
+    // As a crash leaves it: the mark that a run is under way is still there.
+    let mark = "'A run is under way: the locations below are those before it.\n";
+    shop.write("data/settings.sbd", (mark.to_owned() + &settings).as_bytes());
+    let did = send(&shop, &["UD"]);
+    did.exits(0).complains("not verified").says("position not verified: X Y Z");
+    send(&shop, &["UD"]).says("position not verified: X Y Z");
+    send(&shop, &["ZT"]).exits(0);
+    assert!(!send(&shop, &["UD"]).out().contains("not verified"), "zeroed again");
+}
+
+#[test]
+fn sbp_cmd_sa_sr_default() {
+    let shop = Shop::new(&[("a.sbp", "PRINT %(21)")]);
+    assert_eq!(prints(&shop, "%(21)"), "0");
+    send(&shop, &["SR"]).exits(0);
+    assert_eq!(prints(&shop, "%(21)"), "1");
+}
+
+#[test]
+fn what_only_looks_starts_from_zeros_unless_told() {
+    let shop = Shop::new(&[("a.sbp", "MX,2"), ("mm.toml", "units = \"mm\"")]);
+    send(&shop, &["VD,,,1", "MX,50", "SR"]).exits(0);
+    let fresh = shop.kerf("trace a.sbp");
+    assert_eq!(
+        (&fresh.events()[0]["units"], fresh.all("move")[0]["to"]["x"].as_f64()),
+        (&"in".into(), Some(2.0))
+    );
+    let kept = shop.kerf("trace a.sbp --start kept");
+    assert_eq!(
+        (&kept.events()[0]["units"], kept.all("move")[0]["to"]["x"].as_f64()),
+        (&"mm".into(), Some(52.0))
+    );
+    shop.kerf("run a.sbp --start fresh").exits(0).says("cut 2 in");
+    assert_eq!(prints(&shop, "%(1)"), "50", "a fresh start leaves nothing");
+}
+
+#[test]
+fn options_hold_for_one_run_only() {
+    let shop =
+        Shop::new(&[("a.sbp", "MX,25.4"), ("c.toml", "units = \"mm\"\n[speeds.cut]\nxy = 10.0")]);
+    shop.kerf("run a.sbp --config c.toml").exits(0).says("cut 25.4 mm");
+    assert_eq!(prints(&shop, "%(1);\" \";%(71)"), "1 2");
+    shop.kerf("run a.sbp --units mm").exits(0);
+    assert_eq!(prints(&shop, "%(25)"), "0");
+}
+
+#[test]
+fn a_settings_file_with_a_mistake_is_told_and_kept() {
+    let shop = Shop::new(&[("a.sbp", "MX,1"), ("data/settings.sbd", "VC,.25\nVC,?\n")]);
+    shop.kerf("run a.sbp").exits(1).complains("settings.sbd line 2");
+    assert_eq!(shop.read("data/settings.sbd"), "VC,.25\nVC,?\n");
+    shop.kerf("trace a.sbp").exits(0);
+}
+
+#[test]
+fn sbp_cmd_si() {
+    let shop = Shop::new(&[]);
+    send(&shop, &["MX,1", "MY,2"]).exits(0);
+    assert_eq!(prints(&shop, "%(1);\" \";%(2)"), "1 2");
+    let jump = send(&shop, &["&n=0", "AGAIN:", "&n=&n+1", "IF &n<3 THEN GOTO AGAIN", "PRINT &n"]);
+    jump.exits(0).says("3");
+    send(&shop, &["GOTO A"]).exits(1).complains("only in part files");
+    send(&shop, &["UV"]).exits(0).says("VS,2,1");
+}
+
+#[test]
+fn sbp_cmd_si_tempfile() {
+    let shop = Shop::new(&[("parts/a.sbp", "")]);
+    send(&shop, &["MX,1", "MY, 2 'here"]).exits(0);
+    assert_eq!(shop.read("temp_code.sbp"), "MX,1\nMY, 2 'here\n");
+    send(&shop, &["--parts", "parts", "MZ,3"]).exits(0);
+    assert_eq!(shop.read("parts/temp_code.sbp"), "MZ,3\n");
+}
+
+#[test]
+fn sbp_sys_list__as_the_machine_was_left() {
+    let shop = Shop::new(&[]);
+    send(&shop, &["MX,1.5", "VC,.375"]).exits(0);
+    shop.kerf("sysvars")
+        .exits(0)
+        .says("\n 23         0.375  user units")
+        .says("  1           1.5  ");
+    shop.kerf("sysvars --start fresh").exits(0).says("\n 23          0.25  user units");
+    assert_eq!(shop.names(), ["temp_code.sbp"], "looking changes nothing");
+}
+
+#[test]
+fn sbp_file_samples() {
+    let shop = Shop::new(&[("parts/S_box.sbp", "'mine\n")]);
+    shop.kerf("samples parts").exits(0).says("is there already");
+    assert_eq!(shop.read("parts/S_box.sbp"), "'mine\n");
+    shop.kerf("samples new").exits(0);
+    let names: Vec<_> = std::fs::read_dir(shop.file("new")).unwrap().collect();
+    assert!(names.len() >= 5, "{names:?}");
+    for name in names {
+        let name = name.unwrap().file_name().into_string().unwrap();
+        assert!(name.starts_with("S_") && name.ends_with(".sbp"), "{name}");
+        shop.kerf(&format!("check new/{name}")).exits(0).says("nothing wrong");
+        let run = shop.kerf(&format!("run new/{name} --start fresh"));
+        run.exits(0).says("ran to its end");
+        assert!(!run.out().contains("cut 0 in"), "{name} cuts: {}", run.out());
+    }
+}
+
+#[test]
+fn sbp_io_play_missing__how_long_a_sound_is() {
+    let shop = Shop::new(&[("no.wav", "RIFF")]);
+    let mut wav =
+        b"RIFF\0\0\0\0WAVEfmt \x10\0\0\0\x01\0\x01\0\x40\x1f\0\0\x40\x1f\0\0\x01\0\x08\0data"
+            .to_vec();
+    wav.extend(12_000_u32.to_le_bytes());
+    wav.resize(wav.len() + 12_000, 128);
+    shop.write("f.wav", &wav);
+    assert_eq!(shop.kerf("wavlength f.wav").exits(0).out(), "1.5\n");
+    shop.kerf("wavlength no.wav").exits(1).complains("no .wav file");
+    shop.kerf("wavlength missing.wav").exits(1).complains("cannot read");
+}
