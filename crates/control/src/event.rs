@@ -5,7 +5,7 @@
 //! them; times are seconds of machine time since the start.
 
 use kerf_diag::Diagnostic;
-use kerf_program::{FileOp, MoveKind, OutputReason, QuestionKind};
+use kerf_program::{AXES, FileOp, MoveKind, OutputReason, QuestionKind};
 use kerf_sbp::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -86,7 +86,14 @@ pub enum Event {
         /// When.
         t: f64,
     },
-    /// An axis began or stopped to move beside the others (MI).
+    /// Steps became coarser, or fine again (VU); locations do not change.
+    Resolution {
+        /// Factor of each axis, X to C.
+        multipliers: [u8; AXES],
+        /// When.
+        t: f64,
+    },
+    /// An axis began or stopped to move beside the others (MI, torch height).
     Independent {
         /// Its letter.
         axis: char,
@@ -309,6 +316,11 @@ pub struct EndEvent {
     pub jog: f64,
     /// Bounds of the cutting moves; nothing when nothing was cut.
     pub bounds: Option<BoundsEvent>,
+    /// Steps each motor has made since the machine was switched on, driver channel 1 first.
+    pub steps: [i64; AXES],
+    /// Axes whose location should be verified: the motors had no power.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub verify: Vec<char>,
     /// The user's variables, when asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub vars: Option<BTreeMap<String, VarValue>>,

@@ -247,6 +247,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         if self.joins(&sourced.command) {
             if self.stack.moves.is_empty() {
                 self.world.perform(sourced.command);
+                self.mover.set_position(self.world.machine.position());
             } else {
                 self.stack.mark(sourced);
             }

@@ -76,12 +76,14 @@ pub struct Summary {
 pub struct Session {
     /// Settings, frames, position, variables.
     pub memory: kerf_sbp::Session,
+    /// The simulated machine as the last run left it.
+    machine: Option<Machine>,
 }
 
 impl Session {
     /// A session in the state of a program's memory.
     pub const fn new(memory: kerf_sbp::Session) -> Self {
-        Self { memory }
+        Self { memory, machine: None }
     }
 
     /// Runs a program to its end. A program with errors does not start unless that is allowed.
@@ -108,8 +110,8 @@ impl Session {
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
         let over = runner.run();
-        let (summary, memory) = conclude(runner, over, options.tell_variables);
-        self.memory = memory;
+        let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
+        (self.memory, self.machine) = (memory, Some(machine));
         summary
     }
 
@@ -129,8 +131,9 @@ impl Session {
 
     fn machine(&self, inputs: Vec<Change>) -> Machine {
         let memory = &self.memory;
-        let settings = Arc::new(memory.settings.clone());
-        let machine = Machine::new(memory.position, memory.frame, settings, Inputs::new(inputs));
+        let (settings, inputs) = (Arc::new(memory.settings.clone()), Inputs::new(inputs));
+        let machine = self.machine.clone().unwrap_or_default();
+        let machine = machine.again(memory.position, memory.frame, settings, inputs);
         match &memory.before_preview {
             Some(before) => machine.drawing_from(before.position),
             None => machine,
@@ -147,7 +150,7 @@ impl Session {
     }
 
     /// The program has errors: it ends before it starts.
-    fn refused(&self, program: &Program, sink: &mut dyn Sink) -> Summary {
+    fn refused(&mut self, program: &Program, sink: &mut dyn Sink) -> Summary {
         let error = program.diagnostics.iter().find(|d| d.is_error()).cloned().map(Box::new);
         let summary = Summary {
             status: Status::Failed,
@@ -157,7 +160,8 @@ impl Session {
             unit: self.memory.settings.linear_unit,
             error,
         };
-        sink.event(&Event::End(end_event(&summary, None)));
+        let machine = self.machine.get_or_insert_default();
+        sink.event(&Event::End(end_event(&summary, machine, None)));
         summary
     }
 }
@@ -180,7 +184,7 @@ fn conclude(
     runner: Runner<'_, Interpreter>,
     over: crate::runner::Over,
     variables: bool,
-) -> (Summary, kerf_sbp::Session) {
+) -> (Summary, kerf_sbp::Session, Machine) {
     let Runner { interpreter, mut world, .. } = runner;
     let summary = Summary {
         status: over.status,
@@ -191,12 +195,19 @@ fn conclude(
         error: over.diagnostic,
     };
     let variables = variables.then(|| variables_told(interpreter.variables()));
-    world.tell(&Event::End(end_event(&summary, variables)));
+    let end = end_event(&summary, &world.machine, variables);
+    world.tell(&Event::End(end));
     let position = world.machine.position();
-    (summary, kerf_sbp::Session { position, ..interpreter.into_session() })
+    let independent = world.machine.spinning();
+    let memory = kerf_sbp::Session { position, independent, ..interpreter.into_session() };
+    (summary, memory, world.machine)
 }
 
-fn end_event(summary: &Summary, vars: Option<BTreeMap<String, VarValue>>) -> EndEvent {
+fn end_event(
+    summary: &Summary,
+    machine: &Machine,
+    vars: Option<BTreeMap<String, VarValue>>,
+) -> EndEvent {
     let mm = summary.unit.mm();
     EndEvent {
         status: summary.status,
@@ -207,6 +218,8 @@ fn end_event(summary: &Summary, vars: Option<BTreeMap<String, VarValue>>) -> End
         cut: summary.tally.cut_mm / mm,
         jog: summary.tally.jog_mm / mm,
         bounds: bounds_event(&summary.tally.bounds, mm),
+        steps: machine.steps(),
+        verify: machine.unverified().iter().map(|axis| axis.letter()).collect(),
         vars,
     }
 }

@@ -150,6 +150,7 @@ impl<'a> World<'a> {
             What::Spindle { number, rpm, on } => Event::Spindle { rpm, on, t, n: number },
             What::Light(on) => Event::Light { on, t },
             What::Motors(on) => Event::Motors { on, t },
+            What::Resolution(multipliers) => Event::Resolution { multipliers, t },
             What::Independent { axis, motion } => self.independent(axis, motion, t),
         }
     }
@@ -222,7 +223,9 @@ impl<'a> World<'a> {
     }
 
     fn locate(&mut self, frame: Frame, working: AxisSet, base: AxisSet) {
-        self.machine.use_frame(frame);
+        let mut set = working;
+        base.iter().for_each(|axis| set.insert(axis));
+        self.machine.use_frame(frame, set);
         let place = self.machine.position();
         let set = self.partial(frame.working(place), working);
         let base = self.partial(frame.base(place), base);

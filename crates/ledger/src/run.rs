@@ -154,6 +154,15 @@ impl Run {
         self.tells("warning", line, code)
     }
 
+    /// Since the machine was switched on the first motors have made so many steps.
+    #[track_caller]
+    pub fn steps(&self, expected: &[i64]) -> &Self {
+        let steps = self.end()["steps"].as_array().expect("the end tells steps");
+        let steps: Vec<i64> = steps.iter().filter_map(Value::as_i64).collect();
+        assert_eq!(steps[..expected.len()], *expected, "\n{self}");
+        self
+    }
+
     /// Nothing is said about the program.
     #[track_caller]
     pub fn is_silent(&self) -> &Self {

@@ -3,7 +3,7 @@
 
 use crate::moves::{Basis, Move, Path};
 use kerf_geom::{Arc2, Point2};
-use kerf_program::settings::{MM_PER_INCH, PerGroup, Ramps};
+use kerf_program::settings::{NO_SHIFT_JOG_MM_S, PerGroup, Ramps};
 use kerf_program::{Arc, At, Axes, Axis, Feed, Line, MoveKind, Settings};
 
 /// Shorter ways do not count as motion, mm or degrees. Far below a step of any machine; keeps
@@ -22,9 +22,6 @@ const MAX_SPEED_MM_S: f64 = 1e9;
 
 /// No ramp is steeper, mm/s²: stands for "at once" when the ramp rate is zero.
 const MAX_ACCEL_MM_S2: f64 = 1e12;
-
-/// Top jog speed with resolution shifting disabled: 16 in/s (command reference, VU).
-const NO_SHIFT_JOG_MM_S: f64 = 16.0 * MM_PER_INCH;
 
 /// Turns commands into moves: keeps the position and what the settings in force say about speed.
 #[derive(Clone, Debug)]

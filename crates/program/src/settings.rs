@@ -349,9 +349,15 @@ pub struct Resolution {
     pub multipliers: [u8; AXES],
     /// Step interval divider 1 … 100.
     pub divider: u8,
-    /// Resolution shifting disabled.
+    /// Resolution shifting disabled: jogs reach [`NO_SHIFT_JOG_MM_S`] at most.
     pub no_shift: bool,
 }
+
+/// Top jog speed with resolution shifting disabled: 16 in/s (command reference, VU).
+pub const NO_SHIFT_JOG_MM_S: f64 = 16.0 * MM_PER_INCH;
+
+/// VN field 3: torch height (notes A-100).
+const TORCH: u8 = 1;
 
 /// All settings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -413,6 +419,11 @@ impl Settings {
     /// Internal units (mm or degrees) in one user unit of an axis.
     pub const fn axis_scale(&self, axis: Axis) -> f64 {
         self.axis_unit(axis).scale()
+    }
+
+    /// Whether torch height is controlled now: enabled in VN and switched on by VH.
+    pub const fn torch_on(&self) -> bool {
+        self.height.on && self.io.analog == TORCH
     }
 
     /// A position or distance of all axes in the user's units.

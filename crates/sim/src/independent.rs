@@ -37,6 +37,16 @@ impl Spin {
         self.begun_at + moved
     }
 
+    /// Stops; the displacement so far belongs to the planned position from here on.
+    pub(crate) fn end(&mut self, t_s: f64) -> f64 {
+        std::mem::take(self).displacement(t_s)
+    }
+
+    /// The same motion, told from a clock that was set back by so much.
+    pub(crate) fn set_back(&mut self, by_s: f64) {
+        self.since_s -= by_s;
+    }
+
     /// Whether it moves.
     pub(crate) fn moves(&self) -> bool {
         self.motion != Independent::Off
@@ -55,6 +65,7 @@ mod tests {
         spin.change(11.0, Independent::Off);
         assert_eq!(spin.displacement(99.0), -300.0);
         assert!(!spin.moves());
+        assert_eq!((spin.end(99.0), spin.displacement(99.0)), (-300.0, 0.0));
     }
 
     #[test]

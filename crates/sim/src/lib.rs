@@ -2,7 +2,7 @@
 //!
 //! A [`Machine`] has a clock of its own, six axes, twelve inputs whose changes are known beforehand
 //! (a script of [`Change`]s), twelve outputs with their modes, a PWM channel, a spindle and a
-//! warning light. Nothing in here waits: whoever owns it says how far the clock goes, and everything
+//! warning light; its motors count steps. Nothing in here waits: whoever owns it says how far the clock goes, and everything
 //! that happens meanwhile is written to a [`Log`] with its time, in order.
 //!
 //! ```text
@@ -21,6 +21,7 @@ mod laser;
 pub mod limits;
 mod log;
 mod machine;
+mod motors;
 mod outputs;
 mod trigger;
 

@@ -1,6 +1,6 @@
 //! What happened, and when.
 
-use kerf_program::{Axis, Independent, OutputReason};
+use kerf_program::{AXES, Axis, Independent, OutputReason};
 
 /// One thing that happened.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +52,8 @@ pub enum What {
     Light(bool),
     /// Power of the motors.
     Motors(bool),
+    /// Coarser steps began or ended, each axis by its factor (command reference, VU).
+    Resolution([u8; AXES]),
     /// An axis began or stopped to move beside the others (MI).
     Independent {
         /// The axis.

@@ -1,20 +1,23 @@
 //! The machine itself.
 
+mod drive;
+
 use crate::halt::{self, Halt, Watched};
 use crate::independent::Spin;
 use crate::inputs::Inputs;
 use crate::laser;
 use crate::limits::{self, Violation};
 use crate::log::{Log, What};
+use crate::motors::Motors;
 use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
 use crate::trigger;
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::{Mode, SWITCHES};
-use kerf_program::{AXES, Axes, Axis, Frame, Independent, OutputReason, Settings};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
 use std::sync::Arc;
 
 /// A simulated machine. See the [crate] for what it does.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Machine {
     clock_s: f64,
     /// Where planned motion has brought it, machine frame.
@@ -24,6 +27,13 @@ pub struct Machine {
     inputs: Inputs,
     outputs: Outputs,
     spins: [Spin; AXES],
+    motors: Motors,
+    /// Motors have power.
+    powered: bool,
+    /// Axes that may have been moved by hand while they had none.
+    unverified: AxisSet,
+    /// Factors of coarser steps.
+    coarse: [u8; AXES],
     pwm_percent: f64,
     light: bool,
     /// Limits were overridden until the file ends.
@@ -33,16 +43,63 @@ pub struct Machine {
     log: Log,
 }
 
+impl Default for Machine {
+    fn default() -> Self {
+        Self::new(Axes::default(), Frame::default(), Arc::default(), Inputs::default())
+    }
+}
+
 impl Machine {
     /// A machine at rest at time 0.
     pub fn new(position: Axes, frame: Frame, settings: Arc<Settings>, inputs: Inputs) -> Self {
-        Self { position, frame, settings, inputs, ..Self::default() }
+        let mut motors = Motors::default();
+        motors.say(position);
+        Self {
+            clock_s: 0.0,
+            position,
+            frame,
+            settings,
+            inputs,
+            outputs: Outputs::default(),
+            spins: [Spin::default(); AXES],
+            motors,
+            powered: true,
+            unverified: AxisSet::EMPTY,
+            coarse: [1; AXES],
+            pwm_percent: 0.0,
+            light: false,
+            overridden: false,
+            drawing_from: None,
+            log: Log::default(),
+        }
+    }
+
+    /// The machine after a run, ready for the next, which counts time from 0: what turns keeps
+    /// turning, what is on stays on, motors keep their count.
+    #[must_use]
+    pub fn again(
+        mut self,
+        position: Axes,
+        frame: Frame,
+        settings: Arc<Settings>,
+        inputs: Inputs,
+    ) -> Self {
+        for spin in &mut self.spins {
+            spin.set_back(self.clock_s);
+        }
+        self.clock_s = 0.0;
+        (self.position, self.frame, self.inputs) = (position, frame, inputs);
+        (self.drawing_from, self.settings) = (None, settings);
+        self.motors.say(self.true_position());
+        self
     }
 
     /// The same machine, standing elsewhere while a preview is drawn.
     #[must_use]
-    pub const fn drawing_from(mut self, position: Axes) -> Self {
-        self.drawing_from = Some(position);
+    pub fn drawing_from(mut self, position: Axes) -> Self {
+        let drawn = std::mem::replace(&mut self.position, position);
+        self.motors.say(self.true_position());
+        (self.position, self.drawing_from) = (drawn, Some(position));
         self
     }
 
@@ -68,6 +125,12 @@ impl Machine {
             place[axis] += self.spins[axis.index()].displacement(self.clock_s);
         }
         place
+    }
+
+    /// Axes that move by themselves.
+    pub fn spinning(&self) -> AxisSet {
+        let moving = Axis::ALL.into_iter().filter(|axis| self.spins[axis.index()].moves());
+        moving.fold(AxisSet::EMPTY, AxisSet::with)
     }
 
     /// The frames in force.
@@ -97,7 +160,11 @@ impl Machine {
 
     /// From here on these settings hold.
     pub fn use_settings(&mut self, settings: Arc<Settings>) {
+        self.follow_motors();
         self.use_mode(settings.mode, &settings);
+        if !settings.driver.enabled {
+            self.all_off(OutputReason::Program);
+        }
         let before = laser::active(&self.settings.height, &self.settings.io);
         self.settings = settings;
         let height = self.settings.height;
@@ -127,9 +194,12 @@ impl Machine {
         }
     }
 
-    /// From here on these frames hold.
-    pub const fn use_frame(&mut self, frame: Frame) {
+    /// From here on these frames hold. Somebody set the locations of these axes.
+    pub fn use_frame(&mut self, frame: Frame, set: AxisSet) {
         self.frame = frame;
+        for axis in set.iter() {
+            self.unverified.remove(axis);
+        }
     }
 
     /// A part file starts.
@@ -146,13 +216,15 @@ impl Machine {
         self.by_mode(Occasion::End, OutputReason::End);
     }
 
-    /// Motion was stopped by the operator or a stop input; `spindles` turns outputs 1 and 2 off.
-    pub fn stopped(&mut self, spindles: bool) {
+    /// Motion was stopped by the operator, or by a stop input: then spindles and axes that move by
+    /// themselves stop as well.
+    pub fn stopped(&mut self, by_input: bool) {
         if matches!(self.settings.io.output4, -2 | -3) {
             self.output(MOTION_OUTPUT, false, OutputReason::Stop);
         }
         self.by_mode(Occasion::Stop, OutputReason::Stop);
-        if spindles {
+        if by_input {
+            self.spins_off();
             self.output(1, false, OutputReason::Stop);
             self.output(2, false, OutputReason::Stop);
         }
@@ -192,25 +264,28 @@ impl Machine {
         if self.draws() {
             return;
         }
-        self.spins[axis.index()].change(self.clock_s, motion);
+        let spin = &mut self.spins[axis.index()];
+        if motion == Independent::Off {
+            self.position[axis] += spin.end(self.clock_s);
+        } else {
+            spin.change(self.clock_s, motion);
+        }
         self.log.add(self.clock_s, What::Independent { axis, motion });
     }
 
-    /// Cuts motor power; everything that moves or is on stops (MO).
-    pub fn motors_off(&mut self) {
-        if self.draws() {
-            return;
-        }
+    /// Everything that moves by itself stops.
+    fn spins_off(&mut self) {
         for axis in Axis::ALL {
             if self.spins[axis.index()].moves() {
                 self.independent(axis, Independent::Off);
             }
         }
-        self.set_light(false);
+    }
+
+    fn all_off(&mut self, why: OutputReason) {
         for number in 1..=SWITCHES as u8 {
-            self.output(number, false, OutputReason::Stop);
+            self.output(number, false, why);
         }
-        self.log.add(self.clock_s, What::Motors(false));
     }
 
     /// Ends the warning until the next motion (WARNING OFF, a question to the operator).
@@ -268,6 +343,9 @@ impl Machine {
 
     /// Motion is about to start: the warning comes first. Returns when motion starts, seconds.
     pub fn begin_motion(&mut self) -> f64 {
+        if !self.draws() {
+            self.power_motors(true);
+        }
         if !self.light && !self.draws() {
             self.set_light(true);
             let wait_s = self.settings.warning_s.max(0.0);
@@ -278,6 +356,7 @@ impl Machine {
 
     /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock.
     pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
+        self.shift_resolution(Some(span.made.kind));
         let settings = &self.settings;
         if settings.cutter.trigger.active
             && let Some((t_s, on)) =
@@ -298,6 +377,7 @@ impl Machine {
 
     /// The stack is over, the machine stands.
     pub fn rest(&mut self) {
+        self.shift_resolution(None);
         let height = self.settings.height;
         if laser::active(&height, &self.settings.io) {
             self.pwm(laser::CHANNEL, height.low_percent);
@@ -322,7 +402,8 @@ impl Machine {
     }
 
     fn output_at(&mut self, t_s: f64, number: u8, on: bool, why: OutputReason) {
-        if !self.draws() && self.outputs.set(number, on) {
+        let given = self.settings.driver.enabled || !on;
+        if !self.draws() && given && self.outputs.set(number, on) {
             self.log.add(t_s, What::Output { number, on, why });
         }
     }

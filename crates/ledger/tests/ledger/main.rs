@@ -9,6 +9,7 @@ mod io;
 mod lang;
 mod limits;
 mod motion;
+mod motors;
 mod moves;
 mod outputs;
 mod set;

@@ -1,4 +1,4 @@
-//! Stacks of moves, and independent axes.
+//! Stacks of moves.
 
 use kerf_ledger::{Run, run, sbp};
 
@@ -61,43 +61,4 @@ fn sbp_cmd_speed_vector() {
     };
     assert!((lasts("M2,3,4") - 2.5).abs() < 1e-6);
     assert!((lasts("CC,4") - 4.0 * std::f64::consts::PI / 2.0).abs() < 1e-6);
-}
-
-#[test]
-fn sbp_cmd_mi_rotate() {
-    let run = sbp("MI,B,1,30 ⏎ MX,5 ⏎ PRINT %(123)").axes(5).run();
-    run.is_ok().prints(&["1"]);
-    let turns = run.events("independent").next().unwrap();
-    assert_eq!((&turns["axis"], &turns["speed"]), (&"B".into(), &30.into()), "{run}");
-    let place = sbp("MI,B,1,30 ⏎ PAUSE 10 ⏎ MI,B,1,0 ⏎ PRINT %(5)").axes(5).run();
-    place.is_ok().prints(&["300"]);
-}
-
-#[test]
-fn sbp_cmd_mi_direction() {
-    let place = sbp("MI,B,-1,30 ⏎ PAUSE 10 ⏎ MI,B,1,0 ⏎ PRINT %(5)").axes(5).run();
-    place.is_ok().prints(&["-300"]);
-    sbp("MI,B,,30 ⏎ PAUSE 10 ⏎ MI,B,1,0 ⏎ PRINT %(5)").axes(5).run().prints(&["300"]);
-}
-
-#[test]
-fn sbp_cmd_mi_oscillate() {
-    let run = run("MI,Z,,,2,.5 ⏎ MX,5");
-    let swings = run.is_ok().events("independent").next().unwrap();
-    assert_eq!((&swings["frequency"], &swings["distance"]), (&2.into(), &0.5.into()), "{run}");
-    // An eighth of a second after the start, a quarter of a cycle, it is at its peak.
-    sbp("MI,Z,,,2,.5 ⏎ PAUSE .125 ⏎ MI,Z,,,0 ⏎ PRINT %(3)").run().prints(&["0.25"]);
-}
-
-#[test]
-fn sbp_cmd_mi_stop() {
-    let stopped = |program: &str| {
-        let run = sbp(program).axes(5).run();
-        let last = run.is_ok().events("independent").last().cloned();
-        last.is_some_and(|e| e["speed"] == 0 && e["frequency"] == 0)
-    };
-    assert!(stopped("MI,B,1,30 ⏎ PAUSE 1 ⏎ MI,B,1,0"));
-    assert!(stopped("MI,Z,,,2,.5 ⏎ PAUSE 1 ⏎ MI,Z,,,0"));
-    assert!(stopped("MI,B,1,30 ⏎ PAUSE 1 ⏎ MO"));
-    assert!(!stopped("MI,B,1,30 ⏎ PAUSE 1"));
 }

@@ -156,7 +156,8 @@ fn sbp_val_vd_units() {
 
 #[test]
 fn sbp_val_vd_units_steps() {
-    run("VD,,,1 ⏎ PRINT %(31) ⏎ MX,25.4 ⏎ VD,,,0").prints(&["15.74803"]).ends_at([1.0]);
+    let run = run("VD,,,1 ⏎ PRINT %(31) ⏎ MX,25.4 ⏎ VD,,,0");
+    run.prints(&["15.74803"]).ends_at([1.0]).steps(&[400]);
 }
 
 #[test]

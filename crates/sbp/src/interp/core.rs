@@ -199,6 +199,11 @@ impl Core {
         });
     }
 
+    /// Whether an axis may be elsewhere than the program sent it: MI or torch height moves it.
+    pub(crate) fn wanders(&self, axis: Axis) -> bool {
+        self.independent.contains(axis) || axis == Axis::Z && self.settings.torch_on()
+    }
+
     pub(super) fn into_session(self) -> Session {
         Session {
             settings: Arc::unwrap_or_clone(self.settings),

@@ -79,15 +79,18 @@ impl Core {
 
     /// What a base coordinate of the program is ahead of the base location: see the head of the file.
     fn base_ahead(&self, axis: Axis) -> f64 {
-        if self.options.dialect == Dialect::Strict || self.options.base_locations {
-            return 0.0;
-        }
-        self.working()[axis]
+        if self.reads_base() { 0.0 } else { self.working()[axis] }
     }
 
-    /// Base coordinate of an axis as programs read it, mm or degrees.
-    pub(crate) fn base_coordinate(&self, axis: Axis) -> f64 {
-        self.frame.base(self.position)[axis] - self.base_ahead(axis)
+    fn reads_base(&self) -> bool {
+        self.options.dialect == Dialect::Strict || self.options.base_locations
+    }
+
+    /// Base coordinate of an axis as programs read it, mm or degrees; the axis is so far from where
+    /// the program sent it.
+    pub(crate) fn base_coordinate(&self, axis: Axis, drift: f64) -> f64 {
+        let drift = if self.reads_base() { drift } else { 0.0 };
+        self.frame.base(self.position)[axis] - self.base_ahead(axis) + drift
     }
 }
 

@@ -13,8 +13,8 @@ use super::{Context, Stop};
 use crate::Value;
 use crate::tree::Span;
 use kerf_diag::Code;
+use kerf_program::Axis;
 use kerf_program::settings::to_user;
-use kerf_program::{Axis, AxisSet};
 use list::FAMILIES;
 
 /// Name and version of the software, `%(48)`; what `kerf --version` prints.
@@ -74,25 +74,25 @@ impl Context<'_> {
         }
     }
 
-    /// Machine position of an axis as far as a program may know it.
-    fn real_position(&mut self, axis: Axis) -> Result<f64, Stop> {
-        if self.core.independent.contains(axis) {
-            self.settle()?;
-            self.take_machine_position(AxisSet::EMPTY.with(axis));
+    /// How far an axis is from where the program sent it: what moves by itself.
+    fn drift(&mut self, axis: Axis) -> Result<f64, Stop> {
+        if !self.core.wanders(axis) {
+            return Ok(0.0);
         }
-        Ok(self.core.position[axis])
+        self.settle()?;
+        Ok(self.host.machine_position()[axis.index()] - self.core.position[axis])
     }
 
     /// Working location of an axis.
     fn working_location(&mut self, axis: Axis) -> Result<Value, Stop> {
-        let location = self.real_position(axis)? - self.core.frame.working_zero[axis];
-        Ok(self.axis_value(axis, location))
+        let place = self.core.position[axis] + self.drift(axis)?;
+        Ok(self.axis_value(axis, place - self.core.frame.working_zero[axis]))
     }
 
     /// Table base coordinate of an axis, in the reading of the dialect.
     fn base_location(&mut self, axis: Axis) -> Result<Value, Stop> {
-        self.real_position(axis)?;
-        Ok(self.axis_value(axis, self.core.base_coordinate(axis)))
+        let drift = self.drift(axis)?;
+        Ok(self.axis_value(axis, self.core.base_coordinate(axis, drift)))
     }
 
     fn axis_value(&self, axis: Axis, internal: f64) -> Value {

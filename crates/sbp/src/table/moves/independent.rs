@@ -1,8 +1,10 @@
 //! MI: an axis that turns or swings beside the others. MO: motors off.
 
+use crate::format_number;
 use crate::interp::{Arguments, Context, Stop};
 use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
 use kerf_diag::Code;
+use kerf_program::settings::to_user;
 use kerf_program::{Axis, AxisSet, Command, Independent};
 
 const NUMBER: Kind = Kind::Number(Unit::None);
@@ -44,6 +46,7 @@ fn independent(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let axis = a.axis(0).unwrap_or(Axis::B);
     c.need_active(axis)?;
     let motion = motion(c, a, axis)?;
+    refuse_too_fast(c, a, axis, motion)?;
     if motion == Independent::Off {
         if c.core.independent.contains(axis) {
             c.core.adrift.insert(axis);
@@ -90,6 +93,33 @@ fn motion(c: &mut Context<'_>, a: &Arguments, axis: Axis) -> Result<Independent,
             Err(c.fail_at(a.span(2), Code::MissingParameter, message, hint))
         }
     }
+}
+
+/// Nothing is asked for that the axis cannot do, as far as the configuration tells that.
+fn refuse_too_fast(
+    c: &Context<'_>,
+    a: &Arguments,
+    axis: Axis,
+    motion: Independent,
+) -> Result<(), Stop> {
+    let Some(dynamics) = c.settings().dynamics else { return Ok(()) };
+    let (fastest, value) = match motion {
+        Independent::Off => return Ok(()),
+        Independent::Rotate(speed) => (speed.abs(), 2),
+        // The middle of a sine is its fastest place.
+        Independent::Oscillate { frequency_hz, distance } => {
+            (std::f64::consts::PI * frequency_hz * distance, 3)
+        }
+    };
+    let most = dynamics.speed_mm_s[axis];
+    if fastest <= most * (1.0 + 1e-9) {
+        return Ok(());
+    }
+    let most = format_number(to_user(most, c.settings().axis_scale(axis)));
+    let letter = axis.letter();
+    let message = format!("{letter} axis moves {most} units a second at most");
+    let hint = "the greatest speeds of the axes stand in the machine's configuration";
+    Err(c.fail_at(a.span(value), Code::OutOfRange, message, hint))
 }
 
 pub(super) static MO: CommandSpec = CommandSpec::new(

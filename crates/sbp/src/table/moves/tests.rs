@@ -161,3 +161,24 @@ fn relative_moves_and_turns_see_the_proportions_of_the_file() {
     run("M2,10,4⏎FP,part.sbp,2,2,,,2", "VO,1,1,1\nM2,1,1\nMD,1,90\nMH\nVO,2\nMH")
         .ends_at(10.0, 4.0, 1.0);
 }
+
+#[test]
+fn sbp_cmd_mi_limits() {
+    let speeds = kerf_program::Axes([100.0, 100.0, 50.0, 50.0, 90.0, 90.0]);
+    let refuses = |text: &str| {
+        let mut session = Session::default();
+        session.settings.dynamics = Some(kerf_program::Dynamics {
+            speed_mm_s: speeds,
+            accel_mm_s2: kerf_program::Axes::splat(500.0),
+            jerk_mm_s3: None,
+            tolerance_mm: 0.01,
+        });
+        let ran = run_with(&format!("VD,,5⏎{text}"), FakeHost::default(), session);
+        ran.error.map(|e| e.message)
+    };
+    let b = Some("B axis moves 90 units a second at most".to_owned());
+    assert_eq!((refuses("MI,B,1,91"), refuses("MI,B,-1,91")), (b.clone(), b));
+    assert_eq!(refuses("MI,B,1,90"), None);
+    let z = Some("Z axis moves 1.968504 units a second at most".to_owned());
+    assert_eq!((refuses("MI,Z,,,2,.32"), refuses("MI,Z,,,2,.31")), (z, None));
+}

@@ -72,6 +72,7 @@ pub(in crate::table) fn set_speeds(
     }
     let settings = changed(c, a, params);
     c.change_settings(|s| *s = settings);
+    super::units::warn_capped_jogs(c);
     Ok(())
 }
 

@@ -1,8 +1,11 @@
 //! VU: unit values and resolution.
 
+use crate::interp::Context;
 use crate::table::setting::{flag, real, set, whole};
 use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
+use kerf_diag::Code;
 use kerf_program::Axis;
+use kerf_program::settings::NO_SHIFT_JOG_MM_S;
 
 macro_rules! steps {
     ($name:literal, $axis:ident) => {
@@ -58,6 +61,17 @@ pub(super) static VU: CommandSpec = CommandSpec::new(
      values go back at its end, unless SV keeps them.",
     |c, a| {
         set(c, a, &PARAMS);
+        warn_capped_jogs(c);
         Ok(())
     },
 );
+
+/// Without resolution shifting fast jogs are slowed down.
+pub(super) fn warn_capped_jogs(c: &mut Context<'_>) {
+    let (jog, no_shift) = (c.settings().speeds.jog, c.settings().resolution.no_shift);
+    if no_shift && jog.xy.max(jog.z) > NO_SHIFT_JOG_MM_S + 1e-9 {
+        let hint = "VU's last value 0 allows faster jogs";
+        let message = "jogs are limited to 16 in/s (406.4 mm/s): resolution shifting is disabled";
+        c.warn(Code::Unusual, message, hint);
+    }
+}

@@ -1,0 +1,60 @@
+//! Power, steps and resolution of the motors (command reference, MO, VI, VU).
+
+use super::Machine;
+use crate::log::What;
+use kerf_program::{AXES, AxisSet, MoveKind, OutputReason};
+
+/// Factors of steps that are not made coarser.
+const FINE: [u8; AXES] = [1; AXES];
+
+impl Machine {
+    /// Steps each motor has made, driver channel 1 first.
+    pub fn steps(&self) -> [i64; AXES] {
+        let mut motors = self.motors.clone();
+        if !self.draws() {
+            motors.follow(self.true_position(), &self.settings);
+        }
+        motors.steps()
+    }
+
+    /// Axes that may have been moved while the motors had no power, and whose location nobody has
+    /// set since.
+    pub const fn unverified(&self) -> AxisSet {
+        self.unverified
+    }
+
+    /// Cuts motor power; everything that moves or is on stops (MO).
+    pub fn motors_off(&mut self) {
+        if self.draws() {
+            return;
+        }
+        self.spins_off();
+        self.set_light(false);
+        self.all_off(OutputReason::Stop);
+        self.power_motors(false);
+        self.unverified = AxisSet::first(usize::from(self.settings.axis_count));
+    }
+
+    pub(super) fn power_motors(&mut self, on: bool) {
+        if std::mem::replace(&mut self.powered, on) != on {
+            self.log.add(self.clock_s, What::Motors(on));
+        }
+    }
+
+    /// The motors have brought the axes to where they are.
+    pub(super) fn follow_motors(&mut self) {
+        if !self.draws() {
+            self.motors.follow(self.true_position(), &self.settings);
+        }
+    }
+
+    /// Steps are coarser during jogs, unless shifting is disabled.
+    pub(super) fn shift_resolution(&mut self, moving: Option<MoveKind>) {
+        let resolution = &self.settings.resolution;
+        let shifted = moving == Some(MoveKind::Jog) && !resolution.no_shift;
+        let factors = if shifted { resolution.multipliers } else { FINE };
+        if !self.draws() && std::mem::replace(&mut self.coarse, factors) != factors {
+            self.log.add(self.clock_s, What::Resolution(factors));
+        }
+    }
+}
