@@ -20,6 +20,7 @@ pub mod config;
 pub mod event;
 mod execute;
 pub mod files;
+mod host;
 pub mod json;
 mod pace;
 mod runner;
@@ -31,6 +32,7 @@ mod stack;
 pub mod stored;
 mod tally;
 mod text;
+mod waiting;
 mod world;
 
 pub use check::{Checked, check};

@@ -122,7 +122,7 @@ impl Session {
         let options = kerf_sbp::Options::default();
         let mut reader = Interpreter::new(Program::default(), self.memory.clone(), options);
         let read = |variable: SystemVariable| {
-            world.settle_now();
+            world.settled = true;
             let value = reader.system_variable(&mut world, variable.number);
             (variable, value.unwrap_or(Value::Empty))
         };

@@ -9,16 +9,11 @@ use crate::shelf::Shelf;
 use crate::{Sink, Tally};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_program::{
-    AXES, Answer, At, Axes, Axis, AxisSet, Command, FileMode, FileRequest, Frame, Host, HostError,
-    Independent, OutputReason, Question, Settings, ShellCall, SourceFile,
+    Answer, At, Axes, Axis, AxisSet, Command, Frame, Independent, OutputReason, Question, Settings,
 };
 use kerf_sim::{Happening, Machine, What};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use std::task::Poll;
-
-/// Version number that `%(49)` reads: the simulated machine has no firmware.
-const FIRMWARE: i32 = 0;
 
 pub(crate) struct World<'a> {
     pub machine: Machine,
@@ -33,9 +28,9 @@ pub(crate) struct World<'a> {
     /// A line of the print window that has no end yet.
     printed: String,
     /// Everything given so far was carried out; holds for one question.
-    settled: bool,
-    question: Option<Question>,
-    answer: Option<Answer>,
+    pub settled: bool,
+    pub question: Option<Question>,
+    pub answer: Option<Answer>,
     /// What was told already: a line in a loop finds the same again and again.
     told: BTreeSet<(Code, SourcePlace, String)>,
 }
@@ -85,16 +80,6 @@ impl<'a> World<'a> {
     /// Machine time, seconds.
     pub fn now(&self) -> f64 {
         self.machine.clock_s()
-    }
-
-    /// Everything given so far has been carried out.
-    pub const fn settle_now(&mut self) {
-        self.settled = true;
-    }
-
-    /// The question the program waits for.
-    pub const fn open_question(&self) -> Option<&Question> {
-        self.question.as_ref()
     }
 
     /// How many files have names.
@@ -305,79 +290,5 @@ impl<'a> World<'a> {
             line: at.line,
         });
         self.sink.event(&event);
-    }
-}
-
-impl Host for World<'_> {
-    fn settle(&mut self) -> Poll<()> {
-        if std::mem::take(&mut self.settled) { Poll::Ready(()) } else { Poll::Pending }
-    }
-
-    fn input(&mut self, number: u8) -> bool {
-        self.machine.input(number)
-    }
-
-    fn output(&mut self, number: u8) -> bool {
-        self.machine.outputs().is_on(number)
-    }
-
-    fn ask(&mut self, question: &Question) -> Poll<Answer> {
-        if let Some(answer) = self.answer.take() {
-            return Poll::Ready(answer);
-        }
-        self.question = Some(question.clone());
-        Poll::Pending
-    }
-
-    fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        self.shelf.source(request)
-    }
-
-    fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError> {
-        self.shelf.enter(folder)
-    }
-
-    fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
-        self.shelf.open(number, path, mode)
-    }
-
-    fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
-        self.shelf.write(number, text)
-    }
-
-    fn read_line(&mut self, number: u8) -> Result<String, HostError> {
-        self.shelf.read_line(number)
-    }
-
-    fn close(&mut self, number: u8) -> Result<(), HostError> {
-        self.shelf.close(number)
-    }
-
-    fn stored(&mut self, key: &str) -> Option<String> {
-        self.shelf.stored.get(key).map(str::to_owned)
-    }
-
-    fn store(&mut self, key: &str, value: Option<&str>) {
-        self.shelf.stored.set(key, value);
-    }
-
-    fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {
-        Poll::Ready(self.shelf.shell(call))
-    }
-
-    fn machine_position(&mut self) -> [f64; AXES] {
-        self.machine.true_position().0
-    }
-
-    fn user_path(&mut self) -> String {
-        self.shelf.user_path()
-    }
-
-    fn app_path(&mut self) -> String {
-        self.shelf.app_path()
-    }
-
-    fn firmware(&mut self) -> i32 {
-        FIRMWARE
     }
 }

@@ -416,3 +416,6 @@ impl Machine {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

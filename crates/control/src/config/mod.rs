@@ -24,7 +24,12 @@
 //! per_unit = [40, 40, 40]     # steps for a millimetre or a degree
 //! ```
 
-use kerf_program::settings::{AxisUnit, LinearUnit, PerGroup, Ramps, SWITCHES, Settings};
+mod bounds;
+
+use bounds::{
+    NOT_NEGATIVE, NUMBER, POSITIVE, axes, group, modes, not_negative, positive, refused, set,
+};
+use kerf_program::settings::{AxisUnit, LinearUnit, Ramps, Settings};
 use kerf_program::{AXES, Axes, Axis, Dynamics};
 use serde::Deserialize;
 
@@ -256,97 +261,6 @@ impl Io {
     }
 }
 
-const POSITIVE: &str = "greater than 0";
-const NOT_NEGATIVE: &str = "0 or greater";
-const NUMBER: &str = "a finite number";
-
-fn positive(v: &f64) -> bool {
-    v.is_finite() && *v > 0.0
-}
-
-fn not_negative(v: &f64) -> bool {
-    v.is_finite() && *v >= 0.0
-}
-
-fn refused(key: &str, wanted: &'static str, got: String) -> ConfigError {
-    ConfigError::Value { key: key.into(), wanted, got }
-}
-
-fn set<T: std::fmt::Display>(
-    place: &mut T,
-    value: Option<T>,
-    key: &str,
-    wanted: &'static str,
-    fits: impl Fn(&T) -> bool,
-) -> Result<(), ConfigError> {
-    match value {
-        None => Ok(()),
-        Some(value) if fits(&value) => {
-            *place = value;
-            Ok(())
-        }
-        Some(value) => Err(refused(key, wanted, value.to_string())),
-    }
-}
-
-fn group(
-    place: &mut PerGroup,
-    group: Option<Group>,
-    key: &str,
-    wanted: &'static str,
-    fits: fn(&f64) -> bool,
-) -> Result<(), ConfigError> {
-    let Some(g) = group else { return Ok(()) };
-    for (place, value, letter) in [
-        (&mut place.xy, g.xy, "xy"),
-        (&mut place.z, g.z, "z"),
-        (&mut place.a, g.a, "a"),
-        (&mut place.b, g.b, "b"),
-        (&mut place.c, g.c, "c"),
-    ] {
-        set(place, value, &format!("{key}.{letter}"), wanted, fits)?;
-    }
-    Ok(())
-}
-
-/// The first axes have values.
-fn axes(
-    place: &mut Axes,
-    values: Option<&Vec<f64>>,
-    key: &str,
-    wanted: &'static str,
-    fits: fn(&f64) -> bool,
-) -> Result<(), ConfigError> {
-    list(&mut place.0, values, key, wanted, fits)
-}
-
-fn modes(
-    place: &mut [u8; SWITCHES],
-    values: Option<&Vec<u8>>,
-    key: &str,
-    wanted: &'static str,
-    most: u8,
-) -> Result<(), ConfigError> {
-    list(place, values, key, wanted, |mode| *mode <= most)
-}
-
-fn list<T: Copy + std::fmt::Display>(
-    place: &mut [T],
-    values: Option<&Vec<T>>,
-    key: &str,
-    wanted: &'static str,
-    fits: impl Fn(&T) -> bool,
-) -> Result<(), ConfigError> {
-    let values = values.map_or(&[][..], Vec::as_slice);
-    if values.len() > place.len() {
-        return Err(refused(key, "a shorter list", format!("{} values", values.len())));
-    }
-    for (place, value) in place.iter_mut().zip(values) {
-        set(place, Some(*value), key, wanted, &fits)?;
-    }
-    Ok(())
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -363,6 +277,15 @@ mod tests {
         assert_eq!((s.limits.check, s.io.inputs[1], s.io.output4), (true, 2, -4));
         assert_eq!(s.resolution.steps_per_unit.0[0], 40.0);
         assert_eq!(settings("").unwrap(), d);
+    }
+
+    #[test]
+    fn the_example_of_the_book_is_a_configuration() {
+        let page = include_str!("../../../../docs/book/machine.md");
+        let example = page.split("```").nth(1).unwrap().trim_start_matches("toml");
+        let s = settings(example).unwrap();
+        assert_eq!((s.axis_count, s.warning_s, s.io.outputs[2]), (4, 2.0, 3));
+        assert!(s.dynamics.is_some());
     }
 
     #[test]
