@@ -6,7 +6,7 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run test check format conformance book prepare
+.PHONY: help run test properties check format conformance book prepare
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -15,6 +15,10 @@ test: prepare ## run every test, once
 	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
 		/^test result:/ { passed += $$4; failed += $$6 } \
 		END { printf "all tests: %d passed, %d failed\n", passed, failed }'
+
+properties: prepare ## try the properties on new random cases
+	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \
+	PROPTEST_RNG_SEED=$$seed PROPTEST_CASES=2000 $(CARGO) test --workspace --locked --no-fail-fast
 
 check: prepare ## formatting, lints and the project's own rules
 	$(CARGO) fmt --all --check
