@@ -1,7 +1,7 @@
 //! The one table of diagnostic codes.
 //!
 //! A code never changes its meaning and is never reused. Letters tell the room: `S` reading
-//! OpenSBP, `R` running it, `W` what `check` warns of, `F` files, `M` the machine.
+//! OpenSBP, `G` G-code, `R` running, `W` what `check` warns of, `F` files, `M` the machine.
 
 use crate::Severity;
 use serde::{Deserialize, Serialize};
@@ -166,6 +166,53 @@ codes! {
         "SHELL runs nothing unless --allow-shell is given.";
     FileNumber "F007" Error "bad file number"
         "File numbers are 1 to 9 and each is used by one file at a time.";
+
+    NotGcode "G001" Error "written in another language"
+        "The lines are no G-code. Part files of OpenSBP end in .sbp, drawings in .dxf, plots in .plt; each is run or converted under its own ending.";
+    UnknownGWord "G002" Error "unknown G code"
+        "No such G code is defined in the language as routers, lasers and LinuxCNC use it.";
+    UnknownMWord "G003" Error "unknown M code"
+        "No such M code is defined in the language as routers, lasers and LinuxCNC use it.";
+    BadBlock "G004" Error "the block cannot be read"
+        "A block is made of words: a letter and a number, as in G1 X10.5. Comments stand in parentheses or behind a semicolon.";
+    NoNumber "G005" Error "a letter without a number"
+        "Each letter is followed by a number, a parameter (#5, #<name>) or an expression in brackets.";
+    WordTwice "G006" Error "a word stands twice in a block"
+        "Each letter except G and M stands at most once in a block. Write two lines.";
+    ModalConflict "G007" Error "two codes of the same group"
+        "Codes of one group exclude each other, as G0 and G1 or G20 and G21. Write two lines.";
+    MissingWord "G008" Error "a word is missing"
+        "The code needs a value that the block does not give, as G4 its P or an arc its centre.";
+    UnusedWord "G009" Error "a word that nothing uses"
+        "No code of this block and no motion in force takes this word.";
+    UnclosedComment "G010" Error "a comment is not closed"
+        "A comment that begins with ( ends with ) on the same line.";
+    BadFormula "G011" Error "the expression cannot be read"
+        "Expressions stand in brackets, as in X[#1 + 2 * SIN[30]]. Angles are degrees.";
+    BadParameter "G012" Error "no such parameter"
+        "Parameters are numbered from 1 to 5602; those from 5400 on tell the state and cannot be set.";
+    NoValue "G013" Error "the parameter has no value"
+        "A named parameter must be set before it is used. EXISTS[#<name>] tells whether it was.";
+    BadFlow "G014" Error "O-words that do not match"
+        "Each sub, if, while, do and repeat needs its end with the same O number on a later line.";
+    NoSubroutine "G015" Error "no such subroutine"
+        "The subroutine is neither in this file nor a file of its own in the part folder.";
+    FeedMissing "G016" Error "no feed"
+        "A cutting move needs a feed: F with a value above zero, per minute; with G93 in every block.";
+    Compensation "G017" Error "cutter compensation cannot do this"
+        "The tool does not fit where the path asks it to go, or the code may not be used while compensation is on.";
+    Probing "G018" Error "the probe move failed"
+        "The probe made no contact before the end of the move, or was in contact at its start.";
+    NotInDialect "G019" Error "not in this dialect"
+        "The controller that the dialect stands for does not know this. --dialect or another machine may.";
+    ConsoleLine "G020" Warning "a line for the controller's console"
+        "Lines that begin with $ set or ask the controller when typed; in a file they are not run.";
+    UnitsNeverSaid "G021" Warning "the file does not say its units"
+        "Without G20 or G21 the file is read in the unit of the machine, which may not be the one it was written in.";
+    BlankInNumber "G022" Warning "blanks within a number"
+        "The language ignores blanks, so `X1 0` is X10. Is a letter missing?";
+    ArcPlane "G023" Error "the arc does not fit the plane"
+        "Arcs lie in the plane of G17 (I and J), G18 (I and K) or G19 (J and K).";
 
     OutsideLimits "M001" Error "outside the table limits"
         "The move leaves the limits of VL while limit checking is on.";

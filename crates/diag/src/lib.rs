@@ -7,7 +7,9 @@
 pub mod codes;
 mod diagnostic;
 mod render;
+mod text;
 
 pub use codes::{Code, Explanation, explain};
 pub use diagnostic::{Diagnostic, Place, Severity};
 pub use render::{Sources, render_text};
+pub use text::decode;

@@ -20,6 +20,7 @@ look; a **note** is worth knowing.
 const ROOMS: &[(&str, &str)] = &[
     ("S", "Reading a part file"),
     ("W", "What `kerf check` warns of"),
+    ("G", "G-code"),
     ("R", "Running a program"),
     ("F", "Files"),
     ("M", "The machine"),

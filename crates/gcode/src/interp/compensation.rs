@@ -1,0 +1,506 @@
+//! G40 … G42: the tool beside the path, for lines and arcs in XY.
+//!
+//! ```text
+//!   programmed   ────────┐          outside corner: an arc about the corner
+//!   tool (left)  ─────╮  │          inside corner: both paths end where they cross
+//! ```
+//!
+//! The last move is held back until the next one is known, and with it everything given behind it
+//! (moves of Z alone, outputs, comments), so that the order stays. The first move after G41 or G42
+//! goes to the place beside its end, as LinuxCNC does it.
+
+use super::arc;
+use super::context::{Context, Stop};
+use super::state::Side;
+use super::{Core, Plane};
+use crate::codes::COMPENSATION;
+use crate::gathered::Gathered;
+use kerf_diag::Code;
+use kerf_geom::{Arc2, Point2, Vec2};
+use kerf_program::{At, Axes, Command, Feed, Line, MoveKind, Sourced};
+use serde::{Deserialize, Serialize};
+
+/// Corners that turn by less are no corners, radians.
+const STRAIGHT_RAD: f64 = 1e-3;
+/// Lengths below this are rounding, mm.
+const TINY_MM: f64 = 1e-7;
+
+/// Compensation that is on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Compensator {
+    /// +1 for the left side, −1 for the right.
+    side: f64,
+    radius: f64,
+    /// The entry move is still to come.
+    first: bool,
+    /// Where the tool is, or will be when the move held back is made.
+    tool: Axes,
+    /// The move held back.
+    held: Option<Piece>,
+    /// What was given behind it.
+    behind: Vec<Sourced>,
+}
+
+/// A move of the tool beside the path.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct Piece {
+    at: At,
+    kind: MoveKind,
+    feed: Feed,
+    from: Point2,
+    to: Axes,
+    shape: Shape,
+    /// Direction of the programmed path at its start and its end.
+    heading: [Vec2; 2],
+    /// It is the entry move.
+    entry: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+enum Shape {
+    Line,
+    Arc { centre: Point2, sweep: f64 },
+}
+
+fn xy(axes: Axes) -> Point2 {
+    Point2::new(axes.0[0], axes.0[1])
+}
+
+fn with_xy(mut axes: Axes, p: Point2) -> Axes {
+    (axes.0[0], axes.0[1]) = (p.x, p.y);
+    axes
+}
+
+impl Piece {
+    fn end(&self) -> Point2 {
+        xy(self.to)
+    }
+
+    /// The same path ending elsewhere on it; `None` when the place lies behind its start.
+    fn ending_at(mut self, p: Point2) -> Option<Self> {
+        let end = self.end();
+        match &mut self.shape {
+            Shape::Line if (p - self.from).dot(self.heading[1]) < -TINY_MM => return None,
+            Shape::Line => {}
+            Shape::Arc { centre, sweep } => {
+                let back = turn(p - *centre, end - *centre, *sweep);
+                if back > sweep.abs() + TINY_MM {
+                    return None;
+                }
+                *sweep -= back.copysign(*sweep);
+            }
+        }
+        self.to = with_xy(self.to, p);
+        Some(self)
+    }
+
+    /// The same path beginning elsewhere on it; `None` when the place lies behind its end.
+    fn starting_at(mut self, p: Point2) -> Option<Self> {
+        let end = self.end();
+        match &mut self.shape {
+            Shape::Line if (end - p).dot(self.heading[0]) < -TINY_MM => return None,
+            Shape::Line => {}
+            Shape::Arc { centre, sweep } => {
+                let cut = turn(self.from - *centre, p - *centre, *sweep);
+                if cut > sweep.abs() + TINY_MM {
+                    return None;
+                }
+                *sweep -= cut.copysign(*sweep);
+            }
+        }
+        self.from = p;
+        Some(self)
+    }
+
+    fn command(&self, core: &Core, from: Axes) -> Option<Command> {
+        let Self { kind, to, feed, .. } = *self;
+        Some(match self.shape {
+            Shape::Line if from == to => return None,
+            Shape::Line => Command::Line(Line { kind, to, feed }),
+            Shape::Arc { centre, sweep } => {
+                let centre = [centre.x, centre.y];
+                let mut command = arc::command(&core.settings, from, centre, sweep, to, feed);
+                command.kind = kind;
+                Command::Arc(command)
+            }
+        })
+    }
+}
+
+/// The angle from one radius to another in the direction of a sweep, −π … π: small and below zero
+/// when the second lies just behind the first.
+fn turn(a: Vec2, b: Vec2, sweep: f64) -> f64 {
+    a.cross(b).atan2(a.dot(b)) * sweep.signum()
+}
+
+/// Where two paths cross, nearest to a place.
+fn crossing(a: &Piece, b: &Piece, near: Point2) -> Option<Point2> {
+    let candidates = match (a.shape, b.shape) {
+        (Shape::Line, Shape::Line) => {
+            let (d, e) = (a.heading[1], b.heading[0]);
+            let cross = d.cross(e);
+            let along = (b.from - a.from).cross(e) / cross;
+            [(cross.abs() > 1e-12).then(|| a.from + d * along), None]
+        }
+        (Shape::Line, Shape::Arc { centre, .. }) => {
+            line_circle(a.from, a.heading[1], centre, b.from.distance(centre))
+        }
+        (Shape::Arc { centre, .. }, Shape::Line) => {
+            line_circle(b.from, b.heading[0], centre, a.from.distance(centre))
+        }
+        (Shape::Arc { centre: c1, .. }, Shape::Arc { centre: c2, .. }) => {
+            circles(c1, a.from.distance(c1), c2, b.from.distance(c2))
+        }
+    };
+    let mut found = candidates.into_iter().flatten();
+    let first = found.next()?;
+    Some(found.fold(first, |best, p| if p.distance(near) < best.distance(near) { p } else { best }))
+}
+
+fn line_circle(p: Point2, d: Vec2, centre: Point2, radius: f64) -> [Option<Point2>; 2] {
+    let along = (centre - p).dot(d);
+    let foot = p + d * along;
+    let height = foot.distance(centre);
+    if height > radius {
+        return [None, None];
+    }
+    let half = (radius * radius - height * height).sqrt();
+    [Some(foot + d * half), Some(foot + d * -half)]
+}
+
+fn circles(c1: Point2, r1: f64, c2: Point2, r2: f64) -> [Option<Point2>; 2] {
+    let between = c2 - c1;
+    let distance = between.length();
+    let along = (distance * distance + r1 * r1 - r2 * r2) / (2.0 * distance);
+    let square = r1 * r1 - along * along;
+    let (Some(d), true) = (between.normalized(), square >= 0.0) else { return [None, None] };
+    let (foot, height) = (c1 + d * along, square.sqrt());
+    [Some(foot + d.left() * height), Some(foot + d.left() * -height)]
+}
+
+impl Compensator {
+    /// Keeps a command behind the move held back; gives it back when none is.
+    pub(super) fn keep(&mut self, sourced: Sourced) -> Option<Sourced> {
+        if self.held.is_none() {
+            return Some(sourced);
+        }
+        self.behind.push(sourced);
+        None
+    }
+
+    fn beside(&self, heading: Vec2) -> Vec2 {
+        heading.left() * (self.side * self.radius)
+    }
+}
+
+impl Core {
+    /// Where the tool has been sent.
+    pub(super) fn tool_position(&self) -> Axes {
+        self.compensator.as_ref().map_or(self.position, |c| c.tool)
+    }
+}
+
+impl Context<'_> {
+    /// G40, G41, G41.1, G42, G42.1.
+    pub(super) fn compensation(&mut self, g: &Gathered) -> Result<(), Stop> {
+        let Some(code) = g.g[COMPENSATION] else { return Ok(()) };
+        if code == 400 {
+            return self.end_compensation();
+        }
+        if self.core.compensator.is_some() {
+            let message = "compensation is on already";
+            return Err(self.fail(Code::Compensation, message, "G40 turns it off first"));
+        }
+        if self.core.state.modal.plane != Plane::Xy {
+            let message = "compensation outside the XY plane";
+            return Err(self.fail(Code::Compensation, message, "write G17 before it"));
+        }
+        let radius = self.tool_radius(g, matches!(code, 411 | 421))?;
+        let side = if matches!(code, 410 | 411) { Side::Left } else { Side::Right };
+        // A negative diameter, as tool tables have for measured tools, is the other side.
+        let sign = if (side == Side::Left) == (radius >= 0.0) { 1.0 } else { -1.0 };
+        self.core.state.modal.compensation = Some((side, radius));
+        self.core.compensator = Some(Compensator {
+            side: sign,
+            radius: radius.abs(),
+            first: true,
+            tool: self.core.position,
+            held: None,
+            behind: Vec::new(),
+        });
+        Ok(())
+    }
+
+    fn tool_radius(&mut self, g: &Gathered, given: bool) -> Result<f64, Stop> {
+        if given {
+            let Some(d) = g.get(b'D') else {
+                let hint = "G41.1 D6 compensates for a cutter of that diameter";
+                return Err(self.fail(Code::MissingWord, "G41.1 and G42.1 need D", hint));
+            };
+            return Ok(d * self.core.state.modal.unit.mm() / 2.0);
+        }
+        let number = g.get(b'D').map_or(self.core.state.tool, |d| d as u32);
+        if number == 0 {
+            return Ok(0.0);
+        }
+        if let Some(tool) = self.core.state.tools.get(&number) {
+            return Ok(tool.diameter_mm / 2.0);
+        }
+        let diameter = self.core.settings.cutter.diameter_mm;
+        let message = format!("the diameter of tool {number} is not known");
+        self.warn(Code::Unusual, message, format!("the cutter of the settings is taken: {diameter:.3} mm"));
+        Ok(diameter / 2.0)
+    }
+
+    /// What compensation does not allow.
+    pub(super) fn not_compensated(&self, what: &str) -> Stop {
+        let message = format!("{what} while cutter compensation is on");
+        self.fail(Code::Compensation, message, "write G40 before it")
+    }
+
+    /// G40, or the end of the program: what is held back is made.
+    pub(super) fn end_compensation(&mut self) -> Result<(), Stop> {
+        self.release();
+        if let Some(compensator) = self.core.compensator.take() {
+            self.core.position = compensator.tool;
+        }
+        self.core.state.modal.compensation = None;
+        Ok(())
+    }
+
+    /// Gives the move held back and what stands behind it.
+    fn release(&mut self) {
+        let Some(compensator) = &mut self.core.compensator else { return };
+        let (held, behind) = (compensator.held.take(), std::mem::take(&mut compensator.behind));
+        let before = compensator.tool;
+        if let Some(piece) = held {
+            let from = with_xy(before, piece.from);
+            if let Some(command) = piece.command(self.core, from) {
+                self.give(Sourced { at: piece.at, command });
+            }
+            self.set_tool_place(piece.to);
+        }
+        for mut sourced in behind {
+            if let Command::Line(line) = &mut sourced.command {
+                let place = self.core.tool_position();
+                line.to = with_xy(line.to, xy(place));
+                let to = line.to;
+                self.set_tool_place(to);
+            }
+            self.give(sourced);
+        }
+    }
+
+    fn set_tool_place(&mut self, place: Axes) {
+        if let Some(compensator) = &mut self.core.compensator {
+            compensator.tool = place;
+        }
+    }
+
+    /// A straight move along the programmed path.
+    pub(super) fn compensated_line(
+        &mut self,
+        kind: MoveKind,
+        to: Axes,
+        feed: Feed,
+    ) -> Result<(), Stop> {
+        let Some(compensator) = self.core.compensator.clone() else { return Ok(()) };
+        let corner = self.core.position;
+        let way = xy(to) - xy(corner);
+        let Some(heading) = way.normalized().filter(|_| way.length() > TINY_MM) else {
+            self.beside_moves(kind, to, feed);
+            return Ok(());
+        };
+        let beside = compensator.beside(heading);
+        let mut piece = Piece {
+            at: self.at,
+            kind,
+            feed,
+            from: xy(corner) + beside,
+            to: with_xy(to, xy(to) + beside),
+            shape: Shape::Line,
+            heading: [heading, heading],
+            entry: compensator.first,
+        };
+        if compensator.first {
+            if way.length() <= compensator.radius {
+                let message = "the entry move is not longer than the radius of the tool";
+                return Err(self.fail(Code::Compensation, message, "begin further away"));
+            }
+            piece.from = xy(compensator.tool);
+            let direction = (piece.end() - piece.from).normalized().unwrap_or(heading);
+            piece.heading = [direction, heading];
+            self.hold_back(piece);
+        } else {
+            self.join(piece, xy(corner))?;
+        }
+        self.core.position = to;
+        Ok(())
+    }
+
+    /// An arc of the programmed path.
+    pub(super) fn compensated_arc(
+        &mut self,
+        centre: [f64; 2],
+        sweep: f64,
+        to: Axes,
+        feed: Feed,
+    ) -> Result<(), Stop> {
+        let Some(compensator) = self.core.compensator.clone() else { return Ok(()) };
+        let (corner, centre) = (self.core.position, Point2::new(centre[0], centre[1]));
+        let programmed = Arc2 { start: xy(corner), centre, sweep_rad: sweep };
+        let closer = compensator.side * compensator.radius * sweep.signum();
+        let shifted = |p: Point2| -> Option<Point2> {
+            let radius = p.distance(centre);
+            (radius - closer > TINY_MM).then(|| centre + (p - centre) * ((radius - closer) / radius))
+        };
+        let (Some(from), Some(end)) = (shifted(xy(corner)), shifted(xy(to))) else {
+            let message = "the arc is smaller than the tool that should run inside it";
+            return Err(self.fail(Code::Compensation, message, "use a smaller cutter"));
+        };
+        let piece = Piece {
+            at: self.at,
+            kind: MoveKind::Cut,
+            feed,
+            from,
+            to: with_xy(to, end),
+            shape: Shape::Arc { centre, sweep },
+            heading: [programmed.direction(0.0), programmed.direction(1.0)],
+            entry: compensator.first,
+        };
+        if compensator.first {
+            self.enter_by_arc(piece, xy(compensator.tool), centre, sweep)?;
+        } else {
+            self.join(piece, xy(corner))?;
+        }
+        self.core.position = to;
+        Ok(())
+    }
+
+    /// An entry by arc: from where the tool is to the place beside the end, tangent there.
+    fn enter_by_arc(
+        &mut self,
+        mut piece: Piece,
+        tool: Point2,
+        centre: Point2,
+        sweep: f64,
+    ) -> Result<(), Stop> {
+        let end = piece.end();
+        let lost = || {
+            let message = "the tool cannot be led onto the path by this arc";
+            self.fail(Code::Compensation, message, "enter along a straight line")
+        };
+        let inward = (centre - end).normalized().ok_or_else(lost)?;
+        let chord = tool - end;
+        // The centre lies on the radius at the end, as far from the tool as from the end.
+        let across = 2.0 * chord.dot(inward);
+        let radius = chord.dot(chord) / across;
+        if !radius.is_finite() || radius.abs() < TINY_MM {
+            return Err(lost());
+        }
+        let middle = end + inward * radius;
+        let (a, b) = (tool - middle, end - middle);
+        let mut angle = a.cross(b).atan2(a.dot(b));
+        if angle * sweep < 0.0 {
+            angle += std::f64::consts::TAU.copysign(sweep);
+        }
+        piece.from = tool;
+        piece.shape = Shape::Arc { centre: middle, sweep: angle };
+        self.hold_back(piece);
+        Ok(())
+    }
+
+    /// A move of Z and other axes alone: the tool stays beside the path.
+    fn beside_moves(&mut self, kind: MoveKind, to: Axes, feed: Feed) {
+        if to == self.core.position {
+            return;
+        }
+        self.core.position = to;
+        let command = Command::Line(Line { kind, to, feed });
+        let at = self.at;
+        let Some(compensator) = &mut self.core.compensator else { return };
+        if compensator.held.is_some() {
+            compensator.behind.push(Sourced { at, command });
+            return;
+        }
+        let place = with_xy(to, xy(compensator.tool));
+        compensator.tool = place;
+        let command = Command::Line(Line { kind, to: place, feed });
+        self.give(Sourced { at, command });
+    }
+
+    fn hold_back(&mut self, piece: Piece) {
+        self.release();
+        if let Some(compensator) = &mut self.core.compensator {
+            compensator.held = Some(piece);
+            compensator.first = false;
+        }
+    }
+
+    /// Joins the next move to the one held back, at a corner of the programmed path.
+    fn join(&mut self, next: Piece, corner: Point2) -> Result<(), Stop> {
+        let Some(compensator) = &self.core.compensator else { return Ok(()) };
+        let (side, held) = (compensator.side, compensator.held);
+        let Some(before) = held else {
+            self.hold_back(next);
+            return Ok(());
+        };
+        let (d, e) = (before.heading[1], next.heading[0]);
+        let angle = d.cross(e).atan2(d.dot(e));
+        let reversal = angle.abs() > std::f64::consts::PI - STRAIGHT_RAD;
+        if angle.abs() < STRAIGHT_RAD {
+            let next = Piece { from: before.end(), ..next };
+            self.hold_back(next);
+        } else if angle * side < 0.0 || reversal {
+            let angle = if reversal { -std::f64::consts::PI * side } else { angle };
+            self.round_corner(&before, &next, corner, angle);
+            self.hold_back(next);
+        } else {
+            self.inside_corner(before, next)?;
+        }
+        Ok(())
+    }
+
+    /// Round an outside corner.
+    fn round_corner(&mut self, before: &Piece, next: &Piece, corner: Point2, angle: f64) {
+        let height = match &self.core.compensator {
+            Some(c) => c.behind.iter().rev().find_map(|s| match &s.command {
+                Command::Line(line) => Some(line.to),
+                _ => None,
+            }),
+            None => None,
+        };
+        let level = height.unwrap_or(before.to);
+        let around = Piece {
+            at: next.at,
+            kind: next.kind,
+            feed: if matches!(next.feed, Feed::Time(_)) { before.feed } else { next.feed },
+            from: before.end(),
+            to: with_xy(level, next.from),
+            shape: Shape::Arc { centre: corner, sweep: angle },
+            heading: [before.heading[1], next.heading[0]],
+            entry: false,
+        };
+        self.hold_back(around);
+    }
+
+    /// At an inside corner both moves end where they cross.
+    fn inside_corner(&mut self, before: Piece, next: Piece) -> Result<(), Stop> {
+        if before.entry {
+            let message = "the entry move meets the path at an inside corner";
+            let hint = "come from the other side, or along the path";
+            return Err(self.fail(Code::Compensation, message, hint));
+        }
+        let trimmed = crossing(&before, &next, before.end())
+            .and_then(|p| Some((before.ending_at(p)?, next.starting_at(p)?)));
+        let Some((before, next)) = trimmed else {
+            let message = "the tool does not fit into this inside corner";
+            return Err(self.fail(Code::Compensation, message, "use a smaller cutter, or longer moves"));
+        };
+        if let Some(compensator) = &mut self.core.compensator {
+            compensator.held = Some(before);
+        }
+        self.hold_back(next);
+        Ok(())
+    }
+}

@@ -1,0 +1,251 @@
+//! Canned cycles: G73, G81 … G89 (RS274/NGC 3.5.16), in any plane.
+//!
+//! A cycle is a list of moves along the drilling axis, made at each place.
+
+use super::Dialect;
+use super::context::{Context, Stop};
+use super::state::Plane;
+use crate::codes::g_name;
+use crate::gathered::Gathered;
+use kerf_diag::Code;
+use kerf_program::{Command, MoveKind, Turn};
+use serde::{Deserialize, Serialize};
+
+/// How far above the last bottom a peck begins again: LinuxCNC's 0.010 in.
+const AGAIN_MM: f64 = 0.254;
+/// Repeats of one block; more is a number out of all proportion.
+const MOST_REPEATS: f64 = 100_000.0;
+/// Pecks of one hole.
+const MOST_PECKS: f64 = 10_000.0;
+
+/// What holds from block to block while cycles follow each other. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Cycle {
+    /// Where the drilling axis was before the first of them.
+    initial: f64,
+    /// The word R as written, in the unit of the plane's axis.
+    r: Option<f64>,
+    /// The word of the drilling axis.
+    depth: Option<f64>,
+    p: Option<f64>,
+    q: Option<f64>,
+}
+
+/// One hole.
+#[derive(Clone, Copy, Debug)]
+struct Hole {
+    code: i32,
+    /// Axes of the plane, the drilling one last.
+    axes: [usize; 3],
+    r: f64,
+    bottom: f64,
+    clear: f64,
+    dwell: f64,
+    peck: f64,
+    /// I, J, K of G87.
+    beside: [f64; 2],
+    middle: f64,
+}
+
+impl Context<'_> {
+    pub(super) fn cycle(&mut self, g: &Gathered, code: i32) -> Result<(), Stop> {
+        if self.core.compensator.is_some() {
+            return Err(self.not_compensated("a canned cycle"));
+        }
+        let axes = self.core.state.modal.plane.axes();
+        let letters = axes.map(|a| b"XYZ"[a]);
+        let here = self.core.place_of(self.core.position).0[axes[2]];
+        let mut cycle = self.core.cycle.unwrap_or(Cycle { initial: here, r: None, depth: None, p: None, q: None });
+        cycle.r = g.get(b'R').or(cycle.r);
+        cycle.depth = g.get(letters[2]).or(cycle.depth);
+        cycle.p = g.get(b'P').or(cycle.p);
+        cycle.q = g.get(b'Q').or(cycle.q);
+        let hole = self.hole(g, code, &cycle, here)?;
+        self.core.cycle = Some(cycle);
+        let times = g.get(b'L').unwrap_or(1.0);
+        if times.fract() != 0.0 || !(0.0..=MOST_REPEATS).contains(&times) {
+            let message = format!("L of a cycle is how often it is made, not {times}");
+            return Err(self.fail(Code::OutOfRange, message, "L is a whole number from 1"));
+        }
+        self.repeat_hole(g, &hole, times as u32, here)
+    }
+
+    /// The heights of a hole.
+    fn hole(&self, g: &Gathered, code: i32, cycle: &Cycle, here: f64) -> Result<Hole, Stop> {
+        let modal = &self.core.state.modal;
+        let axes = modal.plane.axes();
+        let scale = self.core.scale[axes[2]];
+        let letter = ['X', 'Y', 'Z'][axes[2]];
+        let (Some(r), Some(depth)) = (cycle.r, cycle.depth) else {
+            let what = if cycle.r.is_none() { 'R' } else { letter };
+            let message = format!("{} without {what}", g_name(code));
+            let hint = format!("a cycle needs {letter} for the bottom and R for the height it begins at");
+            return Err(self.fail(Code::MissingWord, message, hint));
+        };
+        let (r, bottom) = if modal.relative {
+            (here + r * scale, here + (r + depth) * scale)
+        } else {
+            (r * scale, depth * scale)
+        };
+        if r < bottom {
+            let message = format!("R lies below {letter}");
+            return Err(self.fail(Code::OutOfRange, message, "a cycle drills down from R"));
+        }
+        let peck = cycle.q.unwrap_or_default() * self.core.state.modal.unit.mm();
+        if matches!(code, 730 | 830) && peck <= 0.0 {
+            let message = format!("{} without Q", g_name(code));
+            return Err(self.fail(Code::MissingWord, message, "Q is the depth of one peck"));
+        }
+        if peck > 0.0 && (r - bottom) / peck > MOST_PECKS {
+            return Err(self.fail(Code::OutOfRange, "Q is far too small for this depth", ""));
+        }
+        if cycle.p.is_some_and(|p| p < 0.0) {
+            return Err(self.fail(Code::OutOfRange, "P may not be negative", "it is a time in seconds"));
+        }
+        let clear = if modal.return_to_r { r } else { cycle.initial.max(here).max(r) };
+        let beside = [b'I', b'J', b'K'].map(|l| g.or_zero(l) * modal.unit.mm());
+        Ok(Hole {
+            code,
+            axes,
+            r,
+            bottom,
+            clear,
+            dwell: cycle.p.unwrap_or_default(),
+            peck,
+            beside: [beside[axes[0]], beside[axes[1]]],
+            middle: beside[axes[2]],
+        })
+    }
+
+    fn repeat_hole(&mut self, g: &Gathered, hole: &Hole, times: u32, here: f64) -> Result<(), Stop> {
+        let mut places = g.clone();
+        places.clear(b"XYZ"[hole.axes[2]]);
+        if here < hole.r {
+            self.along(hole, MoveKind::Jog, hole.r)?;
+        }
+        for _ in 0..times {
+            let to = self.target(&places)?;
+            self.line(MoveKind::Jog, to)?;
+            self.along(hole, MoveKind::Jog, hole.r)?;
+            self.drill(hole)?;
+        }
+        Ok(())
+    }
+
+    /// A move of the drilling axis to a place, mm.
+    fn along(&mut self, hole: &Hole, kind: MoveKind, place: f64) -> Result<(), Stop> {
+        self.to_places(kind, &[(hole.axes[2], place)])
+    }
+
+    fn to_places(&mut self, kind: MoveKind, places: &[(usize, f64)]) -> Result<(), Stop> {
+        let to = self.core.moved(self.core.position, places.iter().copied());
+        match kind {
+            MoveKind::Jog => self.line(kind, to),
+            MoveKind::Cut => {
+                let feed = self.feed(self.core.position, to)?;
+                self.line_at(kind, to, feed)
+            }
+        }
+    }
+
+    fn wait(&mut self, seconds: f64) {
+        if seconds > 0.0 {
+            self.emit(Command::Wait { seconds });
+        }
+    }
+
+    /// The moves of one hole, from R on.
+    fn drill(&mut self, hole: &Hole) -> Result<(), Stop> {
+        match hole.code {
+            730 | 830 => self.peck(hole)?,
+            870 => return self.bore_from_behind(hole),
+            _ => self.along(hole, MoveKind::Cut, hole.bottom)?,
+        }
+        if matches!(hole.code, 820 | 840 | 860 | 880 | 890) {
+            self.wait(hole.dwell);
+        }
+        match hole.code {
+            840 => self.tap(hole),
+            850 | 890 => self.along(hole, MoveKind::Cut, hole.clear),
+            860 | 880 => self.retract_stopped(hole),
+            _ => self.along(hole, MoveKind::Jog, hole.clear),
+        }
+    }
+
+    /// G73 breaks the chip, G83 brings it out.
+    fn peck(&mut self, hole: &Hole) -> Result<(), Stop> {
+        let mut depth = hole.r - hole.peck;
+        while depth > hole.bottom {
+            self.along(hole, MoveKind::Cut, depth)?;
+            if hole.code == 830 {
+                self.along(hole, MoveKind::Jog, hole.r)?;
+            }
+            self.along(hole, MoveKind::Jog, (depth + AGAIN_MM).min(hole.r))?;
+            depth -= hole.peck;
+        }
+        self.along(hole, MoveKind::Cut, hole.bottom)
+    }
+
+    fn spindle_turn(&self, hole: &Hole) -> Result<Turn, Stop> {
+        let turn = self.core.state.modal.turn;
+        if turn != Turn::Off || self.core.options.dialect == Dialect::Generic {
+            return Ok(turn);
+        }
+        let message = format!("{} while the spindle stands", g_name(hole.code));
+        Err(self.fail(Code::MissingWord, message, "M3 or M4 before the cycle turns it on"))
+    }
+
+    fn tap(&mut self, hole: &Hole) -> Result<(), Stop> {
+        let turn = self.spindle_turn(hole)?;
+        let back = match turn {
+            Turn::Clockwise => Turn::Counterclockwise,
+            Turn::Counterclockwise => Turn::Clockwise,
+            other => other,
+        };
+        self.turn_spindle(back);
+        self.along(hole, MoveKind::Cut, hole.clear)?;
+        self.turn_spindle(turn);
+        Ok(())
+    }
+
+    /// G86, G88: out with the spindle at rest.
+    fn retract_stopped(&mut self, hole: &Hole) -> Result<(), Stop> {
+        let turn = self.spindle_turn(hole)?;
+        self.turn_spindle(Turn::Off);
+        if hole.code == 880 {
+            self.emit(Command::Message { text: "G88: retract by hand, then go on".into() });
+        }
+        self.along(hole, MoveKind::Jog, hole.clear)?;
+        self.turn_spindle(turn);
+        Ok(())
+    }
+
+    /// G87: in beside the hole, up from below.
+    fn bore_from_behind(&mut self, hole: &Hole) -> Result<(), Stop> {
+        let turn = self.spindle_turn(hole)?;
+        let [u, v, _] = hole.axes;
+        let place = self.core.place_of(self.core.position);
+        let at = [(u, place.0[u]), (v, place.0[v])];
+        let beside = [(u, place.0[u] + hole.beside[0]), (v, place.0[v] + hole.beside[1])];
+        self.to_places(MoveKind::Jog, &beside)?;
+        self.turn_spindle(Turn::Off);
+        self.along(hole, MoveKind::Jog, hole.bottom)?;
+        self.to_places(MoveKind::Jog, &at)?;
+        self.turn_spindle(turn);
+        self.along(hole, MoveKind::Cut, hole.middle.max(hole.bottom))?;
+        self.along(hole, MoveKind::Cut, hole.bottom)?;
+        self.turn_spindle(Turn::Off);
+        self.to_places(MoveKind::Jog, &beside)?;
+        self.along(hole, MoveKind::Jog, hole.clear)?;
+        self.to_places(MoveKind::Jog, &at)?;
+        self.turn_spindle(turn);
+        Ok(())
+    }
+}
+
+impl Plane {
+    /// The axis that cycles drill along.
+    pub const fn drilling_axis(self) -> usize {
+        self.axes()[2]
+    }
+}

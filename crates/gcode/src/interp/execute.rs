@@ -1,0 +1,190 @@
+//! One block, in the order that RS274/NGC lays down (section 3.8, table 8), with LinuxCNC's
+//! additions at the places LinuxCNC gives them.
+
+use super::context::{Context, Stop};
+use super::Dialect;
+use crate::codes::{
+    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, ONCE, PATH, PLANE, RETURN, SPINDLE,
+    STATE, STOP, SYSTEM, TOOL, TOOL_LENGTH, UNITS, g_name,
+};
+use crate::gathered::{AXIS_WORDS, Gathered, letters};
+use kerf_diag::Code;
+use kerf_program::{Axis, Status};
+
+/// Letters that ask for a motion.
+const MOVING: u32 = AXIS_WORDS | letters(b"@^");
+/// Letters that ask for another turn of an arc.
+const CENTRE: u32 = letters(b"IJK");
+
+impl Context<'_> {
+    /// Carries out a block.
+    pub(super) fn execute(&mut self, g: &Gathered) -> Result<(), Stop> {
+        if !stops(g) {
+            return self.carry_out(g);
+        }
+        // A block that stops the program is repeated as a whole when the host has no answer yet.
+        self.settle()?;
+        let saved = self.core.clone();
+        let outcome = self.carry_out(g);
+        if matches!(outcome, Err(Stop::Waiting)) {
+            *self.core = saved;
+        }
+        outcome
+    }
+
+    fn carry_out(&mut self, g: &Gathered) -> Result<(), Stop> {
+        self.need_dialect(g)?;
+        let motion = self.motion_of(g);
+        self.need_use(g, motion)?;
+        self.need_axes(g)?;
+        self.feed_mode(g);
+        self.unit(g)?;
+        self.take_feed(g)?;
+        self.take_speed(g);
+        if let Some(tool) = g.get(b'T') {
+            self.core.state.selected = tool as u32;
+        }
+        self.inputs_and_outputs(g)?;
+        self.tool_change(g)?;
+        self.spindle(g)?;
+        self.keep_modes(g)?;
+        self.coolant(g);
+        self.overrides(g);
+        if g.g[ONCE] == Some(40) {
+            self.dwell(g);
+        }
+        self.plane(g)?;
+        self.compensation(g)?;
+        self.tool_length(g)?;
+        self.system(g)?;
+        self.path_control(g);
+        self.distance(g);
+        self.once(g)?;
+        if let Some(motion) = motion {
+            self.set_motion(g, motion)?;
+        }
+        self.stop(g)
+    }
+
+    /// The motion that this block makes, in tenths; `None` when it makes none.
+    fn motion_of(&self, g: &Gathered) -> Option<i32> {
+        if let Some(motion) = g.g[MOTION] {
+            return Some(motion);
+        }
+        let modal = self.core.state.modal.motion;
+        let arc = matches!(modal, Some(20 | 30)) && g.has_any(CENTRE);
+        let wanted = !g.axes_taken() && (g.has_any(MOVING) || arc);
+        if wanted { modal } else { None }
+    }
+
+    fn need_use(&mut self, g: &Gathered, motion: Option<i32>) -> Result<(), Stop> {
+        let Some(letter) = g.unused(motion) else { return Ok(()) };
+        let axes = g.has_any(MOVING) && motion.is_none() && !g.axes_taken();
+        let (message, hint) = if matches!(letter, 'U' | 'V' | 'W') {
+            (format!("there is no axis {letter}"), "axes are X Y Z A B C")
+        } else if axes && "XYZABC@^".contains(letter) {
+            let what = format!("{letter} without a motion");
+            (what, "no motion is in force here; write G0 or G1 before it")
+        } else {
+            (format!("nothing in this block uses {letter}"), "is a code missing, or the letter wrong?")
+        };
+        if self.core.options.dialect == Dialect::Generic && !axes {
+            self.warn(Code::UnusedWord, message, hint);
+            return Ok(());
+        }
+        Err(self.fail(Code::UnusedWord, message, hint))
+    }
+
+    /// Refuses an axis that VD has not switched on.
+    fn need_axes(&self, g: &Gathered) -> Result<(), Stop> {
+        for axis in Axis::ALL {
+            let given = g.has(axis.letter() as u8);
+            if given && axis.index() >= usize::from(self.core.settings.axis_count) {
+                let message = format!("{} axis not active", axis.letter());
+                let hint = "switch it on in the machine's configuration";
+                return Err(self.fail(Code::AxisNotActive, message, hint));
+            }
+        }
+        Ok(())
+    }
+
+    /// What grbl does not have.
+    fn need_dialect(&self, g: &Gathered) -> Result<(), Stop> {
+        if self.core.options.dialect != Dialect::Grbl {
+            return Ok(());
+        }
+        let lacking = [
+            (MOTION, g.g[MOTION].filter(|m| matches!(m, 50..=53 | 730 | 810..=890))),
+            (ONCE, g.g[ONCE].filter(|m| matches!(m, 520 | 922 | 923))),
+            (COMPENSATION, g.g[COMPENSATION].filter(|c| *c != 400)),
+            (TOOL_LENGTH, g.g[TOOL_LENGTH].filter(|c| *c == 430)),
+            (SYSTEM, g.g[SYSTEM].filter(|c| *c > 590)),
+            (PATH, g.g[PATH].filter(|c| *c != 610)),
+            (RETURN, g.g[RETURN]),
+            (FEED_MODE, g.g[FEED_MODE].filter(|c| *c == 950)),
+            (ARC_DISTANCE, g.g[ARC_DISTANCE].filter(|c| *c == 901)),
+            (UNITS, g.g[UNITS].filter(|c| *c > 210)),
+        ];
+        let g_code = lacking.into_iter().find_map(|(_, code)| code).map(g_name);
+        let m_code = [
+            g.m[STOP].filter(|c| matches!(c, 60 | 98 | 99)),
+            g.m[IO],
+            g.m[TOOL],
+            g.m[SPINDLE].filter(|c| *c == 19),
+            g.m[STATE],
+        ];
+        let m_code = m_code.into_iter().flatten().next().map(|m| format!("M{m}"));
+        let Some(code) = g_code.or(m_code) else { return Ok(()) };
+        Err(self.fail(Code::NotInDialect, format!("grbl has no {code}"), "run it with --dialect linuxcnc"))
+    }
+
+    fn distance(&mut self, g: &Gathered) {
+        let modal = &mut self.core.state.modal;
+        if let Some(code) = g.g[DISTANCE] {
+            modal.relative = code == 910;
+        }
+        if let Some(code) = g.g[ARC_DISTANCE] {
+            modal.arc_absolute = code == 901;
+        }
+        if let Some(code) = g.g[RETURN] {
+            modal.return_to_r = code == 990;
+        }
+    }
+
+    fn plane(&mut self, g: &Gathered) -> Result<(), Stop> {
+        use super::Plane;
+        let Some(code) = g.g[PLANE] else { return Ok(()) };
+        let plane = match code {
+            170 => Plane::Xy,
+            180 => Plane::Zx,
+            _ => Plane::Yz,
+        };
+        if self.core.compensator.is_some() && plane != Plane::Xy {
+            return Err(self.not_compensated("another plane"));
+        }
+        self.core.state.modal.plane = plane;
+        Ok(())
+    }
+
+    /// The file is over.
+    pub(super) fn end_of_file(&mut self) -> Result<(), Stop> {
+        if self.core.calls.len() > 1 {
+            return self.leave_call(None);
+        }
+        self.core.over = true;
+        Ok(())
+    }
+
+    /// The run ends before its time.
+    pub(super) const fn ended(status: Status) -> Stop {
+        Stop::Finished(status)
+    }
+}
+
+/// Whether a block waits for the machine, the operator or an input.
+fn stops(g: &Gathered) -> bool {
+    matches!(g.m[STOP], Some(0 | 1 | 60))
+        || g.m[TOOL] == Some(6)
+        || g.m[IO] == Some(66)
+        || matches!(g.g[MOTION], Some(382..=385))
+}

@@ -1,0 +1,71 @@
+//! F: how fast a cutting move goes.
+
+use super::context::{Context, Stop};
+use super::state::{FeedMode, Rates};
+use super::Dialect;
+use crate::gathered::Gathered;
+use kerf_diag::Code;
+use kerf_program::{Axes, Feed};
+
+impl Rates {
+    /// The rates of an F word; `None` for F0.
+    pub(super) fn new(f: f64, unit_mm: f64) -> Option<Self> {
+        (f > 0.0).then_some(Self { linear: f * unit_mm, rotary: f })
+    }
+}
+
+/// The feed of a straight move: F counts along X, Y, Z, or along rotary axes when only they move.
+pub(super) fn along(rates: Rates, from: Axes, to: Axes) -> Feed {
+    let space = (0..3).any(|i| from.0[i] != to.0[i]);
+    Feed::Path(if space { rates.linear } else { rates.rotary } / 60.0)
+}
+
+impl Context<'_> {
+    /// Takes the F word.
+    pub(super) fn take_feed(&mut self, g: &Gathered) -> Result<(), Stop> {
+        let modal = &mut self.core.state.modal;
+        let Some(f) = g.get(b'F') else {
+            // In inverse time every block has its own.
+            if modal.feed_mode == FeedMode::Inverse {
+                modal.feed = None;
+            }
+            return Ok(());
+        };
+        modal.feed = Rates::new(f, modal.unit.mm());
+        Ok(())
+    }
+
+    /// The feed of a cutting move.
+    pub(super) fn feed(&mut self, from: Axes, to: Axes) -> Result<Feed, Stop> {
+        let modal = &self.core.state.modal;
+        let Some(rates) = modal.feed else { return self.no_feed() };
+        match modal.feed_mode {
+            FeedMode::PerMinute => Ok(along(rates, from, to)),
+            FeedMode::Inverse => Ok(Feed::Time(60.0 / rates.rotary)),
+            FeedMode::PerTurn if modal.rpm > 0.0 => {
+                let Feed::Path(per_turn) = along(rates, from, to) else { return Ok(Feed::Axis) };
+                Ok(Feed::Path(per_turn * modal.rpm))
+            }
+            FeedMode::PerTurn => {
+                let message = "feed per turn, but the spindle has no speed";
+                Err(self.fail(Code::FeedMissing, message, "give S before G95 moves"))
+            }
+        }
+    }
+
+    fn no_feed(&mut self) -> Result<Feed, Stop> {
+        let inverse = self.core.state.modal.feed_mode == FeedMode::Inverse;
+        let (message, hint) = if inverse {
+            ("no F in this block", "with G93 every cutting block needs its own F")
+        } else {
+            ("a cutting move without a feed", "give F with a value above zero before it or in it")
+        };
+        if self.core.options.dialect != Dialect::Generic || inverse {
+            return Err(self.fail(Code::FeedMissing, message, hint));
+        }
+        if !std::mem::replace(&mut self.core.told.feed, true) {
+            self.warn(Code::FeedMissing, message, "the speeds of the settings are used");
+        }
+        Ok(Feed::Axis)
+    }
+}

@@ -1,0 +1,32 @@
+//! How an interpreter is saved: the text of its programs once, then the state.
+
+use super::{Core, Interpreter};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// What is written: programs as name and text, read again when restored.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Saved {
+    programs: Vec<(String, String)>,
+    core: Core,
+}
+
+impl From<Interpreter> for Saved {
+    fn from(interpreter: Interpreter) -> Self {
+        let core = interpreter.core;
+        let programs =
+            core.programs.iter().map(|p| (p.name.to_string(), p.text.to_string())).collect();
+        Self { programs, core }
+    }
+}
+
+impl From<Saved> for Interpreter {
+    fn from(saved: Saved) -> Self {
+        let Saved { programs, mut core } = saved;
+        core.programs = programs
+            .into_iter()
+            .map(|(name, text)| Arc::new(crate::read(name.into(), text.as_bytes())))
+            .collect();
+        Self { core }
+    }
+}

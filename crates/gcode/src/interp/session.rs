@@ -1,0 +1,98 @@
+//! What a run starts from and what stays after it.
+
+use super::state::State;
+use kerf_program::{Axes, Frame, Settings};
+use serde::{Deserialize, Serialize};
+
+/// Which controller's reading of the language holds where they differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Dialect {
+    /// LinuxCNC: everything.
+    #[default]
+    LinuxCnc,
+    /// grbl: millimetres unless said otherwise, no cycles, no compensation, lines with `$`.
+    Grbl,
+    /// Any router: everything, and doubtful blocks only give warnings.
+    Generic,
+}
+
+impl Dialect {
+    /// The name people use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::LinuxCnc => "linuxcnc",
+            Self::Grbl => "grbl",
+            Self::Generic => "generic",
+        }
+    }
+}
+
+/// The state of the machine's memory between runs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Session {
+    /// The settings.
+    pub settings: Settings,
+    /// The frames. The working zero is the one of the coordinate system in force: where another
+    /// language moved it, the system's offset follows.
+    pub frame: Frame,
+    /// Where the machine is, machine frame.
+    pub position: Axes,
+    /// What belongs to G-code alone: offsets, parameters, tools, modes.
+    pub state: State,
+}
+
+/// How a program is run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Options {
+    /// Which reading of the language.
+    pub dialect: Dialect,
+    /// Bound on executed lines; 0 is none.
+    pub max_lines: u64,
+    /// Errors found while running are told as diagnostics, and the run goes on in the next line.
+    pub keep_going: bool,
+    /// This run is a preview: a probe that meets nothing counts as meeting it at its end.
+    pub preview: bool,
+    /// Lines that begin with `/` are left out (of this level and below; 0 runs them all).
+    pub block_delete: u8,
+    /// M1 stops.
+    pub optional_stop: bool,
+    /// Modes of the state hold from the start, as for lines typed one by one; otherwise a program
+    /// begins with the usual ones.
+    pub keep_modes: bool,
+    /// M4 drives a laser whose power follows the speed (grbl's laser mode).
+    pub laser: bool,
+    /// Comments become messages.
+    pub comments: bool,
+    /// The output that follows the spindle, for machines that switch it so; 0 for none.
+    pub spindle_output: u8,
+    /// The input that a probe is wired to.
+    pub probe_input: u8,
+    /// How far chords may lie from a curve that is no circle in XY, mm.
+    pub tolerance_mm: f64,
+    /// What X, Y and Z of the file are multiplied with (FP).
+    pub proportion: [f64; 3],
+    /// Working location that is zero for the file, mm (FP).
+    pub temporary_zero_mm: [f64; 3],
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            dialect: Dialect::LinuxCnc,
+            max_lines: 50_000_000,
+            keep_going: false,
+            preview: false,
+            block_delete: 0,
+            optional_stop: false,
+            keep_modes: false,
+            laser: false,
+            comments: true,
+            spindle_output: 1,
+            probe_input: 1,
+            tolerance_mm: 0.005,
+            proportion: [1.0; 3],
+            temporary_zero_mm: [0.0; 3],
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! What G-code remembers: modes, offsets, parameters, tools.
+
+use kerf_program::settings::LinearUnit;
+use kerf_program::{Axes, PathControl, Turn};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The plane of arcs and cycles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Plane {
+    /// G17.
+    #[default]
+    Xy,
+    /// G18.
+    Zx,
+    /// G19.
+    Yz,
+}
+
+impl Plane {
+    /// Indices of the first, second and third axis: the third is the one that drills, and turning
+    /// from the first to the second is counter-clockwise.
+    pub const fn axes(self) -> [usize; 3] {
+        match self {
+            Self::Xy => [0, 1, 2],
+            Self::Zx => [2, 0, 1],
+            Self::Yz => [1, 2, 0],
+        }
+    }
+}
+
+/// How F is meant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum FeedMode {
+    /// G93: one over the minutes a move takes.
+    Inverse,
+    /// G94: units a minute.
+    #[default]
+    PerMinute,
+    /// G95: units a turn of the spindle.
+    PerTurn,
+}
+
+/// The side of the path that compensation keeps the tool on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs)]
+pub enum Side {
+    Left,
+    Right,
+}
+
+/// A feed, for moves of X, Y, Z and for those of rotary axes alone.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rates {
+    /// Millimetres in a minute or in a turn.
+    pub linear: f64,
+    /// Degrees in a minute or in a turn.
+    pub rotary: f64,
+}
+
+/// The modes in force.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Modal {
+    /// The motion that a place alone makes, as ten times its G number; `None` after G80.
+    pub motion: Option<i32>,
+    /// The plane.
+    pub plane: Plane,
+    /// G91.
+    pub relative: bool,
+    /// G90.1: arc centres are places.
+    pub arc_absolute: bool,
+    /// How F is meant.
+    pub feed_mode: FeedMode,
+    /// The unit of the file.
+    pub unit: LinearUnit,
+    /// The file said which unit it has.
+    pub unit_said: bool,
+    /// Cutter compensation: the side and the radius of the tool, mm.
+    pub compensation: Option<(Side, f64)>,
+    /// G99: cycles return to R, not to where they began.
+    pub return_to_r: bool,
+    /// The coordinate system, 0 for G54.
+    pub system: usize,
+    /// G61, G61.1, G64.
+    pub path: PathControl,
+    /// The feed; `None` until F is given.
+    pub feed: Option<Rates>,
+    /// Revolutions a minute (S).
+    pub rpm: f64,
+    /// Spindle direction.
+    pub turn: Turn,
+    /// M7.
+    pub mist: bool,
+    /// M8.
+    pub flood: bool,
+    /// Feed and spindle overrides hold.
+    pub overrides: [bool; 2],
+}
+
+impl Default for Modal {
+    fn default() -> Self {
+        Self {
+            motion: None,
+            plane: Plane::Xy,
+            relative: false,
+            arc_absolute: false,
+            feed_mode: FeedMode::PerMinute,
+            unit: LinearUnit::Inch,
+            unit_said: false,
+            compensation: None,
+            return_to_r: false,
+            system: 0,
+            path: PathControl::Blend { tolerance_mm: None, merge_mm: None },
+            feed: None,
+            rpm: 0.0,
+            turn: Turn::Off,
+            mist: false,
+            flood: false,
+            overrides: [true; 2],
+        }
+    }
+}
+
+/// A coordinate system of G54 … G59.3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct CoordinateSystem {
+    /// Its zero in the machine frame, mm and degrees.
+    pub offset: Axes,
+    /// How far it is turned about Z, degrees.
+    pub rotation_deg: f64,
+}
+
+/// A tool of the tool table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Tool {
+    /// Cutter diameter, mm.
+    pub diameter_mm: f64,
+    /// Its offset, mm: Z is its length.
+    pub offset: Axes,
+}
+
+/// What G-code remembers between blocks and between runs. All lengths are millimetres.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// The modes.
+    pub modal: Modal,
+    /// G54, G55 … G59.3.
+    pub systems: [CoordinateSystem; 9],
+    /// The shift of G92 and G52.
+    pub shift: Axes,
+    /// The shift that G92.3 brings back.
+    pub shift_kept: Axes,
+    /// The tool offset in force (G43, G43.1).
+    pub tool_offset: Axes,
+    /// The tool in the spindle.
+    pub tool: u32,
+    /// The tool that M6 puts in (T).
+    pub selected: u32,
+    /// Where G28 and G30 go, machine frame.
+    pub home: [Axes; 2],
+    /// Where the last probe move ended, machine frame.
+    pub probed: Axes,
+    /// The last probe move made contact.
+    pub probe_hit: bool,
+    /// Numbered parameters from 31 on.
+    pub parameters: BTreeMap<u32, f64>,
+    /// Named parameters that begin with an underscore.
+    pub globals: BTreeMap<Arc<str>, f64>,
+    /// The tool table.
+    pub tools: BTreeMap<u32, Tool>,
+}

@@ -1,0 +1,205 @@
+//! What is gathered while a file is read.
+
+use super::compact::Compact;
+use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, foreign, is_blank, link, moves};
+use crate::expr::Expr;
+use crate::gathered::Fault;
+use crate::tree::{Block, Extra, LineNode, Node, Program, Span, Word};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A file while it is read.
+#[derive(Debug)]
+pub(super) struct File {
+    name: Arc<str>,
+    lines: Vec<LineNode>,
+    numbers: Vec<f64>,
+    pub(super) blocks: Vec<Block>,
+    pub(super) words: Vec<Word>,
+    pub(super) extras: Vec<Extra>,
+    pub(super) exprs: Vec<Expr>,
+    names: Vec<Arc<str>>,
+    name_ids: BTreeMap<Arc<str>, u32>,
+    diagnostics: Vec<Diagnostic>,
+    /// Diagnostics that were told but not kept.
+    untold: usize,
+    /// Lines that look like OpenSBP.
+    foreign: usize,
+    compact: Compact,
+}
+
+impl File {
+    pub(super) fn new(name: Arc<str>) -> Self {
+        Self {
+            name,
+            lines: Vec::new(),
+            numbers: Vec::new(),
+            blocks: Vec::new(),
+            words: Vec::new(),
+            extras: Vec::new(),
+            exprs: Vec::new(),
+            names: Vec::new(),
+            name_ids: BTreeMap::new(),
+            diagnostics: Vec::new(),
+            untold: 0,
+            foreign: 0,
+            compact: Compact::default(),
+        }
+    }
+
+    /// Reads every line of a text.
+    pub(super) fn read(&mut self, text: &str) {
+        let bytes = text.as_bytes();
+        self.lines.reserve(memchr::memchr_iter(b'\n', bytes).count() + 1);
+        // A word of a move takes about eight characters.
+        self.numbers.reserve(bytes.len() / 8);
+        let mut start = 0;
+        while start < bytes.len() {
+            let (node, next) = match moves::read(bytes, start, &mut self.numbers) {
+                Some((node, end)) => (node, after_line_end(bytes, end)),
+                None => {
+                    let (end, next) = line_end(bytes, start);
+                    (self.line(&text[start..end]), next)
+                }
+            };
+            self.lines.push(LineNode { node, start: start as u32 });
+            start = next;
+        }
+        self.numbers.shrink_to_fit();
+    }
+
+    fn line(&mut self, text: &str) -> Node {
+        let Some(first) = text.bytes().find(|b| !is_blank(*b)) else { return Node::Blank };
+        if text.len() > MOST_LINE_BYTES {
+            let message = format!("the line is longer than {MOST_LINE_BYTES} characters");
+            self.fault(Fault::new(Code::LineTooLong, Span::default(), message));
+            return Node::Bad;
+        }
+        match first {
+            b'%' => return self.percent(text),
+            b'$' => return Node::Console,
+            _ => {}
+        }
+        let mut compact = std::mem::take(&mut self.compact);
+        let node = match compact.take(text) {
+            Ok(()) if compact.bytes.is_empty() && compact.comments.is_empty() => Node::Blank,
+            Ok(()) => self.block(&mut compact, text),
+            Err(fault) => {
+                self.fault(fault);
+                Node::Bad
+            }
+        };
+        self.compact = compact;
+        node
+    }
+
+    fn percent(&mut self, text: &str) -> Node {
+        let rest = text.trim().trim_start_matches('%').trim();
+        let named = rest.is_empty() || rest.starts_with(['(', ';']) || rest.chars().all(|c| c.is_alphanumeric() || c.is_whitespace());
+        if !named {
+            let span = Span { start: 0, end: text.len() as u32 };
+            let message = "text behind % is not read";
+            self.note(Fault::new(Code::TextAfterEnd, span, message), Severity::Warning);
+        }
+        Node::Percent
+    }
+
+    /// The line that is being read, from 1.
+    pub(super) fn number(&self) -> u32 {
+        self.lines.len() as u32 + 1
+    }
+
+    /// Something wrong with the line that is being read.
+    pub(super) fn fault(&mut self, fault: Fault) {
+        let severity = fault.code.severity();
+        self.note(fault, severity);
+    }
+
+    /// The same with another severity.
+    pub(super) fn note(&mut self, fault: Fault, severity: Severity) {
+        if self.diagnostics.len() >= MOST_DIAGNOSTICS {
+            self.untold += 1;
+            return;
+        }
+        // The place in characters is found when the whole text is there.
+        let Span { start, end } = fault.span;
+        let place = Place {
+            file: self.name.clone(),
+            line: self.number(),
+            column: start,
+            length: end.saturating_sub(start),
+        };
+        let diagnostic = Diagnostic::new(fault.code, place, fault.message);
+        self.diagnostics.push(diagnostic.hint(fault.hint).severity(severity));
+    }
+
+    /// Counts a line that looks like OpenSBP.
+    pub(super) fn is_foreign(&mut self) {
+        self.foreign += 1;
+    }
+
+    /// The number of a parameter's name.
+    pub(super) fn name_id(&mut self, name: &str) -> u32 {
+        if let Some(id) = self.name_ids.get(name) {
+            return *id;
+        }
+        let id = self.names.len() as u32;
+        let name: Arc<str> = name.into();
+        self.names.push(name.clone());
+        self.name_ids.insert(name, id);
+        id
+    }
+
+    /// Everything together; O-words find their partners.
+    pub(super) fn finish(mut self, text: Arc<str>) -> Program {
+        if self.untold > 0 {
+            let message = format!("{} more findings are not listed", self.untold);
+            let place = Place::line(self.name.clone(), self.lines.len() as u32);
+            self.diagnostics.push(Diagnostic::new(Code::BadBlock, place, message));
+        }
+        let foreign = self.foreign;
+        let mut program = Program {
+            name: self.name,
+            text,
+            lines: self.lines,
+            numbers: self.numbers,
+            blocks: self.blocks,
+            words: self.words,
+            extras: self.extras,
+            exprs: self.exprs,
+            names: self.names,
+            subs: BTreeMap::new(),
+            diagnostics: Vec::new(),
+        };
+        program.diagnostics = characters(&program, self.diagnostics);
+        link::link(&mut program);
+        foreign::judge(&mut program, foreign);
+        program
+    }
+}
+
+/// Places in bytes become places in characters.
+fn characters(program: &Program, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    for diagnostic in &mut found {
+        let place = &diagnostic.place;
+        let span = Span { start: place.column, end: place.column + place.length };
+        diagnostic.place = program.place(place.line, span);
+    }
+    found
+}
+
+/// Where the line that begins at `start` ends, and where the next one begins.
+fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
+    let Some(length) = memchr::memchr2(b'\n', b'\r', &bytes[start..]) else {
+        return (bytes.len(), bytes.len());
+    };
+    let end = start + length;
+    (end, after_line_end(bytes, end))
+}
+
+/// Where the next line begins when the line end starts at `end`.
+fn after_line_end(bytes: &[u8], end: usize) -> usize {
+    let both = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) == Some(&b'\n');
+    (end + 1 + usize::from(both)).min(bytes.len())
+}

@@ -1,0 +1,157 @@
+//! The fast road: lines of G0 … G3 with literal values.
+//!
+//! Files of a million such lines are common, so they are read in one pass over their bytes, with
+//! no allocation. Everything unusual is left to the careful road, which gives the same meaning.
+
+use super::is_blank;
+use crate::tree::{MoveNode, Node};
+
+/// Reads the line that begins at `start` if it is a plain move; also gives the end of the line.
+///
+/// Its values are appended to `numbers`; nothing is appended when the line is something else.
+pub(super) fn read(bytes: &[u8], start: usize, numbers: &mut Vec<f64>) -> Option<(Node, usize)> {
+    let mut scan = Scan { bytes, at: start };
+    scan.blanks();
+    if scan.peek() | 0x20 == b'n' {
+        scan.at += 1;
+        scan.digits()?;
+        scan.blanks();
+    }
+    let mut node = MoveNode { motion: MoveNode::MODAL, given: 0, first: numbers.len() as u32 };
+    let mut values = [0.0; MoveNode::LETTERS.len()];
+    loop {
+        let byte = scan.peek();
+        if matches!(byte, b'\n' | b'\r') {
+            break;
+        }
+        scan.at += 1;
+        if byte | 0x20 == b'g' {
+            if node.motion != MoveNode::MODAL {
+                return None;
+            }
+            node.motion = scan.motion()?;
+        } else {
+            let slot = usize::from(SLOTS[usize::from(byte)]);
+            let value = values.get_mut(slot)?;
+            if node.given & (1 << slot) != 0 {
+                return None;
+            }
+            scan.blanks();
+            *value = scan.signed()?;
+            node.given |= 1 << slot;
+        }
+        if scan.skipped_blank() && matches!(scan.peek(), b'0'..=b'9' | b'.') {
+            return None;
+        }
+    }
+    if node.given == 0 {
+        return None;
+    }
+    let given = values.into_iter().enumerate().filter(|(i, _)| node.given & (1 << i) != 0);
+    numbers.extend(given.map(|(_, v)| v));
+    Some((Node::Move(node), scan.at))
+}
+
+/// No letter of a move.
+const NONE: u8 = 0xFF;
+
+/// The place of each letter in [`MoveNode::LETTERS`].
+const SLOTS: [u8; 256] = {
+    let mut slots = [NONE; 256];
+    let mut i = 0;
+    while i < MoveNode::LETTERS.len() {
+        slots[MoveNode::LETTERS[i] as usize] = i as u8;
+        slots[(MoveNode::LETTERS[i] | 0x20) as usize] = i as u8;
+        i += 1;
+    }
+    slots
+};
+
+struct Scan<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+/// Powers of ten that a double holds exactly.
+const TENS: [f64; 16] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+
+impl Scan<'_> {
+    /// The byte here; a line end where the text ends.
+    fn peek(&self) -> u8 {
+        self.bytes.get(self.at).copied().unwrap_or(b'\n')
+    }
+
+    fn blanks(&mut self) {
+        while is_blank(self.peek()) {
+            self.at += 1;
+        }
+    }
+
+    fn skipped_blank(&mut self) -> bool {
+        let before = self.at;
+        self.blanks();
+        self.at > before
+    }
+
+    fn digits(&mut self) -> Option<()> {
+        let start = self.at;
+        while self.peek().is_ascii_digit() {
+            self.at += 1;
+        }
+        (self.at > start && self.peek() != b'.').then_some(())
+    }
+
+    /// 0 … 3 behind a G.
+    fn motion(&mut self) -> Option<u8> {
+        self.at += usize::from(self.peek() == b'0' && self.bytes.get(self.at + 1).is_some_and(u8::is_ascii_digit));
+        let motion = self.peek().wrapping_sub(b'0');
+        self.at += 1;
+        (motion < 4 && !matches!(self.peek(), b'0'..=b'9' | b'.')).then_some(motion)
+    }
+
+    fn signed(&mut self) -> Option<f64> {
+        let negative = self.peek() == b'-';
+        self.at += usize::from(negative || self.peek() == b'+');
+        let magnitude = number(self.bytes, &mut self.at)?;
+        Some(if negative { -magnitude } else { magnitude })
+    }
+}
+
+/// Reads an unsigned decimal number without exponent at `at` and goes behind it.
+pub(super) fn number(bytes: &[u8], at: &mut usize) -> Option<f64> {
+    let start = *at;
+    let (mut digits, mut places) = (0u64, 0);
+    let mut here = start;
+    while let Some(d) = digit(bytes, here) {
+        digits = digits.wrapping_mul(10).wrapping_add(d);
+        here += 1;
+    }
+    let mut count = here - start;
+    if bytes.get(here) == Some(&b'.') {
+        here += 1;
+        let fraction = here;
+        while let Some(d) = digit(bytes, here) {
+            digits = digits.wrapping_mul(10).wrapping_add(d);
+            here += 1;
+        }
+        places = here - fraction;
+        count += places;
+    }
+    if count == 0 {
+        return None;
+    }
+    *at = here;
+    // Up to 15 digits fit a double and so does the power of ten: one division rounds rightly
+    // (Clinger, How to read floating point numbers accurately, 1990).
+    if count <= 15 {
+        return Some(digits as f64 / TENS[places]);
+    }
+    let value: f64 = fast_float2::parse(&bytes[start..here]).ok()?;
+    value.is_finite().then_some(value)
+}
+
+fn digit(bytes: &[u8], at: usize) -> Option<u64> {
+    let d = bytes.get(at)?.wrapping_sub(b'0');
+    (d < 10).then_some(u64::from(d))
+}

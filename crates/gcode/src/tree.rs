@@ -1,0 +1,294 @@
+//! The tree of a G-code file: one node a line.
+//!
+//! Most lines of a large file are moves with literal numbers. They become [`Node::Move`], eight
+//! bytes that point into a pool of numbers; everything else becomes a [`Block`].
+
+use crate::expr::Expr;
+use kerf_diag::{Diagnostic, Place};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A stretch of a line, in bytes from the start of the line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Span {
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+/// A G-code file that was read.
+#[derive(Debug, Default)]
+pub struct Program {
+    /// Name shown to people.
+    pub name: Arc<str>,
+    /// The whole text, as it was read (line ends kept, byte-order mark removed).
+    pub text: Arc<str>,
+    /// One entry a line; line n of the file is `lines[n - 1]`.
+    pub lines: Vec<LineNode>,
+    /// The literal values of [`Node::Move`] lines, in the order of [`MoveNode::LETTERS`].
+    pub numbers: Vec<f64>,
+    /// What [`Node::Block`] points to.
+    pub blocks: Vec<Block>,
+    /// The words of all blocks, in order.
+    pub words: Vec<Word>,
+    /// What blocks hold beside words.
+    pub extras: Vec<Extra>,
+    /// Expressions that words point to.
+    pub exprs: Vec<Expr>,
+    /// Names of parameters, in small letters.
+    pub names: Vec<Arc<str>>,
+    /// Subroutines: the line (from 1) that defines each.
+    pub subs: BTreeMap<Label, u32>,
+    /// Everything wrong or doubtful, in order of lines.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// A line: what it is and where its text begins.
+#[derive(Clone, Copy, Debug)]
+pub struct LineNode {
+    /// What the line is.
+    pub node: Node,
+    /// Byte offset of the line in [`Program::text`].
+    pub start: u32,
+}
+
+/// What a line is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Node {
+    /// Nothing.
+    Blank,
+    /// A move with literal values.
+    Move(MoveNode),
+    /// Anything else; index into [`Program::blocks`].
+    Block(u32),
+    /// `%`: the beginning of the program, or its end.
+    Percent,
+    /// A line for the controller's console (`$…`).
+    Console,
+    /// A line that cannot be read; its diagnostics say why.
+    Bad,
+}
+
+/// A line of G0 … G3, or without a code, whose words are literal numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MoveNode {
+    /// 0 … 3 for G0 … G3, [`MoveNode::MODAL`] when the line names none.
+    pub motion: u8,
+    /// Bit i set: the letter i of [`MoveNode::LETTERS`] has a value.
+    pub given: u16,
+    /// Index of its first value in [`Program::numbers`].
+    pub first: u32,
+}
+
+impl MoveNode {
+    /// The line names no motion.
+    pub const MODAL: u8 = 4;
+    /// The letters such a line may hold.
+    pub const LETTERS: [u8; 12] = *b"XYZABCIJKRFS";
+}
+
+/// A block: a line of words.
+#[derive(Clone, Copy, Debug)]
+pub struct Block {
+    /// Its words in [`Program::words`].
+    pub words: (u32, u32),
+    /// Index into [`Program::extras`].
+    pub extra: Option<u32>,
+    /// Level of block delete, 0 for none.
+    pub delete: u8,
+    /// Some word is an expression.
+    pub computed: bool,
+}
+
+/// A letter and its value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Word {
+    /// The letter, a capital, or `@` or `^`.
+    pub letter: u8,
+    /// What it stands at.
+    pub span: Span,
+    /// Its value.
+    pub value: Value,
+}
+
+/// The value of a word.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// As written.
+    Number(f64),
+    /// Index into [`Program::exprs`].
+    Computed(u32),
+}
+
+/// What a block holds beside words.
+#[derive(Clone, Debug, Default)]
+pub struct Extra {
+    /// Parameters that are set after everything was read.
+    pub settings: Vec<Setting>,
+    /// The O-word.
+    pub flow: Option<Flow>,
+    /// Comments in order.
+    pub comments: Vec<Comment>,
+}
+
+/// `#… = …`
+#[derive(Clone, Debug)]
+pub struct Setting {
+    /// What is set.
+    pub target: Target,
+    /// The new value.
+    pub value: Expr,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A parameter that can be set.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Target {
+    /// By number.
+    Numbered(Expr),
+    /// By name; index into [`Program::names`].
+    Named(u32),
+}
+
+/// A comment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Comment {
+    /// What it asks for.
+    pub kind: CommentKind,
+    /// Its text.
+    pub text: Arc<str>,
+}
+
+/// What a comment asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CommentKind {
+    /// Nothing.
+    Plain,
+    /// Shown to the operator as it is.
+    Msg,
+    /// Printed, parameters replaced.
+    Print,
+    /// Shown to the operator, parameters replaced.
+    Debug,
+    /// For a log file: not carried out.
+    Log,
+}
+
+/// The name of a subroutine or a loop.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Label {
+    /// A number.
+    Number(u32),
+    /// A name in small letters.
+    Name(Arc<str>),
+}
+
+/// An O-word.
+#[derive(Clone, Debug)]
+pub struct Flow {
+    /// Its label; `None` when computed.
+    pub label: Option<Label>,
+    /// The expression of a computed label.
+    pub computed: Option<Expr>,
+    /// What it does.
+    pub keyword: Keyword,
+    /// Values in brackets behind it.
+    pub values: Vec<Expr>,
+    /// Line (from 1) where this goes when it does not go on; 0 for none. See [`Keyword`].
+    pub target: u32,
+    /// For `elseif` and `else`: the line of `endif`. For `break`: the last line of its loop.
+    pub end: u32,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What an O-word does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keyword {
+    /// Begins a subroutine; target: its `endsub`.
+    Sub,
+    /// Ends a subroutine.
+    Endsub,
+    /// Calls a subroutine.
+    Call,
+    /// Leaves a subroutine.
+    Return,
+    /// Begins a loop; target: its `endwhile`.
+    While,
+    /// Ends a loop; target: its `while`.
+    Endwhile,
+    /// Begins a loop that runs at least once.
+    Do,
+    /// Ends a `do`; target: its `do`.
+    DoWhile,
+    /// Target: the next branch, or `endif`.
+    If,
+    /// Target: the next branch, or `endif`.
+    Elseif,
+    /// Target: `endif`.
+    Else,
+    /// Ends an `if`.
+    Endif,
+    /// Begins a counted loop; target: its `endrepeat`.
+    Repeat,
+    /// Ends a counted loop; target: its `repeat`.
+    Endrepeat,
+    /// Leaves a loop; target: its first line, end: its last.
+    Break,
+    /// Goes on with a loop's next turn; target: its first line, end: its last.
+    Continue,
+    /// `O12` alone: the name of a program or of a subroutine for M98.
+    Program,
+}
+
+impl Program {
+    /// The text of a line, counted from 1, without its line end.
+    pub fn line_text(&self, line: u32) -> &str {
+        let index = line.saturating_sub(1) as usize;
+        let start_of = |i: usize| self.lines.get(i).map(|l| l.start as usize);
+        let start = start_of(index).unwrap_or(self.text.len());
+        let end = start_of(index + 1).unwrap_or(self.text.len());
+        self.text.get(start..end).unwrap_or_default().trim_end_matches(['\r', '\n'])
+    }
+
+    /// The place of a stretch of a line.
+    pub fn place(&self, line: u32, span: Span) -> Place {
+        let text = self.line_text(line);
+        let start = (span.start as usize).min(text.len());
+        let end = (span.end as usize).clamp(start, text.len());
+        let chars =
+            |range: std::ops::Range<usize>| text.get(range).map_or(0, |t| t.chars().count()) as u32;
+        Place {
+            file: self.name.clone(),
+            line,
+            column: chars(0..start) + 1,
+            length: chars(start..end),
+        }
+    }
+
+    /// True when something is wrong with the file.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+
+    /// The words of a block.
+    pub fn words_of(&self, block: &Block) -> &[Word] {
+        self.words.get(block.words.0 as usize..block.words.1 as usize).unwrap_or_default()
+    }
+
+    /// What a block holds beside words.
+    pub fn extra_of(&self, block: &Block) -> Option<&Extra> {
+        self.extras.get(block.extra? as usize)
+    }
+}
+
+impl std::fmt::Display for Label {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Number(n) => write!(f, "O{n}"),
+            Self::Name(name) => write!(f, "O<{name}>"),
+        }
+    }
+}
