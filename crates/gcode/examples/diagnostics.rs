@@ -91,7 +91,13 @@ fn show(file: &str, dialect: Dialect) {
     let mut found = program.diagnostics.clone();
     let mut session = Session::default();
     session.settings.axis_count = 6;
-    let options = Options { dialect, keep_going: true, max_lines: 1_000_000, preview: true, ..Options::default() };
+    let options = Options {
+        dialect,
+        keep_going: true,
+        max_lines: 1_000_000,
+        preview: true,
+        ..Options::default()
+    };
     let mut interpreter = Interpreter::new(program, session, options);
     let mut host = Quiet(path.parent().map_or_else(PathBuf::new, PathBuf::from));
     let (mut out, mut lines, mut arcs) = (Vec::new(), 0, 0);
@@ -113,7 +119,15 @@ fn show(file: &str, dialect: Dialect) {
     println!("{name}: {end:?}, {lines} moves, {arcs} arcs, {} findings", found.len());
     for d in found.iter().take(12) {
         let p = &d.place;
-        let text = std::str::from_utf8(&bytes).ok().and_then(|t| t.lines().nth(p.line as usize - 1));
-        println!("  {} {}:{} {} | {}", d.code, p.line, p.column, d.message, text.unwrap_or("").trim());
+        let text =
+            std::str::from_utf8(&bytes).ok().and_then(|t| t.lines().nth(p.line as usize - 1));
+        println!(
+            "  {} {}:{} {} | {}",
+            d.code,
+            p.line,
+            p.column,
+            d.message,
+            text.unwrap_or("").trim()
+        );
     }
 }

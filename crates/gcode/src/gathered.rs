@@ -1,8 +1,8 @@
 //! The words of a block, sorted: one code a group, one value a letter.
 
 use crate::codes::{
-    self, ARC_DISTANCE, COMPENSATION, FEED_MODE, G_GROUPS, IO, M_GROUPS, MOTION, ONCE, OVERRIDE,
-    PATH, STATE, STOP, TOOL, TOOL_LENGTH, g_group, g_name, m_group,
+    self, COMPENSATION, G_GROUPS, IO, M_GROUPS, MOTION, ONCE, OVERRIDE, PATH, STATE, STOP, TOOL,
+    TOOL_LENGTH, g_group, g_name, m_group,
 };
 use crate::tree::{MoveNode, Span, Word};
 use kerf_diag::Code;
@@ -27,8 +27,8 @@ impl Fault {
     }
 }
 
-/// Letters a word may begin with: A … Z, `@`, `^`.
-const LETTERS: usize = 28;
+/// Letters a word may begin with: A … Z, `@`, `^`, `$`.
+const LETTERS: usize = 29;
 
 /// A block's words by their meaning.
 #[derive(Clone, Debug)]
@@ -56,6 +56,7 @@ const fn slot(letter: u8) -> usize {
     match letter {
         b'@' => 26,
         b'^' => 27,
+        b'$' => 28,
         _ => (letter - b'A') as usize,
     }
 }
@@ -64,6 +65,7 @@ const fn letter_of(slot: usize) -> char {
     match slot {
         26 => '@',
         27 => '^',
+        28 => '$',
         _ => (b'A' + slot as u8) as char,
     }
 }
@@ -141,6 +143,12 @@ impl Gathered {
             return Err(unknown_g(value, code, known, span));
         };
         match self.g[group].replace(code) {
+            // G80 ends a cycle; another motion beside it does so too.
+            Some(800) => Ok(()),
+            Some(other) if code == 800 => {
+                self.g[group] = Some(other);
+                Ok(())
+            }
             Some(other) if other != code => Err(conflict(&g_name(other), &g_name(code), span)),
             _ => Ok(()),
         }
@@ -202,7 +210,8 @@ impl Gathered {
 
     /// Whether the axis words belong to a code that is no motion.
     pub(crate) fn axes_taken(&self) -> bool {
-        matches!(self.g[ONCE], Some(100 | 280 | 300 | 520 | 920)) || self.g[TOOL_LENGTH] == Some(431)
+        matches!(self.g[ONCE], Some(100 | 280 | 300 | 520 | 920))
+            || self.g[TOOL_LENGTH] == Some(431)
     }
 
     /// What is missing or out of range whatever the state is. Values may be unknown (not a number).
@@ -242,7 +251,11 @@ impl Gathered {
             "M98 without P",
             "M98 P100 runs the subroutine O100",
         );
-        need(self.m[TOOL] == Some(61) && !self.has(b'Q'), "M61 without Q", "M61 Q3 says that tool 3 is in");
+        need(
+            self.m[TOOL] == Some(61) && !self.has(b'Q'),
+            "M61 without Q",
+            "M61 Q3 says that tool 3 is in",
+        );
         need(
             matches!(self.g[MOTION], Some(382..=385)) && !self.has_any(AXIS_WORDS),
             "a probe move without a place",
@@ -303,7 +316,8 @@ impl Gathered {
         if matches!(self.m[STOP], Some(98)) {
             used |= letters(b"PLQ");
         }
-        if matches!(self.m[STOP], Some(99)) || self.m[OVERRIDE].is_some() || self.m[STATE].is_some() {
+        if matches!(self.m[STOP], Some(99)) || self.m[OVERRIDE].is_some() || self.m[STATE].is_some()
+        {
             used |= letters(b"P");
         }
         if self.m[TOOL] == Some(61) {
@@ -312,16 +326,16 @@ impl Gathered {
         if self.g[codes::LATHE].is_some() || self.m[codes::SPINDLE] == Some(19) {
             used |= letters(b"DRPQ");
         }
+        if self.m[codes::NOTHING].is_some() {
+            used |= letters(b"PQRE");
+        }
+        if self.m[codes::SPINDLE].is_some() || self.has(b'S') {
+            used |= letters(b"$");
+        }
         let left = self.given & !used;
+        let no_axes = left & letters(b"UVW");
+        let left = if no_axes != 0 { no_axes } else { left };
         (left != 0).then(|| letter_of(left.trailing_zeros() as usize))
-    }
-
-    /// True when the block holds nothing but a place and arc words: no code of any kind.
-    pub(crate) fn is_bare(&self) -> bool {
-        let held = [ARC_DISTANCE, FEED_MODE];
-        self.g.iter().all(Option::is_none)
-            && self.m.iter().all(Option::is_none)
-            && held.iter().all(|h| self.g[*h].is_none())
     }
 }
 

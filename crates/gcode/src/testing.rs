@@ -114,12 +114,7 @@ pub(crate) fn run(text: &str) -> Ran {
 }
 
 /// Runs a program with a host, a session and options.
-pub(crate) fn run_with(
-    text: &str,
-    mut host: FakeHost,
-    session: Session,
-    options: Options,
-) -> Ran {
+pub(crate) fn run_with(text: &str, mut host: FakeHost, session: Session, options: Options) -> Ran {
     let options = Options { max_lines: 100_000, ..options };
     let mut commands = Vec::new();
     let mut interpreter = Interpreter::new(program(text), session, options);
@@ -140,9 +135,8 @@ impl Ran {
     /// The motion as text: `J` jog, `L` line, `A` arc, then X Y Z in mm of the machine frame; an arc
     /// with its centre and its sweep in degrees.
     pub(crate) fn path(&self) -> String {
-        let places = |to: kerf_program::Axes| {
-            [Axis::X, Axis::Y, Axis::Z].map(|a| shown(to[a])).join(",")
-        };
+        let places =
+            |to: kerf_program::Axes| [Axis::X, Axis::Y, Axis::Z].map(|a| shown(to[a])).join(",");
         let parts: Vec<String> = self
             .commands
             .iter()

@@ -104,7 +104,7 @@ pub struct Block {
 /// A letter and its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Word {
-    /// The letter, a capital, or `@` or `^`.
+    /// The letter, a capital, or `@`, `^` or `$`.
     pub letter: u8,
     /// What it stands at.
     pub span: Span,
@@ -258,6 +258,9 @@ impl Program {
         let text = self.line_text(line);
         let start = (span.start as usize).min(text.len());
         let end = (span.end as usize).clamp(start, text.len());
+        let inside = |at: usize| !text.is_char_boundary(at);
+        let start = (0..=start).rev().find(|at| !inside(*at)).unwrap_or_default();
+        let end = (end..=text.len()).find(|at| !inside(*at)).unwrap_or(text.len());
         let chars =
             |range: std::ops::Range<usize>| text.get(range).map_or(0, |t| t.chars().count()) as u32;
         Place {

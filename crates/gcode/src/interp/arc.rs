@@ -72,12 +72,16 @@ fn sweep(from: [f64; 2], centre: [f64; 2], to: [f64; 2], clockwise: bool) -> f64
 /// Whether two radii count as one.
 fn agree(r1: f64, r2: f64) -> bool {
     let difference = (r1 - r2).abs();
-    difference <= RADII_MM
-        || difference <= RADII_MOST_MM && difference <= RADII_SHARE * r1.max(r2)
+    difference <= RADII_MM || difference <= RADII_MOST_MM && difference <= RADII_SHARE * r1.max(r2)
 }
 
 /// The sweep of an arc in XY by its centre; `None` when it is none.
-pub(super) fn checked_sweep(from: Axes, centre: [f64; 2], to: Axes, clockwise: bool) -> Option<f64> {
+pub(super) fn checked_sweep(
+    from: Axes,
+    centre: [f64; 2],
+    to: Axes,
+    clockwise: bool,
+) -> Option<f64> {
     let (from, to) = ([from.0[0], from.0[1]], [to.0[0], to.0[1]]);
     let (r1, r2) = (distance(from, centre), distance(to, centre));
     (r1 > 0.0 && r2 > 0.0 && agree(r1, r2)).then(|| sweep(from, centre, to, clockwise))
@@ -149,7 +153,11 @@ impl Context<'_> {
         if words.offsets[w].is_some() {
             let letter = b"IJK"[w] as char;
             let message = format!("{letter} does not lie in the plane of this arc");
-            return Err(self.fail(Code::ArcPlane, message, "G17 takes I and J, G18 I and K, G19 J and K"));
+            return Err(self.fail(
+                Code::ArcPlane,
+                message,
+                "G17 takes I and J, G18 I and K, G19 J and K",
+            ));
         }
         if words.turns < 1.0 || words.turns.fract() != 0.0 {
             let message = format!("P of an arc is its number of turns, not {}", words.turns);
@@ -179,7 +187,11 @@ impl Context<'_> {
         Ok(Flat { from, to: end, centre, sweep: once + more.copysign(once) })
     }
 
-    fn centre_by_offsets(&self, from: [f64; 2], offsets: [Option<f64>; 2]) -> Result<[f64; 2], Stop> {
+    fn centre_by_offsets(
+        &self,
+        from: [f64; 2],
+        offsets: [Option<f64>; 2],
+    ) -> Result<[f64; 2], Stop> {
         if !self.core.state.modal.arc_absolute {
             return Ok([from[0] + offsets[0].unwrap_or(0.0), from[1] + offsets[1].unwrap_or(0.0)]);
         }
@@ -202,14 +214,16 @@ impl Context<'_> {
         let half = way / 2.0;
         if half < SAME_MM {
             let hint = "a whole circle needs its centre (I and J)";
-            return Err(self.fail(Code::BadArc, "an arc by radius that ends where it begins", hint));
+            return Err(self.fail(
+                Code::BadArc,
+                "an arc by radius that ends where it begins",
+                hint,
+            ));
         }
         let size = radius.abs();
         if half - size > SHORT_RADIUS_MM {
-            let message = format!(
-                "the radius {:.4} mm is too short: the end is {way:.4} mm away",
-                size
-            );
+            let message =
+                format!("the radius {:.4} mm is too short: the end is {way:.4} mm away", size);
             return Err(self.fail(Code::BadArc, message, "the radius is at least half the way"));
         }
         let height = (size * size - half * half).max(0.0).sqrt();
@@ -231,8 +245,9 @@ impl Context<'_> {
         }
         let unit = self.core.state.modal.unit;
         let (a, b, symbol) = (r1 / unit.mm(), r2 / unit.mm(), unit.symbol());
-        let message =
-            format!("the end is not on the circle: radius {a:.4} {symbol} at the start, {b:.4} at the end");
+        let message = format!(
+            "the end is not on the circle: radius {a:.4} {symbol} at the start, {b:.4} at the end"
+        );
         let hint = "check I and J; G90.1 makes them places, G91.1 distances from the start";
         Err(self.fail(Code::BadArc, message, hint))
     }
@@ -254,7 +269,13 @@ impl Context<'_> {
     }
 
     /// An arc as chords; the other axes move evenly.
-    fn chords(&mut self, flat: &Flat, [u, v]: [usize; 2], to: Axes, feed: Feed) -> Result<(), Stop> {
+    fn chords(
+        &mut self,
+        flat: &Flat,
+        [u, v]: [usize; 2],
+        to: Axes,
+        feed: Feed,
+    ) -> Result<(), Stop> {
         let (r1, r2) = (distance(flat.from, flat.centre), distance(flat.to, flat.centre));
         let proportion = self.core.options.proportion;
         let largest = proportion[u].abs().max(proportion[v].abs()).max(1.0);

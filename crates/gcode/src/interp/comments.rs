@@ -10,12 +10,18 @@ use std::sync::Arc;
 const NAMED: [&str; 5] = ["toolpath name", "toolpath", "tool path", "operation", "cut name"];
 
 impl Context<'_> {
-    pub(super) fn comments(&mut self, program: &Program, extra: Option<&Extra>) -> Result<(), Stop> {
+    pub(super) fn comments(
+        &mut self,
+        program: &Program,
+        extra: Option<&Extra>,
+    ) -> Result<(), Stop> {
         let Some(extra) = extra else { return Ok(()) };
         for comment in &extra.comments {
             match comment.kind {
                 CommentKind::Plain => self.plain_comment(&comment.text),
-                CommentKind::Msg => self.emit(Command::Message { text: comment.text.trim().into() }),
+                CommentKind::Msg => {
+                    self.emit(Command::Message { text: comment.text.trim().into() })
+                }
                 CommentKind::Print => {
                     let text = self.filled(program, &comment.text).into();
                     self.emit(Command::Print { text, newline: true });

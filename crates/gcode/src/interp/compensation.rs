@@ -248,7 +248,11 @@ impl Context<'_> {
         }
         let diameter = self.core.settings.cutter.diameter_mm;
         let message = format!("the diameter of tool {number} is not known");
-        self.warn(Code::Unusual, message, format!("the cutter of the settings is taken: {diameter:.3} mm"));
+        self.warn(
+            Code::Unusual,
+            message,
+            format!("the cutter of the settings is taken: {diameter:.3} mm"),
+        );
         Ok(diameter / 2.0)
     }
 
@@ -352,7 +356,8 @@ impl Context<'_> {
         let closer = compensator.side * compensator.radius * sweep.signum();
         let shifted = |p: Point2| -> Option<Point2> {
             let radius = p.distance(centre);
-            (radius - closer > TINY_MM).then(|| centre + (p - centre) * ((radius - closer) / radius))
+            (radius - closer > TINY_MM)
+                .then(|| centre + (p - centre) * ((radius - closer) / radius))
         };
         let (Some(from), Some(end)) = (shifted(xy(corner)), shifted(xy(to))) else {
             let message = "the arc is smaller than the tool that should run inside it";
@@ -495,7 +500,11 @@ impl Context<'_> {
             .and_then(|p| Some((before.ending_at(p)?, next.starting_at(p)?)));
         let Some((before, next)) = trimmed else {
             let message = "the tool does not fit into this inside corner";
-            return Err(self.fail(Code::Compensation, message, "use a smaller cutter, or longer moves"));
+            return Err(self.fail(
+                Code::Compensation,
+                message,
+                "use a smaller cutter, or longer moves",
+            ));
         };
         if let Some(compensator) = &mut self.core.compensator {
             compensator.held = Some(before);

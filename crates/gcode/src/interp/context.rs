@@ -95,7 +95,12 @@ impl Context<'_> {
     }
 
     /// An error at the block.
-    pub(super) fn fail(&self, code: Code, message: impl Into<String>, hint: impl Into<String>) -> Stop {
+    pub(super) fn fail(
+        &self,
+        code: Code,
+        message: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Stop {
         self.faulty(Fault::new(code, self.span, message).hint(hint))
     }
 
@@ -113,7 +118,12 @@ impl Context<'_> {
     }
 
     /// A diagnostic at a part of the line, with the lines that called this one.
-    pub(super) fn diagnostic(&self, span: Span, code: Code, message: impl Into<String>) -> Diagnostic {
+    pub(super) fn diagnostic(
+        &self,
+        span: Span,
+        code: Code,
+        message: impl Into<String>,
+    ) -> Diagnostic {
         let place = self.program().place(self.at.line, span);
         let mut diagnostic = Diagnostic::new(code, place, message);
         diagnostic.callers = self.callers();

@@ -223,8 +223,7 @@ impl Core {
 
     /// Adds a program, or finds the same one read before.
     pub(super) fn load(&mut self, program: Program) -> u32 {
-        let known =
-            |p: &Arc<Program>| p.name == program.name && p.text == program.text;
+        let known = |p: &Arc<Program>| p.name == program.name && p.text == program.text;
         if let Some(index) = self.programs.iter().position(known) {
             return index as u32;
         }
@@ -244,7 +243,8 @@ impl Core {
 
 impl Call {
     pub(super) fn new(file: u32, next: u32, kind: CallKind) -> Self {
-        let locals = if matches!(kind, CallKind::Fanuc { .. }) { Vec::new() } else { vec![0.0; LOCALS] };
+        let locals =
+            if matches!(kind, CallKind::Fanuc { .. }) { Vec::new() } else { vec![0.0; LOCALS] };
         Self {
             file,
             next,

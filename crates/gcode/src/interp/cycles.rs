@@ -55,23 +55,29 @@ impl Context<'_> {
         let axes = self.core.state.modal.plane.axes();
         let letters = axes.map(|a| b"XYZ"[a]);
         let here = self.core.place_of(self.core.position).0[axes[2]];
-        let mut cycle = self.core.cycle.unwrap_or(Cycle { initial: here, r: None, depth: None, p: None, q: None });
+        let mut cycle = self.core.cycle.unwrap_or(Cycle {
+            initial: here,
+            r: None,
+            depth: None,
+            p: None,
+            q: None,
+        });
         cycle.r = g.get(b'R').or(cycle.r);
         cycle.depth = g.get(letters[2]).or(cycle.depth);
         cycle.p = g.get(b'P').or(cycle.p);
         cycle.q = g.get(b'Q').or(cycle.q);
-        let hole = self.hole(g, code, &cycle, here)?;
+        let hole = self.hole(g, code, &cycle)?;
         self.core.cycle = Some(cycle);
         let times = g.get(b'L').unwrap_or(1.0);
         if times.fract() != 0.0 || !(0.0..=MOST_REPEATS).contains(&times) {
             let message = format!("L of a cycle is how often it is made, not {times}");
             return Err(self.fail(Code::OutOfRange, message, "L is a whole number from 1"));
         }
-        self.repeat_hole(g, &hole, times as u32, here)
+        self.repeat_hole(g, &hole, times as u32, cycle.initial)
     }
 
     /// The heights of a hole.
-    fn hole(&self, g: &Gathered, code: i32, cycle: &Cycle, here: f64) -> Result<Hole, Stop> {
+    fn hole(&self, g: &Gathered, code: i32, cycle: &Cycle) -> Result<Hole, Stop> {
         let modal = &self.core.state.modal;
         let axes = modal.plane.axes();
         let scale = self.core.scale[axes[2]];
@@ -79,11 +85,13 @@ impl Context<'_> {
         let (Some(r), Some(depth)) = (cycle.r, cycle.depth) else {
             let what = if cycle.r.is_none() { 'R' } else { letter };
             let message = format!("{} without {what}", g_name(code));
-            let hint = format!("a cycle needs {letter} for the bottom and R for the height it begins at");
+            let hint =
+                format!("a cycle needs {letter} for the bottom and R for the height it begins at");
             return Err(self.fail(Code::MissingWord, message, hint));
         };
         let (r, bottom) = if modal.relative {
-            (here + r * scale, here + (r + depth) * scale)
+            // R counts from where the first of the cycles began, as LinuxCNC has it.
+            (cycle.initial + r * scale, cycle.initial + (r + depth) * scale)
         } else {
             (r * scale, depth * scale)
         };
@@ -100,9 +108,13 @@ impl Context<'_> {
             return Err(self.fail(Code::OutOfRange, "Q is far too small for this depth", ""));
         }
         if cycle.p.is_some_and(|p| p < 0.0) {
-            return Err(self.fail(Code::OutOfRange, "P may not be negative", "it is a time in seconds"));
+            return Err(self.fail(
+                Code::OutOfRange,
+                "P may not be negative",
+                "it is a time in seconds",
+            ));
         }
-        let clear = if modal.return_to_r { r } else { cycle.initial.max(here).max(r) };
+        let clear = if modal.return_to_r { r } else { cycle.initial.max(r) };
         let beside = [b'I', b'J', b'K'].map(|l| g.or_zero(l) * modal.unit.mm());
         Ok(Hole {
             code,
@@ -117,10 +129,16 @@ impl Context<'_> {
         })
     }
 
-    fn repeat_hole(&mut self, g: &Gathered, hole: &Hole, times: u32, here: f64) -> Result<(), Stop> {
+    fn repeat_hole(
+        &mut self,
+        g: &Gathered,
+        hole: &Hole,
+        times: u32,
+        initial: f64,
+    ) -> Result<(), Stop> {
         let mut places = g.clone();
         places.clear(b"XYZ"[hole.axes[2]]);
-        if here < hole.r {
+        if initial < hole.r {
             self.along(hole, MoveKind::Jog, hole.r)?;
         }
         for _ in 0..times {
@@ -134,10 +152,10 @@ impl Context<'_> {
 
     /// A move of the drilling axis to a place, mm.
     fn along(&mut self, hole: &Hole, kind: MoveKind, place: f64) -> Result<(), Stop> {
-        self.to_places(kind, &[(hole.axes[2], place)])
+        self.go(kind, &[(hole.axes[2], place)])
     }
 
-    fn to_places(&mut self, kind: MoveKind, places: &[(usize, f64)]) -> Result<(), Stop> {
+    fn go(&mut self, kind: MoveKind, places: &[(usize, f64)]) -> Result<(), Stop> {
         let to = self.core.moved(self.core.position, places.iter().copied());
         match kind {
             MoveKind::Jog => self.line(kind, to),
@@ -227,17 +245,17 @@ impl Context<'_> {
         let place = self.core.place_of(self.core.position);
         let at = [(u, place.0[u]), (v, place.0[v])];
         let beside = [(u, place.0[u] + hole.beside[0]), (v, place.0[v] + hole.beside[1])];
-        self.to_places(MoveKind::Jog, &beside)?;
+        self.go(MoveKind::Jog, &beside)?;
         self.turn_spindle(Turn::Off);
         self.along(hole, MoveKind::Jog, hole.bottom)?;
-        self.to_places(MoveKind::Jog, &at)?;
+        self.go(MoveKind::Jog, &at)?;
         self.turn_spindle(turn);
         self.along(hole, MoveKind::Cut, hole.middle.max(hole.bottom))?;
         self.along(hole, MoveKind::Cut, hole.bottom)?;
         self.turn_spindle(Turn::Off);
-        self.to_places(MoveKind::Jog, &beside)?;
+        self.go(MoveKind::Jog, &beside)?;
         self.along(hole, MoveKind::Jog, hole.clear)?;
-        self.to_places(MoveKind::Jog, &at)?;
+        self.go(MoveKind::Jog, &at)?;
         self.turn_spindle(turn);
         Ok(())
     }

@@ -1,15 +1,15 @@
 //! One block, in the order that RS274/NGC lays down (section 3.8, table 8), with LinuxCNC's
 //! additions at the places LinuxCNC gives them.
 
-use super::context::{Context, Stop};
 use super::Dialect;
+use super::context::{Context, Stop};
 use crate::codes::{
-    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, ONCE, PATH, PLANE, RETURN, SPINDLE,
-    STATE, STOP, SYSTEM, TOOL, TOOL_LENGTH, UNITS, g_name,
+    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, ONCE, PATH, PLANE, RETURN,
+    SPINDLE, STATE, STOP, SYSTEM, TOOL, TOOL_LENGTH, UNITS, g_name,
 };
 use crate::gathered::{AXIS_WORDS, Gathered, letters};
 use kerf_diag::Code;
-use kerf_program::{Axis, Status};
+use kerf_program::Axis;
 
 /// Letters that ask for a motion.
 const MOVING: u32 = AXIS_WORDS | letters(b"@^");
@@ -79,14 +79,18 @@ impl Context<'_> {
 
     fn need_use(&mut self, g: &Gathered, motion: Option<i32>) -> Result<(), Stop> {
         let Some(letter) = g.unused(motion) else { return Ok(()) };
-        let axes = g.has_any(MOVING) && motion.is_none() && !g.axes_taken();
+        let still = matches!(motion, None | Some(800));
+        let axes = g.has_any(MOVING) && still && !g.axes_taken();
         let (message, hint) = if matches!(letter, 'U' | 'V' | 'W') {
             (format!("there is no axis {letter}"), "axes are X Y Z A B C")
         } else if axes && "XYZABC@^".contains(letter) {
             let what = format!("{letter} without a motion");
             (what, "no motion is in force here; write G0 or G1 before it")
         } else {
-            (format!("nothing in this block uses {letter}"), "is a code missing, or the letter wrong?")
+            (
+                format!("nothing in this block uses {letter}"),
+                "is a code missing, or the letter wrong?",
+            )
         };
         if self.core.options.dialect == Dialect::Generic && !axes {
             self.warn(Code::UnusedWord, message, hint);
@@ -135,7 +139,11 @@ impl Context<'_> {
         ];
         let m_code = m_code.into_iter().flatten().next().map(|m| format!("M{m}"));
         let Some(code) = g_code.or(m_code) else { return Ok(()) };
-        Err(self.fail(Code::NotInDialect, format!("grbl has no {code}"), "run it with --dialect linuxcnc"))
+        Err(self.fail(
+            Code::NotInDialect,
+            format!("grbl has no {code}"),
+            "run it with --dialect linuxcnc",
+        ))
     }
 
     fn distance(&mut self, g: &Gathered) {
@@ -173,11 +181,6 @@ impl Context<'_> {
         }
         self.core.over = true;
         Ok(())
-    }
-
-    /// The run ends before its time.
-    pub(super) const fn ended(status: Status) -> Stop {
-        Stop::Finished(status)
     }
 }
 

@@ -6,6 +6,7 @@
 use super::Core;
 use super::arc;
 use super::feed;
+use super::modes;
 use super::state::{FeedMode, Plane, Rates};
 use crate::tree::{MoveNode, Node};
 use kerf_program::{At, Command, Feed, Line, MoveKind, Sourced};
@@ -38,6 +39,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     let mut motion = core.state.modal.motion;
     let mut rates = core.state.modal.feed;
     let unit = core.state.modal.unit.mm();
+    let mut rpm = core.state.modal.rpm;
     while left > 0
         && let Some(line) = program.lines.get(next)
     {
@@ -45,7 +47,8 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         let wanted = if code < MoveNode::MODAL { Some(i32::from(code) * 10) } else { motion };
         let arc = matches!(wanted, Some(20 | 30));
         let usable = matches!(wanted, Some(0 | 10 | 20 | 30));
-        if !usable || given & (idle | S) != 0 || given & AXES == 0 || (!arc && given & (IJ | K | R) != 0) {
+        if !usable || given & idle != 0 || given & AXES == 0 || (!arc && given & (IJ | K | R) != 0)
+        {
             break;
         }
         let mut index = first as usize;
@@ -54,10 +57,9 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
             program.numbers.get(index - 1).copied().unwrap_or_default()
         };
         let mut to = position;
-        for axis in 0..kerf_program::AXES {
+        for (axis, place) in to.0.iter_mut().enumerate() {
             if given & (1 << axis) != 0 {
-                let value = take() * scale[axis];
-                to.0[axis] = value + if relative { position.0[axis] } else { zero.0[axis] };
+                *place = take() * scale[axis] + if relative { *place } else { zero.0[axis] };
             }
         }
         let feed;
@@ -71,9 +73,18 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
             let now = f.map_or(rates, |f| Rates::new(f, unit));
             let Some(speed) = now.map(|r| r.linear / 60.0) else { break };
             let centre = [position.0[0] + i, position.0[1] + j];
-            let Some(sweep) = arc::checked_sweep(position, centre, to, wanted == Some(20)) else { break };
+            let Some(sweep) = arc::checked_sweep(position, centre, to, wanted == Some(20)) else {
+                break;
+            };
             feed = now;
-            Command::Arc(arc::command(&core.settings, position, centre, sweep, to, Feed::Path(speed)))
+            Command::Arc(arc::command(
+                &core.settings,
+                position,
+                centre,
+                sweep,
+                to,
+                Feed::Path(speed),
+            ))
         } else {
             let f = if given & F != 0 { Some(take()) } else { None };
             feed = f.map_or(rates, |f| Rates::new(f, unit));
@@ -89,12 +100,21 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         motion = wanted;
         next += 1;
         left -= 1;
+        let at = At { file, line: next as u32 };
+        if given & S != 0 {
+            let wanted = take();
+            if wanted != rpm {
+                rpm = wanted;
+                let command = Command::Spindle { number: modes::SPINDLE_NUMBER, rpm };
+                out.push(Sourced { at, command });
+            }
+        }
         if to == position && !arc {
             continue;
         }
         position = to;
         others += 1;
-        out.push(Sourced { at: At { file, line: next as u32 }, command });
+        out.push(Sourced { at, command });
     }
     if next == start {
         return;
@@ -102,6 +122,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     core.position = position;
     core.state.modal.motion = motion;
     core.state.modal.feed = rates;
+    core.state.modal.rpm = rpm;
     core.lines += (next - start) as u64;
     core.motions += others;
     core.settled &= out.len() == before;

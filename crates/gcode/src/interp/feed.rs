@@ -1,8 +1,8 @@
 //! F: how fast a cutting move goes.
 
+use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::{FeedMode, Rates};
-use super::Dialect;
 use crate::gathered::Gathered;
 use kerf_diag::Code;
 use kerf_program::{Axes, Feed};
@@ -60,10 +60,15 @@ impl Context<'_> {
         } else {
             ("a cutting move without a feed", "give F with a value above zero before it or in it")
         };
+        let told = std::mem::replace(&mut self.core.told.feed, true);
         if self.core.options.dialect != Dialect::Generic || inverse {
+            // A check tells it once; the rest of the file would only repeat it.
+            if told && self.core.options.keep_going {
+                return Ok(Feed::Axis);
+            }
             return Err(self.fail(Code::FeedMissing, message, hint));
         }
-        if !std::mem::replace(&mut self.core.told.feed, true) {
+        if !told {
             self.warn(Code::FeedMissing, message, "the speeds of the settings are used");
         }
         Ok(Feed::Axis)

@@ -4,7 +4,7 @@ use super::context::{Context, Stop};
 use super::core::{Call, CallKind, LOCALS};
 use crate::tree::{Flow, Keyword, Label, Program};
 use kerf_diag::Code;
-use kerf_program::{FileRequest, Folder};
+use kerf_program::{FileRequest, Folder, HostError};
 use std::sync::Arc;
 
 /// Calls within calls; more is a subroutine that calls itself for ever.
@@ -133,7 +133,11 @@ impl Context<'_> {
     ) -> Result<(), Stop> {
         if self.core.calls.len() >= MOST_CALLS {
             let message = format!("more than {MOST_CALLS} calls within each other");
-            return Err(self.fail(Code::NestedTooDeep, message, "does a subroutine call itself for ever?"));
+            return Err(self.fail(
+                Code::NestedTooDeep,
+                message,
+                "does a subroutine call itself for ever?",
+            ));
         }
         let (file, line) = self.find(label)?;
         let kind = match kind {
@@ -171,7 +175,11 @@ impl Context<'_> {
         };
         for ending in ["ngc", "nc"] {
             let request = FileRequest { folder: Folder::Parts, name: format!("{stem}.{ending}") };
-            let Ok(source) = self.host.source(&request) else { continue };
+            let source = match self.host.source(&request) {
+                Ok(source) => source,
+                Err(HostError::NotFound(_)) => continue,
+                Err(error) => return Err(self.refused(error)),
+            };
             let program = crate::read(source.name, &source.bytes);
             if let Some(error) = program.diagnostics.iter().find(|d| d.is_error()) {
                 return Err(Stop::Failed(Box::new(error.clone())));

@@ -44,7 +44,11 @@ impl Context<'_> {
     fn wait_for_input(&mut self, g: &Gathered) -> Result<(), Stop> {
         let Some(p) = g.get(b'P') else {
             let hint = "P reads a switch";
-            return Err(self.fail(Code::NotSupported, "there are no analog inputs to wait for", hint));
+            return Err(self.fail(
+                Code::NotSupported,
+                "there are no analog inputs to wait for",
+                hint,
+            ));
         };
         let number = self.switch(p)?;
         let mode = g.or_zero(b'L');
@@ -61,7 +65,10 @@ impl Context<'_> {
         };
         if on != wanted {
             let state = if wanted { "on" } else { "off" };
-            self.pause(&format!("waiting until input {number} is {state}"), Some((number, wanted)))?;
+            self.pause(
+                &format!("waiting until input {number} is {state}"),
+                Some((number, wanted)),
+            )?;
         }
         self.answer(1.0)
     }

@@ -1,8 +1,8 @@
 //! Codes that set a mode: unit, feed mode, spindle, coolant, overrides, path control, kept modes.
 
+use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::FeedMode;
-use super::Dialect;
 use crate::codes::{COOLANT, FEED_MODE, MIST, OVERRIDE, PATH, SPINDLE, STATE, UNITS};
 use crate::gathered::Gathered;
 use kerf_diag::Code;
@@ -10,7 +10,7 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Command, PathControl, Turn};
 
 /// The spindle that M3 … M5 speak of.
-const SPINDLE_NUMBER: u8 = 1;
+pub(super) const SPINDLE_NUMBER: u8 = 1;
 
 impl Context<'_> {
     pub(super) fn feed_mode(&mut self, g: &Gathered) {
@@ -217,6 +217,10 @@ impl Context<'_> {
             LinearUnit::Mm => ("millimetres", "G21"),
         };
         let message = format!("the file does not say its unit; it is read in {name}");
-        self.warn(Code::UnitsNeverSaid, message, format!("write {code} at its beginning if that is right"));
+        self.warn(
+            Code::UnitsNeverSaid,
+            message,
+            format!("write {code} at its beginning if that is right"),
+        );
     }
 }

@@ -1,5 +1,6 @@
 //! Which motion a block makes, and where it goes.
 
+use super::Dialect;
 use super::arc::ArcWords;
 use super::context::{Context, Stop};
 use crate::codes::{MOTION, ONCE, g_name};
@@ -28,10 +29,29 @@ impl Context<'_> {
         self.core.state.modal.motion = (motion != 800).then_some(motion);
         let place = letters(b"@^") | AXIS_WORDS;
         let goes = g.has_any(place) && !g.axes_taken();
+        let outcome = self.make_motion(g, motion, goes, spline_end);
+        if self.core.options.keep_going && goes && matches!(outcome, Err(Stop::Failed(_))) {
+            // What follows is read as if the move had been made, so that one mistake is told once.
+            if let Ok(to) = self.target(g) {
+                self.core.position = to;
+            }
+        }
+        outcome
+    }
+
+    fn make_motion(
+        &mut self,
+        g: &Gathered,
+        motion: i32,
+        goes: bool,
+        spline_end: Option<[f64; 2]>,
+    ) -> Result<(), Stop> {
         match motion {
             0 if goes => self.straight(g, MoveKind::Jog),
             10 if goes => self.straight(g, MoveKind::Cut),
-            20 | 30 if goes || g.has_any(letters(b"IJKR")) => self.arc(&ArcWords::of(g, motion == 20), g),
+            20 | 30 if goes || g.has_any(letters(b"IJKR")) => {
+                self.arc(&ArcWords::of(g, motion == 20), g)
+            }
             50 | 51 => self.spline(g, motion, spline_end),
             52 | 53 => self.nurbs(g, motion),
             382..=385 => self.begin_probe(g, motion),
@@ -67,7 +87,8 @@ impl Context<'_> {
     }
 
     fn machine_target(&self, g: &Gathered) -> Result<Axes, Stop> {
-        if self.core.state.modal.relative {
+        // grbl and most routers take G53 as a place whatever G91 says.
+        if self.core.state.modal.relative && self.core.options.dialect == Dialect::LinuxCnc {
             let message = "G53 while distances are relative";
             return Err(self.fail(Code::ModalConflict, message, "write G90 before it"));
         }
@@ -88,7 +109,11 @@ impl Context<'_> {
     fn polar_target(&self, g: &Gathered) -> Result<Axes, Stop> {
         if g.has_any(letters(b"XY")) {
             let hint = "a place is given by X and Y or by @ and ^";
-            return Err(self.fail(Code::ModalConflict, "polar and Cartesian words in one block", hint));
+            return Err(self.fail(
+                Code::ModalConflict,
+                "polar and Cartesian words in one block",
+                hint,
+            ));
         }
         let here = self.core.user_position();
         let (mut radius, mut angle) = (here.0[0].hypot(here.0[1]), here.0[1].atan2(here.0[0]));

@@ -104,7 +104,11 @@ impl Context<'_> {
     /// G92: the present place reads the values given.
     fn shift_to(&mut self, g: &Gathered) -> Result<(), Stop> {
         if !g.has_any(AXIS_WORDS) {
-            return Err(self.fail(Code::MissingWord, "G92 without an axis", "G92 X0 makes the present X zero"));
+            return Err(self.fail(
+                Code::MissingWord,
+                "G92 without an axis",
+                "G92 X0 makes the present X zero",
+            ));
         }
         let place = self.core.place_of(self.core.position);
         for (axis, value) in self.given(g) {
@@ -123,7 +127,11 @@ impl Context<'_> {
             10.0 | 11.0 => self.set_tool(g, true),
             other => {
                 let message = format!("G10 L{other} is not known");
-                Err(self.fail(Code::OutOfRange, message, "L2 and L20 set coordinate systems, L1 and L10 tools"))
+                Err(self.fail(
+                    Code::OutOfRange,
+                    message,
+                    "L2 and L20 set coordinate systems, L1 and L10 tools",
+                ))
             }
         }
     }
@@ -132,7 +140,11 @@ impl Context<'_> {
         let p = g.or_zero(b'P');
         if p.fract() != 0.0 || !(0.0..=9.0).contains(&p) {
             let message = format!("there is no coordinate system {p}");
-            return Err(self.fail(Code::OutOfRange, message, "P1 is G54, P6 is G59, P9 is G59.3; P0 the one in force"));
+            return Err(self.fail(
+                Code::OutOfRange,
+                message,
+                "P1 is G54, P6 is G59, P9 is G59.3; P0 the one in force",
+            ));
         }
         let index = if p == 0.0 { self.core.state.modal.system } else { p as usize - 1 };
         let mut system = self.core.state.systems[index.min(8)];
@@ -168,7 +180,11 @@ impl Context<'_> {
         let p = g.or_zero(b'P');
         if p.fract() != 0.0 || !(1.0..1e6).contains(&p) {
             let message = "G10 L1 and L10 need the number of a tool";
-            return Err(self.fail(Code::MissingWord, message, "G10 L1 P3 Z40 R3 tells length and radius of tool 3"));
+            return Err(self.fail(
+                Code::MissingWord,
+                message,
+                "G10 L1 P3 Z40 R3 tells length and radius of tool 3",
+            ));
         }
         let mut tool = self.core.state.tools.get(&(p as u32)).copied().unwrap_or(Tool {
             diameter_mm: self.core.settings.cutter.diameter_mm,

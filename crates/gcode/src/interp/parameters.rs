@@ -1,10 +1,10 @@
 //! Parameters and expressions.
 
+use super::Core;
 use super::context::{Context, Stop};
 use super::core::LOCALS;
 use super::io::ANSWER;
 use super::state::FeedMode;
-use super::Core;
 use crate::expr::{Expr, Operator};
 use crate::gathered::Fault;
 use crate::tree::{Program, Setting, Span, Target};
@@ -39,7 +39,12 @@ pub(super) fn all(core: &Core) -> Vec<(String, f64)> {
 
 impl Core {
     /// The value of an expression.
-    pub(super) fn evaluate(&self, program: &Program, expr: &Expr, span: Span) -> Result<f64, Fault> {
+    pub(super) fn evaluate(
+        &self,
+        program: &Program,
+        expr: &Expr,
+        span: Span,
+    ) -> Result<f64, Fault> {
         let value = match expr {
             Expr::Number(n) => *n,
             Expr::Numbered(number) => {
@@ -89,7 +94,9 @@ impl Core {
             5221..=5390 => self.system_parameter(number),
             5400 => f64::from(state.tool),
             5401..=5409 => of_axis(self.in_machine_units(state.tool_offset), number - 5401),
-            5410 => state.tools.get(&state.tool).map_or(0.0, |t| t.diameter_mm / self.machine_unit()),
+            5410 => {
+                state.tools.get(&state.tool).map_or(0.0, |t| t.diameter_mm / self.machine_unit())
+            }
             5420..=5428 => of_axis(self.user_position(), number - 5420),
             0 | LAST.. if number != LAST => {
                 let message = format!("there is no parameter #{number}");

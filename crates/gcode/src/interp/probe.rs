@@ -37,7 +37,11 @@ impl Context<'_> {
         }
         let to = self.target(g)?;
         if to == self.core.position {
-            return Err(self.fail(Code::Probing, "a probe move that goes nowhere", "name a place away from here"));
+            return Err(self.fail(
+                Code::Probing,
+                "a probe move that goes nowhere",
+                "name a place away from here",
+            ));
         }
         let feed = self.feed(self.core.position, to)?;
         // G38.2 and G38.3 look for contact, G38.4 and G38.5 for its loss.
@@ -70,6 +74,10 @@ impl Context<'_> {
             return Ok(());
         }
         let message = format!("{} ended without the probe changing", g_name(probe.code));
-        Err(self.fail(Code::Probing, message, "G38.3 and G38.5 go on without an error; #5070 tells"))
+        Err(self.fail(
+            Code::Probing,
+            message,
+            "G38.3 and G38.5 go on without an error; #5070 tells",
+        ))
     }
 }

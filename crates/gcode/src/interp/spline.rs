@@ -33,7 +33,11 @@ impl Context<'_> {
         if self.core.state.modal.plane == Plane::Xy {
             return Ok(());
         }
-        Err(self.fail(Code::ArcPlane, format!("{code} outside the XY plane"), "write G17 before it"))
+        Err(self.fail(
+            Code::ArcPlane,
+            format!("{code} outside the XY plane"),
+            "write G17 before it",
+        ))
     }
 
     /// G5 (cubic) and G5.1 (quadratic).
@@ -61,7 +65,11 @@ impl Context<'_> {
         let first = offset(b'I', b'J');
         if motion == 51 {
             let Some(d) = first.filter(|_| !g.has_any(letters(b"PQ"))) else {
-                return Err(self.fail(Code::MissingWord, "G5.1 needs I and J", "they lead from the start to the control point"));
+                return Err(self.fail(
+                    Code::MissingWord,
+                    "G5.1 needs I and J",
+                    "they lead from the start to the control point",
+                ));
             };
             let control = [from[0] + d[0], from[1] + d[1]];
             let third = |a: f64, b: f64| a + (b - a) * 2.0 / 3.0;
@@ -69,7 +77,8 @@ impl Context<'_> {
             let c2 = [third(end[0], control[0]), third(end[1], control[1])];
             return self.curve(|t| cubic(from, c1, c2, end, t), to);
         }
-        let (Some(first), Some(last)) = (first.or(before.map(|[p, q]| [-p, -q])), offset(b'P', b'Q'))
+        let (Some(first), Some(last)) =
+            (first.or(before.map(|[p, q]| [-p, -q])), offset(b'P', b'Q'))
         else {
             let hint = "I J lead from the start to the first control point, P Q from the end to the second";
             return Err(self.fail(Code::MissingWord, "G5 needs I, J, P and Q", hint));
@@ -95,7 +104,11 @@ impl Context<'_> {
                 let order = g.get(b'L').unwrap_or(3.0);
                 if order.fract() != 0.0 || !ORDERS.contains(&order) {
                     let message = format!("L of G5.2 is the order of the curve, not {order}");
-                    return Err(self.fail(Code::OutOfRange, message, "L is 2 to 10, 3 when not given"));
+                    return Err(self.fail(
+                        Code::OutOfRange,
+                        message,
+                        "L is 2 to 10, 3 when not given",
+                    ));
                 }
                 Nurbs { order: order as usize, points: vec![([here.0[0], here.0[1]], 1.0)] }
             }
@@ -118,7 +131,11 @@ impl Context<'_> {
         };
         if nurbs.points.len() < nurbs.order {
             let message = format!("a curve of order {} needs as many points", nurbs.order);
-            return Err(self.fail(Code::MissingWord, message, "the present place is the first of them"));
+            return Err(self.fail(
+                Code::MissingWord,
+                message,
+                "the present place is the first of them",
+            ));
         }
         let Some((end, _)) = nurbs.points.last().copied() else { return Ok(()) };
         let to = self.core.moved(self.core.position, [(0, end[0]), (1, end[1])].into_iter());

@@ -167,8 +167,12 @@ impl Context<'_> {
                     None => Ok(0.0),
                 },
             };
-            let gathered = Gathered::of(words, value, |f| { first.get_or_insert(f); });
-            gathered.needs(span, &mut |f| { first.get_or_insert(f); });
+            let gathered = Gathered::of(words, value, |f| {
+                first.get_or_insert(f);
+            });
+            gathered.needs(span, &mut |f| {
+                first.get_or_insert(f);
+            });
             gathered
         };
         match first {
@@ -182,7 +186,11 @@ impl Context<'_> {
         if self.core.options.dialect != Dialect::Grbl {
             return Ok(());
         }
-        Err(self.fail(Code::NotInDialect, format!("grbl has no {what}"), "run it with --dialect linuxcnc"))
+        Err(self.fail(
+            Code::NotInDialect,
+            format!("grbl has no {what}"),
+            "run it with --dialect linuxcnc",
+        ))
     }
 
     /// `%`: the first line of a file, or its end.

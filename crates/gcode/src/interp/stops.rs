@@ -11,7 +11,9 @@ impl Context<'_> {
     /// M6, M61.
     pub(super) fn tool_change(&mut self, g: &Gathered) -> Result<(), Stop> {
         match g.m[TOOL] {
-            Some(6) if self.core.compensator.is_some() => Err(self.not_compensated("a tool change")),
+            Some(6) if self.core.compensator.is_some() => {
+                Err(self.not_compensated("a tool change"))
+            }
             Some(6) => self.change_tool(),
             Some(_) => {
                 self.core.state.tool = g.or_zero(b'Q') as u32;
@@ -26,7 +28,8 @@ impl Context<'_> {
         self.turn_spindle(Turn::Off);
         if tool != self.core.state.tool {
             self.emit(Command::ToolChange { begin: true });
-            let text = if tool == 0 { "take the tool out".into() } else { format!("put in tool {tool}") };
+            let text =
+                if tool == 0 { "take the tool out".into() } else { format!("put in tool {tool}") };
             // What was given above has to be done before the operator reaches into the machine.
             self.pause(&text, None)?;
             self.emit(Command::ToolChange { begin: false });

@@ -117,9 +117,13 @@ impl Reader<'_> {
     fn word(&mut self) -> Result<(), Fault> {
         let start = self.at;
         let letter = self.peek();
-        if !(letter.is_ascii_uppercase() || matches!(letter, b'@' | b'^')) {
-            let shown = self.shown_char(start);
-            let fault = self.fault_from(start, Code::BadBlock, format!("'{shown}' begins no word"));
+        if !(letter.is_ascii_uppercase() || matches!(letter, b'@' | b'^' | b'$')) {
+            let message = if letter.is_ascii_graphic() {
+                format!("'{}' begins no word", letter as char)
+            } else {
+                "this character begins no word".into()
+            };
+            let fault = self.fault_from(start, Code::BadBlock, message);
             return Err(fault.hint("a block is made of letters with numbers, as in G1 X10.5"));
         }
         if letter == b'O' {
@@ -130,7 +134,9 @@ impl Reader<'_> {
         let Some(value) = self.value()? else {
             let message = format!("{} without a number", letter as char);
             let fault = self.fault_from(start, Code::NoNumber, message);
-            return Err(fault.hint("a letter is followed by a number, a parameter or [an expression]"));
+            return Err(
+                fault.hint("a letter is followed by a number, a parameter or [an expression]")
+            );
         };
         let span = self.compact.span(start, self.at);
         self.file.words.push(Word { letter, span, value });

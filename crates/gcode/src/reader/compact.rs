@@ -95,9 +95,7 @@ impl Compact {
     /// The place in the line of a stretch of what is left.
     pub(super) fn span(&self, from: usize, to: usize) -> Span {
         let place = |i: usize| self.places.get(i).copied();
-        let start = place(from).unwrap_or_else(|| {
-            self.places.last().map_or(0, |last| last + 1)
-        });
+        let start = place(from).unwrap_or_else(|| self.places.last().map_or(0, |last| last + 1));
         let end = to.checked_sub(1).and_then(place).map_or(start, |p| p + 1);
         Span { start, end: end.max(start) }
     }

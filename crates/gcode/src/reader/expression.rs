@@ -54,12 +54,6 @@ impl<'a> Reader<'a> {
         Fault::new(code, self.compact.span(start, end), message)
     }
 
-    /// A character as a person sees it.
-    pub(super) fn shown_char(&self, at: usize) -> char {
-        let byte = self.compact.byte(at);
-        if byte.is_ascii() { byte as char } else { '?' }
-    }
-
     /// The value of a word; `None` when there is none.
     pub(super) fn value(&mut self) -> Result<Option<Value>, Fault> {
         let start = self.at;
@@ -86,7 +80,11 @@ impl<'a> Reader<'a> {
         if negative || self.peek() == b'+' {
             self.at += 1;
             let inner = self.expect_primary(depth + 1)?;
-            return Ok(Some(if negative { Expr::Call(Function::Negate, inner.into()) } else { inner }));
+            return Ok(Some(if negative {
+                Expr::Call(Function::Negate, inner.into())
+            } else {
+                inner
+            }));
         }
         if let Some(n) = moves::number(&self.compact.bytes, &mut self.at) {
             return Ok(Some(Expr::Number(n)));
@@ -130,7 +128,8 @@ impl<'a> Reader<'a> {
         if self.eat("EXISTS[#") {
             let name = self.parameter_name()?;
             let (Some(id), true) = (name, self.eat("]")) else {
-                let fault = self.fault_from(start, Code::BadFormula, "EXISTS asks for a named parameter");
+                let fault =
+                    self.fault_from(start, Code::BadFormula, "EXISTS asks for a named parameter");
                 return Err(fault.hint("write EXISTS[#<name>]"));
             };
             return Ok(Some(Expr::Exists(id)));

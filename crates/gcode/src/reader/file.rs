@@ -96,7 +96,9 @@ impl File {
 
     fn percent(&mut self, text: &str) -> Node {
         let rest = text.trim().trim_start_matches('%').trim();
-        let named = rest.is_empty() || rest.starts_with(['(', ';']) || rest.chars().all(|c| c.is_alphanumeric() || c.is_whitespace());
+        let named = rest.is_empty()
+            || rest.starts_with(['(', ';'])
+            || rest.chars().all(|c| c.is_alphanumeric() || c.is_whitespace());
         if !named {
             let span = Span { start: 0, end: text.len() as u32 };
             let message = "text behind % is not read";

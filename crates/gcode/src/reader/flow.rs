@@ -50,7 +50,8 @@ impl Reader<'_> {
         match self.peek() {
             b'<' => Ok((Some(Label::Name(self.bracketed_name()?.into())), None)),
             b'0'..=b'9' => {
-                let digits = self.compact.bytes[self.at..].iter().take_while(|b| b.is_ascii_digit());
+                let digits =
+                    self.compact.bytes[self.at..].iter().take_while(|b| b.is_ascii_digit());
                 let count = digits.count();
                 let text = String::from_utf8_lossy(&self.compact.bytes[self.at..self.at + count]);
                 let Ok(number) = text.parse() else {
@@ -94,7 +95,11 @@ impl Reader<'_> {
         }
         let message = format!(
             "this O-word takes {} values in brackets, not {}",
-            if wanted.start() == wanted.end() { wanted.start().to_string() } else { format!("up to {}", wanted.end()) },
+            if wanted.start() == wanted.end() {
+                wanted.start().to_string()
+            } else {
+                format!("up to {}", wanted.end())
+            },
             flow.values.len()
         );
         Err(self.fault_from(start, Code::BadFlow, message))

@@ -17,7 +17,15 @@ pub fn looks_like_opensbp(line: &str) -> bool {
         line.chars().take_while(|c| c.is_ascii_alphabetic()).collect::<String>().to_uppercase();
     matches!(
         word.as_str(),
-        "IF" | "GOTO" | "GOSUB" | "RETURN" | "END" | "PAUSE" | "MSGBOX" | "INPUT" | "PRINT" | "SHELLX"
+        "IF" | "GOTO"
+            | "GOSUB"
+            | "RETURN"
+            | "END"
+            | "PAUSE"
+            | "MSGBOX"
+            | "INPUT"
+            | "PRINT"
+            | "SHELLX"
     ) || line.ends_with(':') && word.len() > 1
 }
 
@@ -27,7 +35,7 @@ pub(super) fn judge(program: &mut Program, foreign: usize) {
     let bad = program.lines.iter().filter(|l| l.node == Node::Bad).count();
     let other = other_language(&program.text);
     let sbp = foreign > 0 && foreign * 2 >= code;
-    if !sbp && !(other.is_some() && bad * 2 >= code) {
+    if !(sbp || other.is_some() && bad * 2 >= code) {
         return;
     }
     let line = program.diagnostics.first().map_or(1, |d| d.place.line);
@@ -46,10 +54,16 @@ fn other_language(text: &str) -> Option<(&'static str, &'static str)> {
     let dxf = head.lines().next().is_some_and(|l| l.trim() == "0")
         && head.lines().nth(1).is_some_and(|l| l.trim().eq_ignore_ascii_case("SECTION"));
     if dxf {
-        return Some(("this file is a DXF drawing, not G-code", "kerf convert makes a program of it"));
+        return Some((
+            "this file is a DXF drawing, not G-code",
+            "kerf convert makes a program of it",
+        ));
     }
     if begins("IN;") || begins("SP1;") || begins("PU;") || begins("PA;") {
-        return Some(("this file is a plot (HPGL), not G-code", "kerf convert makes a program of it"));
+        return Some((
+            "this file is a plot (HPGL), not G-code",
+            "kerf convert makes a program of it",
+        ));
     }
     if begins("<svg") || begins("<?xml") || begins("<!doctype") {
         return Some(("this file is a web or SVG document, not G-code", ""));

@@ -54,7 +54,14 @@ impl Linker<'_> {
         }
     }
 
-    fn take(&mut self, line: u32, extra: usize, keyword: Keyword, label: Option<Label>, span: Span) {
+    fn take(
+        &mut self,
+        line: u32,
+        extra: usize,
+        keyword: Keyword,
+        label: Option<Label>,
+        span: Span,
+    ) {
         match keyword {
             Keyword::Sub | Keyword::Program => {
                 if let Some(name) = &label {
@@ -71,7 +78,9 @@ impl Linker<'_> {
             Keyword::While | Keyword::Do | Keyword::If | Keyword::Repeat => {
                 self.begin(line, extra, keyword, label);
             }
-            Keyword::Elseif | Keyword::Else => self.branch(line, extra, keyword, label.as_ref(), span),
+            Keyword::Elseif | Keyword::Else => {
+                self.branch(line, extra, keyword, label.as_ref(), span)
+            }
             Keyword::Endsub => self.end(line, extra, &[Keyword::Sub], label.as_ref(), span),
             Keyword::Endwhile => self.end(line, extra, &[Keyword::While], label.as_ref(), span),
             Keyword::Endrepeat => self.end(line, extra, &[Keyword::Repeat], label.as_ref(), span),
@@ -99,12 +108,17 @@ impl Linker<'_> {
     }
 
     fn find(&self, keywords: &[Keyword], label: Option<&Label>) -> Option<usize> {
-        self.open
-            .iter()
-            .rposition(|o| keywords.contains(&o.keyword) && o.label.as_ref() == label)
+        self.open.iter().rposition(|o| keywords.contains(&o.keyword) && o.label.as_ref() == label)
     }
 
-    fn branch(&mut self, line: u32, extra: usize, keyword: Keyword, label: Option<&Label>, span: Span) {
+    fn branch(
+        &mut self,
+        line: u32,
+        extra: usize,
+        keyword: Keyword,
+        label: Option<&Label>,
+        span: Span,
+    ) {
         let Some(at) = self.find(&[Keyword::If], label) else {
             let what = if keyword == Keyword::Else { "else" } else { "elseif" };
             self.tell(line, span, Code::BadFlow, &format!("{what} without its if"), SAME_NUMBER);
@@ -118,7 +132,14 @@ impl Linker<'_> {
         }
     }
 
-    fn end(&mut self, line: u32, extra: usize, begins: &[Keyword], label: Option<&Label>, span: Span) {
+    fn end(
+        &mut self,
+        line: u32,
+        extra: usize,
+        begins: &[Keyword],
+        label: Option<&Label>,
+        span: Span,
+    ) {
         let Some(at) = self.find(begins, label) else {
             let message = "this ends nothing that was begun";
             self.tell(line, span, Code::BadFlow, message, SAME_NUMBER);
@@ -168,7 +189,13 @@ impl Linker<'_> {
         let span = flow.span;
         let name = open.label.as_ref().map_or("O".into(), Label::to_string);
         let message = format!("{name} {what} is never ended");
-        self.tell(open.line, span, Code::BadFlow, &message, &format!("put {name} {end} at its end"));
+        self.tell(
+            open.line,
+            span,
+            Code::BadFlow,
+            &message,
+            &format!("put {name} {end} at its end"),
+        );
     }
 
     fn flow(&mut self, extra: usize, change: impl FnOnce(&mut Flow)) {

@@ -38,6 +38,9 @@ pub(super) fn read(bytes: &[u8], start: usize, numbers: &mut Vec<f64>) -> Option
             }
             scan.blanks();
             *value = scan.signed()?;
+            if *value < 0.0 && slot >= FIRST_RATE {
+                return None;
+            }
             node.given |= 1 << slot;
         }
         if scan.skipped_blank() && matches!(scan.peek(), b'0'..=b'9' | b'.') {
@@ -51,6 +54,9 @@ pub(super) fn read(bytes: &[u8], start: usize, numbers: &mut Vec<f64>) -> Option
     numbers.extend(given.map(|(_, v)| v));
     Some((Node::Move(node), scan.at))
 }
+
+/// F and S stand behind this place in [`MoveNode::LETTERS`]; they may not be negative.
+const FIRST_RATE: usize = 10;
 
 /// No letter of a move.
 const NONE: u8 = 0xFF;
@@ -104,7 +110,10 @@ impl Scan<'_> {
 
     /// 0 … 3 behind a G.
     fn motion(&mut self) -> Option<u8> {
-        self.at += usize::from(self.peek() == b'0' && self.bytes.get(self.at + 1).is_some_and(u8::is_ascii_digit));
+        self.blanks();
+        self.at += usize::from(
+            self.peek() == b'0' && self.bytes.get(self.at + 1).is_some_and(u8::is_ascii_digit),
+        );
         let motion = self.peek().wrapping_sub(b'0');
         self.at += 1;
         (motion < 4 && !matches!(self.peek(), b'0'..=b'9' | b'.')).then_some(motion)

@@ -1,1 +1,161 @@
+#![allow(clippy::unwrap_used)]
 
+use crate::testing::program;
+use crate::tree::{MoveNode, Node, Program};
+
+/// The diagnostics of a program: code, line, column and length.
+#[track_caller]
+fn finds(text: &str, expected: &[&str]) {
+    let program = program(text);
+    let found: Vec<String> = program
+        .diagnostics
+        .iter()
+        .map(|d| {
+            let p = &d.place;
+            format!("{} {}:{}+{} {}", d.code, p.line, p.column, p.length, d.message)
+        })
+        .collect();
+    assert_eq!(found.len(), expected.len(), "{text:?}: {found:#?}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert!(found.starts_with(expected), "{text:?}: {found} is not {expected}");
+    }
+}
+
+/// A move line as text.
+fn shown(program: &Program, node: Node) -> String {
+    let Node::Move(MoveNode { motion, given, first }) = node else { return format!("{node:?}") };
+    let mut text = if motion < MoveNode::MODAL { format!("G{motion}") } else { "-".into() };
+    let mut index = first as usize;
+    for (bit, letter) in MoveNode::LETTERS.into_iter().enumerate() {
+        if given & (1 << bit) != 0 {
+            text.push_str(&format!(" {}{}", letter as char, program.numbers[index]));
+            index += 1;
+        }
+    }
+    text
+}
+
+#[track_caller]
+fn moves(text: &str, expected: &str) {
+    let program = program(text);
+    assert!(program.diagnostics.is_empty(), "{:?}", program.diagnostics);
+    assert_eq!(shown(&program, program.lines[0].node), expected, "{text:?}");
+}
+
+#[test]
+fn plain_moves_in_every_spelling() {
+    moves("G1 X1 Y2.5 Z-3", "G1 X1 Y2.5 Z-3");
+    moves("g01x1y2.5z-3", "G1 X1 Y2.5 Z-3");
+    moves("N10 G00 X.5 F100.", "G0 X0.5 F100");
+    moves("  z-.25  y+1", "- Y1 Z-0.25");
+    moves("G 2 X 1 I-0.5 J 0", "G2 X1 I-0.5 J0");
+    moves("X1 S500", "- X1 S500");
+    moves("X1.23456789012345678", "- X1.2345678901234567");
+}
+
+#[test]
+fn what_is_no_plain_move_is_a_block() {
+    for text in [
+        "G4 P1",
+        "G1 X[1+2]",
+        "G1 X1 (here)",
+        "G1 X1 ; there",
+        "M3",
+        "G90 G1 X1",
+        "G10 L2 P1 X0",
+        "/G1 X1",
+        "G1 X#1",
+        "T1 M6",
+        "#1=5",
+        "O1 sub ⏎ O1 endsub",
+        "G38.2 Z-1",
+        "F100",
+        "N5",
+    ] {
+        let program = program(text);
+        assert!(program.diagnostics.is_empty(), "{text}: {:?}", program.diagnostics);
+        let node = program.lines[0].node;
+        let is_move = matches!(node, Node::Move(_));
+        assert_eq!(is_move, text == "F100", "{text}: {node:?}");
+    }
+}
+
+#[test]
+fn faults_have_place_and_code() {
+    finds("G1 X1 X2", &["G006 1:7+2 X stands twice"]);
+    finds("G0 G1 X1", &["G007 1:4+2 G0 and G1 exclude"]);
+    finds("G20 G21", &["G007 1:5+3"]);
+    finds("M3 M5", &["G007 1:4+2 M3 and M5"]);
+    finds("G123", &["G002 1:1+4 unknown code G123"]);
+    finds("G1.5 X1", &["G002 1:1+4"]);
+    finds("M77", &["G003 1:1+3 unknown code M77"]);
+    finds("M101", &["G003 1:1+4"]);
+    finds("G76 P1", &["R017 1:1+3 G76 cannot be carried out"]);
+    finds("G1 X", &["G005 1:4+1 X without a number"]);
+    finds("G1 X1 Y-", &["G011 1:9+0 a value is missing"]);
+    finds("G1 é", &["G004 1:4+1"]);
+    finds("G1 X1 (open", &["G010 1:7+5"]);
+    finds("G4", &["G008 1:1+2 G4 without P"]);
+    finds("G10 P1 X0", &["G008 1:1+9 G10 without L"]);
+    finds("M66 L3", &["G008 1:1+6"]);
+    finds("G1 X1 F-5", &["R009 1:1+9 F may not be negative"]);
+    finds("G92 X0 G1 Y1", &["G007 1:1+12"]);
+    finds("G1 X[1+]", &["G011 1:8+1 a value is missing"]);
+    finds("G1 X[1 2]", &["G022 1:8+1"]);
+    finds("G1 X[[1]", &["G011 1:9+0 an operator or ] is missing"]);
+    finds("G1 X[ATAN[1]]", &["G011 1:6+7 ATAN needs two"]);
+    finds("#1", &["G004 1:1+2 = expected"]);
+    finds("#<a=1", &["G011 1:2+"]);
+    finds("G1 X1 0 Y2", &["G022 1:7+1"]);
+    finds("(a (b) c)", &["W003 1:4+1"]);
+    finds("G1 X1 ⏎ G1 Q⏎G2 X1 X1⏎G999", &["G005 2:4+1", "G006 3:7+2", "G002 4:1+4"]);
+    finds("X1 M3 X2 M4 G999", &["G006 1:7+2", "G007 1:10+2", "G002 1:13+4"]);
+}
+
+#[test]
+fn codes_that_may_stand_together() {
+    for text in
+        ["G17 G20 G90 G94 G54 G64 P0.01", "M7 M8", "G53 G0 X0", "G80 G0 X1", "M3 S100 M8 T1"]
+    {
+        finds(text, &[]);
+    }
+}
+
+#[test]
+fn o_words_find_their_partners() {
+    finds("O1 sub⏎G0 X1", &["G014 1:1+6 O1 sub is never ended"]);
+    finds("O1 if [1]⏎O2 while [1]⏎O1 endif", &["G014 2:1+12 O2 while is never ended"]);
+    finds("O1 endif", &["G014 1:1+8 this ends nothing"]);
+    finds("O1 else", &["G014 1:1+7 else without its if"]);
+    finds("O1 break", &["G014 1:1+8 break and continue"]);
+    finds("O1 wend", &["G014 1:1+2 no such O-word"]);
+    finds("O1 if", &["G014 1:1+5 this O-word takes 1 values"]);
+    finds("O1 sub⏎O1 endsub⏎O1 sub⏎O1 endsub", &["G014 3:1+6 O1 is already defined"]);
+    finds("O1 do⏎O1 while [0]⏎O<a b> repeat [2]⏎o<AB> endrepeat", &[]);
+}
+
+#[test]
+fn other_languages_are_said_once() {
+    finds("'a part⏎M3,1,2,3⏎MX,4⏎&a=1⏎IF &a=1 THEN GOTO x", &["G001 1:1+0 this file is OpenSBP"]);
+    finds("0⏎SECTION⏎2⏎HEADER⏎9⏎$ACADVER", &["G001 1:1+0 this file is a DXF"]);
+    finds("IN;SP1;PU0,0;PD100,0;", &["G001 1:1+0 this file is a plot"]);
+    finds("G1 X1⏎G0 Y2⏎G0 Y3⏎MX,4", &["G005 4:1+1"]);
+    let program = crate::read("x".into(), b"G1 X1\nG1 \0");
+    assert_eq!(program.diagnostics[0].code.as_str(), "S001");
+}
+
+#[test]
+fn long_lines_and_deep_brackets_are_refused() {
+    finds(&"X1 ".repeat(50_000), &["S015 1:1+0"]);
+    finds(&format!("X{}1{}", "[".repeat(500), "]".repeat(500)), &["G011"]);
+    finds(&format!("X[1{}]", "+1".repeat(500)), &["G011"]);
+    finds(&format!("X{}1", "-".repeat(500)), &["G011"]);
+    finds(&format!("X{}1", "#".repeat(500)), &["G011"]);
+}
+
+#[test]
+fn millions_of_mistakes_are_counted_and_not_kept() {
+    let program = crate::read("t".into(), "G999\n".repeat(30_000).as_bytes());
+    assert_eq!(program.diagnostics.len(), super::MOST_DIAGNOSTICS + 1);
+    assert!(program.diagnostics.last().unwrap().message.contains("20000 more"));
+}
