@@ -213,6 +213,10 @@ mod tests {
             ),
             ("IF &a=1 THEN IF &b=1 THEN END", &["S004 1:14+16 an IF cannot stand here"]),
             (
+                "IF &a ** 2 THEN QQ,1",
+                &["S007 1:8+1 a value is expected, not *", "S002 1:17+2 unknown command QQ"],
+            ),
+            (
                 "IF (&a=1 THEN QQ,1",
                 &["S006 1:4+5 a ) is missing", "S002 1:15+2 unknown command QQ"],
             ),

@@ -136,13 +136,13 @@ impl<'f, 't> Line<'f, 't> {
         found
     }
 
-    /// Reads a part of the line as if the code ended there, and goes on behind it.
+    /// Reads a part of the line as if the code ended there, and comes back.
     pub(super) fn within<T>(&mut self, span: Span, read: impl FnOnce(&mut Self) -> T) -> T {
         let (at, end) = (self.at, self.end);
         self.at = span.start as usize;
         self.end = (span.end as usize).min(end);
         let result = read(self);
-        self.at = at.max(span.end as usize);
+        self.at = at;
         self.end = end;
         result
     }

@@ -235,4 +235,10 @@ proptest! {
         prop_assert_eq!(&fast.numbers, &parsed);
         prop_assert_eq!(&numbers, &parsed);
     }
+
+    #[test]
+    fn numbers_are_those_of_the_standard_library(text in "[0-9]{1,12}(\\.[0-9]{0,12})?|\\.[0-9]{1,22}") {
+        let program = read("p".into(), format!("MX,{text}").as_bytes());
+        prop_assert_eq!(program.numbers.first().copied(), text.parse().ok(), "{}", text);
+    }
 }

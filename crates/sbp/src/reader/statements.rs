@@ -351,6 +351,12 @@ mod tests {
     }
 
     #[test]
+    fn some_letters_do_not_begin_gcode() {
+        finds("I5 J2", &["S002 1:1+2 unknown command I5"]);
+        finds("MX1 Y2", &["S002 1:1+3 unknown command or missing separator: MX1"]);
+    }
+
+    #[test]
     fn case_and_blanks_mean_nothing() {
         check("  goto   done ⏎DONE:⏎ Goto Done", "goto DONE 2");
         check("eND", "end");
