@@ -64,7 +64,8 @@ impl Line<'_, '_> {
         }
         self.forget(mark);
         self.at = self.end;
-        if looks_computed(text) {
+        // A number and then a command: a line end was forgotten.
+        if looks_computed(text) || (self.second_command && !text.starts_with(char::is_alphabetic)) {
             let hint = "put text in quotes, or mend the expression";
             let message = "this is no expression and is taken as text";
             self.warn(Code::DoubtfulSpelling, span, message, hint);
@@ -147,6 +148,7 @@ mod tests {
         for (text, finding) in [
             ("&a = 3*", "W003 1:6+2 this is no expression and is taken as text"),
             ("&a = 1,5", "W003 1:6+3"),
+            ("&a = 5 MX,1", "W003 1:6+6"),
             ("&a = (&b+1", "W003 1:6+5"),
             ("&a = &b frogs", "W003 1:6+8"),
         ] {

@@ -64,7 +64,10 @@ impl Line<'_, '_> {
         if self.byte(self.end - 1) == b')' && self.end > self.at {
             self.end -= 1;
         } else {
-            let hint = "close it with )";
+            let hint = match self.text[self.end..].contains(')') {
+                true => "an apostrophe begins a comment; put the text in quotes",
+                false => "close it with )",
+            };
             self.warn(Code::DoubtfulSpelling, span, "the ) of MSGBOX is missing", hint);
         }
         let [body, style, title] = [self.next_field(), self.next_field(), self.next_field()];
@@ -314,6 +317,10 @@ mod tests {
             check(text, tree);
         }
         finds("MSGBOX (Cutting, 0, Punch It!", &["W003 1:1+29 the ) of MSGBOX is missing"]);
+        finds(
+            "MSGBOX(Don't move, 0, Stop)",
+            &["[an apostrophe begins a comment; put the text in quotes]"],
+        );
         finds("MSGBOX(a, b, YesNo, t)", &["W003 1:21+1 MSGBOX takes three values"]);
         finds("MSGBOX a, b", &["S004 1:1+11 ( expected after MSGBOX"]);
     }

@@ -241,8 +241,8 @@ impl Line<'_, '_> {
         let start = self.at;
         let bytes = &self.text.as_bytes()[..self.end];
         if let Some(n) = number(bytes, &mut self.at)
-            && !is_name(self.peek())
             && self.peek() != b'.'
+            && (!is_name(self.peek()) || self.at_stop())
         {
             return Ok(ExprNode::Number(n));
         }

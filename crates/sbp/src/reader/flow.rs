@@ -188,6 +188,7 @@ mod tests {
         for (text, tree) in [
             ("IF &c > 2 THEN MX,1", "if (&C > 2) then MX 1"),
             ("IF(&a=1)THEN MX,1", "if (&A = 1) then MX 1"),
+            ("IF &a=1THEN MX,1", "if (&A = 1) then MX 1"),
             ("if &zup = \"\" then &zup = 0", "if (&ZUP = \"\") then &ZUP = 0"),
             ("IF %(51)=1 THEN PAUSE 3", "if (%51 = 1) then pause 3"),
             ("IF 1 = 1 THEN GOSUB S", "if (1 = 1) then gosub S 0"),

@@ -2,7 +2,7 @@
 
 use super::{run_files, run_with};
 use crate::testing::{FakeHost, Ran, run};
-use crate::{Session, Status, Value, read};
+use crate::{Interpreter, Options, Session, Status, Step, Value, read};
 use kerf_diag::Code;
 use kerf_program::{Command, MoveKind};
 
@@ -492,4 +492,29 @@ fn doubtful_spellings_of_real_files_run() {
     run("GOTO nowhere").ended(Status::Failed).fails_with("not found");
     run("MX,1 ⏎ END ⏎ GOTO nowhere").ended(Status::Ok);
     run("&a=1 ⏎ IF &a > 5 THEN MX, 9").ends_at(0.0, 0.0, 0.0);
+}
+
+/// A million lines are read and run to the last point, and the last line has its number.
+#[test]
+fn sbp_lang_size() {
+    run("MX,1").ends_at(1.0, 0.0, 0.0);
+    let mut text = String::new();
+    for i in 1..=1_000_000_u32 {
+        let (x, z) = (i % 1000, i / 100_000);
+        text.push_str(&format!("M3,{x},{}.5,-.{z}\n", i % 977));
+    }
+    let program = read("size.sbp".into(), text.as_bytes());
+    assert_eq!((program.lines.len(), program.numbers.len()), (1_000_000, 3_000_000));
+    let mut interpreter = Interpreter::new(program, Session::default(), Options::default());
+    let (mut host, mut commands) = (FakeHost::default(), Vec::new());
+    let (mut lines, mut last) = (0, None);
+    while !matches!(interpreter.step(&mut host, &mut commands), Step::Done(..)) {
+        lines += commands.iter().filter(|c| matches!(c.command, Command::Line(_))).count();
+        last = commands.last().map(|c| c.at.line).or(last);
+        commands.clear();
+    }
+    assert_eq!((lines, last), (1_000_000, Some(1_000_000)));
+    let session = interpreter.into_session();
+    let at = session.settings.to_user(session.frame.working(session.position)).first3();
+    assert!((at[0], at[1]) == (0.0, 529.5) && (at[2] + 0.1).abs() < 1e-9, "{at:?}");
 }
