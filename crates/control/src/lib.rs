@@ -39,7 +39,7 @@ pub use check::{Checked, check};
 pub use event::Event;
 pub use pace::{Pace, StopAt};
 pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word};
-pub use shelf::{Shelf, Shell};
+pub use shelf::{MOST_BYTES, Shelf, Shell};
 pub use sink::Sink;
 pub use tally::{Tally, ToolPathTime};
 pub use text::{Outcome, TextOptions, run_text};

@@ -15,6 +15,10 @@ use kerf_sim::{Happening, Machine, What};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+/// A line of the print window that grows beyond this is told in parts, bytes: a loop that prints
+/// without end must not eat the memory.
+const LONGEST_LINE: usize = 1_000_000;
+
 pub(crate) struct World<'a> {
     pub machine: Machine,
     pub tally: Tally,
@@ -224,7 +228,7 @@ impl<'a> World<'a> {
 
     fn print(&mut self, text: &str, newline: bool) {
         self.printed.push_str(text);
-        if newline {
+        if newline || self.printed.len() > LONGEST_LINE {
             self.end_line();
         }
     }

@@ -7,9 +7,10 @@ use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
-use kerf_control::{RunOptions, Session, Shelf, Shell};
+use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
 use kerf_program::{Axes, Axis, Dynamics, Settings};
 use kerf_sbp::{FileParameters, Program};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -65,7 +66,16 @@ fn read_bytes(file: &Path) -> Result<Vec<u8>> {
     if file.is_dir() {
         bail!(Usage(format!("{} is a folder, not a file", file.display())));
     }
-    fs::read(file).map_err(|e| Usage(format!("cannot read {}: {e}", file.display())).into())
+    let cannot = |e: io::Error| Usage(format!("cannot read {}: {e}", file.display()));
+    let most = MOST_BYTES as u64;
+    let mut bytes = Vec::new();
+    // A device or a pipe may never end.
+    let opened = fs::File::open(file).map_err(cannot)?;
+    opened.take(most + 1).read_to_end(&mut bytes).map_err(cannot)?;
+    if bytes.len() > MOST_BYTES {
+        bail!(Usage(format!("{} is too large", file.display())));
+    }
+    Ok(bytes)
 }
 
 fn read_text(file: &Path) -> Result<String> {

@@ -12,6 +12,9 @@ use crate::value::single;
 use kerf_diag::Code;
 use std::cmp::Ordering;
 
+/// Texts may have so many bytes: a loop that joins a text to itself must not eat the memory.
+const MOST_TEXT: usize = 1_000_000;
+
 impl Context<'_> {
     /// The value of an expression.
     pub(crate) fn eval(&mut self, expr: &Expr) -> Result<Value, Stop> {
@@ -68,11 +71,19 @@ impl Context<'_> {
             ExprNode::Variable(name) if self.variable(*name).is_none() => {
                 Ok(self.spelled(expr.span))
             }
-            ExprNode::Binary(BinaryOp::Join, left, right) => {
-                Ok(self.eval_text(left)? + &self.eval_text(right)?)
-            }
+            ExprNode::Binary(BinaryOp::Join, left, right) => self.joined(left, right, expr.span),
             _ => Ok(self.eval(expr)?.display()),
         }
+    }
+
+    /// Two texts one after the other.
+    fn joined(&mut self, left: &Expr, right: &Expr, span: Span) -> Result<String, Stop> {
+        let text = self.eval_text(left)? + &self.eval_text(right)?;
+        if text.len() <= MOST_TEXT {
+            return Ok(text);
+        }
+        let hint = "does a loop join it to itself?";
+        Err(self.fail_at(span, Code::OutOfRange, "the text is longer than a million bytes", hint))
     }
 
     /// What stands in the line at a span.
@@ -161,7 +172,7 @@ impl Context<'_> {
         span: Span,
     ) -> Result<Value, Stop> {
         match op {
-            BinaryOp::Join => Ok(Value::text(self.eval_text(left)? + &self.eval_text(right)?)),
+            BinaryOp::Join => self.joined(left, right, span).map(Value::text),
             BinaryOp::Equal
             | BinaryOp::NotEqual
             | BinaryOp::Less

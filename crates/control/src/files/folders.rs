@@ -78,6 +78,7 @@ impl Folders {
             }
         }
         Err(match (refused, places.first()) {
+            (Some(path), _) if path.as_os_str().is_empty() => outside(name.trim()),
             (Some(path), _) => outside(&path.display().to_string()),
             (None, Some((base, _))) => missing(name.trim(), base, purpose),
             (None, None) => outside(name.trim()),

@@ -60,7 +60,15 @@ impl Disk for RealDisk {
 
 /// A new file in the folder of another; gone unless it is put in that one's place.
 fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
-    tempfile::NamedTempFile::new_in(or_here(path.parent().unwrap_or(Path::new(""))))
+    let mut beside = tempfile::Builder::new();
+    #[cfg(unix)]
+    let beside = {
+        use std::os::unix::fs::PermissionsExt;
+        // As the file had them, or as any new file has them.
+        let new = || fs::Permissions::from_mode(0o666);
+        beside.permissions(fs::metadata(path).map_or_else(|_| new(), |known| known.permissions()))
+    };
+    beside.tempfile_in(or_here(path.parent().unwrap_or(Path::new(""))))
 }
 
 /// The folder we are in has an empty name in relative paths.

@@ -63,6 +63,13 @@ pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>
 pub(super) fn end_of_file(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     let Some(level) = core.levels.last() else { return end(core, host, out) };
     let at = At { file: level.file, line: level.next };
+    if level.next == 0 && level.repetitions_left > 0 {
+        // Without lines in the file nothing else would bound the repetitions.
+        core.lines += 1;
+        if core.options.max_lines > 0 && core.lines >= core.options.max_lines {
+            return too_many_lines(core, host, out, At { line: 1, ..at });
+        }
+    }
     Context { core, host, out, at, span: Span::default() }.file_over();
     Step::Ran
 }

@@ -5,13 +5,18 @@ use crate::{Expr, Value};
 use kerf_diag::Code;
 use kerf_program::{Button, Command, Question, QuestionKind};
 
+/// No pause is longer, about three years: beyond, a clock loses its milliseconds.
+const LONGEST_S: f64 = 1e8;
+
 impl Context<'_> {
     /// PAUSE n: waits so many seconds. The comment above was told when its own line ran.
     pub(super) fn pause_for(&mut self, seconds: &Expr) -> Result<(), Stop> {
         let n = self.eval_number(seconds)?;
-        if !(n.is_finite() && n >= 0.0) {
-            let message =
-                format!("a pause lasts 0 or more seconds, not {}", Value::Number(n).display());
+        if !(0.0..=LONGEST_S).contains(&n) {
+            let message = format!(
+                "a pause lasts 0 or more seconds, at most 100000000, not {}",
+                Value::Number(n).display()
+            );
             return Err(self.fail_at(seconds.span, Code::OutOfRange, message, ""));
         }
         self.settle()?;
