@@ -6,7 +6,7 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run test properties check format conformance book prepare
+.PHONY: help run bench test properties check format conformance book prepare
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -37,6 +37,10 @@ book: ## write the generated pages of the user's book
 
 run: prepare ## run the first example on the simulated machine and draw its path
 	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
+
+bench: prepare ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
+	$(CARGO) build --release --locked --package kerf --package kerf-bench
+	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
 
 prepare: ## install what building and testing need
 	@.ci/prepare

@@ -52,6 +52,7 @@ pub const ROOMS: &[Room] = &[
     at(8.0, Half::Edge, "kerf-server"),
     at(8.0, Half::Edge, "kerf-lsp"),
     at(8.0, Half::Edge, "kerf-ledger"),
+    at(8.0, Half::Edge, "kerf-bench"),
     at(8.0, Half::Edge, "xtask"),
     // The command line starts the server and the language server.
     at(9.0, Half::Edge, "kerf"),

@@ -1,0 +1,83 @@
+//! The `kerf` command as a person starts it: a process of its own, with its time and peak memory.
+//!
+//! Linux tells the peak memory of a child only when it is over, as the greatest of all children so
+//! far, and counts what its parent had when it was started. So this program starts itself, small and
+//! fresh, for each run, and that process starts `kerf`.
+
+use crate::figure::{Figure, Goal, RUNS, Spread};
+use crate::inputs::Input;
+use crate::usage::{self, Usage};
+use anyhow::{Context, Result, ensure};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+use std::{env, fs};
+
+/// The word that makes this program the small parent.
+pub const PARENT: &str = "--parent-of";
+
+/// What a process took.
+struct Taken {
+    seconds: f64,
+    cpu_s: f64,
+    peak: f64,
+}
+
+/// The commands on an input.
+pub fn figures(input: &Input) -> Result<Vec<Figure>> {
+    let folder = tempfile::tempdir().context("no folder for part files")?;
+    let [(name, bytes)] = &input.files[..] else { return Ok(Vec::new()) };
+    let file = folder.path().join(name);
+    fs::write(&file, bytes)?;
+    let picture = folder.path().join("picture.svg");
+    let commands: [(&'static str, &str, Vec<&Path>); 3] = [
+        ("kerf time", "time", vec![&file]),
+        ("kerf trace", "trace", vec![&file]),
+        ("kerf preview -o x.svg", "preview", vec![&file, Path::new("-o"), &picture]),
+    ];
+    let lines = input.lines();
+    let mut figures = Vec::new();
+    for (stage, command, arguments) in commands {
+        let goal =
+            (stage == "kerf time" && input.name == "m3-1m").then_some(Goal::Within(0.5, 300e6));
+        let taken = (0..=RUNS).map(|_| run(command, &arguments, folder.path()));
+        let taken = taken.skip(1).collect::<Result<Vec<_>>>()?;
+        let spread = |f: fn(&Taken) -> f64| Spread::of(taken.iter().map(f).collect());
+        figures.push(Figure {
+            input: input.name,
+            stage,
+            count: lines,
+            unit: "lines",
+            cpu_s: spread(|t| t.cpu_s),
+            wall_s: spread(|t| t.seconds),
+            peak: Some(spread(|t| t.peak).median),
+            goal,
+        });
+    }
+    Ok(figures)
+}
+
+fn run(command: &str, arguments: &[&Path], data: &Path) -> Result<Taken> {
+    let own = env::current_exe().context("where is this program?")?;
+    let kerf = own.with_file_name("kerf");
+    let mut parent = Command::new(&own);
+    parent.arg(PARENT).arg(kerf).arg(command).args(arguments).env("KERF_DATA", data);
+    let output = parent.stderr(Stdio::inherit()).output()?;
+    ensure!(output.status.success(), "kerf {command} failed");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let mut numbers = text.split_whitespace().map(str::parse);
+    let mut next = || numbers.next().context("the process told too little")?.context("no number");
+    Ok(Taken { seconds: next()?, cpu_s: next()?, peak: next()? })
+}
+
+/// Runs a command and prints its seconds, its processor seconds and its peak memory in bytes.
+pub fn parent(mut arguments: impl Iterator<Item = std::ffi::OsString>) -> Result<()> {
+    let program = arguments.next().context("which program?")?;
+    let start = Instant::now();
+    let status = Command::new(program).args(arguments).stdout(Stdio::null()).status()?;
+    let seconds = start.elapsed().as_secs_f64();
+    ensure!(status.success(), "it ended with {status}");
+    let Usage { cpu_s, peak } = usage::children()?;
+    println!("{seconds} {cpu_s} {peak}");
+    Ok(())
+}

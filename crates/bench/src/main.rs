@@ -1,0 +1,39 @@
+//! Measures Kerf: how fast part files are read, interpreted, planned and drawn, and with how much
+//! memory. `make bench` builds and runs it; a word as argument chooses the inputs whose name contains
+//! it, `--record` writes the figures into `docs/benchmarks.md`.
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod child;
+mod figure;
+mod inputs;
+mod record;
+mod stages;
+mod still;
+mod table;
+mod usage;
+
+use anyhow::Result;
+use std::env;
+
+fn main() -> Result<()> {
+    let mut arguments = env::args_os().skip(1).peekable();
+    if arguments.next_if(|word| word == child::PARENT).is_some() {
+        return child::parent(arguments);
+    }
+    let words: Vec<String> = arguments.map(|word| word.to_string_lossy().into_owned()).collect();
+    let recorded = words.iter().any(|word| word == "--record");
+    let word = words.iter().find(|word| !word.starts_with("--")).map_or("", String::as_str);
+    let (mut about, mut figures) = (Vec::new(), Vec::new());
+    for input in inputs::inputs(word) {
+        eprintln!("{} …", input.name);
+        about.push(record::about(&input));
+        figures.extend(stages::figures(&input)?);
+        figures.extend(child::figures(&input)?);
+    }
+    let section = record::section(&about, &figures);
+    println!("{section}");
+    if recorded {
+        record::record(&section)?;
+    }
+    Ok(())
+}
