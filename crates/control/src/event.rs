@@ -318,6 +318,9 @@ pub struct EndEvent {
     pub bounds: Option<BoundsEvent>,
     /// Steps each motor has made since the machine was switched on, driver channel 1 first.
     pub steps: [i64; AXES],
+    /// Temperature of the heater, when one is controlled (VH).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heater: Option<f64>,
     /// Axes whose location should be verified: the motors had no power.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub verify: Vec<char>,

@@ -7,12 +7,16 @@ use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Model, Move, Optimal, Path, Plan, plan_stack};
 use kerf_program::{
-    Answer, At, Axis, Button, Interpreter, Question, QuestionKind, Settings, Sourced, Status,
+    Answer, At, Axis, Button, Command, Interpreter, Question, QuestionKind, Settings, Sourced,
+    Status,
 };
 use kerf_sbp::SPINDLE_STATUS;
 use kerf_sim::{Halt, HaltCause, Violation};
 use std::iter::Peekable;
 use std::vec::IntoIter;
+
+/// What is told when the interlock forbids motion or a spindle.
+const ENCLOSURE_OPEN: &str = "enclosure open";
 
 /// Why a stack did not run to its end.
 #[derive(Debug)]
@@ -66,7 +70,10 @@ impl<I: Interpreter> Runner<'_, I> {
         match self.world.machine.stop_input() {
             None => Ok(()),
             Some(input) => {
-                let message = format!("stop input {input} is active: nothing may move");
+                let message = match self.world.machine.open_enclosure() {
+                    Some(_) => ENCLOSURE_OPEN.into(),
+                    None => format!("stop input {input} is active: nothing may move"),
+                };
                 Err(self.over(Status::Stopped, Code::InputStop, first.at, message))
             }
         }
@@ -108,6 +115,14 @@ impl<I: Interpreter> Runner<'_, I> {
         format!(
             "{letter} would reach {reached}, the table limit is {limit} (table base coordinates)"
         )
+    }
+
+    /// Ends the run when a spindle would start in an open enclosure.
+    pub(crate) fn spindle_refused(&self, sourced: &Sourced) -> Option<Over> {
+        let starts = matches!(sourced.command, Command::Output { number: 1 | 2, on: true });
+        let open = starts && self.world.machine.open_enclosure().is_some();
+        let message = ENCLOSURE_OPEN.into();
+        open.then(|| self.over(Status::Stopped, Code::InputStop, sourced.at, message))
     }
 
     fn over(&self, status: Status, code: Code, at: At, message: String) -> Over {
@@ -239,7 +254,10 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.world.machine.stopped(true);
                 self.world.shelf.stored.set(SPINDLE_STATUS, Some("0"));
                 self.world.tell_log();
-                let message = format!("stopped by stop input {n}");
+                let message = match self.world.machine.open_enclosure() {
+                    Some(_) => ENCLOSURE_OPEN.into(),
+                    None => format!("stopped by stop input {n}"),
+                };
                 Some(Halted::Over(self.over(
                     Status::Stopped,
                     Code::InputStop,

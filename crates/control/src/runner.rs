@@ -217,6 +217,13 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     fn take(&mut self, sourced: Sourced, number: u64) -> Flow {
+        if self.leaves_torch(&sourced.command) {
+            match self.flush() {
+                Flow::On => self.world.machine.land_torch(),
+                flow => return flow,
+            }
+            self.mover.set_position(self.world.machine.position());
+        }
         let made = match &sourced.command {
             Command::Line(line) => self.mover.line(sourced.at, line),
             Command::Arc(arc) => self.mover.arc(sourced.at, arc),
@@ -243,6 +250,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         if self.joins(&sourced.command) {
             if self.stack.moves.is_empty() {
+                if let Some(over) = self.spindle_refused(&sourced) {
+                    return Flow::Over(over);
+                }
                 self.world.perform(sourced.command);
                 self.mover.set_position(self.world.machine.position());
             } else {
@@ -260,6 +270,14 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
             (flow, _) => flow,
         }
+    }
+
+    /// Whether a move of Z alone begins where the torch has brought it.
+    fn leaves_torch(&self, command: &Command) -> bool {
+        let Command::Line(line) = command else { return false };
+        let from = self.mover.position();
+        let stays = |axis: Axis| line.to[axis] == from[axis];
+        self.world.machine.settings().torch_on() && stays(Axis::X) && stays(Axis::Y)
     }
 
     /// Whether motion goes on through a command. It does not when a preview begins or ends.
@@ -298,6 +316,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// A watched input stopped the machine: the program's handler comes next.
     pub(crate) fn interrupt(&mut self, index: usize, motion: Option<u64>) -> Flow {
+        self.world.machine.land_torch();
         let position = self.world.machine.position();
         let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
         self.interpreter.interrupt(&watch, motion, position);

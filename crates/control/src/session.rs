@@ -219,6 +219,7 @@ fn end_event(
         jog: summary.tally.jog_mm / mm,
         bounds: bounds_event(&summary.tally.bounds, mm),
         steps: machine.steps(),
+        heater: (machine.settings().io.analog >= 3).then(|| machine.heater_degrees()),
         verify: machine.unverified().iter().map(|axis| axis.letter()).collect(),
         vars,
     }

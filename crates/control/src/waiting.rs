@@ -59,6 +59,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Lifts the tool to safe Z when it is lower (command reference, stopping).
     fn lift(&mut self) {
+        self.world.machine.land_torch();
         let position = self.world.machine.position();
         let Some(safe_mm) = self.world.machine.settings().cutter.safe_z_mm else { return };
         let safe = self.world.machine.frame().working_zero[Axis::Z] + safe_mm;

@@ -89,6 +89,13 @@ impl Case {
         self
     }
 
+    /// An input of the machine is the interlock of its enclosure.
+    #[must_use]
+    pub const fn interlock(mut self, input: u8) -> Self {
+        self.session.memory.settings.io.interlock = Some(input);
+        self
+    }
+
     /// The machine is set to millimetres.
     #[must_use]
     pub const fn millimetres(mut self) -> Self {

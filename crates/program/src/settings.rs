@@ -253,6 +253,9 @@ pub struct IoModes {
     pub outputs: [u8; SWITCHES],
     /// Mode of output 4, −1 … −4.
     pub output4: i8,
+    /// Input that is ON while the enclosure is open; from the machine's configuration.
+    #[serde(default)]
+    pub interlock: Option<u8>,
 }
 
 /// Torch height, laser and heater (VH).
@@ -514,6 +517,7 @@ impl Default for Settings {
                 inputs: [0; SWITCHES],
                 outputs: [0; SWITCHES],
                 output4: -1,
+                interlock: None,
             },
             height: Height {
                 on: false,

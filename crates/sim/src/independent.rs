@@ -47,6 +47,11 @@ impl Spin {
         self.since_s -= by_s;
     }
 
+    /// What it does now.
+    pub(crate) const fn motion(&self) -> Independent {
+        self.motion
+    }
+
     /// Whether it moves.
     pub(crate) fn moves(&self) -> bool {
         self.motion != Independent::Off

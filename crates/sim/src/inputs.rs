@@ -103,7 +103,7 @@ pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
 }
 
 pub(crate) fn duty(number: u8, modes: &IoModes) -> Duty {
-    if number == STOP_INPUT {
+    if number == STOP_INPUT || modes.interlock == Some(number) {
         return Duty::Stop;
     }
     match modes.inputs[usize::from(number) - 1] {

@@ -15,6 +15,7 @@
 //! positions in the machine frame.
 
 mod halt;
+mod heater;
 mod independent;
 mod inputs;
 mod laser;

@@ -1,8 +1,10 @@
 //! The machine itself.
 
 mod drive;
+mod torch;
 
 use crate::halt::{self, Halt, Watched};
+use crate::heater::{self, Heater};
 use crate::independent::Spin;
 use crate::inputs::Inputs;
 use crate::laser;
@@ -16,6 +18,9 @@ use kerf_program::settings::{Mode, SWITCHES};
 use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
 use std::sync::Arc;
 
+/// The PWM channel of the heater.
+const HEATER_CHANNEL: u8 = 1;
+
 /// A simulated machine. See the [crate] for what it does.
 #[derive(Clone, Debug)]
 pub struct Machine {
@@ -27,6 +32,11 @@ pub struct Machine {
     inputs: Inputs,
     outputs: Outputs,
     spins: [Spin; AXES],
+    /// How far the torch has carried Z.
+    torch: Spin,
+    /// How fast it does so now.
+    torch_mm_s: f64,
+    heater: Heater,
     motors: Motors,
     /// Motors have power.
     powered: bool,
@@ -62,6 +72,9 @@ impl Machine {
             inputs,
             outputs: Outputs::default(),
             spins: [Spin::default(); AXES],
+            torch: Spin::default(),
+            torch_mm_s: 0.0,
+            heater: Heater::default(),
             motors,
             powered: true,
             unverified: AxisSet::EMPTY,
@@ -87,6 +100,7 @@ impl Machine {
         for spin in &mut self.spins {
             spin.set_back(self.clock_s);
         }
+        self.heater.set_back(self.clock_s);
         self.clock_s = 0.0;
         (self.position, self.frame, self.inputs) = (position, frame, inputs);
         (self.drawing_from, self.settings) = (None, settings);
@@ -124,6 +138,7 @@ impl Machine {
         for axis in Axis::ALL {
             place[axis] += self.spins[axis.index()].displacement(self.clock_s);
         }
+        place[Axis::Z] += self.torch.displacement(self.clock_s);
         place
     }
 
@@ -161,6 +176,9 @@ impl Machine {
     /// From here on these settings hold.
     pub fn use_settings(&mut self, settings: Arc<Settings>) {
         self.follow_motors();
+        if !settings.torch_on() {
+            self.land_torch();
+        }
         self.use_mode(settings.mode, &settings);
         if !settings.driver.enabled {
             self.all_off(OutputReason::Program);
@@ -173,6 +191,26 @@ impl Machine {
         } else if before {
             self.pwm(laser::CHANNEL, 0.0);
         }
+        self.heat(self.clock_s);
+    }
+
+    /// The heater is held at its temperature, or cools.
+    fn heat(&mut self, to_s: f64) {
+        let (mut heater, height) = (self.heater, self.settings.height);
+        if heater::active(&height, &self.settings.io) {
+            heater.hold(to_s, &height, |t_s, percent| self.pwm_at(t_s, HEATER_CHANNEL, percent));
+        } else {
+            if heater.heats() {
+                self.pwm(HEATER_CHANNEL, 0.0);
+            }
+            heater.cool(to_s);
+        }
+        self.heater = heater;
+    }
+
+    /// Temperature of the heater, degrees.
+    pub const fn heater_degrees(&self) -> f64 {
+        self.heater.degrees()
     }
 
     fn use_mode(&mut self, mode: Mode, settings: &Settings) {
@@ -212,6 +250,7 @@ impl Machine {
     /// The part file is over.
     pub fn end_file(&mut self) {
         self.set_light(false);
+        self.land_torch();
         self.overridden = false;
         self.by_mode(Occasion::End, OutputReason::End);
     }
@@ -295,13 +334,16 @@ impl Machine {
 
     /// Lets the clock run to a time; inputs change on the way.
     pub fn advance(&mut self, to_s: f64) {
-        let io = &self.settings.io;
-        while let Some(change) = self.inputs.step(to_s, io) {
-            let on = self.inputs.reads(change.input, io);
+        while let Some(change) = self.inputs.step(to_s, &self.settings.io) {
+            let on = self.inputs.reads(change.input, &self.settings.io);
             let t_s = change.at_s.max(self.clock_s);
             self.log.add(t_s, What::Input { number: change.input, on });
+            if change.input == torch::TORCH_INPUT {
+                self.steer_torch(t_s);
+            }
         }
         self.clock_s = self.clock_s.max(to_s);
+        self.heat(self.clock_s);
     }
 
     /// When an input reads a state: now, or at the time of a later change. `None` for never.
@@ -331,6 +373,12 @@ impl Machine {
         self.inputs.stopping(&self.settings.io)
     }
 
+    /// An open enclosure that forbids motion and spindles now: the input that tells it.
+    pub fn open_enclosure(&self) -> Option<u8> {
+        let interlock = self.settings.io.interlock?;
+        (!self.draws() && self.input(interlock)).then_some(interlock)
+    }
+
     /// The first move of a stack that would leave the table, unless limits are off or overridden.
     pub fn first_outside(&self, moves: &[Move]) -> Option<Violation> {
         let limits = &self.settings.limits;
@@ -357,6 +405,7 @@ impl Machine {
     /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock.
     pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
         self.shift_resolution(Some(span.made.kind));
+        self.ride(Some(span.made));
         let settings = &self.settings;
         if settings.cutter.trigger.active
             && let Some((t_s, on)) =
@@ -378,6 +427,7 @@ impl Machine {
     /// The stack is over, the machine stands.
     pub fn rest(&mut self) {
         self.shift_resolution(None);
+        self.ride(None);
         let height = self.settings.height;
         if laser::active(&height, &self.settings.io) {
             self.pwm(laser::CHANNEL, height.low_percent);

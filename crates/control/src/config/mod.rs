@@ -20,6 +20,7 @@
 //! check = true
 //! [io]
 //! inputs = [0, 2, 2]          # modes of VN, input 1 first
+//! interlock = 12              # the input that is ON while the enclosure is open
 //! [steps]
 //! per_unit = [40, 40, 40]     # steps for a millimetre or a degree
 //! ```
@@ -125,6 +126,7 @@ struct Io {
     limits_active: Option<bool>,
     input4_normally_open: Option<bool>,
     analog: Option<u8>,
+    interlock: Option<u8>,
     inputs: Option<Vec<u8>>,
     outputs: Option<Vec<u8>>,
     output4: Option<i8>,
@@ -255,6 +257,11 @@ impl Io {
         io.limits_active = self.limits_active.unwrap_or(io.limits_active);
         io.input4_normally_open = self.input4_normally_open.unwrap_or(io.input4_normally_open);
         set(&mut io.analog, self.analog, "io.analog", "0 to 5", |n| *n <= 5)?;
+        if let Some(input) = self.interlock {
+            let mut number = 0;
+            set(&mut number, Some(input), "io.interlock", "1 to 12", |n| (1..=12).contains(n))?;
+            io.interlock = Some(number);
+        }
         set(&mut io.output4, self.output4, "io.output4", "-1 to -4", |n| (-4..=-1).contains(n))?;
         modes(&mut io.inputs, self.inputs.as_ref(), "io.inputs", "modes 0 to 4", 4)?;
         modes(&mut io.outputs, self.outputs.as_ref(), "io.outputs", "modes 0 to 5", 5)
@@ -269,13 +276,13 @@ mod tests {
     #[test]
     fn what_is_named_is_set_and_the_rest_keeps_its_default() {
         let text = "units = \"mm\"\naxes = 4\n[speeds.cut]\nxy = 30.0\n[limits]\nlow = [-1, -2]\n\
-            check = true\n[io]\ninputs = [0, 2]\noutput4 = -4\n[steps]\nper_unit = [40]";
+            check = true\n[io]\ninputs = [0, 2]\noutput4 = -4\ninterlock = 12\n[steps]\nper_unit = [40]";
         let (s, d) = (settings(text).unwrap(), Settings::default());
         assert_eq!((s.linear_unit, s.axis_count), (LinearUnit::Mm, 4));
         assert_eq!((s.speeds.cut.xy, s.speeds.cut.z), (30.0, d.speeds.cut.z));
         assert_eq!((s.limits.low.0[1], s.limits.low.0[2]), (-2.0, d.limits.low.0[2]));
         assert_eq!((s.limits.check, s.io.inputs[1], s.io.output4), (true, 2, -4));
-        assert_eq!(s.resolution.steps_per_unit.0[0], 40.0);
+        assert_eq!((s.resolution.steps_per_unit.0[0], s.io.interlock), (40.0, Some(12)));
         assert_eq!(settings("").unwrap(), d);
     }
 
@@ -297,6 +304,7 @@ mod tests {
             ("[speeds.cut]\nxy = 0", "speeds.cut.xy must be greater than 0, not 0"),
             ("[ramps]\ncut_rate_mm = inf", "ramps.cut_rate_mm must be greater than 0, not inf"),
             ("[limits]\nlow = [9e9]", "limits.low must be at most limits.high, not more for X"),
+            ("[io]\ninterlock = 13", "io.interlock must be 1 to 12, not 13"),
             ("[io]\ninputs = [5]", "io.inputs must be modes 0 to 4, not 5"),
             ("[io]\noutputs = [0,0,0,0,0,0,0,0,0,0,0,0,0]", "io.outputs must be a shorter list"),
             ("[steps]\nper_unit = [nan]", "steps.per_unit must be greater than 0"),

@@ -161,3 +161,31 @@ fn sbp_lim_sf_temp() {
     sbp("VL,0,10 ⏎ MX,12").after("SF,1 ⏎ SV").run().stands_at([0.0]);
     sbp("VL,0,10 ⏎ MX,12").after("SF,1").run().ends_at([12.0]);
 }
+
+#[test]
+fn sbp_val_vn_in12() {
+    let machine = |program: &str| sbp(program).interlock(12);
+    let open = |program: &str| machine(program).input(12, 99.0, false).run();
+    open("MX,10").status("stopped").stands_at([0.0]).says("enclosure open");
+    open("SO,1,1 ⏎ PAUSE 1").status("stopped").says("enclosure open").switches(1, &[]);
+    open("SO,3,1 ⏎ PAUSE 1").is_ok().switches(3, &[(true, "program"), (false, "end")]);
+    machine("SO,1,1 ⏎ MX,10").run().ends_at([10.0]);
+    // Opened while it cuts.
+    let opened = machine("SO,1,1 ⏎ MX,10").input(12, AT_X4, true).run();
+    opened.status("stopped").stands_at([RAMPED]).says("enclosure open");
+    opened.switches(1, &[(true, "program"), (false, "stop")]);
+    // Without the setting input 12 is free.
+    sbp("SO,1,1 ⏎ MX,10").input(12, 99.0, false).run().ends_at([10.0]);
+}
+
+#[test]
+fn sbp_val_vn_prs() {
+    // As a PRS is wired: inputs 2 and 3 normally closed limits of X and Y.
+    let prs = |input: u8| sbp("VN,,,,,2,2 ⏎ MX,10").input(input, AT_X4, false).run();
+    for input in [2, 3] {
+        prs(input).status("limit").stands_at([4.0]).says(&format!("limit input {input}"));
+    }
+    // As a PRT is: input 3 normally open.
+    let prt = sbp("VN,,,,,,1 ⏎ MX,10").input(3, AT_X4, true).run();
+    prt.status("limit").stands_at([4.0]).says("limit input 3");
+}

@@ -5,6 +5,7 @@
 mod cut;
 mod file;
 mod flow;
+mod height;
 mod io;
 mod lang;
 mod limits;

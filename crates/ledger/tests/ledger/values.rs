@@ -301,3 +301,62 @@ fn sbp_val_vu_divider() {
     assert!((divided / plain - 4.0).abs() < 0.01, "{plain} {divided}");
     run("VU,,,,,,,,,,,,,,,101").fails(1, "R009");
 }
+
+/// Where along Y 0 material stands at least so high after the cuts of a run, sampled every
+/// thousandth of an inch; the material's surface is at Z 0.
+fn standing(run: &kerf_ledger::Run, cutter: f64, height: f64) -> f64 {
+    let ends = run.is_ok().events("move").map(|m| &m["to"]);
+    let ends: Vec<[f64; 2]> =
+        ends.map(|to| [to["x"].as_f64().unwrap(), to["z"].as_f64().unwrap()]).collect();
+    let lowest = |x: f64| {
+        let under = |pair: &[[f64; 2]]| {
+            let [[x0, z0], [x1, z1]] = [pair[0], pair[1]];
+            let (low, high) = (x - 0.5 * cutter, x + 0.5 * cutter);
+            let share = |at: f64| ((at - x0) / (x1 - x0)).clamp(0.0, 1.0);
+            let reached = x1 > x0 && x1 > low && x0 < high;
+            let z = |at: f64| z0 + (z1 - z0) * share(at);
+            if reached { z(low).min(z(high)) } else { 0.0 }
+        };
+        ends.windows(2).map(under).fold(0.0, f64::min)
+    };
+    let count = (0..10_000).filter(|i| lowest(f64::from(*i) * 1e-3) >= height - 1e-9).count();
+    count as f64 * 1e-3
+}
+
+#[test]
+fn sbp_val_vb_centre() {
+    // The middle of a .25 cutter passes 1 in at the height of the tab: .75 in of it are left.
+    let run = run("JZ,.2 ⏎ JX,-1 ⏎ MZ,-.5 ⏎ VB,.1,4,1,.5,1,1 ⏎ MX,11");
+    assert_eq!(run.tops(-0.4).len(), 1, "{run}");
+    let left = standing(&run, 0.25, -0.4);
+    assert!((left - 0.75).abs() < 0.003, "{left} {run}");
+    assert!((standing(&run, 0.5, -0.4) - 0.5).abs() < 0.003);
+}
+
+/// Time of a program that must succeed, seconds.
+fn seconds(program: &str) -> f64 {
+    run(program).is_ok().seconds()
+}
+
+#[test]
+fn sbp_val_vr_3d() {
+    // A steep change of Z on the way is ramped; with twice the threshold it may be twice as steep.
+    let zigzag = "VS,2,4 ⏎ M3,2,0,-.2 ⏎ M3,4,0,.2 ⏎ M3,6,0,-.2";
+    let with = |percent: u32| seconds(&format!("VR{}{percent} ⏎ {zigzag}", ",".repeat(11)));
+    assert!(with(200) < with(100) && with(100) < with(50), "{} {}", with(200), with(100));
+}
+
+#[test]
+fn sbp_val_vr_mindist() {
+    // Two gentle turns count as one sharp one only when the check reaches over both.
+    let turns = "M2,2,0 ⏎ M2,2.094,.034 ⏎ M2,2.171,.098 ⏎ M2,4,2";
+    let with = |distance: &str| seconds(&format!("VR{}{distance} ⏎ {turns}", ",".repeat(12)));
+    assert!(with(".05") < with(".15"), "{} {}", with(".05"), with(".15"));
+}
+
+#[test]
+fn sbp_val_vr_corner() {
+    let corner = "VS,5.5 ⏎ M2,9,0 ⏎ M2,17.2,3.7";
+    let with = |percent: u32| seconds(&format!("VR{}{percent} ⏎ {corner}", ",".repeat(13)));
+    assert!(with(90) < with(65) && with(65) < with(30), "{} {}", with(90), with(65));
+}

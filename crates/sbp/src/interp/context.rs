@@ -41,6 +41,9 @@ impl Context<'_> {
     pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
         let before = self.core.settings.clone();
         change(Arc::make_mut(&mut self.core.settings));
+        if before.torch_on() && !self.settings().torch_on() {
+            self.core.adrift.insert(Axis::Z);
+        }
         if before != self.core.settings {
             self.core.refresh_scale();
             let settings = self.core.settings.clone();

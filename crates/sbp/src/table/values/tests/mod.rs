@@ -272,3 +272,61 @@ fn sbp_val_vu_params() {
     let inside = within("VU,,,,,.01,,,,,,,,,,,1⏎SV⏎VS,3").resolution;
     assert!(inside.no_shift && (inside.circle_mm - 0.254).abs() < 1e-12);
 }
+
+#[test]
+fn sbp_val_vu_circres() {
+    let chords = |text: &str| {
+        let ran = crate::testing::run(text);
+        let arc = ran.commands.iter().find_map(|c| match &c.command {
+            kerf_program::Command::Arc(arc) => Some(arc.chords),
+            _ => None,
+        });
+        (arc, ran.error.is_some())
+    };
+    assert_eq!(chords("CC,4"), (Some(252), false));
+    assert_eq!(chords("VU,,,,,.005⏎CC,4"), (Some(2514), false));
+    assert_eq!(chords("VU,,,,,.001⏎CC,4"), (None, true));
+}
+
+/// What a fill-in sheet shows of VR, by position from 1.
+fn vr_shows(text: &str, position: usize) -> String {
+    let settings = settings(text);
+    let lines = crate::table::settings_lines(&settings);
+    let vr = lines.iter().find(|line| line.starts_with("VR")).unwrap();
+    vr.split(',').nth(position).unwrap().trim().to_owned()
+}
+
+#[test]
+fn sbp_val_vr_3d() {
+    assert_eq!(vr_shows("VR,1", 11), "100");
+    assert_eq!(vr_shows("VR,,,,,,,,,,,200", 11), "200");
+}
+
+#[test]
+fn sbp_val_vr_mindist() {
+    assert_eq!(
+        (vr_shows("VR,1", 12), vr_shows("VR,,,,,,,,,,,,.05", 12)),
+        ("0.15".into(), "0.05".into())
+    );
+}
+
+#[test]
+fn sbp_val_vr_corner() {
+    assert_eq!(
+        (vr_shows("VR,1", 13), vr_shows("VR,,,,,,,,,,,,,90", 13)),
+        ("65".into(), "90".into())
+    );
+}
+
+#[test]
+fn sbp_val_vr_keypad() {
+    // From .4 to 2.4 in/s in .2 in: the acceleration that the rate stands for.
+    let acceleration = |text: &str| {
+        let rate_mm = settings(text).ramps.keypad_rate_mm;
+        let mm_s2 = kerf_program::settings::Ramps::acceleration_mm_s2(0.4 * 25.4, rate_mm);
+        (mm_s2 / 25.4 * 1e6).round() / 1e6
+    };
+    assert_eq!(acceleration("VR,1"), 14.0);
+    assert_eq!(acceleration(&format!("VR{}.4", ",".repeat(16))), 7.0);
+    assert_eq!(vr_shows("VR,1", 16), "0.2");
+}
