@@ -13,7 +13,7 @@ use crate::stack::Stack;
 use crate::world::World;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Mover;
-use kerf_program::{At, Command, Interpreter, MoveKind, Sourced, Status, Step};
+use kerf_program::{At, Axis, Command, Interpreter, MoveKind, Sourced, Status, Step};
 use kerf_sim::Watched;
 
 /// Lines that are executed before their commands are looked at.
