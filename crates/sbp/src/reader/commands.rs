@@ -57,38 +57,40 @@ impl Line<'_, '_> {
                 return self.assignment(sign == b'$');
             }
         }
+        let (args, read) = self.arguments(spec);
+        if !self.second_command {
+            self.check_required(spec, &args, head)?;
+        }
+        read?;
+        let span = Span { start: start as u32, end: self.end as u32 };
+        Ok(Statement::Command { spec, args, span })
+    }
+
+    /// Every field up to the end of the code, trailing blank ones left out; and whether all of them
+    /// could be read.
+    fn arguments(&mut self, spec: &CommandSpec) -> (Vec<Arg>, Read<()>) {
         let mut args = Vec::new();
-        let mut failed = false;
-        while !self.at_end() {
+        let mut read = Ok(());
+        while !self.at_end() && !self.second_command {
             let span = self.field();
             self.at += 1;
             match spec.params.get(args.len()) {
-                Some(param) => {
-                    let arg = self.argument(param, span);
-                    failed |= arg.is_err();
-                    args.push(arg.unwrap_or_else(|_| unreadable(span)));
-                }
+                Some(param) => args.push(self.argument(param, span).unwrap_or_else(|failed| {
+                    read = Err(failed);
+                    unreadable(span)
+                })),
                 None if span.start == span.end => {}
                 None => {
-                    self.surplus(spec, span);
-                    failed = true;
+                    read = Err(self.surplus(spec, span));
                     break;
                 }
-            }
-            if self.second_command {
-                return Err(Failed);
             }
         }
         self.at = self.end;
         while args.last().is_some_and(|a| a.kind == ArgKind::Blank) {
             args.pop();
         }
-        self.check_required(spec, &args, head)?;
-        if failed {
-            return Err(Failed);
-        }
-        let span = Span { start: start as u32, end: self.end as u32 };
-        Ok(Statement::Command { spec, args, span })
+        (args, read)
     }
 
     fn argument(&mut self, param: &ParamSpec, span: Span) -> Read<Arg> {
