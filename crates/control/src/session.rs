@@ -9,6 +9,7 @@ use crate::world::World;
 use crate::{Pace, Sink};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
+use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Dialect, Interpreter, Program, Status, SystemVariable, Value, Variables};
 use kerf_sim::{Change, Inputs, Machine};
@@ -102,6 +103,9 @@ impl Session {
         if program.has_errors() && !options.program.allow_errors {
             return self.refused(&program, sink);
         }
+        if options.program.preview && !self.memory.settings.view.start_actual {
+            self.draw_from_zero();
+        }
         let machine = self.machine(options.inputs);
         let memory = std::mem::take(&mut self.memory);
         let interpreter = Interpreter::new(program, memory, options.program);
@@ -137,6 +141,13 @@ impl Session {
         match &memory.before_preview {
             Some(before) => machine.drawing_from(before.position),
             None => machine,
+        }
+    }
+
+    /// A preview that does not start where the tool is starts at X 0, Y 0 (command reference, VP).
+    fn draw_from_zero(&mut self) {
+        for axis in [Axis::X, Axis::Y] {
+            self.memory.position[axis] = self.memory.frame.working_zero[axis];
         }
     }
 

@@ -6,7 +6,8 @@ use kerf_control::event::{ArcEvent, MoveEvent, Place};
 use kerf_control::{Event, Session, Sink, Summary, ToolPathTime};
 use kerf_diag::Severity;
 use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath};
-use kerf_program::settings::MM_PER_INCH;
+use kerf_program::settings::{AxisUnit, MM_PER_INCH};
+use kerf_program::{Axis, Settings};
 use std::fs;
 use std::path::Path;
 
@@ -66,7 +67,14 @@ impl Picture {
             grid_mm: view.grid_mm,
         });
         self.scene.show_jogs = view.show_jogs;
+        (self.scene.simulate, self.scene.draw_tool) = (view.simulate, view.draw_tool);
         self.scene.cutter_mm = memory.settings.cutter.diameter_mm;
+        self.scene.cutter_known = self.scene.cutter_mm != Settings::default().cutter.diameter_mm;
+        let rotary = memory.settings.axis_count > 4
+            && memory.settings.axis_unit(Axis::B) == AxisUnit::Degrees;
+        if !rotary {
+            self.scene.turns_deg.clear();
+        }
         self.scene.duration_s = summary.seconds;
         (self.scene.cut_mm, self.scene.jog_mm) = (tally.cut_mm, tally.jog_mm);
         self.scene.bounds = tally.bounds;
@@ -86,6 +94,7 @@ impl Picture {
         let (from, to) = (point(made.from), point(made.to));
         self.scene.segments.push(Segment { kind: made.kind, from, to, shape, line: made.line });
         self.scene.times_s.push(made.t1 as f32);
+        self.scene.turns_deg.push([made.from.b as f32, made.to.b as f32]);
     }
 
     fn arc(&mut self, arc: &ArcEvent) {
@@ -112,6 +121,7 @@ impl Sink for Picture {
                 self.cleared += self.scene.segments.len();
                 self.scene.segments.clear();
                 self.scene.times_s.clear();
+                self.scene.turns_deg.clear();
             }
             Event::Diag(d) if d.severity != Severity::Note => self.scene.findings.push(Finding {
                 severity: d.severity,
@@ -132,4 +142,100 @@ pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
         Format::Png => kerf_preview::png(scene, &options)?,
     };
     fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use kerf_control::files::MemoryDisk;
+    use kerf_control::{Company, RunOptions, Shelf};
+    use kerf_program::Axes;
+
+    /// The scene of a program, lines separated by `⏎`, with the tool at (1, 1) in.
+    fn scene_as(before: &str, program: &str, preview: bool) -> Scene {
+        let mut session = Session::default();
+        session.memory.position = Axes::xyz(MM_PER_INCH, MM_PER_INCH, 0.0);
+        let mut shelf = Shelf::in_memory(MemoryDisk::default());
+        let mut one = |text: &str, options: RunOptions| {
+            let program = kerf_sbp::read("part.sbp".into(), text.replace('⏎', "\n").as_bytes());
+            let mut sink = Picture::new(Path::new("part.sbp"));
+            let company = Company { sink: &mut sink, operator: &mut (), pace: &mut () };
+            let summary = session.run(program, options, &mut shelf, company);
+            sink.finish(&summary, &session)
+        };
+        one(before, RunOptions::default());
+        let mut options = RunOptions::default();
+        options.program.preview = preview;
+        one(program, options)
+    }
+
+    fn scene(program: &str) -> Scene {
+        scene_as("", program, false)
+    }
+
+    fn start(scene: &Scene) -> [f64; 2] {
+        let from = scene.segments[0].from;
+        [from[0] / MM_PER_INCH, from[1] / MM_PER_INCH]
+    }
+
+    #[test]
+    fn sbp_cmd_sp_start() {
+        let (here, zero) = (scene("SP⏎MX,5⏎SM"), scene("VP,,,,,,,0⏎SP⏎MX,5⏎SM"));
+        assert_eq!((start(&here), start(&zero)), ([1.0, 1.0], [0.0, 0.0]));
+        assert_eq!(here.segments[0].to[1], MM_PER_INCH);
+        assert_eq!(zero.segments[0].to[1], 0.0);
+    }
+
+    #[test]
+    fn sbp_val_vp_start() {
+        assert_eq!(start(&scene_as("", "MX,5", true)), [1.0, 1.0]);
+        assert_eq!(start(&scene_as("VP,,,,,,,0", "MX,5", true)), [0.0, 0.0]);
+        // Only previews start elsewhere.
+        assert_eq!(start(&scene_as("VP,,,,,,,0", "MX,5", false)), [1.0, 1.0]);
+    }
+
+    #[test]
+    fn sbp_cmd_sp_clear() {
+        assert_eq!(scene("SP⏎MX,5⏎MY,5").segments.len(), 2);
+        assert_eq!(scene("SP⏎MX,5⏎MY,5⏎SP").segments.len(), 0);
+        let again = scene("SP⏎MX,5⏎SP⏎MX,6");
+        assert_eq!((again.segments.len(), again.times_s.len()), (1, 1));
+    }
+
+    #[test]
+    fn sbp_val_vp_simulate() {
+        let page = |program: &str| kerf_preview::html(&scene(program), &Options::default());
+        assert!(page("MX,5").contains("\"simulate\":false"));
+        assert!(page("VP,,,,,1⏎MX,5").contains("\"simulate\":true"));
+    }
+
+    #[test]
+    fn sbp_val_vp_drawtool() {
+        let page = |program: &str| kerf_preview::html(&scene(program), &Options::default());
+        assert!(page("MX,5").contains("\"draw_tool\":true"));
+        assert!(page("VP,,,,,,0⏎MX,5").contains("\"draw_tool\":false"));
+    }
+
+    #[test]
+    fn sbp_val_vp_rotary() {
+        let page = |program: &str| kerf_preview::html(&scene(program), &Options::default());
+        assert!(page("MX,5").contains("\"rolled\":null"));
+        assert!(page("VD,,5⏎M5,1,0,-.1,0,90").contains("\"rolled\":[["));
+        let turned = scene("VD,,5⏎M5,1,0,-.1,0,90⏎MB,45");
+        assert_eq!(turned.turns_deg, [[0.0, 90.0], [90.0, 45.0]]);
+    }
+
+    #[test]
+    fn sbp_val_vd_axes() {
+        let rotary = |count: u8| scene(&format!("VD,,{count}⏎MX,2")).turns_deg.len();
+        assert_eq!((rotary(3), rotary(4), rotary(5)), (0, 0, 1));
+    }
+
+    #[test]
+    fn a_cutter_that_nobody_chose_is_told_and_not_drawn() {
+        let picture = |program: &str| kerf_preview::svg(&scene(program), &Options::default());
+        assert!(picture("MZ,-.1⏎MX,5").contains("cutter 0.25 in (default)"));
+        assert!(picture("VC,.5⏎MZ,-.1⏎MX,5").contains("cutter 0.5 in wide"));
+    }
 }

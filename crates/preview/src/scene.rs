@@ -117,8 +117,18 @@ pub struct Scene {
     pub times_s: Vec<f32>,
     /// Draw jogs (VP).
     pub show_jogs: bool,
+    /// Show the cutting fast forward when the page opens (VP).
+    pub simulate: bool,
+    /// Draw the cutter while the page plays (VP).
+    pub draw_tool: bool,
+    /// Where the rotary axis about X stands at the start and at the end of each segment, degrees;
+    /// empty without one. With it the page can draw the motion on a cylinder.
+    pub turns_deg: Vec<[f32; 2]>,
     /// Diameter of the cutter, mm; 0 draws no width.
     pub cutter_mm: f64,
+    /// The program said how wide its cutter is. Else the width is only told: drawn as wide as a
+    /// cutter that nobody chose, fine work would look smeared.
+    pub cutter_known: bool,
     /// Height of the material's surface, mm; depth counts down from here.
     pub surface_z_mm: f64,
     /// Planned duration, seconds.
@@ -146,7 +156,11 @@ impl Default for Scene {
             segments: Vec::new(),
             times_s: Vec::new(),
             show_jogs: true,
+            simulate: false,
+            draw_tool: true,
+            turns_deg: Vec::new(),
             cutter_mm: 0.0,
+            cutter_known: true,
             surface_z_mm: 0.0,
             duration_s: 0.0,
             cut_mm: 0.0,

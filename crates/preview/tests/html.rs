@@ -56,7 +56,8 @@ fn titles_cannot_end_a_script() {
 fn expected_bytes(facts: &serde_json::Value) -> usize {
     let pieces = facts["pieces"].as_u64().unwrap() as usize;
     let points = if pieces == 0 { 0 } else { 12 * (pieces + 1) };
-    points + 4 * pieces + if facts["times"] == true { 4 * pieces } else { 0 } + pieces
+    let chains = if facts["rolled"].is_null() { 1 } else { 2 };
+    chains * points + 4 * pieces + if facts["times"] == true { 4 * pieces } else { 0 } + pieces
 }
 
 #[test]
@@ -65,9 +66,16 @@ fn the_motion_is_as_long_as_the_facts_say() {
     timed.times_s = (1..=timed.segments.len()).map(|i| i as f32).collect();
     let mut short = timed.clone();
     short.times_s.pop();
-    for (scene, times) in
-        [(common::plate(), false), (timed, true), (short, false), (Scene::default(), false)]
-    {
+    let mut rotary = common::plate();
+    rotary.turns_deg = vec![[0.0, 90.0]; rotary.segments.len()];
+    assert!(facts(&page(&rotary))["rolled"].is_array());
+    for (scene, times) in [
+        (common::plate(), false),
+        (rotary, false),
+        (timed, true),
+        (short, false),
+        (Scene::default(), false),
+    ] {
         let page = page(&scene);
         let facts = facts(&page);
         assert_eq!(facts["times"], times);

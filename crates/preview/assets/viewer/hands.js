@@ -87,7 +87,7 @@ canvas.addEventListener("dblclick", fit);
 const TURN_PX = 12, PAN_PX = 30;
 const KEYS = {
   "1": () => look("top"), "2": () => look("front"), "3": () => look("side"), "4": () => look("iso"),
-  f: fit, j: toggleJogs, " ": () => play(!state.playing),
+  f: fit, j: toggleJogs, r: toggleRotary, " ": () => play(!state.playing),
   "+": () => camera.zoom(1.25), "=": () => camera.zoom(1.25), "-": () => camera.zoom(0.8),
   ",": () => seek(motion.step(state.moment, false)), ".": () => seek(motion.step(state.moment, true)),
 };

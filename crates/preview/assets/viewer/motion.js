@@ -19,6 +19,8 @@ class Motion {
     };
     this.count = n;
     this.points = take(Float32Array, n ? 3 * (n + 1) : 0);
+    // The same places on the cylinder of a rotary axis.
+    this.rolled = facts.rolled ? take(Float32Array, n ? 3 * (n + 1) : 0) : null;
     this.lines = take(Uint32Array, n);
     this.timed = facts.times;
     const times = facts.times ? take(Float32Array, n) : null;

@@ -52,6 +52,8 @@ function speeds() {
 for (const button of document.querySelectorAll("[data-view]")) button.addEventListener("click", () => look(button.dataset.view));
 $("fit").addEventListener("click", fit);
 $("jogs").addEventListener("click", toggleJogs);
+$("rotary").hidden = !facts.rolled;
+$("rotary").addEventListener("click", toggleRotary);
 $("play").addEventListener("click", () => play(!state.playing));
 $("time").max = motion.total || 1;
 $("time").addEventListener("input", (event) => {
@@ -67,3 +69,5 @@ keyLegend();
 toolpathLegend();
 speeds();
 resize();
+// Cutting is simulated: it plays by itself, until somebody stops it.
+if (facts.simulate) play(true);

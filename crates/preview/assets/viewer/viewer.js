@@ -6,15 +6,18 @@ const motion = new Motion(facts, $("motion").textContent);
 const overlay = new Overlay(facts), camera = new Camera(), canvas = $("view");
 
 /** Everything that changes; `draw` shows it. */
-const state = { moment: motion.total, playing: false, jogs: facts.show_jogs, marked: -1, moving: false, slow: null, pointer: null };
+const state = { moment: motion.total, playing: false, jogs: facts.show_jogs, rotary: false, marked: -1, moving: false, slow: null, pointer: null };
 
-let painter;
-try {
-  painter = new GlPainter(canvas, facts, motion);
-} catch {
-  // A canvas that has tried WebGL may refuse another kind of context.
-  painter = new CanvasPainter(canvas, facts, motion);
+function newPainter() {
+  try {
+    return new GlPainter(canvas, facts, motion);
+  } catch {
+    // A canvas that has tried WebGL may refuse another kind of context.
+    return new CanvasPainter(canvas, facts, motion);
+  }
 }
+
+let painter = newPainter(), otherPainter = null;
 
 // ---- Colours
 
@@ -102,7 +105,7 @@ function live(piece, place, atEnd) {
   const pen = $("live").getContext("2d"), lines = [], pixel = density();
   if (motion.count && !atEnd) {
     if (motion.kinds[piece] !== GAP) lines.push([motion.point(piece), place, "tool", 2.5]);
-    lines.push(...overlay.tool(place));
+    if (facts.draw_tool && !state.rotary) lines.push(...overlay.tool(place));
   }
   if (state.marked >= 0) lines.push(...overlay.marked(motion, state.marked));
   pen.setTransform(pixel, 0, 0, pixel, 0, 0);
@@ -174,6 +177,19 @@ function toggleJogs() {
   state.jogs = !state.jogs;
   $("jogs").setAttribute("aria-pressed", state.jogs);
   redraw();
+}
+
+/** The motion on the cylinder, or flat again. */
+function toggleRotary() {
+  if (!motion.rolled) return;
+  state.rotary = !state.rotary;
+  [motion.points, motion.rolled] = [motion.rolled, motion.points];
+  [[facts.low, facts.high], facts.rolled] = [facts.rolled, [facts.low, facts.high]];
+  [painter, otherPainter] = [otherPainter || newPainter(), painter];
+  $("rotary").setAttribute("aria-pressed", state.rotary);
+  // On the cylinder height is not depth.
+  $("depth").hidden = state.rotary || !motion.count;
+  fit();
 }
 
 // ---- Time

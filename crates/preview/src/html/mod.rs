@@ -4,6 +4,7 @@
 //! A content security policy in the page forbids it to fetch anything.
 
 mod motion;
+mod roll;
 
 use crate::options::Options;
 use crate::palette::{self, Rgb};
@@ -46,6 +47,10 @@ struct Facts<'a> {
     surface: f64,
     cutter: f64,
     show_jogs: bool,
+    simulate: bool,
+    draw_tool: bool,
+    /// Lowest and highest place of the motion on a cylinder, when it can be drawn there.
+    rolled: Option<[[f64; 3]; 2]>,
     table: Option<Table>,
     light: Vec<String>,
     dark: Vec<String>,
@@ -122,6 +127,9 @@ fn facts<'a>(scene: &'a Scene, motion: &Motion) -> Facts<'a> {
         surface: finite(scene.surface_z_mm),
         cutter: finite(scene.cutter_mm).max(0.0),
         show_jogs: scene.show_jogs,
+        simulate: scene.simulate,
+        draw_tool: scene.draw_tool,
+        rolled: motion.rolled_box(),
         table: table(scene),
         light: ramp(palette::depth_colour),
         dark: ramp(palette::depth_colour_on_dark),

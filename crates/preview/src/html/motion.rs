@@ -1,9 +1,11 @@
 //! Motion as the page reads it: a chain of points with facts for each piece between two of them.
 //!
 //! Little-endian, without gaps: the points (`f32` × 3, from the middle of the motion, one more than
-//! pieces), the source line of each piece (`u32`), the time at its end (`f32`, when times are
+//! pieces), the same points on the cylinder when there is a rotary axis, the source line of each
+//! piece (`u32`), the time at its end (`f32`, when times are
 //! given), its kind (`u8`). Arcs are cut into chords here, and only here.
 
+use super::roll::Cylinder;
 use crate::picture::{arc, place};
 use crate::scene::{Scene, Segment};
 use kerf_geom::Bounds3;
@@ -25,6 +27,9 @@ enum Kind {
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
     points: Vec<[f32; 3]>,
+    /// The points on the cylinder; empty without one.
+    rolled: Vec<[f32; 3]>,
+    cylinder: Option<Cylinder>,
     lines: Vec<u32>,
     times_s: Vec<f32>,
     kinds: Vec<u8>,
@@ -47,7 +52,8 @@ impl Motion {
             false => std::array::from_fn(|i| bounds.min[i] + 0.5 * size[i]),
         };
         let has_times = !scene.segments.is_empty() && scene.times_s.len() == scene.segments.len();
-        let mut motion = Self { bounds, middle, has_times, ..Self::default() };
+        let cylinder = Cylinder::of(scene, &bounds);
+        let mut motion = Self { bounds, middle, has_times, cylinder, ..Self::default() };
         let mut last = None;
         let mut clock = 0.0_f32;
         for (i, segment) in scene.segments.iter().enumerate() {
@@ -59,8 +65,9 @@ impl Motion {
                 .filter(|t| t.is_finite())
                 .map_or(clock, |t| clock.max(t));
             if segment.is_drawable() {
-                motion.start(segment, last, clock);
-                motion.segment(segment, chord_mm, [clock, end]);
+                let turn = scene.turns_deg.get(i).map_or([0.0; 2], |t| t.map(f64::from));
+                motion.start(segment, last, clock, turn[0]);
+                motion.segment(segment, chord_mm, [clock, end], turn);
                 last = Some(segment.to);
             }
             clock = end;
@@ -78,31 +85,57 @@ impl Motion {
         self.has_times
     }
 
-    fn start(&mut self, segment: &Segment, last: Option<[f64; 3]>, time: f32) {
+    /// Lowest and highest place on the cylinder, mm.
+    pub fn rolled_box(&self) -> Option<[[f64; 3]; 2]> {
+        let reach = |pick: fn(f64, f64) -> f64| {
+            std::array::from_fn(|i| {
+                let places = self.rolled.iter().map(|p| f64::from(p[i]) + self.middle[i]);
+                places.reduce(pick).unwrap_or_default()
+            })
+        };
+        (!self.rolled.is_empty()).then(|| [reach(f64::min), reach(f64::max)])
+    }
+
+    fn start(&mut self, segment: &Segment, last: Option<[f64; 3]>, time: f32, turn_deg: f64) {
         match last {
-            None => self.points.push(self.relative(segment.from)),
+            None => self.point(segment.from, turn_deg),
             Some(at) if at != segment.from => {
-                self.piece(segment.from, segment.line, time, Kind::Gap)
+                self.point(segment.from, turn_deg);
+                self.piece(segment.line, time, Kind::Gap);
             }
             Some(_) => {}
         }
     }
 
-    fn segment(&mut self, segment: &Segment, chord_mm: f64, [start, end]: [f32; 2]) {
+    fn segment(
+        &mut self,
+        segment: &Segment,
+        chord_mm: f64,
+        [start, end]: [f32; 2],
+        [turn, turned]: [f64; 2],
+    ) {
         let kind = match segment.kind {
             MoveKind::Cut => Kind::Cut,
             MoveKind::Jog => Kind::Jog,
         };
-        let count = chords(segment, chord_mm);
+        let rolls = self.cylinder.map_or(1, |_| Cylinder::chords(turned - turn));
+        let count = chords(segment, chord_mm).max(rolls);
         for k in 1..=count {
             let share = f64::from(k) / f64::from(count);
             let time = start + (end - start) * share as f32;
-            self.piece(place(segment, share), segment.line, time, kind);
+            self.point(place(segment, share), turn + (turned - turn) * share);
+            self.piece(segment.line, time, kind);
         }
     }
 
-    fn piece(&mut self, to: [f64; 3], line: u32, time: f32, kind: Kind) {
-        self.points.push(self.relative(to));
+    fn point(&mut self, place: [f64; 3], turn_deg: f64) {
+        self.points.push(self.relative(place));
+        if let Some(cylinder) = self.cylinder {
+            self.rolled.push(self.relative(cylinder.roll(place, turn_deg)));
+        }
+    }
+
+    fn piece(&mut self, line: u32, time: f32, kind: Kind) {
         self.lines.push(line);
         self.kinds.push(kind as u8);
         if self.has_times {
@@ -118,6 +151,7 @@ impl Motion {
     pub fn bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(21 * self.kinds.len() + 12);
         bytes.extend(self.points.iter().flatten().flat_map(|v| v.to_le_bytes()));
+        bytes.extend(self.rolled.iter().flatten().flat_map(|v| v.to_le_bytes()));
         bytes.extend(self.lines.iter().flat_map(|v| v.to_le_bytes()));
         bytes.extend(self.times_s.iter().flat_map(|v| v.to_le_bytes()));
         bytes.extend_from_slice(&self.kinds);

@@ -88,8 +88,12 @@ pub fn drawable_table(scene: &Scene) -> Option<TableView> {
 }
 
 fn cutter(scene: &Scene, options: &Options) -> f64 {
-    let known = scene.cutter_mm.is_finite() && scene.cutter_mm > 0.0;
+    let known = scene.cutter_known && has_cutter(scene);
     if options.show_cutter && known { scene.cutter_mm.min(crate::FARTHEST_MM) } else { 0.0 }
+}
+
+fn has_cutter(scene: &Scene) -> bool {
+    scene.cutter_mm.is_finite() && scene.cutter_mm > 0.0
 }
 
 /// Sizes of what the pen draws, mm.
@@ -159,7 +163,7 @@ fn samples(scene: &Scene, tracks: &Tracks, ink: &Ink) -> Vec<(Sample, String)> {
     let air = !tracks.air.ops.is_empty();
     let width = words::short(ink.cutter_mm, scene.unit, 3);
     let all = [
-        (cuts && !ink.has_band(), Sample::Cut, "cut".into()),
+        (cuts && !ink.has_band(), Sample::Cut, cut_words(scene)),
         (
             cuts && ink.has_band(),
             Sample::Cutter,
@@ -173,6 +177,15 @@ fn samples(scene: &Scene, tracks: &Tracks, ink: &Ink) -> Vec<(Sample, String)> {
         (tracks.ends.is_some(), Sample::End, "end".into()),
     ];
     all.into_iter().filter(|s| s.0).map(|(_, sample, text)| (sample, text)).collect()
+}
+
+/// A cut drawn as a line; the width of a cutter that nobody chose is told.
+fn cut_words(scene: &Scene) -> String {
+    if scene.cutter_known || !has_cutter(scene) {
+        return "cut".into();
+    }
+    let width = words::short(scene.cutter_mm, scene.unit, 3);
+    format!("cut, cutter {width} {} (default)", scene.unit.symbol)
 }
 
 fn page(view: &View, legend: &Legend, left_mm: f64) -> Rect {
