@@ -3,10 +3,10 @@
 //! With the ramps of VR a ramped stop slows along the path at the ramp's acceleration until ramp speed is reached, where
 //! the machine stands; it may run on into later moves. As the plan itself never slows more steeply,
 //! the stop never runs faster than the plan would have. On a smoothed path it slows as steeply as
-//! the axes allow, down to rest.
+//! the axes' accelerations allow, down to rest; a limit of jerk does not hold for a stop.
 
 use crate::moves::Move;
-use crate::optimal::{Node, Timed};
+use crate::optimal::{Node, Push, Timed};
 use crate::plan::{Law, Plan};
 use crate::profile::Profile;
 use crate::ramped::Ramped;
@@ -111,6 +111,13 @@ impl Timed {
         let made = self.nodes.partition_point(|n| n.t_s < stop.begin_s);
         self.nodes.truncate(made);
         self.nodes.extend(nodes);
+        if !self.pushes.is_empty() {
+            self.pushes.truncate(made);
+            let gain = |pair: &[Node]| (pair[1].v - pair[0].v) / (pair[1].t_s - pair[0].t_s);
+            let even = |accel| Push { accel, jerk: Some(0.0) };
+            self.pushes.extend(nodes.windows(2).map(|pair| even(gain(pair))));
+            self.pushes.push(even(0.0));
+        }
     }
 }
 

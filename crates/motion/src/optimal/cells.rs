@@ -2,7 +2,7 @@
 //! path's slope is a polynomial.
 
 use super::track::{Track, norm};
-use super::widths::Kernel;
+use super::widths::{CORNER, Kernel, PARTS};
 use crate::moves::{Basis, Move};
 
 /// A cell turns by no more, radians: how finely a sharp corner is resolved.
@@ -13,6 +13,22 @@ const FRESH: u32 = 64;
 
 /// Shorter cells are none, mm.
 const NOTHING_MM: f64 = 1e-10;
+
+/// Where the polynomials of a bump change, as shares of its width: its triangles begin, they peak,
+/// and they end in reverse order.
+const PLACES: [f64; 2 * PARTS + 1] = {
+    let mut places = [0.0; 2 * PARTS + 1];
+    let mut part = 0;
+    while part < PARTS {
+        places[part] = -CORNER[part].1;
+        places[2 * PARTS - part] = CORNER[part].1;
+        part += 1;
+    }
+    places
+};
+
+/// The last of them.
+const END: usize = PLACES.len() - 1;
 
 /// Slope and its derivatives by the length: q′, q″, q‴.
 #[derive(Clone, Copy, Debug)]
@@ -56,8 +72,8 @@ pub(crate) struct Cells<'a, const N: usize> {
     kernel: Kernel,
     moves: &'a [Move],
     last: usize,
-    /// The next vertex whose bump begins, peaks and ends.
-    next: [usize; 3],
+    /// The next vertex at each of [`PLACES`] of its bump.
+    next: [usize; PLACES.len()],
     /// The segment on which the walk is.
     segment: usize,
     at_mm: f64,
@@ -79,21 +95,22 @@ impl<'a, const N: usize> Cells<'a, N> {
     ) -> Self {
         let slope = track.direction(first);
         let frame = Frame { slope, bend: [0.0; N], twist: [0.0; N] };
-        let corner = (first + 1..last).find(|j| widths[*j] > 0.0).unwrap_or(last);
-        Self {
+        let mut cells = Self {
             track,
             widths,
             kernel,
             moves,
             last,
-            next: [corner; 3],
+            next: [last; PLACES.len()],
             segment: first,
             at_mm: track.at_mm[first],
             frame,
             age: 0,
             pieces: 0,
             piece_mm: 0.0,
-        }
+        };
+        cells.next = std::array::from_fn(|which| cells.corner_from(which, first + 1));
+        cells
     }
 
     /// From a place inside a run to the end of the run.
@@ -113,44 +130,50 @@ impl<'a, const N: usize> Cells<'a, N> {
         cells.segment = segment;
         let ends = |vertex: &usize| track.at_mm[*vertex] + widths[*vertex].abs() <= at_mm;
         let begins = |vertex: &usize| track.at_mm[*vertex] - widths[*vertex].abs() > at_mm;
-        let next_end = (first + 1..=segment).rev().find(ends).map_or(first + 1, |j| j + 1);
-        let next_start = (segment + 1..last).find(begins).unwrap_or(last);
-        cells.next = [next_start, segment + 1, next_end].map(|j| cells.corner_after(j));
+        let ended = (first + 1..=segment).rev().find(ends).map_or(first + 1, |j| j + 1);
+        let begun = (segment + 1..last).find(begins).unwrap_or(last);
+        cells.next = std::array::from_fn(|which| {
+            let passed = |j: &usize| track.at_mm[*j] + PLACES[which] * widths[*j].abs() > at_mm;
+            let j = (ended..begun).find(passed).unwrap_or(begun);
+            cells.corner_from(which, j)
+        });
         cells.frame = cells.fresh();
         cells
     }
 
     fn active(&self) -> bool {
-        self.next[0] > self.next[2]
+        self.next[0] > self.next[END]
     }
 
-    /// The first vertex from one on that is a corner, within the run.
-    fn corner_after(&self, vertex: usize) -> usize {
-        (vertex..self.last).find(|j| self.widths[*j] > 0.0).unwrap_or(self.last)
+    /// The first vertex from one on, within the run, whose polynomials change at a place.
+    fn corner_from(&self, which: usize, vertex: usize) -> usize {
+        let changes = |j: &usize| self.widths[*j] > 0.0 && match (self.kernel, which) {
+            (_, 0 | END) => true,
+            (Kernel::Box, _) => false,
+            (Kernel::Triangle, PARTS) => true,
+            _ => self.kernel.is_corner(norm(&self.track.turn::<N>(*j))),
+        };
+        if self.kernel == Kernel::Box && which % END != 0 {
+            return self.last;
+        }
+        (vertex..self.last).find(changes).unwrap_or(self.last)
     }
 
-    /// Where the next bump begins, peaks or ends.
+    /// Where the next bump has one of its places.
     fn event(&self, which: usize) -> f64 {
         let j = self.next[which];
         if j >= self.last {
             return f64::INFINITY;
         }
-        let offset = (which as f64 - 1.0) * self.widths[j];
-        self.track.at_mm[j] + offset
-    }
-
-    /// The turn at a vertex.
-    fn turn(&self, j: usize) -> [f64; N] {
-        let (a, b) = (self.track.direction::<N>(j - 1), self.track.direction::<N>(j));
-        std::array::from_fn(|k| b[k] - a[k])
+        self.track.at_mm[j] + PLACES[which] * self.widths[j]
     }
 
     /// Takes all events up to here.
     fn take_events(&mut self) {
-        for which in 0..3 {
+        for which in 0..PLACES.len() {
             while self.event(which) <= self.at_mm + NOTHING_MM {
                 self.take(which);
-                self.next[which] = self.corner_after(self.next[which] + 1);
+                self.next[which] = self.corner_from(which, self.next[which] + 1);
             }
         }
         while self.segment + 1 < self.last
@@ -171,32 +194,42 @@ impl<'a, const N: usize> Cells<'a, N> {
     fn take(&mut self, which: usize) {
         let j = self.next[which];
         let c = self.widths[j];
-        match (self.kernel, which) {
-            (Kernel::Box, 1) => {}
-            (Kernel::Box, _) => {
-                let scale = (1.0 - which as f64) * 0.5 / c;
-                let turn = self.turn(j);
-                (0..N).for_each(|k| self.frame.bend[k] += scale * turn[k]);
-            }
-            (Kernel::Triangle, _) => {
-                let scale = if which == 1 { -2.0 } else { 1.0 } / (c * c);
-                let turn = self.turn(j);
-                (0..N).for_each(|k| self.frame.twist[k] += scale * turn[k]);
-            }
+        let turn = self.track.turn::<N>(j);
+        if self.kernel == Kernel::Box {
+            let scale = if which == 0 { 0.5 } else { -0.5 } / c;
+            return (0..N).for_each(|k| self.frame.bend[k] += scale * turn[k]);
         }
+        let twists = self.twists(&turn, c);
+        let scale = match which {
+            PARTS => -2.0 * twists.iter().sum::<f64>(),
+            _ => twists[which.min(END - which)],
+        };
+        (0..N).for_each(|k| self.frame.twist[k] += scale * turn[k]);
+    }
+
+    /// Third derivatives of the triangles of a bump before its peak.
+    fn twists(&self, turn: &[f64; N], c: f64) -> [f64; PARTS] {
+        if self.kernel == Kernel::Box {
+            return [0.0; PARTS];
+        }
+        self.kernel.parts(norm(turn)).map(|(share, width)| share / (c * width * c * width))
     }
 
     /// The frame here, summed over the bumps that reach here.
     fn fresh(&self) -> Frame<N> {
         let slope = self.track.direction(self.segment);
         let mut frame = Frame { slope, bend: [0.0; N], twist: [0.0; N] };
-        for j in (self.next[2]..self.next[0]).filter(|j| self.widths[*j] > 0.0) {
+        for j in (self.next[END]..self.next[0]).filter(|j| self.widths[*j] > 0.0) {
             let before = j > self.segment;
-            let offset = (self.at_mm - self.track.at_mm[j]).abs() * if before { -1.0 } else { 1.0 };
-            let offset = if before { offset.min(-f64::MIN_POSITIVE) } else { offset };
-            let [_, slope, bend] = self.kernel.shape(self.widths[j], offset);
-            let twist = self.kernel.twist(self.widths[j], before);
-            let turn = self.turn(j);
+            let offset = (self.at_mm - self.track.at_mm[j]).abs();
+            let offset = offset.max(f64::MIN_POSITIVE) * if before { -1.0 } else { 1.0 };
+            let turn = self.track.turn::<N>(j);
+            let [_, slope, bend] = self.kernel.shape(norm(&turn), self.widths[j], offset);
+            // By the places passed, not by distances, which rounding may see otherwise.
+            let within = |part: &usize| (self.next[END - part]..self.next[*part]).contains(&j);
+            let twists = self.twists(&turn, self.widths[j]);
+            let twist: f64 = (0..PARTS).filter(within).map(|part| twists[part]).sum();
+            let twist = if before { twist } else { -twist };
             for k in 0..N {
                 frame.slope[k] += slope * turn[k];
                 frame.bend[k] += bend * turn[k];
@@ -215,8 +248,8 @@ impl<'a, const N: usize> Cells<'a, N> {
 
     /// Where the interval that begins here ends.
     fn interval_end(&self) -> f64 {
-        let peak = if self.kernel == Kernel::Box { f64::INFINITY } else { self.event(1) };
-        let mut end = self.track.at_mm[self.last].min(self.event(0)).min(peak).min(self.event(2));
+        let events = (0..PLACES.len()).map(|which| self.event(which));
+        let mut end = events.fold(self.track.at_mm[self.last], f64::min);
         let mut vertex = self.segment + 1;
         while vertex < self.last && self.track.at_mm[vertex] < end {
             if self.feed_changes(vertex) {

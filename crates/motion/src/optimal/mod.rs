@@ -7,20 +7,25 @@
 //! of nodes between which the motion along the path has a closed form ([`timed`]).
 
 mod cells;
+mod jerk;
+mod limited;
+mod pieces;
 mod reach;
+mod scurve;
 mod speeds;
 mod timed;
 mod track;
 mod widths;
 
 pub(crate) use speeds::Node;
-pub(crate) use timed::Timed;
+pub(crate) use timed::{Push, Timed};
 
 use crate::moves::Move;
 use crate::plan::{Law, Plan};
 use crate::shopbot::Model;
 use cells::Cells;
 use kerf_program::{AXES, Dynamics};
+use limited::Limited;
 use reach::{Bounds, Gate};
 use track::Track;
 use widths::{Kernel, Overlap, widths};
@@ -49,6 +54,35 @@ impl Model for Optimal<'_> {
 
 impl Optimal<'_> {
     fn time<const N: usize>(&self, track: Track, breaks: &[usize], moves: &[Move]) -> Timed {
+        match self.dynamics.jerk_mm_s3 {
+            None => self.free::<N>(track, breaks, moves),
+            Some(jerk) => self.limited::<N>(track, breaks, moves, &jerk.0),
+        }
+    }
+
+    fn limited<const N: usize>(
+        &self,
+        track: Track,
+        breaks: &[usize],
+        moves: &[Move],
+        jerk: &[f64],
+    ) -> Timed {
+        let dynamics = *self.dynamics;
+        let kernel = Kernel::Triangle;
+        let widths = widths::<N>(&track, breaks, moves, kernel, Overlap::Widest);
+        let mut nodes: Vec<Node> =
+            track.at_mm.first().map(|at| Node { at_mm: *at, v: 0.0, t_s: 0.0 }).into_iter().collect();
+        let mut pushes = vec![Push { accel: 0.0, jerk: None }];
+        let bounds = Bounds::<N>::new(&dynamics.speed_mm_s.0, &dynamics.accel_mm_s2.0);
+        let jerk = std::array::from_fn(|k| jerk[k].max(1e-3));
+        let limited = Limited { track: &track, widths: &widths, moves, bounds, jerk };
+        for run in runs(&widths) {
+            limited.run(run, &mut nodes, &mut pushes);
+        }
+        Timed { track, widths, kernel, nodes, pushes, dynamics }
+    }
+
+    fn free<const N: usize>(&self, track: Track, breaks: &[usize], moves: &[Move]) -> Timed {
         let bounds = Bounds::<N>::new(&self.dynamics.speed_mm_s.0, &self.dynamics.accel_mm_s2.0);
         let mut nodes = Vec::with_capacity(2 * track.len());
         nodes.extend(track.at_mm.first().map(|at| Node { at_mm: *at, v: 0.0, t_s: 0.0 }));
@@ -82,7 +116,7 @@ impl Optimal<'_> {
                 chosen[first..last].copy_from_slice(&narrow[first..last]);
             }
         }
-        Timed { track, widths: chosen, kernel: Kernel::Box, nodes, dynamics: *self.dynamics }
+        Timed { track, widths: chosen, kernel: Kernel::Box, nodes, pushes: Vec::new(), dynamics: *self.dynamics }
     }
 }
 

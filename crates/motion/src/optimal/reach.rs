@@ -54,6 +54,7 @@ pub(crate) struct Gate<const N: usize> {
     pub cap: f64,
     slope: [f64; N],
     bend: [f64; N],
+    twist: [f64; N],
     /// Greatest |s̈| were there no curvature.
     accel: f64,
     /// There is none.
@@ -77,7 +78,7 @@ impl<const N: usize> Gate<N> {
             }
         }
         let (at_mm, h, straight) = (cell.at_mm, cell.h, cell.straight);
-        Self { at_mm, h, cap, slope: a, bend: cell.frame.bend, accel, straight, parts: 1 }
+        Self { at_mm, h, cap, slope: a, bend: cell.frame.bend, twist: cell.frame.twist, accel, straight, parts: 1 }
     }
 
     /// Greatest |s̈| on a straight.
@@ -101,15 +102,20 @@ impl<const N: usize> Gate<N> {
     pub fn part(&self, index: u32, of: u32) -> Self {
         let h = self.h / f64::from(of);
         let way = h * f64::from(index);
-        let slope = std::array::from_fn(|k| self.slope[k] + way * self.bend[k]);
-        Self { at_mm: self.at_mm + way, h, slope, ..*self }
+        let slope = std::array::from_fn(|k| self.slope_after(k, way));
+        let bend = std::array::from_fn(|k| self.bend[k] + way * self.twist[k]);
+        Self { at_mm: self.at_mm + way, h, slope, bend, ..*self }
     }
 
     /// Coefficients of the acceleration of an axis at both ends: α·y₀ + β·y₁.
     fn rows(&self, k: usize) -> [(f64, f64); 2] {
         let (p, c, g) = (self.slope[k], self.bend[k], 0.5 / self.h);
-        let end = p + c * self.h;
-        [(c - p * g, p * g), (-end * g, c + end * g)]
+        let (end, c_end) = (self.slope_after(k, self.h), c + self.h * self.twist[k]);
+        [(c - p * g, p * g), (-end * g, c_end + end * g)]
+    }
+
+    fn slope_after(&self, k: usize, way: f64) -> f64 {
+        self.slope[k] + way * (self.bend[k] + 0.5 * way * self.twist[k])
     }
 
     /// The greatest y₀ from which some y₁ up to `most` can be reached.

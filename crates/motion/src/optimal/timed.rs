@@ -3,11 +3,23 @@
 use super::cells::Cells;
 use super::reach::{Bounds, Gate};
 use super::speeds::Node;
-use super::track::Track;
+use super::track::{Track, norm};
 use super::widths::Kernel;
 use crate::moves::Move;
 use crate::plan::State;
 use kerf_program::{AXES, Axes, Dynamics};
+
+/// Halvings in search of a time.
+const HALVINGS: u32 = 50;
+
+/// How the motion goes on after a node where jerk is limited.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Push {
+    /// s̈ at the node.
+    pub accel: f64,
+    /// Constant over time up to the next node; `None` where s̈ is linear in s instead.
+    pub jerk: Option<f64>,
+}
 
 /// The law of motion of the `optimal` model.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +28,8 @@ pub(crate) struct Timed {
     pub widths: Vec<f64>,
     pub kernel: Kernel,
     pub nodes: Vec<Node>,
+    /// One for each node where jerk is limited; else none, and s̈ is constant between nodes.
+    pub pushes: Vec<Push>,
     pub dynamics: Dynamics,
 }
 
@@ -39,6 +53,7 @@ impl Timed {
             return Along { at_mm: 0.0, v: 0.0, accel: 0.0 };
         };
         match self.nodes.get(later) {
+            Some(b) if later > 0 && !self.pushes.is_empty() => self.pushed(later - 1, t_s - a.t_s, b),
             Some(b) if later > 0 => {
                 let accel = (b.v - a.v) / (b.t_s - a.t_s);
                 let s = t_s - a.t_s;
@@ -49,6 +64,35 @@ impl Timed {
         }
     }
 
+    /// The motion at a time since a node, where jerk is limited.
+    fn pushed(&self, node: usize, s: f64, next: &Node) -> Along {
+        let (a, push) = (&self.nodes[node], &self.pushes[node]);
+        let here = match push.jerk {
+            Some(jerk) => Along {
+                at_mm: a.at_mm + s * (a.v + s * (0.5 * push.accel + s * jerk / 6.0)),
+                v: a.v + s * (push.accel + 0.5 * s * jerk),
+                accel: push.accel + s * jerk,
+            },
+            None => {
+                let way = next.at_mm - a.at_mm;
+                let end = (next.v * next.v - a.v * a.v) / way - push.accel;
+                swing(a, push.accel, (end - push.accel) / way, s)
+            }
+        };
+        Along { at_mm: here.at_mm.min(next.at_mm), v: here.v.max(0.0), ..here }
+    }
+
+    /// When a place on the path is reached, by halving where jerk is limited.
+    fn pushed_time(&self, node: usize, at_mm: f64) -> f64 {
+        let (a, b) = (&self.nodes[node], &self.nodes[node + 1]);
+        let (mut low, mut high) = (0.0, b.t_s - a.t_s);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if self.pushed(node, middle, b).at_mm < at_mm { low = middle } else { high = middle }
+        }
+        a.t_s + high
+    }
+
     /// When a place on the path is reached.
     pub fn time_at(&self, at_mm: f64) -> f64 {
         let later = self.nodes.partition_point(|n| n.at_mm < at_mm);
@@ -56,6 +100,9 @@ impl Timed {
         else {
             return if later == 0 { 0.0 } else { self.duration_s() };
         };
+        if !self.pushes.is_empty() {
+            return self.pushed_time(later - 1, at_mm);
+        }
         let accel = (b.v * b.v - a.v * a.v) / (2.0 * (b.at_mm - a.at_mm));
         let way = at_mm - a.at_mm;
         let v = (a.v * a.v + 2.0 * accel * way).max(0.0).sqrt();
@@ -123,6 +170,7 @@ impl Timed {
     /// Position, slope and curvature by the length at a place on the track.
     pub fn geometry(&self, at_mm: f64) -> [Axes; 3] {
         let at = &self.track.at_mm;
+        let at_mm = at_mm.min(at[at.len() - 1]);
         let segment = self.track.segment(at_mm);
         let direction = self.track.direction::<AXES>(segment);
         // At its end exactly where the program says.
@@ -135,10 +183,10 @@ impl Timed {
             if self.widths[j] < 0.0 {
                 return;
             }
-            let shape = self.kernel.shape(self.widths[j], offset);
-            let (a, b) = (self.track.direction::<AXES>(j - 1), self.track.direction::<AXES>(j));
+            let turn = self.track.turn::<AXES>(j);
+            let shape = self.kernel.shape(norm(&turn), self.widths[j], offset);
             for (value, factor) in out.iter_mut().zip(shape) {
-                (0..AXES).for_each(|k| value[k] += factor * (b[k] - a[k]));
+                (0..AXES).for_each(|k| value[k] += factor * turn[k]);
             }
         };
         let mut j = segment;
@@ -178,5 +226,26 @@ impl Timed {
             y = exit;
         }
         nodes
+    }
+}
+
+/// Motion with s̈ linear in s: s̈ = accel + rate·(s − s₀).
+pub(crate) fn swing(from: &Node, accel: f64, rate: f64, s: f64) -> Along {
+    let w = rate.abs().sqrt();
+    // c = cos or cosh, and what else the solution is made of, by series where nothing swings.
+    let (c, sine, rest) = if w * s < 1e-3 {
+        let q = rate * s * s;
+        (1.0 + q / 2.0, s * (1.0 + q / 6.0), s * s * (0.5 + q / 24.0))
+    } else if rate > 0.0 {
+        let (c, sine) = ((w * s).cosh(), (w * s).sinh());
+        (c, sine / w, (c - 1.0) / rate)
+    } else {
+        let (sine, c) = (w * s).sin_cos();
+        (c, sine / w, (c - 1.0) / rate)
+    };
+    Along {
+        at_mm: from.at_mm + from.v * sine + accel * rest,
+        v: from.v * c + accel * sine,
+        accel: accel * c + rate * from.v * sine,
     }
 }

@@ -97,6 +97,12 @@ impl Track {
         way.map(|w| w * scale)
     }
 
+    /// Change of the direction at a vertex.
+    pub fn turn<const N: usize>(&self, vertex: usize) -> [f64; N] {
+        let (a, b) = (self.direction::<N>(vertex - 1), self.direction::<N>(vertex));
+        std::array::from_fn(|k| b[k] - a[k])
+    }
+
     /// How far the path may leave the polyline at a vertex, mm.
     pub fn tolerance_mm(&self, vertex: usize, moves: &[Move]) -> f64 {
         let (before, after) = (self.owner[vertex - 1], self.owner[vertex]);

@@ -50,48 +50,92 @@ pub(crate) enum Kernel {
     Triangle,
 }
 
+/// A turn sharper than this, as change of the unit tangent, is a corner and not part of a curve.
+const SHARP: f64 = 0.2;
+
+/// Triangles of which the kernel of a corner is made: share of the area and of the width.
+///
+/// Together they are a broken line through the kernel of the fastest corner between axes limited in
+/// jerk alone, K ∝ (1 − u²)/(1 + u²)³ at s ∝ u + u³/3, where one axis stops with its full jerk while
+/// the other starts with its own.
+pub(crate) const CORNER: [(f64, f64); PARTS] =
+    [(0.25355, 1.0), (0.06040, 0.94), (0.08027, 0.88), (0.11670, 0.8), (0.14087, 0.7), (0.14475, 0.6), (0.12888, 0.5), (0.08639, 0.4), (0.02653, 0.3), (-0.01581, 0.2), (-0.02253, 0.1)];
+
+/// Triangles that a kernel has at most.
+pub(crate) const PARTS: usize = 11;
+
 impl Kernel {
+    /// The triangles of which the kernel for a turn is made.
+    pub fn parts(self, turn: f64) -> [(f64, f64); PARTS] {
+        if self.is_corner(turn) {
+            return CORNER;
+        }
+        let mut parts = [(0.0, 1.0); PARTS];
+        parts[0] = (1.0, 1.0);
+        parts
+    }
+
+    /// Whether the kernel for a turn is that of a corner.
+    pub fn is_corner(self, turn: f64) -> bool {
+        self == Self::Triangle && turn > SHARP
+    }
+
     /// The bump of half-width `c` at a distance, and its derivative by the half-width.
-    fn bump(self, c: f64, distance: f64) -> (f64, f64) {
-        let left = c - distance;
-        match self {
-            Self::Box => (left * left / (4.0 * c), left * (c + distance) / (4.0 * c * c)),
-            Self::Triangle => {
-                let square = left * left / (6.0 * c * c);
-                (square * left, square * (c + 2.0 * distance) / c)
+    fn bump(self, turn: f64, c: f64, distance: f64) -> (f64, f64) {
+        if self == Self::Box {
+            let left = c - distance;
+            return (left * left / (4.0 * c), left * (c + distance) / (4.0 * c * c));
+        }
+        let mut sum = (0.0, 0.0);
+        for (share, width) in self.parts(turn) {
+            let (c, left) = (c * width, c * width - distance);
+            if share != 0.0 && left > 0.0 {
+                let square = share * left * left / (6.0 * c * c);
+                sum.0 += square * left;
+                sum.1 += width * square * (c + 2.0 * distance) / c;
             }
+        }
+        sum
+    }
+
+    /// The share of the way to a stop over which a bump may reach: with limited jerk the first bit
+    /// of path from rest must be straight.
+    const fn straight_ends(self) -> f64 {
+        match self {
+            Self::Box => 1.0,
+            Self::Triangle => 1.0 - super::limited::LAUNCH_SHARE,
         }
     }
 
     /// The half-width of a bump of height 1.
-    const fn width(self) -> f64 {
+    fn width(self, turn: f64) -> f64 {
         match self {
             Self::Box => 4.0,
-            Self::Triangle => 6.0,
-        }
-    }
-
-    /// Third derivative of the bump before or after its vertex.
-    pub fn twist(self, c: f64, before: bool) -> f64 {
-        match self {
-            Self::Box => 0.0,
-            Self::Triangle if before => 1.0 / (c * c),
-            Self::Triangle => -1.0 / (c * c),
+            Self::Triangle => {
+                6.0 / self.parts(turn).iter().map(|(share, width)| share * width).sum::<f64>()
+            }
         }
     }
 
     /// Value, slope and curvature of the bump at an offset from its vertex; at the vertex itself the
     /// sign of the offset tells the side.
-    pub fn shape(self, c: f64, offset: f64) -> [f64; 3] {
-        let left = c - offset.abs();
+    pub fn shape(self, turn: f64, c: f64, offset: f64) -> [f64; 3] {
         let side = -offset.signum();
-        match self {
-            Self::Box => [left * left / (4.0 * c), side * left / (2.0 * c), 0.5 / c],
-            Self::Triangle => {
-                let square = left / (c * c);
-                [left * left * square / 6.0, side * 0.5 * left * square, square]
+        if self == Self::Box {
+            let left = c - offset.abs();
+            return [left * left / (4.0 * c), side * left / (2.0 * c), 0.5 / c];
+        }
+        let mut sum = [0.0; 3];
+        for (share, width) in self.parts(turn) {
+            let left = c * width - offset.abs();
+            if share != 0.0 && left > 0.0 {
+                let scale = share / (c * width * c * width);
+                sum[0] += scale * left * left * left / 6.0;
+                sum[1] += side * 0.5 * scale * left * left;
+                sum[2] += scale * left;
             }
         }
+        sum
     }
 }
 
@@ -126,7 +170,7 @@ impl Widths<'_> {
     fn run(&mut self, first: usize, last: usize, tolerance: impl Fn(usize) -> f64) {
         let mut start = first;
         for vertex in first + 1..=last {
-            let widest = self.kernel.width() * tolerance_or(vertex, last, &tolerance);
+            let widest = self.kernel.width(self.turns[vertex]) * tolerance_or(vertex, last, &tolerance);
             let sharp = self.turns[vertex] > STRAIGHT && widest < SHARPEST_MM * self.turns[vertex];
             if vertex == last || sharp {
                 self.smooth(start, vertex, &tolerance);
@@ -151,7 +195,8 @@ impl Widths<'_> {
     fn part(&mut self, first: usize, last: usize, tolerance: &impl Fn(usize) -> f64) {
         for j in first + 1..last {
             let (before, after) = (self.at[j] - self.at[j - 1], self.at[j + 1] - self.at[j]);
-            let alone = self.kernel.width() * tolerance(j) / self.turns[j].max(STRAIGHT);
+            let turn = self.turns[j].max(STRAIGHT);
+            let alone = self.kernel.width(turn) * tolerance(j) / turn;
             self.widths[j] = alone.min(0.5 * before.min(after));
         }
     }
@@ -174,12 +219,14 @@ impl Widths<'_> {
         let at = self.at[j];
         let reach = (self.at[(j + REACH).min(last)] - at)
             .min(at - self.at[j.saturating_sub(REACH).max(first)]);
-        let alone = self.kernel.width() * tolerance / self.turns[j].max(STRAIGHT);
-        let mut c = reach.min(room).min(alone);
+        let turn = self.turns[j].max(STRAIGHT);
+        let alone = self.kernel.width(turn) * tolerance / turn;
+        let ends = (at - self.at[first]).min(self.at[last] - at);
+        let mut c = reach.min(room).min(alone).min(self.kernel.straight_ends() * ends);
         for _ in 0..STEPS {
             let (mut sum, mut slope) = (0.0, 0.0);
             let mut add = |k: usize, distance: f64| {
-                let (bump, by_width) = self.kernel.bump(c, distance);
+                let (bump, by_width) = self.kernel.bump(self.turns[k], c, distance);
                 sum += self.turns[k] * bump;
                 slope += self.turns[k] * by_width;
             };
@@ -223,7 +270,7 @@ impl Widths<'_> {
         for j in first + 1..last {
             let sum: f64 = self
                 .reaching(j, first, last)
-                .map(|(k, d)| self.turns[k] * self.kernel.bump(self.widths[k], d).0)
+                .map(|(k, d)| self.turns[k] * self.kernel.bump(self.turns[k], self.widths[k], d).0)
                 .sum();
             let most = tolerance(j);
             if sum > most {

@@ -1,0 +1,394 @@
+//! The fastest squared speed along pieces under limits of speed, acceleration and jerk.
+//!
+//! The squared speed x(s) is a quadratic spline over the pieces with one unknown for each piece, its
+//! middle Bézier ordinate; the outer ones are the weighted means of neighbours. Speed and
+//! acceleration are linear conditions. The condition of jerk, |f′|·√x ≤ J for an axis whose
+//! acceleration is f, is written |f′| ≤ J/√x, the right side being convex in x; so its tangent is a
+//! safe linear condition (the convexification of Zhang et al. 2014). The time Σ ∫ds/√x is convex. An
+//! interior-point iteration takes Newton's steps on time plus logarithmic barriers; the matrix has
+//! five diagonals, so a step costs as much for each piece however long the path is.
+//!
+//! From rest, x grows as s^(4/3), which no parabola does: over the first and last bit of path, which
+//! are straight, the jerk is constant instead, and only its size is unknown.
+
+use super::pieces::{Part, Piece};
+
+/// Part of the limit of jerk that is used: the ordinates bound it up to a small error.
+const USED: f64 = 0.997;
+
+/// Most steps of the iteration, of which the first look only for a motion that keeps all limits.
+const STEPS: u32 = 150;
+const SETTLING: u32 = 10;
+
+/// By how much all is slowed in each step after that.
+const SLOWER: f64 = 0.8;
+
+/// Whole steps in a row with the full weight, after which nothing is left to gain.
+const CALM: u32 = 3;
+
+/// How much the weight of the time against the barriers grows, and after which share of a step.
+const SHARPER: f64 = 2.5;
+const CENTRED: f64 = 0.5;
+
+/// Where the search starts, as a share of what is expected.
+const BEGIN: f64 = 0.6;
+
+/// Room given to a condition that is not met yet, as a share of its value.
+const RELAXED: f64 = 0.25;
+
+/// What the barriers may cost at the end, as a share of the time.
+const GAP: f64 = 2e-3;
+
+/// How far a step goes to the nearest barrier.
+const NEARLY: f64 = 0.95;
+
+/// Below this share of what to expect, x is far from its goal.
+const FAR_BELOW: f64 = 0.2;
+
+/// The first or last bit of path, made with constant jerk between rest and the spline.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Launch {
+    /// Its length, mm.
+    pub way_mm: f64,
+    /// Greatest squared speed at its fast end.
+    pub most: f64,
+}
+
+impl Launch {
+    /// Over a straight bit of path, with limits along it.
+    pub fn new(way_mm: f64, accel: f64, jerk: f64) -> Self {
+        let root = (4.5 * jerk * USED * way_mm * way_mm).cbrt();
+        Self { way_mm, most: (root * root).min(1.5 * way_mm * accel) }
+    }
+
+    /// The outer ordinate as a share of the middle one of the piece that joins.
+    fn share(&self, h: f64) -> f64 {
+        1.0 / (1.0 + 2.0 * h / (3.0 * self.way_mm))
+    }
+
+    /// The jerk with which a squared speed is reached.
+    pub fn jerk(&self, x: f64) -> f64 {
+        x.powf(1.5) / (4.5 * self.way_mm * self.way_mm)
+    }
+}
+
+/// Limits, pieces and the unknowns.
+pub(crate) struct Problem<'a, const N: usize> {
+    pub pieces: &'a [Piece<N>],
+    pub accel: [f64; N],
+    pub jerk: [f64; N],
+    pub launches: [Launch; 2],
+}
+
+/// Lower part of a symmetric matrix with five diagonals, and the right side.
+struct System {
+    rows: Vec<[f64; 3]>,
+    right: Vec<f64>,
+}
+
+impl<const N: usize> Problem<'_, N> {
+    /// Bézier ordinates of x over every piece.
+    pub fn solve(&self) -> Vec<[f64; 3]> {
+        let n = self.pieces.len();
+        let mut b = self.start();
+        let parts: usize = self.pieces.iter().map(|p| p.parts.len()).sum();
+        let conditions = (parts * 14 * N + 3 * n) as f64;
+        let (mut weight, mut calm, mut found) = (0.0f64, 0, false);
+        for step in 0..STEPS {
+            let (system, time, kept) = self.newton(&b, weight);
+            let d = system.solve();
+            let scale = self.room(&b, &d);
+            b.iter_mut().zip(&d).for_each(|(b, d)| *b += scale * d);
+            found |= kept;
+            if !found {
+                // Slower is gentler: sooner or later all conditions are met.
+                let slower = if step < SETTLING { 1.0 } else { SLOWER };
+                b.iter_mut().for_each(|b| *b *= slower);
+                continue;
+            }
+            let sharpest = conditions / (GAP * time);
+            let settled = weight >= sharpest && scale >= 1.0;
+            calm = if settled { calm + 1 } else { 0 };
+            if calm == CALM {
+                break;
+            }
+            // The weight grows as the steps become whole ones: near the middle of what is allowed.
+            if scale > CENTRED {
+                let first = conditions / time;
+                weight = (weight * SHARPER).max(first).min(sharpest);
+            }
+        }
+        (0..n).map(|k| self.local(&b, k)).collect()
+    }
+
+    /// Where the search starts: about what the jerk allows. From a slow place x^(3/4) can grow as
+    /// the distance does; so it is kept from changing faster, at a good part of that rate.
+    fn start(&self) -> Vec<f64> {
+        let jerk = self.jerk.iter().copied().fold(f64::INFINITY, f64::min);
+        let rate = BEGIN * (4.5 * jerk).sqrt();
+        let mut z: Vec<f64> = self.pieces.iter().map(|p| BEGIN * self.steady(p).powf(0.75)).collect();
+        let n = z.len();
+        let half = |k: usize| 0.5 * self.pieces[k].h;
+        let mut last = rate * self.launches[0].way_mm;
+        for k in 0..n {
+            last += rate * (half(k) + if k > 0 { half(k - 1) } else { 0.0 });
+            last = last.min(z[k]);
+            z[k] = last;
+        }
+        last = rate * self.launches[1].way_mm;
+        for k in (0..n).rev() {
+            last += rate * (half(k) + if k + 1 < n { half(k + 1) } else { 0.0 });
+            last = last.min(z[k]);
+            z[k] = last;
+        }
+        let mut x: Vec<f64> = z.iter().map(|z| z.powf(4.0 / 3.0)).collect();
+        for _ in 0..4 {
+            let before = x.clone();
+            for k in 1..n.saturating_sub(1) {
+                x[k] = 0.25 * (before[k - 1] + 2.0 * before[k] + before[k + 1]);
+            }
+        }
+        x
+    }
+
+    /// The squared speed that a piece allows without s̈.
+    fn steady(&self, piece: &Piece<N>) -> f64 {
+        let mut x = piece.cap.min(piece.guess);
+        for (part, axis) in piece.parts.iter().flat_map(|p| (0..N).map(move |axis| (p, axis))) {
+            for row in &part.gain[axis] {
+                let unit = self.jerk[axis] / row.iter().sum::<f64>().abs();
+                x = x.min(unit.powf(2.0 / 3.0));
+            }
+        }
+        x
+    }
+
+    /// Ordinates over a piece.
+    fn local(&self, b: &[f64], k: usize) -> [f64; 3] {
+        self.local_of(k, |i| b[i])
+    }
+
+    fn local_of(&self, k: usize, b: impl Fn(usize) -> f64) -> [f64; 3] {
+        let [[l0, l1], [r0, r1]] = self.shares(k);
+        let n = self.pieces.len();
+        let before = if k > 0 { l0 * b(k - 1) } else { 0.0 };
+        let after = if k + 1 < n { r1 * b(k + 1) } else { 0.0 };
+        [before + l1 * b(k), b(k), r0 * b(k) + after]
+    }
+
+    /// How the outer ordinates are made of the neighbours' middle ones.
+    fn shares(&self, k: usize) -> [[f64; 2]; 2] {
+        let h = |i: usize| self.pieces[i].h;
+        let mean = |i: usize| {
+            let whole = h(i - 1) + h(i);
+            [h(i) / whole, h(i - 1) / whole]
+        };
+        let left = if k > 0 { mean(k) } else { [0.0, self.launches[0].share(h(0))] };
+        let last = k + 1 == self.pieces.len();
+        let right = if last { [self.launches[1].share(h(k)), 0.0] } else { mean(k + 1) };
+        [left, right]
+    }
+
+    /// Newton's system for a weight of the time, the time, and whether all conditions are met.
+    fn newton(&self, b: &[f64], weight: f64) -> (System, f64, bool) {
+        let n = self.pieces.len();
+        let mut system = System { rows: vec![[0.0; 3]; n], right: vec![0.0; n] };
+        let (mut time, mut kept) = (0.0, true);
+        for (k, piece) in self.pieces.iter().enumerate() {
+            let x = self.local(b, k);
+            let mut part = Local::default();
+            time += part.time(piece, &x, weight);
+            self.conditions(k, &x, |slack, row| {
+                kept &= slack > 0.0;
+                part.barrier(slack.abs(), row);
+            });
+            for of in &piece.parts {
+                part.level(&x, of);
+            }
+            system.add(k, &part, &self.shares(k));
+        }
+        (system, time, kept)
+    }
+
+    /// Calls with the slack of each condition and its gradient.
+    fn conditions(&self, k: usize, x: &[f64; 3], mut each: impl FnMut(f64, &[f64; 3])) {
+        let piece = &self.pieces[k];
+        for m in 0..3 {
+            let mut row = [0.0; 3];
+            row[m] = -1.0;
+            let mut cap = piece.cap;
+            if m == 0 && k == 0 {
+                cap = cap.min(self.launches[0].most);
+            }
+            if m == 2 && k + 1 == self.pieces.len() {
+                cap = cap.min(self.launches[1].most);
+            }
+            each(slack(cap, x[m]), &row);
+            row[m] = 1.0;
+            each(x[m], &row);
+        }
+        for part in &piece.parts {
+            self.part(part, x, &mut each);
+        }
+    }
+
+    fn part(&self, part: &Part<N>, x: &[f64; 3], each: &mut impl FnMut(f64, &[f64; 3])) {
+        let y: [f64; 3] = std::array::from_fn(|m| dot(&part.ordinates[m], x));
+        let root = y.map(|y| 1.0 / y.sqrt());
+        for axis in 0..N {
+            for row in &part.accel[axis] {
+                let f = dot(row, x);
+                each(slack(self.accel[axis], f), &row.map(|r| -r));
+                each(slack(self.accel[axis], -f), row);
+            }
+            let most = self.jerk[axis] * USED;
+            for (m, row) in part.gain[axis].iter().enumerate() {
+                let g = dot(row, x);
+                let limit = most * root[m];
+                let slope = -0.5 * limit / y[m];
+                let tangent = part.ordinates[m].map(|share| slope * share);
+                let side = |sign: f64| std::array::from_fn(|k| tangent[k] + sign * row[k]);
+                each(slack(limit, g), &side(-1.0));
+                each(slack(limit, -g), &side(1.0));
+            }
+        }
+    }
+
+    /// The greatest share of a step that keeps all conditions, and x above zero.
+    fn room(&self, b: &[f64], d: &[f64]) -> f64 {
+        let mut scale = 1.0f64;
+        for k in 0..self.pieces.len() {
+            if d[k] < 0.0 {
+                scale = scale.min(-NEARLY * b[k] / d[k]);
+            }
+            let (x, dx) = (self.local(b, k), self.local(d, k));
+            self.conditions(k, &x, |slack, row| {
+                let change = dot(row, &dx);
+                if change < 0.0 {
+                    scale = scale.min(-NEARLY * slack.abs() / change);
+                }
+            });
+        }
+        scale
+    }
+}
+
+/// What a value leaves of its limit. While a limit is exceeded it counts as higher; what is left of
+/// the higher one is told with a minus.
+fn slack(limit: f64, value: f64) -> f64 {
+    if value < limit { limit - value } else { -RELAXED * value }
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Gradient and matrix of one piece in its own ordinates.
+#[derive(Default)]
+struct Local {
+    gradient: [f64; 3],
+    matrix: [[f64; 3]; 3],
+}
+
+impl Local {
+    fn add(&mut self, row: &[f64; 3], first: f64, second: f64) {
+        for i in 0..3 {
+            self.gradient[i] += first * row[i];
+            for j in 0..=i {
+                self.matrix[i][j] += second * row[i] * row[j];
+            }
+        }
+    }
+
+    fn barrier(&mut self, slack: f64, row: &[f64; 3]) {
+        let inverse = 1.0 / slack;
+        self.add(row, -inverse, inverse * inverse);
+    }
+
+    /// Makes barriers of J/√x − |f′| into those of J − |f′|·√x, which do not favour a small x.
+    fn level<const N: usize>(&mut self, x: &[f64; 3], part: &Part<N>) {
+        for row in &part.ordinates {
+            let inverse = 1.0 / dot(row, x);
+            let share = N as f64;
+            self.add(row, -share * inverse, share * inverse * inverse);
+        }
+    }
+
+    /// Simpson's rule; where x is far below what to expect the time counts as linear, which makes
+    /// the first steps long.
+    fn time<const N: usize>(&mut self, piece: &Piece<N>, x: &[f64; 3], weight: f64) -> f64 {
+        let mut time = 0.0;
+        for (row, share) in [([1.0, 0.0, 0.0], 1.0), ([0.25, 0.5, 0.25], 4.0), ([0.0, 0.0, 1.0], 1.0)] {
+            let at = dot(&row, x);
+            let least = FAR_BELOW * piece.guess;
+            let seen = at.max(least);
+            let inverse = 1.0 / seen.sqrt();
+            let w = share * piece.h / 6.0;
+            time += w / at.sqrt();
+            let first = -0.5 * w * inverse / seen;
+            let second = if at < least { 0.0 } else { 0.75 * w * inverse / (seen * seen) };
+            self.add(&row, weight * first, weight * second);
+        }
+        time
+    }
+}
+
+impl System {
+    /// Adds a piece, whose ordinates are made of three unknowns.
+    fn add(&mut self, k: usize, part: &Local, shares: &[[f64; 2]; 2]) {
+        let [[l0, l1], [r0, r1]] = *shares;
+        // Columns: the unknown before, its own, the one after.
+        let map = [[l0, l1, 0.0], [0.0, 1.0, 0.0], [0.0, r0, r1]];
+        let m = |i: usize, j: usize| part.matrix[i.max(j)][i.min(j)];
+        for c in 0..3 {
+            let Some(i) = (k + c).checked_sub(1).filter(|i| *i < self.right.len()) else { continue };
+            self.right[i] -= (0..3).map(|a| map[a][c] * part.gradient[a]).sum::<f64>();
+            for e in 0..=c {
+                let Some(j) = (k + e).checked_sub(1) else { continue };
+                let mut sum = 0.0;
+                for a in 0..3 {
+                    for b in 0..3 {
+                        sum += map[a][c] * m(a, b) * map[b][e];
+                    }
+                }
+                self.rows[i][i - j] += sum;
+            }
+        }
+    }
+
+    /// Solves by Cholesky's method without roots.
+    fn solve(mut self) -> Vec<f64> {
+        let n = self.right.len();
+        for i in 0..n {
+            let mut row = self.rows[i];
+            if i >= 2 {
+                let second = self.rows[i - 2];
+                let factor = row[2] / second[0];
+                row[0] -= factor * row[2];
+                // Fill between i−1 and i through i−2.
+                row[1] -= factor * self.rows[i - 1][1] * second[0];
+                row[2] = factor;
+                self.right[i] -= factor * self.right[i - 2];
+            }
+            if i >= 1 {
+                let first = self.rows[i - 1];
+                let factor = row[1] / first[0];
+                row[0] -= factor * row[1];
+                row[1] = factor;
+                self.right[i] -= factor * self.right[i - 1];
+            }
+            self.rows[i] = row;
+        }
+        for i in (0..n).rev() {
+            let mut value = self.right[i] / self.rows[i][0];
+            if i + 1 < n {
+                value -= self.rows[i + 1][1] * self.right[i + 1];
+            }
+            if i + 2 < n {
+                value -= self.rows[i + 2][2] * self.right[i + 2];
+            }
+            self.right[i] = value;
+        }
+        self.right
+    }
+}
