@@ -147,13 +147,16 @@ impl<'a, const N: usize> Cells<'a, N> {
 
     /// The first vertex from one on, within the run, whose polynomials change at a place.
     fn corner_from(&self, which: usize, vertex: usize) -> usize {
-        let changes = |j: &usize| self.widths[*j] > 0.0 && match (self.kernel, which) {
-            (_, 0 | END) => true,
-            (Kernel::Box, _) => false,
-            (Kernel::Triangle, PARTS) => true,
-            _ => self.kernel.is_corner(norm(&self.track.turn::<N>(*j))),
+        let changes = |j: &usize| {
+            self.widths[*j] > 0.0
+                && match (self.kernel, which) {
+                    (_, 0 | END) => true,
+                    (Kernel::Box, _) => false,
+                    (Kernel::Triangle, PARTS) => true,
+                    _ => self.kernel.is_corner(norm(&self.track.turn::<N>(*j))),
+                }
         };
-        if self.kernel == Kernel::Box && which % END != 0 {
+        if self.kernel == Kernel::Box && which != 0 && which != END {
             return self.last;
         }
         (vertex..self.last).find(changes).unwrap_or(self.last)
@@ -230,10 +233,10 @@ impl<'a, const N: usize> Cells<'a, N> {
             let twists = self.twists(&turn, self.widths[j]);
             let twist: f64 = (0..PARTS).filter(within).map(|part| twists[part]).sum();
             let twist = if before { twist } else { -twist };
-            for k in 0..N {
-                frame.slope[k] += slope * turn[k];
-                frame.bend[k] += bend * turn[k];
-                frame.twist[k] += twist * turn[k];
+            for (k, turn) in turn.iter().enumerate() {
+                frame.slope[k] += slope * turn;
+                frame.bend[k] += bend * turn;
+                frame.twist[k] += twist * turn;
             }
         }
         frame

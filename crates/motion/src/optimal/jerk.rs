@@ -3,8 +3,8 @@
 //! The squared speed x(s) is a quadratic spline over the pieces with one unknown for each piece, its
 //! middle Bézier ordinate; the outer ones are the weighted means of neighbours. Speed and
 //! acceleration are linear conditions. The condition of jerk, |f′|·√x ≤ J for an axis whose
-//! acceleration is f, is written |f′| ≤ J/√x, the right side being convex in x; so its tangent is a
-//! safe linear condition (the convexification of Zhang et al. 2014). The time Σ ∫ds/√x is convex. An
+//! acceleration is f, is written |f′| ≤ J/√x, and the right side, convex in x, is replaced by its tangent at
+//! the present x: a linear condition that is safe (after Zhang et al. 2014). The time Σ ∫ds/√x is convex. An
 //! interior-point iteration takes Newton's steps on time plus logarithmic barriers; the matrix has
 //! five diagonals, so a step costs as much for each piece however long the path is.
 //!
@@ -13,8 +13,8 @@
 
 use super::pieces::{Part, Piece};
 
-/// Part of the limit of jerk that is used: the ordinates bound it up to a small error.
-const USED: f64 = 0.997;
+/// Part of the limit of jerk that is used, so that rounding never exceeds it.
+const USED: f64 = 1.0 - 1e-6;
 
 /// Most steps of the iteration, of which the first look only for a motion that keeps all limits.
 const STEPS: u32 = 150;
@@ -22,6 +22,9 @@ const SETTLING: u32 = 10;
 
 /// By how much all is slowed in each step after that.
 const SLOWER: f64 = 0.8;
+
+/// By how much in the end, should a condition still be missed by rounding.
+const SLOWER_YET: f64 = 0.9999;
 
 /// Whole steps in a row with the full weight, after which nothing is left to gain.
 const CALM: u32 = 3;
@@ -118,6 +121,9 @@ impl<const N: usize> Problem<'_, N> {
                 weight = (weight * SHARPER).max(first).min(sharpest);
             }
         }
+        while !self.newton(&b, 0.0).2 {
+            b.iter_mut().for_each(|b| *b *= SLOWER_YET);
+        }
         (0..n).map(|k| self.local(&b, k)).collect()
     }
 
@@ -126,20 +132,21 @@ impl<const N: usize> Problem<'_, N> {
     fn start(&self) -> Vec<f64> {
         let jerk = self.jerk.iter().copied().fold(f64::INFINITY, f64::min);
         let rate = BEGIN * (4.5 * jerk).sqrt();
-        let mut z: Vec<f64> = self.pieces.iter().map(|p| BEGIN * self.steady(p).powf(0.75)).collect();
+        let mut z: Vec<f64> =
+            self.pieces.iter().map(|p| BEGIN * self.steady(p).powf(0.75)).collect();
         let n = z.len();
         let half = |k: usize| 0.5 * self.pieces[k].h;
         let mut last = rate * self.launches[0].way_mm;
-        for k in 0..n {
+        for (k, z) in z.iter_mut().enumerate() {
             last += rate * (half(k) + if k > 0 { half(k - 1) } else { 0.0 });
-            last = last.min(z[k]);
-            z[k] = last;
+            last = last.min(*z);
+            *z = last;
         }
         last = rate * self.launches[1].way_mm;
-        for k in (0..n).rev() {
+        for (k, z) in z.iter_mut().enumerate().rev() {
             last += rate * (half(k) + if k + 1 < n { half(k + 1) } else { 0.0 });
-            last = last.min(z[k]);
-            z[k] = last;
+            last = last.min(*z);
+            *z = last;
         }
         let mut x: Vec<f64> = z.iter().map(|z| z.powf(4.0 / 3.0)).collect();
         for _ in 0..4 {
@@ -234,7 +241,9 @@ impl<const N: usize> Problem<'_, N> {
 
     fn part(&self, part: &Part<N>, x: &[f64; 3], each: &mut impl FnMut(f64, &[f64; 3])) {
         let y: [f64; 3] = std::array::from_fn(|m| dot(&part.ordinates[m], x));
-        let root = y.map(|y| 1.0 / y.sqrt());
+        // 1/√x is nowhere below its tangent at the mean of x over the part.
+        let mean = (y[0] + y[1] + y[2]) / 3.0;
+        let root = 1.0 / mean.sqrt();
         for axis in 0..N {
             for row in &part.accel[axis] {
                 let f = dot(row, x);
@@ -244,9 +253,12 @@ impl<const N: usize> Problem<'_, N> {
             let most = self.jerk[axis] * USED;
             for (m, row) in part.gain[axis].iter().enumerate() {
                 let g = dot(row, x);
-                let limit = most * root[m];
-                let slope = -0.5 * limit / y[m];
-                let tangent = part.ordinates[m].map(|share| slope * share);
+                let limit = most * root * (1.5 - 0.5 * y[m] / mean);
+                let (own, others) =
+                    (-0.5 * most * root / mean, 0.75 * most * root * (y[m] / mean - 1.0) / mean);
+                let by_mean = |k: usize| part.ordinates.iter().map(|o| o[k]).sum::<f64>() / 3.0;
+                let tangent: [f64; 3] =
+                    std::array::from_fn(|k| own * part.ordinates[m][k] + others * by_mean(k));
                 let side = |sign: f64| std::array::from_fn(|k| tangent[k] + sign * row[k]);
                 each(slack(limit, g), &side(-1.0));
                 each(slack(limit, -g), &side(1.0));
@@ -276,7 +288,7 @@ impl<const N: usize> Problem<'_, N> {
 /// What a value leaves of its limit. While a limit is exceeded it counts as higher; what is left of
 /// the higher one is told with a minus.
 fn slack(limit: f64, value: f64) -> f64 {
-    if value < limit { limit - value } else { -RELAXED * value }
+    if value < limit { limit - value } else { -RELAXED * value.abs().max(limit.abs()) }
 }
 
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
@@ -318,7 +330,9 @@ impl Local {
     /// the first steps long.
     fn time<const N: usize>(&mut self, piece: &Piece<N>, x: &[f64; 3], weight: f64) -> f64 {
         let mut time = 0.0;
-        for (row, share) in [([1.0, 0.0, 0.0], 1.0), ([0.25, 0.5, 0.25], 4.0), ([0.0, 0.0, 1.0], 1.0)] {
+        for (row, share) in
+            [([1.0, 0.0, 0.0], 1.0), ([0.25, 0.5, 0.25], 4.0), ([0.0, 0.0, 1.0], 1.0)]
+        {
             let at = dot(&row, x);
             let least = FAR_BELOW * piece.guess;
             let seen = at.max(least);
@@ -341,7 +355,9 @@ impl System {
         let map = [[l0, l1, 0.0], [0.0, 1.0, 0.0], [0.0, r0, r1]];
         let m = |i: usize, j: usize| part.matrix[i.max(j)][i.min(j)];
         for c in 0..3 {
-            let Some(i) = (k + c).checked_sub(1).filter(|i| *i < self.right.len()) else { continue };
+            let Some(i) = (k + c).checked_sub(1).filter(|i| *i < self.right.len()) else {
+                continue;
+            };
             self.right[i] -= (0..3).map(|a| map[a][c] * part.gradient[a]).sum::<f64>();
             for e in 0..=c {
                 let Some(j) = (k + e).checked_sub(1) else { continue };

@@ -82,7 +82,8 @@ impl<const N: usize> Limited<'_, N> {
     fn curved(&self, run: [usize; 2], nodes: &mut Vec<Node>, pushes: &mut Vec<Push>) {
         let launches = [self.launch(run[0]), self.launch(run[1] - 1)];
         let pieces = self.pieces(run, &launches);
-        let problem = Problem { pieces: &pieces, accel: self.bounds.accel, jerk: self.jerk, launches };
+        let problem =
+            Problem { pieces: &pieces, accel: self.bounds.accel, jerk: self.jerk, launches };
         let ordinates = problem.solve();
         let Some(mut t_s) = nodes.last().map(|n| n.t_s) else { return };
         pushes.pop();

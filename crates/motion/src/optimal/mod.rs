@@ -70,8 +70,12 @@ impl Optimal<'_> {
         let dynamics = *self.dynamics;
         let kernel = Kernel::Triangle;
         let widths = widths::<N>(&track, breaks, moves, kernel, Overlap::Widest);
-        let mut nodes: Vec<Node> =
-            track.at_mm.first().map(|at| Node { at_mm: *at, v: 0.0, t_s: 0.0 }).into_iter().collect();
+        let mut nodes: Vec<Node> = track
+            .at_mm
+            .first()
+            .map(|at| Node { at_mm: *at, v: 0.0, t_s: 0.0 })
+            .into_iter()
+            .collect();
         let mut pushes = vec![Push { accel: 0.0, jerk: None }];
         let bounds = Bounds::<N>::new(&dynamics.speed_mm_s.0, &dynamics.accel_mm_s2.0);
         let jerk = std::array::from_fn(|k| jerk[k].max(1e-3));
@@ -116,7 +120,14 @@ impl Optimal<'_> {
                 chosen[first..last].copy_from_slice(&narrow[first..last]);
             }
         }
-        Timed { track, widths: chosen, kernel: Kernel::Box, nodes, pushes: Vec::new(), dynamics: *self.dynamics }
+        Timed {
+            track,
+            widths: chosen,
+            kernel: Kernel::Box,
+            nodes,
+            pushes: Vec::new(),
+            dynamics: *self.dynamics,
+        }
     }
 }
 

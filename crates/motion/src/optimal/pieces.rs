@@ -57,8 +57,8 @@ impl<const N: usize> Piece<N> {
         let middle: [f64; N] = std::array::from_fn(|k| frame.slope[k] + 0.5 * h * frame.bend[k]);
         for slope in [&frame.slope, &middle, &end.slope] {
             self.cap = self.cap.min(feed_cap(&moves[cell.owner as usize], slope));
-            for k in 0..N {
-                let v = bounds.speed[k] / slope[k].abs();
+            for (most, slope) in bounds.speed.iter().zip(slope) {
+                let v = most / slope.abs();
                 self.cap = self.cap.min(v * v);
             }
         }
@@ -113,8 +113,18 @@ impl Axis {
         let third = 1.0 / 3.0;
         [
             sum(&[(p0, d0), (c0, y0)]),
-            sum(&[(p0 * third, d1), (2.0 * p1 * third, d0), (2.0 * c0 * third, y1), (c1 * third, y0)]),
-            sum(&[(2.0 * p1 * third, d1), (p2 * third, d0), (c0 * third, y2), (2.0 * c1 * third, y1)]),
+            sum(&[
+                (p0 * third, d1),
+                (2.0 * p1 * third, d0),
+                (2.0 * c0 * third, y1),
+                (c1 * third, y0),
+            ]),
+            sum(&[
+                (2.0 * p1 * third, d1),
+                (p2 * third, d0),
+                (c0 * third, y2),
+                (2.0 * c1 * third, y1),
+            ]),
             sum(&[(p2, d1), (c1, y2)]),
         ]
     }

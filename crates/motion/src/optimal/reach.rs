@@ -78,7 +78,17 @@ impl<const N: usize> Gate<N> {
             }
         }
         let (at_mm, h, straight) = (cell.at_mm, cell.h, cell.straight);
-        Self { at_mm, h, cap, slope: a, bend: cell.frame.bend, twist: cell.frame.twist, accel, straight, parts: 1 }
+        Self {
+            at_mm,
+            h,
+            cap,
+            slope: a,
+            bend: cell.frame.bend,
+            twist: cell.frame.twist,
+            accel,
+            straight,
+            parts: 1,
+        }
     }
 
     /// Greatest |s̈| on a straight.
@@ -210,7 +220,7 @@ impl<const N: usize> Gate<N> {
 
 impl<const N: usize> Gate<N> {
     /// Slows as steeply as can be from y₀: the way made, which ends inside the cell when the
-    /// machine stands there, and the squared speed at its end.
+    /// machine stands there, and the squared speed at its end (infinite when this grid finds none).
     pub fn slow(&self, entry: f64, bounds: &Bounds<N>) -> (f64, f64) {
         let exit = self.slowest(entry, bounds);
         if exit > 0.0 {
@@ -219,13 +229,22 @@ impl<const N: usize> Gate<N> {
         if let Some(accel) = self.straight() {
             return ((entry / (2.0 * accel)).min(self.h), 0.0);
         }
+        if !self.stands(entry, bounds) {
+            return (self.h, f64::INFINITY);
+        }
         let (mut low, mut high) = (0.0, self.h);
         for _ in 0..HALVINGS {
             let h = 0.5 * (low + high);
-            let stands = Self { h, ..*self }.slowest(entry, bounds) <= 0.0;
+            let stands = Self { h, ..*self }.stands(entry, bounds);
             if stands { high = h } else { low = h }
         }
         (high, 0.0)
+    }
+
+    /// Whether y₁ = 0 can be reached from y₀.
+    fn stands(&self, entry: f64, bounds: &Bounds<N>) -> bool {
+        (0..N)
+            .all(|k| self.rows(k).iter().all(|(alpha, _)| (alpha * entry).abs() <= bounds.accel[k]))
     }
 
     /// The least y₁ that can be reached from y₀; not above zero when the machine can stand before.

@@ -22,7 +22,8 @@ pub(crate) fn phases(length: f64, v: f64, a: f64, j: f64) -> impl Iterator<Item 
     } else {
         ((0.5 * length / j).cbrt(), 0.0, 0.0)
     };
-    let row = [(rise, j), (hold, 0.0), (rise, -j), (cruise, 0.0), (rise, -j), (hold, 0.0), (rise, j)];
+    let row =
+        [(rise, j), (hold, 0.0), (rise, -j), (cruise, 0.0), (rise, -j), (hold, 0.0), (rise, j)];
     row.into_iter()
         .filter(|(duration_s, _)| *duration_s > 0.0)
         .map(|(duration_s, jerk)| Phase { duration_s, jerk })

@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::reach::{Bounds, Gate};
-use super::speeds::Node;
+use super::speeds::{Node, step};
 use super::track::{Track, norm};
 use super::widths::Kernel;
 use crate::moves::Move;
@@ -11,6 +11,9 @@ use kerf_program::{AXES, Axes, Dynamics};
 
 /// Halvings in search of a time.
 const HALVINGS: u32 = 50;
+
+/// A squared speed at which the machine stands, mm²/s²: what is left of it is no distance.
+const STANDS: f64 = 1e-8;
 
 /// How the motion goes on after a node where jerk is limited.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +56,9 @@ impl Timed {
             return Along { at_mm: 0.0, v: 0.0, accel: 0.0 };
         };
         match self.nodes.get(later) {
-            Some(b) if later > 0 && !self.pushes.is_empty() => self.pushed(later - 1, t_s - a.t_s, b),
+            Some(b) if later > 0 && !self.pushes.is_empty() => {
+                self.pushed(later - 1, t_s - a.t_s, b)
+            }
             Some(b) if later > 0 => {
                 let accel = (b.v - a.v) / (b.t_s - a.t_s);
                 let s = t_s - a.t_s;
@@ -217,13 +222,19 @@ impl Timed {
         let cells = Cells::<N>::from(&self.track, &self.widths, self.kernel, moves, along.at_mm);
         let mut y = along.v * along.v;
         for cell in cells {
-            if y <= 0.0 {
-                break;
-            }
             let gate = Gate::new(&cell, &bounds, moves);
-            let (way, exit) = gate.slow(y, &bounds);
-            super::speeds::step(&mut nodes, cell.at_mm + way, exit.sqrt());
-            y = exit;
+            let parts = gate.parts(y);
+            for part in (0..parts).map(|k| gate.part(k, parts)) {
+                if y <= 0.0 {
+                    return nodes;
+                }
+                let (way, exit) = part.slow(y, &bounds);
+                // The plan itself shows that no more than its own speed is needed.
+                let planned = self.v_at(part.at_mm + way);
+                y = exit.min(planned * planned);
+                y = if y < STANDS { 0.0 } else { y };
+                step(&mut nodes, part.at_mm + way, y.sqrt());
+            }
         }
         nodes
     }

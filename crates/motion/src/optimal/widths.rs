@@ -58,8 +58,19 @@ const SHARP: f64 = 0.2;
 /// Together they are a broken line through the kernel of the fastest corner between axes limited in
 /// jerk alone, K ∝ (1 − u²)/(1 + u²)³ at s ∝ u + u³/3, where one axis stops with its full jerk while
 /// the other starts with its own.
-pub(crate) const CORNER: [(f64, f64); PARTS] =
-    [(0.25355, 1.0), (0.06040, 0.94), (0.08027, 0.88), (0.11670, 0.8), (0.14087, 0.7), (0.14475, 0.6), (0.12888, 0.5), (0.08639, 0.4), (0.02653, 0.3), (-0.01581, 0.2), (-0.02253, 0.1)];
+pub(crate) const CORNER: [(f64, f64); PARTS] = [
+    (0.25355, 1.0),
+    (0.06040, 0.94),
+    (0.08027, 0.88),
+    (0.11670, 0.8),
+    (0.14087, 0.7),
+    (0.14475, 0.6),
+    (0.12888, 0.5),
+    (0.08639, 0.4),
+    (0.02653, 0.3),
+    (-0.01581, 0.2),
+    (-0.02253, 0.1),
+];
 
 /// Triangles that a kernel has at most.
 pub(crate) const PARTS: usize = 11;
@@ -170,7 +181,8 @@ impl Widths<'_> {
     fn run(&mut self, first: usize, last: usize, tolerance: impl Fn(usize) -> f64) {
         let mut start = first;
         for vertex in first + 1..=last {
-            let widest = self.kernel.width(self.turns[vertex]) * tolerance_or(vertex, last, &tolerance);
+            let widest =
+                self.kernel.width(self.turns[vertex]) * tolerance_or(vertex, last, &tolerance);
             let sharp = self.turns[vertex] > STRAIGHT && widest < SHARPEST_MM * self.turns[vertex];
             if vertex == last || sharp {
                 self.smooth(start, vertex, &tolerance);
