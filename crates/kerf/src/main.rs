@@ -19,13 +19,28 @@ mod sources;
 use clap::Parser;
 use std::process::ExitCode;
 
-/// Runs part files and pictures, times and checks them.
+/// Runs, checks, draws and times OpenSBP part files
+///
+/// Part files run on a machine: the simulated one unless told otherwise. Nothing but `kerf run` and
+/// `kerf send` changes anything outside.
 #[derive(Parser)]
-#[command(name = "kerf", version, about, max_term_width = 100)]
+#[command(name = "kerf", version, max_term_width = 100, after_help = START_HERE)]
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
 }
+
+/// What stands below the list of commands.
+const START_HERE: &str = "Start here:
+  kerf check box.sbp                  is anything wrong with it?
+  kerf preview box.sbp -o box.html    what will it cut?
+  kerf time box.sbp                   how long does it take?
+  kerf run box.sbp                    run it, on the simulated machine
+
+`kerf help COMMAND` lists the options of a command with examples, `kerf explain CODE` explains a message.
+
+Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the command line was wrong,
+3 stopped by the operator or a limit";
 
 fn main() -> ExitCode {
     match commands::run(Cli::parse().command) {

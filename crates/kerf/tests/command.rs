@@ -353,3 +353,18 @@ fn sbp_sys_list() {
     let numbers = kerf_sbp::system_variables().count();
     assert_eq!(list.lines().count(), numbers);
 }
+
+#[test]
+fn sbp_lang_size() {
+    use std::fmt::Write;
+    let shop = Shop::new(&[("one.sbp", "MX,1")]);
+    assert_eq!(shop.kerf("trace one.sbp").exits(0).end()["bounds"]["max"]["x"], 1);
+    let mut text = String::new();
+    for k in 1..1_000_000 {
+        writeln!(text, "M3,{},{},-.{}", k % 90, k / 20_000, k % 7).unwrap();
+    }
+    text.push_str("M3,99,0,0\n");
+    shop.write("million.sbp", text.as_bytes());
+    let did = shop.kerf("run million.sbp");
+    did.exits(0).says("1000000 lines, 1000000 moves").says("X 0 … 99");
+}
