@@ -31,12 +31,21 @@ const SAME_SHARE: f64 = 1e-9;
 /// that a series of very short moves does not surge. The manual gives no number; this is a guess.
 const SURGE: f64 = 2.0;
 
+/// So many bends are gathered before their turns are summed: enough that the few at the edges,
+/// which are summed twice, do not matter, and few enough to stay near the processor.
+const BLOCK: usize = 1 << 14;
+
 /// Caps under construction. The fields of a [`Profile`] hold them: at the start, inside, at the end.
 pub(crate) struct Caps<'a> {
     ramps: &'a Ramps,
     moves: &'a [Move],
     profiles: Vec<Profile>,
+    /// Bends that may still matter, in order.
     bends: Vec<Bend>,
+    /// So many of them make a block.
+    block: usize,
+    /// So many of them have limited arcs, and joints.
+    done: [usize; 2],
     window_mm: f64,
     at_mm: f64,
     heading_rad: f64,
@@ -45,17 +54,27 @@ pub(crate) struct Caps<'a> {
 impl<'a> Caps<'a> {
     /// The caps of a stack.
     pub fn of(ramps: &'a Ramps, moves: &'a [Move]) -> Vec<Profile> {
+        Self::in_blocks(ramps, moves, BLOCK)
+    }
+
+    fn in_blocks(ramps: &'a Ramps, moves: &'a [Move], block: usize) -> Vec<Profile> {
         let mut caps = Self {
             ramps,
             moves,
             profiles: Vec::with_capacity(moves.len()),
-            bends: Vec::with_capacity(moves.len()),
+            bends: Vec::new(),
+            block,
+            done: [0; 2],
             window_mm: ramps.min_distance_mm.max(0.0),
             at_mm: 0.0,
             heading_rad: 0.0,
         };
         caps.walk();
-        caps.limit_turns();
+        caps.limit_turns([caps.bends.len(); 2]);
+        for cap in &mut caps.profiles {
+            cap.v_entry = cap.v_entry.min(cap.v_peak);
+            cap.v_exit = cap.v_exit.min(cap.v_peak);
+        }
         caps.hold_short_runs();
         caps.profiles
     }
@@ -78,6 +97,9 @@ impl<'a> Caps<'a> {
             }
             self.at_mm += way_mm;
             before = Some(course);
+            if self.bends.len() >= self.block {
+                self.settle();
+            }
         }
     }
 
@@ -136,25 +158,39 @@ impl<'a> Caps<'a> {
         self.profiles[i].v_peak = self.turning(self.profiles[i].v_peak, turn as f32, xy as f32);
     }
 
-    /// Applies the corner rule to what the direction changes around each bend.
-    fn limit_turns(&mut self) {
+    /// Limits what no later bend can change any more, and forgets what matters to no later one.
+    fn settle(&mut self) {
+        // Bends farther apart know nothing of each other.
+        let reach_mm = self.window_mm + FULL_CURVE_MM;
+        let before = |bends: &[Bend], mm: f64| bends.partition_point(|b| b.at_mm < mm);
+        let settled_mm = self.at_mm - reach_mm;
+        // The cap of a joint needs that of the arcs beside it, whose middle is within a window.
+        let joints = before(&self.bends, settled_mm - self.window_mm);
+        self.limit_turns([before(&self.bends, settled_mm), joints]);
+        let next_mm = self.bends.get(joints).map_or(self.at_mm, |b| b.at_mm);
+        // One more: how much of the path a bend stands for depends on its neighbour.
+        let past = before(&self.bends, next_mm - reach_mm).saturating_sub(1);
+        self.bends.drain(..past);
+        self.done = self.done.map(|done| done - past);
+        self.block = self.block.max(2 * self.bends.len());
+    }
+
+    /// Applies the corner rule to what the direction changes around each bend, for so many bends
+    /// that are arcs and joints.
+    fn limit_turns(&mut self, [arcs, joints]: [usize; 2]) {
         let turns = self.summed();
-        let bends = std::mem::take(&mut self.bends);
-        for (bend, turn) in bends.iter().zip(&turns) {
-            if let Place::Arc(i) = bend.place {
+        for k in self.done[0]..arcs {
+            if let Bend { place: Place::Arc(i), xy, .. } = self.bends[k] {
                 let v = self.profiles[i as usize].v_peak;
-                self.profiles[i as usize].v_peak = self.turning(v, *turn, bend.xy);
+                self.profiles[i as usize].v_peak = self.turning(v, turns[k], xy);
             }
         }
-        for cap in &mut self.profiles {
-            cap.v_entry = cap.v_entry.min(cap.v_peak);
-            cap.v_exit = cap.v_exit.min(cap.v_peak);
-        }
-        for (bend, turn) in bends.iter().zip(&turns) {
-            if let Place::Joint(i) = bend.place {
-                self.limit_joint(i as usize, *turn, bend.xy);
+        for k in self.done[1]..joints {
+            if let Bend { place: Place::Joint(i), xy, .. } = self.bends[k] {
+                self.limit_joint(i as usize, turns[k], xy);
             }
         }
+        self.done = [arcs, joints];
     }
 
     fn limit_joint(&mut self, i: usize, turn_rad: f32, xy: f32) {
@@ -238,4 +274,62 @@ fn alone(m: &Move) -> Profile {
     let ramp = m.speed_mm_s.min(m.ramp_mm_s);
     let v_peak = if small { ramp } else { m.speed_mm_s };
     Profile { start_s: 0.0, v_entry: ramp, v_peak, v_exit: ramp }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mover;
+    use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings};
+
+    /// Lines and arcs of all sizes, smooth and rough, with a plunge or a jog now and then.
+    fn moves(count: usize, mut seed: u64) -> Vec<Move> {
+        let mut random = move || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 40) as f64 / (1u64 << 24) as f64
+        };
+        let mut mover = Mover::new(Axes::default(), &Settings::default());
+        let mut heading = 0.0;
+        let mut made = Vec::new();
+        while made.len() < count {
+            let place = mover.position();
+            let rough = if made.len() / 50 % 2 == 0 { 0.05 } else { 1.5 };
+            heading += (random() - 0.5) * rough;
+            let (sin, cos) = f64::sin_cos(heading);
+            let step = 3.0 * random() * random();
+            let choice = random();
+            let kind = if choice < 0.01 { MoveKind::Jog } else { MoveKind::Cut };
+            let [x, y, z] = place.first3();
+            let next = if choice < 0.9 {
+                let plunge = choice < 0.02;
+                let [dx, dy] = if plunge { [0.0; 2] } else { [step * cos, step * sin] };
+                let to = Axes::xyz(x + dx, y + dy, z + if plunge { 0.5 } else { 0.0 });
+                mover.line(At::default(), &Line { kind, to, feed: Feed::Axis })
+            } else {
+                let (radius, sweep_rad) = (step + 0.1, (random() - 0.5) * 4.0);
+                let centre = [x - radius * sin, y + radius * cos];
+                let (s, c) = f64::sin_cos(heading + sweep_rad);
+                heading += sweep_rad;
+                let to = Axes::xyz(centre[0] + radius * s, centre[1] - radius * c, z);
+                let (feed, chords) = (Feed::Axis, 8);
+                let arc = Arc { kind, centre, sweep_rad, to, feed, chords, small: false };
+                mover.arc(At::default(), &arc)
+            };
+            made.extend(next);
+        }
+        made
+    }
+
+    #[test]
+    fn blocks_give_the_caps_of_the_whole_stack() {
+        for (seed, min_distance_mm) in [(1, 3.81), (2, 0.3), (3, 40.0), (4, 0.0), (5, 3.81)] {
+            let ramps = Ramps { min_distance_mm, ..Settings::default().ramps };
+            let moves = moves(4000, seed);
+            let whole = Caps::in_blocks(&ramps, &moves, usize::MAX);
+            for block in [1, 7, 64, 1000] {
+                let found = Caps::in_blocks(&ramps, &moves, block);
+                assert!(found == whole, "seed {seed}, blocks of {block}");
+            }
+        }
+    }
 }
