@@ -44,7 +44,8 @@ impl Cylinder {
 
     /// Into how many pieces a move is cut whose work turns so far.
     pub fn chords(turn_deg: f64) -> u32 {
-        (turn_deg.abs() / CHORD_DEG).ceil().max(1.0).min(MOST_CHORDS) as u32
+        // No number of chords is one chord.
+        ((turn_deg.abs() / CHORD_DEG).ceil().clamp(1.0, MOST_CHORDS) as u32).max(1)
     }
 }
 
