@@ -4,7 +4,7 @@
 //! middle Bézier ordinate; the outer ones are the weighted means of neighbours. Speed and
 //! acceleration are linear conditions. The condition of jerk, |f′|·√x ≤ J for an axis whose
 //! acceleration is f, is written |f′| ≤ J/√x, and the right side, convex in x, is replaced by its tangent at
-//! the present x: a linear condition that is safe (after Zhang et al. 2014). The time Σ ∫ds/√x is convex. An
+//! the present x: a linear condition that is safe (after Zhang et al. 2014, Lee et al. 2024). The time Σ ∫ds/√x is convex. An
 //! interior-point iteration takes Newton's steps on time plus logarithmic barriers; the matrix has
 //! five diagonals, so a step costs as much for each piece however long the path is.
 //!
