@@ -55,7 +55,6 @@ fn any_context() -> impl Strategy<Value = Context> {
             circle_mm: pick(10, usual.circle_mm),
             small_circle_mm: pick(11, usual.small_circle_mm),
             scale: [pick(3, 1.0), pick(4, 1.0), pick(5, 1.0)],
-            ..usual
         }
     })
 }
