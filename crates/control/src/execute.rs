@@ -45,17 +45,18 @@ impl<I: Interpreter> Runner<'_, I> {
             return Some(Halted::Over(over));
         }
         loop {
+            let count = stack.moves.len();
+            let mut marks = std::mem::take(&mut stack.marks).into_iter().peekable();
             let moves = std::mem::take(&mut stack.moves);
-            let marks = std::mem::take(&mut stack.marks);
-            let stopped = match self.make(moves, marks) {
+            let stopped = match self.make(moves, &mut marks) {
                 Ok(()) => return None,
                 Err(stopped) => stopped,
             };
             let number = stack.numbers.get(stopped.index).copied();
-            match self.answer_halt(stopped.halt, number) {
-                Some(halted) => return Some(halted),
-                None => stack = stack.after(stopped.index, stopped.rest),
+            if let Some(halted) = self.answer_halt(stopped.halt, number) {
+                return Some(halted);
             }
+            stack = stack.after(count - stopped.rest.len(), stopped.rest, marks);
         }
     }
 
@@ -132,10 +133,9 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Plans and makes moves until they are made or something stops them.
-    fn make(&mut self, moves: Vec<Move>, marks: Vec<(usize, Sourced)>) -> Result<(), Stopped> {
-        let mut marks = marks.into_iter().peekable();
+    fn make(&mut self, moves: Vec<Move>, marks: &mut Marks) -> Result<(), Stopped> {
         if moves.is_empty() {
-            self.carry_out_marks(&mut marks, usize::MAX);
+            self.carry_out_marks(marks, usize::MAX);
             return Ok(());
         }
         let before_s = self.world.now();
@@ -145,10 +145,10 @@ impl<I: Interpreter> Runner<'_, I> {
         let plan = plan(moves, self.world.machine.settings());
         let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &self.watched());
         let stopped = match halt {
-            None => self.follow_plan(plan, t0_s, &mut marks),
+            None => self.follow_plan(plan, t0_s, marks),
             Some(halt) => {
                 let (plan, stopped) = cut(plan, halt.t_s - t0_s, halt.ramped);
-                let operator = self.follow_plan(plan, t0_s, &mut marks);
+                let operator = self.follow_plan(plan, t0_s, marks);
                 operator.or(Some(Stopped { halt: Some(halt), ..stopped }))
             }
         };
@@ -157,7 +157,7 @@ impl<I: Interpreter> Runner<'_, I> {
         match stopped {
             Some(stopped) => Err(stopped),
             None => {
-                self.carry_out_marks(&mut marks, usize::MAX);
+                self.carry_out_marks(marks, usize::MAX);
                 Ok(())
             }
         }

@@ -26,14 +26,18 @@ impl Stack {
         self.marks.push((self.moves.len(), sourced));
     }
 
-    /// What is left when the moves before `index` were made: marks before it are gone.
-    pub fn after(mut self, index: usize, rest: Vec<Move>) -> Self {
+    /// What is left when so many moves were made: the rest of them, and the marks that were not
+    /// carried out.
+    pub fn after(
+        mut self,
+        made: usize,
+        rest: Vec<Move>,
+        marks: impl Iterator<Item = (usize, Sourced)>,
+    ) -> Self {
         self.moves = rest;
-        self.numbers.drain(..index.min(self.numbers.len()));
-        self.marks.retain(|(before, _)| *before > index);
-        for (before, _) in &mut self.marks {
-            *before -= index;
-        }
+        self.numbers.drain(..made.min(self.numbers.len()));
+        self.marks =
+            marks.map(|(before, sourced)| (before.saturating_sub(made), sourced)).collect();
         self
     }
 }
