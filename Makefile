@@ -6,7 +6,7 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run bench test properties check format conformance book prepare
+.PHONY: help run bench test properties check fuzz format conformance book prepare
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -24,6 +24,13 @@ check: prepare ## formatting, lints and the project's own rules
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
 	$(CARGO) xtask check
+
+fuzz: ## throw bytes at everything that reads them, FUZZ_SECONDS (60) for each target
+	@for target in $$(sed -n 's/^path = "fuzz_targets\/\(.*\)\.rs"/\1/p' fuzz/Cargo.toml); do \
+	  mkdir -p fuzz/corpus/$$target; \
+	  $(CARGO) +nightly fuzz run $$target fuzz/corpus/$$target fuzz/seeds/$$target -- \
+	    -max_total_time=$${FUZZ_SECONDS:-60} -timeout=20 -rss_limit_mb=2048; \
+	done
 
 format: ## format every source file
 	$(CARGO) fmt --all
