@@ -6,11 +6,11 @@
 //!        └── World: answers ┴──────────► carried out                  └─ input: interrupt
 //! ```
 
-use crate::Pace;
 use crate::execute::Halted;
 use crate::session::LimitPolicy;
 use crate::stack::Stack;
 use crate::world::World;
+use crate::{Pace, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Mover;
 use kerf_program::{At, Axis, Command, Interpreter, MoveKind, Sourced, Status, Step};
@@ -97,6 +97,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.world.machine.end_file();
         self.world.tell_log();
         self.world.flush_print();
+        let stopped = if over.status == Status::Stopped { flag::STOPPED } else { 0 };
+        self.world.tell_standing(stopped, &Vec::new);
         over
     }
 
@@ -108,8 +110,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
                 Err(why) => return Some(self.lost(&why)),
             }
         }
-        let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
+        // Whoever looks where the run stands sees every line.
+        let lines = if self.world.tells_standing() { 1 } else { self.lines };
+        let step = self.interpreter.run(&mut self.world, &mut self.out, lines);
         self.learn_files();
+        self.tell_standing(0);
         let flow = match self.feed() {
             Flow::On => self.follow(step),
             flow => flow,
@@ -122,6 +127,10 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             Flow::On | Flow::Interrupted => None,
             Flow::Over(over) => Some(self.ended(over)),
         }
+    }
+
+    pub(crate) fn tell_standing(&mut self, flags: u8) {
+        self.world.tell_standing(flags, &|| self.interpreter.call_stack());
     }
 
     fn lost(&self, why: &str) -> Over {

@@ -72,6 +72,16 @@ pub struct Summary {
     pub error: Option<Box<Diagnostic>>,
 }
 
+/// A place that the table limits do not allow.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{} would leave the table limits", axis.letter())]
+pub struct Outside {
+    /// The axis that would leave them.
+    pub axis: Axis,
+    /// The table base coordinate it would reach, mm or degrees.
+    pub reached: f64,
+}
+
 /// One machine and everything about it that stays between runs.
 #[derive(Clone, Debug, Default)]
 pub struct Session {
@@ -108,8 +118,9 @@ impl Session {
         }
         let machine = self.machine(options.inputs);
         let memory = std::mem::take(&mut self.memory);
+        let mut world = World::new(machine, shelf, sink, operator);
+        world.previews = options.program.preview;
         let interpreter = Interpreter::new(program, memory, options.program);
-        let world = World::new(machine, shelf, sink, operator);
         let mut runner =
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
@@ -117,6 +128,23 @@ impl Session {
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         (self.memory, self.machine) = (memory, Some(machine));
         summary
+    }
+
+    /// Moves the tool a little, internal units: working locations stay, so that what is cut next
+    /// shifts, and table base coordinates follow, so that ST finds the true place again (MN).
+    ///
+    /// # Errors
+    /// [`Outside`] when the table limits are checked and do not allow it; nothing has moved.
+    pub fn nudge(&mut self, axis: Axis, distance: f64) -> Result<(), Outside> {
+        let memory = &mut self.memory;
+        let limits = &memory.settings.limits;
+        let reached = memory.frame.base(memory.position)[axis] + distance;
+        if limits.check && !(limits.low[axis]..=limits.high[axis]).contains(&reached) {
+            return Err(Outside { axis, reached });
+        }
+        memory.position[axis] += distance;
+        memory.frame.working_zero[axis] += distance;
+        Ok(())
     }
 
     /// What every system variable reads now, in order of numbers.

@@ -1,6 +1,6 @@
 //! Where events go.
 
-use crate::Event;
+use crate::{Event, Standing};
 
 /// Takes the events of a run, in order of machine time.
 pub trait Sink {
@@ -11,6 +11,14 @@ pub trait Sink {
     /// matters for programs with a million of them.
     fn looks_at_motion(&self) -> bool {
         true
+    }
+
+    /// The run stands somewhere else: it goes on to other lines, waits, or is over.
+    fn standing(&mut self, _: &Standing) {}
+
+    /// Whether it looks at where the run stands.
+    fn looks_at_standing(&self) -> bool {
+        false
     }
 }
 
@@ -40,6 +48,15 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
     fn looks_at_motion(&self) -> bool {
         self.0.looks_at_motion() || self.1.looks_at_motion()
     }
+
+    fn standing(&mut self, standing: &Standing) {
+        self.0.standing(standing);
+        self.1.standing(standing);
+    }
+
+    fn looks_at_standing(&self) -> bool {
+        self.0.looks_at_standing() || self.1.looks_at_standing()
+    }
 }
 
 impl<S: Sink + ?Sized> Sink for &mut S {
@@ -49,6 +66,14 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn looks_at_motion(&self) -> bool {
         (**self).looks_at_motion()
+    }
+
+    fn standing(&mut self, standing: &Standing) {
+        (**self).standing(standing);
+    }
+
+    fn looks_at_standing(&self) -> bool {
+        (**self).looks_at_standing()
     }
 }
 
@@ -62,6 +87,16 @@ impl<S: Sink> Sink for Option<S> {
 
     fn looks_at_motion(&self) -> bool {
         self.as_ref().is_some_and(S::looks_at_motion)
+    }
+
+    fn standing(&mut self, standing: &Standing) {
+        if let Some(sink) = self {
+            sink.standing(standing);
+        }
+    }
+
+    fn looks_at_standing(&self) -> bool {
+        self.as_ref().is_some_and(S::looks_at_standing)
     }
 }
 

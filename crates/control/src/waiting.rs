@@ -1,7 +1,7 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
-use crate::Event;
 use crate::runner::{Flow, Over, Runner};
+use crate::{Event, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::{Answer, At, Axis, Button, Feed, Interpreter, Line, MoveKind, Question, Status};
 use kerf_sim::HaltCause;
@@ -35,6 +35,7 @@ impl<I: Interpreter> Runner<'_, I> {
             return Flow::On;
         }
         let t = self.world.now();
+        self.tell_standing(flag::PAUSED);
         self.world.tell(&Event::Wait { seconds, t });
         self.pass_until(t + seconds.max(0.0))
     }
@@ -76,6 +77,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Answers the question that is open: an input does, or the operator.
     pub(crate) fn answer(&mut self) -> Flow {
+        self.tell_standing(flag::PAUSED);
         let at = self.asking_line();
         let until = self.world.question.as_ref().and_then(|q| q.until);
         let moment = until.and_then(|(n, on)| self.world.machine.when_input(n, on));

@@ -6,7 +6,7 @@
 use crate::answers::{self, Operator};
 use crate::event::{AskEvent, Event, Partial, Place};
 use crate::shelf::Shelf;
-use crate::{Sink, Tally};
+use crate::{OpenFile, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Command, Frame, Independent, OutputReason, Question, Settings,
@@ -37,6 +37,8 @@ pub(crate) struct World<'a> {
     pub answer: Option<Answer>,
     /// What was told already: a line in a loop finds the same again and again.
     told: BTreeSet<(Code, SourcePlace, String)>,
+    /// The run is a preview.
+    pub previews: bool,
 }
 
 impl<'a> World<'a> {
@@ -60,12 +62,31 @@ impl<'a> World<'a> {
             question: None,
             answer: None,
             told: BTreeSet::new(),
+            previews: false,
         }
     }
 
     /// Tells an event.
     pub fn tell(&mut self, event: &Event) {
         self.sink.event(event);
+    }
+
+    /// Whether anybody looks at where the run stands.
+    pub fn tells_standing(&self) -> bool {
+        self.sink.looks_at_standing()
+    }
+
+    /// Tells where the run stands, when anybody looks: its flags besides those of running and
+    /// previewing, and the lines that are read next.
+    pub fn tell_standing(&mut self, flags: u8, lines: &dyn Fn() -> Vec<At>) {
+        if !self.sink.looks_at_standing() {
+            return;
+        }
+        let open = |at: At| OpenFile { file: self.file(at), line: at.line };
+        let files: Vec<OpenFile> = lines().into_iter().map(open).collect();
+        let running = if files.is_empty() { 0 } else { flag::FILE_RUNNING };
+        let preview = if self.previews || self.machine.draws() { flag::PREVIEW } else { 0 };
+        self.sink.standing(&Standing { status: flags | running | preview, files });
     }
 
     /// Whether anybody looks at moves and arcs.

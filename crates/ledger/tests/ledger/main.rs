@@ -1,10 +1,11 @@
 //! The rows of the ledgers, a module an area.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
 mod cut;
 mod file;
 mod flow;
+mod headless;
 mod height;
 mod io;
 mod lang;

@@ -56,7 +56,9 @@ impl Context<'_> {
         if !command.is_motion() {
             self.interrupt_tabs();
         }
-        self.core.settled = false;
+        // Nobody has to wait for what is only told. A command that warns and then waits would
+        // otherwise wait again each time it is repeated, for ever.
+        self.core.settled &= matches!(command, Command::Diagnostic(_));
         self.out.push(Sourced { at: self.at, command });
     }
 

@@ -1,0 +1,34 @@
+//! Where a run stands: what a console shows at any time.
+
+use std::sync::Arc;
+
+/// Flags of the status byte, as other software reads them (programming handbook, external control).
+pub mod flag {
+    /// A part file is running.
+    pub const FILE_RUNNING: u8 = 1;
+    /// It is only drawn.
+    pub const PREVIEW: u8 = 2;
+    /// It waits: for an answer, an input or a time.
+    pub const PAUSED: u8 = 8;
+    /// The operator or an input stopped it.
+    pub const STOPPED: u8 = 16;
+}
+
+/// Where a run stands.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Standing {
+    /// The sum of [`flag`]s.
+    pub status: u8,
+    /// The open files, outermost first.
+    pub files: Vec<OpenFile>,
+}
+
+/// A file that is open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OpenFile {
+    /// Its name.
+    pub file: Arc<str>,
+    /// The line that is read next, counted from 1; in a file that called another, the one behind the
+    /// call. The line that is being made is that of the last move told.
+    pub line: u32,
+}

@@ -1,0 +1,136 @@
+//! Where a run stands, and nudging: what a console asks of a session.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
+
+use kerf_control::answers::Answers;
+use kerf_control::files::MemoryDisk;
+use kerf_control::{Company, Event, RunOptions, Session, Shelf, Sink, Standing, StopAt};
+use kerf_program::Axis;
+
+/// Notes every place where a run stands.
+#[derive(Default)]
+struct Watcher(Vec<Standing>);
+
+impl Sink for Watcher {
+    fn event(&mut self, _: &Event) {}
+
+    fn standing(&mut self, standing: &Standing) {
+        self.0.push(standing.clone());
+    }
+
+    fn looks_at_standing(&self) -> bool {
+        true
+    }
+}
+
+/// Runs `a.sbp`; `status:file line,file line` whenever that changes.
+fn watch(files: &[(&str, &str)], options: RunOptions, stop_at_s: f64) -> Vec<String> {
+    let mut shelf =
+        Shelf::in_memory(MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes()))));
+    let mut watcher = Watcher::default();
+    let company = Company {
+        sink: &mut watcher,
+        operator: &mut Answers::default(),
+        pace: &mut StopAt(stop_at_s),
+    };
+    let program = kerf_sbp::read(files[0].0.into(), files[0].1.as_bytes());
+    Session::default().run(program, options, &mut shelf, company);
+    let told = watcher.0.iter().map(|standing| {
+        let files: Vec<String> =
+            standing.files.iter().map(|f| format!("{} {}", f.file, f.line)).collect();
+        format!("{}:{}", standing.status, files.join(","))
+    });
+    let mut told: Vec<String> = told.collect();
+    told.dedup();
+    told
+}
+
+#[test]
+fn sbp_lang_line_display() {
+    let files = [("a.sbp", "MX,1\nFP,b.sbp\nMX,3\n"), ("b.sbp", "MY,1\nMY,2\n")];
+    let told = watch(&files, RunOptions::default(), f64::INFINITY);
+    let expected = [
+        "1:a.sbp 1",
+        "1:a.sbp 2",
+        "1:a.sbp 3,b.sbp 1",
+        "1:a.sbp 3,b.sbp 2",
+        "1:a.sbp 3,b.sbp 3",
+        "1:a.sbp 3",
+        "1:a.sbp 4",
+        "0:",
+    ];
+    assert_eq!(told, expected);
+}
+
+#[test]
+fn sbp_flow_pause_status() {
+    for pause in ["PAUSE 2", "PAUSE", "PAUSE UNTIL 1,1"] {
+        let told = watch(
+            &[("a.sbp", &format!("MX,1\n{pause}\nMX,2"))],
+            RunOptions::default(),
+            f64::INFINITY,
+        );
+        let paused = told.iter().any(|t| t.starts_with("9:"));
+        assert!(paused && told.last().unwrap() == "0:", "{pause}: {told:?}");
+    }
+    let told = watch(&[("a.sbp", "MX,1\nMX,2")], RunOptions::default(), f64::INFINITY);
+    assert!(told.iter().all(|t| t.starts_with("1:") || t == "0:"), "{told:?}");
+}
+
+#[test]
+fn previews_and_stops_are_flags() {
+    let mut options = RunOptions::default();
+    options.program.preview = true;
+    let told = watch(&[("a.sbp", "MX,1\nMX,2")], options, f64::INFINITY);
+    assert!(told.contains(&"3:a.sbp 1".into()), "{told:?}");
+    let told = watch(&[("a.sbp", "MX,10")], RunOptions::default(), 1.0);
+    assert_eq!(told.last().unwrap(), "16:");
+}
+
+/// The working and the base location of an axis, in.
+fn places(session: &Session, axis: Axis) -> (f64, f64) {
+    let m = &session.memory;
+    let user = |place| m.settings.to_user(place)[axis];
+    (user(m.frame.working(m.position)), user(m.frame.base(m.position)))
+}
+
+/// A session in which a program ran.
+fn after(session: &mut Session, program: &str) -> Vec<Event> {
+    let mut events = Vec::new();
+    let company = Company { sink: &mut events, operator: &mut Answers::default(), pace: &mut () };
+    let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
+    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    session.run(program, RunOptions::default(), &mut shelf, company);
+    events
+}
+
+#[test]
+fn sbp_cmd_mn() {
+    let mut session = Session::default();
+    after(&mut session, "M2,5,5\n");
+    session.nudge(Axis::X, 2.54).unwrap();
+    assert_eq!(places(&session, Axis::X), (5.0, 5.1));
+    assert_eq!(places(&session, Axis::Y), (5.0, 5.0));
+    let events = after(&mut session, "MX,6\n");
+    assert!(events.iter().any(|e| matches!(e, Event::Move(m) if m.to.x == 6.0)));
+    assert_eq!(places(&session, Axis::X), (6.0, 6.1), "what is cut next is shifted");
+}
+
+#[test]
+fn sbp_cmd_mn_st() {
+    let mut session = Session::default();
+    after(&mut session, "M2,5,5\n");
+    session.nudge(Axis::X, 2.54).unwrap();
+    after(&mut session, "ST\n");
+    assert_eq!(places(&session, Axis::X), (5.1, 5.1));
+}
+
+#[test]
+fn a_nudge_stays_on_the_table() {
+    let mut session = Session::default();
+    session.memory.settings.limits.check = true;
+    let before = session.memory.clone();
+    let high_mm = before.settings.limits.high[Axis::X];
+    assert_eq!(session.nudge(Axis::X, high_mm + 1.0).unwrap_err().axis, Axis::X);
+    assert_eq!(session.memory, before);
+}

@@ -1,0 +1,177 @@
+//! The halves without a screen of rows that a console completes, and rows about whole files.
+
+use kerf_ledger::{Run, at, run, sbp};
+
+/// What UV shows of a V command after a program.
+fn shows(program: &str, letters: &str) -> String {
+    let run = run(&format!("{program} ⏎ UV"));
+    let told = run.is_ok().events("message").last().expect("UV tells").clone();
+    let text = told["text"].as_str().expect("text");
+    text.lines().find(|line| line.starts_with(letters)).unwrap_or_default().to_owned()
+}
+
+/// The value of a parameter that UV shows, counted from 1.
+fn value(program: &str, letters: &str, position: usize) -> String {
+    shows(program, letters).split(',').nth(position).unwrap_or_default().to_owned()
+}
+
+fn question(run: &Run, kind: &str) -> usize {
+    run.events("ask").filter(|ask| ask["kind"] == kind).count()
+}
+
+#[test]
+fn sbp_lang_ext() {
+    let mine = "VS,3,2 ⏎ PRINT %(71);\" \";%(73)";
+    sbp("FP,mine.sbd").file("mine.sbd", mine).run().is_ok().prints(&["3 2"]);
+    sbp("FP,mine").file("mine.sbp", mine).run().is_ok().prints(&["3 2"]);
+}
+
+#[test]
+fn sbp_lang_size() {
+    run("MX,1").ends_at([1.0]);
+    let lines: Vec<String> = (1..=20_000).map(|n| format!("M3,{n},{},-.1", n % 7)).collect();
+    let run = sbp(&lines.join("\n")).preview();
+    run.ends_at([20_000.0, f64::from(20_000 % 7), -0.1]);
+    assert_eq!(run.events("move").last().expect("moves")["line"], 20_000);
+}
+
+#[test]
+fn sbp_lang_var_case__listed_once() {
+    let run = run("&MyVar=1 ⏎ &MYVAR=&myvar+1 ⏎ UL");
+    run.is_ok().shows(&["&MYVAR = 2"]);
+}
+
+#[test]
+fn sbp_cmd_sl__leaves_nothing() {
+    sbp("&a=1 ⏎ MSGBOX(t,0,x) ⏎ SL ⏎ UL").run().is_ok().shows(&["no variables"]);
+}
+
+#[test]
+fn sbp_io_print_suppress() {
+    run("PRINT \"a\" ⏎ VD,,,,,,,0 ⏎ PRINT \"b\"").prints(&["a", "b"]);
+}
+
+#[test]
+fn sbp_io_play_missing() {
+    run("PLAY nofile.wav ⏎ MX,1").ends_at([1.0]).warns(1, "W020");
+    sbp("PLAY ding.wav ⏎ MX,1").file("ding.wav", "x").run().ends_at([1.0]).is_silent();
+}
+
+#[test]
+fn sbp_file_fp_savedformats() {
+    for text in ["MX,1\nMY,2\n", "MX,1\r\nMY,2\r\n", "MX,1\r\nMY,2\r\n\u{1a}", "\u{feff}MX,1\nMY,2"]
+    {
+        sbp("FP,part.sbp").file("part.sbp", text).run().ends_at([1.0, 2.0]);
+    }
+}
+
+#[test]
+fn sbp_file_fe() {
+    let run = sbp("FE,part.sbp ⏎ MX,1").file("part.sbp", "MX,2").run();
+    assert_eq!(question(&run, "editor"), 1, "{run}");
+    run.ends_at([1.0]).asks(&["part.sbp"]);
+}
+
+#[test]
+fn sbp_file_fg_modes() {
+    let fg = |mode: &str| sbp(&format!("{mode} ⏎ FG,part.sbp")).file("part.sbp", "MX,1").run();
+    fg("SM").ends_at([1.0]);
+    let drawn = fg("SP");
+    drawn.is_ok();
+    assert_eq!(drawn.events("move").count(), 1);
+}
+
+#[test]
+fn a_note_before_waiting_does_not_wait_for_ever() {
+    sbp("MX,2 ⏎ FG,part.sbp").file("part.sbp", "MX,1").run().ends_at([1.0]);
+}
+
+#[test]
+fn sbp_val_vd_comments() {
+    assert_eq!(value("VD,,,,,,,1", "VD", 7), "1");
+    run("VD,,,,,,,1 ⏎ 'a ⏎ MX,1 ⏎ 'b").shows(&["a", "b"]);
+}
+
+#[test]
+fn sbp_val_vd_fixed() {
+    assert_eq!(
+        (value("", "VD", 8), value("VD,,,,,,,,.05", "VD", 8)),
+        ("0.1".into(), "0.05".into())
+    );
+}
+
+#[test]
+fn sbp_val_vd_remote() {
+    assert_eq!((value("", "VD", 9), value("VD,,,,,,,,,2", "VD", 9)), ("0".into(), "2".into()));
+}
+
+#[test]
+fn sbp_val_vd_partlog() {
+    assert_eq!((value("", "VD", 10), value("VD,,,,,,,,,,0", "VD", 10)), ("1".into(), "0".into()));
+}
+
+#[test]
+fn sbp_val_vd_syslog() {
+    assert_eq!((value("", "VD", 11), value("VD,,,,,,,,,,,0", "VD", 11)), ("1".into(), "0".into()));
+}
+
+#[test]
+fn sbp_val_vd_msgscreen() {
+    let line = shows("VD,,,,,,,,,,,,1440,720,7200,3600", "VD");
+    assert!(line.contains(",1440,720,7200,3600,"), "{line}");
+}
+
+#[test]
+fn sbp_io_print_window_pos() {
+    let line = shows("VD,,,,,,,,,,,,1000,2000,6000,4000", "VD");
+    assert!(line.contains(",1000,2000,6000,4000,"), "{line}");
+}
+
+#[test]
+fn sbp_val_vd_progress() {
+    let set = "VD,,,,,,,,,,,,,,,,,1";
+    assert_eq!((value("", "VD", 17), value(set, "VD", 17)), ("0".into(), "1".into()));
+}
+
+#[test]
+fn sbp_val_vd_display() {
+    let set = "VD,,,,,,,,,,,,,,,,,,0";
+    assert_eq!((value("", "VD", 18), value(set, "VD", 18)), ("1".into(), "0".into()));
+}
+
+#[test]
+fn sbp_val_vi_port() {
+    assert_eq!(value("VI,3", "VI", 1), "3");
+    run("VI,17").status("failed");
+}
+
+#[test]
+fn sbp_val_vi_speed() {
+    assert_eq!(value("", "VI", 9), "5");
+    for code in ["2", "3", "4", "5"] {
+        assert_eq!(value(&format!("VI,,,,,,,,,{code}"), "VI", 9), code);
+    }
+    run("VI,,,,,,,,,9").status("failed");
+}
+
+#[test]
+fn sbp_cmd_st_lost() {
+    let told = run("MX,1 ⏎ MO ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
+    assert!(told.contains("position not verified: X Y Z"), "{told}");
+    let zeroed = run("MO ⏎ ZT ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
+    assert!(!zeroed.contains("not verified"), "{zeroed}");
+    let drawn = run("SP ⏎ MO ⏎ SM ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
+    assert!(!drawn.contains("not verified"), "nothing was switched off: {drawn}");
+}
+
+#[test]
+fn sbp_cmd_z_confirm() {
+    let zeroed = at([1.0, 2.0], "ZX");
+    zeroed.ends_at([0.0, 2.0]).asks(&[]);
+}
+
+#[test]
+fn sbp_cmd_home_immediate() {
+    at([1.0, 2.0], "MH").stands_at([0.0, 0.0]).asks(&[]);
+    at([1.0, 2.0], "JH").stands_at([0.0, 0.0]).asks(&[]);
+}
