@@ -61,12 +61,3 @@ fn sbp_file_check() {
     }
     assert_eq!(shop.names().len(), 6, "nothing is written");
 }
-
-#[test]
-fn sbp_lang_size__a_million_lines() {
-    let lines = (1..1_000_000).map(|n| format!("M3,{},{},-.1\n", n % 97, n % 7));
-    let text = lines.collect::<String>() + "M3,500,400,-.1\n";
-    let shop = Shop::new(&[("m.sbp", &text)]);
-    let did = shop.kerf("run m.sbp");
-    did.exits(0).says("1000000 lines, 1000000 moves").says("X 0 … 500, Y 0 … 400");
-}

@@ -27,15 +27,6 @@ fn sbp_lang_ext() {
 }
 
 #[test]
-fn sbp_lang_size() {
-    run("MX,1").ends_at([1.0]);
-    let lines: Vec<String> = (1..=20_000).map(|n| format!("M3,{n},{},-.1", n % 7)).collect();
-    let run = sbp(&lines.join("\n")).preview();
-    run.ends_at([20_000.0, f64::from(20_000 % 7), -0.1]);
-    assert_eq!(run.events("move").last().expect("moves")["line"], 20_000);
-}
-
-#[test]
 fn sbp_lang_var_case__listed_once() {
     let run = run("&MyVar=1 ⏎ &MYVAR=&myvar+1 ⏎ UL");
     run.is_ok().shows(&["&MYVAR = 2"]);
