@@ -179,15 +179,15 @@ impl<'a> Caps<'a> {
     /// that are arcs and joints.
     fn limit_turns(&mut self, [arcs, joints]: [usize; 2]) {
         let turns = self.summed();
-        for k in self.done[0]..arcs {
+        for (k, &turn_rad) in turns.iter().enumerate().take(arcs).skip(self.done[0]) {
             if let Bend { place: Place::Arc(i), xy, .. } = self.bends[k] {
                 let v = self.profiles[i as usize].v_peak;
-                self.profiles[i as usize].v_peak = self.turning(v, turns[k], xy);
+                self.profiles[i as usize].v_peak = self.turning(v, turn_rad, xy);
             }
         }
-        for k in self.done[1]..joints {
+        for (k, &turn_rad) in turns.iter().enumerate().take(joints).skip(self.done[1]) {
             if let Bend { place: Place::Joint(i), xy, .. } = self.bends[k] {
-                self.limit_joint(i as usize, turns[k], xy);
+                self.limit_joint(i as usize, turn_rad, xy);
             }
         }
         self.done = [arcs, joints];
