@@ -63,8 +63,8 @@ pub struct PlaceArgs {
     pub allow_path: Vec<PathBuf>,
     #[command(flatten)]
     pub data: DataArgs,
-    /// Start from the machine as it was left, or from inches and zeros [default: kept for run and
-    /// send, fresh for the others]
+    /// Start from the machine as it was left, or from inches and zeros [default: kept for send and,
+    /// where a data folder is named, for run; fresh for the others]
     #[arg(long, value_enum, value_name = "HOW")]
     pub start: Option<Start>,
     /// Lets SHELL start programs; never in a preview
@@ -78,6 +78,17 @@ pub struct DataArgs {
     /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
     #[arg(long = "data", value_name = "DIR")]
     pub folder: Option<PathBuf>,
+}
+
+impl PlaceArgs {
+    /// `kerf run` on the simulated machine goes on from the last run only where a data folder is
+    /// named: else the same file run twice would begin at two places.
+    pub fn start_run(&mut self) {
+        let named = self.data.folder.is_some() || std::env::var_os("KERF_DATA").is_some();
+        if !named {
+            self.start = self.start.or(Some(Start::Fresh));
+        }
+    }
 }
 
 /// What a run starts from.

@@ -154,3 +154,17 @@ fn sbp_io_play_missing__how_long_a_sound_is() {
     shop.kerf("wavlength no.wav").exits(1).complains("no .wav file");
     shop.kerf("wavlength missing.wav").exits(1).complains("cannot read");
 }
+
+#[test]
+fn without_a_named_data_folder_the_same_run_twice_is_the_same() {
+    let shop = Shop::new(&[("a.sbp", "SR\nMX,1\nPRINT %(1)")]);
+    let once = || {
+        let mut kerf = std::process::Command::new(env!("CARGO_BIN_EXE_kerf"));
+        kerf.args(["run", "a.sbp"]).current_dir(shop.path()).env_remove("KERF_DATA");
+        let told = kerf.env("HOME", shop.path()).env_remove("XDG_DATA_HOME").output().unwrap();
+        String::from_utf8(told.stdout).unwrap()
+    };
+    let first = once();
+    assert!(first.starts_with("1\n"), "{first}");
+    assert_eq!(once(), first);
+}

@@ -60,8 +60,10 @@ enum PaceName {
 
 pub fn run(args: &RunCommand) -> Result<Exit> {
     args.machine.check()?;
-    let job = setup::job(&args.file, &args.run, false)?;
-    on_machine(job, &args.machine, &args.run, Talk::default())
+    let mut run = args.run.clone();
+    run.place.start_run();
+    let job = setup::job(&args.file, &run, false)?;
+    on_machine(job, &args.machine, &run, Talk::default())
 }
 
 /// Runs a job on the machine and keeps what stays.
