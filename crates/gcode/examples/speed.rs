@@ -5,67 +5,13 @@
 #![allow(clippy::print_stdout)]
 
 use kerf_gcode::{Interpreter, Options, Session};
-use kerf_program::{
-    Answer, Button, FileMode, FileRequest, Host, HostError, Question, ShellCall, SourceFile, Step,
-};
+use kerf_program::Step;
 use std::fmt::Write;
-use std::task::Poll;
 use std::time::Instant;
+use support::Quiet;
 
-/// A host without a machine.
-struct Nobody;
-
-impl Host for Nobody {
-    fn settle(&mut self) -> Poll<()> {
-        Poll::Ready(())
-    }
-    fn input(&mut self, _: u8) -> bool {
-        false
-    }
-    fn output(&mut self, _: u8) -> bool {
-        false
-    }
-    fn ask(&mut self, _: &Question) -> Poll<Answer> {
-        Poll::Ready(Answer::Button(Button::OK))
-    }
-    fn source(&mut self, _: &FileRequest) -> Result<SourceFile, HostError> {
-        Err(HostError::NotFound(String::new()))
-    }
-    fn set_part_folder(&mut self, _: Option<&str>) -> Result<String, HostError> {
-        Ok(String::new())
-    }
-    fn open(&mut self, _: u8, _: &str, _: FileMode) -> Result<String, HostError> {
-        Err(HostError::EndOfFile)
-    }
-    fn write(&mut self, _: u8, _: &str) -> Result<(), HostError> {
-        Ok(())
-    }
-    fn read_line(&mut self, _: u8) -> Result<String, HostError> {
-        Err(HostError::EndOfFile)
-    }
-    fn close(&mut self, _: u8) -> Result<(), HostError> {
-        Ok(())
-    }
-    fn stored(&mut self, _: &str) -> Option<String> {
-        None
-    }
-    fn store(&mut self, _: &str, _: Option<&str>) {}
-    fn shell(&mut self, _: &ShellCall) -> Poll<Result<(), HostError>> {
-        Poll::Ready(Ok(()))
-    }
-    fn machine_position(&mut self) -> [f64; 6] {
-        [0.0; 6]
-    }
-    fn user_path(&mut self) -> String {
-        String::new()
-    }
-    fn app_path(&mut self) -> String {
-        String::new()
-    }
-    fn firmware(&mut self) -> i32 {
-        0
-    }
-}
+#[path = "../tests/support/mod.rs"]
+mod support;
 
 fn main() {
     let files: Vec<String> = std::env::args().skip(1).collect();
@@ -128,7 +74,7 @@ fn report(name: &str, text: &str) {
         let mut interpreter = Interpreter::new(program, Session::default(), Options::default());
         let mut out = Vec::new();
         commands = 0;
-        while interpreter.run(&mut Nobody, &mut out, 4096) == Step::Ran {
+        while interpreter.run(&mut Quiet::default(), &mut out, 4096) == Step::Ran {
             commands += out.len();
             out.clear();
         }

@@ -287,7 +287,10 @@ impl Gathered {
             Some(50 | 51) => PLACE_WORDS | letters(b"IJPQ"),
             Some(52 | 53) => PLACE_WORDS | letters(b"PL"),
             Some(382..=385) => PLACE_WORDS,
-            Some(730 | 810..=890) => PLACE_WORDS | letters(b"RPQLIJK"),
+            Some(730 | 830) => PLACE_WORDS | letters(b"RLQ"),
+            Some(820 | 840 | 860 | 880 | 890) => PLACE_WORDS | letters(b"RLP"),
+            Some(870) => PLACE_WORDS | letters(b"RLIJK"),
+            Some(810 | 850) => PLACE_WORDS | letters(b"RL"),
             _ => 0,
         };
         used |= match self.g[ONCE] {

@@ -124,6 +124,7 @@ pub(super) fn chords_within(radius: f64, sweep: f64, tolerance: f64) -> u32 {
 impl Context<'_> {
     /// An arc by its words.
     pub(super) fn arc(&mut self, words: &ArcWords, g: &Gathered) -> Result<(), Stop> {
+        self.need_straight()?;
         let to = self.target(g)?;
         let plane = self.core.state.modal.plane;
         let [u, v, w] = plane.axes();

@@ -20,8 +20,9 @@ use kerf_geom::{Arc2, Point2, Vec2};
 use kerf_program::{At, Axes, Command, Feed, Line, MoveKind, Sourced};
 use serde::{Deserialize, Serialize};
 
-/// Corners that turn by less are no corners, radians.
-const STRAIGHT_RAD: f64 = 1e-3;
+/// Corners that turn by less are no corners, radians (LinuxCNC's tolerance). The tool cuts them by
+/// at most 0.03% of its radius.
+const STRAIGHT_RAD: f64 = 0.05;
 /// Lengths below this are rounding, mm.
 const TINY_MM: f64 = 1e-7;
 
@@ -52,8 +53,6 @@ struct Piece {
     shape: Shape,
     /// Direction of the programmed path at its start and its end.
     heading: [Vec2; 2],
-    /// It is the entry move.
-    entry: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -76,11 +75,16 @@ impl Piece {
         xy(self.to)
     }
 
+    /// Direction of the tool on a straight piece; the entry move does not go along the path.
+    fn direction(&self) -> Vec2 {
+        (self.end() - self.from).normalized().unwrap_or(self.heading[1])
+    }
+
     /// The same path ending elsewhere on it; `None` when the place lies behind its start.
     fn ending_at(mut self, p: Point2) -> Option<Self> {
-        let end = self.end();
+        let (end, direction) = (self.end(), self.direction());
         match &mut self.shape {
-            Shape::Line if (p - self.from).dot(self.heading[1]) < -TINY_MM => return None,
+            Shape::Line if (p - self.from).dot(direction) < -TINY_MM => return None,
             Shape::Line => {}
             Shape::Arc { centre, sweep } => {
                 let back = turn(p - *centre, end - *centre, *sweep);
@@ -137,13 +141,14 @@ fn turn(a: Vec2, b: Vec2, sweep: f64) -> f64 {
 fn crossing(a: &Piece, b: &Piece, near: Point2) -> Option<Point2> {
     let candidates = match (a.shape, b.shape) {
         (Shape::Line, Shape::Line) => {
+            // The line beside the path; an entry move itself lies aslant.
             let (d, e) = (a.heading[1], b.heading[0]);
             let cross = d.cross(e);
-            let along = (b.from - a.from).cross(e) / cross;
-            [(cross.abs() > 1e-12).then(|| a.from + d * along), None]
+            let along = (b.from - a.end()).cross(e) / cross;
+            [(cross.abs() > 1e-12).then(|| a.end() + d * along), None]
         }
         (Shape::Line, Shape::Arc { centre, .. }) => {
-            line_circle(a.from, a.heading[1], centre, b.from.distance(centre))
+            line_circle(a.end(), a.heading[1], centre, b.from.distance(centre))
         }
         (Shape::Arc { centre, .. }, Shape::Line) => {
             line_circle(b.from, b.heading[0], centre, a.from.distance(centre))
@@ -196,7 +201,8 @@ impl Compensator {
 impl Core {
     /// Where the tool has been sent.
     pub(super) fn tool_position(&self) -> Axes {
-        self.compensator.as_ref().map_or(self.position, |c| c.tool)
+        let beside = self.beside.unwrap_or(self.position);
+        self.compensator.as_ref().map_or(beside, |c| c.tool)
     }
 }
 
@@ -224,7 +230,7 @@ impl Context<'_> {
             side: sign,
             radius: radius.abs(),
             first: true,
-            tool: self.core.position,
+            tool: self.core.tool_position(),
             held: None,
             behind: Vec::new(),
         });
@@ -265,11 +271,22 @@ impl Context<'_> {
     /// G40, or the end of the program: what is held back is made.
     pub(super) fn end_compensation(&mut self) -> Result<(), Stop> {
         self.release();
+        // The program goes on from the place on its path; the tool comes back with the next move.
         if let Some(compensator) = self.core.compensator.take() {
-            self.core.position = compensator.tool;
+            let beside = compensator.tool != self.core.position;
+            self.core.beside = beside.then_some(compensator.tool);
         }
         self.core.state.modal.compensation = None;
         Ok(())
+    }
+
+    /// A curve cannot begin while the tool is still beside the path.
+    pub(super) fn need_straight(&self) -> Result<(), Stop> {
+        if self.core.beside.is_none() {
+            return Ok(());
+        }
+        let message = "the first move after G40 is no straight one";
+        Err(self.fail(Code::Compensation, message, "lead the tool off the path by G0 or G1"))
     }
 
     /// Gives the move held back and what stands behind it.
@@ -324,7 +341,6 @@ impl Context<'_> {
             to: with_xy(to, xy(to) + beside),
             shape: Shape::Line,
             heading: [heading, heading],
-            entry: compensator.first,
         };
         if compensator.first {
             if way.length() <= compensator.radius {
@@ -332,8 +348,6 @@ impl Context<'_> {
                 return Err(self.fail(Code::Compensation, message, "begin further away"));
             }
             piece.from = xy(compensator.tool);
-            let direction = (piece.end() - piece.from).normalized().unwrap_or(heading);
-            piece.heading = [direction, heading];
             self.hold_back(piece);
         } else {
             self.join(piece, xy(corner))?;
@@ -371,7 +385,6 @@ impl Context<'_> {
             to: with_xy(to, end),
             shape: Shape::Arc { centre, sweep },
             heading: [programmed.direction(0.0), programmed.direction(1.0)],
-            entry: compensator.first,
         };
         if compensator.first {
             self.enter_by_arc(piece, xy(compensator.tool), centre, sweep)?;
@@ -484,18 +497,12 @@ impl Context<'_> {
             to: with_xy(level, next.from),
             shape: Shape::Arc { centre: corner, sweep: angle },
             heading: [before.heading[1], next.heading[0]],
-            entry: false,
         };
         self.hold_back(around);
     }
 
     /// At an inside corner both moves end where they cross.
     fn inside_corner(&mut self, before: Piece, next: Piece) -> Result<(), Stop> {
-        if before.entry {
-            let message = "the entry move meets the path at an inside corner";
-            let hint = "come from the other side, or along the path";
-            return Err(self.fail(Code::Compensation, message, hint));
-        }
         let trimmed = crossing(&before, &next, before.end())
             .and_then(|p| Some((before.ending_at(p)?, next.starting_at(p)?)));
         let Some((before, next)) = trimmed else {

@@ -44,6 +44,8 @@ pub(super) struct Core {
     /// The second control point of the last G5, as an offset from its end.
     pub(super) spline_end: Option<[f64; 2]>,
     pub(super) compensator: Option<Compensator>,
+    /// Where the tool was left by G40, until the next move brings it to the path.
+    pub(super) beside: Option<Axes>,
     /// A probe move that is under way.
     pub(super) probing: Option<Probe>,
     /// Motion commands given so far.
@@ -123,6 +125,7 @@ impl Core {
             nurbs: None,
             spline_end: None,
             compensator: None,
+            beside: None,
             probing: None,
             motions: 0,
             settled: true,
@@ -233,9 +236,9 @@ impl Core {
 
     pub(super) fn into_session(self) -> Session {
         Session {
-            settings: Arc::unwrap_or_clone(self.settings),
+            position: self.tool_position(),
             frame: self.frame,
-            position: self.position,
+            settings: Arc::unwrap_or_clone(self.settings),
             state: self.state,
         }
     }

@@ -184,7 +184,10 @@ impl Context<'_> {
         }
         match hole.code {
             840 => self.tap(hole),
-            850 | 890 => self.along(hole, MoveKind::Cut, hole.clear),
+            850 | 890 => {
+                self.along(hole, MoveKind::Cut, hole.r)?;
+                self.along(hole, MoveKind::Jog, hole.clear)
+            }
             860 | 880 => self.retract_stopped(hole),
             _ => self.along(hole, MoveKind::Jog, hole.clear),
         }

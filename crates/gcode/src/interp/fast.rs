@@ -140,6 +140,7 @@ fn holds(core: &Core) -> bool {
         && core.told.units | modal.unit_said
         && core.turned.is_none()
         && core.compensator.is_none()
+        && core.beside.is_none()
         && core.probing.is_none()
         && core.cycle.is_none()
         && core.nurbs.is_none()

@@ -143,10 +143,11 @@ impl Context<'_> {
         if self.core.compensator.is_some() {
             return self.compensated_line(kind, to, feed);
         }
-        if to != self.core.position {
-            self.core.position = to;
+        if to != self.core.tool_position() {
             self.emit(Command::Line(Line { kind, to, feed }));
         }
+        self.core.position = to;
+        self.core.beside = None;
         Ok(())
     }
 

@@ -82,6 +82,7 @@ impl Context<'_> {
                 for (axis, value) in self.given(g) {
                     self.core.state.shift[axis] = value * self.unit_of(axis);
                 }
+                self.core.state.shift_kept = self.core.state.shift;
             }
             920 => self.shift_to(g)?,
             921 => {

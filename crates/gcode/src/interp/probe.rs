@@ -57,6 +57,7 @@ impl Context<'_> {
             return Err(self.fail(Code::Probing, message, hint));
         }
         self.core.position = to;
+        self.core.beside = None;
         self.emit(Command::Line(Line { kind: MoveKind::Cut, to, feed }));
         let watch = Watch { input, on, ramped: false };
         self.core.probing = Some(Probe { watch, code, contact: None });

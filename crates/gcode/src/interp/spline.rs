@@ -27,6 +27,7 @@ pub(super) struct Nurbs {
 
 impl Context<'_> {
     fn need_xy(&self, code: &str) -> Result<(), Stop> {
+        self.need_straight()?;
         if self.core.compensator.is_some() {
             return Err(self.not_compensated("a curve"));
         }

@@ -69,6 +69,7 @@ impl Core {
     pub(super) fn abandon(&mut self) {
         self.position = self.tool_position();
         self.compensator = None;
+        self.beside = None;
         self.probing = None;
         self.over = true;
     }

@@ -26,6 +26,9 @@ impl Context<'_> {
     fn change_tool(&mut self) -> Result<(), Stop> {
         let tool = self.core.state.selected;
         self.turn_spindle(Turn::Off);
+        // Behind a tool change the program goes on from where the tool really is.
+        self.core.position = self.core.tool_position();
+        self.core.beside = None;
         if tool != self.core.state.tool {
             self.emit(Command::ToolChange { begin: true });
             let text =

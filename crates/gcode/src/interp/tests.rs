@@ -520,7 +520,10 @@ fn compensation_of_lines_and_arcs() {
     assert_eq!(codes("G18⏎G41"), "G017");
     assert_eq!(codes("G41⏎G55"), "G017");
     assert_eq!(codes("G41⏎G1 X10⏎G3 X10.5 Y0.5 J0.5"), "G017");
-    assert_eq!(codes("G41⏎G1 X10⏎Y10"), "G017");
+    assert_eq!(codes("G41⏎G1 X10⏎X10.5⏎Y10"), "G017");
+    assert_eq!(codes("G41⏎G1 X10⏎G40⏎G2 X12 I1"), "G017");
+    check("G41⏎G1 X10⏎G40⏎G0 Z1⏎X10", "L10,1,0 J10,0,1");
+    check("G41⏎G1 X10⏎G40⏎G0 X10 Y0", "L10,1,0 J10,0,0");
     assert_eq!(codes("G41⏎G1 X10⏎X20⏎Y0.5⏎X10"), "G017");
     assert_eq!(codes("G41 D7⏎G1 X10⏎G40"), "W014");
 }
