@@ -4,6 +4,8 @@
 //!  bytes ──read──► Program (a line is a node; a bad line is a node with its diagnostics)
 //!                     │
 //!            Interpreter::step ──► program::Command …      asks everything through program::Host
+//!                                        │
+//!                                      write ──► G-code
 //! ```
 //!
 //! - [`read`] never fails and never stops at the first mistake.
@@ -13,6 +15,7 @@
 //!
 //! The crate knows nothing of planning, machines, files or clocks.
 
+mod checks;
 pub mod codes;
 mod expr;
 mod gathered;
@@ -21,6 +24,7 @@ mod reader;
 #[cfg(test)]
 mod testing;
 pub mod tree;
+mod writer;
 
 pub use expr::{Expr, Function, Operator};
 pub use interp::{
@@ -29,3 +33,4 @@ pub use interp::{
 };
 pub use reader::{looks_like_opensbp, read};
 pub use tree::Program;
+pub use writer::{Writing, write};

@@ -184,7 +184,8 @@ impl Context<'_> {
         }
         match hole.code {
             840 => self.tap(hole),
-            850 | 890 => {
+            890 => self.along(hole, MoveKind::Cut, hole.clear),
+            850 => {
                 self.along(hole, MoveKind::Cut, hole.r)?;
                 self.along(hole, MoveKind::Jog, hole.clear)
             }

@@ -12,6 +12,9 @@ const MOST_CALLS: usize = 100;
 
 impl Context<'_> {
     pub(super) fn flow(&mut self, program: &Arc<Program>, flow: &Flow) -> Result<(), Stop> {
+        if !is_linked(flow) {
+            return self.bad(program);
+        }
         match flow.keyword {
             // A definition met on the way is passed by.
             Keyword::Sub => self.go_on_at(flow.target),
@@ -227,6 +230,21 @@ impl Context<'_> {
             self.restore_modes(&kept);
         }
         Ok(())
+    }
+}
+
+/// Whether an O-word has the partner it needs; the reader told where it has not.
+fn is_linked(flow: &Flow) -> bool {
+    match flow.keyword {
+        Keyword::Elseif | Keyword::Else | Keyword::Break | Keyword::Continue => flow.end > 0,
+        Keyword::Sub
+        | Keyword::If
+        | Keyword::While
+        | Keyword::Endwhile
+        | Keyword::DoWhile
+        | Keyword::Repeat
+        | Keyword::Endrepeat => flow.target > 0,
+        _ => true,
     }
 }
 

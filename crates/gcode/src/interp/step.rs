@@ -220,7 +220,7 @@ impl Context<'_> {
     }
 
     /// A line that the reader refused.
-    fn bad(&mut self, program: &Program) -> Result<(), Stop> {
+    pub(super) fn bad(&mut self, program: &Program) -> Result<(), Stop> {
         if self.core.options.keep_going {
             return Ok(());
         }

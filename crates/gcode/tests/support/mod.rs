@@ -63,4 +63,3 @@ impl Host for Quiet {
         0
     }
 }
-

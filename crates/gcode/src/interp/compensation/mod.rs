@@ -9,7 +9,8 @@
 //! (moves of Z alone, outputs, comments), so that the order stays. The first move after G41 or G42
 //! goes to the place beside its end, as LinuxCNC does it.
 
-use super::arc;
+mod piece;
+
 use super::context::{Context, Stop};
 use super::state::Side;
 use super::{Core, Plane};
@@ -17,15 +18,13 @@ use crate::codes::COMPENSATION;
 use crate::gathered::Gathered;
 use kerf_diag::Code;
 use kerf_geom::{Arc2, Point2, Vec2};
-use kerf_program::{At, Axes, Command, Feed, Line, MoveKind, Sourced};
+use kerf_program::{Axes, Command, Feed, Line, MoveKind, Sourced};
+use piece::{Piece, Shape, TINY_MM, crossing, with_xy, xy};
 use serde::{Deserialize, Serialize};
 
 /// Corners that turn by less are no corners, radians (LinuxCNC's tolerance). The tool cuts them by
 /// at most 0.03% of its radius.
 const STRAIGHT_RAD: f64 = 0.05;
-/// Lengths below this are rounding, mm.
-const TINY_MM: f64 = 1e-7;
-
 /// Compensation that is on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Compensator {
@@ -40,147 +39,6 @@ pub(super) struct Compensator {
     held: Option<Piece>,
     /// What was given behind it.
     behind: Vec<Sourced>,
-}
-
-/// A move of the tool beside the path.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct Piece {
-    at: At,
-    kind: MoveKind,
-    feed: Feed,
-    from: Point2,
-    to: Axes,
-    shape: Shape,
-    /// Direction of the programmed path at its start and its end.
-    heading: [Vec2; 2],
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-enum Shape {
-    Line,
-    Arc { centre: Point2, sweep: f64 },
-}
-
-fn xy(axes: Axes) -> Point2 {
-    Point2::new(axes.0[0], axes.0[1])
-}
-
-fn with_xy(mut axes: Axes, p: Point2) -> Axes {
-    (axes.0[0], axes.0[1]) = (p.x, p.y);
-    axes
-}
-
-impl Piece {
-    fn end(&self) -> Point2 {
-        xy(self.to)
-    }
-
-    /// Direction of the tool on a straight piece; the entry move does not go along the path.
-    fn direction(&self) -> Vec2 {
-        (self.end() - self.from).normalized().unwrap_or(self.heading[1])
-    }
-
-    /// The same path ending elsewhere on it; `None` when the place lies behind its start.
-    fn ending_at(mut self, p: Point2) -> Option<Self> {
-        let (end, direction) = (self.end(), self.direction());
-        match &mut self.shape {
-            Shape::Line if (p - self.from).dot(direction) < -TINY_MM => return None,
-            Shape::Line => {}
-            Shape::Arc { centre, sweep } => {
-                let back = turn(p - *centre, end - *centre, *sweep);
-                if back > sweep.abs() + TINY_MM {
-                    return None;
-                }
-                *sweep -= back.copysign(*sweep);
-            }
-        }
-        self.to = with_xy(self.to, p);
-        Some(self)
-    }
-
-    /// The same path beginning elsewhere on it; `None` when the place lies behind its end.
-    fn starting_at(mut self, p: Point2) -> Option<Self> {
-        let end = self.end();
-        match &mut self.shape {
-            Shape::Line if (end - p).dot(self.heading[0]) < -TINY_MM => return None,
-            Shape::Line => {}
-            Shape::Arc { centre, sweep } => {
-                let cut = turn(self.from - *centre, p - *centre, *sweep);
-                if cut > sweep.abs() + TINY_MM {
-                    return None;
-                }
-                *sweep -= cut.copysign(*sweep);
-            }
-        }
-        self.from = p;
-        Some(self)
-    }
-
-    fn command(&self, core: &Core, from: Axes) -> Option<Command> {
-        let Self { kind, to, feed, .. } = *self;
-        Some(match self.shape {
-            Shape::Line if from == to => return None,
-            Shape::Line => Command::Line(Line { kind, to, feed }),
-            Shape::Arc { centre, sweep } => {
-                let centre = [centre.x, centre.y];
-                let mut command = arc::command(&core.settings, from, centre, sweep, to, feed);
-                command.kind = kind;
-                Command::Arc(command)
-            }
-        })
-    }
-}
-
-/// The angle from one radius to another in the direction of a sweep, −π … π: small and below zero
-/// when the second lies just behind the first.
-fn turn(a: Vec2, b: Vec2, sweep: f64) -> f64 {
-    a.cross(b).atan2(a.dot(b)) * sweep.signum()
-}
-
-/// Where two paths cross, nearest to a place.
-fn crossing(a: &Piece, b: &Piece, near: Point2) -> Option<Point2> {
-    let candidates = match (a.shape, b.shape) {
-        (Shape::Line, Shape::Line) => {
-            // The line beside the path; an entry move itself lies aslant.
-            let (d, e) = (a.heading[1], b.heading[0]);
-            let cross = d.cross(e);
-            let along = (b.from - a.end()).cross(e) / cross;
-            [(cross.abs() > 1e-12).then(|| a.end() + d * along), None]
-        }
-        (Shape::Line, Shape::Arc { centre, .. }) => {
-            line_circle(a.end(), a.heading[1], centre, b.from.distance(centre))
-        }
-        (Shape::Arc { centre, .. }, Shape::Line) => {
-            line_circle(b.from, b.heading[0], centre, a.from.distance(centre))
-        }
-        (Shape::Arc { centre: c1, .. }, Shape::Arc { centre: c2, .. }) => {
-            circles(c1, a.from.distance(c1), c2, b.from.distance(c2))
-        }
-    };
-    let mut found = candidates.into_iter().flatten();
-    let first = found.next()?;
-    Some(found.fold(first, |best, p| if p.distance(near) < best.distance(near) { p } else { best }))
-}
-
-fn line_circle(p: Point2, d: Vec2, centre: Point2, radius: f64) -> [Option<Point2>; 2] {
-    let along = (centre - p).dot(d);
-    let foot = p + d * along;
-    let height = foot.distance(centre);
-    if height > radius {
-        return [None, None];
-    }
-    let half = (radius * radius - height * height).sqrt();
-    [Some(foot + d * half), Some(foot + d * -half)]
-}
-
-fn circles(c1: Point2, r1: f64, c2: Point2, r2: f64) -> [Option<Point2>; 2] {
-    let between = c2 - c1;
-    let distance = between.length();
-    let along = (distance * distance + r1 * r1 - r2 * r2) / (2.0 * distance);
-    let square = r1 * r1 - along * along;
-    let (Some(d), true) = (between.normalized(), square >= 0.0) else { return [None, None] };
-    let (foot, height) = (c1 + d * along, square.sqrt());
-    [Some(foot + d.left() * height), Some(foot + d.left() * -height)]
 }
 
 impl Compensator {
