@@ -62,7 +62,7 @@ impl Timed {
             Some(b) if later > 0 => {
                 let accel = (b.v - a.v) / (b.t_s - a.t_s);
                 let s = t_s - a.t_s;
-                let at_mm = (a.at_mm + s * (a.v + 0.5 * accel * s)).min(b.at_mm);
+                let at_mm = between(a, b, a.at_mm + s * (a.v + 0.5 * accel * s));
                 Along { at_mm, v: a.v + accel * s, accel }
             }
             _ => Along { at_mm: a.at_mm, v: 0.0, accel: 0.0 },
@@ -84,7 +84,7 @@ impl Timed {
                 swing(a, push.accel, (end - push.accel) / way, s)
             }
         };
-        Along { at_mm: here.at_mm.min(next.at_mm), v: here.v.max(0.0), ..here }
+        Along { at_mm: between(a, next, here.at_mm), v: here.v.max(0.0), ..here }
     }
 
     /// When a place on the path is reached, by halving where jerk is limited.
@@ -238,6 +238,13 @@ impl Timed {
         }
         nodes
     }
+}
+
+/// A place between two nodes; before the second, when it is a stop, so that rounding does not put
+/// the last moments of one direction into the next.
+fn between(a: &Node, b: &Node, at_mm: f64) -> f64 {
+    let last = if b.v > 0.0 { b.at_mm } else { b.at_mm.next_down() };
+    at_mm.min(last).max(a.at_mm)
 }
 
 /// Motion with s̈ linear in s: s̈ = accel + rate·(s − s₀).
