@@ -1,0 +1,67 @@
+//! What can be wrong with geometry; every message names the place.
+
+use crate::Point2;
+use thiserror::Error;
+
+/// Why an operation on curves has no result. Vertices are numbered from 0, contours too.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum GeomError {
+    /// A coordinate or bulge is not a number, or infinite.
+    #[error("vertex {vertex}: a coordinate or bulge is not a finite number")]
+    NotFinite {
+        /// Its number.
+        vertex: usize,
+    },
+    /// A coordinate lies beyond [`crate::tol::FARTHEST_MM`].
+    #[error("vertex {vertex}: farther than a million metres from the origin")]
+    TooFar {
+        /// Its number.
+        vertex: usize,
+    },
+    /// Fewer vertices than the operation needs, once places that fall together are one.
+    #[error("{found} different vertices, at least {needed} are needed")]
+    TooFewVertices {
+        /// How many there are.
+        found: usize,
+        /// How many there have to be.
+        needed: usize,
+    },
+    /// The operation needs closed contours.
+    #[error("contour {contour} is open; it has to be closed")]
+    Open {
+        /// Its number.
+        contour: usize,
+    },
+    /// A contour crosses or touches itself, or another, where it may not.
+    #[error("contours {first} and {second} cross at {:.3}, {:.3}", at.x, at.y)]
+    Crosses {
+        /// One contour.
+        first: usize,
+        /// The other, or the same one.
+        second: usize,
+        /// Where.
+        at: Point2,
+    },
+    /// A length or tolerance that has to be positive and finite is not.
+    #[error("{what} has to be a positive, finite number")]
+    NotPositive {
+        /// Its name.
+        what: &'static str,
+    },
+    /// The arguments ask for something that does not exist there.
+    #[error("{what} at {:.3}, {:.3}", at.x, at.y)]
+    Impossible {
+        /// What cannot be done.
+        what: &'static str,
+        /// Where.
+        at: Point2,
+    },
+    /// The result did not pass its own check; nothing is returned rather than something wrong.
+    #[error("the offset fails its check near {:.3}, {:.3}: {why}", at.x, at.y)]
+    Unproved {
+        /// What the check found.
+        why: &'static str,
+        /// Where.
+        at: Point2,
+    },
+}

@@ -1,0 +1,61 @@
+//! What has to hold before anything is computed, and the tidying that makes it hold.
+
+use super::{Polyarc, Vertex};
+use crate::{GeomError, tol};
+
+impl Polyarc {
+    /// Whether every number is finite and within [`tol::FARTHEST_MM`].
+    ///
+    /// # Errors
+    /// Names the first vertex that is not.
+    pub fn check(&self) -> Result<(), GeomError> {
+        for (vertex, v) in self.vertices.iter().enumerate() {
+            if !(v.at.x.is_finite() && v.at.y.is_finite() && v.bulge.is_finite()) {
+                return Err(GeomError::NotFinite { vertex });
+            }
+            if v.at.x.abs().max(v.at.y.abs()) > tol::FARTHEST_MM {
+                return Err(GeomError::TooFar { vertex });
+            }
+        }
+        Ok(())
+    }
+
+    /// The same path without segments shorter than [`tol::SAME_PLACE_MM`]. A closed polyarc that
+    /// ends where it began loses the repeated vertex.
+    #[must_use]
+    pub fn tidied(&self) -> Self {
+        let mut vertices: Vec<Vertex> = Vec::with_capacity(self.vertices.len());
+        for &v in &self.vertices {
+            match vertices.last_mut() {
+                // The segment between the two has no length; the curve that goes on is the later one.
+                Some(last) if last.at.distance(v.at) <= tol::SAME_PLACE_MM => last.bulge = v.bulge,
+                _ => vertices.push(v),
+            }
+        }
+        while let (true, [first, .., last]) = (self.closed, vertices.as_slice()) {
+            if first.at.distance(last.at) > tol::SAME_PLACE_MM {
+                break;
+            }
+            vertices.pop();
+        }
+        Self { vertices, closed: self.closed }
+    }
+
+    /// The same path with no arc of more than half a circle: each is cut into equal parts.
+    #[must_use]
+    pub fn with_short_arcs(&self) -> Self {
+        if self.vertices.iter().all(|v| v.bulge.abs() <= 1.0) {
+            return self.clone();
+        }
+        let mut vertices = Vec::with_capacity(self.vertices.len() + 4);
+        for (number, &v) in self.vertices.iter().enumerate() {
+            vertices.push(v);
+            if v.bulge.abs() > 1.0 && number < self.segment_count() {
+                vertices.pop();
+                let (a, b) = self.segment(number).split(0.5);
+                vertices.extend([a, b].map(|s| Vertex { at: s.start(), bulge: s.bulge() }));
+            }
+        }
+        Self { vertices, closed: self.closed }
+    }
+}

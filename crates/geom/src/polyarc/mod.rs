@@ -1,0 +1,115 @@
+//! Lines and arcs end to end: the shape of everything that is drawn and cut.
+
+mod check;
+mod contain;
+mod cross;
+mod measure;
+mod shapes;
+mod travel;
+
+pub use contain::Position;
+pub use cross::Crossing;
+pub use measure::Place;
+
+use crate::{Point2, Segment};
+use serde::{Deserialize, Serialize};
+
+/// A place on a polyarc and the curve of the segment that starts there: tan(sweep / 4), positive
+/// counter-clockwise, 0 for a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Vertex {
+    /// Where it is.
+    pub at: Point2,
+    /// The curve of the segment that starts here. The last vertex of an open polyarc has none.
+    pub bulge: f64,
+}
+
+impl Vertex {
+    /// A vertex at a place with a bulge.
+    pub const fn new(x: f64, y: f64, bulge: f64) -> Self {
+        Self { at: Point2::new(x, y), bulge }
+    }
+}
+
+/// Lines and circular arcs, end to end.
+///
+/// A closed one returns from its last vertex to its first. A circle is two half circles, so it has two
+/// vertices. A single vertex is a point, such as the place of a hole.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Polyarc {
+    /// The places and curves, in the order of travel.
+    pub vertices: Vec<Vertex>,
+    /// Whether travel returns to the first vertex.
+    pub closed: bool,
+}
+
+impl Polyarc {
+    /// An open polyarc.
+    pub fn open(vertices: Vec<Vertex>) -> Self {
+        Self { vertices, closed: false }
+    }
+
+    /// A closed polyarc.
+    pub fn closed(vertices: Vec<Vertex>) -> Self {
+        Self { vertices, closed: true }
+    }
+
+    /// Straight lines through places.
+    pub fn lines(places: impl IntoIterator<Item = Point2>, closed: bool) -> Self {
+        let vertices = places.into_iter().map(|at| Vertex { at, bulge: 0.0 }).collect();
+        Self { vertices, closed }
+    }
+
+    /// How many segments there are.
+    pub fn segment_count(&self) -> usize {
+        match (self.vertices.len(), self.closed) {
+            (0 | 1, _) => 0,
+            (n, true) => n,
+            (n, false) => n - 1,
+        }
+    }
+
+    /// The segment that starts at a vertex.
+    ///
+    /// # Panics
+    /// When there is no such segment, as indexing does.
+    pub fn segment(&self, number: usize) -> Segment {
+        let from = self.vertices[number];
+        let to = self.vertices[(number + 1) % self.vertices.len()];
+        Segment::bulged(from.at, to.at, from.bulge)
+    }
+
+    /// The segments in the order of travel.
+    pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment> + DoubleEndedIterator + '_ {
+        (0..self.segment_count()).map(|number| self.segment(number))
+    }
+
+    /// Where travel begins.
+    pub fn start(&self) -> Option<Point2> {
+        self.vertices.first().map(|v| v.at)
+    }
+
+    /// Where travel ends; for a closed polyarc where it began.
+    pub fn end(&self) -> Option<Point2> {
+        if self.closed { self.start() } else { self.vertices.last().map(|v| v.at) }
+    }
+
+    /// A polyarc through segments that follow each other. Only their starts and curves are kept, and
+    /// the end of the last when it stays open.
+    pub fn from_segments(segments: &[Segment], closed: bool) -> Self {
+        let mut vertices: Vec<Vertex> =
+            segments.iter().map(|s| Vertex { at: s.start(), bulge: s.bulge() }).collect();
+        if let (false, Some(last)) = (closed, segments.last()) {
+            vertices.push(Vertex { at: last.end(), bulge: 0.0 });
+        }
+        Self { vertices, closed }
+    }
+
+    /// Each segment as an open polyarc of its own.
+    pub fn exploded(&self) -> Vec<Self> {
+        self.segments().map(|s| Self::from_segments(&[s], false)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,206 @@
+//! One line or circular arc.
+//!
+//! ```text
+//!            · ─ ‥ apex
+//!         ·   |     ·        bulge = rise / half the chord = tan(sweep / 4)
+//!       ·     | rise  ·      an arc with positive bulge runs counter-clockwise,
+//!    end ─────┴───── start   so it lies to the right of its chord
+//! ```
+
+mod bounds;
+mod meet;
+mod nearest;
+
+pub use meet::{Contact, Contacts};
+pub use nearest::Foot;
+
+use crate::{Arc2, Point2, Vec2, tol};
+use serde::{Deserialize, Serialize};
+
+/// A line or an arc, with the direction it is travelled.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Segment {
+    /// Straight from start to end.
+    Line {
+        /// Where travel begins.
+        start: Point2,
+        /// Where it ends.
+        end: Point2,
+    },
+    /// Along a circle; less than a full turn.
+    Arc {
+        /// Where travel begins.
+        start: Point2,
+        /// Where it ends.
+        end: Point2,
+        /// Centre of the circle.
+        centre: Point2,
+        /// Radius of the circle.
+        radius: f64,
+        /// Angle travelled, positive counter-clockwise.
+        sweep_rad: f64,
+    },
+}
+
+impl Segment {
+    /// A straight segment.
+    pub const fn line(start: Point2, end: Point2) -> Self {
+        Self::Line { start, end }
+    }
+
+    /// The curve from `start` to `end` with a bulge; flatter than [`tol::FLAT_MM`] it is a line.
+    ///
+    /// With half chord h the rise is b·h, the radius h·(1 + b²) / 2|b|, and the centre lies
+    /// h·(1 − b²) / 2b to the left of the middle of the chord.
+    pub fn bulged(start: Point2, end: Point2, bulge: f64) -> Self {
+        let chord = end - start;
+        let half = chord.length() * 0.5;
+        if (bulge * half).abs() < tol::FLAT_MM {
+            return Self::Line { start, end };
+        }
+        let square = bulge * bulge;
+        let centre = start.midpoint(end) + chord.left() * ((1.0 - square) / (4.0 * bulge));
+        let radius = half * (1.0 + square) / (2.0 * bulge.abs());
+        Self::Arc { start, end, centre, radius, sweep_rad: 4.0 * bulge.atan() }
+    }
+
+    /// Where travel begins.
+    pub const fn start(&self) -> Point2 {
+        match *self {
+            Self::Line { start, .. } | Self::Arc { start, .. } => start,
+        }
+    }
+
+    /// Where travel ends.
+    pub const fn end(&self) -> Point2 {
+        match *self {
+            Self::Line { end, .. } | Self::Arc { end, .. } => end,
+        }
+    }
+
+    /// tan(sweep / 4); 0 for a line.
+    pub fn bulge(&self) -> f64 {
+        match *self {
+            Self::Line { .. } => 0.0,
+            Self::Arc { sweep_rad, .. } => (sweep_rad * 0.25).tan(),
+        }
+    }
+
+    /// Length of the path.
+    pub fn length(&self) -> f64 {
+        match *self {
+            Self::Line { start, end } => start.distance(end),
+            Self::Arc { radius, sweep_rad, .. } => radius * sweep_rad.abs(),
+        }
+    }
+
+    /// The place after a share of the path, 0 … 1. The ends are exact.
+    pub fn at(&self, share: f64) -> Point2 {
+        if share <= 0.0 {
+            return self.start();
+        }
+        if share >= 1.0 {
+            return self.end();
+        }
+        match *self {
+            Self::Line { start, end } => start + (end - start) * share,
+            Self::Arc { start, centre, sweep_rad, .. } => {
+                centre + (start - centre).rotated(sweep_rad * share)
+            }
+        }
+    }
+
+    /// Unit direction of travel after a share of the path; null for a segment without length.
+    pub fn direction(&self, share: f64) -> Vec2 {
+        match *self {
+            Self::Line { start, end } => (end - start).normalized().unwrap_or_default(),
+            Self::Arc { start, end, centre, sweep_rad, .. } => {
+                let radial = match share {
+                    s if s <= 0.0 => start - centre,
+                    s if s >= 1.0 => end - centre,
+                    s => (start - centre).rotated(sweep_rad * s),
+                };
+                radial.left().normalized().unwrap_or_default() * sweep_rad.signum()
+            }
+        }
+    }
+
+    /// Travelled the other way.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        match *self {
+            Self::Line { start, end } => Self::Line { start: end, end: start },
+            Self::Arc { start, end, centre, radius, sweep_rad } => {
+                Self::Arc { start: end, end: start, centre, radius, sweep_rad: -sweep_rad }
+            }
+        }
+    }
+
+    /// The part between two shares of the path.
+    #[must_use]
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        let (start, end) = (self.at(from), self.at(to));
+        match *self {
+            Self::Line { .. } => Self::Line { start, end },
+            Self::Arc { centre, radius, sweep_rad, .. } => {
+                Self::Arc { start, end, centre, radius, sweep_rad: sweep_rad * (to - from) }
+            }
+        }
+    }
+
+    /// The parts before and after a share of the path.
+    pub fn split(&self, share: f64) -> (Self, Self) {
+        (self.part(0.0, share), self.part(share, 1.0))
+    }
+
+    /// The arc, or nothing for a line.
+    pub fn arc(&self) -> Option<Arc2> {
+        match *self {
+            Self::Line { .. } => None,
+            Self::Arc { start, centre, sweep_rad, .. } => Some(Arc2 { start, centre, sweep_rad }),
+        }
+    }
+
+    /// Twice the signed area between the segment and its chord, positive counter-clockwise:
+    /// r²·(sweep − sin sweep).
+    pub(crate) fn twice_cap_area(&self) -> f64 {
+        match *self {
+            Self::Line { .. } => 0.0,
+            Self::Arc { radius, sweep_rad, .. } => radius * radius * sweep_less_sine(sweep_rad),
+        }
+    }
+
+    /// Share of the path at which a place of the arc's circle (or of the line) lies, without regard to
+    /// the ends: below 0 before the start, above 1 after the end.
+    pub fn share_of(&self, place: Point2) -> f64 {
+        match *self {
+            Self::Line { start, end } => {
+                let along = end - start;
+                let square = along.dot(along);
+                if square > 0.0 { (place - start).dot(along) / square } else { 0.0 }
+            }
+            Self::Arc { start, centre, sweep_rad, .. } => {
+                let from = start - centre;
+                let to = place - centre;
+                let turned = from.cross(to).atan2(from.dot(to)) * sweep_rad.signum();
+                let sweep = sweep_rad.abs();
+                // Out of the arc counts from the nearer end.
+                let beyond = (std::f64::consts::TAU - sweep) * 0.5;
+                let turned = if turned < -beyond { turned + std::f64::consts::TAU } else { turned };
+                turned / sweep
+            }
+        }
+    }
+}
+
+/// x − sin x without the loss of digits for small angles.
+fn sweep_less_sine(x: f64) -> f64 {
+    if x.abs() > 0.05 {
+        return x - x.sin();
+    }
+    let square = x * x;
+    x * square * (1.0 - square / 20.0 * (1.0 - square / 42.0)) / 6.0
+}
+
+#[cfg(test)]
+mod tests;
