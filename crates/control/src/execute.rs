@@ -3,6 +3,7 @@
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
 use crate::runner::{Over, Runner};
 use crate::session::LimitPolicy;
+use crate::sink::Made;
 use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Model, Move, Optimal, Path, Plan, plan_stack};
@@ -199,6 +200,7 @@ impl<I: Interpreter> Runner<'_, I> {
             let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
             self.world.tell(&event);
         }
+        self.world.tell_made(&Made { plan, span: &span, t0_s });
         let frame = self.world.machine.frame();
         self.world.tally.made(span.made, span.t1_s - span.t0_s, frame);
         self.world.machine.make(t0_s, plan, &span);

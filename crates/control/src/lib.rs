@@ -41,7 +41,7 @@ pub use event::Event;
 pub use pace::{Pace, StopAt};
 pub use session::{Company, LimitPolicy, Outside, RunOptions, Session, Summary, dialect_word};
 pub use shelf::{MOST_BYTES, Shelf, Shell};
-pub use sink::Sink;
+pub use sink::{Made, Sink};
 pub use standing::{OpenFile, Standing, flag};
 pub use tally::{Tally, ToolPathTime};
 pub use text::{Outcome, TextOptions, run_text};

@@ -1,6 +1,18 @@
 //! Where events go.
 
 use crate::{Event, Standing};
+use kerf_motion::{Plan, Span};
+
+/// A move that is made, with the plan that says how.
+#[derive(Clone, Copy, Debug)]
+pub struct Made<'a> {
+    /// The plan.
+    pub plan: &'a Plan,
+    /// The move's part of it.
+    pub span: &'a Span<'a>,
+    /// When the plan begins, seconds of machine time.
+    pub t0_s: f64,
+}
 
 /// Takes the events of a run, in order of machine time.
 pub trait Sink {
@@ -12,6 +24,9 @@ pub trait Sink {
     fn looks_at_motion(&self) -> bool {
         true
     }
+
+    /// A move is made: how every axis goes is in its plan.
+    fn made(&mut self, _: &Made<'_>) {}
 
     /// The run stands somewhere else: it goes on to other lines, waits, or is over.
     fn standing(&mut self, _: &Standing) {}
@@ -49,6 +64,11 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.0.looks_at_motion() || self.1.looks_at_motion()
     }
 
+    fn made(&mut self, made: &Made<'_>) {
+        self.0.made(made);
+        self.1.made(made);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         self.0.standing(standing);
         self.1.standing(standing);
@@ -66,6 +86,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn looks_at_motion(&self) -> bool {
         (**self).looks_at_motion()
+    }
+
+    fn made(&mut self, made: &Made<'_>) {
+        (**self).made(made);
     }
 
     fn standing(&mut self, standing: &Standing) {
@@ -87,6 +111,12 @@ impl<S: Sink> Sink for Option<S> {
 
     fn looks_at_motion(&self) -> bool {
         self.as_ref().is_some_and(S::looks_at_motion)
+    }
+
+    fn made(&mut self, made: &Made<'_>) {
+        if let Some(sink) = self {
+            sink.made(made);
+        }
     }
 
     fn standing(&mut self, standing: &Standing) {

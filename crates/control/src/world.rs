@@ -6,6 +6,7 @@
 use crate::answers::{self, Operator};
 use crate::event::{AskEvent, Event, Partial, Place};
 use crate::shelf::Shelf;
+use crate::sink::Made;
 use crate::{OpenFile, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_program::{
@@ -69,6 +70,11 @@ impl<'a> World<'a> {
     /// Tells an event.
     pub fn tell(&mut self, event: &Event) {
         self.sink.event(event);
+    }
+
+    /// Tells that a move is made, and by which plan.
+    pub fn tell_made(&mut self, made: &Made<'_>) {
+        self.sink.made(made);
     }
 
     /// Whether anybody looks at where the run stands.

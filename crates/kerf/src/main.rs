@@ -5,6 +5,7 @@
 
 mod args;
 mod commands;
+mod curves;
 mod exit;
 mod memory;
 mod operator;
@@ -35,6 +36,7 @@ const START_HERE: &str = "Start here:
   kerf check box.sbp                  is anything wrong with it?
   kerf preview box.sbp -o box.html    what will it cut?
   kerf time box.sbp                   how long does it take?
+  kerf plot box.sbp -o speed.svg      how fast is it where?
   kerf run box.sbp                    run it, on the simulated machine
 
 `kerf help COMMAND` lists the options of a command with examples, `kerf explain CODE` explains a message.

@@ -1,8 +1,19 @@
 //! Values of options.
 
+use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Dialect, Value};
 use kerf_sim::Change;
+
+/// Letters of axes, as `xyz`.
+pub fn axes(text: &str) -> Result<Vec<Axis>, String> {
+    let letters = text.chars().filter(|c| !matches!(c, ',' | ' '));
+    let axes: Option<Vec<Axis>> = letters.map(Axis::from_letter).collect();
+    let mut axes = axes.filter(|a| !a.is_empty()).ok_or("give letters of axes, as xyz")?;
+    axes.sort();
+    axes.dedup();
+    Ok(axes)
+}
 
 /// `in` or `mm`.
 pub fn units(text: &str) -> Result<LinearUnit, String> {

@@ -112,6 +112,14 @@ fn choose_model(motion: &MotionArgs, settings: &mut Settings) -> Result<()> {
     }
 }
 
+/// The word for the model of motion in force.
+pub const fn model_word(settings: &Settings) -> &'static str {
+    match settings.dynamics {
+        Some(_) => "optimal",
+        None => "shopbot",
+    }
+}
+
 /// What the axes of a mid-size router can do, where nothing else is known: jog speeds, a modest
 /// acceleration, a hundredth of a millimetre at corners. The last two are guesses.
 fn usual_dynamics(settings: &Settings) -> Dynamics {

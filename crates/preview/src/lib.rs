@@ -4,7 +4,8 @@
 //! [`html`] turn it into a file. The SVG and the PNG are one drawing, described once as a sheet of
 //! marks: true to scale, arcs exact, cuts shaded by depth, jogs red and dashed, start, end and
 //! direction marked, with the table and its grid, rulers and a legend beside it. The page turns the
-//! same motion in 3D, from one file and without a network.
+//! same motion in 3D, from one file and without a network. A [`plot::Plot`] shows how fast the motion
+//! is: speed, acceleration and jerk over time and along the path.
 //!
 //! Everything here is a pure function: the same scene and options give the same bytes.
 //!
@@ -28,6 +29,7 @@ mod html;
 mod options;
 mod palette;
 mod picture;
+pub mod plot;
 mod png;
 mod scene;
 mod sheet;

@@ -3,6 +3,7 @@
 mod check;
 mod explain;
 mod fmt;
+mod plot;
 mod preview;
 mod registry;
 mod run;
@@ -24,6 +25,7 @@ pub enum Command {
     Send(send::SendArgs),
     Check(check::CheckArgs),
     Preview(preview::PreviewArgs),
+    Plot(plot::PlotArgs),
     Time(time::TimeArgs),
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
@@ -41,6 +43,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Send(args) => send::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Preview(args) => preview::run(&args),
+        Command::Plot(args) => plot::run(&args),
         Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),

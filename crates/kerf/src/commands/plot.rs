@@ -1,0 +1,105 @@
+//! `kerf plot`: speed, acceleration and jerk of a run.
+
+use crate::args::RunArgs;
+use crate::curves::Curves;
+use crate::exit::{Exit, Usage};
+use crate::report::Diagnostics;
+use crate::{parse, setup};
+use anyhow::{Context, Result, bail};
+use clap::{Args, ValueEnum};
+use kerf_control::{Company, StopAt};
+use kerf_preview::plot::{Plot, Sides};
+use kerf_program::Axis;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Plots speed, acceleration and jerk of a run, over time and along the path
+///
+/// The curves are asked of the very plan that runs, a thousand times a second. The programmed speed
+/// stands beside the planned one; lines, tool paths, jogs and waits are marked.
+#[derive(Args)]
+#[command(after_help = "Examples:
+  kerf plot box.sbp -o speed.svg
+  kerf plot box.sbp -o corner.png --axes xy --from 2 --to 3 --over time")]
+pub struct PlotArgs {
+    /// The part file
+    file: PathBuf,
+    /// The picture to write: .svg or .png
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+    /// Curves of these axes, as xy
+    #[arg(long, value_name = "LETTERS", value_parser = parse::axes)]
+    axes: Option<std::vec::Vec<Axis>>,
+    /// What runs along the lower edge
+    #[arg(long, value_enum, default_value = "both")]
+    over: Over,
+    /// Begins at a time in seconds
+    #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative, default_value = "0")]
+    from: f64,
+    /// Ends at a time in seconds
+    #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative)]
+    to: Option<f64>,
+    /// Width of a .png
+    #[arg(long, value_name = "PIXELS", default_value_t = 2400)]
+    pixels: u32,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+/// What runs along the lower edge.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Over {
+    Time,
+    Path,
+    Both,
+}
+
+/// The kinds of plot.
+#[derive(Clone, Copy)]
+enum Format {
+    Svg,
+    Png,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self> {
+        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        Ok(match extension.as_str() {
+            "svg" => Self::Svg,
+            "png" => Self::Png,
+            _ => bail!(Usage(format!("{}: plots end in .svg or .png", path.display()))),
+        })
+    }
+}
+
+pub fn run(args: &PlotArgs) -> Result<Exit> {
+    let format = Format::of(&args.output)?;
+    let window = [args.from, args.to.unwrap_or(f64::INFINITY)];
+    if window[1] <= window[0] {
+        bail!(Usage("--to must be later than --from".into()));
+    }
+    let mut job = setup::job(&args.file, &args.run, true)?;
+    let title = args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let mut curves = Curves::new(title, args.axes.as_deref().unwrap_or_default(), window);
+    curves.plot.note = format!("ramps {}", setup::model_word(&job.session.memory.settings));
+    let mut sink = (Diagnostics::default(), curves);
+    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
+    let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
+    write(&sink.1.plot, format, args)?;
+    Ok(summary.status.into())
+}
+
+fn write(plot: &Plot, format: Format, args: &PlotArgs) -> Result<()> {
+    let sides = match args.over {
+        Over::Time => Sides::Time,
+        Over::Path => Sides::Path,
+        Over::Both => Sides::Both,
+    };
+    let bytes = match format {
+        Format::Svg => plot.svg(sides).into_bytes(),
+        Format::Png => plot.png(sides, args.pixels)?,
+    };
+    fs::write(&args.output, bytes)
+        .with_context(|| format!("cannot write {}", args.output.display()))
+}
