@@ -1,6 +1,7 @@
 //! The highest speed of each move and of each joint between moves; see [`ShopBot`](crate::ShopBot)
 //! for the rules.
 
+use crate::ahead::Ahead;
 use crate::corner::{FULL_CORNER_RAD, SLIGHTEST_RAD, corner_speed, is_full};
 use crate::course::Course;
 use crate::moves::{Move, Path};
@@ -27,19 +28,14 @@ const BEND_RAD: f64 = 1e-5;
 /// Shares of the axes that differ by less are the same; rounding, not a change of speed.
 const SAME_SHARE: f64 = 1e-9;
 
-/// A run between full corners that cannot reach this multiple of ramp speed keeps ramp speed, so
-/// that a series of very short moves does not surge. The manual gives no number; this is a guess.
-const SURGE: f64 = 2.0;
-
 /// So many bends are gathered before their turns are summed: enough that the few at the edges,
 /// which are summed twice, do not matter, and few enough to stay near the processor.
-const BLOCK: usize = 1 << 14;
+pub(crate) const BLOCK: usize = 1 << 12;
 
 /// Caps under construction. The fields of a [`Profile`] hold them: at the start, inside, at the end.
-pub(crate) struct Caps<'a> {
-    ramps: &'a Ramps,
-    moves: &'a [Move],
-    profiles: Vec<Profile>,
+#[derive(Clone, Debug)]
+pub(crate) struct Caps {
+    ramps: Ramps,
     /// Bends that may still matter, in order.
     bends: Vec<Bend>,
     /// So many of them make a block.
@@ -49,69 +45,77 @@ pub(crate) struct Caps<'a> {
     window_mm: f64,
     at_mm: f64,
     heading_rad: f64,
+    /// The course of the last move.
+    before: Option<Course>,
 }
 
-impl<'a> Caps<'a> {
-    /// The caps of a stack.
-    pub fn of(ramps: &'a Ramps, moves: &'a [Move]) -> Vec<Profile> {
-        Self::in_blocks(ramps, moves, BLOCK)
-    }
-
-    fn in_blocks(ramps: &'a Ramps, moves: &'a [Move], block: usize) -> Vec<Profile> {
-        let mut caps = Self {
-            ramps,
-            moves,
-            profiles: Vec::with_capacity(moves.len()),
+impl Caps {
+    /// For a stack that is planned with these ramps, with so many bends a block.
+    pub fn new(ramps: &Ramps, block: usize) -> Self {
+        Self {
+            ramps: *ramps,
             bends: Vec::new(),
             block,
             done: [0; 2],
             window_mm: ramps.min_distance_mm.max(0.0),
             at_mm: 0.0,
             heading_rad: 0.0,
-        };
-        caps.walk();
-        caps.limit_turns([caps.bends.len(); 2]);
-        for cap in &mut caps.profiles {
-            cap.v_entry = cap.v_entry.min(cap.v_peak);
-            cap.v_exit = cap.v_exit.min(cap.v_peak);
+            before: None,
         }
-        caps.hold_short_runs();
-        caps.profiles
     }
 
-    /// Goes along the path once: collects bends, limits changes of speed and long arcs.
-    fn walk(&mut self) {
-        let mut before: Option<Course> = None;
-        for (i, m) in self.moves.iter().enumerate() {
+    /// Goes along the moves that are new: collects bends, limits changes of speed and long arcs, and
+    /// what directions change where enough is known.
+    pub fn walk(&mut self, ahead: &mut Ahead) {
+        for i in ahead.caps.len()..ahead.moves.len() {
+            let m = &ahead.moves[i];
             let course = Course::of(m);
-            self.profiles.push(alone(m));
-            match before {
-                Some(before) if m.continues(&self.moves[i - 1]) => self.joint(i, &before, &course),
+            ahead.caps.push(alone(m));
+            match self.before {
+                Some(before) if i > 0 && m.continues(&ahead.moves[i - 1]) => {
+                    self.joint(ahead, i, &before, &course);
+                }
                 // Far away: no window reaches across.
                 _ => self.at_mm += 2.0 * (self.window_mm + FULL_CURVE_MM),
             }
+            let m = &ahead.moves[i];
             let way_mm = m.length_mm * course.xy;
             if let Path::Arc { sweep_rad, .. } = m.path {
-                self.arc(i, sweep_rad, way_mm, course.xy);
+                self.arc(ahead, i, sweep_rad, way_mm, course.xy);
                 self.heading_rad += sweep_rad;
             }
             self.at_mm += way_mm;
-            before = Some(course);
+            self.before = Some(course);
             if self.bends.len() >= self.block {
-                self.settle();
+                self.settle(ahead);
             }
         }
     }
 
-    fn joint(&mut self, i: usize, before: &Course, after: &Course) {
-        let (m, last) = (&self.moves[i], &self.moves[i - 1]);
+    /// The stack is complete: limits what is left.
+    pub fn finish(&mut self, ahead: &mut Ahead) {
+        self.limit_turns(ahead, [self.bends.len(); 2]);
+    }
+
+    /// How many moves of the window have caps that no later move can change.
+    pub fn settled(&self, ahead: &Ahead) -> usize {
+        let known = ahead.caps.len();
+        let open = self.bends.get(self.done[1]).map_or(known, |bend| match bend.place {
+            Place::Joint(number) | Place::Arc(number) => ahead.index(number),
+        });
+        // A bend limits the move before it as well, and so does the next move the last one.
+        open.min(known).saturating_sub(1)
+    }
+
+    fn joint(&mut self, ahead: &mut Ahead, i: usize, before: &Course, after: &Course) {
+        let (m, last) = (&ahead.moves[i], &ahead.moves[i - 1]);
         let ramp = m.ramp_mm_s.min(last.ramp_mm_s);
         let cap = self.step_limit(before, after).max(ramp);
-        self.profiles[i - 1].v_exit = cap;
-        self.profiles[i].v_entry = cap;
+        ahead.caps[i - 1].v_exit = cap;
+        ahead.caps[i].v_entry = cap;
         let turn = before.turn_rad(after);
         if turn.abs() > BEND_RAD {
-            let place = Place::Joint(i as u32);
+            let place = Place::Joint(ahead.number(i));
             self.bend(self.at_mm, turn, before.xy.max(after.xy), place);
         }
         self.heading_rad += turn;
@@ -141,12 +145,12 @@ impl<'a> Caps<'a> {
         });
     }
 
-    fn arc(&mut self, i: usize, sweep_rad: f64, way_mm: f64, xy: f64) {
+    fn arc(&mut self, ahead: &mut Ahead, i: usize, sweep_rad: f64, way_mm: f64, xy: f64) {
         let sweep = sweep_rad.abs();
         let closed = sweep > TAU - BEND_RAD;
         if way_mm <= self.window_mm && !closed {
             let middle_mm = self.at_mm + 0.5 * way_mm;
-            return self.bend(middle_mm, sweep_rad, xy, Place::Arc(i as u32));
+            return self.bend(middle_mm, sweep_rad, xy, Place::Arc(ahead.number(i)));
         }
         let turn = sweep * (self.window_mm / way_mm).min(1.0);
         let tight = is_full(sweep) && way_mm < FULL_CURVE_RADIUS_MM * sweep;
@@ -155,18 +159,18 @@ impl<'a> Caps<'a> {
             (false, true) => turn.max(FULL_CORNER_RAD),
             (false, false) => turn,
         };
-        self.profiles[i].v_peak = self.turning(self.profiles[i].v_peak, turn as f32, xy as f32);
+        ahead.caps[i].v_peak = self.turning(ahead.caps[i].v_peak, turn as f32, xy as f32);
     }
 
     /// Limits what no later bend can change any more, and forgets what matters to no later one.
-    fn settle(&mut self) {
+    fn settle(&mut self, ahead: &mut Ahead) {
         // Bends farther apart know nothing of each other.
         let reach_mm = self.window_mm + FULL_CURVE_MM;
         let before = |bends: &[Bend], mm: f64| bends.partition_point(|b| b.at_mm < mm);
         let settled_mm = self.at_mm - reach_mm;
         // The cap of a joint needs that of the arcs beside it, whose middle is within a window.
         let joints = before(&self.bends, settled_mm - self.window_mm);
-        self.limit_turns([before(&self.bends, settled_mm), joints]);
+        self.limit_turns(ahead, [before(&self.bends, settled_mm), joints]);
         let next_mm = self.bends.get(joints).map_or(self.at_mm, |b| b.at_mm);
         // One more: how much of the path a bend stands for depends on its neighbour.
         let past = before(&self.bends, next_mm - reach_mm).saturating_sub(1);
@@ -177,27 +181,29 @@ impl<'a> Caps<'a> {
 
     /// Applies the corner rule to what the direction changes around each bend, for so many bends
     /// that are arcs and joints.
-    fn limit_turns(&mut self, [arcs, joints]: [usize; 2]) {
+    fn limit_turns(&mut self, ahead: &mut Ahead, [arcs, joints]: [usize; 2]) {
         let turns = self.summed();
         for (k, &turn_rad) in turns.iter().enumerate().take(arcs).skip(self.done[0]) {
             if let Bend { place: Place::Arc(i), xy, .. } = self.bends[k] {
-                let v = self.profiles[i as usize].v_peak;
-                self.profiles[i as usize].v_peak = self.turning(v, turn_rad, xy);
+                let index = ahead.index(i);
+                let cap = &mut ahead.caps[index];
+                cap.v_peak = self.turning(cap.v_peak, turn_rad, xy);
             }
         }
         for (k, &turn_rad) in turns.iter().enumerate().take(joints).skip(self.done[1]) {
             if let Bend { place: Place::Joint(i), xy, .. } = self.bends[k] {
-                self.limit_joint(i as usize, turn_rad, xy);
+                self.limit_joint(ahead, ahead.index(i), turn_rad, xy);
             }
         }
         self.done = [arcs, joints];
     }
 
-    fn limit_joint(&mut self, i: usize, turn_rad: f32, xy: f32) {
-        let v = self.profiles[i].v_peak.min(self.profiles[i - 1].v_peak);
+    fn limit_joint(&self, ahead: &mut Ahead, i: usize, turn_rad: f32, xy: f32) {
+        let caps = &mut ahead.caps;
+        let v = caps[i].v_peak.min(caps[i - 1].v_peak);
         let cap = self.turning(v, turn_rad, xy);
-        self.profiles[i].v_entry = self.profiles[i].v_entry.min(cap);
-        self.profiles[i - 1].v_exit = self.profiles[i - 1].v_exit.min(cap);
+        caps[i].v_entry = caps[i].v_entry.min(cap);
+        caps[i - 1].v_exit = caps[i - 1].v_exit.min(cap);
     }
 
     /// What the direction changes around each bend, radians.
@@ -232,39 +238,6 @@ impl<'a> Caps<'a> {
         let ramp = self.ramps.cut.xy;
         let slow = corner_speed(in_xy, turn_rad, ramp, self.ramps.slow_corner_percent);
         if slow < in_xy { v * (slow / in_xy) } else { v }
-    }
-
-    /// Keeps ramp speed in runs between full corners that are too short to be worth a surge.
-    fn hold_short_runs(&mut self) {
-        // What the squared speed gains up to the middle of the run and loses again.
-        let (mut first, mut gain, mut corner_before) = (0, 0.0, false);
-        for (i, m) in self.moves.iter().enumerate() {
-            gain += m.accel_mm_s2 * m.length_mm;
-            let next = self.moves.get(i + 1).filter(|next| next.continues(m));
-            let ramp = next.map(|next| m.ramp_mm_s.max(next.ramp_mm_s) * (1.0 + 1e-9));
-            let corner = ramp.is_some_and(|ramp| self.profiles[i].v_exit <= ramp);
-            if next.is_some() && !corner {
-                continue;
-            }
-            if corner || corner_before {
-                self.hold(first, i, gain);
-            }
-            (first, gain, corner_before) = (i + 1, 0.0, corner);
-        }
-    }
-
-    fn hold(&mut self, first: usize, last: usize, gain: f64) {
-        let ramp = self.moves[first].ramp_mm_s.max(self.moves[last].ramp_mm_s);
-        if gain >= (SURGE * SURGE - 1.0) * ramp * ramp {
-            return;
-        }
-        for i in first..=last {
-            let cap = &mut self.profiles[i];
-            let v = self.moves[i].ramp_mm_s;
-            cap.v_entry = cap.v_entry.min(v);
-            cap.v_peak = cap.v_peak.min(v);
-            cap.v_exit = cap.v_exit.min(v);
-        }
     }
 }
 
@@ -320,14 +293,22 @@ mod tests {
         made
     }
 
+    fn in_blocks(ramps: &Ramps, moves: &[Move], block: usize) -> Vec<Profile> {
+        let mut caps = Caps::new(ramps, block);
+        let mut ahead = Ahead { moves: moves.to_vec(), ..Ahead::default() };
+        caps.walk(&mut ahead);
+        caps.finish(&mut ahead);
+        ahead.caps
+    }
+
     #[test]
     fn blocks_give_the_caps_of_the_whole_stack() {
         for (seed, min_distance_mm) in [(1, 3.81), (2, 0.3), (3, 40.0), (4, 0.0), (5, 3.81)] {
             let ramps = Ramps { min_distance_mm, ..Settings::default().ramps };
             let moves = moves(4000, seed);
-            let whole = Caps::in_blocks(&ramps, &moves, usize::MAX);
+            let whole = in_blocks(&ramps, &moves, usize::MAX);
             for block in [1, 7, 64, 1000] {
-                let found = Caps::in_blocks(&ramps, &moves, block);
+                let found = in_blocks(&ramps, &moves, block);
                 assert!(found == whole, "seed {seed}, blocks of {block}");
             }
         }

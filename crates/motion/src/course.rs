@@ -4,7 +4,7 @@ use crate::moves::{Basis, Move, Path};
 use kerf_geom::{Point2, Vec2};
 
 /// Direction and shares of a move.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Course {
     /// Direction in XY at the start, of any length.
     pub start: Vec2,

@@ -1,42 +1,92 @@
 //! Lowers wished speeds until every move can be made with its acceleration, and so makes the
-//! profiles of a stack: the look-ahead, over the whole stack at once.
+//! profiles of a stack: the look-ahead, as far as moves are known.
+//!
+//! ```text
+//!  speed ▲         caps ▔▔▔▔▔▔▔╲▁▁▁▁▁▁
+//!        │ ╱▔▔▔▔▔╲ ╱▔▔▔▔▔▔▔▔▔▔╲│       hi: as if nothing slowed after the last move known
+//!        │╱       ▔             ╲      lo: as if the machine had to stand there
+//!        └────────────────┴──────┴───► way
+//!               final        open
+//! ```
+//!
+//! Whatever comes, the speed lies between the two. Where they agree, everything before is final.
 
+use crate::ahead::Ahead;
 use crate::moves::Move;
 use crate::plan::{Law, Plan};
 use crate::profile::Profile;
 use crate::ramped::Ramped;
 
-/// Turns the highest speeds allowed at the ends and inside each move into profiles: a pass back, so
-/// that every move can slow in time, and a pass forward, so that none starts faster than was reached.
-pub(crate) fn fit(moves: Vec<Move>, mut caps: Vec<Profile>) -> Plan {
-    slow_in_time(&moves, &mut caps);
-    let duration_s = run(&moves, &mut caps);
-    Plan { moves, law: Law::Ramped(Ramped { profiles: caps, duration_s }) }
+/// The look-ahead over one stack.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Fit {
+    /// So many moves of the window were passed back before.
+    passed: usize,
+    /// Speed at the end of the last piece, when it runs on.
+    v: Option<f64>,
+    /// Time at the end of the last piece, seconds.
+    t_s: f64,
 }
 
-fn slow_in_time(moves: &[Move], caps: &mut [Profile]) {
-    let mut v = None;
-    for i in (0..moves.len()).rev() {
-        let (m, cap) = (&moves[i], &mut caps[i]);
-        cap.v_exit = v.unwrap_or(cap.v_exit).min(cap.v_exit);
-        cap.v_entry = cap.v_entry.min(reach(m, cap.v_exit));
-        v = (i > 0 && m.continues(&moves[i - 1])).then_some(cap.v_entry);
+impl Fit {
+    /// The next piece of plan, from so many moves that have their caps for good; `complete` when they
+    /// are all of the stack.
+    pub fn take(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) -> Option<Plan> {
+        let known = self.slow_in_time(ahead, capped, complete);
+        if known == 0 {
+            return None;
+        }
+        self.run(ahead, known);
+        let (moves, profiles) = ahead.take(known);
+        self.passed -= known;
+        let law = Law::Ramped(Ramped { profiles, duration_s: self.t_s });
+        Some(Plan { moves, law })
+    }
+
+    /// A pass back, so that every move can slow in time. Gives how many moves are final.
+    fn slow_in_time(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) -> usize {
+        let (mut hi, mut lo) = (None, if complete { None } else { Some(0.0) });
+        let mut known = 0;
+        for i in (0..capped).rev() {
+            let m = &ahead.moves[i];
+            if ahead.moves.get(i + 1).is_none_or(|next| !next.continues(m)) {
+                (hi, lo) = (None, None);
+            }
+            let cap = &mut ahead.caps[i];
+            let exit = cap.v_exit;
+            cap.v_exit = at_most(exit, hi);
+            let least = at_most(exit, lo);
+            if known == 0 && least == cap.v_exit {
+                known = i + 1;
+            }
+            if known > 0 && i < self.passed && cap.v_exit == exit {
+                break;
+            }
+            lo = Some(cap.v_entry.min(reach(m, least)));
+            cap.v_entry = cap.v_entry.min(reach(m, cap.v_exit));
+            hi = Some(cap.v_entry);
+        }
+        self.passed = capped;
+        known
+    }
+
+    /// A pass forward, so that no move starts faster than was reached; the profiles come of it.
+    fn run(&mut self, ahead: &mut Ahead, count: usize) {
+        for i in 0..count {
+            let (m, cap) = (&ahead.moves[i], &mut ahead.caps[i]);
+            cap.start_s = self.t_s;
+            cap.v_entry = self.v.unwrap_or(cap.v_entry);
+            cap.v_exit = cap.v_exit.min(reach(m, cap.v_entry));
+            cap.v_peak = peak(m, cap);
+            self.t_s += cap.phases(m.length_mm, m.accel_mm_s2).duration_s();
+            let goes_on = ahead.moves.get(i + 1).is_some_and(|next| next.continues(m));
+            self.v = goes_on.then_some(cap.v_exit);
+        }
     }
 }
 
-/// Gives the time at the end, seconds.
-fn run(moves: &[Move], caps: &mut [Profile]) -> f64 {
-    let (mut v, mut t_s) = (None, 0.0);
-    for (i, (m, cap)) in moves.iter().zip(caps).enumerate() {
-        cap.start_s = t_s;
-        cap.v_entry = v.unwrap_or(cap.v_entry);
-        cap.v_exit = cap.v_exit.min(reach(m, cap.v_entry));
-        cap.v_peak = peak(m, cap);
-        t_s += cap.phases(m.length_mm, m.accel_mm_s2).duration_s();
-        let goes_on = moves.get(i + 1).is_some_and(|next| next.continues(m));
-        v = goes_on.then_some(cap.v_exit);
-    }
-    t_s
+fn at_most(cap: f64, bound: Option<f64>) -> f64 {
+    bound.unwrap_or(cap).min(cap)
 }
 
 /// The speed to which a move can accelerate from one end to the other.

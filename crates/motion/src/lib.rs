@@ -2,14 +2,18 @@
 //!
 //! Two steps. A [`Mover`] keeps the position and the settings in force and turns the motion
 //! commands of `kerf-program` into [`Move`]s: where from, where to, along what, and how fast at
-//! most. A model of motion ([`Model`]; today [`ShopBot`], the ramps of the OpenSBP command
-//! reference) turns a whole stack of moves into a [`Plan`], which answers where every axis is at
-//! time t, how fast, and in which move. Time estimate, picture, simulation and real run all ask the
-//! same plan.
+//! most. A model of motion ([`ShopBot`], the ramps of the OpenSBP command reference; [`Optimal`],
+//! all that the axes can do) makes a [`Plan`] of a stack of moves, which answers where every axis is
+//! at time t, how fast, and in which move. Time estimate, picture, simulation and real run all ask
+//! the same plan.
 //!
 //! ```text
-//!  Line, Arc ── Mover ──► Move … Move ── Model ──► Plan ── at(t), span_s(i), stop(t), …
+//!  Line, Arc ── Mover ──► Move … Move ── Planner ──► Plan, Plan … ── at(t), span_s(i), stop(t), …
 //! ```
+//!
+//! A stack is planned while it is read: a [`Planner`] takes moves and gives finished pieces of plan,
+//! and keeps only what a later move can still change. [`Model::plan`] plans a whole stack at once,
+//! with the same outcome.
 //!
 //! Everything is in the machine frame, in millimetres, seconds and degrees; every number that is
 //! not says so in its name (`_rad`, `_percent`). A speed of a move is a speed along its *reference
@@ -30,6 +34,7 @@
 //! assert_eq!(plan.at(plan.duration_s()).position, to);
 //! ```
 
+mod ahead;
 mod caps;
 mod corner;
 mod course;
@@ -39,10 +44,12 @@ mod moves;
 mod optimal;
 mod pass;
 mod plan;
+mod planner;
 mod profile;
 mod ramped;
 mod shopbot;
 mod stop;
+mod surge;
 mod turns;
 
 pub use mover::Mover;
@@ -50,5 +57,6 @@ pub use moves::{Move, Path};
 pub use optimal::Optimal;
 pub use pass::Pass;
 pub use plan::{Plan, Span, State};
-pub use shopbot::{Model, ShopBot, plan_stack};
+pub use planner::{Planner, Whole, planner};
+pub use shopbot::{Model, ShopBot, ShopBotPlanner, plan_stack};
 pub use stop::Stop;

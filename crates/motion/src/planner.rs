@@ -1,0 +1,69 @@
+//! Planning while a program is read: moves go in at one end, finished pieces of plan come out at the
+//! other, and only what a later move can still change is kept.
+//!
+//! ```text
+//!  push ──► move … move   ──► take ──► Plan, Plan, …    times go on from piece to piece
+//!           the window
+//! ```
+
+use crate::moves::Move;
+use crate::optimal::Optimal;
+use crate::plan::Plan;
+use crate::shopbot::{Model, ShopBotPlanner};
+use kerf_program::Settings;
+
+/// Plans one stack of moves, which starts and ends at rest, while it is read.
+///
+/// The pieces of plan that come out follow each other without a gap; each tells its times from the
+/// start of the stack. Put together they do not depend on when pieces were taken.
+pub trait Planner {
+    /// The next move of the stack.
+    fn push(&mut self, made: Move);
+
+    /// The next piece of plan that no later move can change; `None` when more has to be known first.
+    fn take(&mut self) -> Option<Plan>;
+
+    /// The stack is complete: the last piece of its plan, which ends at rest; `None` when nothing is
+    /// left. Moves pushed later belong to another stack, which begins at time 0.
+    fn finish(&mut self) -> Option<Plan>;
+}
+
+/// The planner for a stack that begins under these settings: with all that the axes can do where the
+/// settings tell it, else with the ramps of VR.
+pub fn planner(settings: &Settings) -> Box<dyn Planner> {
+    match settings.dynamics {
+        Some(dynamics) => {
+            Box::new(Whole::new(move |moves| Optimal { dynamics: &dynamics }.plan(moves)))
+        }
+        None => Box::new(ShopBotPlanner::new(&settings.ramps)),
+    }
+}
+
+/// Plans a stack when it is complete, with a function that plans a whole stack.
+#[derive(Clone, Debug)]
+pub struct Whole<F> {
+    moves: Vec<Move>,
+    plan: F,
+}
+
+impl<F: Fn(Vec<Move>) -> Plan> Whole<F> {
+    /// A planner that hands over all moves at once.
+    pub const fn new(plan: F) -> Self {
+        Self { moves: Vec::new(), plan }
+    }
+}
+
+impl<F: Fn(Vec<Move>) -> Plan> Planner for Whole<F> {
+    fn push(&mut self, made: Move) {
+        self.moves.push(made);
+    }
+
+    fn take(&mut self) -> Option<Plan> {
+        None
+    }
+
+    fn finish(&mut self) -> Option<Plan> {
+        let moves = std::mem::take(&mut self.moves);
+        (!moves.is_empty()).then(|| (self.plan)(moves))
+    }
+}

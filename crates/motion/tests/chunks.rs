@@ -1,0 +1,116 @@
+//! The plan of a stack that is read in parts is the plan of the whole stack.
+#![allow(clippy::unwrap_used)]
+
+use kerf_motion::{Move, Mover, Plan, Planner, ShopBotPlanner, Span, plan_stack};
+use kerf_program::settings::Ramps;
+use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings};
+use proptest::prelude::*;
+
+/// Lines and arcs of all sizes, smooth and rough stretches, changes of speed, plunges and jogs.
+fn moves(count: usize, mut seed: u64) -> Vec<Move> {
+    let mut random = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 40) as f64 / (1u64 << 24) as f64
+    };
+    let mut settings = Settings::default();
+    let mut mover = Mover::new(Axes::default(), &settings);
+    let (mut heading, mut made) = (0.0, Vec::new());
+    while made.len() < count {
+        let [x, y, z] = mover.position().first3();
+        let rough = if made.len() / 500 % 2 == 0 { 0.03 } else { 1.5 };
+        heading += (random() - 0.5) * rough;
+        let (sin, cos) = f64::sin_cos(heading);
+        let step = if made.len() / 2000 % 2 == 0 { 0.02 } else { 3.0 } * random();
+        let choice = random();
+        if choice < 0.002 {
+            settings.speeds.cut.xy = 5.0 + 300.0 * random();
+            mover.settings(&settings);
+        }
+        let kind = if choice > 0.9995 { MoveKind::Jog } else { MoveKind::Cut };
+        let next = if choice < 0.05 {
+            let (radius, sweep_rad) = (step + 0.1, (random() - 0.5) * 4.0);
+            let centre = [x - radius * sin, y + radius * cos];
+            let (s, c) = f64::sin_cos(heading + sweep_rad);
+            heading += sweep_rad;
+            let to = Axes::xyz(centre[0] + radius * s, centre[1] - radius * c, z);
+            let feed = Feed::Axis;
+            mover.arc(
+                At::default(),
+                &Arc { kind, centre, sweep_rad, to, feed, chords: 8, small: false },
+            )
+        } else {
+            let plunge = choice > 0.998;
+            let [dx, dy] = if plunge { [0.0; 2] } else { [step * cos, step * sin] };
+            let to = Axes::xyz(x + dx, y + dy, z + if plunge { 0.5 } else { 0.0 });
+            mover.line(At::default(), &Line { kind, to, feed: Feed::Axis })
+        };
+        made.extend(next);
+    }
+    made
+}
+
+/// The pieces that come out when so many moves are pushed between two looks, 0 for none at all.
+fn pieces(planner: &mut dyn Planner, moves: &[Move], at_once: usize) -> Vec<Plan> {
+    let mut pieces = Vec::new();
+    for (i, made) in moves.iter().enumerate() {
+        planner.push(*made);
+        if at_once > 0 && i % at_once == 0 {
+            pieces.extend(planner.take());
+        }
+    }
+    pieces.extend(planner.finish());
+    pieces
+}
+
+fn spans(pieces: &[Plan]) -> Vec<Span<'_>> {
+    let all = pieces.iter().flat_map(Plan::iter);
+    all.enumerate().map(|(index, span)| Span { index, ..span }).collect()
+}
+
+fn check(moves: &[Move], ramps: &Ramps, at_once: usize) -> usize {
+    let whole = [plan_stack(moves.to_vec(), ramps)];
+    let pieces = pieces(&mut ShopBotPlanner::new(ramps), moves, at_once);
+    let (expected, found) = (spans(&whole), spans(&pieces));
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(found, expected, "every {at_once}");
+    }
+    pieces.len()
+}
+
+#[test]
+fn pieces_make_the_plan_of_the_whole_stack() {
+    for (seed, min_distance_mm) in [(1, 3.81), (2, 0.0), (3, 40.0)] {
+        let ramps = Ramps { min_distance_mm, ..Settings::default().ramps };
+        let moves = moves(60_000, seed);
+        for at_once in [0, 1, 1000, 7777] {
+            let count = check(&moves, &ramps, at_once);
+            assert!((at_once == 0 && count == 1) || count > 4, "{count} pieces");
+        }
+    }
+}
+
+#[test]
+fn a_stack_without_an_end_is_planned_with_bounded_memory() {
+    let ramps = Settings::default().ramps;
+    let mut planner = ShopBotPlanner::new(&ramps);
+    let (mut pushed, mut taken) = (0, 0);
+    for made in moves(200_000, 9) {
+        planner.push(made);
+        pushed += 1;
+        taken += planner.take().map_or(0, |plan| plan.moves().len());
+        assert!(pushed - taken <= 10_000, "{pushed} pushed, {taken} taken");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_plan_does_not_depend_on_how_the_input_was_chunked(
+        seed in any::<u64>(), at_once in 1usize..5000, min_distance_mm in 0.0..20.0f64
+    ) {
+        let ramps = Ramps { min_distance_mm, ..Settings::default().ramps };
+        check(&moves(20_000, seed), &ramps, at_once);
+    }
+}
