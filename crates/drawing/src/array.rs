@@ -1,0 +1,292 @@
+//! The two levels of arrays: blocks in a job, jobs on the table.
+
+use kerf_geom::Vec2;
+use serde::{Deserialize, Serialize};
+
+/// The corner block at which an array begins.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Corner {
+    /// Bottom left.
+    #[default]
+    BottomLeft,
+    /// Bottom right.
+    BottomRight,
+    /// Top right.
+    TopRight,
+    /// Top left.
+    TopLeft,
+}
+
+impl Corner {
+    /// Its two letters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BottomLeft => "bl",
+            Self::BottomRight => "br",
+            Self::TopRight => "tr",
+            Self::TopLeft => "tl",
+        }
+    }
+
+    /// The corner of these two letters.
+    pub fn named(word: &str) -> Option<Self> {
+        let all = [Self::BottomLeft, Self::BottomRight, Self::TopRight, Self::TopLeft];
+        all.into_iter().find(|corner| corner.name().eq_ignore_ascii_case(word))
+    }
+
+    fn at_right(self) -> bool {
+        matches!(self, Self::BottomRight | Self::TopRight)
+    }
+
+    fn at_top(self) -> bool {
+        matches!(self, Self::TopLeft | Self::TopRight)
+    }
+}
+
+/// The order in which the blocks of an array are cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Order {
+    /// Row after row, all in the same direction.
+    #[default]
+    RowMajor,
+    /// Column after column, all in the same direction.
+    ColumnMajor,
+    /// Row after row, every other one backwards.
+    RowSnake,
+    /// Column after column, every other one backwards.
+    ColumnSnake,
+}
+
+impl Order {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::RowMajor => "row",
+            Self::ColumnMajor => "column",
+            Self::RowSnake => "row-snake",
+            Self::ColumnSnake => "column-snake",
+        }
+    }
+
+    /// The order of that name.
+    pub fn named(word: &str) -> Option<Self> {
+        let all = [Self::RowMajor, Self::ColumnMajor, Self::RowSnake, Self::ColumnSnake];
+        all.into_iter().find(|order| order.name().eq_ignore_ascii_case(word))
+    }
+
+    fn by_rows(self) -> bool {
+        matches!(self, Self::RowMajor | Self::RowSnake)
+    }
+
+    fn snakes(self) -> bool {
+        matches!(self, Self::RowSnake | Self::ColumnSnake)
+    }
+}
+
+/// One level of arraying.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ArrayLevel {
+    /// Rows, counted upwards, at least 1.
+    pub rows: u32,
+    /// Columns, counted to the right, at least 1.
+    pub columns: u32,
+    /// Gap between neighbouring rows, millimetres.
+    pub row_gap_mm: f64,
+    /// Gap between neighbouring columns, millimetres.
+    pub column_gap_mm: f64,
+    /// Where it begins.
+    pub start: Corner,
+    /// How it goes on.
+    pub order: Order,
+}
+
+impl Default for ArrayLevel {
+    fn default() -> Self {
+        Self {
+            rows: 1,
+            columns: 1,
+            row_gap_mm: 0.0,
+            column_gap_mm: 0.0,
+            start: Corner::default(),
+            order: Order::default(),
+        }
+    }
+}
+
+impl ArrayLevel {
+    /// Number of blocks.
+    pub fn count(&self) -> u64 {
+        u64::from(self.rows) * u64::from(self.columns)
+    }
+
+    /// Row and column of the n-th block to be cut, counted from 0 at the bottom left.
+    pub fn cell(&self, n: u64) -> (u32, u32) {
+        let inner_count = if self.order.by_rows() { self.columns } else { self.rows }.max(1);
+        let (outer, inner) = (n / u64::from(inner_count), n % u64::from(inner_count));
+        // Both are below a u32 count.
+        let (outer, mut inner) = (outer as u32, inner as u32);
+        if self.order.snakes() && outer % 2 == 1 {
+            inner = inner_count - 1 - inner;
+        }
+        let (row, column) = if self.order.by_rows() { (outer, inner) } else { (inner, outer) };
+        let row = if self.start.at_top() { self.rows.saturating_sub(1 + row) } else { row };
+        let column = if self.start.at_right() { self.columns.saturating_sub(1 + column) } else { column };
+        (row, column)
+    }
+
+    /// Distance from one block to the next, for a block of this size.
+    pub fn pitch(&self, block: Vec2) -> Vec2 {
+        Vec2::new(block.x + self.column_gap_mm, block.y + self.row_gap_mm)
+    }
+
+    /// Size of the whole level, for a block of this size.
+    pub fn size(&self, block: Vec2) -> Vec2 {
+        let pitch = self.pitch(block);
+        Vec2::new(
+            block.x + pitch.x * f64::from(self.columns.saturating_sub(1)),
+            block.y + pitch.y * f64::from(self.rows.saturating_sub(1)),
+        )
+    }
+}
+
+/// Both levels of a drawing: the basic block repeated to a job, the job repeated on the table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Arrays {
+    /// Blocks in a job.
+    pub block: ArrayLevel,
+    /// Jobs on the table.
+    pub job: ArrayLevel,
+}
+
+/// A level of arrays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    /// The basic block is repeated to a job.
+    Block,
+    /// The job is repeated on the table.
+    Job,
+}
+
+impl Arrays {
+    /// A level, to be changed.
+    pub fn level_mut(&mut self, level: Level) -> &mut ArrayLevel {
+        match level {
+            Level::Block => &mut self.block,
+            Level::Job => &mut self.job,
+        }
+    }
+
+    /// Number of copies of the basic block.
+    pub fn count(&self) -> u64 {
+        self.block.count().saturating_mul(self.job.count())
+    }
+
+    /// How far each copy of a block of this size is moved, in cutting order.
+    pub fn placements(&self, block: Vec2) -> impl Iterator<Item = Vec2> {
+        let (inner, outer) = (self.block, self.job);
+        let (pitch, job_pitch) = (inner.pitch(block), outer.pitch(inner.size(block)));
+        (0..outer.count()).flat_map(move |job| {
+            let from = place(outer.cell(job), job_pitch);
+            (0..inner.count()).map(move |n| from + place(inner.cell(n), pitch))
+        })
+    }
+
+    /// Size of all together, for a block of this size.
+    pub fn size(&self, block: Vec2) -> Vec2 {
+        self.job.size(self.block.size(block))
+    }
+}
+
+fn place((row, column): (u32, u32), pitch: Vec2) -> Vec2 {
+    Vec2::new(f64::from(column) * pitch.x, f64::from(row) * pitch.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows and columns counted from 1, as the manual writes them.
+    fn cells(start: Corner, order: Order) -> String {
+        let level = ArrayLevel { rows: 2, columns: 3, start, order, ..Default::default() };
+        let cell = |n| {
+            let (row, column) = level.cell(n);
+            format!("{}{}", row + 1, column + 1)
+        };
+        (0..level.count()).map(cell).collect::<Vec<_>>().join(" ")
+    }
+
+    fn check(order: Order, expected: [&str; 4]) {
+        let corners =
+            [Corner::BottomLeft, Corner::BottomRight, Corner::TopRight, Corner::TopLeft];
+        for (corner, expected) in corners.into_iter().zip(expected) {
+            assert_eq!(cells(corner, order), expected, "{corner:?} {order:?}");
+        }
+    }
+
+    #[test]
+    fn pro_array_rowmajor() {
+        let [bl, br] = ["11 12 13 21 22 23", "13 12 11 23 22 21"];
+        check(Order::RowMajor, [bl, br, "23 22 21 13 12 11", "21 22 23 11 12 13"]);
+    }
+
+    #[test]
+    fn pro_array_colmajor() {
+        let [bl, br] = ["11 21 12 22 13 23", "13 23 12 22 11 21"];
+        check(Order::ColumnMajor, [bl, br, "23 13 22 12 21 11", "21 11 22 12 23 13"]);
+    }
+
+    #[test]
+    fn pro_array_rowsnake() {
+        let [bl, br] = ["11 12 13 23 22 21", "13 12 11 21 22 23"];
+        check(Order::RowSnake, [bl, br, "23 22 21 11 12 13", "21 22 23 13 12 11"]);
+    }
+
+    #[test]
+    fn pro_array_colsnake() {
+        let [bl, br] = ["11 21 22 12 13 23", "13 23 22 12 11 21"];
+        check(Order::ColumnSnake, [bl, br, "23 13 12 22 21 11", "21 11 12 22 23 13"]);
+    }
+
+    fn two_by_three() -> ArrayLevel {
+        let gaps = ArrayLevel { row_gap_mm: 20.0, column_gap_mm: 10.0, ..Default::default() };
+        ArrayLevel { rows: 2, columns: 3, ..gaps }
+    }
+
+    #[test]
+    fn pro_array_spacing() {
+        let block = Vec2::new(100.0, 50.0);
+        assert_eq!(two_by_three().pitch(block), Vec2::new(110.0, 70.0));
+        assert_eq!(two_by_three().size(block), Vec2::new(320.0, 120.0));
+    }
+
+    #[test]
+    fn pro_array_start() {
+        let firsts: Vec<_> =
+            [Corner::BottomLeft, Corner::BottomRight, Corner::TopRight, Corner::TopLeft]
+                .into_iter()
+                .map(|start| ArrayLevel { start, ..two_by_three() }.cell(0))
+                .collect();
+        assert_eq!(firsts, [(0, 0), (0, 2), (1, 2), (1, 0)]);
+        assert_eq!(ArrayLevel::default().start, Corner::BottomLeft);
+    }
+
+    #[test]
+    fn pro_array_two_orders() {
+        let inner = ArrayLevel { order: Order::RowSnake, ..two_by_three() };
+        let job = ArrayLevel { rows: 2, row_gap_mm: 40.0, ..Default::default() };
+        let outer = ArrayLevel { start: Corner::TopLeft, ..job };
+        let block = Vec2::new(100.0, 50.0);
+        let arrays = Arrays { block: inner, job: outer };
+        assert_eq!(arrays.size(block), Vec2::new(320.0, 280.0));
+        let places: Vec<_> = arrays.placements(block).collect();
+        let xs = [0.0, 110.0, 220.0, 220.0, 110.0, 0.0];
+        let ys = [0.0, 0.0, 0.0, 70.0, 70.0, 70.0];
+        let rows = |from: f64| xs.into_iter().zip(ys.map(|y| y + from));
+        let expected: Vec<_> =
+            rows(160.0).chain(rows(0.0)).map(|(x, y)| Vec2::new(x, y)).collect();
+        assert_eq!(places, expected);
+    }
+}

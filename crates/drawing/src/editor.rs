@@ -1,0 +1,145 @@
+//! A drawing being worked on: selection, clipboard, undo.
+
+use crate::op::{OpError, Operation, Outcome, act};
+use crate::{Drawing, Shape};
+use std::sync::Arc;
+
+/// A drawing with what a person working on it needs besides.
+///
+/// Operations are carried out wholly or not at all. Every change can be undone.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Editor {
+    /// The drawing.
+    pub drawing: Drawing,
+    /// The shapes that operations act on: places in [`Drawing::shapes`], in order.
+    pub selection: Vec<usize>,
+    /// Shapes to be pasted.
+    pub clipboard: Vec<Arc<Shape>>,
+    undo: Vec<Past>,
+    redo: Vec<Past>,
+}
+
+/// What an undo gives back. Shapes are shared, so a past costs a pointer a shape.
+#[derive(Clone, Debug, PartialEq)]
+struct Past {
+    drawing: Drawing,
+    selection: Vec<usize>,
+}
+
+impl Editor {
+    /// An editor of a drawing, nothing selected.
+    pub fn of(drawing: Drawing) -> Self {
+        Self { drawing, ..Self::default() }
+    }
+
+    /// Carries out an operation.
+    ///
+    /// # Errors
+    /// Why it cannot be; then nothing is changed.
+    pub fn apply(&mut self, operation: &Operation) -> Result<Outcome, OpError> {
+        let mut draft = self.clone_without_past();
+        let outcome = act(&mut draft, operation)?;
+        self.clipboard = draft.clipboard;
+        if draft.drawing == self.drawing {
+            self.selection = draft.selection;
+            return Ok(outcome);
+        }
+        let drawing = std::mem::replace(&mut self.drawing, draft.drawing);
+        let selection = std::mem::replace(&mut self.selection, draft.selection);
+        self.undo.push(Past { drawing, selection });
+        self.redo.clear();
+        Ok(outcome)
+    }
+
+    fn clone_without_past(&self) -> Self {
+        Self {
+            drawing: self.drawing.clone(),
+            selection: self.selection.clone(),
+            clipboard: self.clipboard.clone(),
+            ..Self::default()
+        }
+    }
+
+    /// Takes the last change back.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn undo(&mut self) -> Result<(), OpError> {
+        let past = self.undo.pop().ok_or(OpError::NoHistory("undo"))?;
+        let present = self.exchange(past);
+        self.redo.push(present);
+        Ok(())
+    }
+
+    /// Makes the change again that was last taken back.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn redo(&mut self) -> Result<(), OpError> {
+        let past = self.redo.pop().ok_or(OpError::NoHistory("redo"))?;
+        let present = self.exchange(past);
+        self.undo.push(present);
+        Ok(())
+    }
+
+    fn exchange(&mut self, past: Past) -> Past {
+        Past {
+            drawing: std::mem::replace(&mut self.drawing, past.drawing),
+            selection: std::mem::replace(&mut self.selection, past.selection),
+        }
+    }
+
+    /// The shape of that number, counted from 1, and its place.
+    ///
+    /// # Errors
+    /// There is no such shape.
+    pub(crate) fn shape(&self, number: usize) -> Result<(usize, &Arc<Shape>), OpError> {
+        let count = self.drawing.shapes.len();
+        let place = number.wrapping_sub(1);
+        let shape = self.drawing.shapes.get(place);
+        shape.map(|shape| (place, shape)).ok_or(OpError::NoShape { number, count })
+    }
+
+    /// The selection.
+    ///
+    /// # Errors
+    /// Nothing is selected.
+    pub(crate) fn selected(&self) -> Result<Vec<usize>, OpError> {
+        if self.selection.is_empty() {
+            return Err(OpError::NothingSelected);
+        }
+        Ok(self.selection.clone())
+    }
+
+    /// Replaces each selected shape by what `change` makes of it.
+    ///
+    /// # Errors
+    /// Nothing is selected, or what `change` says of a shape.
+    pub(crate) fn change_selected(
+        &mut self,
+        mut change: impl FnMut(usize, &Shape) -> Result<Shape, OpError>,
+    ) -> Result<(), OpError> {
+        for place in self.selected()? {
+            let changed = change(place + 1, &self.drawing.shapes[place])?;
+            self.drawing.shapes[place] = Arc::new(changed);
+        }
+        Ok(())
+    }
+
+    /// Adds what `make` makes of each selected shape at the end of the sequence, and selects it.
+    ///
+    /// # Errors
+    /// Nothing is selected.
+    pub(crate) fn add_from_selected(
+        &mut self,
+        make: impl Fn(&Shape) -> Shape,
+    ) -> Result<(), OpError> {
+        let first = self.drawing.shapes.len();
+        for place in self.selected()? {
+            let made = make(&self.drawing.shapes[place]);
+            self.drawing.add(made);
+        }
+        self.selection = (first..self.drawing.shapes.len()).collect();
+        Ok(())
+    }
+}

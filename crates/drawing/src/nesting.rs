@@ -1,0 +1,217 @@
+//! Which shape lies within which.
+
+use crate::Shape;
+use kerf_geom::{Bounds2, Place, Polyarc, Position};
+use std::sync::Arc;
+
+/// The shapes of a drawing as a forest: a closed shape is the parent of what lies directly inside
+/// it. Open shapes and points are leaves (Profiler notes, 3.3 and 3.4).
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Nesting {
+    parent: Vec<Option<usize>>,
+    depth: Vec<usize>,
+    across: Vec<(usize, usize)>,
+}
+
+/// How a shape lies to a closed one that is larger.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Relation {
+    Inside,
+    Apart,
+    Across,
+}
+
+impl Nesting {
+    /// Finds what lies within what. Shapes that cross each other are side by side.
+    pub fn of(shapes: &[Arc<Shape>]) -> Self {
+        let mut found = Finder::of(shapes);
+        let parent: Vec<_> = (0..shapes.len()).map(|inner| found.parent_of(inner)).collect();
+        let depth = (0..shapes.len()).map(|n| ancestors(&parent, n).count()).collect();
+        found.across.sort_unstable();
+        Self { parent, depth, across: found.across }
+    }
+
+    /// The smallest shape around a shape.
+    pub fn parent(&self, shape: usize) -> Option<usize> {
+        self.parent.get(shape).copied().flatten()
+    }
+
+    /// How many shapes lie around a shape.
+    pub fn depth(&self, shape: usize) -> usize {
+        self.depth.get(shape).copied().unwrap_or_default()
+    }
+
+    /// Pairs of which one, closed, is crossed by the other.
+    pub fn across(&self) -> &[(usize, usize)] {
+        &self.across
+    }
+
+    /// The shapes directly inside a shape, or those outside all others, in order.
+    pub fn children(&self, parent: Option<usize>) -> impl Iterator<Item = usize> + '_ {
+        (0..self.parent.len()).filter(move |n| self.parent[*n] == parent)
+    }
+
+    /// All shapes in an order in which whatever lies inside comes first, and siblings in the order
+    /// that `sort` puts them into.
+    pub fn inside_first(&self, sort: impl FnMut(&mut Vec<usize>)) -> Vec<usize> {
+        let outside = self.parent.len();
+        let mut children: Vec<Vec<usize>> = vec![Vec::new(); outside + 1];
+        for (n, parent) in self.parent.iter().enumerate() {
+            children[parent.unwrap_or(outside)].push(n);
+        }
+        children.iter_mut().for_each(sort);
+        post_order(&children, outside)
+    }
+}
+
+/// The nodes below `root`, children before parents, without recursion: nests may be deep.
+fn post_order(children: &[Vec<usize>], root: usize) -> Vec<usize> {
+    let mut order = Vec::with_capacity(children.len());
+    let mut open = vec![root];
+    while let Some(node) = open.pop() {
+        order.push(node);
+        // The last child is visited first: the order is turned round at the end.
+        open.extend(&children[node]);
+    }
+    order.reverse();
+    order.pop();
+    order
+}
+
+fn ancestors(parent: &[Option<usize>], shape: usize) -> impl Iterator<Item = usize> + '_ {
+    std::iter::successors(parent[shape], |n| parent[*n])
+}
+
+/// What is needed again and again while parents are sought.
+struct Finder<'a> {
+    shapes: &'a [Arc<Shape>],
+    boxes: Vec<Bounds2>,
+    areas: Vec<f64>,
+    /// Shapes from the smallest to the largest area.
+    by_area: Vec<usize>,
+    across: Vec<(usize, usize)>,
+}
+
+impl<'a> Finder<'a> {
+    fn of(shapes: &'a [Arc<Shape>]) -> Self {
+        let boxes = shapes.iter().map(|shape| shape.path.bounds()).collect();
+        let areas: Vec<f64> = shapes.iter().map(|shape| area(shape)).collect();
+        let mut by_area: Vec<usize> = (0..shapes.len()).filter(|n| areas[*n] > 0.0).collect();
+        by_area.sort_by(|a, b| areas[*a].total_cmp(&areas[*b]));
+        Self { shapes, boxes, areas, by_area, across: Vec::new() }
+    }
+
+    /// The smallest closed shape around a shape. Equal shapes do not contain each other.
+    fn parent_of(&mut self, inner: usize) -> Option<usize> {
+        let from = self.by_area.partition_point(|n| self.areas[*n] <= self.areas[inner]);
+        for at in from..self.by_area.len() {
+            let outer = self.by_area[at];
+            match self.relation(outer, inner) {
+                Relation::Inside => return Some(outer),
+                Relation::Across => self.across.push((outer.min(inner), outer.max(inner))),
+                Relation::Apart => {}
+            }
+        }
+        None
+    }
+
+    fn relation(&self, outer: usize, inner: usize) -> Relation {
+        if !self.boxes[outer].meets(&self.boxes[inner]) {
+            return Relation::Apart;
+        }
+        relation(&self.shapes[outer].path, &self.shapes[inner].path)
+    }
+}
+
+fn area(shape: &Shape) -> f64 {
+    if shape.is_closed() { shape.path.signed_area().abs() } else { 0.0 }
+}
+
+/// Cuts the inner path where it meets the outer one; each piece then lies on one side.
+fn relation(outer: &Polyarc, inner: &Polyarc) -> Relation {
+    let sides = pieces(outer, inner).into_iter().map(|middle| outer.position(middle.at));
+    let (mut inside, mut outside) = (false, false);
+    for side in sides {
+        inside |= side == Position::Inside;
+        outside |= side == Position::Outside;
+    }
+    match (inside, outside) {
+        (true, true) => Relation::Across,
+        (false, true) => Relation::Apart,
+        // Nothing but edge: a part of the outer path drawn again lies on it, so within it.
+        (_, false) => Relation::Inside,
+    }
+}
+
+/// A place in the middle of each piece of `inner` between its meetings with `outer`.
+fn pieces(outer: &Polyarc, inner: &Polyarc) -> Vec<Place> {
+    let long = inner.length();
+    let mut cuts: Vec<f64> =
+        inner.crossings(outer).iter().map(|crossing| inner.length_to(&crossing.first)).collect();
+    cuts.push(0.0);
+    cuts.push(long);
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup();
+    let middles = cuts.windows(2).map(|ends| 0.5 * (ends[0] + ends[1]));
+    let places: Vec<Place> = middles.filter_map(|at| inner.place_after(at)).collect();
+    if places.is_empty() { inner.place_after(0.0).into_iter().collect() } else { places }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_geom::Point2;
+
+    fn square(x: f64, y: f64, side: f64) -> Polyarc {
+        Polyarc::rectangle(Point2::new(x, y), Point2::new(x + side, y + side))
+    }
+
+    fn check(paths: &[Polyarc], parents: &[Option<usize>], across: &[(usize, usize)]) {
+        let shapes: Vec<_> = paths.iter().map(|p| Arc::new(Shape::flat(p.clone()))).collect();
+        let nesting = Nesting::of(&shapes);
+        assert_eq!(nesting.parent, parents);
+        assert_eq!(nesting.across(), across);
+    }
+
+    #[test]
+    fn squares_nest() {
+        let nest = [square(0.0, 0.0, 100.0), square(40.0, 40.0, 20.0), square(20.0, 20.0, 60.0)];
+        check(&nest, &[None, Some(2), Some(0)], &[]);
+    }
+
+    #[test]
+    fn touching_from_inside_is_inside_and_from_outside_is_not() {
+        let pair = [square(0.0, 0.0, 100.0), square(0.0, 0.0, 50.0), square(100.0, 0.0, 50.0)];
+        check(&pair, &[None, Some(0), None], &[]);
+    }
+
+    #[test]
+    fn equal_shapes_do_not_contain_each_other() {
+        check(&[square(0.0, 0.0, 10.0), square(0.0, 0.0, 10.0)], &[None, None], &[]);
+    }
+
+    #[test]
+    fn crossing_shapes_are_side_by_side() {
+        check(&[square(0.0, 0.0, 60.0), square(50.0, 50.0, 100.0)], &[None, None], &[(0, 1)]);
+    }
+
+    #[test]
+    fn open_shapes_and_points_are_leaves() {
+        let line = Polyarc::lines([Point2::new(10.0, 10.0), Point2::new(90.0, 10.0)], false);
+        let hole = Polyarc::lines([Point2::new(50.0, 50.0)], false);
+        check(&[square(0.0, 0.0, 100.0), line, hole], &[None, Some(0), Some(0)], &[]);
+    }
+
+    #[test]
+    fn a_line_through_a_shape_crosses_it() {
+        let line = Polyarc::lines([Point2::new(-10.0, 5.0), Point2::new(90.0, 5.0)], false);
+        check(&[line, square(0.0, 0.0, 10.0)], &[None, None], &[(0, 1)]);
+    }
+
+    #[test]
+    fn what_is_inside_comes_first() {
+        let nest = [square(0.0, 0.0, 100.0), square(40.0, 40.0, 20.0), square(20.0, 20.0, 60.0)];
+        let shapes: Vec<_> = nest.into_iter().map(|p| Arc::new(Shape::flat(p))).collect();
+        assert_eq!(Nesting::of(&shapes).inside_first(|_| ()), [1, 2, 0]);
+    }
+}

@@ -1,0 +1,45 @@
+//! From an operation to the function that carries it out.
+
+use super::{OpError, Operation, Outcome};
+use super::{arrays, clipboard, draw, edit, grouping, layout, path, sequence};
+use crate::Editor;
+
+/// Carries out an operation on a draft of the drawing; after an error the draft is thrown away.
+pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, OpError> {
+    use Operation as O;
+    let mut outcome = Outcome::default();
+    match operation {
+        O::Select { choice, how } => edit::select(draft, choice, *how)?,
+        O::Move { by } => edit::shift(draft, *by)?,
+        O::Copy { by } => edit::copy(draft, *by)?,
+        O::Rotate { angle_deg, about } => edit::rotate(draft, *angle_deg, *about)?,
+        O::Scale { factor, about } => edit::scale(draft, *factor, *about)?,
+        O::Mirror { a, b, raw } => edit::mirror(draft, *a, *b, *raw)?,
+        O::Erase => edit::erase(draft)?,
+        O::Circle { centre, radius_mm } => draw::circle(draft, *centre, *radius_mm)?,
+        O::Rectangle { a, b } => draw::rectangle(draft, *a, *b)?,
+        O::Point { at } => draw::point(draft, *at),
+        O::Polyarc { vertices, closed } => draw::polyarc(draft, vertices, *closed)?,
+        O::Reverse => path::reverse(draft)?,
+        O::Directions => outcome.warnings = path::directions(draft),
+        O::Start { shape, at } => path::start(draft, *shape, *at)?,
+        O::Pause { on } => path::pause(draft, *on)?,
+        O::Group { group } => grouping::put(draft, *group)?,
+        O::CopyToGroup { group } => grouping::copy(draft, *group)?,
+        O::Set { group, changes } => grouping::set(draft, *group, changes)?,
+        O::Sequence { order } => outcome.warnings = sequence::order(draft, order)?,
+        O::Array { level, array } => arrays::set(draft, *level, *array)?,
+        O::JustifyLeft => layout::left(draft),
+        O::JustifySurface => layout::surface(draft),
+        O::JustifyBottom { bottom_mm } => layout::bottom(draft, *bottom_mm),
+        O::Rotate90 => layout::rotate90(draft),
+        O::MirrorDrawing => layout::mirror(draft),
+        O::Origin { at } => layout::origin(draft, *at),
+        O::CadOrigin => layout::cad_origin(draft),
+        O::Clip => clipboard::clip(draft)?,
+        O::ClearClipboard => draft.clipboard.clear(),
+        O::Paste { at, absolute } => clipboard::paste(draft, *at, *absolute)?,
+        O::Comment { lines } => draft.drawing.set_comments(lines.clone())?,
+    }
+    Ok(outcome)
+}

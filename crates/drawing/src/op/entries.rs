@@ -1,0 +1,359 @@
+//! The operations by name: how their words are read, and what is told of them.
+//!
+//! The help of `kerf draw`, the reference page and the reader of clauses are made from this table.
+
+use super::words::{WordError, Words, number, pair};
+use super::{Change, How, Operation, Sequencing};
+use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
+use kerf_geom::Vertex;
+
+/// An operation as a person writes it.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its first word.
+    pub name: &'static str,
+    /// Its words; brackets hold what may be left out.
+    pub form: &'static str,
+    /// What it does.
+    pub doc: &'static str,
+    pub(super) read: fn(&mut Words) -> Read,
+}
+
+type Read = Result<Operation, WordError>;
+
+const fn entry(
+    name: &'static str,
+    form: &'static str,
+    doc: &'static str,
+    read: fn(&mut Words) -> Read,
+) -> Entry {
+    Entry { name, form, doc, read }
+}
+
+/// Every operation, by chapter.
+pub const ENTRIES: &[Entry] = &[
+    entry(
+        "select",
+        "select [add|remove] all|none|1,3-5|group COLOUR|window X,Y X,Y|crossing X,Y X,Y",
+        "chooses the shapes that the next operations act on",
+        select,
+    ),
+    entry("move", "move X,Y", "moves the selected shapes", |w| {
+        Ok(Operation::Move { by: w.vector("the distance")? })
+    }),
+    entry("copy", "copy X,Y", "adds moved copies of the selected shapes", |w| {
+        Ok(Operation::Copy { by: w.vector("the distance")? })
+    }),
+    entry(
+        "rotate",
+        "rotate ANGLE [about X,Y]",
+        "turns the selected shapes counter-clockwise, about the origin if nothing else is said",
+        |w| Ok(Operation::Rotate { angle_deg: w.number("the angle")?, about: about(w)? }),
+    ),
+    entry(
+        "scale",
+        "scale FACTOR [about X,Y]",
+        "makes the selected shapes larger; 25.4 turns inches into millimetres",
+        |w| Ok(Operation::Scale { factor: w.number("the factor")?, about: about(w)? }),
+    ),
+    entry(
+        "mirror",
+        "mirror X,Y X,Y [raw]",
+        "mirrors the selected shapes at a line; closed ones keep their cutting direction unless raw",
+        |w| {
+            let (a, b) = (w.point("a point of the line")?, w.point("a second point of the line")?);
+            Ok(Operation::Mirror { a, b, raw: w.takes("raw") })
+        },
+    ),
+    entry("erase", "erase", "removes the selected shapes", |_| Ok(Operation::Erase)),
+    entry("circle", "circle X,Y RADIUS", "adds a circle", |w| {
+        Ok(Operation::Circle { centre: w.point("the centre")?, radius_mm: w.number("the radius")? })
+    }),
+    entry(
+        "rect",
+        "rect X,Y X,Y | rect X,Y size W,H",
+        "adds a rectangle that begins at the first corner",
+        rectangle,
+    ),
+    entry("point", "point X,Y", "adds a place to drill", |w| {
+        Ok(Operation::Point { at: w.point("the place")? })
+    }),
+    entry(
+        "line",
+        "line X,Y X,Y … [close]",
+        "adds lines, closed by `close`; X,Y,B lets the segment after a point be an arc of bulge B",
+        line,
+    ),
+    entry("reverse", "reverse", "turns the cutting direction of the selected shapes", |_| {
+        Ok(Operation::Reverse)
+    }),
+    entry(
+        "directions",
+        "directions auto",
+        "makes outer shapes counter-clockwise and those within clockwise",
+        |w| w.keyword("auto", Operation::Directions),
+    ),
+    entry("start", "start SHAPE X,Y", "lets the cut of a shape begin at its nearest place", |w| {
+        Ok(Operation::Start { shape: w.shape()?, at: w.point("the place")? })
+    }),
+    entry("pause", "pause on|off", "lets the machine halt before the selected shapes", |w| {
+        Ok(Operation::Pause { on: w.read("on or off", "on or off", on_off)? })
+    }),
+    entry("group", "group COLOUR", "puts the selected shapes into a group", |w| {
+        Ok(Operation::Group { group: group(w)? })
+    }),
+    entry("copy-to", "copy-to COLOUR", "adds copies of the selected shapes in a group", |w| {
+        Ok(Operation::CopyToGroup { group: group(w)? })
+    }),
+    entry(
+        "set",
+        "set COLOUR on|traversal|double=on|off tool=N cut=N speed=N|max height=thru|3d|Z pass=N|off \
+         offset=N rough=N tag=N lead-in=R,A lead-out=R,A",
+        "changes how a group is cut; millimetres, mm/min, degrees",
+        set,
+    ),
+    entry(
+        "sequence",
+        "sequence 3,1,2 | sequence groups COLOUR,… | sequence reverse | sequence auto X,Y | \
+         sequence level 3,1,2",
+        "changes the order in which shapes are cut",
+        sequence,
+    ),
+    entry(
+        "array",
+        "array block|job RxC [gap X,Y] [start bl|br|tr|tl] [order row|column|row-snake|column-snake]",
+        "repeats the drawing in rows and columns when the tool paths are made",
+        levels,
+    ),
+    entry(
+        "justify",
+        "justify left | justify surface | justify bottom Z",
+        "moves the drawing to the origin; with its 3D shapes below ZSurface or on ZBottom",
+        justify,
+    ),
+    entry("rotate90", "rotate90", "turns the drawing by a quarter and left-justifies it", |_| {
+        Ok(Operation::Rotate90)
+    }),
+    entry(
+        "mirror-drawing",
+        "mirror-drawing",
+        "mirrors the drawing from left to right and left-justifies it",
+        |_| Ok(Operation::MirrorDrawing),
+    ),
+    entry(
+        "origin",
+        "origin X,Y | origin cad",
+        "makes a place the origin, or gives back the one the drawing was read with",
+        |w| {
+            if w.takes("cad") {
+                return Ok(Operation::CadOrigin);
+            }
+            Ok(Operation::Origin { at: w.point("the new origin")? })
+        },
+    ),
+    entry("clip", "clip", "puts copies of the selected shapes onto the clipboard", |_| {
+        Ok(Operation::Clip)
+    }),
+    entry("clear-clipboard", "clear-clipboard", "empties the clipboard", |_| {
+        Ok(Operation::ClearClipboard)
+    }),
+    entry(
+        "paste",
+        "paste [absolute] X,Y",
+        "adds the shapes of the clipboard, their lower left at the place; absolute: their origin",
+        |w| {
+            let absolute = w.takes("absolute");
+            Ok(Operation::Paste { at: w.point("the place")?, absolute })
+        },
+    ),
+    entry(
+        "comment",
+        "comment WORDS [| WORDS …]",
+        "sets the comments of the drawing, lines divided by |",
+        |w| {
+            let text = w.rest();
+            let lines = text.split('|').map(|line| line.trim().to_owned());
+            let lines = if text.is_empty() { Vec::new() } else { lines.collect() };
+            Ok(Operation::Comment { lines })
+        },
+    ),
+];
+
+fn select(w: &mut Words) -> Read {
+    let how = match () {
+        () if w.takes("add") => How::Add,
+        () if w.takes("remove") => How::Remove,
+        () => How::New,
+    };
+    let choice = match () {
+        () if w.takes("all") => Choice::All,
+        () if w.takes("none") => Choice::None,
+        () if w.takes("group") => Choice::Group(group(w)?),
+        () if w.takes("window") => Choice::Window(w.point("a corner")?, w.point("a corner")?),
+        () if w.takes("crossing") => Choice::Crossing(w.point("a corner")?, w.point("a corner")?),
+        () => Choice::Shapes(numbers(w)?),
+    };
+    Ok(Operation::Select { choice, how })
+}
+
+fn about(w: &mut Words) -> Result<kerf_geom::Point2, WordError> {
+    if w.takes("about") { w.point("the centre") } else { Ok(kerf_geom::Point2::default()) }
+}
+
+fn group(w: &mut Words) -> Result<Group, WordError> {
+    w.read("the group", "a group: black blue green cyan red magenta brown white", Group::named)
+}
+
+/// `3,5-9`.
+fn numbers(w: &mut Words) -> Result<Vec<usize>, WordError> {
+    w.read("the shapes", "a list of shapes such as 1,3-5", |word| {
+        let ranges = word.split(',').map(range).collect::<Option<Vec<_>>>()?;
+        Some(ranges.into_iter().flatten().collect())
+    })
+}
+
+/// The most shapes that a list of numbers may name.
+const MOST_SHAPES: usize = 10_000_000;
+
+fn range(word: &str) -> Option<std::ops::RangeInclusive<usize>> {
+    let (from, to) = word.split_once('-').unwrap_or((word, word));
+    let (from, to) = (from.parse().ok()?, to.parse().ok()?);
+    (from > 0 && from <= to && to <= MOST_SHAPES).then_some(from..=to)
+}
+
+fn rectangle(w: &mut Words) -> Read {
+    let a = w.point("a corner")?;
+    let b = if w.takes("size") { a + w.vector("the size")? } else { w.point("the opposite corner")? };
+    Ok(Operation::Rectangle { a, b })
+}
+
+fn line(w: &mut Words) -> Read {
+    let mut vertices = vec![w.read("the first point", "a point as x,y or x,y,bulge", vertex)?];
+    vertices.push(w.read("the second point", "a point as x,y or x,y,bulge", vertex)?);
+    loop {
+        let closed = w.takes("close");
+        if closed || w.peek().is_none() {
+            return Ok(Operation::Polyarc { vertices, closed });
+        }
+        vertices.push(w.read("a point", "a point as x,y or x,y,bulge", vertex)?);
+    }
+}
+
+fn vertex(word: &str) -> Option<Vertex> {
+    let mut values = word.split(',').map(number);
+    let (x, y) = (values.next()??, values.next()??);
+    let bulge = values.next().unwrap_or(Some(0.0))?;
+    values.next().is_none().then(|| Vertex::new(x, y, bulge))
+}
+
+fn set(w: &mut Words) -> Read {
+    let group = group(w)?;
+    let mut changes = vec![w.read("a setting", SETTING, change)?];
+    while w.peek().is_some() {
+        changes.push(w.read("a setting", SETTING, change)?);
+    }
+    Ok(Operation::Set { group, changes })
+}
+
+const SETTING: &str = "a setting of a group with its value, such as offset=3 or lead-in=5,90";
+
+fn change(word: &str) -> Option<Change> {
+    let (key, value) = word.split_once('=')?;
+    Some(match key.to_ascii_lowercase().as_str() {
+        "on" => Change::On(on_off(value)?),
+        "traversal" => Change::Traversal(on_off(value)?),
+        "tool" => Change::Tool(value.parse().ok()?),
+        "cut" => Change::Cut(value.parse().ok()?),
+        "speed" => Change::Speed(number_or(value, "max")?),
+        "height" => Change::Height(height(value)?),
+        "pass" => Change::Pass(number_or(value, "off")?),
+        "offset" => Change::Offset(number(value)?),
+        "rough" => Change::Rough(number(value)?),
+        "double" => Change::DoubleLine(on_off(value)?),
+        "tag" => Change::Tag(number(value)?),
+        "lead-in" => Change::LeadIn(lead(value)?),
+        "lead-out" => Change::LeadOut(lead(value)?),
+        _ => return None,
+    })
+}
+
+fn on_off(word: &str) -> Option<bool> {
+    match word {
+        "on" => Some(true),
+        "off" => Some(false),
+        _ => None,
+    }
+}
+
+fn number_or(word: &str, none: &str) -> Option<Option<f64>> {
+    if word == none { Some(None) } else { number(word).map(Some) }
+}
+
+fn height(word: &str) -> Option<Height> {
+    match word {
+        "thru" => Some(Height::Thru),
+        "3d" => Some(Height::ThreeD),
+        depth => number(depth).map(Height::Mm),
+    }
+}
+
+fn lead(word: &str) -> Option<Lead> {
+    pair(word).map(|(radius_mm, angle_deg)| Lead { radius_mm, angle_deg })
+}
+
+fn sequence(w: &mut Words) -> Read {
+    let order = match () {
+        () if w.takes("reverse") => Sequencing::Reverse,
+        () if w.takes("auto") => Sequencing::Auto(w.point("the place to begin near")?),
+        () if w.takes("level") => Sequencing::Level(numbers(w)?),
+        () if w.takes("groups") => Sequencing::Groups(w.read(
+            "the groups",
+            "a list of groups such as red,black",
+            |word| word.split(',').map(Group::named).collect(),
+        )?),
+        () => Sequencing::Full(numbers(w)?),
+    };
+    Ok(Operation::Sequence { order })
+}
+
+fn levels(w: &mut Words) -> Read {
+    let level = w.read("block or job", "block or job", |word| match word {
+        "block" => Some(Level::Block),
+        "job" => Some(Level::Job),
+        _ => None,
+    })?;
+    let (rows, columns) = w.read("rows x columns", "rows x columns such as 2x3", |word| {
+        let (rows, columns) = word.split_once('x')?;
+        Some((rows.parse().ok()?, columns.parse().ok()?))
+    })?;
+    let mut array = ArrayLevel { rows, columns, ..ArrayLevel::default() };
+    while w.peek().is_some() {
+        array_word(w, &mut array)?;
+    }
+    Ok(Operation::Array { level, array })
+}
+
+fn array_word(w: &mut Words, array: &mut ArrayLevel) -> Result<(), WordError> {
+    if w.takes("gap") {
+        let gap = w.vector("the gaps between columns and rows")?;
+        (array.column_gap_mm, array.row_gap_mm) = (gap.x, gap.y);
+    } else if w.takes("start") {
+        array.start = w.read("the corner", "a corner: bl br tr tl", Corner::named)?;
+    } else if w.takes("order") {
+        array.order = w.read("the order", "row, column, row-snake or column-snake", Order::named)?;
+    } else {
+        w.end()?;
+    }
+    Ok(())
+}
+
+fn justify(w: &mut Words) -> Read {
+    let which = w.read("left, surface or bottom", "left, surface or bottom", |word| {
+        ["left", "surface", "bottom"].into_iter().position(|name| name == word)
+    })?;
+    Ok(match which {
+        0 => Operation::JustifyLeft,
+        1 => Operation::JustifySurface,
+        _ => Operation::JustifyBottom { bottom_mm: w.number("ZBottom above ZSurface")? },
+    })
+}

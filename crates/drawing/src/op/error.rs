@@ -1,0 +1,65 @@
+//! Why an operation was not carried out, and what was noticed when it was.
+
+use crate::{CommentError, SettingsError};
+use thiserror::Error;
+
+/// What an operation that succeeded has to tell.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outcome {
+    /// What the user should look at, a sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// Why an operation was not carried out. The drawing is as it was.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum OpError {
+    /// There is nothing to act on.
+    #[error("no shapes selected: choose some with `select` first")]
+    NothingSelected,
+    /// A number without a shape.
+    #[error("there is no shape {number}: the drawing has {count}")]
+    NoShape {
+        /// The number.
+        number: usize,
+        /// Shapes in the drawing.
+        count: usize,
+    },
+    /// An argument out of bounds.
+    #[error("{what} is {value}: it must be {bound}")]
+    Bound {
+        /// The argument.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The bound, in words.
+        bound: &'static str,
+    },
+    /// Two places that must differ are one.
+    #[error("{0} are the same place")]
+    SamePlace(&'static str),
+    /// A shape cannot be what the operation needs.
+    #[error("shape {shape}: {why}")]
+    Shape {
+        /// Its number.
+        shape: usize,
+        /// What is the matter and what helps.
+        why: String,
+    },
+    /// The clipboard is empty.
+    #[error("clipboard empty: copy shapes to it with `clip` first")]
+    ClipboardEmpty,
+    /// A setting of a group.
+    #[error("group {group}: {source}")]
+    Setting {
+        /// The group.
+        group: crate::Group,
+        /// What is wrong.
+        source: SettingsError,
+    },
+    /// A comment.
+    #[error(transparent)]
+    Comment(#[from] CommentError),
+    /// Nothing to undo or redo.
+    #[error("nothing to {0}")]
+    NoHistory(&'static str),
+}

@@ -1,0 +1,204 @@
+//! Operations: everything that can be done to a drawing, each a value.
+//!
+//! An [`Operation`] is what the command line, a console and tests send, what undo remembers and what
+//! a script holds. Its words (`rotate 30 about 0,0`) are read and written by the entry of its name
+//! in [`ENTRIES`]; what it does is in the file of its chapter.
+
+mod act;
+mod arrays;
+mod clause;
+mod clipboard;
+mod draw;
+mod edit;
+mod entries;
+mod error;
+mod grouping;
+mod layout;
+mod path;
+mod sequence;
+mod words;
+mod write;
+
+pub use clause::{ClauseError, script};
+pub use entries::{ENTRIES, Entry};
+pub use error::{OpError, Outcome};
+
+use crate::{ArrayLevel, Choice, Group, Level};
+use kerf_geom::{Point2, Vec2, Vertex};
+use serde::{Deserialize, Serialize};
+
+pub(crate) use act::act;
+pub use grouping::Change;
+pub use sequence::Sequencing;
+
+/// One thing done to a drawing. Lengths are millimetres, angles degrees, counter-clockwise; shapes
+/// are counted from 1 in cutting order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "op", rename_all = "kebab-case")]
+pub enum Operation {
+    /// Chooses the shapes that the next operations act on.
+    Select {
+        /// Which.
+        choice: Choice,
+        /// Whether they are added to those chosen before, or taken from them.
+        #[serde(default)]
+        how: How,
+    },
+    /// Moves the selected shapes.
+    Move {
+        /// How far.
+        by: Vec2,
+    },
+    /// Adds moved copies of the selected shapes at the end of the sequence.
+    Copy {
+        /// How far.
+        by: Vec2,
+    },
+    /// Turns the selected shapes.
+    Rotate {
+        /// How far, counter-clockwise.
+        angle_deg: f64,
+        /// The centre.
+        about: Point2,
+    },
+    /// Scales the selected shapes.
+    Scale {
+        /// How much larger, above 0.
+        factor: f64,
+        /// The place that stays.
+        about: Point2,
+    },
+    /// Mirrors the selected shapes. Closed ones keep their cutting direction.
+    Mirror {
+        /// A place on the mirror line.
+        a: Point2,
+        /// Another.
+        b: Point2,
+        /// Leave the direction as the mirror makes it.
+        #[serde(default)]
+        raw: bool,
+    },
+    /// Removes the selected shapes.
+    Erase,
+    /// Adds a circle.
+    Circle {
+        /// Its centre.
+        centre: Point2,
+        /// Its radius, above 0.
+        radius_mm: f64,
+    },
+    /// Adds a rectangle, beginning at the first corner.
+    Rectangle {
+        /// First corner.
+        a: Point2,
+        /// The opposite corner.
+        b: Point2,
+    },
+    /// Adds a place to drill.
+    Point {
+        /// Where.
+        at: Point2,
+    },
+    /// Adds lines and arcs.
+    Polyarc {
+        /// Places, each with the bulge of the segment that leaves it.
+        vertices: Vec<Vertex>,
+        /// Whether the last segment returns to the start.
+        closed: bool,
+    },
+    /// Turns the cutting direction of the selected shapes.
+    Reverse,
+    /// Makes outer shapes counter-clockwise and inner ones clockwise, in the whole drawing.
+    Directions,
+    /// Lets the cut of a shape begin at the place of it nearest to `at`.
+    Start {
+        /// The shape.
+        shape: usize,
+        /// Where.
+        at: Point2,
+    },
+    /// Lets the machine halt before the selected shapes, or not any more.
+    Pause {
+        /// Whether it halts.
+        on: bool,
+    },
+    /// Puts the selected shapes into a group.
+    Group {
+        /// The group.
+        group: Group,
+    },
+    /// Adds copies of the selected shapes, in a group, on top of them.
+    CopyToGroup {
+        /// The group.
+        group: Group,
+    },
+    /// Changes settings of a group.
+    Set {
+        /// The group.
+        group: Group,
+        /// What is changed, in order.
+        changes: Vec<Change>,
+    },
+    /// Changes the order in which shapes are cut.
+    Sequence {
+        /// The new order.
+        order: Sequencing,
+    },
+    /// Sets a level of the drawing's arrays.
+    Array {
+        /// Which level.
+        level: Level,
+        /// How it repeats.
+        array: ArrayLevel,
+    },
+    /// Moves the drawing so that its bounds begin at the origin.
+    JustifyLeft,
+    /// As [`Operation::JustifyLeft`], and puts the top of the 3D shapes at ZSurface.
+    JustifySurface,
+    /// As [`Operation::JustifyLeft`], and puts the bottom of the 3D shapes at ZBottom.
+    JustifyBottom {
+        /// ZBottom above ZSurface; negative.
+        bottom_mm: f64,
+    },
+    /// Turns the drawing by a quarter counter-clockwise and left-justifies it.
+    Rotate90,
+    /// Mirrors the drawing at the Y axis and left-justifies it.
+    MirrorDrawing,
+    /// Moves the drawing so that a place becomes the origin.
+    Origin {
+        /// The new origin.
+        at: Point2,
+    },
+    /// Gives the drawing back the origin it was read with.
+    CadOrigin,
+    /// Puts copies of the selected shapes onto the clipboard.
+    Clip,
+    /// Empties the clipboard.
+    ClearClipboard,
+    /// Adds the shapes of the clipboard.
+    Paste {
+        /// Where.
+        at: Point2,
+        /// Whether `at` is where the origin of the shapes goes, else the lower left of their bounds.
+        #[serde(default)]
+        absolute: bool,
+    },
+    /// Sets the comments of the drawing.
+    Comment {
+        /// Its lines.
+        lines: Vec<String>,
+    },
+}
+
+/// What a choice does to the selection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum How {
+    /// It becomes the selection.
+    #[default]
+    New,
+    /// It is added.
+    Add,
+    /// It is taken away.
+    Remove,
+}

@@ -1,0 +1,111 @@
+//! The order in which shapes are cut (Profiler reference, "Sequencing").
+
+use super::OpError;
+use crate::{Drawing, Editor, Group, Nesting, Shape};
+use kerf_geom::Point2;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// A way to order shapes. What is not named keeps its old order, after what is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sequencing {
+    /// Shapes in this order, by number.
+    Full(Vec<usize>),
+    /// Groups in this order.
+    Groups(Vec<Group>),
+    /// The old order backwards.
+    Reverse,
+    /// What lies inside first; side by side by the distance of starts from a place.
+    Auto(Point2),
+    /// Shapes that lie side by side within one shape, in this order; what lies in them goes along.
+    Level(Vec<usize>),
+}
+
+pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Vec<String>, OpError> {
+    let drawing = &draft.drawing;
+    let order = match sequencing {
+        Sequencing::Full(numbers) => named_first(draft, numbers)?,
+        Sequencing::Groups(groups) => by_group(drawing, groups),
+        Sequencing::Reverse => (0..drawing.shapes.len()).rev().collect(),
+        Sequencing::Auto(from) => by_distance(&drawing.shapes, *from),
+        Sequencing::Level(numbers) => within_level(draft, numbers)?,
+    };
+    reorder(draft, &order);
+    Ok(outer_before_inner(&draft.drawing.shapes))
+}
+
+fn reorder(draft: &mut Editor, order: &[usize]) {
+    let old = &draft.drawing.shapes;
+    let shapes: Vec<Arc<Shape>> = order.iter().map(|n| old[*n].clone()).collect();
+    let chosen = |(_, n): &(usize, &usize)| draft.selection.binary_search(n).is_ok();
+    draft.selection = order.iter().enumerate().filter(chosen).map(|(new, _)| new).collect();
+    draft.drawing.shapes = shapes;
+}
+
+fn named_first(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError> {
+    let mut taken = vec![false; draft.drawing.shapes.len()];
+    let mut order = Vec::with_capacity(taken.len());
+    for number in numbers {
+        let (place, _) = draft.shape(*number)?;
+        if !std::mem::replace(&mut taken[place], true) {
+            order.push(place);
+        }
+    }
+    order.extend((0..taken.len()).filter(|place| !taken[*place]));
+    Ok(order)
+}
+
+fn by_group(drawing: &Drawing, groups: &[Group]) -> Vec<usize> {
+    let rank = |n: &usize| {
+        let group = drawing.shapes[*n].group;
+        groups.iter().position(|g| *g == group).unwrap_or(groups.len())
+    };
+    let mut order: Vec<usize> = (0..drawing.shapes.len()).collect();
+    order.sort_by_key(rank);
+    order
+}
+
+fn by_distance(shapes: &[Arc<Shape>], from: Point2) -> Vec<usize> {
+    let far: Vec<f64> = shapes.iter().map(|shape| shape.start().distance(from)).collect();
+    Nesting::of(shapes).inside_first(|level| level.sort_by(|a, b| far[*a].total_cmp(&far[*b])))
+}
+
+/// The places that the shapes of one level and all inside them have in the sequence are filled
+/// again, with the shapes in the new order, each with what lies in it.
+fn within_level(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError> {
+    let shapes = &draft.drawing.shapes;
+    let nesting = Nesting::of(shapes);
+    let mut level = Vec::new();
+    for number in numbers {
+        let (place, _) = draft.shape(*number)?;
+        level.push(place);
+    }
+    let Some(parent) = level.first().map(|first| nesting.parent(*first)) else {
+        return Ok((0..shapes.len()).collect());
+    };
+    if let Some(other) = level.iter().find(|n| nesting.parent(**n) != parent) {
+        let why = format!("it does not lie in the same shape as shape {}", level[0] + 1);
+        return Err(OpError::Shape { shape: other + 1, why });
+    }
+    level.extend(nesting.children(parent).filter(|n| !numbers.contains(&(n + 1))));
+    let top = |n: usize| ancestor_in(&nesting, n, parent);
+    let mut filled = level.iter().flat_map(|head| (0..shapes.len()).filter(move |n| top(*n) == Some(*head)));
+    let refill = |n| if top(n).is_some() { filled.next().unwrap_or(n) } else { n };
+    Ok((0..shapes.len()).map(refill).collect())
+}
+
+/// The shape directly inside `parent` in which a shape lies, or which it is.
+fn ancestor_in(nesting: &Nesting, shape: usize, parent: Option<usize>) -> Option<usize> {
+    std::iter::successors(Some(shape), |n| nesting.parent(*n)).find(|n| nesting.parent(*n) == parent)
+}
+
+/// Warns of shapes that are cut before what lies in them: the part may come loose.
+fn outer_before_inner(shapes: &[Arc<Shape>]) -> Vec<String> {
+    let nesting = Nesting::of(shapes);
+    let late = |n: usize| nesting.parent(n).filter(|outer| *outer < n).map(|outer| (outer, n));
+    let warn = |(outer, inner): (usize, usize)| {
+        format!("shape {} is cut before shape {}, which lies in it", outer + 1, inner + 1)
+    };
+    (0..shapes.len()).filter_map(late).map(warn).collect()
+}

@@ -1,0 +1,166 @@
+//! Operations in the words that [`super::script`] reads.
+
+use super::{Change, How, Operation, Sequencing};
+use crate::{ArrayLevel, Choice, Height, Level};
+use kerf_geom::{Point2, Vec2, Vertex};
+use std::fmt::{Display, Formatter, Result, Write};
+
+impl Display for Operation {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Self::Select { choice, how } => select(f, choice, *how),
+            Self::Move { by } => write!(f, "move {}", V(*by)),
+            Self::Copy { by } => write!(f, "copy {}", V(*by)),
+            Self::Rotate { angle_deg, about } => write!(f, "rotate {angle_deg} about {}", P(*about)),
+            Self::Scale { factor, about } => write!(f, "scale {factor} about {}", P(*about)),
+            Self::Mirror { a, b, raw } => {
+                write!(f, "mirror {} {}{}", P(*a), P(*b), if *raw { " raw" } else { "" })
+            }
+            Self::Erase => f.write_str("erase"),
+            Self::Circle { centre, radius_mm } => write!(f, "circle {} {radius_mm}", P(*centre)),
+            Self::Rectangle { a, b } => write!(f, "rect {} {}", P(*a), P(*b)),
+            Self::Point { at } => write!(f, "point {}", P(*at)),
+            Self::Polyarc { vertices, closed } => line(f, vertices, *closed),
+            Self::Reverse => f.write_str("reverse"),
+            Self::Directions => f.write_str("directions auto"),
+            Self::Start { shape, at } => write!(f, "start {shape} {}", P(*at)),
+            Self::Pause { on } => write!(f, "pause {}", on_off(*on)),
+            Self::Group { group } => write!(f, "group {group}"),
+            Self::CopyToGroup { group } => write!(f, "copy-to {group}"),
+            Self::Set { group, changes } => {
+                write!(f, "set {group}")?;
+                changes.iter().try_for_each(|change| write!(f, " {change}"))
+            }
+            Self::Sequence { order } => write!(f, "sequence {order}"),
+            Self::Array { level, array } => levels(f, *level, array),
+            Self::JustifyLeft => f.write_str("justify left"),
+            Self::JustifySurface => f.write_str("justify surface"),
+            Self::JustifyBottom { bottom_mm } => write!(f, "justify bottom {bottom_mm}"),
+            Self::Rotate90 => f.write_str("rotate90"),
+            Self::MirrorDrawing => f.write_str("mirror-drawing"),
+            Self::Origin { at } => write!(f, "origin {}", P(*at)),
+            Self::CadOrigin => f.write_str("origin cad"),
+            Self::Clip => f.write_str("clip"),
+            Self::ClearClipboard => f.write_str("clear-clipboard"),
+            Self::Paste { at, absolute } => {
+                write!(f, "paste {}{}", if *absolute { "absolute " } else { "" }, P(*at))
+            }
+            Self::Comment { lines } => write!(f, "comment {}", lines.join(" | ")),
+        }
+    }
+}
+
+/// A place as `x,y`.
+struct P(Point2);
+
+impl Display for P {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "{},{}", self.0.x, self.0.y)
+    }
+}
+
+/// A displacement as `x,y`.
+struct V(Vec2);
+
+impl Display for V {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        write!(f, "{},{}", self.0.x, self.0.y)
+    }
+}
+
+fn on_off(on: bool) -> &'static str {
+    if on { "on" } else { "off" }
+}
+
+fn list<T: Display>(f: &mut Formatter<'_>, items: &[T]) -> Result {
+    for (n, item) in items.iter().enumerate() {
+        if n > 0 {
+            f.write_char(',')?;
+        }
+        write!(f, "{item}")?;
+    }
+    Ok(())
+}
+
+fn select(f: &mut Formatter<'_>, choice: &Choice, how: How) -> Result {
+    f.write_str(match how {
+        How::New => "select ",
+        How::Add => "select add ",
+        How::Remove => "select remove ",
+    })?;
+    match choice {
+        Choice::All => f.write_str("all"),
+        Choice::None => f.write_str("none"),
+        Choice::Shapes(numbers) => list(f, numbers),
+        Choice::Group(group) => write!(f, "group {group}"),
+        Choice::Window(a, b) => write!(f, "window {} {}", P(*a), P(*b)),
+        Choice::Crossing(a, b) => write!(f, "crossing {} {}", P(*a), P(*b)),
+    }
+}
+
+fn line(f: &mut Formatter<'_>, vertices: &[Vertex], closed: bool) -> Result {
+    f.write_str("line")?;
+    for vertex in vertices {
+        write!(f, " {}", P(vertex.at))?;
+        if vertex.bulge != 0.0 {
+            write!(f, ",{}", vertex.bulge)?;
+        }
+    }
+    f.write_str(if closed { " close" } else { "" })
+}
+
+fn levels(f: &mut Formatter<'_>, level: Level, array: &ArrayLevel) -> Result {
+    let level = match level {
+        Level::Block => "block",
+        Level::Job => "job",
+    };
+    let ArrayLevel { rows, columns, row_gap_mm, column_gap_mm, start, order } = array;
+    write!(
+        f,
+        "array {level} {rows}x{columns} gap {column_gap_mm},{row_gap_mm} start {} order {}",
+        start.name(),
+        order.name()
+    )
+}
+
+impl Display for Sequencing {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Self::Full(numbers) => list(f, numbers),
+            Self::Groups(groups) => {
+                f.write_str("groups ")?;
+                list(f, groups)
+            }
+            Self::Reverse => f.write_str("reverse"),
+            Self::Auto(from) => write!(f, "auto {}", P(*from)),
+            Self::Level(numbers) => {
+                f.write_str("level ")?;
+                list(f, numbers)
+            }
+        }
+    }
+}
+
+impl Display for Change {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Self::On(on) => write!(f, "on={}", on_off(*on)),
+            Self::Traversal(on) => write!(f, "traversal={}", on_off(*on)),
+            Self::Tool(tool) => write!(f, "tool={tool}"),
+            Self::Cut(cut) => write!(f, "cut={cut}"),
+            Self::Speed(Some(speed)) => write!(f, "speed={speed}"),
+            Self::Speed(None) => f.write_str("speed=max"),
+            Self::Height(Height::Thru) => f.write_str("height=thru"),
+            Self::Height(Height::ThreeD) => f.write_str("height=3d"),
+            Self::Height(Height::Mm(depth)) => write!(f, "height={depth}"),
+            Self::Pass(Some(pass)) => write!(f, "pass={pass}"),
+            Self::Pass(None) => f.write_str("pass=off"),
+            Self::Offset(offset) => write!(f, "offset={offset}"),
+            Self::Rough(rough) => write!(f, "rough={rough}"),
+            Self::DoubleLine(on) => write!(f, "double={}", on_off(*on)),
+            Self::Tag(tag) => write!(f, "tag={tag}"),
+            Self::LeadIn(lead) => write!(f, "lead-in={},{}", lead.radius_mm, lead.angle_deg),
+            Self::LeadOut(lead) => write!(f, "lead-out={},{}", lead.radius_mm, lead.angle_deg),
+        }
+    }
+}
