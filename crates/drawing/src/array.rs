@@ -132,7 +132,8 @@ impl ArrayLevel {
         }
         let (row, column) = if self.order.by_rows() { (outer, inner) } else { (inner, outer) };
         let row = if self.start.at_top() { self.rows.saturating_sub(1 + row) } else { row };
-        let column = if self.start.at_right() { self.columns.saturating_sub(1 + column) } else { column };
+        let column =
+            if self.start.at_right() { self.columns.saturating_sub(1 + column) } else { column };
         (row, column)
     }
 
@@ -219,8 +220,7 @@ mod tests {
     }
 
     fn check(order: Order, expected: [&str; 4]) {
-        let corners =
-            [Corner::BottomLeft, Corner::BottomRight, Corner::TopRight, Corner::TopLeft];
+        let corners = [Corner::BottomLeft, Corner::BottomRight, Corner::TopRight, Corner::TopLeft];
         for (corner, expected) in corners.into_iter().zip(expected) {
             assert_eq!(cells(corner, order), expected, "{corner:?} {order:?}");
         }
@@ -285,8 +285,7 @@ mod tests {
         let xs = [0.0, 110.0, 220.0, 220.0, 110.0, 0.0];
         let ys = [0.0, 0.0, 0.0, 70.0, 70.0, 70.0];
         let rows = |from: f64| xs.into_iter().zip(ys.map(|y| y + from));
-        let expected: Vec<_> =
-            rows(160.0).chain(rows(0.0)).map(|(x, y)| Vec2::new(x, y)).collect();
+        let expected: Vec<_> = rows(160.0).chain(rows(0.0)).map(|(x, y)| Vec2::new(x, y)).collect();
         assert_eq!(places, expected);
     }
 }

@@ -37,13 +37,7 @@ pub enum Kind {
 impl Shape {
     /// A flat shape of the black group.
     pub fn flat(path: Polyarc) -> Self {
-        Self {
-            path,
-            z_mm: None,
-            group: Group::default(),
-            pause: false,
-            start_inserted: false,
-        }
+        Self { path, z_mm: None, group: Group::default(), pause: false, start_inserted: false }
     }
 
     /// A place to drill.

@@ -7,7 +7,9 @@ use crate::{ArrayLevel, Editor, Level};
 const MOST_BLOCKS: f64 = 1e6;
 
 pub(super) fn set(draft: &mut Editor, level: Level, array: ArrayLevel) -> Result<(), OpError> {
-    for (what, count) in [("the number of rows", array.rows), ("the number of columns", array.columns)] {
+    for (what, count) in
+        [("the number of rows", array.rows), ("the number of columns", array.columns)]
+    {
         if count == 0 {
             return Err(OpError::Bound { what, value: 0.0, bound: "1 or more" });
         }

@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(written, clauses);
         for entry in ENTRIES {
             let begins = |clause: &&str| clause.split(' ').next() == Some(entry.name);
-            assert!(clauses.iter().any(|clause| begins(&clause)), "{} is not tried", entry.name);
+            assert!(clauses.iter().any(|clause| begins(clause)), "{} is not tried", entry.name);
         }
     }
 
@@ -133,8 +133,14 @@ mod tests {
 
     #[test]
     fn mistakes_name_the_clause() {
-        refused("erase; rotat 3", "clause 2 `rotat 3`: there is no operation `rotat`; did you mean `rotate`?");
-        refused("fly", "clause 1 `fly`: there is no operation `fly`; `kerf draw --help` lists them");
+        refused(
+            "erase; rotat 3",
+            "clause 2 `rotat 3`: there is no operation `rotat`; did you mean `rotate`?",
+        );
+        refused(
+            "fly",
+            "clause 1 `fly`: there is no operation `fly`; `kerf draw --help` lists them",
+        );
         refused("move", "clause 1 `move`: the distance is missing; write `move X,Y`");
         refused("move 1", "clause 1 `move 1`: `1` is not a distance as x,y; write `move X,Y`");
         refused("erase 2", "clause 1 `erase 2`: `2` is one word too many; write `erase`");

@@ -6,8 +6,7 @@ use kerf_geom::{Point2, Transform2, Vec2};
 
 pub(super) fn select(draft: &mut Editor, choice: &Choice, how: How) -> Result<(), OpError> {
     let count = draft.drawing.shapes.len();
-    let chosen =
-        choice.of(&draft.drawing).map_err(|number| OpError::NoShape { number, count })?;
+    let chosen = choice.of(&draft.drawing).map_err(|number| OpError::NoShape { number, count })?;
     let before = std::mem::take(&mut draft.selection);
     draft.selection = match how {
         How::New => chosen,

@@ -223,7 +223,8 @@ fn range(word: &str) -> Option<std::ops::RangeInclusive<usize>> {
 
 fn rectangle(w: &mut Words) -> Read {
     let a = w.point("a corner")?;
-    let b = if w.takes("size") { a + w.vector("the size")? } else { w.point("the opposite corner")? };
+    let b =
+        if w.takes("size") { a + w.vector("the size")? } else { w.point("the opposite corner")? };
     Ok(Operation::Rectangle { a, b })
 }
 
@@ -340,7 +341,8 @@ fn array_word(w: &mut Words, array: &mut ArrayLevel) -> Result<(), WordError> {
     } else if w.takes("start") {
         array.start = w.read("the corner", "a corner: bl br tr tl", Corner::named)?;
     } else if w.takes("order") {
-        array.order = w.read("the order", "row, column, row-snake or column-snake", Order::named)?;
+        array.order =
+            w.read("the order", "row, column, row-snake or column-snake", Order::named)?;
     } else {
         w.end()?;
     }

@@ -60,9 +60,8 @@ fn shift(drawing: &mut Drawing, by: Vec2) {
 /// Raises all 3D shapes by what `by` makes of their lowest and highest point.
 fn raise(drawing: &mut Drawing, by: impl Fn((f64, f64)) -> f64) {
     let heights = drawing.shapes.iter().filter_map(|shape| shape.z_mm.as_ref()).flatten();
-    let range = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, top), z| {
-        (low.min(*z), top.max(*z))
-    });
+    let range = heights
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, top), z| (low.min(*z), top.max(*z)));
     if range.0 > range.1 {
         return;
     }

@@ -24,7 +24,8 @@ pub(super) fn directions(draft: &mut Editor) -> Vec<String> {
             *shape = Arc::new(shape.reversed());
         }
     }
-    let both_closed = |pair: &&(usize, usize)| shapes[pair.0].is_closed() && shapes[pair.1].is_closed();
+    let both_closed =
+        |pair: &&(usize, usize)| shapes[pair.0].is_closed() && shapes[pair.1].is_closed();
     nesting.across().iter().filter(both_closed).map(warn_of_crossing).collect()
 }
 
@@ -75,9 +76,8 @@ fn height_at(shape: &Shape, place: &Place) -> f64 {
 fn without_inserted_start(shape: &Shape) -> Shape {
     let count = shape.path.segment_count();
     let removable = shape.start_inserted && shape.z_mm.is_none() && count > 2;
-    let joined = removable
-        .then(|| joined(&shape.path.segment(count - 1), &shape.path.segment(0)))
-        .flatten();
+    let joined =
+        removable.then(|| joined(&shape.path.segment(count - 1), &shape.path.segment(0))).flatten();
     let Some(joined) = joined else {
         return Shape { start_inserted: false, ..shape.clone() };
     };

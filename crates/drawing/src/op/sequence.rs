@@ -90,14 +90,16 @@ fn within_level(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError
     }
     level.extend(nesting.children(parent).filter(|n| !numbers.contains(&(n + 1))));
     let top = |n: usize| ancestor_in(&nesting, n, parent);
-    let mut filled = level.iter().flat_map(|head| (0..shapes.len()).filter(move |n| top(*n) == Some(*head)));
+    let mut filled =
+        level.iter().flat_map(|head| (0..shapes.len()).filter(move |n| top(*n) == Some(*head)));
     let refill = |n| if top(n).is_some() { filled.next().unwrap_or(n) } else { n };
     Ok((0..shapes.len()).map(refill).collect())
 }
 
 /// The shape directly inside `parent` in which a shape lies, or which it is.
 fn ancestor_in(nesting: &Nesting, shape: usize, parent: Option<usize>) -> Option<usize> {
-    std::iter::successors(Some(shape), |n| nesting.parent(*n)).find(|n| nesting.parent(*n) == parent)
+    std::iter::successors(Some(shape), |n| nesting.parent(*n))
+        .find(|n| nesting.parent(*n) == parent)
 }
 
 /// Warns of shapes that are cut before what lies in them: the part may come loose.

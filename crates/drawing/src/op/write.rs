@@ -11,7 +11,9 @@ impl Display for Operation {
             Self::Select { choice, how } => select(f, choice, *how),
             Self::Move { by } => write!(f, "move {}", V(*by)),
             Self::Copy { by } => write!(f, "copy {}", V(*by)),
-            Self::Rotate { angle_deg, about } => write!(f, "rotate {angle_deg} about {}", P(*about)),
+            Self::Rotate { angle_deg, about } => {
+                write!(f, "rotate {angle_deg} about {}", P(*about))
+            }
             Self::Scale { factor, about } => write!(f, "scale {factor} about {}", P(*about)),
             Self::Mirror { a, b, raw } => {
                 write!(f, "mirror {} {}{}", P(*a), P(*b), if *raw { " raw" } else { "" })
