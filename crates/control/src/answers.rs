@@ -5,6 +5,7 @@
 //! any case; `"Cancel"` in quotes is text, not the button. Blank lines are empty answers; lines that
 //! begin with `#` are notes.
 
+use crate::nudge::Nudge;
 use kerf_program::{Answer, Button, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -78,7 +79,7 @@ fn of_kind(text: &str) -> Option<(&'static str, &str)> {
     Some((kind, answer.trim()))
 }
 
-const KINDS: [QuestionKind; 8] = [
+const KINDS: [QuestionKind; 10] = [
     QuestionKind::Input,
     QuestionKind::Msgbox,
     QuestionKind::Pause,
@@ -87,6 +88,8 @@ const KINDS: [QuestionKind; 8] = [
     QuestionKind::Keypad,
     QuestionKind::Editor,
     QuestionKind::Speed,
+    QuestionKind::Hold,
+    QuestionKind::Step,
 ];
 
 /// The word for a kind, as the trace writes it.
@@ -100,6 +103,8 @@ pub const fn kind_word(kind: QuestionKind) -> &'static str {
         QuestionKind::Keypad => "keypad",
         QuestionKind::Editor => "editor",
         QuestionKind::Speed => "speed",
+        QuestionKind::Hold => "hold",
+        QuestionKind::Step => "step",
     }
 }
 
@@ -113,7 +118,17 @@ pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
             _ => Answer::Text(quoted.unwrap_or(words).to_owned()),
         });
     }
-    button.filter(|b| question.buttons.contains(b)).map(Answer::Button)
+    let button = button.filter(|b| question.buttons.contains(b)).map(Answer::Button);
+    button.or_else(|| command(question.kind, words).then(|| Answer::Text(words.to_owned())))
+}
+
+/// Whether words tell the machine something that is no button of the box.
+fn command(kind: QuestionKind, words: &str) -> bool {
+    match kind {
+        QuestionKind::Hold => Nudge::read(words).is_some(),
+        QuestionKind::Step => false,
+        _ => false,
+    }
 }
 
 /// What ENTER alone answers.

@@ -200,6 +200,11 @@ pub enum Event {
         /// When the machine stood.
         t: f64,
     },
+    /// The run goes on after the operator stopped it.
+    Resume {
+        /// When.
+        t: f64,
+    },
     /// Something a person should know about the program.
     Diag(Box<Diagnostic>),
     /// The run is over.

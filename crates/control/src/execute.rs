@@ -8,8 +8,8 @@ use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Model, Move, Optimal, Path, Plan, plan_stack};
 use kerf_program::{
-    Answer, At, Axis, Button, Command, Interpreter, Question, QuestionKind, Settings, Sourced,
-    Status,
+    Answer, At, Axes, Axis, Button, Command, Interpreter, Question, QuestionKind, Settings,
+    Sourced, Status,
 };
 use kerf_sbp::SPINDLE_STATUS;
 use kerf_sim::{Halt, HaltCause, Violation};
@@ -42,10 +42,10 @@ type Marks = Peekable<IntoIter<(usize, Sourced)>>;
 impl<I: Interpreter> Runner<'_, I> {
     /// Runs a stack; `None` when all of it was made.
     pub(crate) fn execute(&mut self, mut stack: Stack) -> Option<Halted> {
-        if let Err(over) = self.check(&stack.moves) {
-            return Some(Halted::Over(over));
-        }
         loop {
+            if let Err(over) = self.check(&stack.moves) {
+                return Some(Halted::Over(over));
+            }
             let count = stack.moves.len();
             let mut marks = std::mem::take(&mut stack.marks).into_iter().peekable();
             let moves = std::mem::take(&mut stack.moves);
@@ -54,10 +54,12 @@ impl<I: Interpreter> Runner<'_, I> {
                 Err(stopped) => stopped,
             };
             let number = stack.numbers.get(stopped.index).copied();
-            if let Some(halted) = self.answer_halt(stopped.halt, number) {
-                return Some(halted);
-            }
+            let nudged = match self.answer_halt(stopped.halt, number) {
+                Ok(nudged) => nudged,
+                Err(halted) => return Some(halted),
+            };
             stack = stack.after(count - stopped.rest.len(), stopped.rest, marks);
+            stack.moves.iter_mut().for_each(|made| made.shift(nudged));
         }
     }
 
@@ -237,12 +239,10 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What follows when motion was stopped; `None` to go on with the rest.
-    fn answer_halt(&mut self, halt: Option<Halt>, number: Option<u64>) -> Option<Halted> {
+    /// What follows when motion was stopped: it goes on with the rest, shifted by so much, or not.
+    fn answer_halt(&mut self, halt: Option<Halt>, number: Option<u64>) -> Result<Axes, Halted> {
         let t = self.world.now();
-        let Some(halt) = halt else {
-            return Some(Halted::Over(self.operator_stops()));
-        };
+        let Some(halt) = halt else { return self.hold().map_err(Halted::Over) };
         let (by, n) = match halt.cause {
             HaltCause::Watch(index) => ("watch", self.watched().get(index).map_or(0, |w| w.input)),
             HaltCause::Limit(n) => ("limit", n),
@@ -250,8 +250,10 @@ impl<I: Interpreter> Runner<'_, I> {
         };
         self.world.tell(&Event::Stop { by, n, t });
         match halt.cause {
-            HaltCause::Watch(index) => Some(Halted::Watch { index, number }),
-            HaltCause::Limit(n) => self.limit_input(n).err().map(Halted::Over),
+            HaltCause::Watch(index) => Err(Halted::Watch { index, number }),
+            HaltCause::Limit(n) => {
+                self.limit_input(n).map(|()| Axes::default()).map_err(Halted::Over)
+            }
             HaltCause::Stop(n) => {
                 self.world.machine.stopped(true);
                 self.world.shelf.stored.set(SPINDLE_STATUS, Some("0"));
@@ -260,7 +262,7 @@ impl<I: Interpreter> Runner<'_, I> {
                     Some(_) => ENCLOSURE_OPEN.into(),
                     None => format!("stopped by stop input {n}"),
                 };
-                Some(Halted::Over(self.over(
+                Err(Halted::Over(self.over(
                     Status::Stopped,
                     Code::InputStop,
                     self.last_move,

@@ -13,7 +13,7 @@ use crate::world::World;
 use crate::{Pace, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Mover;
-use kerf_program::{At, Axis, Command, Interpreter, MoveKind, Sourced, Status, Step};
+use kerf_program::{At, Axes, Axis, Command, Interpreter, MoveKind, Sourced, Status, Step};
 use kerf_sim::Watched;
 
 /// Lines that are executed before their commands are looked at.
@@ -28,7 +28,9 @@ pub(crate) struct Runner<'a, I> {
     pub world: World<'a>,
     pub pace: &'a mut dyn Pace,
     pub mover: Mover,
-    stack: Stack,
+    pub(crate) stack: Stack,
+    /// How far the workpiece was nudged since the commands at hand were given.
+    pub nudged: Option<Axes>,
     out: Vec<Sourced>,
     lines: u64,
     /// An input may interrupt: moves need their numbers.
@@ -80,6 +82,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             lines,
             limits,
             watching: false,
+            nudged: None,
             restore: None,
             last_move: At::default(),
         }
@@ -110,6 +113,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
                 Err(why) => return Some(self.lost(&why)),
             }
         }
+        self.nudged = None;
         // Whoever looks where the run stands sees every line.
         let lines = if self.world.tells_standing() { 1 } else { self.lines };
         let step = self.interpreter.run(&mut self.world, &mut self.out, lines);
@@ -225,7 +229,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         flow
     }
 
-    fn take(&mut self, sourced: Sourced, number: u64) -> Flow {
+    fn take(&mut self, mut sourced: Sourced, number: u64) -> Flow {
         if self.leaves_torch(&sourced.command) {
             match self.flush() {
                 Flow::On => self.world.machine.land_torch(),
@@ -233,15 +237,18 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
             self.mover.set_position(self.world.machine.position());
         }
+        if let Some(nudged) = self.nudged {
+            sourced.command.shift(nudged);
+        }
         let made = match &sourced.command {
             Command::Line(line) => self.mover.line(sourced.at, line),
             Command::Arc(arc) => self.mover.arc(sourced.at, arc),
             _ => return self.take_other(sourced),
         };
-        let Some(made) = made else { return Flow::On };
+        let Some(mut made) = made else { return Flow::On };
         let jog = made.kind == MoveKind::Jog;
         if jog && !self.stack.is_empty() {
-            match self.flush() {
+            match self.flush_before(|by| made.shift(by)) {
                 Flow::On => {}
                 flow => return flow,
             }
@@ -253,7 +260,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         if jog { self.flush() } else { Flow::On }
     }
 
-    fn take_other(&mut self, sourced: Sourced) -> Flow {
+    fn take_other(&mut self, mut sourced: Sourced) -> Flow {
         if let Command::Settings(settings) = &sourced.command {
             self.mover.settings(settings);
         }
@@ -269,7 +276,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
             return Flow::On;
         }
-        match (self.flush(), sourced.command) {
+        match (self.flush_before(|by| sourced.command.shift(by)), sourced.command) {
             (Flow::On, Command::Wait { seconds }) => self.wait(seconds),
             (Flow::On, command) => {
                 self.world.perform(command);
@@ -314,6 +321,17 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
             Some(halted) => self.halted(halted),
         }
+    }
+
+    /// Runs the stack that was read before something that was taken out of it already: a nudge
+    /// meanwhile shifts that too.
+    fn flush_before(&mut self, shift: impl FnOnce(Axes)) -> Flow {
+        let before = self.nudged.unwrap_or_default();
+        let flow = self.flush();
+        if let Some(nudged) = self.nudged {
+            shift(nudged.minus(before));
+        }
+        flow
     }
 
     fn halted(&mut self, halted: Halted) -> Flow {

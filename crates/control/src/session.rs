@@ -2,6 +2,7 @@
 
 use crate::answers::Operator;
 use crate::event::{BoundsEvent, Corner, EndEvent, Event, VarValue};
+use crate::nudge::{Nudge, Outside};
 use crate::runner::Runner;
 use crate::shelf::Shelf;
 use crate::tally::Tally;
@@ -72,16 +73,6 @@ pub struct Summary {
     pub error: Option<Box<Diagnostic>>,
 }
 
-/// A place that the table limits do not allow.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("{} would leave the table limits", axis.letter())]
-pub struct Outside {
-    /// The axis that would leave them.
-    pub axis: Axis,
-    /// The table base coordinate it would reach, mm or degrees.
-    pub reached: f64,
-}
-
 /// One machine and everything about it that stays between runs.
 #[derive(Clone, Debug, Default)]
 pub struct Session {
@@ -137,11 +128,8 @@ impl Session {
     /// [`Outside`] when the table limits are checked and do not allow it; nothing has moved.
     pub fn nudge(&mut self, axis: Axis, distance: f64) -> Result<(), Outside> {
         let memory = &mut self.memory;
-        let limits = &memory.settings.limits;
-        let reached = memory.frame.base(memory.position)[axis] + distance;
-        if limits.check && !(limits.low[axis]..=limits.high[axis]).contains(&reached) {
-            return Err(Outside { axis, reached });
-        }
+        let nudge = Nudge { axis, distance };
+        nudge.check(&memory.settings, &memory.frame, memory.position)?;
         memory.position[axis] += distance;
         memory.frame.working_zero[axis] += distance;
         Ok(())

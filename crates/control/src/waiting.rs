@@ -3,7 +3,7 @@
 use crate::runner::{Flow, Over, Runner};
 use crate::{Event, flag};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_program::{Answer, At, Axis, Button, Feed, Interpreter, Line, MoveKind, Question, Status};
+use kerf_program::{Answer, At, Button, Interpreter, Question, Status};
 use kerf_sim::HaltCause;
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -24,7 +24,10 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tally.waited(end_s - begin_s);
         self.world.tell_log();
         match (stopped, halt) {
-            (Some(_), _) => Flow::Over(self.operator_stops()),
+            (Some(_), _) => match self.hold() {
+                Ok(_) => self.pass_until(self.world.now() + until_s - end_s),
+                Err(over) => Flow::Over(over),
+            },
             (None, Some((_, index))) => self.interrupt(index, None),
             (None, None) => Flow::On,
         }
@@ -44,35 +47,9 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn heed_operator(&mut self) -> Flow {
         let now = self.world.now();
         match self.pace.pass(now, now) {
-            Some(_) => Flow::Over(self.operator_stops()),
+            Some(_) => self.hold().map_or_else(Flow::Over, |_| Flow::On),
             None => Flow::On,
         }
-    }
-
-    /// The operator stopped the machine, which stands: the tool is lifted, the run is over.
-    pub(crate) fn operator_stops(&mut self) -> Over {
-        self.world.machine.stopped(false);
-        self.world.tell_log();
-        self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
-        self.lift();
-        Over { status: Status::Stopped, diagnostic: None }
-    }
-
-    /// Lifts the tool to safe Z when it is lower (command reference, stopping).
-    fn lift(&mut self) {
-        self.world.machine.land_torch();
-        let position = self.world.machine.position();
-        let Some(safe_mm) = self.world.machine.settings().cutter.safe_z_mm else { return };
-        let safe = self.world.machine.frame().working_zero[Axis::Z] + safe_mm;
-        if position[Axis::Z] >= safe {
-            return;
-        }
-        let mut to = position;
-        to[Axis::Z] = safe;
-        self.mover.set_position(position);
-        let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
-        let lift = self.mover.line(self.last_move, &line);
-        self.make_unasked(lift.into_iter().collect());
     }
 
     /// Answers the question that is open: an input does, or the operator.
@@ -84,7 +61,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if let Some(moment) = moment {
             let (begin_s, flow) = (self.world.now(), self.pass_until(moment));
             if matches!(flow, Flow::On) {
-                let seconds = moment - begin_s;
+                let seconds = self.world.now() - begin_s;
                 self.world.tell(&Event::Wait { seconds, t: begin_s });
                 self.world.answered_by_input(Answer::Button(Button::OK), at);
             }

@@ -248,6 +248,13 @@ impl<'a> World<'a> {
         self.sink.event(&Event::Location { set, base, t: self.now() });
     }
 
+    /// Tells the table base coordinates of axes after a nudge.
+    pub fn tell_base(&mut self, axes: AxisSet) {
+        let base = self.machine.frame().base(self.machine.position());
+        let base = self.partial(base, axes);
+        self.sink.event(&Event::Location { set: Partial::new(), base, t: self.now() });
+    }
+
     fn partial(&self, internal: Axes, axes: AxisSet) -> Partial {
         let user = self.settings.to_user(internal);
         axes.iter().map(|axis| (axis.letter().to_ascii_lowercase(), user[axis])).collect()

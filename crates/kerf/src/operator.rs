@@ -7,32 +7,68 @@ use kerf_program::Question;
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::sleep;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread::{sleep, spawn};
 use std::time::{Duration, Instant};
+
+/// Whether Ctrl-C was pressed.
+type Pressed = Arc<AtomicBool>;
 
 /// Answers from a script, then from a person when there is one.
 pub struct Person {
     script: Answers,
-    present: bool,
+    /// What somebody types at the terminal.
+    keyboard: Option<Keyboard>,
 }
 
 impl Person {
     /// `present` when somebody sits at a terminal.
-    pub const fn new(script: Answers, present: bool) -> Self {
-        Self { script, present }
+    pub fn new(script: Answers, present: bool, pace: &RealPace) -> Self {
+        Self { script, keyboard: present.then(|| Keyboard::new(pace.pressed.clone())) }
+    }
+}
+
+/// Lines typed at a terminal; a thread reads them so that Ctrl-C is noticed meanwhile.
+struct Keyboard {
+    lines: Receiver<String>,
+    pressed: Pressed,
+}
+
+impl Keyboard {
+    fn new(pressed: Pressed) -> Self {
+        let (typed, lines) = channel();
+        spawn(move || {
+            for line in io::stdin().lines().map_while(Result::ok) {
+                if typed.send(line).is_err() {
+                    break;
+                }
+            }
+        });
+        Self { lines, pressed }
     }
 
-    fn ask(question: &Question) -> Option<String> {
+    /// The next line; nothing when Ctrl-C is pressed or the terminal has gone.
+    fn line(&self) -> Option<String> {
+        loop {
+            match self.lines.recv_timeout(NAP) {
+                Ok(line) => return Some(line),
+                Err(RecvTimeoutError::Timeout) if !self.pressed.load(Ordering::Relaxed) => {}
+                Err(_) => {
+                    eprintln!();
+                    return None;
+                }
+            }
+        }
+    }
+
+    fn ask(&self, question: &Question) -> Option<String> {
         let default = words(&default_answer(question));
         let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
         loop {
             eprint!("? {} [{}] ({default}): ", question.text, buttons.join("/"));
             io::stderr().flush().ok()?;
-            let mut line = String::new();
-            if io::stdin().read_line(&mut line).ok()? == 0 {
-                return None;
-            }
-            let line = line.trim_end_matches(['\r', '\n']);
+            let line = self.line()?;
+            let line = line.trim_end_matches('\r');
             if line.is_empty() {
                 return Some(default);
             }
@@ -47,7 +83,7 @@ impl Person {
 impl Operator for Person {
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
         let scripted = self.script.answer(question, line);
-        scripted.or_else(|| self.present.then(|| Self::ask(question)).flatten())
+        scripted.or_else(|| self.keyboard.as_ref()?.ask(question))
     }
 }
 
@@ -67,7 +103,7 @@ const NAP: Duration = Duration::from_millis(10);
 pub struct RealPace {
     clock: Clock,
     stop_at_s: f64,
-    pressed: Arc<AtomicBool>,
+    pressed: Pressed,
     /// The moment of the world at which machine time was last seen, and that machine time.
     seen: Option<(Instant, f64)>,
 }
@@ -113,5 +149,11 @@ impl Pace for RealPace {
             return Some(stopped_s);
         }
         (to_s >= self.stop_at_s).then_some(end_s)
+    }
+
+    fn heard(&mut self) {
+        self.pressed.store(false, Ordering::Relaxed);
+        self.stop_at_s = f64::INFINITY;
+        self.seen = None;
     }
 }

@@ -104,6 +104,14 @@ impl Move {
         all
     }
 
+    /// The same move elsewhere.
+    pub fn shift(&mut self, by: Axes) {
+        (self.from, self.to) = (self.from.plus(by), self.to.plus(by));
+        if let Path::Arc { centre, .. } = &mut self.path {
+            *centre = [centre[0] + by.0[0], centre[1] + by.0[1]];
+        }
+    }
+
     /// The two parts of the move before and after a share of the path.
     pub fn split(&self, share: f64) -> (Self, Self) {
         let middle = self.position(share);

@@ -48,6 +48,10 @@ pub enum QuestionKind {
     Editor,
     /// TR without a spindle that can be set: the operator sets the speed.
     Speed,
+    /// The operator stopped the machine: it goes on, is nudged, or the run is given up.
+    Hold,
+    /// FG: the next line of a file that is stepped through.
+    Step,
 }
 
 /// A button of a question.
@@ -63,11 +67,15 @@ pub enum Button {
     No,
     Continue,
     End,
+    Resume,
+    Quit,
+    Step,
+    Run,
 }
 
 impl Button {
     /// Every button.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::OK,
         Self::Cancel,
         Self::Abort,
@@ -77,6 +85,10 @@ impl Button {
         Self::No,
         Self::Continue,
         Self::End,
+        Self::Resume,
+        Self::Quit,
+        Self::Step,
+        Self::Run,
     ];
 
     /// The word on it.
@@ -91,6 +103,10 @@ impl Button {
             Self::No => "No",
             Self::Continue => "Continue",
             Self::End => "End",
+            Self::Resume => "Resume",
+            Self::Quit => "Quit",
+            Self::Step => "Step",
+            Self::Run => "Run",
         }
     }
 }

@@ -62,6 +62,10 @@ pub trait Interpreter: Send {
     /// when none was left to do. `position` is where the machine stopped, machine frame.
     fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes);
 
+    /// Tells that the machine, stopped in the middle, was nudged by so much, machine frame: the working
+    /// zero and every place that the program knows lie elsewhere, what it calls them stays.
+    fn nudge(&mut self, by: Axes);
+
     /// Tells that all motion up to this number has been carried out.
     fn carried_out(&mut self, motion: u64);
 

@@ -19,6 +19,7 @@ mod frame;
 mod host;
 mod interpreter;
 pub mod settings;
+mod shift;
 
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use command::{

@@ -46,6 +46,8 @@ pub struct Machine {
     coarse: [u8; AXES],
     pwm_percent: f64,
     light: bool,
+    /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
+    come_back: Vec<u8>,
     /// Limits were overridden until the file ends.
     overridden: bool,
     /// Commands are only drawn (SP): where the machine really stands.
@@ -81,6 +83,7 @@ impl Machine {
             coarse: [1; AXES],
             pwm_percent: 0.0,
             light: false,
+            come_back: Vec::new(),
             overridden: false,
             drawing_from: None,
             log: Log::default(),
@@ -261,6 +264,7 @@ impl Machine {
         if matches!(self.settings.io.output4, -2 | -3) {
             self.output(MOTION_OUTPUT, false, OutputReason::Stop);
         }
+        self.come_back = self.outputs_of_mode_2();
         self.by_mode(Occasion::Stop, OutputReason::Stop);
         if by_input {
             self.spins_off();
@@ -269,8 +273,16 @@ impl Machine {
         }
     }
 
+    fn outputs_of_mode_2(&self) -> Vec<u8> {
+        let pauses = |n: &u8| self.settings.io.outputs[usize::from(*n) - 1] == 2;
+        (1..=SWITCHES as u8).filter(pauses).filter(|n| self.outputs.is_on(*n)).collect()
+    }
+
     /// Motion goes on after a stop.
     pub fn resumed(&mut self) {
+        for number in std::mem::take(&mut self.come_back) {
+            self.output(number, true, OutputReason::Mode);
+        }
         self.by_mode(Occasion::Resume, OutputReason::Mode);
     }
 

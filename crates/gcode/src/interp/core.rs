@@ -153,7 +153,7 @@ impl Core {
     }
 
     /// Another language may have moved the working zero: the system in force follows.
-    fn adopt_frame(&mut self) {
+    pub(super) fn adopt_frame(&mut self) {
         self.refresh();
         let there = self.frame.working_zero;
         let here = self.working_zero();

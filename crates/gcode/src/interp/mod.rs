@@ -27,6 +27,7 @@ mod flow;
 mod io;
 mod modes;
 mod motion;
+mod nudge;
 mod offsets;
 mod parameters;
 mod probe;
@@ -90,6 +91,11 @@ impl Interpreter {
     /// Tells that a watched input changed and the machine stopped for it: the probe made contact.
     pub fn interrupt(&mut self, _: &Watch, _: Option<u64>, position: Axes) {
         probe::contact(&mut self.core, position);
+    }
+
+    /// Tells that the machine, stopped in the middle, was nudged by so much, machine frame.
+    pub fn nudge(&mut self, by: Axes) {
+        self.core.nudge(by);
     }
 
     /// Tells that the operator ended the run.
@@ -174,6 +180,9 @@ impl kerf_program::Interpreter for Interpreter {
     }
     fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes) {
         Self::interrupt(self, watch, motion, position);
+    }
+    fn nudge(&mut self, by: Axes) {
+        Self::nudge(self, by);
     }
     fn carried_out(&mut self, _: u64) {}
     fn stop(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {

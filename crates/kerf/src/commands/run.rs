@@ -73,9 +73,9 @@ pub fn on_machine(mut job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(&job.program));
     let mut sink = (talk, (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();
-    let mut operator = Person::new(job.answers, person);
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.stop_at)?;
+    let mut operator = Person::new(job.answers, person, &pace);
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
     job.memory.begin(&mut job.shelf, &job.session)?;

@@ -199,6 +199,15 @@ impl Core {
         });
     }
 
+    /// The workpiece lies elsewhere by so much: what the program knows in the machine frame follows.
+    pub(super) fn nudge(&mut self, by: Axes) {
+        self.frame.working_zero = self.frame.working_zero.plus(by);
+        self.position = self.position.plus(by);
+        for level in &mut self.levels {
+            level.start_z = level.start_z.map(|z| z + by[Axis::Z]);
+        }
+    }
+
     /// Whether an axis may be elsewhere than the program sent it: MI or torch height moves it.
     pub(crate) fn wanders(&self, axis: Axis) -> bool {
         self.independent.contains(axis) || axis == Axis::Z && self.settings.torch_on()

@@ -17,6 +17,10 @@ impl kerf_program::Interpreter for Interpreter {
         Self::interrupt(self, watch, motion, position);
     }
 
+    fn nudge(&mut self, by: Axes) {
+        Self::nudge(self, by);
+    }
+
     fn carried_out(&mut self, motion: u64) {
         Self::carried_out(self, motion);
     }

@@ -136,6 +136,12 @@ impl Interpreter {
         interrupt::arrive(&mut self.core, watch, position);
     }
 
+    /// Tells that the machine, stopped in the middle, was nudged by so much, machine frame.
+    pub fn nudge(&mut self, by: Axes) {
+        self.core.nudge(by);
+        self.past.states_mut().for_each(|core| core.nudge(by));
+    }
+
     /// Tells that the operator ended the run.
     pub fn stop(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
         lifecycle::finish(&mut self.core, host, out);

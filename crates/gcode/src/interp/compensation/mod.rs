@@ -51,6 +51,13 @@ impl Compensator {
         None
     }
 
+    /// The workpiece lies elsewhere by so much, machine frame.
+    pub(super) fn nudge(&mut self, by: Axes) {
+        self.tool = self.tool.plus(by);
+        self.held.iter_mut().for_each(|piece| piece.nudge(by));
+        self.behind.iter_mut().for_each(|sourced| sourced.command.shift(by));
+    }
+
     fn beside(&self, heading: Vec2) -> Vec2 {
         heading.left() * (self.side * self.radius)
     }

@@ -43,6 +43,16 @@ impl Piece {
         xy(self.to)
     }
 
+    /// The same move elsewhere.
+    pub(super) fn nudge(&mut self, by: Axes) {
+        let way = Vec2::new(by.0[0], by.0[1]);
+        self.from += way;
+        self.to = self.to.plus(by);
+        if let Shape::Arc { centre, .. } = &mut self.shape {
+            *centre += way;
+        }
+    }
+
     /// Direction of the tool on a straight piece; the entry move does not go along the path.
     fn direction(&self) -> Vec2 {
         (self.end() - self.from).normalized().unwrap_or(self.heading[1])

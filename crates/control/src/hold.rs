@@ -1,0 +1,139 @@
+//! A run that the operator stopped in the middle: what may be done until it goes on or is given up.
+//!
+//! ```text
+//!  stop: ramp down ─► lift to Safe-Z ─► ask ─► Resume: back down, on along the path
+//!                                        │ ▲
+//!                                  nudge └─┘    Quit: the run is over
+//! ```
+//!
+//! A nudge moves the tool and the working zero alike: whatever is cut next is shifted, and what the
+//! display calls the place stays (command reference, MN).
+
+use crate::nudge::Nudge;
+use crate::runner::{Over, Runner};
+use crate::{Event, flag};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_program::{
+    Answer, Axes, Axis, AxisSet, Button, Feed, Interpreter, Line, MoveKind, Question, QuestionKind,
+    Status,
+};
+
+impl<I: Interpreter> Runner<'_, I> {
+    /// The operator stopped the machine, which stands. Tells by how much the workpiece was nudged
+    /// when the run goes on: moves that were taken out of the stack have to be shifted by it.
+    pub(crate) fn hold(&mut self) -> Result<Axes, Over> {
+        self.pace.heard();
+        self.world.machine.stopped(false);
+        self.world.tell_log();
+        self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
+        self.tell_standing(flag::STOPPED);
+        self.world.machine.land_torch();
+        let (stood, ahead) = (self.world.machine.position(), self.mover.position());
+        self.lift();
+        let nudged = self.until_resumed()?;
+        self.world.machine.resumed();
+        self.world.machine.begin_motion();
+        self.world.tell_log();
+        self.world.tell(&Event::Resume { t: self.world.now() });
+        let mut back = self.world.machine.position();
+        back[Axis::Z] = stood[Axis::Z] + nudged[Axis::Z];
+        self.go(MoveKind::Cut, back);
+        self.shift(nudged);
+        self.mover.set_position(ahead.plus(nudged));
+        self.tell_standing(0);
+        Ok(nudged)
+    }
+
+    /// Does what the operator says until the run goes on; the sum of all nudges.
+    fn until_resumed(&mut self) -> Result<Axes, Over> {
+        let mut nudged = Axes::default();
+        loop {
+            match self.ask(&hold_question(), self.last_move)? {
+                Answer::Button(Button::Resume) => return Ok(nudged),
+                Answer::Text(words) => {
+                    if let Some(nudge) = Nudge::read(&words) {
+                        nudged = nudged.plus(self.nudge(nudge));
+                    }
+                }
+                Answer::Button(_) => {
+                    return Err(Over { status: Status::Stopped, diagnostic: None });
+                }
+            }
+        }
+    }
+
+    /// Nudges as the operator says it, in his units. Tells how far, machine frame; nowhere when
+    /// something forbids it.
+    fn nudge(&mut self, nudge: Nudge) -> Axes {
+        let Nudge { axis, distance } = nudge;
+        let nudge = Nudge { axis, distance: distance * self.world.scale(axis) };
+        let position = self.world.machine.position();
+        let (settings, mut frame) = (self.world.machine.settings(), *self.world.machine.frame());
+        let refused = if self.world.machine.draws() {
+            Some((Code::NotSupported, "nothing is nudged while commands are only drawn".to_owned()))
+        } else {
+            let outside = nudge.check(settings, &frame, position).err();
+            outside.map(|outside| (Code::OutsideLimits, outside.to_string()))
+        };
+        if let Some((code, why)) = refused {
+            self.tell_refused(code, why);
+            return Axes::default();
+        }
+        frame.working_zero = frame.working_zero.plus(nudge.way());
+        self.world.machine.use_frame(frame, AxisSet::EMPTY);
+        self.world.machine.begin_motion();
+        self.world.tell_log();
+        self.go(MoveKind::Jog, position.plus(nudge.way()));
+        self.world.tell_base(AxisSet::EMPTY.with(axis));
+        nudge.way()
+    }
+
+    fn tell_refused(&mut self, code: Code, why: String) {
+        let place = Place::line(self.world.file(self.last_move), self.last_move.line);
+        let diagnostic = Diagnostic::new(code, place, why);
+        self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
+    }
+
+    /// Everything that was planned and not made follows the workpiece.
+    fn shift(&mut self, by: Axes) {
+        if by == Axes::default() {
+            return;
+        }
+        self.stack.moves.iter_mut().for_each(|made| made.shift(by));
+        self.interpreter.nudge(by);
+        self.nudged = Some(self.nudged.unwrap_or_default().plus(by));
+    }
+
+    /// Lifts the tool to safe Z when it is lower (command reference, stopping).
+    fn lift(&mut self) {
+        let mut to = self.world.machine.position();
+        let Some(safe_mm) = self.world.machine.settings().cutter.safe_z_mm else { return };
+        let safe = self.world.machine.frame().working_zero[Axis::Z] + safe_mm;
+        if to[Axis::Z] < safe {
+            to[Axis::Z] = safe;
+            self.go(MoveKind::Jog, to);
+        }
+    }
+
+    /// Goes to a place, machine frame, beside the program.
+    fn go(&mut self, kind: MoveKind, to: Axes) {
+        self.mover.set_position(self.world.machine.position());
+        let line = Line { kind, to, feed: Feed::Axis };
+        if let Some(made) = self.mover.line(self.last_move, &line) {
+            self.make_unasked(vec![made]);
+        }
+    }
+}
+
+fn hold_question() -> Question {
+    Question {
+        kind: QuestionKind::Hold,
+        text: "Stopped. Resume, Quit, or nudge the workpiece (nudge y .05)".into(),
+        title: "Stopped".into(),
+        buttons: vec![Button::Resume, Button::Quit],
+        default: 1,
+        prefill: String::new(),
+        icon: 0,
+        until: None,
+    }
+}
