@@ -41,6 +41,43 @@ impl Polyarc {
         Self { vertices, closed: self.closed }
     }
 
+    /// Tidied and with short arcs, and for each segment of the result the segment it was a part of.
+    pub(crate) fn tidied_with_names(&self) -> (Self, Vec<usize>) {
+        let mut names = Vec::with_capacity(self.vertices.len());
+        let mut ready =
+            Self { vertices: Vec::with_capacity(self.vertices.len()), ..Self::default() };
+        ready.closed = self.closed;
+        let count = self.segment_count();
+        for (number, v) in self.vertices.iter().enumerate() {
+            let is_last = number == count;
+            match ready.vertices.last_mut() {
+                Some(last) if last.at.distance(v.at) <= tol::SAME_PLACE_MM => {
+                    last.bulge = v.bulge;
+                    names.pop();
+                }
+                _ => ready.vertices.push(*v),
+            }
+            if is_last {
+                break;
+            }
+            names.push(number);
+            if v.bulge.abs() > 1.0 {
+                let (a, b) = self.segment(number).split(0.5);
+                ready.vertices.pop();
+                ready.vertices.extend([a, b].map(|s| Vertex { at: s.start(), bulge: s.bulge() }));
+                names.push(number);
+            }
+        }
+        while let (true, [first, .., last]) = (self.closed, ready.vertices.as_slice()) {
+            if first.at.distance(last.at) > tol::SAME_PLACE_MM {
+                break;
+            }
+            ready.vertices.pop();
+            names.pop();
+        }
+        (ready, names)
+    }
+
     /// The same path with no arc of more than half a circle: each is cut into equal parts.
     #[must_use]
     pub fn with_short_arcs(&self) -> Self {

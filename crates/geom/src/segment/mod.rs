@@ -148,6 +148,14 @@ impl Segment {
         }
     }
 
+    /// Puts the start elsewhere, by less than anyone can tell: to the very place where the segment
+    /// before ends.
+    pub(crate) fn move_start(&mut self, place: Point2) {
+        match self {
+            Self::Line { start, .. } | Self::Arc { start, .. } => *start = place,
+        }
+    }
+
     /// The parts before and after a share of the path.
     pub fn split(&self, share: f64) -> (Self, Self) {
         (self.part(0.0, share), self.part(share, 1.0))

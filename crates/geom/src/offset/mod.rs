@@ -1,0 +1,156 @@
+//! Parallel curves: what a tool's centre follows so that its edge follows the drawing.
+//!
+//! Positive is to the right of travel: outside a counter-clockwise part, inside a clockwise hole. The
+//! offset of a closed contour is the set of places at that distance from it and no nearer to any other
+//! part of it; arcs stay arcs, corners that open get arcs.
+//!
+//! # How
+//!
+//! 1. [`raw`]: each segment is moved sideways, arcs are put round opening corners, neighbours at closing
+//!    corners are cut back to where they cross.
+//! 2. [`slices`]: the raw curve is cut wherever it crosses itself; slices too near to the source go.
+//! 3. [`crate::stitch`]: what is left is joined into rings.
+//! 4. [`validate`]: an independent check of the result against its definition, that knows nothing of
+//!    steps 1 to 3. Only what passes is returned.
+//!
+//! A wrong offset is never returned: what cannot be proved right is an error that names the place.
+
+mod raw;
+mod rings;
+mod slices;
+mod source;
+mod validate;
+
+pub use validate::CHECK_MM;
+
+use crate::{GeomError, Point2, Polyarc, tol};
+use source::Source;
+
+/// What a segment of an offset is parallel to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// Number of the contour.
+    pub contour: usize,
+    /// Number of the segment, or of the vertex when it is a corner.
+    pub element: usize,
+    /// An arc about a vertex instead of a parallel of a segment.
+    pub corner: bool,
+}
+
+/// An offset curve and where each of its segments comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OffsetPath {
+    /// The curve.
+    pub path: Polyarc,
+    /// For each segment of the path what it is parallel to.
+    pub origins: Vec<Origin>,
+}
+
+/// The offset of one polyarc: rings for a closed one, pieces for an open one. Nothing remains when the
+/// distance is larger than the shape allows; that is no error.
+///
+/// Each ring begins at the place nearest to the parallel of the source's start.
+///
+/// # Errors
+/// Numbers that are not finite, fewer than two different vertices, a contour that crosses itself, and a
+/// result that does not pass its check.
+///
+/// ```
+/// use kerf_geom::{Point2, Polyarc, offset};
+/// let square = Polyarc::rectangle(Point2::new(0.0, 0.0), Point2::new(100.0, 100.0));
+/// let outside = offset(&square, 5.0)?;
+/// assert_eq!(outside[0].path.start(), Some(Point2::new(0.0, -5.0)));
+/// assert!((outside[0].path.signed_area() - 12_078.539_816).abs() < 1e-6);
+/// # Ok::<(), kerf_geom::GeomError>(())
+/// ```
+pub fn offset(source: &Polyarc, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
+    offset_region(std::slice::from_ref(source), distance)
+}
+
+/// The offset of several contours together, such as a part with its holes or a pocket with its islands:
+/// places at the distance from one and no nearer to any other.
+///
+/// # Errors
+/// As [`offset`]; contours must not cross each other.
+pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
+    if !distance.is_finite() {
+        return Err(GeomError::NotPositive { what: "the size of an offset" });
+    }
+    contours.iter().try_for_each(Polyarc::check)?;
+    if distance.abs() <= tol::SAME_PLACE_MM {
+        return Ok(contours.iter().enumerate().map(|(k, c)| unmoved(k, c)).collect());
+    }
+    let prepared = Prepared::new(contours)?;
+    let mut found = prepared.proved(distance)?;
+    for path in &mut found {
+        prepared.restore(path);
+    }
+    Ok(found)
+}
+
+/// An offset by nothing is the contour itself.
+fn unmoved(contour: usize, path: &Polyarc) -> OffsetPath {
+    let origin = |element| Origin { contour, element, corner: false };
+    OffsetPath { path: path.clone(), origins: (0..path.segment_count()).map(origin).collect() }
+}
+
+/// The contours moved to the origin, without empty segments and long arcs.
+struct Prepared {
+    contours: Vec<Polyarc>,
+    /// For each segment of each prepared contour the segment it was.
+    were: Vec<Vec<usize>>,
+    middle: Point2,
+}
+
+impl Prepared {
+    fn new(contours: &[Polyarc]) -> Result<Self, GeomError> {
+        let mut bounds = crate::Bounds2::default();
+        contours.iter().for_each(|c| bounds.merge(&c.bounds()));
+        let middle = if bounds.is_empty() { Point2::default() } else { bounds.centre() };
+        let to_origin = Point2::default() - middle;
+        let mut prepared = Vec::with_capacity(contours.len());
+        let mut were = Vec::with_capacity(contours.len());
+        for contour in contours {
+            let (mut ready, names) = contour.tidied_with_names();
+            ready.vertices.iter_mut().for_each(|v| v.at += to_origin);
+            if ready.segment_count() == 0 {
+                let found = ready.vertices.len();
+                return Err(GeomError::TooFewVertices { found, needed: 2 });
+            }
+            prepared.push(ready);
+            were.push(names);
+        }
+        Ok(Self { contours: prepared, were, middle })
+    }
+
+    /// The first attempt that passes the check.
+    fn proved(&self, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
+        let source = Source::new(&self.contours);
+        let found = attempt(&source, distance);
+        validate::validate(&source, distance, &found)?;
+        Ok(found)
+    }
+
+    /// Back to where the source is, with the source's numbers.
+    fn restore(&self, offset: &mut OffsetPath) {
+        let back = self.middle - Point2::default();
+        offset.path.vertices.iter_mut().for_each(|v| v.at += back);
+        for origin in &mut offset.origins {
+            origin.element = self.were[origin.contour][origin.element];
+        }
+    }
+}
+
+/// Steps 1 to 3.
+fn attempt(source: &Source, distance: f64) -> Vec<OffsetPath> {
+    let mut pieces = Vec::new();
+    for (number, contour) in source.contours.iter().enumerate() {
+        raw::append(number, contour, distance, &mut pieces);
+    }
+    if slices::is_crowded(&pieces) {
+        slices::drop_buried(&mut pieces, source, distance);
+    }
+    let caps = raw::caps(source.contours, distance);
+    let slices = slices::valid_slices(&pieces, &caps, source, distance);
+    rings::rings(source, distance, &pieces, &slices)
+}

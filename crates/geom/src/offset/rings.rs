@@ -1,0 +1,128 @@
+//! Slices joined into rings, with their starts put where the source starts.
+
+use super::raw::{self, Piece};
+use super::slices::Slice;
+use super::source::Source;
+use super::{OffsetPath, Origin};
+use crate::stitch::{Strand, Turn, stitch};
+use crate::{Point2, Polyarc, Segment, Vec2, tol};
+
+/// How far along a strand is looked for the way it goes, as a share of the offset: tangent curves
+/// have parted by then, and neighbouring corners are not yet reached.
+const LOOK_AHEAD: f64 = 1e-3;
+
+/// A ring is nothing when it encloses less than a strip of this width along its length.
+const THIN_MM: f64 = tol::SAME_PLACE_MM;
+
+/// One piece of a ring.
+type Part = (Segment, Origin);
+
+pub(super) fn rings(
+    source: &Source,
+    distance: f64,
+    pieces: &[Piece],
+    slices: &[Slice],
+) -> Vec<OffsetPath> {
+    let look = LOOK_AHEAD * distance.abs();
+    let strands: Vec<Strand> = slices.iter().map(|s| strand(pieces, s, look)).collect();
+    // The sharpest turn is the one away from the source: see the drawing in `stitch`.
+    let turn = if distance > 0.0 { Turn::Right } else { Turn::Left };
+    let open = source.contours.iter().any(|c| !c.closed);
+    let stitched = stitch(&strands, turn, open);
+    let collect = |way: &Vec<usize>| -> Vec<Part> { parts_of(pieces, slices, way) };
+    let mut found = Vec::new();
+    for way in &stitched.loops {
+        let parts = collect(way);
+        if let Some(path) = path(parts, true) {
+            found.push(started_like_source(source, distance, path));
+        }
+    }
+    if open {
+        found.extend(stitched.open.iter().filter_map(|way| path(collect(way), false)));
+    }
+    found
+}
+
+fn strand(pieces: &[Piece], slice: &Slice, look: f64) -> Strand {
+    let part = |&(k, from, to): &(usize, f64, f64)| pieces[k].segment.part(from, to);
+    let parts = &slice.parts;
+    let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Strand::default() };
+    let (first, last) = (part(first), part(last));
+    let long: f64 = parts.iter().map(|p| pieces[p.0].segment.length() * (p.2 - p.1)).sum();
+    Strand {
+        start: first.start(),
+        end: last.end(),
+        middle: middle(pieces, parts, long * 0.5),
+        leaves: leaves(&first, look),
+        arrives: last.direction(1.0),
+        sure: slice.sure,
+    }
+}
+
+/// The chord from the start to a little farther along.
+fn leaves(first: &Segment, look: f64) -> Vec2 {
+    let share = (look / first.length().max(f64::MIN_POSITIVE)).min(1.0);
+    (first.at(share) - first.start()).normalized().unwrap_or_else(|| first.direction(0.0))
+}
+
+fn middle(pieces: &[Piece], parts: &[(usize, f64, f64)], mut left: f64) -> Point2 {
+    for &(k, from, to) in parts {
+        let long = pieces[k].segment.length() * (to - from);
+        if left <= long && long > 0.0 {
+            return pieces[k].segment.at(from + (to - from) * left / long);
+        }
+        left -= long;
+    }
+    Point2::default()
+}
+
+/// The parts of a way, stretches of one piece in one.
+fn parts_of(pieces: &[Piece], slices: &[Slice], way: &[usize]) -> Vec<Part> {
+    let mut merged: Vec<(usize, f64, f64)> = Vec::new();
+    for &(k, from, to) in way.iter().flat_map(|&n| &slices[n].parts) {
+        match merged.last_mut() {
+            Some(last) if last.0 == k && (from - last.2).abs() < 1e-9 => last.2 = to,
+            _ => merged.push((k, from, to)),
+        }
+    }
+    if let (Some(&first), Some(&last)) = (merged.first(), merged.last())
+        && merged.len() > 1
+        && first.0 == last.0
+        && (first.1 - last.2).abs() < 1e-9
+    {
+        merged[0].1 = last.1;
+        merged.pop();
+    }
+    merged
+        .iter()
+        .map(|&(k, from, to)| (pieces[k].segment.part(from, to), pieces[k].origin))
+        .collect()
+}
+
+/// A path of parts that are worth something, or nothing.
+fn path(mut parts: Vec<Part>, closed: bool) -> Option<OffsetPath> {
+    parts.retain(|(s, _)| s.length() > tol::SAME_PLACE_MM);
+    let segments: Vec<Segment> = parts.iter().map(|p| p.0).collect();
+    let path = Polyarc::from_segments(&segments, closed);
+    let thin = closed && path.signed_area().abs() <= path.length() * THIN_MM;
+    let origins = parts.iter().map(|p| p.1).collect();
+    (!parts.is_empty() && !thin).then_some(OffsetPath { path, origins })
+}
+
+/// The ring from the place nearest to the parallel of its source's start.
+pub(super) fn started_like_source(source: &Source, distance: f64, ring: OffsetPath) -> OffsetPath {
+    let Some(contour) = ring.origins.iter().map(|o| o.contour).min() else { return ring };
+    let first = source.segments[source.first[contour]];
+    let wanted = raw::parallel(&first, distance)
+        .map_or_else(|| first.start() - first.direction(0.0).left() * distance, |p| p.start());
+    let Some((place, _)) = ring.path.nearest(wanted) else { return ring };
+    let before = ring.path.vertices.len();
+    let (mut path, vertex) = ring.path.with_vertex_at(&place);
+    let mut origins = ring.origins;
+    if path.vertices.len() > before {
+        origins.insert(vertex, origins[vertex - 1]);
+    }
+    path.vertices.rotate_left(vertex);
+    origins.rotate_left(vertex);
+    OffsetPath { path, origins }
+}

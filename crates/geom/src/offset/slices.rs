@@ -1,0 +1,205 @@
+//! The raw offset cut where it crosses itself, and the parts that lie far enough from the source.
+//!
+//! Between two crossings a raw offset is either everywhere at its distance from the source or nowhere:
+//! to come nearer to another segment it has to cross the parallel curve of that segment. So one place
+//! of each slice decides about all of it.
+
+use super::raw::Piece;
+use super::source::Source;
+use crate::{Bounds2, BoxTree, Point2, Segment, tol};
+
+/// A slice that comes this much too near is certainly wrong. Rounding accounts for 1e-10 mm at most.
+const TOO_NEAR_MM: f64 = 1e-8;
+/// A slice nearer by less than this is certainly right; in between it is kept if its neighbours need it.
+const SURE_MM: f64 = 1e-10;
+
+/// A stretch of consecutive pieces without crossings inside.
+#[derive(Debug)]
+pub(super) struct Slice {
+    /// Piece numbers and the shares between which they belong to the slice.
+    pub parts: Vec<(usize, f64, f64)>,
+    pub sure: bool,
+}
+
+/// Where on pieces the raw offset is cut.
+type Cuts = Vec<(usize, f64)>;
+
+/// Drops pieces that lie wholly too near to one source segment: nothing of them can remain, and no cut
+/// they make on others can matter. By the triangle inequality a piece of length l about a place m
+/// comes nowhere farther away than m is, plus l/2.
+pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f64) {
+    let buried: Vec<bool> = pieces
+        .iter()
+        .map(|p| {
+            let limit = distance.abs() - TOO_NEAR_MM - p.segment.length() * 0.5;
+            limit > 0.0 && source.is_nearer(p.segment.at(0.5), limit)
+        })
+        .collect();
+    let mut renumbered = Vec::with_capacity(pieces.len());
+    let mut count = 0;
+    for &gone in &buried {
+        renumbered.push((!gone).then_some(count));
+        count += usize::from(!gone);
+    }
+    let mut keep = buried.iter().map(|gone| !gone);
+    pieces.retain(|_| keep.next().unwrap_or(true));
+    for piece in pieces.iter_mut() {
+        piece.next = piece.next.and_then(|n| renumbered[n]);
+    }
+}
+
+/// How many pairs of boxes there are, counted no farther than `limit`.
+pub(super) fn is_crowded(pieces: &[Piece]) -> bool {
+    let index = index(pieces);
+    let mut pairs = 0usize;
+    // A quick look at a part of the path tells enough.
+    let step = pieces.len() / 256 + 1;
+    let mut asked = 0usize;
+    for k in (0..pieces.len()).step_by(step) {
+        asked += 1;
+        index.meeting(index.leaf(k), |_| pairs += 1);
+    }
+    pairs > asked * 8
+}
+
+fn index(pieces: &[Piece]) -> BoxTree {
+    let margin = tol::CONTACT_MM;
+    BoxTree::new(pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }))
+}
+
+/// All cuts, sorted by piece and share. `extra` are curves that cut but are not cut.
+fn cuts(pieces: &[Piece], extra: &[Segment]) -> Cuts {
+    let mut cuts = Cuts::new();
+    let tree = index(pieces);
+    tree.own_pairs(|a, b| {
+        let contacts = pieces[a].segment.meet(&pieces[b].segment);
+        for c in contacts.iter() {
+            let joint = |from: usize, to: usize, end: f64, start: f64| {
+                pieces[from].next == Some(to)
+                    && at_end(&pieces[from].segment, end)
+                    && at_start(&pieces[to].segment, start)
+            };
+            if contacts.along
+                || !(joint(a, b, c.on_first, c.on_second) || joint(b, a, c.on_second, c.on_first))
+            {
+                cuts.push((a, c.on_first));
+                cuts.push((b, c.on_second));
+            }
+        }
+    });
+    for cutter in extra {
+        tree.meeting(&cutter.bounds().grown(tol::CONTACT_MM), |k| {
+            cuts.extend(pieces[k].segment.meet(cutter).iter().map(|c| (k, c.on_first)));
+        });
+    }
+    cuts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    cuts
+}
+
+fn at_end(segment: &Segment, share: f64) -> bool {
+    (1.0 - share) * segment.length() <= tol::SAME_PLACE_MM
+}
+
+fn at_start(segment: &Segment, share: f64) -> bool {
+    share * segment.length() <= tol::SAME_PLACE_MM
+}
+
+/// The slices that are at their distance from the source.
+pub(super) fn valid_slices(
+    pieces: &[Piece],
+    extra: &[Segment],
+    source: &Source,
+    distance: f64,
+) -> Vec<Slice> {
+    let cuts = cuts(pieces, extra);
+    let mut slices = Vec::new();
+    for parts in sliced(pieces, &cuts) {
+        let probe = probe(pieces, &parts);
+        if source.is_nearer(probe, distance.abs() - TOO_NEAR_MM) {
+            continue;
+        }
+        let sure = !source.is_nearer(probe, distance.abs() - SURE_MM);
+        slices.push(Slice { parts, sure });
+    }
+    slices
+}
+
+/// The middle of the longest part.
+fn probe(pieces: &[Piece], parts: &[(usize, f64, f64)]) -> Point2 {
+    let long = |p: &(usize, f64, f64)| pieces[p.0].segment.length() * (p.2 - p.1);
+    let longest = parts.iter().max_by(|a, b| long(a).total_cmp(&long(b)));
+    longest.map_or(Point2::default(), |&(k, from, to)| pieces[k].segment.at((from + to) * 0.5))
+}
+
+/// Cuts the chains of pieces; a chain without any cut is a closed slice of its own.
+fn sliced(pieces: &[Piece], cuts: &Cuts) -> Vec<Vec<(usize, f64, f64)>> {
+    let mut first_cut = vec![0; pieces.len() + 1];
+    cuts.iter().for_each(|c| first_cut[c.0 + 1] += 1);
+    (0..pieces.len()).for_each(|k| first_cut[k + 1] += first_cut[k]);
+    let cuts_of = |k: usize| &cuts[first_cut[k]..first_cut[k + 1]];
+    let mut preceded = vec![false; pieces.len()];
+    pieces.iter().filter_map(|p| p.next).for_each(|n| preceded[n] = true);
+    let mut seen = vec![false; pieces.len()];
+    let mut slices = Vec::new();
+    // A chain begins where nothing precedes it; a ring anywhere, best where it is cut.
+    let begins = |k: &usize| !preceded[*k];
+    let cut = |k: &usize| !cuts_of(*k).is_empty();
+    let order = (0..pieces.len()).filter(begins).chain((0..pieces.len()).filter(cut));
+    for start in order.chain(0..pieces.len()) {
+        if seen[start] {
+            continue;
+        }
+        chain(pieces, start, &cuts_of, &mut seen, &mut slices);
+    }
+    slices
+}
+
+fn chain<'c>(
+    pieces: &[Piece],
+    start: usize,
+    cuts_of: &impl Fn(usize) -> &'c [(usize, f64)],
+    seen: &mut [bool],
+    slices: &mut Vec<Vec<(usize, f64, f64)>>,
+) {
+    let begin = slices.len();
+    let mut current = Vec::new();
+    let mut at = Some(start);
+    let mut ring = false;
+    while let Some(k) = at {
+        if seen[k] {
+            ring = k == start;
+            break;
+        }
+        seen[k] = true;
+        let long = pieces[k].segment.length();
+        let mut from = 0.0;
+        for &(_, share) in cuts_of(k) {
+            if (share - from) * long > tol::SAME_PLACE_MM * 0.5 {
+                current.push((k, from, share));
+            }
+            if !current.is_empty() {
+                slices.push(std::mem::take(&mut current));
+            } else if slices.len() == begin {
+                // A cut at the very start: the ring begins here and must not be closed over it.
+                slices.push(Vec::new());
+            }
+            from = share.max(from);
+        }
+        if (1.0 - from) * long > tol::SAME_PLACE_MM * 0.5 || cuts_of(k).is_empty() {
+            current.push((k, from, 1.0));
+        }
+        at = pieces[k].next;
+    }
+    if !current.is_empty() {
+        if ring && slices.len() > begin {
+            // The last stretch of a ring runs on into the first.
+            let head = std::mem::take(&mut slices[begin]);
+            current.extend(head);
+        }
+        slices.push(current);
+    }
+    // What stands in for a cut without length has done its work.
+    let mut kept = slices.split_off(begin);
+    kept.retain(|s| !s.is_empty());
+    slices.append(&mut kept);
+}

@@ -1,0 +1,201 @@
+//! Offsets: known answers, families of hard shapes, and what must not change the result.
+
+mod families;
+
+use kerf_geom::{
+    GeomError, OffsetPath, Point2, Polyarc, Transform2, Vec2, Vertex, offset, offset_region,
+};
+use std::f64::consts::PI;
+
+fn p(x: f64, y: f64) -> Point2 {
+    Point2::new(x, y)
+}
+
+fn sq100() -> Polyarc {
+    Polyarc::rectangle(p(0., 0.), p(100., 100.))
+}
+
+fn sums(found: &[OffsetPath]) -> (usize, f64, f64) {
+    let area = found.iter().map(|f| f.path.signed_area()).sum();
+    (found.len(), area, found.iter().map(|f| f.path.length()).sum())
+}
+
+/// How many rings, their area and length together, and where the first starts.
+fn check(source: &Polyarc, by: f64, rings: usize, area: f64, length: f64, start: (f64, f64)) {
+    let found = offset(source, by).expect("an offset");
+    let (n, a, l) = sums(&found);
+    assert_eq!(n, rings, "{found:?}");
+    assert!((a - area).abs() < 1e-6 && (l - length).abs() < 1e-6, "area {a} length {l}");
+    let begins = found[0].path.start().expect("a start");
+    assert!(begins.distance(p(start.0, start.1)) < 1e-9, "{begins:?}");
+}
+
+#[test]
+fn positive_is_right_of_travel() {
+    check(&sq100(), 5.0, 1, 12_000.0 + 25.0 * PI, 400.0 + 10.0 * PI, (0., -5.));
+    check(&sq100(), -5.0, 1, 8100.0, 360.0, (5., 5.));
+    check(&sq100().reversed(), 5.0, 1, -8100.0, 360.0, (5., 5.));
+}
+
+#[test]
+fn arcs_stay_arcs() {
+    let circle = Polyarc::circle(p(7., 3.), 25.0);
+    for (by, radius) in [(5.0, 30.0), (-5.0, 20.0)] {
+        let found = offset(&circle, by).expect("an offset");
+        assert_eq!(found.len(), 1);
+        assert!(found[0].path.vertices.iter().all(|v| (v.bulge - 1.0).abs() < 1e-12));
+        assert!((found[0].path.signed_area() - PI * radius * radius).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn nothing_remains_of_what_is_too_small() {
+    assert_eq!(offset(&sq100(), -60.0), Ok(vec![]));
+    assert_eq!(offset(&sq100(), -50.0), Ok(vec![]));
+    assert_eq!(offset(&Polyarc::circle(p(0., 0.), 3.0), -3.0), Ok(vec![]));
+    assert_eq!(offset(&Polyarc::circle(p(0., 0.), 3.0), -30.0), Ok(vec![]));
+}
+
+#[test]
+fn open_shapes_go_to_one_side() {
+    let line = Polyarc::lines([p(0., 0.), p(100., 0.)], false);
+    for by in [5.0, -5.0] {
+        let found = offset(&line, by).expect("an offset");
+        assert_eq!(found[0].path, Polyarc::lines([p(0., -by), p(100., -by)], false));
+    }
+    let corner = Polyarc::lines([p(0., 0.), p(10., 0.), p(10., 10.)], false);
+    let inside = offset(&corner, -2.0).expect("an offset");
+    assert_eq!(inside[0].path, Polyarc::lines([p(0., 2.), p(8., 2.), p(8., 10.)], false));
+    let outside = offset(&corner, 2.0).expect("an offset");
+    assert!((outside[0].path.length() - 20.0 - PI).abs() < 1e-9);
+}
+
+#[test]
+fn a_hook_keeps_away_from_its_own_end() {
+    // The end of the last line lies 3 mm off the first: an offset by 2 must go round it.
+    let hook = Polyarc::lines([p(0., 0.), p(20., 0.), p(20., 10.), p(10., 10.), p(10., 3.)], false);
+    let found = offset(&hook, -2.0).expect("an offset");
+    assert_eq!(found.len(), 2);
+    let places = found.iter().flat_map(|f| f.path.segments()).map(|s| s.at(0.5));
+    places.for_each(|at| assert!(hook.nearest(at).expect("near").1 > 2.0 - 1e-6));
+}
+
+#[test]
+fn slots_as_wide_as_the_cutter_stay_closed() {
+    let shape = Polyarc::closed(
+        [
+            (24., -18.75, 0.41421356),
+            (5., 18.75, 0.),
+            (5., 5.25, -0.41421356),
+            (4.75, 5., 0.),
+            (4.25, 5., -0.41421356),
+            (4., 5.25, 0.),
+            (4., 8.75, 0.41421356),
+        ]
+        .map(|(x, y, b)| Vertex::new(x, y, b))
+        .to_vec(),
+    );
+    let found = offset(&shape, 0.5).expect("an offset");
+    let (n, area, _) = sums(&found);
+    assert!(n == 1 && (area - 574.3398).abs() < 1e-3, "{n} {area}");
+}
+
+#[test]
+fn islands_and_walls_together() {
+    let pocket = sq100();
+    let island = Polyarc::circle(p(50., 50.), 20.0).reversed();
+    let found = offset_region(&[pocket.clone(), island.clone()], -5.0).expect("an offset");
+    let (n, area, _) = sums(&found);
+    assert!(n == 2 && (area - (8100.0 - 625.0 * PI)).abs() < 1e-6, "{n} {area}");
+    // Wall and island meet: one ring with notches instead of two.
+    let found = offset_region(&[pocket.clone(), island.clone()], -16.0).expect("an offset");
+    assert_eq!(found.len(), 4);
+    assert_eq!(offset_region(&[pocket, island], -28.0), Ok(vec![]));
+}
+
+#[test]
+fn a_pinch_gives_two_rings() {
+    // Two chambers joined by a neck that is exactly as wide as the cutter.
+    let shape = Polyarc::lines(
+        [
+            (0., 0.),
+            (10., 0.),
+            (10., 4.),
+            (20., 4.),
+            (20., 0.),
+            (30., 0.),
+            (30., 10.),
+            (20., 10.),
+            (20., 6.),
+            (10., 6.),
+            (10., 10.),
+            (0., 10.),
+        ]
+        .map(|(x, y)| p(x, y)),
+        true,
+    );
+    let (n, area, _) = sums(&offset(&shape, -1.0).expect("an offset"));
+    assert!(n == 2 && (area - 128.0).abs() < 1.0, "{n} {area}");
+}
+
+#[test]
+fn bad_input_is_named() {
+    let mut bad = sq100();
+    bad.vertices[3].at.x = f64::NAN;
+    assert_eq!(offset(&bad, 1.0), Err(GeomError::NotFinite { vertex: 3 }));
+    assert!(offset(&sq100(), f64::INFINITY).is_err());
+    let point = Polyarc::open(vec![Vertex::new(1., 1., 0.)]);
+    assert_eq!(offset(&point, 1.0), Err(GeomError::TooFewVertices { found: 1, needed: 2 }));
+    let none = Polyarc::closed(vec![Vertex::new(1., 1., 0.); 9]);
+    assert_eq!(offset(&none, 1.0), Err(GeomError::TooFewVertices { found: 1, needed: 2 }));
+}
+
+#[test]
+fn duplicates_change_nothing() {
+    let mut doubled = sq100();
+    let twice = |v: Vertex| [v, v];
+    doubled.vertices = doubled.vertices.into_iter().flat_map(twice).collect();
+    let found = offset(&doubled, 5.0).expect("an offset");
+    assert_eq!(found[0].path, offset(&sq100(), 5.0).expect("an offset")[0].path);
+    assert_eq!(found[0].origins[2].element, 3);
+}
+
+/// The first seeds of every family; the example `offset_families` runs many more.
+fn every_case(count: u64, check: impl Fn(&str, u64, Polyarc, f64)) {
+    for (name, make) in families::FAMILIES.iter().filter(|f| !f.0.contains("5000")) {
+        for seed in 0..count {
+            let (shape, by) = make(seed);
+            check(name, seed, shape, by);
+        }
+    }
+}
+
+#[test]
+fn hard_families_are_proved() {
+    every_case(20, |name, seed, shape, by| {
+        if let Err(why) = offset(&shape, by) {
+            panic!("{name} {seed}: {why}");
+        }
+    });
+}
+
+#[test]
+fn the_result_does_not_depend_on_start_direction_or_place() {
+    every_case(5, |name, seed, shape, by| {
+        let (n, area, length) = sums(&offset(&shape, by).expect("an offset"));
+        let same = |other: &Polyarc, by: f64, sign: f64, scale: f64| {
+            let (m, a, l) = sums(&offset(other, by).expect("an offset"));
+            let slack = 1e-5 * (1.0 + length);
+            let close = (a * sign / (scale * scale) - area).abs() < slack
+                && (l / scale - length).abs() < slack;
+            assert!(n == m && close, "{name} {seed}: {n} {area} {length}, then {m} {a} {l}");
+        };
+        same(&shape.reversed(), -by, -1.0, 1.0);
+        let place = shape.place_after(shape.length() * 0.37).expect("a place");
+        same(&shape.started_at(&place), by, 1.0, 1.0);
+        same(&shape.similar(&Transform2::mirrored(p(1., 2.), Vec2::new(3., 1.))), -by, -1.0, 1.0);
+        same(&shape.similar(&Transform2::moved(Vec2::new(1234.5, -987.25))), by, 1.0, 1.0);
+        same(&shape.similar(&Transform2::turned(p(5., 5.), 0.7)), by, 1.0, 1.0);
+        same(&shape.similar(&Transform2::scaled(p(5., 5.), 25.4, 25.4)), by * 25.4, 1.0, 25.4);
+    });
+}
