@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(written, clauses);
         for entry in ENTRIES {
             let begins = |clause: &&str| clause.split(' ').next() == Some(entry.name);
-            assert!(clauses.iter().any(|clause| begins(clause)), "{} is not tried", entry.name);
+            assert!(clauses.iter().any(begins), "{} is not tried", entry.name);
         }
     }
 
