@@ -56,6 +56,9 @@ pub enum GeomError {
         /// Where.
         at: Point2,
     },
+    /// A map makes a line of the plane.
+    #[error("scaled to nothing in one direction")]
+    Flattened,
     /// The result did not pass its own check; nothing is returned rather than something wrong.
     #[error("the offset fails its check near {:.3}, {:.3}: {why}", at.x, at.y)]
     Unproved {

@@ -22,6 +22,7 @@ mod arc;
 mod bounds;
 mod bounds2;
 mod error;
+pub mod fit;
 mod index;
 mod offset;
 mod point;

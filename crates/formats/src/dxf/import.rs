@@ -1,0 +1,289 @@
+//! From entities to shapes.
+
+use super::file::{Block, Entity, File, entities};
+use super::map::{Map3, Vec3};
+use super::tag::{Tag, tags};
+use super::{curves, insert, polyline, units};
+use crate::Imported;
+use crate::finding::Findings;
+use kerf_drawing::{Drawing, Shape};
+use kerf_geom::{Point2, Polyarc, fit, tol};
+
+/// How a file is to be read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Draw what blocks hold where INSERT places them; else each INSERT is only counted.
+    pub explode: bool,
+    /// Take the drawing's own unit (`$INSUNITS`) into account; else a unit is a millimetre.
+    pub scale: bool,
+    /// How far arcs may stray from ellipses and splines, millimetres.
+    pub tolerance_mm: f64,
+    /// The most shapes that are made: nested blocks can multiply without bound.
+    pub most_shapes: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { explode: true, scale: true, tolerance_mm: tol::FIT_MM, most_shapes: 5_000_000 }
+    }
+}
+
+/// Reads a DXF file, as far as sense goes.
+///
+/// ```
+/// let text = "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n30\n21\n40\n0\nENDSEC\n0\nEOF\n";
+/// let read = kerf_formats::dxf::read(text.as_bytes(), &Default::default());
+/// assert_eq!(read.drawing.shapes[0].path.length(), 50.0);
+/// assert!(read.findings.is_empty());
+/// ```
+pub fn read(bytes: &[u8], options: &Options) -> Imported {
+    let mut findings = Findings::default();
+    let tags = tags(bytes, &mut findings);
+    let file = File::of(&tags);
+    let unit = unit(&file, options, &mut findings);
+    let mut import = Import {
+        file: &file,
+        options: *options,
+        findings,
+        shapes: Vec::new(),
+        layers: Vec::new(),
+        open_blocks: Vec::new(),
+    };
+    let world = Place { map: Map3::scaled(unit, unit, unit), layer: None };
+    for section in &file.entities {
+        import.entities(section, &world);
+    }
+    import.finish()
+}
+
+fn unit(file: &File, options: &Options, findings: &mut Findings) -> f64 {
+    let Some(tag) = file.header.get(b"$INSUNITS".as_slice()).filter(|_| options.scale) else {
+        return 1.0;
+    };
+    match tag.whole().and_then(units::unit) {
+        Some((factor, name)) if factor != 1.0 => {
+            findings.note("unit", tag.line, format!("drawn in {name}: scaled by {factor}"));
+            factor
+        }
+        _ => 1.0,
+    }
+}
+
+/// Where entities go: into the world, or into the world by way of a block.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place<'a> {
+    /// From the frame of the entities to the world.
+    pub map: Map3,
+    /// The layer of the INSERT, which entities on layer 0 of a block take over.
+    pub layer: Option<&'a [u8]>,
+}
+
+/// What is being made of a file.
+pub(super) struct Import<'f, 'a> {
+    pub file: &'f File<'f, 'a>,
+    pub options: Options,
+    pub findings: Findings,
+    shapes: Vec<Shape>,
+    layers: Vec<(&'a [u8], Vec<usize>)>,
+    /// Names of the blocks being drawn, outermost first.
+    pub open_blocks: Vec<&'f [u8]>,
+}
+
+impl<'f, 'a> Import<'f, 'a> {
+    fn finish(self) -> Imported {
+        let layers = self.layers.into_iter();
+        let layers = layers.map(|(name, shapes)| (super::tag::decoded(name), shapes)).collect();
+        let skipped = self.findings.skipped();
+        let drawing = Drawing::of(self.shapes);
+        Imported { drawing, findings: self.findings.finish(), layers, skipped }
+    }
+
+    /// Draws the entities of a section or a block.
+    pub fn entities(&mut self, tags: &'f [Tag<'a>], place: &Place<'a>) {
+        let mut rest = entities(tags);
+        while let Some(entity) = rest.next() {
+            if self.is_full(entity.line) {
+                return;
+            }
+            // Paper space is the sheet around the drawing, not the drawing.
+            if entity.whole(67) == 1 {
+                self.findings.skip("(paper space)");
+                continue;
+            }
+            match entity.name {
+                b"POLYLINE" => polyline::old(self, &entity, &mut rest, place),
+                b"INSERT" => insert::insert(self, &entity, place),
+                _ => self.single(&entity, place),
+            }
+        }
+    }
+
+    fn is_full(&mut self, line: u32) -> bool {
+        let full = self.shapes.len() >= self.options.most_shapes;
+        if full {
+            let text = format!("more than {} shapes: the rest is left out", self.shapes.len());
+            self.findings.warn("full", line, text);
+        }
+        full
+    }
+
+    fn single(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+        match entity.name {
+            b"LINE" => self.line(entity, place),
+            b"POINT" => self.point(entity, place),
+            b"CIRCLE" => self.circle(entity, place),
+            b"ARC" => self.arc(entity, place),
+            b"LWPOLYLINE" => polyline::light(self, entity, place),
+            b"ELLIPSE" => curves::ellipse(self, entity, place),
+            b"SPLINE" => curves::spline(self, entity, place),
+            // Parts of entities that were told already.
+            b"VERTEX" | b"SEQEND" | b"ATTRIB" | b"ENDSEC" | b"EOF" => {}
+            _ => self.findings.skip(&entity.shown()),
+        }
+    }
+
+    fn line(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+        let (from, to) = (self.corner(entity, 0), self.corner(entity, 1));
+        let (Some(from), Some(to)) = (from, to) else { return };
+        let ends = [place.map.apply(from), place.map.apply(to)];
+        let path = Polyarc::lines(ends.map(Vec3::flat), false);
+        if ends[0] == ends[1] {
+            self.findings.warn("length", entity.line, "LINE without length: left out");
+        } else if ends[0].z == ends[1].z {
+            self.add(entity, place, Shape::flat(path));
+        } else {
+            let heights = ends.map(|end| end.z).to_vec();
+            self.add(entity, place, Shape::with_heights(path, heights));
+        }
+    }
+
+    fn point(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+        if let Some(at) = self.corner(entity, 0) {
+            self.add(entity, place, Shape::point(place.map.apply(at).flat()));
+        }
+    }
+
+    fn circle(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+        let Some((centre, radius)) = self.centre_and_radius(entity) else { return };
+        let path = Polyarc::circle(centre.flat(), radius);
+        self.flat(entity, place, &path, centre.z);
+    }
+
+    fn arc(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
+        let Some((centre, radius)) = self.centre_and_radius(entity) else { return };
+        let from = entity.real(50, &mut self.findings);
+        let to = entity.real(51, &mut self.findings);
+        let (Some(from), Some(to)) = (from, to) else { return };
+        // Counter-clockwise; equal angles are the full circle.
+        let sweep = (to - from).rem_euclid(360.0);
+        let path = if sweep == 0.0 {
+            Polyarc::circle(centre.flat(), radius)
+        } else {
+            Polyarc::arc(centre.flat(), radius, from.to_radians(), sweep.to_radians())
+        };
+        self.flat(entity, place, &path, centre.z);
+    }
+
+    fn centre_and_radius(&mut self, entity: &Entity<'f, 'a>) -> Option<(Vec3, f64)> {
+        let centre = self.corner(entity, 0)?;
+        let radius = entity.real(40, &mut self.findings)?;
+        if radius <= 0.0 {
+            let text = format!("{} of radius {radius}: left out", entity.shown());
+            self.findings.warn("radius", entity.line, text);
+            return None;
+        }
+        Some((centre, radius))
+    }
+
+    /// The place in the codes 10, 20, 30 or the next three; without a height it is at 0.
+    pub fn corner(&mut self, entity: &Entity<'f, 'a>, number: u16) -> Option<Vec3> {
+        let x = entity.real(10 + number, &mut self.findings)?;
+        let y = entity.real(20 + number, &mut self.findings)?;
+        Some(Vec3::new(x, y, entity.real_or(30 + number, 0.0, &mut self.findings)))
+    }
+
+    /// The map from the frame in which an entity is drawn to the world.
+    pub fn frame(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) -> Map3 {
+        Map3::of_extrusion(self.extrusion(entity)).then(&place.map)
+    }
+
+    fn extrusion(&mut self, entity: &Entity<'f, 'a>) -> Vec3 {
+        let x = entity.real_or(210, 0.0, &mut self.findings);
+        let y = entity.real_or(220, 0.0, &mut self.findings);
+        let z = entity.real_or(230, 1.0, &mut self.findings);
+        Vec3::new(x, y, z)
+    }
+
+    /// Adds a path drawn in the plane of an entity at a height.
+    pub fn flat(
+        &mut self,
+        entity: &Entity<'f, 'a>,
+        place: &Place<'a>,
+        path: &Polyarc,
+        height: f64,
+    ) {
+        let map = self.frame(entity, place);
+        if !map.keeps_level() {
+            return self.slanted(entity, place, path, height, &map);
+        }
+        let unit = map.plane(height);
+        match fit::affine(path, &unit, self.options.tolerance_mm) {
+            Ok(path) => self.add(entity, place, Shape::flat(path)),
+            Err(error) => {
+                let text = format!("{}: {error}: left out", entity.shown());
+                self.findings.warn("map", entity.line, text);
+            }
+        }
+    }
+
+    /// A path in a plane that is not level has heights: arcs become short lines in space.
+    fn slanted(
+        &mut self,
+        entity: &Entity<'f, 'a>,
+        place: &Place<'a>,
+        path: &Polyarc,
+        height: f64,
+        map: &Map3,
+    ) {
+        let chords = curves::chords(path, self.options.tolerance_mm);
+        let space = |at: Point2| map.apply(Vec3::new(at.x, at.y, height));
+        let places = chords.into_iter().map(space).collect();
+        self.in_space(entity, place, places, path.closed);
+    }
+
+    /// Adds straight lines through places of the world.
+    pub fn in_space(
+        &mut self,
+        entity: &Entity<'f, 'a>,
+        place: &Place<'a>,
+        places: Vec<Vec3>,
+        closed: bool,
+    ) {
+        let heights = places.iter().map(|p| p.z).collect();
+        let path = Polyarc::lines(places.into_iter().map(Vec3::flat), closed);
+        self.add(entity, place, Shape::with_heights(path, heights));
+    }
+
+    /// Adds a shape to the drawing and to its layer.
+    pub fn add(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>, shape: Shape) {
+        if let Err(error) = shape.path.check() {
+            let text = format!("{}: {error}: left out", entity.shown());
+            self.findings.warn("place", entity.line, text);
+            return;
+        }
+        let own = entity.tag(8).map_or(b"0".as_slice(), |tag| tag.name());
+        let layer = place.layer.filter(|_| own == b"0").unwrap_or(own);
+        let number = self.shapes.len();
+        match self.layers.iter_mut().find(|(name, _)| *name == layer) {
+            Some((_, shapes)) => shapes.push(number),
+            None => self.layers.push((layer, vec![number])),
+        }
+        self.shapes.push(shape);
+    }
+
+    /// The block of a name.
+    pub fn block(&self, name: &[u8]) -> Option<(&'f [u8], Block<'f, 'a>)> {
+        let (name, block) = self.file.blocks.get_key_value(&name.to_ascii_uppercase())?;
+        Some((name, *block))
+    }
+}

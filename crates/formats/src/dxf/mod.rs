@@ -1,0 +1,20 @@
+//! DXF, the drawing exchange format, Release 12 to 2018, text and binary.
+//!
+//! ```text
+//!  bytes ─ tag, binary ─► pairs ─ file ─► header, blocks, entities ─ import ─► shapes
+//! ```
+//!
+//! Read are LINE, POINT, CIRCLE, ARC, ELLIPSE, POLYLINE, LWPOLYLINE, SPLINE and INSERT; everything
+//! else is counted and told. Source: the DXF references of the releases, and real files.
+
+mod binary;
+mod curves;
+mod file;
+mod import;
+mod insert;
+mod map;
+mod polyline;
+mod tag;
+mod units;
+
+pub use import::{Options, read};

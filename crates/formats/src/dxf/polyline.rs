@@ -1,0 +1,145 @@
+//! POLYLINE with its VERTEX entities, and LWPOLYLINE.
+
+use super::file::Entity;
+use super::import::{Import, Place};
+use super::map::Vec3;
+use kerf_geom::{Polyarc, Vertex};
+
+/// Bits of group code 70 of a POLYLINE.
+mod flag {
+    /// The last vertex is joined to the first.
+    pub const CLOSED: i64 = 1;
+    /// Vertices in space.
+    pub const IN_SPACE: i64 = 8;
+    /// A mesh of polygons or a mesh of faces.
+    pub const MESH: i64 = 16 | 64;
+}
+
+/// Bit of group code 70 of a VERTEX: a point of the frame that a spline was made from, not on it.
+const FRAME_POINT: i64 = 16;
+
+pub(super) fn light<'f, 'a>(
+    import: &mut Import<'f, 'a>,
+    entity: &Entity<'f, 'a>,
+    place: &Place<'a>,
+) {
+    let mut vertices: Vec<Vertex> = Vec::new();
+    let mut broken = false;
+    for tag in entity.tags {
+        let Some(value) = tag.real() else {
+            if matches!(tag.code, 10 | 20 | 42) {
+                broken = true;
+                let text = format!("LWPOLYLINE: `{}` is no number", tag.text());
+                import.findings.warn("number", tag.line, text);
+            }
+            continue;
+        };
+        match (tag.code, vertices.last_mut()) {
+            (10, _) => vertices.push(Vertex::new(value, 0.0, 0.0)),
+            (20, Some(last)) => last.at.y = value,
+            (42, Some(last)) => last.bulge = value,
+            _ => {}
+        }
+    }
+    if broken {
+        return told_broken(import, entity);
+    }
+    let height = entity.real_or(38, 0.0, &mut import.findings);
+    add(import, entity, place, vertices, entity.whole(70) & flag::CLOSED != 0, height);
+}
+
+pub(super) fn old<'f, 'a>(
+    import: &mut Import<'f, 'a>,
+    entity: &Entity<'f, 'a>,
+    rest: &mut impl Iterator<Item = Entity<'f, 'a>>,
+    place: &Place<'a>,
+) {
+    let flags = entity.whole(70);
+    let mut places: Vec<(Vec3, f64)> = Vec::new();
+    let mut broken = false;
+    for vertex in rest.by_ref() {
+        if vertex.name != b"VERTEX" {
+            if vertex.name != b"SEQEND" {
+                let text = "POLYLINE without SEQEND: what follows it may be lost";
+                import.findings.warn("seqend", vertex.line, text);
+            }
+            break;
+        }
+        if flags & flag::MESH != 0 || vertex.whole(70) & FRAME_POINT != 0 {
+            continue;
+        }
+        let at = import.corner(&vertex, 0);
+        broken |= at.is_none();
+        let bulge = vertex.real_or(42, 0.0, &mut import.findings);
+        places.extend(at.map(|at| (at, bulge)));
+    }
+    if flags & flag::MESH != 0 {
+        return import.findings.skip("POLYLINE (mesh)");
+    }
+    if broken {
+        return told_broken(import, entity);
+    }
+    let closed = flags & flag::CLOSED != 0;
+    if flags & flag::IN_SPACE != 0 {
+        let world = places.into_iter().map(|(at, _)| place.map.apply(at)).collect();
+        return in_space(import, entity, place, world, closed);
+    }
+    let height = entity.real_or(30, 0.0, &mut import.findings);
+    let vertices = places.into_iter().map(|(at, bulge)| Vertex { at: at.flat(), bulge }).collect();
+    add(import, entity, place, vertices, closed, height);
+}
+
+fn told_broken(import: &mut Import, entity: &Entity) {
+    let text =
+        format!("{} with a broken vertex: left out, since its form is not known", entity.shown());
+    import.findings.warn("broken", entity.line, text);
+}
+
+fn in_space<'f, 'a>(
+    import: &mut Import<'f, 'a>,
+    entity: &Entity<'f, 'a>,
+    place: &Place<'a>,
+    mut world: Vec<Vec3>,
+    closed: bool,
+) {
+    world.dedup();
+    let returns = world.len() > 2 && world.first() == world.last();
+    if returns {
+        world.pop();
+    }
+    if world.len() < 2 {
+        return too_short(import, entity);
+    }
+    import.in_space(entity, place, world, closed || returns);
+}
+
+fn add<'f, 'a>(
+    import: &mut Import<'f, 'a>,
+    entity: &Entity<'f, 'a>,
+    place: &Place<'a>,
+    vertices: Vec<Vertex>,
+    closed: bool,
+    height: f64,
+) {
+    let path = closed_by_its_end(Polyarc { vertices, closed }.tidied());
+    if path.segment_count() == 0 {
+        return too_short(import, entity);
+    }
+    import.flat(entity, place, &path, height);
+}
+
+/// An open path whose end is its start is closed: both are the same to a machine, and only closed
+/// shapes have an inside.
+fn closed_by_its_end(path: Polyarc) -> Polyarc {
+    let ends = path.start().zip(path.vertices.last().map(|last| last.at));
+    let meets = ends.is_some_and(|(start, end)| start == end);
+    if path.closed || !meets || path.vertices.len() < 3 {
+        return path;
+    }
+    Polyarc { closed: true, ..path }.tidied()
+}
+
+fn too_short(import: &mut Import, entity: &Entity) {
+    let text = format!("{} with fewer than two different points: left out", entity.shown());
+    import.findings.warn("length", entity.line, text);
+}

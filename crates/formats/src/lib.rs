@@ -1,0 +1,26 @@
+//! Drawings from files and into files.
+//!
+//! A reader gives back what could be read, and [`Finding`]s with the line of everything that could
+//! not: a file that is broken in one place is read in all others, and nothing is invented. A drawing
+//! is refused only when there is nothing of a drawing in the file.
+
+pub mod dxf;
+mod finding;
+
+pub use finding::{Finding, Weight};
+
+use kerf_drawing::Drawing;
+
+/// A drawing that was read, and what was noticed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Imported {
+    /// The drawing, millimetres.
+    pub drawing: Drawing,
+    /// What a person should know, in the order of the file.
+    pub findings: Vec<Finding>,
+    /// The layers that shapes came from, in the order of the file, each with its shapes as places in
+    /// the drawing.
+    pub layers: Vec<(String, Vec<usize>)>,
+    /// What was skipped, as `TEXT 4`, by name.
+    pub skipped: Option<String>,
+}
