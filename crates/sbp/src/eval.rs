@@ -18,19 +18,23 @@ const MOST_TEXT: usize = 1_000_000;
 impl Context<'_> {
     /// The value of an expression.
     pub(crate) fn eval(&mut self, expr: &Expr) -> Result<Value, Stop> {
+        let operands = &self.program.expressions;
         match &expr.node {
             ExprNode::Number(n) => Ok(Value::Number(*n)),
             ExprNode::Text(t) | ExprNode::Word(t) => Ok(Value::Text(t.clone())),
             ExprNode::Variable(name) => Ok(self.variable(*name).cloned().unwrap_or_default()),
             ExprNode::Persistent(name) => Ok(self.persistent(*name)),
             ExprNode::System(index) => {
-                let number = self.eval_number(index)?;
+                let number = self.eval_number(&operands[*index])?;
                 self.system_variable(number, expr.span)
             }
-            ExprNode::Unary(op, operand) => self.unary(*op, operand),
-            ExprNode::Binary(op, left, right) => self.binary(*op, left, right, expr.span),
+            ExprNode::Unary(op, operand) => self.unary(*op, &operands[*operand]),
+            ExprNode::Binary(op, left, right) => {
+                self.binary(*op, &operands[*left], &operands[*right], expr.span)
+            }
             ExprNode::Call(function, argument) => {
-                self.call(*function, argument.as_deref(), expr.span)
+                let argument = argument.map(|id| &operands[id]);
+                self.call(*function, argument, expr.span)
             }
         }
     }
@@ -71,7 +75,10 @@ impl Context<'_> {
             ExprNode::Variable(name) if self.variable(*name).is_none() => {
                 Ok(self.spelled(expr.span))
             }
-            ExprNode::Binary(BinaryOp::Join, left, right) => self.joined(left, right, expr.span),
+            ExprNode::Binary(BinaryOp::Join, left, right) => {
+                let operands = &self.program.expressions;
+                self.joined(&operands[*left], &operands[*right], expr.span)
+            }
             _ => Ok(self.eval(expr)?.display()),
         }
     }
@@ -88,8 +95,7 @@ impl Context<'_> {
 
     /// What stands in the line at a span.
     pub(crate) fn spelled(&self, span: Span) -> String {
-        let program = self.program();
-        let line = program.line_text(self.at.line);
+        let line = self.program.line_text(self.at.line);
         line.get(span.start as usize..span.end as usize).unwrap_or("").trim().to_string()
     }
 
@@ -123,7 +129,7 @@ impl Context<'_> {
 
     /// A name of the present file in capitals.
     pub(crate) fn name_text(&self, name: NameId) -> String {
-        self.program().names.get(name.0 as usize).map(ToString::to_string).unwrap_or_default()
+        self.program.names.get(name.0 as usize).map(ToString::to_string).unwrap_or_default()
     }
 
     fn need_number(&self, expr: &Expr, value: &Value) -> Result<f64, Stop> {

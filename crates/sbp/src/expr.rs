@@ -1,7 +1,37 @@
-//! Expressions as trees.
+//! Expressions as trees, their nodes side by side in one list a file.
+//!
+//! A statement holds the root of its expression; what stands inside lies in [`Expressions`] and is
+//! pointed to by number. So reading an expression allocates nothing of its own, and a file is dropped
+//! at once however many it has.
 
 use crate::tree::{NameId, Span};
+use std::ops::Index;
 use std::sync::Arc;
+
+/// Index of an operand in [`Expressions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExprId(u32);
+
+/// The operands of all expressions of a file.
+#[derive(Debug, Default)]
+pub struct Expressions(Vec<Expr>);
+
+impl Expressions {
+    /// Keeps an operand.
+    pub(crate) fn add(&mut self, operand: Expr) -> ExprId {
+        self.0.push(operand);
+        ExprId(self.0.len() as u32 - 1)
+    }
+}
+
+/// An operand; its number must come from the same file.
+impl Index<ExprId> for Expressions {
+    type Output = Expr;
+
+    fn index(&self, id: ExprId) -> &Expr {
+        &self.0[id.0 as usize]
+    }
+}
 
 /// An expression and where it stands in its line.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,13 +56,13 @@ pub enum ExprNode {
     /// A persistent variable, `$name`.
     Persistent(NameId),
     /// A system variable, `%(n)`.
-    System(Box<Expr>),
+    System(ExprId),
     /// One operand.
-    Unary(UnaryOp, Box<Expr>),
+    Unary(UnaryOp, ExprId),
     /// Two operands.
-    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    Binary(BinaryOp, ExprId, ExprId),
     /// A function of one argument; RND needs none.
-    Call(Function, Option<Box<Expr>>),
+    Call(Function, Option<ExprId>),
 }
 
 /// Operators with one operand.

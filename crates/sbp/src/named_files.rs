@@ -22,7 +22,7 @@ impl Program {
         let named = lines.filter_map(|(node, line)| {
             let Node::Statement(index) = node.node else { return None };
             let statement = self.statements.get(index as usize)?;
-            let request = statement.with_inner().find_map(named)?;
+            let request = statement.with_inner().find_map(|s| named(self, s))?;
             Some(NamedFile { line, request })
         });
         named.collect()
@@ -36,10 +36,10 @@ impl Program {
     }
 }
 
-fn named(statement: &Statement) -> Option<FileRequest> {
+fn named(program: &Program, statement: &Statement) -> Option<FileRequest> {
     match statement {
         Statement::Command { spec, args, .. } if matches!(spec.letters, "FP" | "FG") => {
-            let name = literal_text(args.first()?)?.trim().to_owned();
+            let name = literal_text(program.args[*args].first()?)?.trim().to_owned();
             Some(FileRequest { folder: Folder::Parts, name })
         }
         Statement::Custom { number, .. } => {

@@ -3,10 +3,10 @@
 //! Most lines of a large file are moves with literal numbers. They become [`Node::Move`], eight
 //! bytes that point into a pool of numbers; everything else becomes a [`Statement`].
 
-use crate::Expr;
+use crate::{Expr, Expressions};
 use crate::table::CommandSpec;
 use kerf_diag::{Diagnostic, Place};
-use std::collections::HashMap;
+use std::ops::Index;
 use std::sync::Arc;
 
 /// A stretch of a line, in bytes from the start of the line.
@@ -35,10 +35,14 @@ pub struct Program {
     pub numbers: Vec<f64>,
     /// What [`Node::Statement`] points to.
     pub statements: Vec<Statement>,
-    /// Labels in order of appearance, names in capitals with single blanks.
+    /// The values given to commands.
+    pub args: Args,
+    /// The operands of expressions.
+    pub expressions: Expressions,
+    /// Lines that are labels, in order.
     pub labels: Vec<Label>,
-    /// First line of each label.
-    pub label_lines: HashMap<Arc<str>, u32>,
+    /// The names of labels and of the targets of jumps.
+    pub label_names: Vec<LabelName>,
     /// Variable names in capitals, without `&` or `$`.
     pub names: Vec<Arc<str>>,
     /// Everything wrong or doubtful, in order of lines.
@@ -89,24 +93,88 @@ pub struct MoveCommand {
     pub count: u8,
 }
 
-/// A label.
+/// Index into [`Program::label_names`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LabelId(pub u32);
+
+/// The name of a label, of a jump to it, or of both.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Label {
-    /// Its name in capitals, inner blanks single.
+pub struct LabelName {
+    /// In capitals, inner blanks single.
     pub name: Arc<str>,
+    /// The first line with this label, from 1; `None` when no line has it.
+    pub line: Option<u32>,
+}
+
+/// A line that is a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Its name.
+    pub name: LabelId,
     /// Its line, from 1.
     pub line: u32,
 }
 
 /// Where a jump goes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Target {
-    /// The label's name in capitals.
-    pub name: Arc<str>,
-    /// Its line in this file; `None` when there is no such label.
-    pub line: Option<u32>,
+    /// The label.
+    pub label: LabelId,
     /// Where the name stands.
     pub span: Span,
+}
+
+/// The values that stand behind a command: a stretch of [`Program::args`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ArgList {
+    first: u32,
+    count: u32,
+}
+
+/// The values given to all commands of a file.
+#[derive(Debug, Default)]
+pub struct Args(Vec<Arg>);
+
+impl Args {
+    /// Begins a list at the end.
+    pub(crate) fn begin(&self) -> ArgList {
+        ArgList { first: self.0.len() as u32, count: 0 }
+    }
+
+    /// Adds to the list begun last.
+    pub(crate) fn push(&mut self, list: &mut ArgList, arg: Arg) {
+        self.0.push(arg);
+        list.count += 1;
+    }
+
+    /// Leaves blank values at the end of the list begun last out.
+    pub(crate) fn trim(&mut self, list: &mut ArgList) {
+        while list.count > 0 && self.0.last().is_some_and(|arg| arg.kind == ArgKind::Blank) {
+            self.0.pop();
+            list.count -= 1;
+        }
+    }
+}
+
+impl ArgList {
+    /// How many values it has.
+    pub fn len(self) -> usize {
+        self.count as usize
+    }
+
+    /// True for no value.
+    pub fn is_empty(self) -> bool {
+        self.count == 0
+    }
+}
+
+/// The values of a list; it must come from the same file.
+impl Index<ArgList> for Args {
+    type Output = [Arg];
+
+    fn index(&self, list: ArgList) -> &[Arg] {
+        &self.0[list.first as usize..][..list.count as usize]
+    }
 }
 
 /// A value given to a command.
@@ -207,7 +275,7 @@ pub enum Statement {
     /// A two-letter command with its table entry.
     Command {
         spec: &'static CommandSpec,
-        args: Vec<Arg>,
+        args: ArgList,
         span: Span,
     },
     /// `&a = …`, `$a = …`, `&a := …`.
@@ -306,6 +374,16 @@ impl Program {
         let Some(this) = self.lines.get(index) else { return "" };
         let end = self.lines.get(index + 1).map_or(self.text.len(), |next| next.start as usize);
         self.text.get(this.start as usize..end).unwrap_or("").trim_end_matches(['\r', '\n'])
+    }
+
+    /// The name of a label.
+    pub fn label_name(&self, label: LabelId) -> &str {
+        self.label_names.get(label.0 as usize).map_or("", |label| &label.name)
+    }
+
+    /// The line that a jump goes to; `None` when no line has the label.
+    pub fn line_of(&self, target: &Target) -> Option<u32> {
+        self.label_names.get(target.label.0 as usize)?.line
     }
 
     /// The place of a span of a line, in characters.

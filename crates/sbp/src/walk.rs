@@ -1,6 +1,7 @@
 //! Going through the tree: the expressions, variables and jumps of a statement.
 
-use crate::expr::{Expr, ExprNode};
+use crate::Program;
+use crate::expr::{Expr, ExprNode, Expressions};
 use crate::tree::{ArgKind, Assigned, DialogText, NameId, Span, Statement, Target};
 
 impl Statement {
@@ -23,10 +24,10 @@ impl Statement {
     }
 
     /// Calls `f` with each of its own expressions, not those of an inner statement.
-    pub(crate) fn expressions<'a>(&'a self, f: &mut impl FnMut(&'a Expr)) {
+    pub(crate) fn expressions<'a>(&'a self, program: &'a Program, f: &mut impl FnMut(&'a Expr)) {
         match self {
             Self::Command { args, .. } => {
-                for arg in args {
+                for arg in &program.args[*args] {
                     if let ArgKind::Expr(expr) = &arg.kind {
                         f(expr);
                     }
@@ -88,38 +89,40 @@ impl DialogText {
     }
 }
 
-impl Expr {
-    /// True when something holds for one of its nodes.
-    pub(crate) fn any(&self, holds: &impl Fn(&ExprNode) -> bool) -> bool {
+impl Expressions {
+    /// True when something holds for an expression or for one inside it.
+    pub(crate) fn any(&self, expr: &Expr, holds: &impl Fn(&ExprNode) -> bool) -> bool {
         let mut found = false;
-        self.each(&mut |expr| found |= holds(&expr.node));
+        self.each(expr, &mut |part| found |= holds(&part.node));
         found
     }
 
-    /// True when a bare word stands somewhere in it.
-    pub(crate) fn has_words(&self) -> bool {
-        self.any(&|node| matches!(node, ExprNode::Word(_)))
+    /// True when a bare word stands somewhere in an expression.
+    pub(crate) fn has_words(&self, expr: &Expr) -> bool {
+        self.any(expr, &|node| matches!(node, ExprNode::Word(_)))
     }
 
-    /// Calls `f` with the expression and every expression inside it.
-    pub(crate) fn each<'a>(&'a self, f: &mut impl FnMut(&'a Self)) {
-        f(self);
-        match &self.node {
-            ExprNode::System(a) | ExprNode::Unary(_, a) | ExprNode::Call(_, Some(a)) => a.each(f),
+    /// Calls `f` with an expression and every expression inside it.
+    pub(crate) fn each<'a>(&'a self, expr: &'a Expr, f: &mut impl FnMut(&'a Expr)) {
+        f(expr);
+        match expr.node {
+            ExprNode::System(a) | ExprNode::Unary(_, a) | ExprNode::Call(_, Some(a)) => {
+                self.each(&self[a], f);
+            }
             ExprNode::Binary(_, a, b) => {
-                a.each(f);
-                b.each(f);
+                self.each(&self[a], f);
+                self.each(&self[b], f);
             }
             _ => {}
         }
     }
 
-    /// The variables in it and where they stand.
-    pub(crate) fn variables(&self) -> Vec<(NameId, Span)> {
+    /// The variables in an expression and where they stand.
+    pub(crate) fn variables(&self, expr: &Expr) -> Vec<(NameId, Span)> {
         let mut found = Vec::new();
-        self.each(&mut |expr| {
-            if let ExprNode::Variable(name) = expr.node {
-                found.push((name, expr.span));
+        self.each(expr, &mut |part| {
+            if let ExprNode::Variable(name) = part.node {
+                found.push((name, part.span));
             }
         });
         found

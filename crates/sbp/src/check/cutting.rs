@@ -1,6 +1,6 @@
 //! Cutting: what cuts, how deep, and whether the spindle turns.
 
-use super::facts::{Facts, given, literal};
+use super::facts::Facts;
 use crate::table::Group;
 use crate::tree::{Span, Statement};
 use kerf_diag::{Code, Diagnostic};
@@ -65,7 +65,7 @@ pub(super) fn old_order_of_speeds(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (line, statement) in facts.statements() {
         let Statement::Command { spec, args, span } = statement else { continue };
-        if spec.letters == "VS" && args.len() == 5 && !given(args, 2) && given(args, 3) {
+        if spec.letters == "VS" && args.len() == 5 && !facts.given(*args, 2) && facts.given(*args, 3) {
             let message = "five values look like the order of older versions";
             let hint = "now: four move speeds (XY, Z, A, B), then four jog speeds";
             found.push(facts.finding(Code::OldOrder, line, *span, message, hint));
@@ -83,7 +83,7 @@ pub(super) fn plunges_that_lift(facts: &Facts<'_>) -> Vec<Diagnostic> {
     for (line, statement) in facts.statements() {
         let Statement::Command { spec, args, span } = statement else { continue };
         let plunge = spec.params.iter().position(|param| param.name == "Plunge");
-        let lifts = plunge.and_then(|at| literal(args, at)).is_some_and(|plunge| plunge > 0.0);
+        let lifts = plunge.and_then(|at| facts.literal(*args, at)).is_some_and(|plunge| plunge > 0.0);
         if lifts && spec.group == Group::Cut {
             found.push(lifting(facts, line, *span));
         }

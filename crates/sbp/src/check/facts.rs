@@ -1,7 +1,7 @@
 //! What the rules want to know about a file.
 
-use crate::expr::ExprNode;
-use crate::tree::{Arg, ArgKind, Node, Program, Span, Statement};
+use crate::expr::{Expr, ExprNode};
+use crate::tree::{ArgKind, ArgList, Node, Program, Span, Statement};
 use kerf_diag::{Code, Diagnostic};
 use kerf_program::settings::LinearUnit;
 use std::collections::BTreeSet;
@@ -49,6 +49,26 @@ impl<'a> Facts<'a> {
         facts.relative = facts.uses("SR");
         facts.calls_files |= facts.uses("FP") || facts.uses("FG");
         facts
+    }
+
+    /// The expressions of a statement and those inside them.
+    pub(super) fn parts(&self, statement: &'a Statement, f: &mut impl FnMut(&'a Expr)) {
+        let operands = &self.program.expressions;
+        statement.expressions(self.program, &mut |expr| operands.each(expr, f));
+    }
+
+    /// The value of an argument when it is a literal number.
+    pub(super) fn literal(&self, args: ArgList, index: usize) -> Option<f64> {
+        match &self.program.args[args].get(index)?.kind {
+            ArgKind::Expr(Expr { node: ExprNode::Number(n), .. }) => Some(*n),
+            _ => None,
+        }
+    }
+
+    /// Whether an argument is given at all.
+    pub(super) fn given(&self, args: ArgList, index: usize) -> bool {
+        let arg = self.program.args[args].get(index);
+        arg.is_some_and(|arg| arg.kind != ArgKind::Blank)
     }
 
     /// Whether a command stands anywhere in the file.
@@ -139,20 +159,4 @@ impl<'a> Facts<'a> {
             (line, program.line_text(line).trim().trim_start_matches('\'').trim())
         })
     }
-}
-
-/// The value of an argument when it is a literal number.
-pub(super) fn literal(args: &[Arg], index: usize) -> Option<f64> {
-    match &args.get(index)?.kind {
-        ArgKind::Expr(expr) => match expr.node {
-            ExprNode::Number(n) => Some(n),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// Whether an argument is given at all.
-pub(super) fn given(args: &[Arg], index: usize) -> bool {
-    args.get(index).is_some_and(|arg| arg.kind != ArgKind::Blank)
 }

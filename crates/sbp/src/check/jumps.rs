@@ -15,15 +15,18 @@ const MOST_LINES: u32 = 1000;
 
 /// Jumps to labels that the file has not; an error only when the jump is taken.
 pub(super) fn unknown_labels(facts: &Facts<'_>) -> Vec<Diagnostic> {
-    let labels = || facts.program.labels.iter().take(MOST_NAMES).map(|label| label.name.as_ref());
+    let labels = || {
+        let labels = facts.program.labels.iter().take(MOST_NAMES);
+        labels.map(|label| facts.program.label_name(label.name))
+    };
     let mut hints = MOST_NAMES;
     let missing = facts.lines().filter_map(|(line, statement)| {
-        let target = statement.target().filter(|target| target.line.is_none())?;
+        let target = statement.target().filter(|target| facts.program.line_of(target).is_none())?;
         hints = hints.saturating_sub(1);
-        let near = (hints > 0).then(|| did_you_mean(&target.name, labels())).flatten();
+        let near = (hints > 0).then(|| did_you_mean(facts.program.label_name(target.label), labels())).flatten();
         let hint =
             near.unwrap_or_else(|| "a label is a name alone on a line, ending in a colon".into());
-        let message = format!("there is no label {}", target.name);
+        let message = format!("there is no label {}", facts.program.label_name(target.label));
         Some(facts.finding(Code::UnknownLabel, line, target.span, message, hint))
     });
     missing.collect()
@@ -79,7 +82,7 @@ pub(super) fn endless_loops(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (line, statement) in facts.lines() {
         let Some(target) = statement.target() else { continue };
-        let first = target.line.filter(|first| (*first..=first + MOST_LINES).contains(&line));
+        let first = facts.program.line_of(target).filter(|first| (*first..=first + MOST_LINES).contains(&line));
         let Some(first) = first else { continue };
         let condition = match statement {
             Statement::Goto(_) => None,
@@ -107,7 +110,7 @@ fn spins(facts: &Facts<'_>, first: u32, last: u32, condition: Option<&Expr>) -> 
                 let Some(statement) = facts.program.statements.get(at as usize) else {
                     return false;
                 };
-                if !statement.with_inner().all(|s| stays(s, first, last)) {
+                if !statement.with_inner().all(|s| stays(facts, s, first, last)) {
                     return false;
                 }
                 changed.extend(statement.with_inner().flat_map(Statement::assigned));
@@ -115,21 +118,21 @@ fn spins(facts: &Facts<'_>, first: u32, last: u32, condition: Option<&Expr>) -> 
             _ => return false,
         }
     }
-    condition.is_none_or(|condition| is_fixed(condition, &changed))
+    condition.is_none_or(|condition| is_fixed(facts, condition, &changed))
 }
 
 /// True for what computes or shows something and goes on within the loop.
-fn stays(statement: &Statement, first: u32, last: u32) -> bool {
+fn stays(facts: &Facts<'_>, statement: &Statement, first: u32, last: u32) -> bool {
     match statement {
         Statement::Assign { .. } | Statement::Output(_) | Statement::If { .. } => true,
-        Statement::Goto(target) => target.line.is_some_and(|to| (first..=last).contains(&to)),
+        Statement::Goto(target) => facts.program.line_of(target).is_some_and(|to| (first..=last).contains(&to)),
         _ => false,
     }
 }
 
 /// Whether an expression keeps its value while these variables change.
-fn is_fixed(expr: &Expr, changed: &BTreeSet<NameId>) -> bool {
-    !expr.any(&|node| match node {
+fn is_fixed(facts: &Facts<'_>, expr: &Expr, changed: &BTreeSet<NameId>) -> bool {
+    !facts.program.expressions.any(expr, &|node| match node {
         ExprNode::System(_) | ExprNode::Persistent(_) | ExprNode::Call(Function::Rnd, _) => true,
         ExprNode::Variable(name) => changed.contains(name),
         _ => false,

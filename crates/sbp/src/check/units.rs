@@ -1,6 +1,6 @@
 //! Units: whether the file says which one it is written in, and whether that fits.
 
-use super::facts::{Facts, given};
+use super::facts::Facts;
 use crate::expr::{BinaryOp, Expr, ExprNode};
 use crate::tree::{Span, Statement};
 use kerf_diag::{Code, Diagnostic, Severity};
@@ -51,15 +51,16 @@ fn unit_name(unit: LinearUnit) -> &'static str {
     }
 }
 
-fn is_unit_variable(node: &ExprNode) -> bool {
-    matches!(node, ExprNode::System(index) if index.node == ExprNode::Number(UNIT_VARIABLE))
+fn is_unit_variable(facts: &Facts<'_>, node: &ExprNode) -> bool {
+    let ExprNode::System(index) = node else { return false };
+    facts.program.expressions[*index].node == ExprNode::Number(UNIT_VARIABLE)
 }
 
 /// Whether %(25) is read anywhere.
 fn asks_unit(facts: &Facts<'_>) -> bool {
     let mut found = false;
     for (_, statement) in facts.statements() {
-        statement.expressions(&mut |expr| found |= expr.any(&is_unit_variable));
+        facts.parts(statement, &mut |part| found |= is_unit_variable(facts, &part.node));
     }
     found
 }
@@ -67,7 +68,7 @@ fn asks_unit(facts: &Facts<'_>) -> bool {
 /// Whether VD changes the unit.
 fn sets_unit(facts: &Facts<'_>) -> bool {
     facts.statements().any(|(_, statement)| {
-        matches!(statement, Statement::Command { spec, args, .. } if spec.letters == "VD" && given(args, 2))
+        matches!(statement, Statement::Command { spec, args, .. } if spec.letters == "VD" && facts.given(*args, 2))
     })
 }
 
@@ -93,21 +94,22 @@ fn guard(facts: &Facts<'_>) -> Option<(u32, Span, LinearUnit)> {
     facts.lines().find_map(|(line, statement)| {
         let Statement::If { condition, .. } = statement else { return None };
         let target = statement.target()?;
-        if !target.name.contains("ERROR") {
+        if !facts.program.label_name(target.label).contains("ERROR") {
             return None;
         }
-        let refused = refused_unit(condition)?;
+        let refused = refused_unit(facts, condition)?;
         let passes = if refused == LinearUnit::Inch { LinearUnit::Mm } else { LinearUnit::Inch };
         Some((line, condition.span, passes))
     })
 }
 
 /// The unit that a condition `%(25) = n` is true for.
-fn refused_unit(condition: &Expr) -> Option<LinearUnit> {
-    let ExprNode::Binary(BinaryOp::Equal, a, b) = &condition.node else { return None };
-    let number = match (&a.node, &b.node) {
-        (variable, ExprNode::Number(n)) if is_unit_variable(variable) => *n,
-        (ExprNode::Number(n), variable) if is_unit_variable(variable) => *n,
+fn refused_unit(facts: &Facts<'_>, condition: &Expr) -> Option<LinearUnit> {
+    let ExprNode::Binary(BinaryOp::Equal, a, b) = condition.node else { return None };
+    let operands = &facts.program.expressions;
+    let number = match (&operands[a].node, &operands[b].node) {
+        (variable, ExprNode::Number(n)) if is_unit_variable(facts, variable) => *n,
+        (ExprNode::Number(n), variable) if is_unit_variable(facts, variable) => *n,
         _ => return None,
     };
     match number {

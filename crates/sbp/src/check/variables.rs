@@ -23,7 +23,7 @@ pub(super) fn never_assigned(facts: &Facts<'_>) -> Vec<Diagnostic> {
     );
     let mut found = Vec::new();
     for (line, statement) in facts.statements() {
-        for (name, span) in numbers_in(statement) {
+        for (name, span) in numbers_in(facts, statement) {
             if told.insert(name) {
                 let text = facts.program.names.get(name.0 as usize).map_or("", |n| n);
                 let message = format!("nothing in this file gives &{text} a value");
@@ -36,23 +36,22 @@ pub(super) fn never_assigned(facts: &Facts<'_>) -> Vec<Diagnostic> {
 }
 
 /// The variables that a statement needs as numbers, and where.
-fn numbers_in(statement: &Statement) -> Vec<(NameId, Span)> {
+fn numbers_in(facts: &Facts<'_>, statement: &Statement) -> Vec<(NameId, Span)> {
+    let operands = &facts.program.expressions;
     let mut found = Vec::new();
     if matches!(statement, Statement::Command { .. }) {
-        statement.expressions(&mut |expr| found.extend(expr.variables()));
+        statement.expressions(facts.program, &mut |expr| found.extend(operands.variables(expr)));
     }
-    statement.expressions(&mut |expr| {
-        expr.each(&mut |part| {
-            if let ExprNode::Binary(op, a, b) = &part.node
-                && op.precedence() >= BinaryOp::Add.precedence()
-            {
-                for side in [a, b] {
-                    if let ExprNode::Variable(name) = side.node {
-                        found.push((name, side.span));
-                    }
+    facts.parts(statement, &mut |part| {
+        if let ExprNode::Binary(op, a, b) = part.node
+            && op.precedence() >= BinaryOp::Add.precedence()
+        {
+            for side in [&operands[a], &operands[b]] {
+                if let ExprNode::Variable(name) = side.node {
+                    found.push((name, side.span));
                 }
             }
-        });
+        }
     });
     found
 }
@@ -60,15 +59,16 @@ fn numbers_in(statement: &Statement) -> Vec<(NameId, Span)> {
 /// `&i = &i + .1` somewhere and `IF &i = 1` elsewhere.
 pub(super) fn fractional_counters(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let counters: BTreeSet<NameId> =
-        facts.statements().filter_map(|(_, statement)| fractional_step(statement)).collect();
+        facts.statements().filter_map(|(_, s)| fractional_step(facts, s)).collect();
+    let operands = &facts.program.expressions;
     let mut found = Vec::new();
     for (line, statement) in facts.lines() {
         let Statement::If { condition, .. } = statement else { continue };
-        condition.each(&mut |expr| {
-            let ExprNode::Binary(BinaryOp::Equal | BinaryOp::NotEqual, a, b) = &expr.node else {
+        operands.each(condition, &mut |expr| {
+            let ExprNode::Binary(BinaryOp::Equal | BinaryOp::NotEqual, a, b) = expr.node else {
                 return;
             };
-            let counter = [a, b].into_iter().find_map(|side| match side.node {
+            let counter = [&operands[a], &operands[b]].into_iter().find_map(|side| match side.node {
                 ExprNode::Variable(name) if counters.contains(&name) => Some(name),
                 _ => None,
             });
@@ -84,14 +84,15 @@ pub(super) fn fractional_counters(facts: &Facts<'_>) -> Vec<Diagnostic> {
 }
 
 /// The variable of `&i = &i + step` when the step is a fraction that binary numbers only come near.
-fn fractional_step(statement: &Statement) -> Option<NameId> {
+fn fractional_step(facts: &Facts<'_>, statement: &Statement) -> Option<NameId> {
     let Statement::Assign { name, persistent: false, value: Assigned::Expr(expr), .. } = statement
     else {
         return None;
     };
-    let ExprNode::Binary(BinaryOp::Add | BinaryOp::Subtract, a, b) = &expr.node else {
+    let ExprNode::Binary(BinaryOp::Add | BinaryOp::Subtract, a, b) = expr.node else {
         return None;
     };
+    let (a, b) = (&facts.program.expressions[a], &facts.program.expressions[b]);
     let is_self = |side: &Expr| side.node == ExprNode::Variable(*name);
     let step = match (&a.node, &b.node) {
         (_, ExprNode::Number(step)) if is_self(a) => *step,

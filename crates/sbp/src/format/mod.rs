@@ -72,7 +72,7 @@ fn push_line(program: &Program, node: Node, written: &str, out: &mut String) {
         Node::Statement(at) => {
             out.push_str(&written[..start]);
             if let Some(statement) = program.statements.get(at as usize) {
-                statement::Code { line: written, start, end }.push(statement, out);
+                statement::Code { program, line: written, start, end }.push(statement, out);
             }
         }
         Node::Blank | Node::Comment | Node::Bad => {}

@@ -2,11 +2,13 @@
 
 use super::{push_fields, trim_end};
 use crate::reader::blank;
+use crate::Program;
 use crate::tree::{Span, Statement};
 
 /// The code of a statement within its line.
 #[derive(Clone, Copy)]
 pub(super) struct Code<'a> {
+    pub(super) program: &'a Program,
     pub(super) line: &'a str,
     /// First byte of the statement.
     pub(super) start: usize,
@@ -19,7 +21,7 @@ impl<'a> Code<'a> {
         match statement {
             Statement::Command { args, .. } => {
                 out.push_str(&self.word().to_uppercase());
-                push_fields(args.iter().map(|arg| self.slice(arg.span)), out);
+                push_fields(self.program.args[*args].iter().map(|arg| self.slice(arg.span)), out);
             }
             Statement::Assign { .. } => self.push_assignment(out),
             Statement::If { condition, then } => {

@@ -23,6 +23,8 @@ pub enum Stop {
 /// What an effect works with.
 pub struct Context<'a> {
     pub(crate) core: &'a mut Core,
+    /// The file of the line being executed.
+    pub(crate) program: &'a Program,
     pub(crate) host: &'a mut dyn Host,
     pub(crate) out: &'a mut Vec<Sourced>,
     /// The line being executed.
@@ -130,7 +132,7 @@ impl Context<'_> {
         code: Code,
         message: impl Into<String>,
     ) -> Diagnostic {
-        let place = self.program().place(self.at.line, span);
+        let place = self.program.place(self.at.line, span);
         let mut diagnostic = Diagnostic::new(code, place, message);
         diagnostic.callers = self.callers();
         diagnostic
@@ -156,11 +158,6 @@ impl Context<'_> {
             HostError::Disabled(what) => self.fail(Code::ShellDisabled, what),
             HostError::Refused(what) => self.fail(Code::FileError, what),
         }
-    }
-
-    /// The program being executed.
-    pub(crate) fn program(&self) -> Arc<Program> {
-        self.core.programs.get(self.at.file as usize).cloned().unwrap_or_default()
     }
 
     /// Refuses an axis that VD has not switched on, or that MI keeps moving.

@@ -181,6 +181,11 @@ impl Core {
         }
     }
 
+    /// A file of [`At`](kerf_program::At); an empty one for a number that none has.
+    pub(crate) fn program(&self, file: u32) -> Arc<Program> {
+        self.programs.get(file as usize).cloned().unwrap_or_default()
+    }
+
     /// The innermost open file.
     pub(crate) fn level(&self) -> Option<&Level> {
         self.levels.last()

@@ -83,7 +83,7 @@ impl Context<'_> {
     /// The present line and those that led to it: the callers of a file that is about to be opened.
     fn callers_of_called(&self) -> Vec<Place> {
         let mut callers = self.callers();
-        callers.insert(0, self.program().place(self.at.line, self.span));
+        callers.insert(0, self.program.place(self.at.line, self.span));
         callers
     }
 

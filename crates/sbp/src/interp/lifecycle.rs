@@ -35,7 +35,8 @@ pub(super) fn too_many_lines(
     at: At,
 ) -> Step {
     let bound = core.options.max_lines;
-    let context = Context { core, host, out, at, span: Span::default() };
+    let program = &core.program(at.file);
+    let context = Context { core, program, host, out, at, span: Span::default() };
     let diagnostic = context
         .diagnostic(Span::default(), Code::LineLimit, format!("stopped after {bound} lines"))
         .hint("is there a loop that never ends? --max-lines raises the bound");
@@ -46,16 +47,16 @@ pub(super) fn too_many_lines(
 /// Opens the file the operator started, with the parameters of FP.
 pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     core.started = true;
-    let Some(program) = core.programs.first().cloned() else { return end(core, host, out) };
+    let Some(first) = core.programs.first().cloned() else { return end(core, host, out) };
     host.store(CLEARED_VALUE, None);
     if !core.options.typed {
-        host.store(PART_FILE, Some(&program.name));
+        host.store(PART_FILE, Some(&first.name));
     }
     let parameters = core.options.file;
-    let mut context =
-        Context { core, host, out, at: At { file: 0, line: 0 }, span: Span::default() };
-    context.doubt_plunge(&program, &parameters);
-    context.open_level(program, parameters);
+    let at = At { file: 0, line: 0 };
+    let mut context = Context { core, program: &first, host, out, at, span: Span::default() };
+    context.doubt_plunge(&first, &parameters);
+    context.open_level(first.clone(), parameters);
     Step::Ran
 }
 
@@ -70,13 +71,16 @@ pub(super) fn end_of_file(core: &mut Core, host: &mut dyn Host, out: &mut Vec<So
             return too_many_lines(core, host, out, At { line: 1, ..at });
         }
     }
-    Context { core, host, out, at, span: Span::default() }.file_over();
+    let program = &core.program(at.file);
+    Context { core, program, host, out, at, span: Span::default() }.file_over();
     Step::Ran
 }
 
 /// The outermost file is over: once all motion is made, so is the run. Until then handlers live.
 pub(super) fn end(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-    let mut context = Context { core, host, out, at: At::default(), span: Span::default() };
+    let at = At::default();
+    let program = &core.program(at.file);
+    let mut context = Context { core, program, host, out, at, span: Span::default() };
     let outcome = context.end_run(Status::Ok);
     after(core, host, out, Err(outcome))
 }
@@ -84,7 +88,8 @@ pub(super) fn end(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) 
 /// Ends the run: closes files, disarms handlers, gives temporary values back.
 pub(super) fn finish(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) {
     let at = core.levels.last().map_or(At::default(), |l| At { file: l.file, line: l.next });
-    let mut context = Context { core, host, out, at, span: Span::default() };
+    let program = &core.program(at.file);
+    let mut context = Context { core, program, host, out, at, span: Span::default() };
     // What is still buffered for tabs never moves: after an error, a stop or a limit.
     context.core.tabs = None;
     context.close_user_files();

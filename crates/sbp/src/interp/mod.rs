@@ -215,7 +215,9 @@ impl Interpreter {
     pub fn system_variable(&mut self, host: &mut dyn Host, number: u8) -> Option<Value> {
         let mut out = Vec::new();
         let (at, span) = (At::default(), Span::default());
-        let mut context = Context { core: &mut self.core, host, out: &mut out, at, span };
+        let program = &self.core.program(at.file);
+        let core = &mut self.core;
+        let mut context = Context { core, program, host, out: &mut out, at, span };
         context.system_variable(f64::from(number), span).ok()
     }
 

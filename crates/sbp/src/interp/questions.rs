@@ -16,7 +16,7 @@ impl Context<'_> {
         Question {
             kind,
             text: text.into(),
-            title: self.program().name.to_string(),
+            title: self.program.name.to_string(),
             buttons: buttons.to_vec(),
             default: 0,
             prefill: String::new(),

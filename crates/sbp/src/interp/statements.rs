@@ -19,7 +19,7 @@ impl Context<'_> {
         match statement {
             Statement::Command { spec, args, span } => {
                 self.span = *span;
-                self.command(spec, args)
+                self.command(spec, &self.program.args[*args])
             }
             Statement::Assign { name, persistent, only_if_undefined, value, span } => {
                 self.span = *span;
@@ -108,8 +108,9 @@ impl Context<'_> {
     }
 
     pub(super) fn label_line(&self, target: &Target) -> Result<u32, Stop> {
-        target.line.ok_or_else(|| {
-            let message = format!("label {} not found", target.name);
+        self.program.line_of(target).ok_or_else(|| {
+            let name = self.program.label_name(target.label);
+            let message = format!("label {name} not found");
             self.fail_at(
                 target.span,
                 Code::LabelNotFound,
@@ -177,7 +178,7 @@ impl Context<'_> {
 
     /// The full-line comment right above the present line.
     pub(crate) fn comment_above(&self) -> Option<String> {
-        let program = self.program();
+        let program = self.program;
         let above = self.at.line.checked_sub(1)?;
         let node = program.lines.get(above.checked_sub(1)? as usize)?.node;
         let text = comment_text(program.line_text(above));

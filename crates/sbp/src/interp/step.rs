@@ -54,7 +54,7 @@ fn execute(
 ) -> Step {
     let before = Before::of(core, out);
     go_on_at(core, at.line);
-    let mut context = Context { core, host, out, at, span: whole_line(program, at.line) };
+    let mut context = Context { core, program, host, out, at, span: whole_line(program, at.line) };
     let outcome = node(&mut context, program, line);
     if matches!(outcome, Err(Stop::Waiting)) {
         go_on_at(core, at.line - 1);
@@ -245,10 +245,10 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
 /// Runs the action of a handler that fired.
 fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, fired: &Handler) -> Step {
     let at = fired.at;
-    let program = core.programs.get(at.file as usize).cloned().unwrap_or_default();
+    let program = &core.program(at.file);
     let before = Before::of(core, out);
-    let mut context = Context { core, host, out, at, span: whole_line(&program, at.line) };
-    let outcome = context.handler_action(&program, fired.level);
+    let mut context = Context { core, program, host, out, at, span: whole_line(program, at.line) };
+    let outcome = context.handler_action(program, fired.level);
     if matches!(outcome, Err(Stop::Waiting)) {
         return before.wait(core, out);
     }

@@ -12,19 +12,19 @@ pub(super) fn moves_z(program: &Program) -> bool {
             (0..command.count).any(|i| command.first + i == 2 && given & (1 << i) != 0)
         }
         Node::Statement(index) => {
-            program.statements.get(index as usize).is_some_and(statement_moves_z)
+            program.statements.get(index as usize).is_some_and(|s| statement_moves_z(program, s))
         }
         _ => false,
     })
 }
 
-fn statement_moves_z(statement: &Statement) -> bool {
+fn statement_moves_z(program: &Program, statement: &Statement) -> bool {
     match statement {
-        Statement::If { then, .. } => statement_moves_z(then),
+        Statement::If { then, .. } => statement_moves_z(program, then),
         Statement::Command { spec, args, .. } => {
             matches!(spec.letters, "MH" | "JH")
                 || matches!(spec.group, Group::Move | Group::Jog)
-                    && spec.params.iter().zip(args).any(|(param, arg)| {
+                    && spec.params.iter().zip(&program.args[*args]).any(|(param, arg)| {
                         param.kind == Kind::Number(Unit::Axis(Axis::Z))
                             && arg.kind != ArgKind::Blank
                     })

@@ -54,7 +54,7 @@ impl Line<'_, '_> {
         }
         let mark = self.mark();
         if let Ok(expr) = self.whole_expression(span)
-            && !is_text(&expr)
+            && !self.is_text(&expr)
         {
             self.at = self.end;
             return Ok(Assigned::Expr(self.spelled_out(expr)));
@@ -73,6 +73,21 @@ impl Line<'_, '_> {
         Ok(Assigned::Text(text.into()))
     }
 
+    /// True for bare words that are no part of a join or a comparison with something else.
+    fn is_text(&self, expr: &Expr) -> bool {
+        let operands = &self.file.expressions;
+        let is_word = |expr: &Expr| matches!(expr.node, ExprNode::Word(_));
+        match expr.node {
+            ExprNode::Word(_) => true,
+            ExprNode::Binary(op, a, b) if op.precedence() <= BinaryOp::Join.precedence() => {
+                let (a, b) = (&operands[a], &operands[b]);
+                let (text_a, text_b) = (self.is_text(a), self.is_text(b));
+                text_a && text_b || (text_a && !is_word(a)) || (text_b && !is_word(b))
+            }
+            _ => operands.has_words(expr),
+        }
+    }
+
     /// `&a = "&b"` is an old way to say: the value of b as text.
     fn spelled_out(&mut self, expr: Expr) -> Expr {
         let ExprNode::Text(text) = &expr.node else { return expr };
@@ -84,21 +99,8 @@ impl Line<'_, '_> {
         let id = self.file.name_id(name);
         let variable = Expr { node: ExprNode::Variable(id), span };
         let nothing = Expr { node: ExprNode::Text("".into()), span };
-        let node = ExprNode::Binary(BinaryOp::Join, Box::new(variable), Box::new(nothing));
+        let node = self.join(BinaryOp::Join, variable, nothing);
         Expr { node, span: expr.span }
-    }
-}
-
-/// True for bare words that are no part of a join or a comparison with something else.
-fn is_text(expr: &Expr) -> bool {
-    match &expr.node {
-        ExprNode::Word(_) => true,
-        ExprNode::Binary(op, a, b) if op.precedence() <= BinaryOp::Join.precedence() => {
-            is_text(a) && is_text(b)
-                || (is_text(a) && !matches!(a.node, ExprNode::Word(_)))
-                || (is_text(b) && !matches!(b.node, ExprNode::Word(_)))
-        }
-        _ => expr.has_words(),
     }
 }
 

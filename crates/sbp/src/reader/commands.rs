@@ -3,7 +3,7 @@
 use super::line::{Failed, Line, Read, is_name};
 use crate::expr::{Expr, ExprNode};
 use crate::table::{self, CommandSpec, Default, Kind, ParamSpec};
-use crate::tree::{Arg, ArgKind, Span, Statement};
+use crate::tree::{Arg, ArgKind, ArgList, Span, Statement};
 use kerf_diag::Code;
 
 /// The commands by their letters, for one look instead of a search.
@@ -59,7 +59,7 @@ impl Line<'_, '_> {
         }
         let (args, read) = self.arguments(spec);
         if !self.second_command {
-            self.check_required(spec, &args, head)?;
+            self.check_required(spec, args, head)?;
         }
         read?;
         let span = Span { start: start as u32, end: self.end as u32 };
@@ -68,17 +68,20 @@ impl Line<'_, '_> {
 
     /// Every field up to the end of the code, trailing blank ones left out; and whether all of them
     /// could be read.
-    fn arguments(&mut self, spec: &CommandSpec) -> (Vec<Arg>, Read<()>) {
-        let mut args = Vec::new();
+    fn arguments(&mut self, spec: &CommandSpec) -> (ArgList, Read<()>) {
+        let mut args = self.file.args.begin();
         let mut read = Ok(());
         while !self.at_end() && !self.second_command {
             let span = self.field();
             self.at += 1;
             match spec.params.get(args.len()) {
-                Some(param) => args.push(self.argument(param, span).unwrap_or_else(|failed| {
-                    read = Err(failed);
-                    unreadable(span)
-                })),
+                Some(param) => {
+                    let arg = self.argument(param, span).unwrap_or_else(|failed| {
+                        read = Err(failed);
+                        unreadable(span)
+                    });
+                    self.file.args.push(&mut args, arg);
+                }
                 None if span.start == span.end => {}
                 None => {
                     read = Err(self.surplus(spec, span));
@@ -87,9 +90,7 @@ impl Line<'_, '_> {
             }
         }
         self.at = self.end;
-        while args.last().is_some_and(|a| a.kind == ArgKind::Blank) {
-            args.pop();
-        }
+        self.file.args.trim(&mut args);
         (args, read)
     }
 
@@ -130,7 +131,7 @@ impl Line<'_, '_> {
         let computed = self.whole_expression(span);
         let text = self.slice(span.start as usize, span.end as usize);
         match computed {
-            Ok(expr) if !expr.has_words() => return Ok(ArgKind::Expr(expr)),
+            Ok(expr) if !self.file.expressions.has_words(&expr) => return Ok(ArgKind::Expr(expr)),
             // A number and then a command: a comma or a line end was forgotten.
             Err(failed) if self.second_command && !text.starts_with(char::is_alphabetic) => {
                 return Err(failed);
@@ -153,10 +154,10 @@ impl Line<'_, '_> {
         self.fault(Code::TooManyParameters, span, message, "leave it out, or check the commas")
     }
 
-    fn check_required(&mut self, spec: &CommandSpec, args: &[Arg], head: Span) -> Read<()> {
+    fn check_required(&mut self, spec: &CommandSpec, args: ArgList, head: Span) -> Read<()> {
         let mut result = Ok(());
         for (index, param) in spec.params.iter().enumerate() {
-            let arg = args.get(index);
+            let arg = self.file.args[args].get(index);
             let blank = arg.is_none_or(|a| a.kind == ArgKind::Blank);
             if blank && param.default == Default::Required {
                 let message = format!("{} expected", param.name.to_lowercase());

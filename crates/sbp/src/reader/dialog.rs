@@ -47,7 +47,7 @@ impl Line<'_, '_> {
 
     fn warn_commas(&mut self, text: &Expr) {
         let commas = |node: &ExprNode| matches!(node, ExprNode::Text(t) if t.contains(','));
-        if text.any(&commas) {
+        if self.file.expressions.any(text, &commas) {
             let hint = "old software cut the text at its first comma";
             let message = "a comma in the message of INPUT";
             self.warn(Code::DoubtfulSpelling, text.span, message, hint);
@@ -108,7 +108,7 @@ impl Line<'_, '_> {
         let mark = self.mark();
         if span.start < span.end
             && let Ok(expr) = self.whole_expression(span)
-            && !expr.has_words()
+            && !self.file.expressions.has_words(&expr)
         {
             return DialogText::Expr(expr);
         }
@@ -218,7 +218,10 @@ impl Line<'_, '_> {
                 true
             }
             ExprNode::Binary(BinaryOp::Join, left, right) => {
-                self.joined_parts(left, parts) && self.joined_parts(right, parts)
+                let (left, right) = (*left, *right);
+                let operand = |line: &Self, id| line.file.expressions[id].clone();
+                self.joined_parts(&operand(self, left), parts)
+                    && self.joined_parts(&operand(self, right), parts)
             }
             _ => false,
         }

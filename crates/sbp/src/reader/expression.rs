@@ -78,9 +78,15 @@ impl Line<'_, '_> {
             }
             let right = self.binary(op.precedence() + 1, adjacent)?;
             let span = Span { start: left.span.start, end: right.span.end };
-            let node = ExprNode::Binary(op, Box::new(left), Box::new(right));
+            let node = self.join(op, left, right);
             left = Expr { node, span };
         }
+    }
+
+    /// Two operands with an operator between them.
+    pub(super) fn join(&mut self, op: BinaryOp, left: Expr, right: Expr) -> ExprNode {
+        let operands = &mut self.file.expressions;
+        ExprNode::Binary(op, operands.add(left), operands.add(right))
     }
 
     /// Counts an operator and tells of doubtful spellings.
@@ -154,7 +160,7 @@ impl Line<'_, '_> {
         let node = match (op, operand.node) {
             (UnaryOp::Minus, ExprNode::Number(n)) => ExprNode::Number(-n),
             (UnaryOp::Plus, ExprNode::Number(n)) => ExprNode::Number(n),
-            (_, node) => ExprNode::Unary(op, Box::new(Expr { node, ..operand })),
+            (_, node) => ExprNode::Unary(op, self.file.expressions.add(Expr { node, ..operand })),
         };
         Ok(Expr { node, span })
     }
@@ -186,7 +192,8 @@ impl Line<'_, '_> {
                     let hint = "a system variable is written %(n)";
                     return Err(self.fault(Code::BadExpression, span, "( expected after %", hint));
                 }
-                ExprNode::System(Box::new(self.parenthesised(start, adjacent)?))
+                let index = self.parenthesised(start, adjacent)?;
+                ExprNode::System(self.file.expressions.add(index))
             }
             b'(' => {
                 self.at += 1;
@@ -283,7 +290,8 @@ impl Line<'_, '_> {
         if self.peek() == b'(' {
             let Some(function) = function else { return Err(self.unknown_function(start)) };
             self.at += 1;
-            let argument = Some(Box::new(self.parenthesised(start, adjacent)?));
+            let argument = self.parenthesised(start, adjacent)?;
+            let argument = Some(self.file.expressions.add(argument));
             let node = ExprNode::Call(function, argument);
             return Ok(Expr { node, span: self.span_from(start) });
         }

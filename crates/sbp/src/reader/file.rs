@@ -2,11 +2,15 @@
 
 use super::commands::CommandIndex;
 use super::line::{Line, Read};
+use super::names::Names;
 use super::text::{after_line_end, blank, is_blank, line_end};
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, moves};
-use crate::tree::{Label, LineNode, NameId, Node, Program, Span, Statement};
+use crate::Expressions;
+use crate::tree::{
+    Args, Label, LabelId, LabelName, LineNode, NameId, Node, Program, Span, Statement,
+};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
-use std::collections::HashMap;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A file while it is read.
@@ -16,10 +20,13 @@ pub(super) struct File {
     pub(super) lines: Vec<LineNode>,
     pub(super) numbers: Vec<f64>,
     pub(super) statements: Vec<Statement>,
-    pub(super) labels: Vec<Label>,
-    pub(super) label_lines: HashMap<Arc<str>, u32>,
-    names: Vec<Arc<str>>,
-    name_ids: HashMap<Arc<str>, u32>,
+    pub(super) args: Args,
+    pub(super) expressions: Expressions,
+    labels: Vec<Label>,
+    label_names: Names,
+    /// The first line of each label, 0 for names that only jumps have.
+    label_lines: Vec<u32>,
+    names: Names,
     pub(super) diagnostics: Vec<Diagnostic>,
     pub(super) commands: CommandIndex,
     /// The line of an unconditional END with no label behind it.
@@ -36,10 +43,12 @@ impl File {
             lines: Vec::new(),
             numbers: Vec::new(),
             statements: Vec::new(),
+            args: Args::default(),
+            expressions: Expressions::default(),
             labels: Vec::new(),
-            label_lines: HashMap::new(),
-            names: Vec::new(),
-            name_ids: HashMap::new(),
+            label_names: Names::default(),
+            label_lines: Vec::new(),
+            names: Names::default(),
             diagnostics: Vec::new(),
             commands: CommandIndex::new(),
             last_end: None,
@@ -100,27 +109,27 @@ impl File {
 
     /// The number of a variable's name, which is the same in any case.
     pub(super) fn name_id(&mut self, name: &str) -> NameId {
-        let mut buffer = [0; 48];
-        let folded;
-        let key = match buffer.get_mut(..name.len()) {
-            Some(short) if name.is_ascii() => {
-                short.copy_from_slice(name.as_bytes());
-                short.make_ascii_uppercase();
-                std::str::from_utf8(short).unwrap_or(name)
-            }
-            _ => {
-                folded = name.to_uppercase();
-                &folded
-            }
-        };
-        if let Some(id) = self.name_ids.get(key) {
-            return NameId(*id);
+        NameId(self.names.id(name))
+    }
+
+    /// The number of a label's name: the same in any case, and however many blanks are in it.
+    pub(super) fn label_id(&mut self, written: &str) -> LabelId {
+        let id = self.label_names.id(&single_blanks(written));
+        if self.label_lines.len() <= id as usize {
+            self.label_lines.push(0);
         }
-        let id = self.names.len() as u32;
-        let key: Arc<str> = key.into();
-        self.names.push(key.clone());
-        self.name_ids.insert(key, id);
-        NameId(id)
+        LabelId(id)
+    }
+
+    /// Keeps a label; gives the first line that has it.
+    fn add_label(&mut self, written: &str, line: u32) -> u32 {
+        let name = self.label_id(written);
+        self.labels.push(Label { name, line });
+        let Some(first) = self.label_lines.get_mut(name.0 as usize) else { return line };
+        if *first == 0 {
+            *first = line;
+        }
+        *first
     }
 
     /// What stands behind the last END is never reached, so it is no reason not to run.
@@ -128,8 +137,7 @@ impl File {
     /// Unless a jump misses its label: one of the lines may be that label, misspelt.
     fn soften_unreachable(&mut self) {
         let Some(end) = self.last_end else { return };
-        let misses = |s: &Statement| s.target().is_some_and(|target| target.line.is_none());
-        if self.statements.iter().any(misses) {
+        if self.label_lines.contains(&0) {
             return;
         }
         for diagnostic in self.diagnostics.iter_mut().filter(|d| d.place.line > end) {
@@ -148,9 +156,6 @@ impl File {
             let last = Diagnostic::new(Code::Syntax, place, message).severity(severity);
             self.diagnostics.push(last);
         }
-        for statement in &mut self.statements {
-            link(statement, &self.label_lines);
-        }
         self.soften_unreachable();
         Program {
             name: self.name,
@@ -158,23 +163,21 @@ impl File {
             lines: self.lines,
             numbers: self.numbers,
             statements: self.statements,
+            args: self.args,
+            expressions: self.expressions,
             labels: self.labels,
-            label_lines: self.label_lines,
-            names: self.names,
+            label_names: labels(self.label_names, &self.label_lines),
+            names: self.names.into_list(),
             diagnostics: self.diagnostics,
         }
     }
 }
 
-fn link(statement: &mut Statement, labels: &HashMap<Arc<str>, u32>) {
-    match statement {
-        Statement::Goto(target) | Statement::Gosub(target) => {
-            target.line = labels.get(&target.name).copied();
-        }
-        Statement::If { then, .. } => link(then, labels),
-        Statement::OnInput { action: Some(action), .. } => link(action, labels),
-        _ => {}
-    }
+/// The names of labels and the lines that have them.
+fn labels(names: Names, lines: &[u32]) -> Vec<LabelName> {
+    let line = |first: &u32| (*first > 0).then_some(*first);
+    let named = names.into_list().into_iter().zip(lines);
+    named.map(|(name, first)| LabelName { name, line: line(first) }).collect()
 }
 
 impl Line<'_, '_> {
@@ -215,16 +218,15 @@ impl Line<'_, '_> {
         if !is_label(written) || (written.contains(blank) && self.is_statement()) {
             return Ok(None);
         }
-        let name = label_name(written);
         let line = self.number;
-        let first = *self.file.label_lines.entry(name.clone()).or_insert(line);
+        let first = self.file.add_label(written, line);
         if first != line {
+            let name = single_blanks(written).to_uppercase();
             let message = format!("label {name} repeated at line {line}");
             let hint = format!("jumps go to line {first}");
             self.warn(Code::RepeatedLabel, span, message, hint);
         }
         self.file.last_end = None;
-        self.file.labels.push(Label { name, line });
         Ok(Some(Node::Label(self.file.labels.len() as u32 - 1)))
     }
 }
@@ -236,16 +238,13 @@ pub(super) fn is_label(text: &str) -> bool {
         && !text.starts_with(['&', '$', '%'])
 }
 
-/// A label's name as it is kept: capitals, single blanks.
-pub(super) fn label_name(written: &str) -> Arc<str> {
-    let mut name = String::with_capacity(written.len());
-    for word in written.split(blank).filter(|word| !word.is_empty()) {
-        if !name.is_empty() {
-            name.push(' ');
-        }
-        name.push_str(&word.to_uppercase());
+/// A label's name with single blanks between its words.
+fn single_blanks(written: &str) -> Cow<'_, str> {
+    if !written.contains(blank) {
+        return written.into();
     }
-    name.into()
+    let words: Vec<&str> = written.split(blank).filter(|word| !word.is_empty()).collect();
+    words.join(" ").into()
 }
 
 #[cfg(test)]

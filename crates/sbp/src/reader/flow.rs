@@ -1,6 +1,6 @@
 //! IF, jumps, ON INPUT, PAUSE and END.
 
-use super::file::{is_label, label_name};
+use super::file::is_label;
 use super::line::{Line, Read};
 use super::suggest::did_you_mean;
 use super::text::blank;
@@ -85,7 +85,7 @@ impl Line<'_, '_> {
             let hint = "jumps go to labels: names alone on a line, ending in a colon";
             return Err(self.fault(Code::Syntax, span, message, hint));
         }
-        Ok(Target { name: label_name(written), line: None, span })
+        Ok(Target { label: self.file.label_id(written), span })
     }
 
     pub(super) fn on_input(&mut self, start: usize, inner: bool) -> Read<Statement> {
@@ -138,7 +138,7 @@ impl Line<'_, '_> {
             return Ok(Statement::Pause { seconds: None });
         }
         let seconds = self.expression()?;
-        if seconds.any(&|node| matches!(node, ExprNode::Text(_))) {
+        if self.file.expressions.any(&seconds, &|node| matches!(node, ExprNode::Text(_))) {
             let hint = "text is FabMo's dialect; here the comment line above is the message";
             let message = "PAUSE takes seconds, not text";
             return Err(self.fault(Code::Syntax, seconds.span, message, hint));

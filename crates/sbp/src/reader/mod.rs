@@ -21,6 +21,7 @@ mod flow;
 mod gcode;
 mod line;
 mod moves;
+mod names;
 mod output;
 #[cfg(test)]
 pub(crate) mod properties;

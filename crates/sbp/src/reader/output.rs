@@ -97,7 +97,8 @@ impl Line<'_, '_> {
             return Ok(items);
         }
         let given = items.len();
-        let items: Vec<Expr> = items.into_iter().flat_map(split_at_commas).collect();
+        let items: Vec<Expr> =
+            items.into_iter().flat_map(|item| self.split_at_commas(item)).collect();
         if write && items.len() > given {
             let span = Span { start: self.text.len() as u32, end: self.text.len() as u32 };
             let hint = "write WRITE #1; ... with semicolons to keep commas inside quotes";
@@ -105,6 +106,27 @@ impl Line<'_, '_> {
             self.warn(Code::DoubtfulSpelling, span, message, hint);
         }
         Ok(items)
+    }
+
+    /// An item of the comma form: text is cut at its commas, also within a join.
+    fn split_at_commas(&mut self, item: Expr) -> Vec<Expr> {
+        match item.node {
+            ExprNode::Text(written) if written.contains(',') => {
+                written.split(',').map(|part| text(part, item.span)).collect()
+            }
+            ExprNode::Binary(BinaryOp::Join, left, right) => {
+                let (left, right) = (self.file.expressions[left].clone(), self.file.expressions[right].clone());
+                let mut items = self.split_at_commas(left);
+                let mut more = self.split_at_commas(right).into_iter();
+                if let (Some(left), Some(right)) = (items.pop(), more.next()) {
+                    let span = Span { start: left.span.start, end: right.span.end };
+                    items.push(Expr { node: self.join(BinaryOp::Join, left, right), span });
+                }
+                items.extend(more);
+                items
+            }
+            node => vec![Expr { node, span: item.span }],
+        }
     }
 
     /// The item up to a place; blank ones are left out.
@@ -162,27 +184,6 @@ impl Line<'_, '_> {
 
 fn text(text: &str, span: Span) -> Expr {
     Expr { node: ExprNode::Text(text.into()), span }
-}
-
-/// An item of the comma form: text is cut at its commas, also within a join.
-fn split_at_commas(item: Expr) -> Vec<Expr> {
-    match item.node {
-        ExprNode::Text(written) if written.contains(',') => {
-            written.split(',').map(|part| text(part, item.span)).collect()
-        }
-        ExprNode::Binary(BinaryOp::Join, left, right) => {
-            let mut items = split_at_commas(*left);
-            let mut more = split_at_commas(*right).into_iter();
-            if let (Some(left), Some(right)) = (items.pop(), more.next()) {
-                let span = Span { start: left.span.start, end: right.span.end };
-                let node = ExprNode::Binary(BinaryOp::Join, Box::new(left), Box::new(right));
-                items.push(Expr { node, span });
-            }
-            items.extend(more);
-            items
-        }
-        node => vec![Expr { node, span: item.span }],
-    }
 }
 
 #[cfg(test)]

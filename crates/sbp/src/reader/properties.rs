@@ -140,7 +140,7 @@ fn check_program(text: &str, program: &Program) {
         let number = index as u32 + 1;
         let written = program.line_text(number);
         match line.node {
-            Node::Statement(at) => check_spans(&program.statements[at as usize], written),
+            Node::Statement(at) => check_spans(program, &program.statements[at as usize], written),
             Node::Bad => assert!(
                 program.diagnostics.iter().any(|d| d.place.line == number),
                 "no reason for {written:?}"
@@ -155,7 +155,8 @@ fn check_program(text: &str, program: &Program) {
     }
     check_diagnostics(program);
     for label in &program.labels {
-        assert!(program.label_lines[&label.name] <= label.line);
+        let first = program.label_names[label.name.0 as usize].line;
+        assert!(first.is_some_and(|first| first <= label.line));
     }
 }
 
@@ -174,14 +175,17 @@ fn check_diagnostics(program: &Program) {
     }
 }
 
-fn check_spans(statement: &Statement, line: &str) {
+fn check_spans(program: &Program, statement: &Statement, line: &str) {
     let inside = |span: Span| {
         assert!(line.get(span.start as usize..span.end as usize).is_some(), "{span:?} {line:?}");
     };
     for statement in statement.with_inner() {
-        statement.expressions(&mut |expr| expr.each(&mut |e| inside(e.span)));
+        statement.expressions(program, &mut |expr| {
+            program.expressions.each(expr, &mut |e| inside(e.span));
+        });
         if let Statement::Command { args, span, .. } = statement {
             inside(*span);
+            let args = &program.args[*args];
             args.iter().for_each(|arg| inside(arg.span));
             assert!(args.last().is_none_or(|arg| arg.kind != ArgKind::Blank));
         }
@@ -228,7 +232,7 @@ proptest! {
         let slow = read("p".into(), line(format!("({})", values[0])).as_bytes());
         let Node::Statement(0) = slow.lines[0].node else { panic!("{:?}", slow.diagnostics) };
         let mut numbers = Vec::new();
-        slow.statements[0].expressions(&mut |e| {
+        slow.statements[0].expressions(&slow, &mut |e| {
             if let crate::ExprNode::Number(n) = e.node { numbers.push(n); }
         });
         let parsed: Vec<f64> = values.iter().map(|v| v.parse().expect("digits")).collect();

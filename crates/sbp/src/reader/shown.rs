@@ -1,6 +1,6 @@
 //! Trees and diagnostics as short text, for tests.
 
-use crate::expr::{Expr, ExprNode, UnaryOp};
+use crate::expr::{Expr, ExprId, ExprNode, UnaryOp};
 use crate::tree::{
     Arg, ArgKind, Assigned, DialogText, Node, Program, Separator, Statement, TextPart,
 };
@@ -45,7 +45,7 @@ pub(crate) fn node(program: &Program, index: usize) -> String {
     match program.lines[index].node {
         Node::Blank => "blank".into(),
         Node::Comment => "comment".into(),
-        Node::Label(label) => format!("label {}", program.labels[label as usize].name),
+        Node::Label(label) => format!("label {}", program.label_name(program.labels[label as usize].name)),
         Node::Bad => {
             let line = index as u32 + 1;
             let found = program.diagnostics.iter().filter(|d| d.place.line == line).map(finding);
@@ -80,7 +80,7 @@ fn statement(p: &Program, s: &Statement) -> String {
     };
     match s {
         Statement::Command { spec, args, .. } => {
-            let args = args.iter().map(|a| format!(" {}", argument(p, a)));
+            let args = p.args[*args].iter().map(|a| format!(" {}", argument(p, a)));
             format!("{}{}", spec.letters, args.collect::<String>())
         }
         Statement::Assign { name, persistent, only_if_undefined, value, .. } => {
@@ -96,8 +96,8 @@ fn statement(p: &Program, s: &Statement) -> String {
         Statement::If { condition, then } => {
             format!("if {} then {}", e(condition), statement(p, then))
         }
-        Statement::Goto(t) => format!("goto {} {:?}", t.name, t.line.unwrap_or(0)),
-        Statement::Gosub(t) => format!("gosub {} {:?}", t.name, t.line.unwrap_or(0)),
+        Statement::Goto(t) => format!("goto {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0)),
+        Statement::Gosub(t) => format!("gosub {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0)),
         Statement::OnInput { switch, state, action } => {
             let action = action.as_ref().map_or("_".into(), |a| statement(p, a));
             format!("on {} {} {action}", e(switch), e(state))
@@ -163,7 +163,7 @@ fn dialog(p: &Program, text: &DialogText) -> String {
 
 /// An expression with every operator in parentheses.
 pub(crate) fn expression(p: &Program, expr: &Expr) -> String {
-    let e = |x: &Expr| expression(p, x);
+    let e = |id: &ExprId| expression(p, &p.expressions[*id]);
     match &expr.node {
         ExprNode::Number(n) => n.to_string(),
         ExprNode::Text(t) => format!("\"{t}\""),

@@ -123,7 +123,7 @@ pub(super) static FAMILIES: &[Family] = &[
     ),
     family(60, "text", &["name of the current file"], |c, _| {
         let running = !c.core.levels.is_empty();
-        Ok(if running { Value::text(&c.program().name) } else { Value::Empty })
+        Ok(if running { Value::text(&c.program.name) } else { Value::Empty })
     }),
     family(
         61,
