@@ -21,7 +21,7 @@ impl Context<'_> {
         let operands = &self.program.expressions;
         match &expr.node {
             ExprNode::Number(n) => Ok(Value::Number(*n)),
-            ExprNode::Text(t) | ExprNode::Word(t) => Ok(Value::Text(t.clone())),
+            ExprNode::Text(t) | ExprNode::Word(t) => Ok(Value::Text(operands[*t].clone())),
             ExprNode::Variable(name) => Ok(self.variable(*name).cloned().unwrap_or_default()),
             ExprNode::Persistent(name) => Ok(self.persistent(*name)),
             ExprNode::System(index) => {
@@ -153,7 +153,9 @@ impl Context<'_> {
             (node, _) => {
                 let message = format!("'{}' is not a number", value.display());
                 let hint = match node {
-                    ExprNode::Word(word) => format!("is the variable &{word} meant?"),
+                    ExprNode::Word(word) => {
+                        format!("is the variable &{} meant?", self.program.expressions[*word])
+                    }
                     _ => "a number is needed here".into(),
                 };
                 self.fail_at(expr.span, Code::NotANumber, message, hint)

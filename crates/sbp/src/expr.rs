@@ -12,15 +12,28 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ExprId(u32);
 
-/// The operands of all expressions of a file.
+/// Index of a text in [`Expressions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextId(u32);
+
+/// The operands and texts of all expressions of a file.
 #[derive(Debug, Default)]
-pub struct Expressions(Vec<Expr>);
+pub struct Expressions {
+    operands: Vec<Expr>,
+    texts: Vec<Arc<str>>,
+}
 
 impl Expressions {
     /// Keeps an operand.
     pub(crate) fn add(&mut self, operand: Expr) -> ExprId {
-        self.0.push(operand);
-        ExprId(self.0.len() as u32 - 1)
+        self.operands.push(operand);
+        ExprId(self.operands.len() as u32 - 1)
+    }
+
+    /// Keeps a text.
+    pub(crate) fn add_text(&mut self, text: &str) -> TextId {
+        self.texts.push(text.into());
+        TextId(self.texts.len() as u32 - 1)
     }
 }
 
@@ -29,12 +42,21 @@ impl Index<ExprId> for Expressions {
     type Output = Expr;
 
     fn index(&self, id: ExprId) -> &Expr {
-        &self.0[id.0 as usize]
+        &self.operands[id.0 as usize]
+    }
+}
+
+/// A text; its number must come from the same file.
+impl Index<TextId> for Expressions {
+    type Output = Arc<str>;
+
+    fn index(&self, id: TextId) -> &Arc<str> {
+        &self.texts[id.0 as usize]
     }
 }
 
 /// An expression and where it stands in its line.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expr {
     /// What it is.
     pub node: ExprNode,
@@ -43,14 +65,14 @@ pub struct Expr {
 }
 
 /// The kinds of expressions.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ExprNode {
     /// A literal number.
     Number(f64),
     /// Text in quotes.
-    Text(Arc<str>),
+    Text(TextId),
     /// A bare word: text without quotes.
-    Word(Arc<str>),
+    Word(TextId),
     /// A user variable, `&name`.
     Variable(NameId),
     /// A persistent variable, `$name`.

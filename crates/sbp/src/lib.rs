@@ -35,7 +35,7 @@ mod value;
 mod walk;
 
 pub use check::check;
-pub use expr::{BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, UnaryOp};
+pub use expr::{BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, TextId, UnaryOp};
 pub use format::format;
 pub use interp::{
     BeforePreview, Dialect, FileParameters, Interpreter, Options, POSITION_LOST, SPINDLE_STATUS,

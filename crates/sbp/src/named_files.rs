@@ -39,7 +39,7 @@ impl Program {
 fn named(program: &Program, statement: &Statement) -> Option<FileRequest> {
     match statement {
         Statement::Command { spec, args, .. } if matches!(spec.letters, "FP" | "FG") => {
-            let name = literal_text(program.args[*args].first()?)?.trim().to_owned();
+            let name = literal_text(program, program.args[*args].first()?)?.trim().to_owned();
             Some(FileRequest { folder: Folder::Parts, name })
         }
         Statement::Custom { number, .. } => {
@@ -50,11 +50,11 @@ fn named(program: &Program, statement: &Statement) -> Option<FileRequest> {
     }
 }
 
-fn literal_text(arg: &Arg) -> Option<Arc<str>> {
+fn literal_text(program: &Program, arg: &Arg) -> Option<Arc<str>> {
     match &arg.kind {
         ArgKind::Word(word) => Some(word.clone()),
         ArgKind::Expr(Expr { node: ExprNode::Text(text) | ExprNode::Word(text), .. }) => {
-            Some(text.clone())
+            Some(program.expressions[*text].clone())
         }
         _ => None,
     }

@@ -3,8 +3,8 @@
 //! Most lines of a large file are moves with literal numbers. They become [`Node::Move`], eight
 //! bytes that point into a pool of numbers; everything else becomes a [`Statement`].
 
-use crate::{Expr, Expressions};
 use crate::table::CommandSpec;
+use crate::{Expr, Expressions};
 use kerf_diag::{Diagnostic, Place};
 use std::ops::Index;
 use std::sync::Arc;
@@ -16,6 +16,11 @@ pub struct Span {
     pub start: u32,
     /// One past the last byte.
     pub end: u32,
+}
+
+impl Span {
+    /// The whole line without blanks around it.
+    pub const LINE: Self = Self { start: u32::MAX, end: u32::MAX };
 }
 
 /// Index into [`Program::names`].
@@ -80,6 +85,13 @@ pub enum Node {
     Statement(u32),
     /// A line that cannot be read; its diagnostics say why.
     Bad,
+}
+
+impl Node {
+    /// Whether it is a move of literal numbers.
+    pub fn is_move(self) -> bool {
+        matches!(self, Self::Move { .. })
+    }
 }
 
 /// The commands that only move axes: MX … MC, M2 … M6 and their jogs.
@@ -250,6 +262,36 @@ pub enum DialogText {
     Parts(Vec<TextPart>),
 }
 
+/// INPUT: text, default, variables.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Input {
+    pub text: Option<Expr>,
+    pub default: Option<Expr>,
+    pub variables: Vec<NameId>,
+    pub span: Span,
+}
+
+/// MSGBOX(body, style, title).
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct MsgBox {
+    pub body: DialogText,
+    pub style: DialogText,
+    pub title: DialogText,
+    pub span: Span,
+}
+
+/// SHELL, command line, display, ASYNC or SYNC.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Shell {
+    pub line: DialogText,
+    pub display: Option<Expr>,
+    pub wait: bool,
+    pub span: Span,
+}
+
 /// The registry statements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
@@ -269,6 +311,8 @@ pub enum Registry {
 pub use kerf_program::FileMode;
 
 /// Everything that is not a plain move.
+///
+/// Kept to a cache line: the large and rare ones are boxed.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)]
 pub enum Statement {
@@ -312,25 +356,13 @@ pub enum Statement {
         state: Expr,
     },
     Output(Output),
-    /// INPUT: text, default, variables.
-    Input {
-        text: Option<Expr>,
-        default: Option<Expr>,
-        variables: Vec<NameId>,
-        span: Span,
-    },
+    Input(Box<Input>),
     InputFile {
         file: Expr,
         variables: Vec<NameId>,
         span: Span,
     },
-    /// MSGBOX(body, style, title).
-    MsgBox {
-        body: DialogText,
-        style: DialogText,
-        title: DialogText,
-        span: Span,
-    },
+    MsgBox(Box<MsgBox>),
     Open {
         path: Expr,
         mode: FileMode,
@@ -338,13 +370,7 @@ pub enum Statement {
     },
     Close(Option<Expr>),
     Play(DialogText),
-    /// SHELL, command line, display, ASYNC or SYNC.
-    Shell {
-        line: DialogText,
-        display: Option<Expr>,
-        wait: bool,
-        span: Span,
-    },
+    Shell(Box<Shell>),
     /// Set… with a value.
     Store {
         which: Registry,
@@ -389,8 +415,13 @@ impl Program {
     /// The place of a span of a line, in characters.
     pub fn place(&self, line: u32, span: Span) -> Place {
         let text = self.line_text(line);
-        let start = (span.start as usize).min(text.len());
-        let end = (span.end as usize).clamp(start, text.len());
+        let (start, end) = if span == Span::LINE {
+            (text.len() - text.trim_start().len(), text.trim_end().len())
+        } else {
+            (span.start as usize, span.end as usize)
+        };
+        let start = start.min(text.len());
+        let end = end.clamp(start, text.len());
         let chars =
             |range: std::ops::Range<usize>| text.get(range).map_or(0, |t| t.chars().count()) as u32;
         Place {

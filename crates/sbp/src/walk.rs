@@ -43,10 +43,9 @@ impl Statement {
             | Self::PauseUntil { switch: a, state: b }
             | Self::Open { path: a, number: b, .. } => [a, b].into_iter().for_each(f),
             Self::Output(output) => output.file.iter().chain(&output.items).for_each(f),
-            Self::Input { text, default, .. } => text.iter().chain(default).for_each(f),
-            Self::Shell { display: Some(expr), line, .. } => {
-                f(expr);
-                line.expression().into_iter().for_each(f);
+            Self::Input(input) => input.text.iter().chain(&input.default).for_each(f),
+            Self::Shell(shell) => {
+                shell.display.iter().chain(shell.line.expression()).for_each(f);
             }
             _ => self
                 .dialog_texts()
@@ -60,10 +59,9 @@ impl Statement {
     /// The texts that are shown to people or given to programs.
     pub(crate) fn dialog_texts(&self) -> [Option<&DialogText>; 3] {
         match self {
-            Self::MsgBox { body, style, title, .. } => [Some(body), Some(style), Some(title)],
-            Self::Play(text) | Self::Shell { line: text, .. } | Self::Store { value: text, .. } => {
-                [Some(text), None, None]
-            }
+            Self::MsgBox(shown) => [Some(&shown.body), Some(&shown.style), Some(&shown.title)],
+            Self::Play(text) | Self::Store { value: text, .. } => [Some(text), None, None],
+            Self::Shell(shell) => [Some(&shell.line), None, None],
             _ => [None; 3],
         }
     }
@@ -72,7 +70,8 @@ impl Statement {
     pub(crate) fn assigned(&self) -> &[NameId] {
         match self {
             Self::Assign { name, persistent: false, .. } => std::slice::from_ref(name),
-            Self::Input { variables, .. } | Self::InputFile { variables, .. } => variables,
+            Self::Input(input) => &input.variables,
+            Self::InputFile { variables, .. } => variables,
             Self::Fetch { variable, .. } => std::slice::from_ref(variable),
             _ => &[],
         }

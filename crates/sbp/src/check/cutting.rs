@@ -43,8 +43,8 @@ fn spindle_may_turn(facts: &Facts<'_>) -> bool {
                 statement,
                 Statement::Gcode(_)
                     | Statement::Pause { seconds: None }
-                    | Statement::MsgBox { .. }
-                    | Statement::Input { .. }
+                    | Statement::MsgBox(_)
+                    | Statement::Input(_)
             )
         })
 }
@@ -65,7 +65,11 @@ pub(super) fn old_order_of_speeds(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (line, statement) in facts.statements() {
         let Statement::Command { spec, args, span } = statement else { continue };
-        if spec.letters == "VS" && args.len() == 5 && !facts.given(*args, 2) && facts.given(*args, 3) {
+        if spec.letters == "VS"
+            && args.len() == 5
+            && !facts.given(*args, 2)
+            && facts.given(*args, 3)
+        {
             let message = "five values look like the order of older versions";
             let hint = "now: four move speeds (XY, Z, A, B), then four jog speeds";
             found.push(facts.finding(Code::OldOrder, line, *span, message, hint));
@@ -83,7 +87,8 @@ pub(super) fn plunges_that_lift(facts: &Facts<'_>) -> Vec<Diagnostic> {
     for (line, statement) in facts.statements() {
         let Statement::Command { spec, args, span } = statement else { continue };
         let plunge = spec.params.iter().position(|param| param.name == "Plunge");
-        let lifts = plunge.and_then(|at| facts.literal(*args, at)).is_some_and(|plunge| plunge > 0.0);
+        let lifts =
+            plunge.and_then(|at| facts.literal(*args, at)).is_some_and(|plunge| plunge > 0.0);
         if lifts && spec.group == Group::Cut {
             found.push(lifting(facts, line, *span));
         }

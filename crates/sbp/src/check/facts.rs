@@ -42,7 +42,7 @@ impl<'a> Facts<'a> {
                         matches!(number.node, ExprNode::Number(n) if HARMLESS_CUSTOM.contains(&n));
                     facts.calls_files |= !known;
                 }
-                Statement::Shell { .. } => facts.calls_files = true,
+                Statement::Shell(_) => facts.calls_files = true,
                 _ => {}
             }
         }

@@ -23,7 +23,9 @@ pub(super) fn unknown_labels(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let missing = facts.lines().filter_map(|(line, statement)| {
         let target = statement.target().filter(|target| facts.program.line_of(target).is_none())?;
         hints = hints.saturating_sub(1);
-        let near = (hints > 0).then(|| did_you_mean(facts.program.label_name(target.label), labels())).flatten();
+        let near = (hints > 0)
+            .then(|| did_you_mean(facts.program.label_name(target.label), labels()))
+            .flatten();
         let hint =
             near.unwrap_or_else(|| "a label is a name alone on a line, ending in a colon".into());
         let message = format!("there is no label {}", facts.program.label_name(target.label));
@@ -82,7 +84,10 @@ pub(super) fn endless_loops(facts: &Facts<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (line, statement) in facts.lines() {
         let Some(target) = statement.target() else { continue };
-        let first = facts.program.line_of(target).filter(|first| (*first..=first + MOST_LINES).contains(&line));
+        let first = facts
+            .program
+            .line_of(target)
+            .filter(|first| (*first..=first + MOST_LINES).contains(&line));
         let Some(first) = first else { continue };
         let condition = match statement {
             Statement::Goto(_) => None,
@@ -125,7 +130,9 @@ fn spins(facts: &Facts<'_>, first: u32, last: u32, condition: Option<&Expr>) -> 
 fn stays(facts: &Facts<'_>, statement: &Statement, first: u32, last: u32) -> bool {
     match statement {
         Statement::Assign { .. } | Statement::Output(_) | Statement::If { .. } => true,
-        Statement::Goto(target) => facts.program.line_of(target).is_some_and(|to| (first..=last).contains(&to)),
+        Statement::Goto(target) => {
+            facts.program.line_of(target).is_some_and(|to| (first..=last).contains(&to))
+        }
         _ => false,
     }
 }

@@ -68,10 +68,11 @@ pub(super) fn fractional_counters(facts: &Facts<'_>) -> Vec<Diagnostic> {
             let ExprNode::Binary(BinaryOp::Equal | BinaryOp::NotEqual, a, b) = expr.node else {
                 return;
             };
-            let counter = [&operands[a], &operands[b]].into_iter().find_map(|side| match side.node {
-                ExprNode::Variable(name) if counters.contains(&name) => Some(name),
-                _ => None,
-            });
+            let counter =
+                [&operands[a], &operands[b]].into_iter().find_map(|side| match side.node {
+                    ExprNode::Variable(name) if counters.contains(&name) => Some(name),
+                    _ => None,
+                });
             if let Some(name) = counter {
                 let text = facts.program.names.get(name.0 as usize).map_or("", |n| n);
                 let message = format!("&{text} counts in fractions and may miss this value");

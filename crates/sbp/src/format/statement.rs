@@ -1,8 +1,8 @@
 //! Statements, tidy.
 
 use super::{push_fields, trim_end};
-use crate::reader::blank;
 use crate::Program;
+use crate::reader::blank;
 use crate::tree::{Span, Statement};
 
 /// The code of a statement within its line.

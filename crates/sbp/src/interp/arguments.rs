@@ -11,27 +11,28 @@ use std::sync::Arc;
 
 /// The arguments of a command by position, defaults filled in, numbers in internal units.
 #[derive(Debug)]
-pub struct Arguments {
+pub struct Arguments<'a> {
     values: Vec<Option<Value>>,
-    spans: Vec<Span>,
+    /// What the line gives.
+    args: &'a [Arg],
+    /// The command itself, where the line gives nothing.
+    command: Span,
 }
 
-impl Arguments {
+impl<'a> Arguments<'a> {
     /// Evaluates and checks what a line gives.
     pub(crate) fn evaluate(
         context: &mut Context<'_>,
         spec: &CommandSpec,
-        args: &[Arg],
+        args: &'a [Arg],
     ) -> Result<Self, Stop> {
         let mut values = Vec::with_capacity(spec.params.len());
-        let mut spans = Vec::with_capacity(spec.params.len());
         for (index, param) in spec.params.iter().enumerate() {
             let arg = args.get(index);
             let span = arg.map_or(context.span, |a| a.span);
-            spans.push(span);
             values.push(argument(context, param, arg, span)?);
         }
-        Ok(Self { values, spans })
+        Ok(Self { values, args, command: context.span })
     }
 
     /// Whether the parameter has a value: given or by default.
@@ -79,7 +80,7 @@ impl Arguments {
 
     /// Where the argument stands.
     pub fn span(&self, index: usize) -> Span {
-        self.spans.get(index).copied().unwrap_or_default()
+        self.args.get(index).map_or(self.command, |arg| arg.span)
     }
 
     /// How many parameters there are.

@@ -1,21 +1,17 @@
 //! INPUT: values typed by the operator.
 
 use super::{Context, Stop, fields};
-use crate::tree::NameId;
-use crate::{Expr, Value};
+use crate::Value;
+use crate::tree::Input;
 use kerf_diag::Code;
 use kerf_program::{Answer, Button, Question, QuestionKind};
 
 impl Context<'_> {
     /// Asks for values and puts them into variables.
-    pub(super) fn input(
-        &mut self,
-        text: Option<&Expr>,
-        default: Option<&Expr>,
-        variables: &[NameId],
-    ) -> Result<(), Stop> {
-        let text = text.map_or(Ok(String::new()), |t| self.eval_text(t))?;
-        let prefill = default.map_or(Ok(Value::Empty), |d| self.eval(d))?.display();
+    pub(super) fn input(&mut self, input: &Input) -> Result<(), Stop> {
+        let Input { text, default, variables, .. } = input;
+        let text = text.as_ref().map_or(Ok(String::new()), |t| self.eval_text(t))?;
+        let prefill = default.as_ref().map_or(Ok(Value::Empty), |d| self.eval(d))?.display();
         let question = Question {
             prefill,
             ..self.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel])

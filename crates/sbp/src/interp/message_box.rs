@@ -2,7 +2,7 @@
 
 use super::{Context, Stop};
 use crate::Value;
-use crate::tree::DialogText;
+use crate::tree::MsgBox;
 use kerf_diag::Code;
 use kerf_program::{Answer, Button, Question, QuestionKind};
 
@@ -72,16 +72,11 @@ fn number_or_word(text: &str) -> Option<u32> {
 
 impl Context<'_> {
     /// Shows the box and keeps the answer.
-    pub(super) fn message_box(
-        &mut self,
-        body: &DialogText,
-        style: &DialogText,
-        title: &DialogText,
-    ) -> Result<(), Stop> {
-        let text = self.dialog_text(body)?;
-        let style = Style::read(&self.dialog_text(style)?);
+    pub(super) fn message_box(&mut self, shown: &MsgBox) -> Result<(), Stop> {
+        let text = self.dialog_text(&shown.body)?;
+        let style = Style::read(&self.dialog_text(&shown.style)?);
         let question = Question {
-            title: self.dialog_text(title)?,
+            title: self.dialog_text(&shown.title)?,
             default: style.default,
             icon: style.icon,
             ..self.question(QuestionKind::Msgbox, text, style.buttons)

@@ -13,13 +13,13 @@ impl Context<'_> {
             Statement::PauseUntil { switch, state } => self.pause_until(switch, state),
             Statement::WarningOff => self.warning_off(),
             Statement::Output(output) => self.output(output),
-            Statement::Input { text, default, variables, span } => {
-                self.span = *span;
-                self.input(text.as_ref(), default.as_ref(), variables)
+            Statement::Input(input) => {
+                self.span = input.span;
+                self.input(input)
             }
-            Statement::MsgBox { body, style, title, span } => {
-                self.span = *span;
-                self.message_box(body, style, title)
+            Statement::MsgBox(shown) => {
+                self.span = shown.span;
+                self.message_box(shown)
             }
             Statement::Open { path, mode, number } => self.open_file(path, *mode, number),
             Statement::Close(number) => self.close(number.as_ref()),
@@ -28,9 +28,9 @@ impl Context<'_> {
                 self.input_from_file(file, variables)
             }
             Statement::Play(path) => self.play(path),
-            Statement::Shell { line, display, wait, span } => {
-                self.span = *span;
-                self.shell(line, display.as_ref(), *wait)
+            Statement::Shell(shell) => {
+                self.span = shell.span;
+                self.shell(shell)
             }
             Statement::Store { which, value, span } => {
                 self.span = *span;

@@ -2,7 +2,7 @@
 
 use super::core::Purpose;
 use super::{Context, FileParameters, Stop};
-use crate::tree::DialogText;
+use crate::tree::{DialogText, Shell};
 use crate::{Expr, Value};
 use kerf_diag::Code;
 use kerf_program::{Command, FileRequest, Folder, HostError, ShellCall};
@@ -34,16 +34,11 @@ impl Context<'_> {
     }
 
     /// SHELL: starts another program, and with SYNC waits for its end.
-    pub(super) fn shell(
-        &mut self,
-        line: &DialogText,
-        display: Option<&Expr>,
-        wait: bool,
-    ) -> Result<(), Stop> {
-        let line = self.dialog_text(line)?.trim().to_string();
-        let display = display.map_or(Ok(1), |d| self.display_option(d))?;
+    pub(super) fn shell(&mut self, shell: &Shell) -> Result<(), Stop> {
+        let line = self.dialog_text(&shell.line)?.trim().to_string();
+        let display = shell.display.as_ref().map_or(Ok(1), |d| self.display_option(d))?;
         self.settle()?;
-        match self.host.shell(&ShellCall { line, display, wait }) {
+        match self.host.shell(&ShellCall { line, display, wait: shell.wait }) {
             Poll::Pending => Err(Stop::Waiting),
             Poll::Ready(done) => done.map_err(|e| self.refused(e)),
         }

@@ -54,7 +54,7 @@ fn execute(
 ) -> Step {
     let before = Before::of(core, out);
     go_on_at(core, at.line);
-    let mut context = Context { core, program, host, out, at, span: whole_line(program, at.line) };
+    let mut context = Context { core, program, host, out, at, span: Span::LINE };
     let outcome = node(&mut context, program, line);
     if matches!(outcome, Err(Stop::Waiting)) {
         go_on_at(core, at.line - 1);
@@ -103,12 +103,6 @@ fn find_axes(core: &mut Core, host: &mut dyn Host) -> bool {
     core.take_position(core.adrift, host);
     core.adrift = AxisSet::EMPTY;
     true
-}
-
-fn whole_line(program: &Program, line: u32) -> Span {
-    let text = program.line_text(line);
-    let code = text.trim_start();
-    Span { start: (text.len() - code.len()) as u32, end: text.trim_end().len() as u32 }
 }
 
 fn node(c: &mut Context<'_>, program: &Arc<Program>, node: Node) -> Result<(), Stop> {
@@ -178,7 +172,11 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         return;
     }
     let Some(level) = core.levels.last() else { return };
-    let Some(program) = core.programs.get(level.file as usize).cloned() else { return };
+    let Some(program) = core.programs.get(level.file as usize) else { return };
+    if !program.lines.get(level.next as usize).is_some_and(|line| line.node.is_move()) {
+        return;
+    }
+    let program = program.clone();
     let (file, mut next, offset) = (level.file, level.next as usize, level.offset);
     let bound = if core.options.max_lines == 0 { u64::MAX } else { core.options.max_lines };
     let mut left = most.min(bound.saturating_sub(core.lines));
@@ -247,7 +245,7 @@ fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, fired: 
     let at = fired.at;
     let program = &core.program(at.file);
     let before = Before::of(core, out);
-    let mut context = Context { core, program, host, out, at, span: whole_line(program, at.line) };
+    let mut context = Context { core, program, host, out, at, span: Span::LINE };
     let outcome = context.handler_action(program, fired.level);
     if matches!(outcome, Err(Stop::Waiting)) {
         return before.wait(core, out);

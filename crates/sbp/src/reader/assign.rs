@@ -54,7 +54,7 @@ impl Line<'_, '_> {
         }
         let mark = self.mark();
         if let Ok(expr) = self.whole_expression(span)
-            && !self.is_text(&expr)
+            && !(self.words && self.is_text(&expr))
         {
             self.at = self.end;
             return Ok(Assigned::Expr(self.spelled_out(expr)));
@@ -91,6 +91,7 @@ impl Line<'_, '_> {
     /// `&a = "&b"` is an old way to say: the value of b as text.
     fn spelled_out(&mut self, expr: Expr) -> Expr {
         let ExprNode::Text(text) = &expr.node else { return expr };
+        let text = self.file.expressions[*text].clone();
         let Some(name) = text.strip_prefix('&') else { return expr };
         if name.is_empty() || !name.bytes().all(is_name) {
             return expr;
@@ -98,7 +99,7 @@ impl Line<'_, '_> {
         let span = Span { start: expr.span.start + 1, end: expr.span.end - 1 };
         let id = self.file.name_id(name);
         let variable = Expr { node: ExprNode::Variable(id), span };
-        let nothing = Expr { node: ExprNode::Text("".into()), span };
+        let nothing = self.text_at("", span);
         let node = self.join(BinaryOp::Join, variable, nothing);
         Expr { node, span: expr.span }
     }

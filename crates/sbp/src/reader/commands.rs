@@ -110,6 +110,7 @@ impl Line<'_, '_> {
         };
         Ok(match kind {
             ArgKind::Expr(Expr { node: ExprNode::Word(word), .. }) => {
+                let word = self.file.expressions[word].clone();
                 Arg { span, kind: ArgKind::Word(word) }
             }
             kind => Arg { span, kind },

@@ -3,7 +3,7 @@
 use super::line::{Line, Read, is_name};
 use super::statements::Keyword;
 use crate::expr::{BinaryOp, Expr, ExprNode};
-use crate::tree::{DialogText, Registry, Span, Statement, TextPart};
+use crate::tree::{DialogText, Input, MsgBox, Registry, Shell, Span, Statement, TextPart};
 use kerf_diag::Code;
 
 impl Line<'_, '_> {
@@ -37,7 +37,8 @@ impl Line<'_, '_> {
             self.take(b',');
         }
         let variables = self.variable_list(start, 10)?;
-        Ok(Statement::Input { text, default, variables, span: self.span_from(start) })
+        let span = self.span_from(start);
+        Ok(Statement::Input(Box::new(Input { text, default, variables, span })))
     }
 
     /// Whether a `;` or `:` says that the variables before it belong to the text.
@@ -46,7 +47,8 @@ impl Line<'_, '_> {
     }
 
     fn warn_commas(&mut self, text: &Expr) {
-        let commas = |node: &ExprNode| matches!(node, ExprNode::Text(t) if t.contains(','));
+        let texts = &self.file.expressions;
+        let commas = |node: &ExprNode| matches!(node, ExprNode::Text(t) if texts[*t].contains(','));
         if self.file.expressions.any(text, &commas) {
             let hint = "old software cut the text at its first comma";
             let message = "a comma in the message of INPUT";
@@ -80,7 +82,7 @@ impl Line<'_, '_> {
         let body = self.dialog_text(body);
         let title = self.dialog_text(title);
         let style = self.style(style);
-        Ok(Statement::MsgBox { body, style, title, span })
+        Ok(Statement::MsgBox(Box::new(MsgBox { body, style, title, span })))
     }
 
     /// The field at the cursor; the cursor goes behind its comma.
@@ -188,7 +190,7 @@ impl Line<'_, '_> {
         };
         self.trailing_commas();
         self.expect_end()?;
-        Ok(Statement::Shell { line, display, wait, span })
+        Ok(Statement::Shell(Box::new(Shell { line, display, wait, span })))
     }
 
     /// The command line; variables inside its quotes are replaced too.
@@ -209,7 +211,8 @@ impl Line<'_, '_> {
     fn joined_parts(&mut self, expr: &Expr, parts: &mut Vec<TextPart>) -> bool {
         match &expr.node {
             ExprNode::Text(text) | ExprNode::Word(text) => {
-                parts.extend(self.parts(text));
+                let text = self.file.expressions[*text].clone();
+                parts.extend(self.parts(&text));
                 true
             }
             ExprNode::Variable(name) => {
@@ -218,10 +221,9 @@ impl Line<'_, '_> {
                 true
             }
             ExprNode::Binary(BinaryOp::Join, left, right) => {
-                let (left, right) = (*left, *right);
-                let operand = |line: &Self, id| line.file.expressions[id].clone();
-                self.joined_parts(&operand(self, left), parts)
-                    && self.joined_parts(&operand(self, right), parts)
+                let operands = &self.file.expressions;
+                let (left, right) = (operands[*left], operands[*right]);
+                self.joined_parts(&left, parts) && self.joined_parts(&right, parts)
             }
             _ => false,
         }

@@ -54,6 +54,7 @@ impl Line<'_, '_> {
     fn bounded(&mut self, min: u8, join_adjacent: bool) -> Read<Expr> {
         self.operators_left = MOST_OPERATORS;
         self.depth_left = MOST_DEPTH;
+        self.words = false;
         self.binary(min, join_adjacent)
     }
 
@@ -87,6 +88,11 @@ impl Line<'_, '_> {
     pub(super) fn join(&mut self, op: BinaryOp, left: Expr, right: Expr) -> ExprNode {
         let operands = &mut self.file.expressions;
         ExprNode::Binary(op, operands.add(left), operands.add(right))
+    }
+
+    /// A text as an expression.
+    pub(super) fn text_at(&mut self, text: &str, span: Span) -> Expr {
+        Expr { node: ExprNode::Text(self.file.expressions.add_text(text)), span }
     }
 
     /// Counts an operator and tells of doubtful spellings.
@@ -272,7 +278,8 @@ impl Line<'_, '_> {
             return Err(self.fault(Code::UnclosedQuote, span, "a quote is not closed", hint));
         };
         self.at = start + length + 2;
-        Ok(ExprNode::Text(self.slice(start + 1, start + 1 + length).into()))
+        let text = self.slice(start + 1, start + 1 + length);
+        Ok(ExprNode::Text(self.file.expressions.add_text(text)))
     }
 
     /// A function, or bare words as text.
@@ -303,9 +310,10 @@ impl Line<'_, '_> {
             self.at = self.word_end(self.at + 1);
             self.skip_blanks();
         }
+        self.words = true;
         let span = self.span_from(start);
         let text = self.slice(start, span.end as usize);
-        Ok(Expr { node: ExprNode::Word(text.into()), span })
+        Ok(Expr { node: ExprNode::Word(self.file.expressions.add_text(text)), span })
     }
 
     /// Whether the text goes on with another bare word.

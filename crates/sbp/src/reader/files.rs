@@ -44,7 +44,7 @@ impl Line<'_, '_> {
         self.at = from + length;
         let span = self.span_from(from);
         let text = self.slice(from, span.end as usize);
-        Ok(Expr { node: ExprNode::Text(text.into()), span })
+        Ok(self.text_at(text, span))
     }
 
     fn file_mode(&mut self, start: usize) -> Read<FileMode> {

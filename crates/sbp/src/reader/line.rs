@@ -33,6 +33,8 @@ pub(super) struct Line<'f, 't> {
     pub(super) operators_left: u32,
     /// How deep parentheses may still be nested.
     pub(super) depth_left: u32,
+    /// The present expression has bare words in it.
+    pub(super) words: bool,
     /// Arrays or objects of another dialect were met: no attempt to read it otherwise.
     pub(super) foreign: bool,
     /// A second command was found on the line; the rest is its own.
@@ -52,6 +54,7 @@ impl<'f, 't> Line<'f, 't> {
             before,
             operators_left: 0,
             depth_left: 0,
+            words: false,
             foreign: false,
             second_command: false,
         }
@@ -64,7 +67,8 @@ impl<'f, 't> Line<'f, 't> {
 
     /// The byte of code at a place; 0 past the end.
     pub(super) fn byte(&self, at: usize) -> u8 {
-        if at < self.end { self.text.as_bytes()[at] } else { 0 }
+        let code = &self.text.as_bytes()[..self.end.min(self.text.len())];
+        code.get(at).copied().unwrap_or(0)
     }
 
     pub(super) fn at_end(&self) -> bool {
@@ -72,7 +76,7 @@ impl<'f, 't> Line<'f, 't> {
     }
 
     pub(super) fn skip_blanks(&mut self) {
-        while self.at < self.end && is_blank(self.text.as_bytes()[self.at]) {
+        while is_blank(self.peek()) {
             self.at += 1;
         }
     }
@@ -114,7 +118,7 @@ impl<'f, 't> Line<'f, 't> {
     /// Where the word at `from` ends: letters, digits, underscores.
     pub(super) fn word_end(&self, from: usize) -> usize {
         let mut at = from;
-        while at < self.end && is_name(self.text.as_bytes()[at]) {
+        while is_name(self.byte(at)) {
             at += 1;
         }
         at
@@ -251,5 +255,17 @@ impl<'f, 't> Line<'f, 't> {
 
 /// True for what names are made of; bytes of letters beyond ASCII count.
 pub(super) const fn is_name(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_' || byte >= 0x80
+    NAMES[byte as usize]
 }
+
+/// [`is_name`] of each byte: asked for nearly every byte of a file.
+static NAMES: [bool; 256] = {
+    let mut names = [false; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        let sign = byte as u8;
+        names[byte] = sign.is_ascii_alphanumeric() || sign == b'_' || sign >= 0x80;
+        byte += 1;
+    }
+    names
+};

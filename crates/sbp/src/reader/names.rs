@@ -1,12 +1,13 @@
 //! Names by number: variables and labels mean the same in any case.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// Names in capitals, numbered in order of appearance.
 #[derive(Debug, Default)]
 pub(super) struct Names {
-    ids: HashMap<Arc<str>, u32>,
+    // By bytes: a name is looked up for each variable of each line, and was text before.
+    ids: FxHashMap<Box<[u8]>, u32>,
     list: Vec<Arc<str>>,
 }
 
@@ -18,25 +19,40 @@ impl Names {
             Some(short) if name.is_ascii() => {
                 short.copy_from_slice(name.as_bytes());
                 short.make_ascii_uppercase();
-                self.exact(std::str::from_utf8(short).unwrap_or(name))
+                self.known(short).unwrap_or_else(|| self.add(name))
             }
-            _ => self.exact(&name.to_uppercase()),
+            _ => self.known(name.to_uppercase().as_bytes()).unwrap_or_else(|| self.add(name)),
         }
     }
 
-    fn exact(&mut self, capitals: &str) -> u32 {
-        if let Some(id) = self.ids.get(capitals) {
-            return *id;
-        }
+    fn known(&self, capitals: &[u8]) -> Option<u32> {
+        self.ids.get(capitals).copied()
+    }
+
+    fn add(&mut self, name: &str) -> u32 {
         let id = self.list.len() as u32;
-        let name: Arc<str> = capitals.into();
-        self.list.push(name.clone());
-        self.ids.insert(name, id);
+        let capitals = name.to_uppercase();
+        self.list.push(capitals.as_str().into());
+        self.ids.insert(capitals.into_bytes().into(), id);
         id
     }
 
     /// All names by number.
     pub(super) fn into_list(self) -> Vec<Arc<str>> {
         self.list
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Names;
+
+    #[test]
+    fn names_are_the_same_in_any_case() {
+        let mut names = Names::default();
+        let long = "a".repeat(50);
+        let written = ["one", "Größe", "ONE", &long, "GRÖSSE", &long.to_uppercase(), "two"];
+        assert_eq!(written.map(|name| names.id(name)), [0, 1, 0, 2, 1, 2, 3]);
+        assert_eq!(names.into_list().get(1).map(|name| &**name), Some("GRÖSSE"));
     }
 }

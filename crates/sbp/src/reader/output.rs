@@ -66,7 +66,7 @@ impl Line<'_, '_> {
                 self.item(comma, &mut items)?;
                 if comma < stop {
                     let span = Span { start: comma as u32, end: comma as u32 + 1 };
-                    items.push(Expr { node: ExprNode::Text(",".into()), span });
+                    items.push(self.text_at(",", span));
                 }
                 self.at = comma + 1;
             }
@@ -89,7 +89,7 @@ impl Line<'_, '_> {
             let before = items.len();
             self.item(stop, &mut items)?;
             if items.len() == before && stop < self.end {
-                items.push(text("", Span { start: stop as u32, end: stop as u32 }));
+                items.push(self.text_at("", Span { start: stop as u32, end: stop as u32 }));
             }
             self.at = stop + 1;
         }
@@ -111,11 +111,12 @@ impl Line<'_, '_> {
     /// An item of the comma form: text is cut at its commas, also within a join.
     fn split_at_commas(&mut self, item: Expr) -> Vec<Expr> {
         match item.node {
-            ExprNode::Text(written) if written.contains(',') => {
-                written.split(',').map(|part| text(part, item.span)).collect()
+            ExprNode::Text(written) if self.file.expressions[written].contains(',') => {
+                let written = self.file.expressions[written].clone();
+                written.split(',').map(|part| self.text_at(part, item.span)).collect()
             }
             ExprNode::Binary(BinaryOp::Join, left, right) => {
-                let (left, right) = (self.file.expressions[left].clone(), self.file.expressions[right].clone());
+                let (left, right) = (self.file.expressions[left], self.file.expressions[right]);
                 let mut items = self.split_at_commas(left);
                 let mut more = self.split_at_commas(right).into_iter();
                 if let (Some(left), Some(right)) = (items.pop(), more.next()) {
@@ -158,7 +159,7 @@ impl Line<'_, '_> {
         }
         let hint = "text begins and ends with one double quote";
         self.warn(Code::DoubtfulSpelling, span, "the quotes of this text do not match", hint);
-        Some(text(inner, span))
+        Some(self.text_at(inner, span))
     }
 
     /// One value without operators.
@@ -180,10 +181,6 @@ impl Line<'_, '_> {
         self.at = stop.min(self.end);
         value
     }
-}
-
-fn text(text: &str, span: Span) -> Expr {
-    Expr { node: ExprNode::Text(text.into()), span }
 }
 
 #[cfg(test)]

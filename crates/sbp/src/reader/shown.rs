@@ -45,7 +45,9 @@ pub(crate) fn node(program: &Program, index: usize) -> String {
     match program.lines[index].node {
         Node::Blank => "blank".into(),
         Node::Comment => "comment".into(),
-        Node::Label(label) => format!("label {}", program.label_name(program.labels[label as usize].name)),
+        Node::Label(label) => {
+            format!("label {}", program.label_name(program.labels[label as usize].name))
+        }
         Node::Bad => {
             let line = index as u32 + 1;
             let found = program.diagnostics.iter().filter(|d| d.place.line == line).map(finding);
@@ -96,8 +98,12 @@ fn statement(p: &Program, s: &Statement) -> String {
         Statement::If { condition, then } => {
             format!("if {} then {}", e(condition), statement(p, then))
         }
-        Statement::Goto(t) => format!("goto {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0)),
-        Statement::Gosub(t) => format!("gosub {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0)),
+        Statement::Goto(t) => {
+            format!("goto {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0))
+        }
+        Statement::Gosub(t) => {
+            format!("gosub {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0))
+        }
         Statement::OnInput { switch, state, action } => {
             let action = action.as_ref().map_or("_".into(), |a| statement(p, a));
             format!("on {} {} {action}", e(switch), e(state))
@@ -111,22 +117,23 @@ fn statement(p: &Program, s: &Statement) -> String {
             let items: String = out.items.iter().map(|i| format!(" {}", e(i))).collect();
             format!("{word}{file} {mode}{items}{}", if out.newline { "" } else { " ..." })
         }
-        Statement::Input { text, default, variables, .. } => {
-            format!("input {} {}{}", o(text), o(default), names(variables))
+        Statement::Input(i) => {
+            format!("input {} {}{}", o(&i.text), o(&i.default), names(&i.variables))
         }
         Statement::InputFile { file, variables, .. } => {
             format!("input #{}{}", e(file), names(variables))
         }
-        Statement::MsgBox { body, style, title, .. } => {
-            format!("msgbox {} {} {}", dialog(p, body), dialog(p, style), dialog(p, title))
+        Statement::MsgBox(b) => {
+            let [body, style, title] = [&b.body, &b.style, &b.title].map(|text| dialog(p, text));
+            format!("msgbox {body} {style} {title}")
         }
         Statement::Open { path, mode, number } => {
             format!("open {} {mode:?} {}", e(path), e(number))
         }
         Statement::Close(number) => format!("close {}", o(number)),
         Statement::Play(path) => format!("play {}", dialog(p, path)),
-        Statement::Shell { line, display, wait, .. } => {
-            format!("shell {} {} {wait}", dialog(p, line), o(display))
+        Statement::Shell(shell) => {
+            format!("shell {} {} {}", dialog(p, &shell.line), o(&shell.display), shell.wait)
         }
         Statement::Store { which, value, .. } => format!("{which:?} {}", dialog(p, value)),
         Statement::Fetch { which, variable, .. } => {
@@ -166,8 +173,8 @@ pub(crate) fn expression(p: &Program, expr: &Expr) -> String {
     let e = |id: &ExprId| expression(p, &p.expressions[*id]);
     match &expr.node {
         ExprNode::Number(n) => n.to_string(),
-        ExprNode::Text(t) => format!("\"{t}\""),
-        ExprNode::Word(t) => format!("'{t}'"),
+        ExprNode::Text(t) => format!("\"{}\"", p.expressions[*t]),
+        ExprNode::Word(t) => format!("'{}'", p.expressions[*t]),
         ExprNode::Variable(name) => format!("&{}", p.names[name.0 as usize]),
         ExprNode::Persistent(name) => format!("${}", p.names[name.0 as usize]),
         ExprNode::System(index) => format!("%{}", e(index)),

@@ -40,7 +40,8 @@ fn windows_1252(byte: u8) -> char {
 
 /// True for what separates words: blanks, tabs and the control characters old editors left behind.
 pub(crate) const fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | 0x0B | 0x0C | 0x1A)
+    // Nearly every byte that is asked for is a printed sign.
+    byte <= b' ' && matches!(byte, b' ' | b'\t' | 0x0B | 0x0C | 0x1A)
 }
 
 /// The same for a character.
