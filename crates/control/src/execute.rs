@@ -6,10 +6,10 @@ use crate::session::LimitPolicy;
 use crate::sink::Made;
 use crate::stack::Stack;
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_motion::{Model, Move, Optimal, Path, Plan, plan_stack};
+use kerf_motion::{Model, Move, Optimal, Path, Plan, Profiler, plan_stack};
 use kerf_program::{
-    Answer, At, Axes, Axis, Button, Command, Interpreter, Question, QuestionKind, Settings,
-    Sourced, Status,
+    Answer, At, Axes, Axis, Button, Command, Interpreter, Question, QuestionKind, RampModel,
+    Settings, Sourced, Status,
 };
 use kerf_sbp::SPINDLE_STATUS;
 use kerf_sim::{Halt, HaltCause, Violation};
@@ -284,12 +284,13 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
-/// Plans a stack: with all that the axes can do where the machine's settings tell it, else with the
-/// ramps of VR.
+/// Plans a stack with the model of motion in force.
 fn plan(moves: Vec<Move>, settings: &Settings) -> Plan {
-    match &settings.dynamics {
-        Some(dynamics) => Optimal { dynamics }.plan(moves),
-        None => plan_stack(moves, &settings.ramps),
+    let dynamics = &settings.axis_dynamics();
+    match settings.model() {
+        RampModel::Shopbot => plan_stack(moves, &settings.ramps),
+        RampModel::Profiler => Profiler { dynamics, smoothing: &settings.smoothing }.plan(moves),
+        RampModel::Optimal => Optimal { dynamics }.plan(moves),
     }
 }
 

@@ -50,7 +50,7 @@ impl Tally {
     /// A move was made.
     pub(crate) fn made(&mut self, made: &Move, seconds: f64, frame: &Frame) {
         let length_mm = match made.path {
-            Path::Line => {
+            Path::Line | Path::Curve { .. } => {
                 self.moves += 1;
                 straight(made, [Axis::X, Axis::Y, Axis::Z])
             }

@@ -2,6 +2,7 @@
 
 use crate::parse;
 use clap::{Args, ValueEnum};
+use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Dialect, Value};
 use kerf_sim::Change;
@@ -128,32 +129,32 @@ pub struct FileArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Motion")]
 pub struct MotionArgs {
-    /// The model of ramps [default: shopbot, unless the configuration tells what the axes can do]
-    #[arg(long, value_enum)]
+    /// The model of ramps [default: shopbot, unless the configuration tells another or what the axes
+    /// can do]
+    #[arg(long, value_parser = parse::ramps)]
     pub ramps: Option<RampModel>,
     /// With --ramps optimal: how far the path may leave the programmed one, mm [default: 0.01]
     #[arg(long, value_name = "MM", value_parser = parse::not_negative)]
     pub tolerance: Option<f64>,
-    /// With --ramps optimal: greatest speed of each axis, mm/s [default: jog speeds]
+    /// With --ramps optimal or profiler: greatest speed of each axis, mm/s [default: jog speeds]
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three_positive)]
     pub axis_speed: Option<[f64; 3]>,
-    /// With --ramps optimal: greatest acceleration of each axis, mm/s² [default: 500]
+    /// With --ramps optimal or profiler: greatest acceleration of each axis, mm/s² [default: 500]
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three_positive)]
     pub accel: Option<[f64; 3]>,
     /// With --ramps optimal: greatest jerk of each axis, mm/s³; 0 for no limit [default: 0]
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
     pub jerk: Option<[f64; 3]>,
-}
-
-/// The models of ramps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum RampModel {
-    /// The ramps of VR.
-    Shopbot,
-    /// The profiler's ramps.
-    Profiler,
-    /// As fast as the limits of the axes allow.
-    Optimal,
+    /// With --ramps profiler: how far a smooth curve may leave the segments, in tenths of a
+    /// millimetre; 0 for no smoothing [default: 0.6]
+    #[arg(long, value_name = "FACTOR", value_parser = parse::not_negative)]
+    pub smoothing: Option<f64>,
+    /// With --ramps profiler: corners that turn by less are passed without slowing [default: 1]
+    #[arg(long, value_name = "DEGREES", value_parser = parse::degrees)]
+    pub stop_angle: Option<f64>,
+    /// With --ramps profiler: acceleration in curves, percent of the axes' own [default: 100]
+    #[arg(long, value_name = "PERCENT", value_parser = parse::percent)]
+    pub centripetal: Option<f64>,
 }
 
 /// How reports are written.

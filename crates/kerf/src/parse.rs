@@ -1,7 +1,7 @@
 //! Values of options.
 
-use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
+use kerf_program::{Axis, RampModel};
 use kerf_sbp::{Dialect, Value};
 use kerf_sim::Change;
 
@@ -98,6 +98,25 @@ pub fn three_positive(text: &str) -> Result<[f64; 3], String> {
 /// A number, 0 or greater.
 pub fn not_negative(text: &str) -> Result<f64, String> {
     number(text).ok().filter(|n| *n >= 0.0).ok_or_else(|| "give a number, 0 or greater".into())
+}
+
+/// An angle between directions, 0 to 180.
+pub fn degrees(text: &str) -> Result<f64, String> {
+    let angle = number(text).ok().filter(|n| (0.0..=180.0).contains(n));
+    angle.ok_or_else(|| "give degrees from 0 to 180".into())
+}
+
+/// A share of an acceleration, 1 to 100.
+pub fn percent(text: &str) -> Result<f64, String> {
+    let percent = number(text).ok().filter(|n| (1.0..=100.0).contains(n));
+    percent.ok_or_else(|| "give percent from 1 to 100".into())
+}
+
+/// `shopbot`, `profiler` or `optimal`.
+pub fn ramps(text: &str) -> Result<RampModel, String> {
+    let models = [RampModel::Shopbot, RampModel::Profiler, RampModel::Optimal];
+    let named = models.into_iter().find(|m| m.word() == text);
+    named.ok_or_else(|| "give shopbot, profiler or optimal".into())
 }
 
 /// Any finite number.

@@ -1,6 +1,6 @@
 //! From options to a machine, its folders and its memory.
 
-use crate::args::{DataArgs, MotionArgs, PlaceArgs, RampModel, RunArgs};
+use crate::args::{DataArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::exit::Usage;
 use crate::memory::Memory;
 use anyhow::{Context, Result, bail};
@@ -8,7 +8,7 @@ use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
-use kerf_program::{Axes, Axis, Dynamics, Settings};
+use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sbp::{FileParameters, Program};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -87,48 +87,36 @@ fn is_gcode(file: &Path) -> bool {
     matches!(extension.as_str(), "nc" | "tap" | "ngc" | "gcode")
 }
 
-/// Chooses the model of motion: with limits of the axes the optimal one, without them the ramps of VR.
+/// Chooses the model of motion, and what belongs to it.
 fn choose_model(motion: &MotionArgs, settings: &mut Settings) -> Result<()> {
-    match motion.ramps {
-        Some(RampModel::Optimal) => {
-            let dynamics = settings.dynamics.unwrap_or_else(|| usual_dynamics(settings));
-            settings.dynamics = Some(with_options(dynamics, motion));
-        }
-        Some(RampModel::Profiler) => bail!(Usage("--ramps profiler is not there yet".into())),
-        Some(RampModel::Shopbot) => settings.dynamics = None,
-        None => {}
+    settings.ramp_model = motion.ramps.or(settings.ramp_model);
+    let model = settings.model();
+    if let Some(name) = foreign_option(motion, model) {
+        bail!(Usage(format!("{name} does not belong to --ramps {}", model.word())));
     }
+    if model != RampModel::Shopbot {
+        settings.dynamics = Some(with_options(settings.axis_dynamics(), motion));
+    }
+    let smoothing = &mut settings.smoothing;
+    smoothing.factor = motion.smoothing.unwrap_or(smoothing.factor);
+    smoothing.stop_angle_deg = motion.stop_angle.unwrap_or(smoothing.stop_angle_deg);
+    smoothing.centripetal_percent = motion.centripetal.unwrap_or(smoothing.centripetal_percent);
+    Ok(())
+}
+
+/// An option that says nothing to the model in force.
+fn foreign_option(motion: &MotionArgs, model: RampModel) -> Option<&'static str> {
+    let (optimal, profiler) = (model == RampModel::Optimal, model == RampModel::Profiler);
     let options = [
-        ("--tolerance", motion.tolerance.is_some()),
-        ("--axis-speed", motion.axis_speed.is_some()),
-        ("--accel", motion.accel.is_some()),
-        ("--jerk", motion.jerk.is_some()),
+        ("--tolerance", motion.tolerance.is_some(), optimal),
+        ("--axis-speed", motion.axis_speed.is_some(), optimal || profiler),
+        ("--accel", motion.accel.is_some(), optimal || profiler),
+        ("--jerk", motion.jerk.is_some(), optimal),
+        ("--smoothing", motion.smoothing.is_some(), profiler),
+        ("--stop-angle", motion.stop_angle.is_some(), profiler),
+        ("--centripetal", motion.centripetal.is_some(), profiler),
     ];
-    match options.into_iter().find(|(_, given)| *given) {
-        Some((name, _)) if motion.ramps != Some(RampModel::Optimal) => {
-            bail!(Usage(format!("{name} belongs to --ramps optimal; other ramps follow VS and VR")))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// The word for the model of motion in force.
-pub const fn model_word(settings: &Settings) -> &'static str {
-    match settings.dynamics {
-        Some(_) => "optimal",
-        None => "shopbot",
-    }
-}
-
-/// What the axes of a mid-size router can do, where nothing else is known: jog speeds, a modest
-/// acceleration, a hundredth of a millimetre at corners. The last two are guesses.
-fn usual_dynamics(settings: &Settings) -> Dynamics {
-    Dynamics {
-        speed_mm_s: Axes(Axis::ALL.map(|axis| settings.speeds.jog.of(axis))),
-        accel_mm_s2: Axes::splat(500.0),
-        jerk_mm_s3: None,
-        tolerance_mm: 0.01,
-    }
+    options.into_iter().find(|(_, given, fits)| *given && !fits).map(|(name, ..)| name)
 }
 
 fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {

@@ -27,6 +27,13 @@ impl Course {
                 (along, along, along.dot(along).sqrt())
             }
             Path::Arc { centre, sweep_rad, .. } => tangents(m, centre, sweep_rad),
+            Path::Curve { .. } => {
+                let [start, end] = [0.0, 1.0].map(|share| {
+                    let along = m.derivative(share);
+                    Vec2::new(along.0[0] * per_mm, along.0[1] * per_mm)
+                });
+                (start, end, start.dot(start).sqrt())
+            }
         };
         // What is 1 or 0 by definition must not become nearly so.
         let xy = match m.basis {

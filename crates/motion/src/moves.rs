@@ -1,5 +1,6 @@
 //! One move: everything a model of motion needs to know about it, and the geometry of its path.
 
+use crate::profiler::spline::{Spline, Vec3, unit};
 use kerf_geom::{Arc2, Point2};
 use kerf_program::{At, Axes, MoveKind};
 
@@ -19,6 +20,14 @@ pub enum Path {
         /// Below the small circle size: run at ramp speed.
         small: bool,
     },
+    /// A smoothed segment: a cubic in XYZ with these directions at its ends; every other axis moves
+    /// in proportion. Made by the `profiler` model; the ends are those of the segment.
+    Curve {
+        /// Direction at the start, of length 1.
+        start: [f32; 3],
+        /// Direction at the end.
+        end: [f32; 3],
+    },
 }
 
 /// What the reference length of a move is measured along. Speeds of two moves can be compared only
@@ -33,6 +42,17 @@ pub(crate) enum Basis {
     Axis(u8),
     /// A, B and C together, degrees.
     Rotary,
+}
+
+impl Basis {
+    /// How many of X, Y and Z the reference length of a straight way counts.
+    pub const fn axes(self) -> usize {
+        match self {
+            Self::Xy => 2,
+            Self::Space => 3,
+            Self::Axis(_) | Self::Rotary => 0,
+        }
+    }
 }
 
 /// One move, ready for planning. Made by a [`Mover`](crate::Mover); never of zero length.
@@ -73,6 +93,9 @@ impl Move {
             return self.to;
         }
         let straight = self.from.zip(self.to, |a, b| a * (1.0 - share) + b * share);
+        if let Some(spline) = self.spline() {
+            return with_xyz(straight, spline.at(share)[0]);
+        }
         match self.arc() {
             None => straight,
             Some(arc) => self.on_arc(arc, straight, share),
@@ -83,6 +106,9 @@ impl Move {
     /// scaled to the whole move. Times speed over reference length it is the velocity of each axis.
     pub fn derivative(&self, share: f64) -> Axes {
         let mut all = self.to.minus(self.from);
+        if let Some(spline) = self.spline() {
+            return with_xyz(all, spline.at(share)[1]);
+        }
         if let Some(arc) = self.arc() {
             let along = arc.direction(share) * arc.length();
             let gap = self.gap(arc);
@@ -92,9 +118,13 @@ impl Move {
         all
     }
 
-    /// Change of that derivative for a whole share of 1: zero but in X and Y of an arc.
+    /// Change of that derivative for a whole share of 1: zero but in X and Y of an arc and in XYZ of
+    /// a curve.
     pub(crate) fn second_derivative(&self, share: f64) -> Axes {
         let mut all = Axes::default();
+        if let Some(spline) = self.spline() {
+            return with_xyz(all, spline.at(share)[2]);
+        }
         if let Some(arc) = self.arc() {
             let place = arc.at(share);
             let square = arc.sweep_rad * arc.sweep_rad;
@@ -122,6 +152,14 @@ impl Move {
             path: self.path.part(share),
             ..*self
         };
+        if let Path::Curve { start, end } = self.path {
+            let along = unit(self.derivative(share).first3()).unwrap_or_default();
+            let cut = along.map(|v| v as f32);
+            let mut parts = (part(self.from, middle, share), part(middle, self.to, 1.0 - share));
+            parts.0.path = Path::Curve { start, end: cut };
+            parts.1.path = Path::Curve { start: cut, end };
+            return parts;
+        }
         let mut after = part(middle, self.to, 1.0 - share);
         if let (Path::Arc { centre, .. }, Some(arc)) = (&mut after.path, self.arc()) {
             // The circle wanders with the gap; see `gap`.
@@ -141,13 +179,20 @@ impl Move {
     /// The arc in XY, if it is one.
     pub fn arc(&self) -> Option<Arc2> {
         match self.path {
-            Path::Line => None,
+            Path::Line | Path::Curve { .. } => None,
             Path::Arc { centre, sweep_rad, .. } => Some(Arc2 {
                 start: Point2::new(self.from.0[0], self.from.0[1]),
                 centre: Point2::new(centre[0], centre[1]),
                 sweep_rad,
             }),
         }
+    }
+
+    /// The cubic of a smoothed segment, if it is one.
+    fn spline(&self) -> Option<Spline> {
+        let Path::Curve { start, end } = self.path else { return None };
+        let [start, end] = [start, end].map(|d| d.map(f64::from));
+        Some(Spline::new(self.from.first3(), self.to.first3(), start, end))
     }
 
     /// How far the end lies from where the arc about the centre arrives: programs give both, and
@@ -167,10 +212,16 @@ impl Move {
     }
 }
 
+/// The same place with other values of X, Y and Z.
+fn with_xyz(mut all: Axes, xyz: Vec3) -> Axes {
+    all.0[..3].copy_from_slice(&xyz);
+    all
+}
+
 impl Path {
     fn part(self, share: f64) -> Self {
         match self {
-            Self::Line => self,
+            Self::Line | Self::Curve { .. } => self,
             Self::Arc { centre, sweep_rad, chords, small } => Self::Arc {
                 centre,
                 sweep_rad: sweep_rad * share,

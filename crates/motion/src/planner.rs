@@ -9,8 +9,9 @@
 use crate::moves::Move;
 use crate::optimal::Optimal;
 use crate::plan::Plan;
+use crate::profiler::ProfilerPlanner;
 use crate::shopbot::{Model, ShopBotPlanner};
-use kerf_program::Settings;
+use kerf_program::{RampModel, Settings};
 
 /// Plans one stack of moves, which starts and ends at rest, while it is read.
 ///
@@ -28,14 +29,15 @@ pub trait Planner {
     fn finish(&mut self) -> Option<Plan>;
 }
 
-/// The planner for a stack that begins under these settings: with all that the axes can do where the
-/// settings tell it, else with the ramps of VR.
+/// The planner of the model of motion in force, for a stack that begins under these settings.
 pub fn planner(settings: &Settings) -> Box<dyn Planner> {
-    match settings.dynamics {
-        Some(dynamics) => {
+    let dynamics = settings.axis_dynamics();
+    match settings.model() {
+        RampModel::Shopbot => Box::new(ShopBotPlanner::new(&settings.ramps)),
+        RampModel::Profiler => Box::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)),
+        RampModel::Optimal => {
             Box::new(Whole::new(move |moves| Optimal { dynamics: &dynamics }.plan(moves)))
         }
-        None => Box::new(ShopBotPlanner::new(&settings.ramps)),
     }
 }
 

@@ -1,9 +1,11 @@
 //! The plan of a stack that is read in parts is the plan of the whole stack.
 #![allow(clippy::unwrap_used)]
 
-use kerf_motion::{Move, Mover, Plan, Planner, ShopBotPlanner, Span, plan_stack};
+use kerf_motion::{
+    Model, Move, Mover, Plan, Planner, Profiler, ProfilerPlanner, ShopBotPlanner, Span, plan_stack,
+};
 use kerf_program::settings::Ramps;
-use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings};
+use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings, Smoothing};
 use proptest::prelude::*;
 
 /// Lines and arcs of all sizes, smooth and rough stretches, changes of speed, plunges and jogs.
@@ -69,8 +71,20 @@ fn spans(pieces: &[Plan]) -> Vec<Span<'_>> {
 
 fn check(moves: &[Move], ramps: &Ramps, at_once: usize) -> usize {
     let whole = [plan_stack(moves.to_vec(), ramps)];
-    let pieces = pieces(&mut ShopBotPlanner::new(ramps), moves, at_once);
-    let (expected, found) = (spans(&whole), spans(&pieces));
+    agree(&whole, &pieces(&mut ShopBotPlanner::new(ramps), moves, at_once), at_once)
+}
+
+/// The same for the `profiler` model.
+fn check_profiler(moves: &[Move], smoothing: &Smoothing, at_once: usize) -> usize {
+    let dynamics = &Settings::default().axis_dynamics();
+    let whole = [Profiler { dynamics, smoothing }.plan(moves.to_vec())];
+    let mut planner = ProfilerPlanner::new(dynamics, smoothing);
+    agree(&whole, &pieces(&mut planner, moves, at_once), at_once)
+}
+
+/// How many pieces there are.
+fn agree(whole: &[Plan], pieces: &[Plan], at_once: usize) -> usize {
+    let (expected, found) = (spans(whole), spans(pieces));
     assert_eq!(found.len(), expected.len());
     for (found, expected) in found.iter().zip(&expected) {
         assert_eq!(found, expected, "every {at_once}");
@@ -86,6 +100,18 @@ fn pieces_make_the_plan_of_the_whole_stack() {
         for at_once in [0, 1, 1000, 7777] {
             let count = check(&moves, &ramps, at_once);
             assert!((at_once == 0 && count == 1) || count > 4, "{count} pieces");
+        }
+    }
+}
+
+#[test]
+fn pieces_of_smoothed_sections_make_the_plan_of_the_whole_stack() {
+    for (seed, factor) in [(1, 0.6), (2, 0.0), (3, 8.0)] {
+        let smoothing = Smoothing { factor, stop_angle_deg: 4.0, ..Smoothing::default() };
+        let moves = moves(30_000, seed);
+        for at_once in [0, 1, 7777] {
+            let count = check_profiler(&moves, &smoothing, at_once);
+            assert!((at_once == 0 && count == 1) || count > 2, "{count} pieces");
         }
     }
 }

@@ -1,11 +1,12 @@
 //! What a machine's axes can do, for planners that use it all.
 
-use crate::Axes;
+use crate::settings::Speeds;
+use crate::{Axes, Axis};
 use serde::{Deserialize, Serialize};
 
-/// Limits of every axis and the tolerance of the path: what the `optimal` model of motion plans
-/// with. A machine whose configuration gives them is planned so; one without (`None` in
-/// [`Settings`](crate::Settings)) ramps as VR says.
+/// Limits of every axis and the tolerance of the path: what the `profiler` and `optimal` models of
+/// motion plan with. A machine whose configuration gives them is planned by `optimal` unless it
+/// names another; one without (`None` in [`Settings`](crate::Settings)) ramps as VR says.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Dynamics {
@@ -19,4 +20,17 @@ pub struct Dynamics {
     /// How far the path may leave the programmed one, mm (rotary axes count a degree as a
     /// millimetre).
     pub tolerance_mm: f64,
+}
+
+impl Dynamics {
+    /// What the axes of a mid-size router can do, where nothing else is known: jog speeds, a modest
+    /// acceleration, a hundredth of a millimetre at corners. The last two are guesses.
+    pub fn usual(speeds: &Speeds) -> Self {
+        Self {
+            speed_mm_s: Axes(Axis::ALL.map(|axis| speeds.jog.of(axis))),
+            accel_mm_s2: Axes::splat(500.0),
+            jerk_mm_s3: None,
+            tolerance_mm: 0.01,
+        }
+    }
 }

@@ -20,6 +20,7 @@ mod host;
 mod interpreter;
 pub mod settings;
 mod shift;
+mod smoothing;
 
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use command::{
@@ -34,3 +35,4 @@ pub use host::{
 };
 pub use interpreter::{Interpreter, Status, Step, Watch};
 pub use settings::Settings;
+pub use smoothing::{FACTOR_MM, RampModel, Smoothing};

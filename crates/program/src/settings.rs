@@ -5,7 +5,7 @@
 //! the unit changes how they are shown, so there is no drift. The defaults are those of the OpenSBP
 //! command reference where it gives one; the notes beside the others say so.
 
-use crate::{AXES, Axes, Axis, Dynamics};
+use crate::{AXES, Axes, Axis, Dynamics, RampModel, Smoothing};
 use serde::{Deserialize, Serialize};
 
 /// Millimetres in an inch.
@@ -392,6 +392,12 @@ pub struct Settings {
     /// What the axes can do; from the machine's configuration, no V command sets it.
     #[serde(default)]
     pub dynamics: Option<Dynamics>,
+    /// The model of motion; the configuration or an option names it.
+    #[serde(default)]
+    pub ramp_model: Option<RampModel>,
+    /// How the `profiler` model goes round corners.
+    #[serde(default)]
+    pub smoothing: Smoothing,
 }
 
 const fn yes() -> bool {
@@ -399,6 +405,18 @@ const fn yes() -> bool {
 }
 
 impl Settings {
+    /// The model of motion in force: the one that is named; without a name `optimal` where it is
+    /// known what the axes can do, else the ramps of VR.
+    pub fn model(&self) -> RampModel {
+        let usual = if self.dynamics.is_some() { RampModel::Optimal } else { RampModel::Shopbot };
+        self.ramp_model.unwrap_or(usual)
+    }
+
+    /// What the axes can do, as far as it is known.
+    pub fn axis_dynamics(&self) -> Dynamics {
+        self.dynamics.unwrap_or_else(|| Dynamics::usual(&self.speeds))
+    }
+
     /// What the user measures an axis in.
     pub const fn axis_unit(&self, axis: Axis) -> AxisUnit {
         match axis {
@@ -568,6 +586,8 @@ impl Default for Settings {
             warning_s: 0.0,
             ask_spindle: true,
             dynamics: None,
+            ramp_model: None,
+            smoothing: Smoothing::default(),
         }
     }
 }

@@ -23,15 +23,23 @@
 //! interlock = 12              # the input that is ON while the enclosure is open
 //! [steps]
 //! per_unit = [40, 40, 40]     # steps for a millimetre or a degree
+//! [smoothing]                 # of the model `motion = "profiler"`
+//! factor = 0.6
+//! stop_angle_deg = 1.0
+//! centripetal_percent = 100
+//! cut_speed_mm_s = 100        # highest along X; along Y so many times that:
+//! y_factor = 1.0
 //! ```
 
 mod bounds;
+mod motion;
 
 use bounds::{
     NOT_NEGATIVE, NUMBER, POSITIVE, axes, group, modes, not_negative, positive, refused, set,
 };
-use kerf_program::settings::{AxisUnit, LinearUnit, Ramps, Settings};
-use kerf_program::{AXES, Axes, Axis, Dynamics};
+use kerf_program::settings::{AxisUnit, LinearUnit, Settings};
+use kerf_program::{AXES, Axis, Dynamics, RampModel};
+use motion::{RampValues, SmoothingValues, check_dynamics};
 use serde::Deserialize;
 
 /// Why a configuration is refused. Names the key and what it accepts.
@@ -65,6 +73,9 @@ struct Config {
     io: Option<Io>,
     steps: Option<Steps>,
     dynamics: Option<Dynamics>,
+    /// The model of motion.
+    motion: Option<RampModel>,
+    smoothing: Option<SmoothingValues>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -97,19 +108,6 @@ struct Group {
     a: Option<f64>,
     b: Option<f64>,
     c: Option<f64>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RampValues {
-    cut: Option<Group>,
-    jog: Option<Group>,
-    cut_rate_mm: Option<f64>,
-    jog_rate_mm: Option<f64>,
-    threshold_3d_percent: Option<f64>,
-    min_distance_mm: Option<f64>,
-    slow_corner_percent: Option<f64>,
-    small_circle_mm: Option<f64>,
 }
 
 #[derive(Deserialize)]
@@ -198,43 +196,11 @@ impl Config {
             check_dynamics(&dynamics)?;
             s.dynamics = Some(dynamics);
         }
-        Ok(())
-    }
-}
-
-fn check_dynamics(d: &Dynamics) -> Result<(), ConfigError> {
-    let jerk = d.jerk_mm_s3.unwrap_or(Axes::splat(1.0));
-    for (values, key) in [
-        (d.speed_mm_s, "dynamics.speed_mm_s"),
-        (d.accel_mm_s2, "dynamics.accel_mm_s2"),
-        (jerk, "dynamics.jerk_mm_s3"),
-    ] {
-        for value in values.0 {
-            set(&mut 0.0, Some(value), key, POSITIVE, positive)?;
+        s.ramp_model = self.motion;
+        match &self.smoothing {
+            Some(smoothing) => smoothing.apply(s),
+            None => Ok(()),
         }
-    }
-    set(&mut 0.0, Some(d.tolerance_mm), "dynamics.tolerance_mm", NOT_NEGATIVE, not_negative)
-}
-
-impl RampValues {
-    fn apply(&self, s: &mut Ramps) -> Result<(), ConfigError> {
-        group(&mut s.cut, self.cut, "ramps.cut", NOT_NEGATIVE, not_negative)?;
-        group(&mut s.jog, self.jog, "ramps.jog", NOT_NEGATIVE, not_negative)?;
-        for (place, value, key) in [
-            (&mut s.cut_rate_mm, self.cut_rate_mm, "ramps.cut_rate_mm"),
-            (&mut s.jog_rate_mm, self.jog_rate_mm, "ramps.jog_rate_mm"),
-        ] {
-            set(place, value, key, POSITIVE, positive)?;
-        }
-        for (place, value, key) in [
-            (&mut s.threshold_3d_percent, self.threshold_3d_percent, "ramps.threshold_3d_percent"),
-            (&mut s.min_distance_mm, self.min_distance_mm, "ramps.min_distance_mm"),
-            (&mut s.slow_corner_percent, self.slow_corner_percent, "ramps.slow_corner_percent"),
-            (&mut s.small_circle_mm, self.small_circle_mm, "ramps.small_circle_mm"),
-        ] {
-            set(place, value, key, NOT_NEGATIVE, not_negative)?;
-        }
-        Ok(())
     }
 }
 
@@ -308,6 +274,7 @@ mod tests {
             ("[io]\ninputs = [5]", "io.inputs must be modes 0 to 4, not 5"),
             ("[io]\noutputs = [0,0,0,0,0,0,0,0,0,0,0,0,0]", "io.outputs must be a shorter list"),
             ("[steps]\nper_unit = [nan]", "steps.per_unit must be greater than 0"),
+            ("motion = \"fast\"", "unknown variant `fast`"),
             ("axes = ", "TOML parse error"),
         ] {
             let error = settings(text).unwrap_err().to_string();

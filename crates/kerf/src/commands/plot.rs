@@ -81,7 +81,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, true)?;
     let title = args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mut curves = Curves::new(title, args.axes.as_deref().unwrap_or_default(), window);
-    curves.plot.note = format!("ramps {}", setup::model_word(&job.session.memory.settings));
+    curves.plot.note = format!("ramps {}", job.session.memory.settings.model().word());
     let mut sink = (Diagnostics::default(), curves);
     let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };

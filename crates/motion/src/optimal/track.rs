@@ -17,6 +17,9 @@ const MAX_CHORD_RAD: f64 = 0.2;
 /// No move is cut into more chords.
 const MAX_CHORDS: f64 = 1e6;
 
+/// Chords of a segment that another model had smoothed: it turns by 45° at most.
+const CURVE_CHORDS: u32 = 16;
+
 /// Ends of neighbouring moves that are closer are the same place, mm.
 const SAME_PLACE_MM: f64 = 1e-6;
 
@@ -123,7 +126,11 @@ impl Track {
 
 /// Chords into which a move is cut.
 fn chords(m: &Move, tolerance_mm: f64) -> u32 {
-    let Path::Arc { centre, sweep_rad, .. } = m.path else { return 1 };
+    let (centre, sweep_rad) = match m.path {
+        Path::Line => return 1,
+        Path::Curve { .. } => return CURVE_CHORDS,
+        Path::Arc { centre, sweep_rad, .. } => (centre, sweep_rad),
+    };
     let (x, y) = (m.from.0[0] - centre[0], m.from.0[1] - centre[1]);
     let sagitta = tolerance_mm.max(ARC_TOLERANCE_MM) * CHORD_SHARE;
     let radius = (x * x + y * y).sqrt().max(sagitta);
