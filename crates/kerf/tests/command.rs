@@ -319,8 +319,12 @@ fn the_optimal_ramps_follow_their_limits() {
     // 4 in at 50 mm/s, one ramp up and one down at 100 mm/s², twice: at least 2·(101.6/50 + .5) s.
     assert!((slow - 2.0 * (101.6 / 50.0 + 0.5)).abs() < 0.1, "{slow}");
     assert!(fast < slow && loose < slow, "{fast} {loose} {slow}");
-    shop.kerf("time a.sbp --accel 1,1,1").exits(2).complains("--accel belongs to --ramps optimal");
-    shop.kerf("time a.sbp --ramps profiler").exits(2).complains("not there yet");
+    shop.kerf("time a.sbp --accel 1,1,1")
+        .exits(2)
+        .complains("--accel does not belong to --ramps shopbot");
+    shop.kerf("time a.sbp --ramps fast").exits(2).complains("give shopbot, profiler or optimal");
+    shop.kerf("time a.sbp --ramps profiler --jerk 1").exits(2).complains("--jerk does not belong");
+    shop.kerf("time a.sbp --ramps profiler --stop-angle 181").exits(2).complains("from 0 to 180");
 }
 
 #[test]
@@ -367,4 +371,24 @@ fn sbp_lang_size() {
     shop.write("million.sbp", text.as_bytes());
     let did = shop.kerf("run million.sbp");
     did.exits(0).says("1000000 lines, 1000000 moves").says("X 0 … 99");
+}
+
+#[test]
+fn the_profiler_stops_at_corners_and_not_in_smooth_curves() {
+    let sides: String = (1..=72)
+        .map(|k| f64::from(k) * std::f64::consts::TAU / 72.0)
+        .map(|a| format!("M2,{:.6},{:.6}\n", 50.0 * a.cos(), 50.0 * a.sin()))
+        .collect();
+    let shop = Shop::new(&[("round.sbp", &format!("MS,100\nJ2,50,0\n{sides}"))]);
+    let seconds = |options: &str| {
+        let line = format!("time round.sbp --units mm --format json --ramps profiler {options}");
+        shop.kerf(&line).exits(0).json()["cut"].as_f64().unwrap()
+    };
+    // Once round at 100 mm/s, with a ramp of 500 mm/s² at each end.
+    let round = 100.0 * std::f64::consts::PI / 100.0 + 0.2;
+    assert!((seconds("--axis-speed 200") - round).abs() < 0.01);
+    assert!(seconds("--axis-speed 200 --smoothing 0") > 2.0 * round);
+    assert!((seconds("--axis-speed 200 --smoothing 0 --stop-angle 6") - round).abs() < 0.01);
+    // A quarter of 500 mm/s² on 50 mm: 79 mm/s.
+    assert!(seconds("--axis-speed 200 --centripetal 25") > 1.2 * round);
 }
