@@ -6,6 +6,7 @@
 
 pub mod dxf;
 mod finding;
+pub mod rsg;
 
 pub use finding::{Finding, Weight};
 

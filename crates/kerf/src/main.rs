@@ -6,6 +6,7 @@
 mod args;
 mod commands;
 mod curves;
+mod drawings;
 mod exit;
 mod memory;
 mod operator;

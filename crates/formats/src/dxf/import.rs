@@ -3,6 +3,7 @@
 use super::file::{Block, Entity, File, entities};
 use super::map::{Map3, Vec3};
 use super::tag::{Tag, tags};
+use super::write::Notes;
 use super::{curves, insert, polyline, units};
 use crate::Imported;
 use crate::finding::Findings;
@@ -37,6 +38,11 @@ impl Default for Options {
 /// assert!(read.findings.is_empty());
 /// ```
 pub fn read(bytes: &[u8], options: &Options) -> Imported {
+    read_with_notes(bytes, options).0
+}
+
+/// Reads a DXF file with the comments at its head and in its entities.
+pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Notes) {
     let mut findings = Findings::default();
     let tags = tags(bytes, &mut findings);
     let file = File::of(&tags);
@@ -47,13 +53,15 @@ pub fn read(bytes: &[u8], options: &Options) -> Imported {
         findings,
         shapes: Vec::new(),
         layers: Vec::new(),
+        notes: Vec::new(),
         open_blocks: Vec::new(),
     };
     let world = Place { map: Map3::scaled(unit, unit, unit), layer: None };
     for section in &file.entities {
         import.entities(section, &world);
     }
-    import.finish()
+    let head = tags.iter().take_while(|tag| tag.code == 999).map(Tag::text).collect();
+    import.finish(head)
 }
 
 fn unit(file: &File, options: &Options, findings: &mut Findings) -> f64 {
@@ -85,17 +93,20 @@ pub(super) struct Import<'f, 'a> {
     pub findings: Findings,
     shapes: Vec<Shape>,
     layers: Vec<(&'a [u8], Vec<usize>)>,
+    /// The comment in the entity of each shape, empty where there is none.
+    notes: Vec<String>,
     /// Names of the blocks being drawn, outermost first.
     pub open_blocks: Vec<&'f [u8]>,
 }
 
 impl<'f, 'a> Import<'f, 'a> {
-    fn finish(self) -> Imported {
+    fn finish(self, head: Vec<String>) -> (Imported, Notes) {
         let layers = self.layers.into_iter();
         let layers = layers.map(|(name, shapes)| (super::tag::decoded(name), shapes)).collect();
         let skipped = self.findings.skipped();
         let drawing = Drawing::of(self.shapes);
-        Imported { drawing, findings: self.findings.finish(), layers, skipped }
+        let read = Imported { drawing, findings: self.findings.finish(), layers, skipped };
+        (read, Notes { head, shapes: self.notes, layers: false })
     }
 
     /// Draws the entities of a section or a block.
@@ -278,6 +289,7 @@ impl<'f, 'a> Import<'f, 'a> {
             Some((_, shapes)) => shapes.push(number),
             None => self.layers.push((layer, vec![number])),
         }
+        self.notes.push(entity.tag(999).map(Tag::text).unwrap_or_default());
         self.shapes.push(shape);
     }
 

@@ -16,5 +16,10 @@ mod map;
 mod polyline;
 mod tag;
 mod units;
+mod write;
 
 pub use import::{Options, read};
+pub use write::write;
+
+pub(crate) use import::read_with_notes;
+pub(crate) use write::{Notes, write_with};

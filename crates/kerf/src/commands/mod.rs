@@ -1,6 +1,7 @@
 //! The subcommands, one file each.
 
 mod check;
+mod draw;
 mod explain;
 mod fmt;
 mod plot;
@@ -29,6 +30,7 @@ pub enum Command {
     Time(time::TimeArgs),
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
+    Draw(draw::DrawArgs),
     Explain(explain::ExplainArgs),
     Wavlength(wavlength::WavlengthArgs),
     Registry(registry::RegistryArgs),
@@ -47,6 +49,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Time(args) => time::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),
+        Command::Draw(args) => draw::run(&args),
         Command::Samples(args) => samples::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),

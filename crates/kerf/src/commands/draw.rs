@@ -1,0 +1,112 @@
+//! `kerf draw`: drawings opened, changed and written from a terminal.
+
+use crate::drawings;
+use crate::exit::{Exit, Usage};
+use crate::out;
+use anyhow::{Result, bail};
+use clap::Args;
+use kerf_drawing::{Drawing, ENTRIES, Editor, Group, Kind, Operation, Shape, script};
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+/// Opens drawings, changes them and writes them
+///
+/// Several drawings are put on top of each other, in order. Operations act on the selected shapes;
+/// they are carried out in order, and a mistake in one of them leaves no output file.
+#[derive(Args)]
+#[command(after_help = help())]
+pub struct DrawArgs {
+    /// The drawings: .dxf or .rsg; none begins an empty one
+    files: Vec<PathBuf>,
+    /// What to do, clauses divided by semicolons
+    #[arg(long = "do", value_name = "OP; OP; …")]
+    operations: Option<String>,
+    /// The drawing to write: .rsg or .dxf
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Prints the shapes as JSON, one a line
+    #[arg(long)]
+    list: bool,
+    /// Puts the shapes of each layer into a group of their own, in the order of the file
+    #[arg(long)]
+    layers: bool,
+    /// Takes a unit of the drawing for a millimetre, whatever the file says
+    #[arg(long)]
+    unscaled: bool,
+    /// Counts the blocks that are placed in the drawing instead of drawing what they hold
+    #[arg(long)]
+    no_blocks: bool,
+}
+
+/// What stands below the options: every operation, from the table.
+fn help() -> String {
+    let mut text = String::from("Operations:\n");
+    for entry in ENTRIES {
+        let form = entry.form.split_whitespace().collect::<Vec<_>>().join(" ");
+        text += &format!("  {form}\n      {}\n", entry.doc);
+    }
+    let groups: Vec<_> = Group::ALL.iter().map(|group| group.name()).collect();
+    text += &format!("\nGroups, in order: {}\n", groups.join(" "));
+    text + "\nExample: kerf draw part.dxf --do \"select all; rotate 30 about 0,0; group red\" -o part.rsg"
+}
+
+pub fn run(args: &DrawArgs) -> Result<Exit> {
+    if args.output.is_none() && !args.list {
+        bail!(Usage("nothing to do with the drawing: name an output with -o, or --list".into()));
+    }
+    let reading =
+        drawings::Reading { layers: args.layers, scale: !args.unscaled, explode: !args.no_blocks };
+    let mut editor = Editor::of(drawings::open(&args.files, &reading)?);
+    if let Some(text) = &args.operations {
+        carry_out(&mut editor, text)?;
+    }
+    if let Some(output) = &args.output {
+        drawings::write(&editor.drawing, output)?;
+    }
+    if args.list {
+        list(&editor.drawing);
+    }
+    Ok(Exit::Good)
+}
+
+fn carry_out(editor: &mut Editor, text: &str) -> Result<()> {
+    for (number, operation) in script(text)? {
+        let outcome = editor.apply(&operation).map_err(|error| told(number, &operation, &error))?;
+        for warning in outcome.warnings {
+            eprintln!("clause {number} `{operation}`: {warning}");
+        }
+    }
+    Ok(())
+}
+
+fn told(number: usize, operation: &Operation, why: &impl std::fmt::Display) -> anyhow::Error {
+    anyhow::anyhow!("clause {number} `{operation}`: {why}")
+}
+
+fn list(drawing: &Drawing) {
+    let lines = drawing.shapes.iter().enumerate().map(|(n, shape)| line(n + 1, shape));
+    out::print(&lines.map(|line| line.to_string() + "\n").collect::<String>());
+}
+
+/// A shape as `kerf draw --list` prints it.
+fn line(number: usize, shape: &Shape) -> Value {
+    let path = &shape.path;
+    let points: Vec<_> = path.vertices.iter().map(|v| [v.at.x, v.at.y, v.bulge]).collect();
+    let bounds = path.bounds();
+    let kind = match shape.kind() {
+        Kind::Point => "point",
+        Kind::Polyarc => "polyarc",
+    };
+    json!({
+        "n": number,
+        "group": shape.group.name(),
+        "kind": kind,
+        "closed": shape.is_closed(),
+        "points": points,
+        "z": shape.z_mm,
+        "length": path.length(),
+        "area": if shape.is_closed() { path.signed_area() } else { 0.0 },
+        "bounds": { "min": bounds.min, "max": bounds.max },
+        "pause": shape.pause,
+    })
+}

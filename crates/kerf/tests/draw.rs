@@ -1,0 +1,94 @@
+//! `kerf draw` as a user has it.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn kerf(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_kerf")).current_dir(folder).args(args).output().unwrap()
+}
+
+fn told(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn shapes(folder: &Path, file: &str) -> Vec<serde_json::Value> {
+    let output = kerf(folder, &["draw", file, "--list"]);
+    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+#[test]
+fn a_drawing_is_made_written_and_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "line 0,0 100,0 100,100 0,100 close; circle 50,50 25; select 2; group red; \
+        directions auto";
+    let made = kerf(folder.path(), &["draw", "--do", script, "-o", "part.rsg"]);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    let shapes = shapes(folder.path(), "part.rsg");
+    assert_eq!(shapes.len(), 2);
+    assert_eq!(shapes[0]["kind"], "polyarc");
+    assert_eq!(shapes[0]["area"], 10000.0);
+    assert_eq!(shapes[1]["group"], "red");
+    assert_eq!(shapes[1]["points"][0], serde_json::json!([75.0, 50.0, -1.0]));
+    assert_eq!(shapes[1]["bounds"]["min"], serde_json::json!({"x": 25.0, "y": 25.0}));
+}
+
+#[test]
+fn pro_import_dxf_manipulate() {
+    let folder = tempfile::tempdir().unwrap();
+    let circle =
+        "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\ncut\n10\n5\n20\n6\n40\n2.5\n0\nENDSEC\n0\nEOF\n";
+    std::fs::write(folder.path().join("part.dxf"), circle).unwrap();
+    let script = "select all; group blue; set blue offset=3 lead-in=5,90";
+    let made = kerf(folder.path(), &["draw", "part.dxf", "--do", script, "-o", "part.rsg"]);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    let dxf = kerf(folder.path(), &["draw", "part.rsg", "-o", "out.dxf"]);
+    assert!(told(&dxf).contains("groups and arrays will not be saved"));
+    let (rsg, dxf) = (shapes(folder.path(), "part.rsg"), shapes(folder.path(), "out.dxf"));
+    assert_eq!(rsg[0]["group"], "blue");
+    assert_eq!(dxf[0]["group"], "black");
+    assert_eq!(rsg[0]["points"], dxf[0]["points"]);
+}
+
+#[test]
+fn a_mistake_names_the_clause_and_leaves_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for (script, message) in [
+        ("circle 0,0 5; move 1,1", "clause 2 `move 1,1`: no shapes selected"),
+        ("circle 0,0", "clause 1 `circle 0,0`: the radius is missing; write `circle X,Y RADIUS`"),
+    ] {
+        let output = kerf(folder.path(), &["draw", "--do", script, "-o", "x.rsg"]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(told(&output).contains(message), "{}", told(&output));
+        assert!(!folder.path().join("x.rsg").exists());
+    }
+}
+
+#[test]
+fn what_cannot_be_read_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("photo.dxf"), b"\x89PNG\r\n\x1a\n\0\0\0").unwrap();
+    let output = kerf(folder.path(), &["draw", "photo.dxf", "--list"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(told(&output).contains("photo.dxf: nothing of a drawing could be read"));
+    let output = kerf(folder.path(), &["draw", "missing.dxf", "--list"]);
+    assert_eq!(output.status.code(), Some(2));
+    let output = kerf(folder.path(), &["draw", "photo.dxf"]);
+    assert!(told(&output).contains("name an output with -o, or --list"));
+}
+
+#[test]
+fn the_layers_of_a_file_become_groups_when_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let point = |layer: &str| format!("0\nPOINT\n8\n{layer}\n10\n5\n20\n6\n");
+    let text = point("holes") + &point("cuts") + &point("holes") + "0\nEOF\n";
+    std::fs::write(folder.path().join("part.dxf"), text).unwrap();
+    let output = kerf(folder.path(), &["draw", "part.dxf", "--layers", "-o", "part.rsg"]);
+    assert!(told(&output).contains("layer cuts is group blue"));
+    let groups: Vec<_> =
+        shapes(folder.path(), "part.rsg").iter().map(|shape| shape["group"].clone()).collect();
+    assert_eq!(groups, ["black", "blue", "black"]);
+}
