@@ -38,6 +38,8 @@ struct Fitting<'a> {
 impl Fitting<'_> {
     fn part(&mut self, from: f64, to: f64, halvings: u32) {
         let (a, b) = ((self.at)(from).0, (self.at)(to).0);
+        // What is no place stays none however often it is halved.
+        let halvings = if a.distance(b).is_finite() { halvings } else { 0 };
         if let Some(pair) = self.pair(from, to).filter(|pair| self.follows(pair, from, to)) {
             self.push(&pair);
         } else if halvings == 0 || a.distance(b) <= tol::SAME_PLACE_MM && self.is_still(from, to) {
