@@ -7,6 +7,7 @@
 
 use crate::nudge::Nudge;
 use kerf_program::{Answer, Button, Question, QuestionKind};
+use kerf_sbp::GoTo;
 use std::collections::{BTreeMap, VecDeque};
 
 /// Whoever answers questions.
@@ -119,14 +120,14 @@ pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
         });
     }
     let button = button.filter(|b| question.buttons.contains(b)).map(Answer::Button);
-    button.or_else(|| command(question.kind, words).then(|| Answer::Text(words.to_owned())))
+    button.or_else(|| command(question, words).then(|| Answer::Text(words.to_owned())))
 }
 
 /// Whether words tell the machine something that is no button of the box.
-fn command(kind: QuestionKind, words: &str) -> bool {
-    match kind {
+fn command(question: &Question, words: &str) -> bool {
+    match question.kind {
         QuestionKind::Hold => Nudge::read(words).is_some(),
-        QuestionKind::Step => false,
+        QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,
     }
 }
@@ -137,6 +138,14 @@ pub fn default_answer(question: &Question) -> Answer {
         return Answer::Text(question.prefill.clone());
     }
     Answer::Button(question.buttons.get(question.default).copied().unwrap_or(Button::OK))
+}
+
+/// What is answered when nobody is there: a file is not stepped through then.
+pub fn unattended_answer(question: &Question) -> Answer {
+    match question.kind {
+        QuestionKind::Step => Answer::Button(Button::Run),
+        _ => default_answer(question),
+    }
 }
 
 /// The words of an answer, as the trace shows them.

@@ -198,6 +198,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
         let Some(span) = plan.span(index) else { return };
         self.last_move = span.made.at;
+        self.trail.moves(span.made.at);
         if self.world.tells_motion() {
             let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
             self.world.tell(&event);

@@ -54,6 +54,10 @@ impl Host for World<'_> {
         self.shelf.close(number)
     }
 
+    fn last_line(&mut self, file: &str) -> Option<u32> {
+        self.shelf.last_line(file)
+    }
+
     fn stored(&mut self, key: &str) -> Option<String> {
         self.shelf.stored.get(key).map(str::to_owned)
     }

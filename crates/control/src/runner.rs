@@ -9,6 +9,7 @@
 use crate::execute::Halted;
 use crate::session::LimitPolicy;
 use crate::stack::Stack;
+use crate::trail::Trail;
 use crate::world::World;
 use crate::{Pace, flag};
 use kerf_diag::{Code, Diagnostic, Place};
@@ -40,6 +41,8 @@ pub(crate) struct Runner<'a, I> {
     pub limits: LimitPolicy,
     /// The line of the move made last.
     pub last_move: At,
+    /// Where the program was, for the log.
+    pub trail: Trail,
 }
 
 /// Whether a run goes on.
@@ -85,6 +88,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             nudged: None,
             restore: None,
             last_move: At::default(),
+            trail: Trail::default(),
         }
     }
 
@@ -118,6 +122,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         let lines = if self.world.tells_standing() { 1 } else { self.lines };
         let step = self.interpreter.run(&mut self.world, &mut self.out, lines);
         self.learn_files();
+        self.trail.goes_on(self.interpreter.call_stack());
         self.tell_standing(0);
         let flow = match self.feed() {
             Flow::On => self.follow(step),
@@ -169,6 +174,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// The run is over: what was read and not made is dropped, what ended it is told.
     fn ended(&mut self, over: Over) -> Over {
+        self.trail.goes_on(self.interpreter.call_stack());
         match over.status {
             Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut self.out)),
             Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut self.out)),

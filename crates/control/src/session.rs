@@ -3,9 +3,11 @@
 use crate::answers::Operator;
 use crate::event::{BoundsEvent, Corner, EndEvent, Event, VarValue};
 use crate::nudge::{Nudge, Outside};
+use crate::part_log::{PartLog, Started};
 use crate::runner::Runner;
 use crate::shelf::Shelf;
 use crate::tally::Tally;
+use crate::trail::Trail;
 use crate::world::World;
 use crate::{Pace, Sink};
 use kerf_diag::Diagnostic;
@@ -26,6 +28,8 @@ pub struct RunOptions {
     pub inputs: Vec<Change>,
     /// Tell the user's variables at the end.
     pub tell_variables: bool,
+    /// When the run starts, for the log of the part file; without it none is written.
+    pub started: Option<Started>,
     /// What happens when a move would leave the table limits.
     pub limits: LimitPolicy,
     /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
@@ -107,6 +111,8 @@ impl Session {
         if options.program.preview && !self.memory.settings.view.start_actual {
             self.draw_from_zero();
         }
+        let log = PartLog::begin(self, &options.program, options.started);
+        let depth = usize::from(options.program.typed);
         let machine = self.machine(options.inputs);
         let memory = std::mem::take(&mut self.memory);
         let mut world = World::new(machine, shelf, sink, operator);
@@ -115,7 +121,11 @@ impl Session {
         let mut runner =
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
+        runner.trail = Trail::new(depth);
         let over = runner.run();
+        if let Some(log) = log {
+            runner.write_log(&log, &over);
+        }
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         (self.memory, self.machine) = (memory, Some(machine));
         summary

@@ -2,6 +2,7 @@
 //! write, stored values, external programs.
 
 use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
+use crate::part_log;
 use crate::settings_file::SETTINGS_FILE;
 use crate::stored::Stored;
 use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
@@ -10,6 +11,9 @@ use std::process::{Command, Stdio};
 
 /// Files larger than this are no part files, bytes.
 pub const MOST_BYTES: usize = 1 << 29;
+
+/// What the name of a part file's log ends with.
+const LOG: &str = "log";
 
 /// Files and values that programs reach.
 pub struct Shelf {
@@ -88,6 +92,27 @@ impl Shelf {
     pub fn keep_settings(&mut self, text: &str) -> std::io::Result<()> {
         self.disk.make_folder(&self.data)?;
         self.disk.write(&self.data.join(SETTINGS_FILE), text.as_bytes())
+    }
+
+    /// Adds to the log of a part file, which lies beside it. A file that comes with the program has
+    /// none.
+    pub(crate) fn add_to_log(&mut self, file: &str, entry: &str) -> std::io::Result<()> {
+        if !self.disk.is_file(Path::new(file)) {
+            return Ok(());
+        }
+        let text = self.log_of(file).unwrap_or_default() + entry;
+        self.disk.write(&Path::new(file).with_extension(LOG), text.as_bytes())
+    }
+
+    /// The line of a part file that was executed last, when its last run ended early.
+    pub fn last_line(&self, file: &str) -> Option<u32> {
+        part_log::last_line(&self.log_of(file)?)
+    }
+
+    fn log_of(&self, file: &str) -> Option<String> {
+        let path = Path::new(file).with_extension(LOG);
+        let bytes = self.disk.is_file(&path).then(|| self.disk.read(&path).ok()).flatten()?;
+        Some(String::from_utf8_lossy(&bytes).into_owned())
     }
 
     /// Puts a file into the part folder, whole or not at all.

@@ -55,6 +55,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Answers the question that is open: an input does, or the operator.
     pub(crate) fn answer(&mut self) -> Flow {
         self.tell_standing(flag::PAUSED);
+        self.trail.asks(self.interpreter.call_stack());
         let at = self.asking_line();
         let until = self.world.question.as_ref().and_then(|q| q.until);
         let moment = until.and_then(|(n, on)| self.world.machine.when_input(n, on));

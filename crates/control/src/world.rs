@@ -296,7 +296,7 @@ impl<'a> World<'a> {
         let given = self.operator.answer(question, at.line);
         let scripted = given.is_some();
         let answer = match given {
-            None => answers::default_answer(question),
+            None => answers::unattended_answer(question),
             Some(words) => answers::meaning(question, &words).ok_or_else(|| {
                 let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
                 format!("the answer '{words}' is no button of this box ({})", buttons.join(", "))

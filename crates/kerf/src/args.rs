@@ -123,6 +123,13 @@ pub struct FileArgs {
     /// Plunges from Z 0
     #[arg(long)]
     pub plunge_from_zero: bool,
+    /// Goes through the file line by line, as FG: step, go to a line, run from here, quit
+    #[arg(long)]
+    pub step: bool,
+    /// Begins at a line, or at the one executed last when the last run ended early; with "N
+    /// settings" settings and assignments before it are carried out
+    #[arg(long, value_name = "N|last", value_parser = parse::from_line)]
+    pub from_line: Option<String>,
 }
 
 /// How motion is planned.

@@ -4,6 +4,7 @@
 //! (from options to a machine, its folders and its memory). Exit codes are in [`exit`].
 
 mod args;
+mod clock;
 mod commands;
 mod curves;
 mod drawings;

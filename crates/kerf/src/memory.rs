@@ -47,6 +47,11 @@ impl Memory {
         Ok(Self { kept, replaced })
     }
 
+    /// Whether a run leaves anything.
+    pub const fn keeps(&self) -> bool {
+        self.kept
+    }
+
     /// A run begins: should it never end, the next one knows.
     pub fn begin(&self, shelf: &mut Shelf, session: &Session) -> Result<()> {
         self.write(shelf, session, true)

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use kerf_control::Pace;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
-use kerf_program::Question;
+use kerf_program::{Question, QuestionKind};
 use std::io::{self, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -61,11 +61,12 @@ impl Keyboard {
         }
     }
 
-    fn ask(&self, question: &Question) -> Option<String> {
+    fn ask(&self, question: &Question, line: u32) -> Option<String> {
         let default = words(&default_answer(question));
         let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
         loop {
-            eprint!("? {} [{}] ({default}): ", question.text, buttons.join("/"));
+            let text = shown(question, line);
+            eprint!("? {text} [{}] ({default}): ", buttons.join("/"));
             io::stderr().flush().ok()?;
             let line = self.line()?;
             let line = line.trim_end_matches('\r');
@@ -75,15 +76,30 @@ impl Keyboard {
             if meaning(question, line).is_some() {
                 return Some(line.to_owned());
             }
-            eprintln!("  press one of {}", buttons.join(", "));
+            let or =
+                if question.kind == QuestionKind::Step { ", or the number of a line" } else { "" };
+            eprintln!("  answer one of {}{or}", buttons.join(", "));
         }
+    }
+}
+
+/// The text of a question. Of a file that is stepped through the line is shown with its number, and
+/// where the last run of it ended.
+fn shown(question: &Question, line: u32) -> String {
+    let Question { kind, text, title, prefill, .. } = question;
+    match (kind, prefill.as_str()) {
+        (QuestionKind::Step, "") => format!("{title}:{line}  {text}"),
+        (QuestionKind::Step, last) => {
+            format!("{title}:{line}  {text}  (last line executed: {last}, answer last)")
+        }
+        _ => text.clone(),
     }
 }
 
 impl Operator for Person {
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
         let scripted = self.script.answer(question, line);
-        scripted.or_else(|| self.keyboard.as_ref()?.ask(question))
+        scripted.or_else(|| self.keyboard.as_ref()?.ask(question, line))
     }
 }
 

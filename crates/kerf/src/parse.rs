@@ -2,7 +2,7 @@
 
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
-use kerf_sbp::{Dialect, Value};
+use kerf_sbp::{Dialect, GoTo, Value};
 use kerf_sim::Change;
 
 /// Letters of axes, as `xyz`.
@@ -41,6 +41,12 @@ pub fn offset(text: &str) -> Result<u8, String> {
         "2d" => Ok(2),
         _ => Err("give 3d or 2d".into()),
     }
+}
+
+/// `120`, `120 settings`, `last` or `last settings`.
+pub fn from_line(text: &str) -> Result<String, String> {
+    let known = GoTo::read(text, Some(1)).is_some();
+    known.then(|| text.to_owned()).ok_or_else(|| "give the number of a line, or last".into())
 }
 
 /// `N@T=0` or `N@T=1`.

@@ -1,6 +1,7 @@
 //! From options to a machine, its folders and its memory.
 
-use crate::args::{DataArgs, MotionArgs, PlaceArgs, RunArgs};
+use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
+use crate::clock;
 use crate::exit::Usage;
 use crate::memory::Memory;
 use anyhow::{Context, Result, bail};
@@ -9,7 +10,7 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
-use kerf_sbp::{FileParameters, Program};
+use kerf_sbp::{FileParameters, GoTo, Program};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -48,7 +49,9 @@ pub fn job_of(program: Program, mut shelf: Shelf, args: &RunArgs, preview: bool)
     for (name, value) in &args.set {
         session.memory.variables.set(name, value.clone());
     }
-    let options = run_options(args, &settings, preview);
+    let mut options = run_options(args, &settings, preview);
+    options.program.file.from = from_line(&args.file, &program, &shelf)?;
+    options.started = memory.keeps().then(clock::started);
     session.memory.settings = settings;
     Ok(Job { program, session, options, shelf, answers, memory })
 }
@@ -152,6 +155,8 @@ fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions
         plunge_mm: file.plunge.unwrap_or(0.0) * settings.linear_unit.mm(),
         tabs: file.tabs,
         plunge_from_zero: file.plunge_from_zero,
+        stepped: file.step,
+        from: None,
     };
     let program = kerf_sbp::Options {
         dialect: args.dialect,
@@ -163,6 +168,20 @@ fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions
         ..kerf_sbp::Options::default()
     };
     RunOptions { program, inputs: args.input.clone(), ..RunOptions::default() }
+}
+
+/// The line at which the file begins.
+fn from_line(args: &FileArgs, program: &Program, shelf: &Shelf) -> Result<Option<GoTo>> {
+    let Some(words) = &args.from_line else { return Ok(None) };
+    let last = shelf.last_line(&program.name);
+    let (name, lines) = (&program.name, program.lines.len());
+    match GoTo::read(words, last) {
+        None => bail!(Usage(format!("no run of {name} that ended early is in its log"))),
+        Some(to) if to.line as usize > lines => {
+            bail!(Usage(format!("{name} has {lines} lines, there is no line {}", to.line)))
+        }
+        to => Ok(to),
+    }
 }
 
 /// The folders and values that a program reaches; its part folder unless an option names another.

@@ -219,6 +219,11 @@ pub trait Host {
     /// Closes a user file.
     fn close(&mut self, number: u8) -> Result<(), HostError>;
 
+    /// The line of a program file that was executed last when a run of it ended early, before.
+    fn last_line(&mut self, _file: &str) -> Option<u32> {
+        None
+    }
+
     /// A value that survives restarts (`uValue`, `$name`, settings of the external control).
     fn stored(&mut self, key: &str) -> Option<String>;
 

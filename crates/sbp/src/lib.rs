@@ -38,8 +38,9 @@ pub use check::check;
 pub use expr::{BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, TextId, UnaryOp};
 pub use format::format;
 pub use interp::{
-    BeforePreview, Dialect, FileParameters, Interpreter, Options, POSITION_LOST, SPINDLE_STATUS,
-    Session, Status, Step, SystemVariable, VERSION, Variables, Watch, system_variables,
+    BeforePreview, Dialect, FileParameters, GoTo, Interpreter, Options, POSITION_LOST,
+    SPINDLE_STATUS, Session, Status, Step, SystemVariable, VERSION, Variables, Watch,
+    system_variables,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;

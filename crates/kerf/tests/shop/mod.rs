@@ -45,11 +45,12 @@ impl Shop {
         fs::read_to_string(self.file(name)).unwrap()
     }
 
-    /// Names of everything in the folder but the data folder.
+    /// Names of everything in the folder but the data folder and logs.
     pub fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(self.path()).unwrap();
         let names = entries.map(|e| e.unwrap().file_name().into_string().unwrap());
-        let mut names: Vec<String> = names.filter(|n| n != "data").collect();
+        let mut names: Vec<String> =
+            names.filter(|n| n != "data" && !n.ends_with(".log")).collect();
         names.sort();
         names
     }

@@ -64,20 +64,6 @@ fn sbp_file_fe() {
 }
 
 #[test]
-fn sbp_file_fg_modes() {
-    let fg = |mode: &str| sbp(&format!("{mode} ⏎ FG,part.sbp")).file("part.sbp", "MX,1").run();
-    fg("SM").ends_at([1.0]);
-    let drawn = fg("SP");
-    drawn.is_ok();
-    assert_eq!(drawn.events("move").count(), 1);
-}
-
-#[test]
-fn a_note_before_waiting_does_not_wait_for_ever() {
-    sbp("MX,2 ⏎ FG,part.sbp").file("part.sbp", "MX,1").run().ends_at([1.0]);
-}
-
-#[test]
 fn sbp_val_vd_comments() {
     assert_eq!(value("VD,,,,,,,1", "VD", 7), "1");
     run("VD,,,,,,,1 ⏎ 'a ⏎ MX,1 ⏎ 'b").shows(&["a", "b"]);

@@ -15,6 +15,7 @@ mod motors;
 mod moves;
 mod outputs;
 mod set;
+mod step;
 mod sysvar;
 mod values;
 mod zero;

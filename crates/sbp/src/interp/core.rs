@@ -2,7 +2,7 @@
 
 use super::cutting::Origin;
 use super::watch::Handler;
-use super::{BeforePreview, FileParameters, Options, Session, Variables};
+use super::{BeforePreview, FileParameters, GoTo, Options, Session, Variables};
 use crate::{Program, Value};
 use kerf_cut::Tabber;
 use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Settings};
@@ -21,6 +21,9 @@ pub struct Core {
     pub(crate) links: Vec<Arc<[u32]>>,
     /// Open files, outermost first.
     pub(crate) levels: Vec<Level>,
+    /// The operator let the line that is next run, of a file that is stepped through.
+    #[serde(default)]
+    pub(crate) granted: bool,
     /// The first file has been opened.
     pub(crate) started: bool,
     pub(crate) settings: Arc<Settings>,
@@ -88,6 +91,12 @@ pub(crate) struct Level {
     pub(crate) repetitions_left: u32,
     /// Z to return to after plunges, machine frame.
     pub(crate) start_z: Option<f64>,
+    /// The operator is asked before each line (FG), also in files that it calls.
+    #[serde(default)]
+    pub(crate) stepped: bool,
+    /// Lines before this index are passed over, but for settings and assignments.
+    #[serde(default)]
+    pub(crate) skip_to: Option<u32>,
     /// Tabs hold here (own or inherited), on the last repetition.
     pub(crate) tabs: bool,
     pub(crate) purpose: Purpose,
@@ -110,6 +119,23 @@ impl Level {
     pub(crate) fn tabs_hold(&self) -> bool {
         self.tabs && self.repetitions_left == 0
     }
+
+    /// Goes on at another line. Settings on the way are those behind the present line, or from the
+    /// beginning when that is further down.
+    pub(crate) fn go_to(&mut self, to: GoTo) {
+        let index = to.line.saturating_sub(1);
+        self.skip_to = to.settings.then_some(index);
+        if !to.settings {
+            self.next = index;
+        } else if index < self.next {
+            self.next = 0;
+        }
+    }
+
+    /// Whether its lines have to be looked at one by one.
+    pub(crate) const fn watched(&self) -> bool {
+        self.stepped || self.skip_to.is_some()
+    }
 }
 
 /// A file of the user that is open.
@@ -131,6 +157,7 @@ impl Core {
             programs: Vec::new(),
             links: Vec::new(),
             levels: Vec::new(),
+            granted: false,
             started: false,
             kept: settings.clone(),
             settings,

@@ -113,6 +113,7 @@ impl Context<'_> {
             gosubs: Vec::new(),
             repetitions_left: 0,
             start_z: None,
+            skip_to: None,
             tabs: home.tabs_hold(),
             purpose: Purpose::Handler(depth),
             ..home

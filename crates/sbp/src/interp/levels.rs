@@ -89,9 +89,9 @@ impl Context<'_> {
 
     /// Opens a file that was read; its first line runs next.
     pub(crate) fn open_level(&mut self, program: Arc<Program>, mut parameters: FileParameters) {
-        let (proportion, offset, tabs) = match self.core.level() {
-            Some(l) => (l.proportion, l.offset, l.tabs_hold()),
-            None => ([1.0; 3], [0.0; 3], false),
+        let (proportion, offset, tabs, stepped) = match self.core.level() {
+            Some(l) => (l.proportion, l.offset, l.tabs_hold(), l.stepped),
+            None => ([1.0; 3], [0.0; 3], false, false),
         };
         // The plunge is a distance of the file that calls, so its proportion holds.
         parameters.plunge_mm *= proportion[2];
@@ -103,7 +103,7 @@ impl Context<'_> {
         };
         let start_z = self.plunge_start(&parameters);
         let file = self.core.load(program);
-        self.core.levels.push(Level {
+        let mut level = Level {
             file,
             next: 0,
             gosubs: Vec::new(),
@@ -112,9 +112,15 @@ impl Context<'_> {
             parameters,
             repetitions_left: parameters.repetitions.saturating_sub(1),
             start_z,
+            stepped: stepped || parameters.stepped,
+            skip_to: None,
             tabs: tabs || parameters.tabs,
             purpose: Purpose::Run,
-        });
+        };
+        if let Some(to) = parameters.from {
+            level.go_to(to);
+        }
+        self.core.levels.push(level);
         self.core.refresh_scale();
         self.plunge();
         self.refresh_tabs();

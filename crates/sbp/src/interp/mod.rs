@@ -33,6 +33,7 @@ mod saving;
 mod session;
 mod statements;
 mod step;
+mod stepping;
 mod sysvar;
 #[cfg(test)]
 mod tests;
@@ -47,6 +48,7 @@ pub use context::{Context, Stop};
 pub use kerf_program::{Status, Step, Watch};
 pub use registry::{POSITION_LOST, SPINDLE_STATUS};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
+pub use stepping::GoTo;
 pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;
 

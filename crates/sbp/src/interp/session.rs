@@ -1,6 +1,6 @@
 //! What a run starts from and what stays after it.
 
-use super::Variables;
+use super::{GoTo, Variables};
 use kerf_program::{Axes, AxisSet, Frame, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -72,6 +72,12 @@ pub struct FileParameters {
     pub tabs: bool,
     /// Start plunges from Z 0.
     pub plunge_from_zero: bool,
+    /// Go through it line by line, as FG does.
+    #[serde(default)]
+    pub stepped: bool,
+    /// Where it begins, the first time; at its first line when nothing is given.
+    #[serde(default)]
+    pub from: Option<GoTo>,
 }
 
 impl Default for FileParameters {
@@ -83,6 +89,8 @@ impl Default for FileParameters {
             plunge_mm: 0.0,
             tabs: false,
             plunge_from_zero: false,
+            stepped: false,
+            from: None,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! One line at a time.
 
 use super::watch::Handler;
-use super::{Context, Core, Step, Stop, lifecycle};
+use super::{Context, Core, Step, Stop, lifecycle, stepping};
 use crate::tree::{MoveCommand, Node, Program, Span};
 use kerf_diag::Code;
 use kerf_program::{At, Axis, AxisSet, Command, Feed, Host, Line, MoveKind, Sourced};
@@ -36,9 +36,15 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
     let Some(line) = program.lines.get(next as usize) else {
         return lifecycle::end_of_file(core, host, out);
     };
+    if stepping::passes_over(core, &program, line.node) {
+        return Step::Ran;
+    }
     let at = At { file, line: next + 1 };
     if core.options.max_lines > 0 && core.lines >= core.options.max_lines {
         return lifecycle::too_many_lines(core, host, out, at);
+    }
+    if stepping::asks(core, line.node) {
+        return stepping::ask(core, host, out, at, &program);
     }
     execute(core, host, out, at, &program, line.node)
 }
@@ -61,6 +67,7 @@ fn execute(
         return before.wait(core, out);
     }
     core.lines += 1;
+    core.granted = false;
     lifecycle::after(core, host, out, outcome)
 }
 
@@ -171,7 +178,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     {
         return;
     }
-    let Some(level) = core.levels.last() else { return };
+    let Some(level) = core.levels.last().filter(|l| !l.watched()) else { return };
     let Some(program) = core.programs.get(level.file as usize) else { return };
     if !program.lines.get(level.next as usize).is_some_and(|line| line.node.is_move()) {
         return;

@@ -55,8 +55,9 @@ pub(super) static SPECS: &[CommandSpec] = &[
         Group::File,
         &RUN,
         Stack::Ends,
-        "Loads a file to go through it line by line. The console does the stepping; without one \
-         the file runs as with FP.",
+        "Opens a file to go through it line by line. Before each line the operator steps, goes to \
+         another line, lets the file run from here, or quits. When nobody answers it runs as with \
+         FP.",
         step_through,
     ),
     CommandSpec::new(
@@ -126,8 +127,9 @@ fn run(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
 }
 
 fn step_through(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
-    c.note(Code::NotSupported, "FG runs the file through", "only the console can step through it");
-    run(c, a)
+    let name = a.text(0).unwrap_or_default().trim().to_string();
+    let parameters = FileParameters { stepped: true, ..parameters(a) };
+    c.call_file(FileRequest { folder: Folder::Parts, name }, parameters)
 }
 
 fn parameters(a: &Arguments) -> FileParameters {
@@ -139,6 +141,7 @@ fn parameters(a: &Arguments) -> FileParameters {
         plunge_mm: a.number_or(6, 0.0),
         tabs: present(7),
         plunge_from_zero: present(8),
+        ..FileParameters::default()
     }
 }
 

@@ -1,0 +1,82 @@
+//! At which line of the part file a run ended, for its log.
+
+use crate::part_log::{self, PartLog};
+use crate::runner::{Over, Runner};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_program::{At, Interpreter};
+
+/// Where the program was when it was looked at last.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Trail {
+    /// How many files are open around the part file: one when a typed line runs it.
+    depth: usize,
+    /// The open files and the line that runs next in each, outermost first.
+    open: Vec<At>,
+    /// It asked, so what runs next is the line that asks; else it had been read ahead of the machine.
+    asked: bool,
+    /// The line of the part file's last move.
+    moved: u32,
+}
+
+impl Trail {
+    /// Of a part file that lies so deep.
+    pub fn new(depth: usize) -> Self {
+        Self { depth, ..Self::default() }
+    }
+
+    /// The program asks something.
+    pub fn asks(&mut self, open: Vec<At>) {
+        (self.open, self.asked) = (open, true);
+    }
+
+    /// The program goes on.
+    pub fn goes_on(&mut self, open: Vec<At>) {
+        // When it was read to its end nothing is open, though the machine may still move. A line that
+        // asked stays where it is until its answer is taken.
+        if !open.is_empty() && open != self.open {
+            (self.open, self.asked) = (open, false);
+        }
+    }
+
+    /// A move was made.
+    pub const fn moves(&mut self, at: At) {
+        if at.file as usize == self.depth {
+            self.moved = at.line;
+        }
+    }
+
+    /// The line of the part file that was executed last.
+    fn line(&self, last_move: At) -> u32 {
+        match self.open.get(self.depth..) {
+            Some([at]) if self.asked => at.line,
+            // A called file was read to its end and still moves: its call waited here.
+            Some([at]) if last_move.file != at.file => at.line,
+            // The line that called another file lies before the one that runs next.
+            Some([at, called, ..]) if last_move.file == called.file => at.line.saturating_sub(1),
+            _ => self.moved,
+        }
+    }
+}
+
+impl<I: Interpreter> Runner<'_, I> {
+    /// Writes the log of the part file, if there is one.
+    pub(crate) fn write_log(&mut self, log: &PartLog, over: &Over) {
+        let Some(file) = self.interpreter.file_name(self.trail.depth as u32) else { return };
+        let error = over.diagnostic.as_deref();
+        let ended = part_log::why(over.status, error).map(|why| (self.ended_at(&file, error), why));
+        let entry = log.entry(&file, self.world.machine.draws(), self.world.now(), ended);
+        if let Err(error) = self.world.shelf.add_to_log(&file, &entry) {
+            let message = format!("the log of {file} cannot be written: {error}");
+            let diagnostic = Diagnostic::new(Code::FileError, Place::line(file, 1), message);
+            self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
+        }
+    }
+
+    /// The line of the part file at which the run ended: that of the error, or of the call that led
+    /// to it, else that of the last move.
+    fn ended_at(&self, file: &str, error: Option<&Diagnostic>) -> u32 {
+        let places = error.into_iter().flat_map(|d| d.callers.iter().rev().chain([&d.place]));
+        let told = places.filter(|p| &*p.file == file && p.line > 0).map(|p| p.line).next();
+        told.unwrap_or_else(|| self.trail.line(self.last_move)).max(1)
+    }
+}

@@ -1,0 +1,153 @@
+//! FG: a file that is gone through line by line.
+//!
+//! Before each line of such a file the operator is asked what to do with it. The question is a step
+//! of its own: its answer is kept until the line has run, because a line may have to wait.
+//!
+//! ```text
+//!  ask ─┬─ Step: this line runs, ask again        go to N ─► lines before N are passed over,
+//!       ├─ Run: from here on without asking                  all or all but settings and
+//!       └─ Quit: the run ends                                assignments
+//! ```
+
+use super::{Context, Core, Step, Stop, lifecycle};
+use crate::table::{CommandSpec, Group};
+use crate::tree::{Node, Program, Span, Statement};
+use kerf_diag::Code;
+use kerf_program::{Answer, At, Button, Host, Question, QuestionKind, Sourced};
+use serde::{Deserialize, Serialize};
+
+/// The line at which a file goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct GoTo {
+    /// Counted from 1.
+    pub line: u32,
+    /// Settings and assignments of the lines before it are carried out on the way.
+    pub settings: bool,
+}
+
+impl GoTo {
+    /// Reads `120`, `120 settings`, or `last` for the line executed last, when that is known.
+    pub fn read(words: &str, last: Option<u32>) -> Option<Self> {
+        let mut words = words.split_whitespace();
+        let first = words.next()?;
+        let line = match first.parse() {
+            Ok(line) => Some(line).filter(|n| *n > 0)?,
+            Err(_) => last.filter(|_| first.eq_ignore_ascii_case("last"))?,
+        };
+        let settings = match words.next() {
+            None => false,
+            Some(word) if word.eq_ignore_ascii_case("settings") => true,
+            Some(_) => return None,
+        };
+        words.next().is_none().then_some(Self { line, settings })
+    }
+}
+
+/// Whether the operator decides about the line that is next.
+pub(super) fn asks(core: &Core, node: Node) -> bool {
+    let stepped = core.level().is_some_and(|l| l.stepped && l.skip_to.is_none());
+    stepped && !core.granted && !matches!(node, Node::Blank)
+}
+
+/// Asks what to do with the line that is next.
+pub(super) fn ask(
+    core: &mut Core,
+    host: &mut dyn Host,
+    out: &mut Vec<Sourced>,
+    at: At,
+    program: &Program,
+) -> Step {
+    let mut context = Context { core, host, out, at, span: Span::default() };
+    let outcome = context.ask_step(program);
+    lifecycle::after(core, host, out, outcome)
+}
+
+/// Passes over a line before the one that the file goes on at. False when the line is to run.
+pub(super) fn passes_over(core: &mut Core, program: &Program, node: Node) -> bool {
+    let Some(level) = core.levels.last_mut() else { return false };
+    let Some(to) = level.skip_to else { return false };
+    if level.next >= to {
+        level.skip_to = None;
+        return false;
+    }
+    let prepares = prepares(program, node);
+    if !prepares {
+        level.next += 1;
+    }
+    !prepares
+}
+
+/// Whether a line only sets something up: a setting or an assignment.
+fn prepares(program: &Program, node: Node) -> bool {
+    let Node::Statement(index) = node else { return false };
+    program.statements.get(index as usize).is_some_and(statement_prepares)
+}
+
+fn statement_prepares(statement: &Statement) -> bool {
+    match statement {
+        Statement::Assign { .. } => true,
+        Statement::Command { spec, .. } => sets(spec),
+        Statement::If { then, .. } => statement_prepares(then),
+        _ => false,
+    }
+}
+
+/// Values (not the locations of VA), speeds, distances absolute or relative, limits.
+fn sets(spec: &CommandSpec) -> bool {
+    spec.group == Group::Values && spec.letters != "VA"
+        || matches!(spec.letters, "SA" | "SR" | "SF" | "MS" | "JS")
+}
+
+impl Context<'_> {
+    fn ask_step(&mut self, program: &Program) -> Result<(), Stop> {
+        let last = self.host.last_line(&program.name);
+        let question = Question {
+            prefill: last.map_or_else(String::new, |line| line.to_string()),
+            ..self.question(
+                QuestionKind::Step,
+                program.line_text(self.at.line).trim(),
+                &[Button::Step, Button::Run, Button::Quit],
+            )
+        };
+        match self.ask(&question)? {
+            Answer::Button(Button::Step) => self.core.granted = true,
+            Answer::Button(Button::Run) => {
+                self.core.levels.iter_mut().for_each(|level| level.stepped = false);
+            }
+            Answer::Button(_) => return Err(self.terminated()),
+            Answer::Text(words) => {
+                if let Some(to) = GoTo::read(&words, last) {
+                    self.go_to(program, to);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn go_to(&mut self, program: &Program, to: GoTo) {
+        let lines = program.lines.len();
+        if to.line as usize > lines {
+            let message = format!("there is no line {} in {}", to.line, program.name);
+            return self.warn(Code::OutOfRange, message, format!("its last line is {lines}"));
+        }
+        if let Some(level) = self.core.levels.last_mut() {
+            level.go_to(to);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_named_by_number_or_as_the_last() {
+        let to = |line, settings| Some(GoTo { line, settings });
+        assert_eq!(GoTo::read("120", None), to(120, false));
+        assert_eq!(GoTo::read(" 120 Settings", None), to(120, true));
+        assert_eq!(GoTo::read("last", Some(57)), to(57, false));
+        for wrong in ["", "0", "-1", "last", "120 x", "120 settings 1"] {
+            assert_eq!(GoTo::read(wrong, None), None, "{wrong}");
+        }
+    }
+}
