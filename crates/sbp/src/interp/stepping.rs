@@ -57,8 +57,8 @@ pub(super) fn ask(
     at: At,
     program: &Program,
 ) -> Step {
-    let mut context = Context { core, host, out, at, span: Span::default() };
-    let outcome = context.ask_step(program);
+    let mut context = Context { core, program, host, out, at, span: Span::default() };
+    let outcome = context.ask_step();
     lifecycle::after(core, host, out, outcome)
 }
 
@@ -99,7 +99,8 @@ fn sets(spec: &CommandSpec) -> bool {
 }
 
 impl Context<'_> {
-    fn ask_step(&mut self, program: &Program) -> Result<(), Stop> {
+    fn ask_step(&mut self) -> Result<(), Stop> {
+        let program = self.program;
         let last = self.host.last_line(&program.name);
         let question = Question {
             prefill: last.map_or_else(String::new, |line| line.to_string()),
@@ -117,14 +118,15 @@ impl Context<'_> {
             Answer::Button(_) => return Err(self.terminated()),
             Answer::Text(words) => {
                 if let Some(to) = GoTo::read(&words, last) {
-                    self.go_to(program, to);
+                    self.go_to(to);
                 }
             }
         }
         Ok(())
     }
 
-    fn go_to(&mut self, program: &Program, to: GoTo) {
+    fn go_to(&mut self, to: GoTo) {
+        let program = self.program;
         let lines = program.lines.len();
         if to.line as usize > lines {
             let message = format!("there is no line {} in {}", to.line, program.name);
