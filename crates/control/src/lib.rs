@@ -17,6 +17,7 @@
 pub mod answers;
 mod check;
 pub mod config;
+mod desk;
 pub mod event;
 mod execute;
 pub mod files;
@@ -41,6 +42,7 @@ mod waiting;
 mod world;
 
 pub use check::{Checked, check};
+pub use desk::Desk;
 pub use event::Event;
 pub use nudge::{Nudge, Outside};
 pub use pace::{Pace, StopAt};

@@ -1,7 +1,7 @@
 //! The one table of diagnostic codes.
 //!
 //! A code never changes its meaning and is never reused. Letters tell the room: `S` reading
-//! OpenSBP, `G` G-code, `R` running, `W` what `check` warns of, `F` files, `M` the machine.
+//! OpenSBP, `G` G-code, `R` running, `C` converting, `W` what `check` warns of, `F` files, `M` the machine.
 
 use crate::Severity;
 use serde::{Deserialize, Serialize};
@@ -218,6 +218,14 @@ codes! {
         "The move leaves the limits of VL while limit checking is on.";
     InputStop "M002" Error "stopped by an input"
         "A limit or stop input became active while the machine moved.";
+    NotConverted "C001" Warning "not in the other language"
+        "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
+    StartTaken "C002" Note "the program goes on from where the tool stands"
+        "The program moves by distances, or begins to cut, before it has said where the tool is. Places in the converted file are counted as if the tool had stood at zero. Put it there before the converted file runs, or begin the program with a jog to a place.";
+    ConversionDiffers "C003" Error "the converted file would move otherwise"
+        "Every converted file is read back and followed, and its moves are compared with those of the source. They differed, so nothing was written. This is a fault of Kerf: please report it with the file.";
+    NotKept "C004" Note "a construct that cannot be kept"
+        "With --keep-variables the converted file keeps variables, conditions and subroutines where both languages can say them. This line has something that the other language cannot say, so the whole program was written as the moves it makes.";
 }
 
 /// The explanation of a code, looked up without regard to case.

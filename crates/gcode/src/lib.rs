@@ -33,4 +33,4 @@ pub use interp::{
 };
 pub use reader::{looks_like_opensbp, read};
 pub use tree::Program;
-pub use writer::{Writing, write};
+pub use writer::{Writer, Writing, write};

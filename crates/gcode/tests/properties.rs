@@ -233,7 +233,7 @@ proptest! {
         }
         let dialect = [Dialect::LinuxCnc, Dialect::Grbl, Dialect::Generic][usize::from(dialect)];
         let unit = if inches { LinearUnit::Inch } else { LinearUnit::Mm };
-        let text = write(&commands, &Writing { dialect, unit, ..Writing::default() });
+        let text = write(&commands, &Writing { dialect, unit, ..Writing::default() }).text;
         let program = read("w".into(), text.as_bytes());
         prop_assert!(program.diagnostics.is_empty(), "{:?}\n{}", program.diagnostics, text);
         let (again, end) = run(program, Options { dialect, ..Options::default() }, u64::MAX);

@@ -8,6 +8,7 @@ mod clock;
 mod commands;
 mod curves;
 mod drawings;
+mod date;
 mod exit;
 mod memory;
 mod operator;

@@ -65,7 +65,8 @@ pub fn read_program(file: &Path) -> Result<Program> {
     Ok(kerf_sbp::read(file.display().to_string().into(), bytes))
 }
 
-fn read_bytes(file: &Path) -> Result<Vec<u8>> {
+/// The bytes of a file, within reason.
+pub fn read_bytes(file: &Path) -> Result<Vec<u8>> {
     if file.is_dir() {
         bail!(Usage(format!("{} is a folder, not a file", file.display())));
     }
@@ -81,7 +82,8 @@ fn read_bytes(file: &Path) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-fn read_text(file: &Path) -> Result<String> {
+/// The text of a file.
+pub fn read_text(file: &Path) -> Result<String> {
     Ok(String::from_utf8_lossy(&read_bytes(file)?).into_owned())
 }
 
@@ -146,7 +148,8 @@ pub fn settings(place: &PlaceArgs, present: Settings) -> Result<Settings> {
     settings.map_err(|e| Usage(format!("{}: {e}", file.display())).into())
 }
 
-fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions {
+/// How the program is run.
+pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions {
     let file = &args.file;
     let parameters = FileParameters {
         proportion: file.proportion.unwrap_or([1.0; 3]),

@@ -18,6 +18,7 @@ mod dynamics;
 mod frame;
 mod host;
 mod interpreter;
+mod printer;
 pub mod settings;
 mod shift;
 mod smoothing;
@@ -34,5 +35,6 @@ pub use host::{
     ShellCall, SourceFile,
 };
 pub use interpreter::{Interpreter, Status, Step, Watch};
+pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};
 pub use settings::Settings;
 pub use smoothing::{FACTOR_MM, RampModel, Smoothing};

@@ -25,6 +25,7 @@ mod format;
 mod interp;
 mod named_files;
 mod number;
+mod printer;
 mod reader;
 pub mod table;
 #[cfg(test)]
@@ -44,6 +45,7 @@ pub use interp::{
 };
 pub use named_files::NamedFile;
 pub use number::format_number;
+pub use printer::{Printing, SbpPrinter, print};
 pub use reader::read;
 pub use tree::Program;
 pub use typed::read_typed;

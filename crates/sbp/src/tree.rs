@@ -412,6 +412,14 @@ impl Program {
         self.label_names.get(target.label.0 as usize)?.line
     }
 
+    /// The comment behind the code of a line; nothing for lines that are all comment.
+    pub fn comment_beside(&self, line: u32) -> Option<&str> {
+        let text = self.line_text(line);
+        let (code, comment) = text.split_at_checked(crate::reader::code_end(text.as_bytes()))?;
+        let comment = comment.trim_start_matches('\'').trim();
+        (!code.trim().is_empty() && !comment.is_empty()).then_some(comment)
+    }
+
     /// The place of a span of a line, in characters.
     pub fn place(&self, line: u32, span: Span) -> Place {
         let text = self.line_text(line);

@@ -1,9 +1,14 @@
 //! Commands to G-code.
 //!
 //! Arcs stay arcs, comments stay comments. Places are written in working coordinates; where a program
-//! moves its zero, G92 does. What G-code has no word for becomes a comment that says so.
+//! moves its zero, G92 does. What G-code, or the controller it is written for, has no word for becomes
+//! a comment that says so and is told beside the text.
+//!
+//! The dialects: `linuxcnc` uses everything LinuxCNC has; `grbl` what grbl 1.1 reads; `generic` only
+//! the words that routers agree on.
 
 mod motion;
+mod switches;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -11,11 +16,16 @@ mod words;
 use crate::Dialect;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    Axes, AxisSet, Command, Frame, PathControl, Settings, Sourced, ToolPathStart, Turn,
+    At, Axes, AxisSet, Command, Frame, Hold, Lost, PathControl, Printer, Settings, Sourced,
+    ToolPathStart, Turn, Written, decimal,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
-use words::{comment, number};
+use switches::Switches;
+use words::{comment, comments};
+
+/// How long M66 waits for an input, seconds: it needs a bound.
+const WAIT_S: u32 = 86_400;
 
 /// How G-code is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +42,11 @@ pub struct Writing {
     pub settings: Arc<Settings>,
     /// The output that the spindle follows, which is written as M3 and M5; 0 for none.
     pub spindle_output: u8,
-    /// A comment in the first line.
+    /// The output of the mist coolant, which is written as M7; 0 for none.
+    pub mist_output: u8,
+    /// The output of the flood coolant, which is written as M8; 0 for none.
+    pub flood_output: u8,
+    /// Comments in the first lines.
     pub title: Option<String>,
 }
 
@@ -45,26 +59,32 @@ impl Default for Writing {
             position: Axes::default(),
             settings: Arc::default(),
             spindle_output: 1,
+            mist_output: 0,
+            flood_output: 0,
             title: None,
         }
     }
 }
 
 /// Writes a program.
-pub fn write(commands: &[Sourced], writing: &Writing) -> String {
+pub fn write(commands: &[Sourced], writing: &Writing) -> Written {
     let mut writer = Writer::new(writing);
-    writer.begin();
     for sourced in commands {
-        writer.command(&sourced.command);
+        writer.command(sourced);
     }
-    writer.end();
-    writer.text
+    Box::new(writer).finish()
 }
 
 /// A program while it is written.
-struct Writer<'a> {
+#[derive(Debug)]
+pub struct Writer<'a> {
     writing: &'a Writing,
     text: String,
+    lost: Vec<Lost>,
+    /// The line of the source that is being written.
+    at: At,
+    /// Comments that stand behind the next block.
+    beside: Vec<String>,
     settings: Arc<Settings>,
     frame: Frame,
     position: Axes,
@@ -75,16 +95,22 @@ struct Writer<'a> {
     /// The feed in force.
     feed: Option<String>,
     inverse: bool,
-    turn: Turn,
+    switches: Switches,
+    /// The tool of the change that comes next, or that is under way.
+    tool: Option<String>,
     changing: bool,
     overrides: [bool; 2],
 }
 
 impl<'a> Writer<'a> {
-    fn new(writing: &'a Writing) -> Self {
-        Self {
+    /// Begins a program.
+    pub fn new(writing: &'a Writing) -> Self {
+        let mut writer = Self {
             writing,
             text: String::new(),
+            lost: Vec::new(),
+            at: At::default(),
+            beside: Vec::new(),
             settings: writing.settings.clone(),
             frame: writing.frame,
             position: writing.position,
@@ -92,25 +118,38 @@ impl<'a> Writer<'a> {
             motion: "",
             feed: None,
             inverse: false,
-            turn: Turn::Off,
+            switches: Switches::default(),
+            tool: None,
             changing: false,
             overrides: [true; 2],
-        }
+        };
+        writer.begin();
+        writer
     }
 
     fn is_grbl(&self) -> bool {
         self.writing.dialect == Dialect::Grbl
     }
 
+    fn is_linuxcnc(&self) -> bool {
+        self.writing.dialect == Dialect::LinuxCnc
+    }
+
+    /// Writes a block, and behind it the comments that wait for one.
     fn line(&mut self, text: &str) {
         self.text.push_str(text);
+        for comment in std::mem::take(&mut self.beside) {
+            self.text.push(' ');
+            self.text.push_str(&comment);
+        }
         self.text.push('\n');
     }
 
-    fn comment(&mut self, text: &str) {
-        for line in text.lines() {
-            let line = comment(line);
-            self.line(&line);
+    /// Writes comments that wait for a block into lines of their own.
+    fn flush(&mut self) {
+        for comment in std::mem::take(&mut self.beside) {
+            self.text.push_str(&comment);
+            self.text.push('\n');
         }
     }
 
@@ -126,47 +165,68 @@ impl<'a> Writer<'a> {
         self.line(&format!("{unit} {rest}"));
     }
 
-    fn end(&mut self) {
-        if self.turn != Turn::Off {
-            self.line("M5");
-        }
-        self.line("M2");
+    /// What cannot be said, and is no motion.
+    fn unsaid(&mut self, what: impl Into<String>) {
+        self.lose(Lost { at: self.at, what: what.into(), is_motion: false });
     }
 
-    fn command(&mut self, command: &Command) {
+    /// Motion that cannot be said.
+    fn unsaid_motion(&mut self, what: impl Into<String>) {
+        self.lose(Lost { at: self.at, what: what.into(), is_motion: true });
+    }
+
+    fn write(&mut self, command: &Command) {
         match command {
             Command::Line(line) => self.straight(line),
             Command::Arc(arc) => self.arc(arc),
-            Command::Settings(settings) => self.settings = settings.clone(),
-            Command::Location { frame, working, .. } => self.locate(*frame, *working),
-            Command::Wait { seconds } => self.line(&format!("G4 P{}", number(*seconds, 3))),
+            Command::Settings(settings) => self.use_settings(settings),
+            Command::Location { frame, working, base } => {
+                if !base.is_empty() {
+                    self.unsaid("a change of the table base coordinates");
+                }
+                self.locate(*frame, *working);
+            }
+            Command::Wait { seconds } => self.wait(*seconds),
             Command::Output { number, on } => self.output(*number, *on),
             Command::Pwm { channel, percent } => self.pwm(*channel, *percent),
-            Command::Spindle { rpm, .. } => self.line(&format!("S{}", number(*rpm, 3))),
+            Command::Spindle { rpm, .. } => self.line(&format!("S{}", decimal(*rpm, 3))),
             Command::SpindleTurn { turn, .. } => self.turn(*turn),
-            Command::Coolant { mist, flood } => self.coolant(*mist, *flood),
+            Command::Coolant { mist, flood } => self.coolant([*mist, *flood]),
             Command::PathControl(path) => self.path_control(*path),
             Command::Overrides { feed, spindle } => self.overrides([*feed, *spindle]),
-            Command::Print { text, .. } if !self.is_grbl() => {
+            Command::Print { text, .. } if self.is_linuxcnc() => {
                 self.line(&comment(&format!("PRINT,{text}")));
             }
             Command::Print { text, .. } | Command::Message { text } => self.comment(text),
-            Command::ToolPath(start) => self.tool(start),
-            Command::ToolChange { begin } => self.changing |= *begin,
+            Command::ToolPath(start) => self.tool_path(start),
+            Command::ToolChange { begin: true } => self.changing = true,
+            Command::ToolChange { begin: false } => self.end_tool_change(),
             Command::MotorsOff => self.unsaid("motors off"),
-            Command::Independent { .. } => self.unsaid("an axis that moves by itself"),
-            Command::Sound { path } => self.unsaid(&format!("the sound {path}")),
+            Command::Independent { .. } => self.unsaid_motion("an axis that moves by itself"),
+            Command::Sound { path } => self.unsaid(format!("the sound {path}")),
+            Command::File { path, .. } => self.unsaid(format!("use of the file {path}")),
             Command::EndStack
             | Command::WarningOff
             | Command::Diagnostic(_)
-            | Command::File { .. }
             | Command::ClearPreview => {}
         }
     }
 
-    /// What G-code has no word for.
-    fn unsaid(&mut self, what: &str) {
-        self.comment(&format!("not in G-code: {what}"));
+    /// Speeds are taken into the feed; of the rest, what moves or switches something is told.
+    fn use_settings(&mut self, settings: &Arc<Settings>) {
+        let before = std::mem::replace(&mut self.settings, settings.clone());
+        if settings.ramps != before.ramps {
+            self.unsaid("ramps (VR): the controller's own hold");
+        }
+        if settings.cutter.trigger.active && settings.cutter.trigger != before.cutter.trigger {
+            self.unsaid("an output that follows the height of an axis (VC)");
+        }
+        if settings.io.output4 != before.io.output4 {
+            self.unsaid("output 4 following the motion (SO,4)");
+        }
+        if settings.torch_on() && !before.torch_on() {
+            self.unsaid_motion("torch height control (VH)");
+        }
     }
 
     fn locate(&mut self, frame: Frame, working: AxisSet) {
@@ -179,71 +239,35 @@ impl<'a> Writer<'a> {
         let place = self.words_of(self.position);
         let mut text = String::from("G92");
         for axis in moved {
+            if self.lacks(axis.index()) {
+                continue;
+            }
             let word = &place[axis.index()];
             let _ = write!(text, " {}{word}", axis.letter());
             self.written[axis.index()] = Some(word.clone());
         }
-        self.line(&text);
-    }
-
-    fn output(&mut self, number: u8, on: bool) {
-        if number == self.writing.spindle_output {
-            // A program that told the direction has switched the output with it.
-            match (on, self.turn) {
-                (true, Turn::Off) => self.turn(Turn::Clockwise),
-                (false, turn) if turn != Turn::Off => self.turn(Turn::Off),
-                _ => {}
-            }
-        } else if self.is_grbl() {
-            self.unsaid(&format!("output {number} {}", if on { "on" } else { "off" }));
-        } else {
-            self.line(&format!("M6{} P{}", if on { 4 } else { 5 }, number.saturating_sub(1)));
-        }
-    }
-
-    fn pwm(&mut self, channel: u8, percent: f64) {
-        if self.is_grbl() {
-            self.unsaid(&format!("channel {channel} at {percent} %"));
-        } else {
-            let (channel, percent) = (channel.saturating_sub(1), number(percent, 3));
-            self.line(&format!("M68 E{channel} Q{percent}"));
-        }
-    }
-
-    fn turn(&mut self, turn: Turn) {
-        self.turn = turn;
-        self.line(match turn {
-            Turn::Off => "M5",
-            Turn::Clockwise => "M3",
-            Turn::Counterclockwise | Turn::Dynamic => "M4",
-        });
-    }
-
-    fn coolant(&mut self, mist: bool, flood: bool) {
-        if !(mist && flood) {
-            self.line("M9");
-        }
-        if mist {
-            self.line("M7");
-        }
-        if flood {
-            self.line("M8");
+        if text != "G92" {
+            self.line(&text);
         }
     }
 
     fn path_control(&mut self, path: PathControl) {
         let unit = self.writing.unit.mm();
         let word = |letter: char, mm: Option<f64>| {
-            mm.map_or(String::new(), |v| format!(" {letter}{}", number(v / unit, 6)))
+            mm.map_or(String::new(), |v| format!(" {letter}{}", decimal(v / unit, 6)))
         };
         match path {
             PathControl::ExactPath => self.line("G61"),
-            _ if self.is_grbl() => {}
-            PathControl::ExactStop => self.line("G61.1"),
-            PathControl::Blend { tolerance_mm, merge_mm } => {
+            PathControl::ExactStop if self.is_linuxcnc() => self.line("G61.1"),
+            PathControl::Blend { tolerance_mm, merge_mm } if self.is_linuxcnc() => {
                 let merge = merge_mm.filter(|_| tolerance_mm.is_some());
                 let text = format!("G64{}{}", word('P', tolerance_mm), word('Q', merge));
                 self.line(&text);
+            }
+            PathControl::Blend { .. } if !self.is_grbl() => self.line("G64"),
+            PathControl::Blend { tolerance_mm: None, .. } => {}
+            PathControl::ExactStop | PathControl::Blend { .. } => {
+                self.unsaid("how closely the path is followed");
             }
         }
     }
@@ -251,7 +275,8 @@ impl<'a> Writer<'a> {
     fn overrides(&mut self, wanted: [bool; 2]) {
         let before = std::mem::replace(&mut self.overrides, wanted);
         match wanted {
-            _ if self.is_grbl() || wanted == before => {}
+            _ if wanted == before => {}
+            _ if !self.is_linuxcnc() => self.unsaid("whether the operator's overrides hold"),
             [true, true] => self.line("M48"),
             [false, false] => self.line("M49"),
             [feed, spindle] => {
@@ -261,12 +286,21 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A tool change is written when the tool is known.
-    fn tool(&mut self, start: &ToolPathStart) {
-        let Some(tool) = start.tool.as_ref().filter(|_| std::mem::take(&mut self.changing)) else {
-            return;
-        };
-        self.turn = Turn::Off;
+    /// A tool path's name is its comment; a tool is put in when its change is over.
+    fn tool_path(&mut self, start: &ToolPathStart) {
+        match &start.tool {
+            Some(tool) if self.changing => {
+                self.tool = Some(tool.to_string());
+                self.end_tool_change();
+            }
+            _ => {}
+        }
+    }
+
+    fn end_tool_change(&mut self) {
+        let Some(tool) = self.tool.take().filter(|_| self.changing) else { return };
+        self.changing = false;
+        self.switches.turn = Turn::Off;
         let digits: String = tool.chars().filter(char::is_ascii_digit).collect();
         if digits.is_empty() || self.is_grbl() {
             self.comment(&format!("tool {tool}"));
@@ -274,5 +308,65 @@ impl<'a> Writer<'a> {
         } else {
             self.line(&format!("T{digits} M6"));
         }
+    }
+}
+
+impl Printer for Writer<'_> {
+    fn command(&mut self, sourced: &Sourced) {
+        self.at = sourced.at;
+        self.write(&sourced.command);
+    }
+
+    fn comment(&mut self, text: &str) {
+        self.flush();
+        for comment in comments(text) {
+            self.line(&comment);
+        }
+    }
+
+    fn comment_beside(&mut self, text: &str) {
+        self.flush();
+        self.beside = comments(text);
+    }
+
+    fn hold(&mut self, hold: &Hold) {
+        self.at = hold.at;
+        if self.changing {
+            return;
+        }
+        if !hold.text.is_empty() {
+            self.flush();
+            for text in hold.text.lines().filter(|l| !l.trim().is_empty()) {
+                let text = if self.is_grbl() { text.into() } else { format!("MSG,{text}") };
+                self.line(&comment(&text));
+            }
+        }
+        match hold.until {
+            Some((input, on)) if self.is_linuxcnc() => {
+                let (input, mode) = (input.saturating_sub(1), if on { 3 } else { 4 });
+                self.line(&format!("M66 P{input} L{mode} Q{WAIT_S}"));
+            }
+            Some((input, _)) => {
+                self.unsaid(format!("waiting for input {input}: the operator goes on"));
+                self.line("M0");
+            }
+            None => self.line("M0"),
+        }
+    }
+
+    fn next_tool(&mut self, name: &str) {
+        self.tool = Some(name.into());
+    }
+
+    fn lose(&mut self, lost: Lost) {
+        self.comment(&format!("not in G-code: {}", lost.what));
+        self.lost.push(lost);
+    }
+
+    fn finish(mut self: Box<Self>) -> Written {
+        self.flush();
+        self.all_off();
+        self.line("M2");
+        Written { text: self.text, lost: self.lost }
     }
 }

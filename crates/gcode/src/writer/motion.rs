@@ -1,31 +1,27 @@
 //! Moves and arcs as words.
 
 use super::Writer;
-use super::words::number;
 use kerf_geom::{Arc2, Point2};
-use kerf_program::settings::{LinearUnit, PerGroup};
-use kerf_program::{AXES, Arc, Axes, Axis, Feed, Line, MoveKind};
+use kerf_program::settings::PerGroup;
+use kerf_program::{AXES, Arc, Axes, Axis, Feed, Line, MoveKind, decimal, length_places};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
-
-/// Decimals of a length: a program that is read again lies within 1e-6 of the path.
-const fn places(unit: LinearUnit) -> usize {
-    match unit {
-        LinearUnit::Mm => 7,
-        LinearUnit::Inch => 8,
-    }
-}
 
 impl Writer<'_> {
     fn value(&self, axis: usize, internal: f64) -> String {
         let unit = if axis < 3 { self.writing.unit.mm() } else { 1.0 };
-        number(internal / unit, places(self.writing.unit))
+        decimal(internal / unit, length_places(self.writing.unit))
     }
 
     /// A place as its words' values.
     pub(super) fn words_of(&self, place: Axes) -> [String; AXES] {
         let working = self.frame.working(place);
         std::array::from_fn(|i| self.value(i, working.0[i]))
+    }
+
+    /// Whether the controller has no such axis.
+    pub(super) fn lacks(&self, axis: usize) -> bool {
+        self.is_grbl() && axis >= 3
     }
 
     /// The words of the axes that change; an arc names both axes of its plane.
@@ -35,7 +31,9 @@ impl Writer<'_> {
         for (i, word) in words.into_iter().enumerate() {
             let known = self.written[i].as_ref() == Some(&word);
             let still = self.written[i].is_none() && word == here[i];
-            if !known && !still || both && i < 2 {
+            if (!known && !still || both && i < 2) && self.lacks(i) {
+                self.unsaid_motion(format!("{} to {word}: grbl has X, Y and Z", Axis::ALL[i].letter()));
+            } else if !known && !still || both && i < 2 {
                 let _ = write!(text, " {}{word}", Axis::ALL[i].letter());
                 self.written[i] = Some(word);
             }
@@ -156,7 +154,7 @@ impl Writer<'_> {
                 length / slowest(&group, xy, delta).max(1e-9)
             }
         };
-        let word = number(speed * 60.0 / unit, 6);
+        let word = decimal(speed * 60.0 / unit, 6);
         let mode = if std::mem::take(&mut self.inverse) { " G94" } else { "" };
         if mode.is_empty() && self.feed.as_ref() == Some(&word) {
             return String::new();
@@ -169,7 +167,7 @@ impl Writer<'_> {
     fn inverse(&mut self, seconds: f64) -> String {
         let mode = if std::mem::replace(&mut self.inverse, true) { "" } else { " G93" };
         self.feed = None;
-        format!("{mode} F{}", number(60.0 / seconds.max(1e-6), 6))
+        format!("{mode} F{}", decimal(60.0 / seconds.max(1e-6), 6))
     }
 }
 

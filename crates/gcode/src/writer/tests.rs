@@ -11,7 +11,7 @@ use kerf_program::{At, Command, Sourced};
 fn check(dialect: Dialect, text: &str, expected: &str) {
     let ran = run(&format!("G21 F600⏎{text}"));
     assert!(ran.error.is_none(), "{:?}", ran.error);
-    let text = write(&ran.commands, &Writing { dialect, ..Writing::default() });
+    let text = write(&ran.commands, &Writing { dialect, ..Writing::default() }).text;
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines[1..lines.len() - 1].join("⏎"), expected);
 }
@@ -37,12 +37,12 @@ fn what_is_no_motion() {
     check(
         Dialect::LinuxCnc,
         text,
-        "(a [b] c)⏎S1000⏎M3⏎M9⏎M8⏎G4 P1.5⏎M64 P2⏎G64 P0.1 Q0.1⏎M5⏎T2 M6⏎G92 X5⏎G0 X6⏎M49⏎(PRINT,done)",
+        "(a [b] c)⏎S1000⏎M3⏎M8⏎G4 P1.5⏎M64 P2⏎G64 P0.1 Q0.1⏎M5⏎T2 M6⏎G92 X5⏎G0 X6⏎M49⏎(PRINT,done)⏎M9",
     );
     check(
         Dialect::Grbl,
         text,
-        "(a [b] c)⏎S1000⏎M3⏎M9⏎M8⏎G4 P1.5⏎(not in G-code: output 3 on)⏎M5⏎(tool T2)⏎M0⏎G92 X5⏎G0 X6⏎(done)",
+        "(a [b] c)⏎S1000⏎M3⏎M8⏎G4 P1.5⏎(not in G-code: output 3 on)⏎(not in G-code: how closely the path is followed)⏎M5⏎(tool T2)⏎M0⏎G92 X5⏎G0 X6⏎(not in G-code: whether the operator's overrides hold)⏎(done)⏎M9",
     );
 }
 
@@ -55,7 +55,7 @@ fn inches_titles_and_the_spindle_of_an_output() {
         ..Writing::default()
     };
     assert_eq!(
-        write(&[on(true), on(true)], &writing),
+        write(&[on(true), on(true)], &writing).text,
         "(part [one])\n(line two)\nG20 G17 G40 G49 G80 G90 G94\nM3\nM5\nM2\n"
     );
     assert_eq!(Options::default().spindle_output, writing.spindle_output);
@@ -69,7 +69,7 @@ fn moves_without_a_feed_take_the_speeds_of_the_settings() {
         Sourced { at: At::default(), command: Command::Line(line) }
     };
     // XY at 2 in/s; Z alone at 1 in/s; both: XY slowed so that Z keeps to 1 in/s.
-    let text = write(&[to(25.4, 0.0), to(25.4, 25.4), to(50.8, 50.8)], &Writing::default());
+    let text = write(&[to(25.4, 0.0), to(25.4, 25.4), to(50.8, 50.8)], &Writing::default()).text;
     let lines: Vec<&str> = text.lines().skip(1).collect();
     assert_eq!(lines, ["G1 X25.4 F3048", "Z25.4 F1524", "X50.8 Z50.8 F2155.261469", "M2"]);
 }

@@ -2,6 +2,7 @@
 
 mod check;
 mod draw;
+mod convert;
 mod explain;
 mod fmt;
 mod plot;
@@ -31,6 +32,7 @@ pub enum Command {
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
     Draw(draw::DrawArgs),
+    Convert(convert::ConvertArgs),
     Explain(explain::ExplainArgs),
     Wavlength(wavlength::WavlengthArgs),
     Registry(registry::RegistryArgs),
@@ -50,6 +52,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),
         Command::Draw(args) => draw::run(&args),
+        Command::Convert(args) => convert::run(&args),
         Command::Samples(args) => samples::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),

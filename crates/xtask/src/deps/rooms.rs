@@ -44,6 +44,7 @@ pub const ROOMS: &[Room] = &[
     at(2.5, Half::Drawing, "kerf-formats"),
     at(3.0, Half::Drawing, "kerf-toolpath"),
     at(3.0, Half::Machine, "kerf-motion"),
+    at(3.0, Half::Machine, "kerf-convert"),
     at(4.0, Half::Machine, "kerf-machine"),
     at(4.0, Half::Machine, "kerf-preview"),
     at(5.0, Half::Machine, "kerf-sim"),

@@ -1,0 +1,107 @@
+//! Part files to G-code, G-code to part files.
+//!
+//! ```text
+//!  source ──read, follow──► commands, comments, questions ──Printer──► text
+//!                                │                                      │
+//!                                └───────────── compare ◄──read, follow─┘
+//! ```
+//!
+//! - [`convert`] follows the program on paper: variables, loops, subroutines and Cut commands become
+//!   the moves they make. Arcs stay arcs.
+//! - What is written is read back and followed again. A file that would move the tool otherwise is
+//!   never handed out.
+//! - What the other language, or its controller, has no words for becomes a comment in the text and a
+//!   diagnostic at the line that it comes from. Motion that cannot be said is an error.
+//!
+//! The crate knows no files and no clock; what a program asks for comes from hosts that the caller
+//! gives.
+
+mod compare;
+mod follow;
+mod host;
+mod item;
+mod languages;
+mod resolved;
+mod start;
+
+pub use compare::{Comparing, Difference, SAME_MM, same_motion};
+pub use item::{Item, Passage};
+
+use kerf_diag::Diagnostic;
+use kerf_gcode::Dialect;
+use kerf_program::{Host, Settings};
+use std::sync::Arc;
+
+/// A language, and for G-code whose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// OpenSBP.
+    OpenSbp,
+    /// G-code.
+    Gcode(Dialect),
+}
+
+impl Language {
+    /// The language of a file name, G-code in the given dialect; `None` for any other file.
+    ///
+    /// ```
+    /// use kerf_convert::Language;
+    /// assert_eq!(Language::of_file("Box.SBP", Default::default()), Some(Language::OpenSbp));
+    /// assert_eq!(Language::of_file("box.dxf", Default::default()), None);
+    /// ```
+    pub fn of_file(name: &str, dialect: Dialect) -> Option<Self> {
+        let extension = name.rsplit_once('.')?.1.to_ascii_lowercase();
+        match extension.as_str() {
+            "sbp" | "sbc" => Some(Self::OpenSbp),
+            "nc" | "tap" | "ngc" | "gcode" | "cnc" | "gc" => Some(Self::Gcode(dialect)),
+            _ => None,
+        }
+    }
+}
+
+/// What is converted.
+#[derive(Clone, Debug)]
+pub struct Source<'a> {
+    /// Name shown to people.
+    pub name: Arc<str>,
+    /// The text.
+    pub bytes: &'a [u8],
+    /// Its language.
+    pub language: Language,
+}
+
+/// How it is converted.
+#[derive(Clone, Debug)]
+pub struct Conversion {
+    /// The language of the source.
+    pub from: Language,
+    /// The language that is written.
+    pub to: Language,
+    /// The machine's settings at the start.
+    pub settings: Settings,
+    /// How a part file is read.
+    pub sbp: kerf_sbp::Options,
+    /// Variables set before the start.
+    pub variables: kerf_sbp::Variables,
+    /// The outputs of mist and flood coolant; 0 for none.
+    pub coolant_outputs: [u8; 2],
+    /// Comments in the first lines.
+    pub title: String,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Converted {
+    /// The text; nothing when it could not be converted.
+    pub text: Option<String>,
+    /// What was found on the way.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Follows a program with a fresh host: files and answers as at the start.
+pub type Hosts<'a, 'b> = &'a mut (dyn FnMut(&mut dyn FnMut(&mut dyn Host) -> Passage) -> Passage + 'b);
+
+/// Converts a program.
+pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {
+    resolved::convert(source, how, hosts)
+}

@@ -1,0 +1,237 @@
+//! A program as everything it does, written in another language.
+
+use crate::compare::{Comparing, same_motion};
+use crate::follow::follow;
+use crate::item::{Item, Passage};
+use crate::start::{ODD, says_its_places};
+use crate::{Conversion, Converted, Hosts, Language, Source};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_gcode::{Writer, Writing};
+use kerf_program::settings::{AxisUnit, LinearUnit};
+use kerf_program::{At, Axes, Axis, Lost, Printer, Settings, Status, Written};
+use kerf_sbp::{Printing, SbpPrinter};
+use std::sync::Arc;
+
+/// Converts by following the program.
+pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {
+    let (passage, start) = passage(source, how, hosts);
+    let mut diagnostics = passage.diagnostics.clone();
+    if !ended_well(&passage) {
+        if !diagnostics.iter().any(Diagnostic::is_error) {
+            diagnostics.push(stopped(source));
+        }
+        return Converted { text: None, diagnostics };
+    }
+    if start == Axes::default() {
+        diagnostics.push(from_here(&passage, source));
+    }
+    let unit = passage.unit.unwrap_or(how.settings.linear_unit);
+    let settings = settings_for(how, &passage, unit);
+    let written = write(&passage, how, &settings, unit, start);
+    diagnostics.extend(written.lost.iter().map(|lost| told(lost, &passage, how.to)));
+    if written.lost.iter().any(|lost| lost.is_motion) {
+        return Converted { text: None, diagnostics };
+    }
+    if let Err(difference) = read_back(&passage, &written, how, &settings, start, hosts) {
+        diagnostics.push(difference);
+        return Converted { text: None, diagnostics };
+    }
+    Converted { text: Some(written.text), diagnostics }
+}
+
+/// What the program does, and where it was followed from.
+fn passage(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> (Passage, Axes) {
+    let odd = run(source, how, hosts, ODD);
+    if !ended_well(&odd) {
+        return (odd, ODD);
+    }
+    let zero = run(source, how, hosts, Axes::default());
+    if says_its_places(&odd, &zero) { (odd, ODD) } else { (zero, Axes::default()) }
+}
+
+fn run(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>, start: Axes) -> Passage {
+    hosts(&mut |host| match source.language {
+        Language::OpenSbp => {
+            let program = kerf_sbp::read(source.name.clone(), source.bytes);
+            let refused = program.has_errors() && !how.sbp.allow_errors;
+            let diagnostics = program.diagnostics.clone();
+            if refused {
+                return Passage { diagnostics, ..Passage::default() };
+            }
+            let session = kerf_sbp::Session {
+                settings: how.settings.clone(),
+                position: start,
+                variables: how.variables.clone(),
+                ..kerf_sbp::Session::default()
+            };
+            let options = kerf_sbp::Options { preview: true, ..how.sbp.clone() };
+            let mut passage = follow(kerf_sbp::Interpreter::new(program, session, options), host);
+            passage.diagnostics.splice(0..0, diagnostics);
+            passage
+        }
+        Language::Gcode(dialect) => {
+            let program = kerf_gcode::read(source.name.clone(), source.bytes);
+            let diagnostics = program.diagnostics.clone();
+            if program.has_errors() {
+                return Passage { diagnostics, ..Passage::default() };
+            }
+            let mut settings = how.settings.clone();
+            settings.axis_count = 6;
+            let session = kerf_gcode::Session { settings, position: start, ..Default::default() };
+            let options = kerf_gcode::Options {
+                dialect,
+                preview: true,
+                max_lines: how.sbp.max_lines,
+                proportion: how.sbp.file.proportion,
+                ..kerf_gcode::Options::default()
+            };
+            let mut passage = follow(kerf_gcode::Interpreter::new(program, session, options), host);
+            passage.diagnostics.splice(0..0, diagnostics);
+            passage
+        }
+    })
+}
+
+/// A program that does not reach its end would be half a part.
+fn ended_well(passage: &Passage) -> bool {
+    let ended = matches!(passage.status, Some(Status::Ok | Status::Ended));
+    ended && !passage.diagnostics.iter().any(Diagnostic::is_error)
+}
+
+/// The settings that the written file begins with. G-code measures turning axes in degrees; a part
+/// file has to say so.
+fn settings_for(how: &Conversion, passage: &Passage, unit: LinearUnit) -> Settings {
+    let mut settings = how.settings.clone();
+    settings.use_linear_unit(unit);
+    if let Some(axis) = passage.last_axis().filter(|axis| axis.index() >= 3) {
+        settings.axis_count = settings.axis_count.max(axis.index() as u8 + 1);
+        if how.to == Language::OpenSbp && how.from != Language::OpenSbp {
+            settings.rotary_units = [AxisUnit::Degrees; 3];
+        }
+    }
+    settings
+}
+
+fn write(
+    passage: &Passage,
+    how: &Conversion,
+    settings: &Settings,
+    unit: LinearUnit,
+    start: Axes,
+) -> Written {
+    let shared = Arc::new(settings.clone());
+    let title = Some(how.title.clone()).filter(|title| !title.is_empty());
+    let [mist_output, flood_output] = how.coolant_outputs;
+    match how.to {
+        Language::OpenSbp => {
+            let declare_axes = settings.axis_count != how.settings.axis_count
+                || settings.rotary_units[0] != how.settings.rotary_units[0]
+                    && passage.last_axis().is_some_and(|axis| axis >= Axis::A);
+            let printing = Printing {
+                unit,
+                position: start,
+                settings: shared,
+                declare_axes,
+                mist_output,
+                flood_output,
+                title,
+                ..Printing::default()
+            };
+            fill(Box::new(SbpPrinter::new(&printing)), passage)
+        }
+        Language::Gcode(dialect) => {
+            let writing = Writing {
+                dialect,
+                unit,
+                position: start,
+                settings: shared,
+                mist_output,
+                flood_output,
+                title,
+                ..Writing::default()
+            };
+            fill(Box::new(Writer::new(&writing)), passage)
+        }
+    }
+}
+
+fn fill(mut printer: Box<dyn Printer + '_>, passage: &Passage) -> Written {
+    for item in &passage.items {
+        match item {
+            Item::Command(sourced) => printer.command(sourced),
+            Item::Beside(text) => printer.comment_beside(text),
+            Item::Hold(hold) => printer.hold(hold),
+            Item::NextTool(name) => printer.next_tool(name),
+            Item::Lost(lost) => printer.lose(lost.clone()),
+        }
+    }
+    printer.finish()
+}
+
+/// The program ended before its end: an answer stopped it.
+fn stopped(source: &Source<'_>) -> Diagnostic {
+    let place = Place::line(source.name.clone(), 1);
+    let message = "the program was stopped before its end: nothing is converted";
+    Diagnostic::new(Code::NotConverted, place, message)
+        .severity(Severity::Error)
+        .hint("--answers FILE answers its questions, --set NAME=VALUE gives a variable a value")
+}
+
+/// The program goes on from where the tool stands.
+fn from_here(passage: &Passage, source: &Source<'_>) -> Diagnostic {
+    let line = passage.commands().find(|s| s.command.is_motion()).map_or(1, |s| s.at.line);
+    let message = "the program goes on from where the tool stands: converted as if that were zero";
+    let place = Place::line(source.name.clone(), line);
+    Diagnostic::new(Code::StartTaken, place, message)
+        .hint("put the tool at zero before the converted file runs")
+}
+
+fn told(lost: &Lost, passage: &Passage, to: Language) -> Diagnostic {
+    let language = match to {
+        Language::OpenSbp => "OpenSBP",
+        Language::Gcode(_) => "G-code",
+    };
+    let place = Place::line(passage.file(lost.at), lost.at.line);
+    let message = format!("not in {language}: {}", lost.what);
+    let severity = if lost.is_motion { Severity::Error } else { Severity::Warning };
+    Diagnostic::new(Code::NotConverted, place, message).severity(severity)
+}
+
+/// Reads what was written, follows it and compares.
+fn read_back(
+    passage: &Passage,
+    written: &Written,
+    how: &Conversion,
+    settings: &Settings,
+    start: Axes,
+    hosts: Hosts<'_, '_>,
+) -> Result<(), Diagnostic> {
+    let name: Arc<str> = Arc::from("converted file");
+    let again = Source { name, bytes: written.text.as_bytes(), language: how.to };
+    // A turning axis has its unit already, so that naming it does not move it.
+    let reading = Conversion {
+        settings: Settings { axis_count: 3, ..settings.clone() },
+        sbp: kerf_sbp::Options::default(),
+        ..how.clone()
+    };
+    let found = run(&again, &reading, hosts, start);
+    let differs = |at: At, what: String| {
+        let place = Place::line(passage.file(at), at.line);
+        Diagnostic::new(Code::ConversionDiffers, place, what)
+            .hint("nothing was written; this is a fault of Kerf, please report it with the file")
+    };
+    if !ended_well(&found) {
+        let first = found.diagnostics.iter().find(|d| d.is_error());
+        let what = first.map_or_else(String::new, |d| format!("line {}: {}", d.place.line, d.message));
+        return Err(differs(At::default(), format!("the converted file does not run: {what}")));
+    }
+    let comparing = Comparing {
+        start,
+        own_tool_changes: how.to == Language::OpenSbp,
+        chords: how.to == Language::OpenSbp,
+    };
+    same_motion(passage.commands(), found.commands(), comparing).map_err(|difference| {
+        let line = difference.line;
+        differs(difference.at, format!("{} (line {line} of the converted file)", difference.what))
+    })
+}

@@ -1,0 +1,74 @@
+//! Where a program that is converted begins.
+//!
+//! Where the tool will stand when the converted file starts is not known. A program that first says
+//! where to go must stay so: `J2,0,0` in the first line is a move, although a machine at zero would
+//! not stir. So a program is followed from a place a hair beside zero, where no program goes by
+//! itself. If everything it does is the same from zero, it says all its places itself, and what it
+//! did from the odd place is what is written. A program that goes on from where the tool stands is
+//! followed from zero, and that is told.
+
+use crate::item::{Item, Passage};
+use kerf_program::{AXES, Axes, Command};
+
+/// A place a hair beside zero, mm and degrees.
+pub const ODD: Axes = Axes([0.013_717_31, 0.017_391_13, 0.021_933_71, 0.011_171_37, 0.019_131_73, 0.015_317_19]);
+/// Places that differ by less are one, mm or degrees.
+const SAME: f64 = 1e-9;
+
+/// Whether a program does from the odd place what it does from zero.
+pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
+    let mut plain = zero.commands().filter(|s| s.command.is_motion()).peekable();
+    let mut here = Axes::default();
+    for sourced in odd.commands().filter(|s| s.command.is_motion()) {
+        let to = without_odd(end(&sourced.command));
+        let next = plain.peek().map(|s| &s.command);
+        if next.is_some_and(|next| same_command(&sourced.command, next, to)) {
+            plain.next();
+        } else if !same(here, to) || matches!(sourced.command, Command::Arc(_)) {
+            return false;
+        }
+        here = to;
+    }
+    plain.next().is_none() && others(odd) == others(zero)
+}
+
+/// How many things it does besides moving.
+fn others(passage: &Passage) -> usize {
+    let motion = |item: &&Item| matches!(item, Item::Command(s) if s.command.is_motion());
+    passage.items.iter().filter(|item| !motion(item)).count()
+}
+
+/// A place as it is from zero: axes that the program has not named yet still are where they began.
+fn without_odd(mut place: Axes) -> Axes {
+    for i in 0..AXES {
+        if place.0[i] == ODD.0[i] {
+            place.0[i] = 0.0;
+        }
+    }
+    place
+}
+
+const fn end(command: &Command) -> Axes {
+    match command {
+        Command::Line(line) => line.to,
+        Command::Arc(arc) => arc.to,
+        _ => ODD,
+    }
+}
+
+fn same(a: Axes, b: Axes) -> bool {
+    a.0.iter().zip(b.0).all(|(a, b)| (a - b).abs() <= SAME)
+}
+
+fn same_command(odd: &Command, zero: &Command, to: Axes) -> bool {
+    match (odd, zero) {
+        (Command::Line(_), Command::Line(line)) => same(to, line.to),
+        (Command::Arc(a), Command::Arc(b)) => {
+            same(to, b.to)
+                && (a.centre[0] - b.centre[0]).abs() <= SAME
+                && (a.centre[1] - b.centre[1]).abs() <= SAME
+                && (a.sweep_rad - b.sweep_rad).abs() <= SAME
+        }
+        _ => false,
+    }
+}

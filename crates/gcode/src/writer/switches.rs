@@ -1,0 +1,86 @@
+//! Spindle, coolant, outputs and dwells.
+
+use super::Writer;
+use kerf_program::{Turn, decimal};
+
+/// What is switched on, as far as it was written.
+#[derive(Debug)]
+pub(super) struct Switches {
+    pub(super) turn: Turn,
+    /// Mist and flood.
+    coolant: [bool; 2],
+}
+
+impl Default for Switches {
+    fn default() -> Self {
+        Self { turn: Turn::Off, coolant: [false; 2] }
+    }
+}
+
+impl Writer<'_> {
+    pub(super) fn wait(&mut self, seconds: f64) {
+        if seconds > 0.0 {
+            self.line(&format!("G4 P{}", decimal(seconds, 3)));
+        }
+    }
+
+    pub(super) fn output(&mut self, output: u8, on: bool) {
+        let (mist, flood) = (self.writing.mist_output, self.writing.flood_output);
+        let [has_mist, has_flood] = self.switches.coolant;
+        if output == self.writing.spindle_output {
+            // A program that told the direction has switched the output with it.
+            match (on, self.switches.turn) {
+                (true, Turn::Off) => self.turn(Turn::Clockwise),
+                (false, turn) if turn != Turn::Off => self.turn(Turn::Off),
+                _ => {}
+            }
+        } else if output == mist {
+            self.coolant([on, has_flood]);
+        } else if output == flood {
+            self.coolant([has_mist, on]);
+        } else if self.is_linuxcnc() {
+            self.line(&format!("M6{} P{}", if on { 4 } else { 5 }, output.saturating_sub(1)));
+        } else {
+            self.unsaid(format!("output {output} {}", if on { "on" } else { "off" }));
+        }
+    }
+
+    pub(super) fn pwm(&mut self, channel: u8, percent: f64) {
+        let percent = decimal(percent, 3);
+        if self.is_linuxcnc() {
+            self.line(&format!("M68 E{} Q{percent}", channel.saturating_sub(1)));
+        } else {
+            self.unsaid(format!("channel {channel} at {percent} %"));
+        }
+    }
+
+    pub(super) fn turn(&mut self, turn: Turn) {
+        self.switches.turn = turn;
+        self.line(match turn {
+            Turn::Off => "M5",
+            Turn::Clockwise => "M3",
+            Turn::Counterclockwise | Turn::Dynamic => "M4",
+        });
+    }
+
+    /// M9 ends both, so that what stays on is switched on again.
+    pub(super) fn coolant(&mut self, wanted: [bool; 2]) {
+        let before = std::mem::replace(&mut self.switches.coolant, wanted);
+        let ends = (0..2).any(|i| before[i] && !wanted[i]);
+        if ends {
+            self.line("M9");
+        }
+        for (i, word) in ["M7", "M8"].into_iter().enumerate() {
+            if wanted[i] && (ends || !before[i]) {
+                self.line(word);
+            }
+        }
+    }
+
+    pub(super) fn all_off(&mut self) {
+        if self.switches.turn != Turn::Off {
+            self.turn(Turn::Off);
+        }
+        self.coolant([false; 2]);
+    }
+}
