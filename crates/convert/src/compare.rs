@@ -228,7 +228,13 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
     }
 
     /// The whole sweep was made.
-    fn end_of_arc(&mut self, arc: &Arc, to: Axes, left: f64, circle: &Circle) -> Result<(), String> {
+    fn end_of_arc(
+        &mut self,
+        arc: &Arc,
+        to: Axes,
+        left: f64,
+        circle: &Circle,
+    ) -> Result<(), String> {
         if left < -circle.angle_slack() || !near_within(to, arc.to, circle.slack) {
             return Err(format!("an arc to {} became one to {}", place(arc.to), place(to)));
         }
@@ -259,7 +265,12 @@ impl Circle {
         let radius = |p: Axes| (p.0[0] - arc.centre[0]).hypot(p.0[1] - arc.centre[1]);
         let (r1, r2) = (radius(from), radius(arc.to));
         let chord = (from.0[0] - arc.to.0[0]).hypot(from.0[1] - arc.to.0[1]);
-        Self { centre: arc.centre, radius: (r1 + r2) / 2.0, slack: SAME_MM + (r1 - r2).abs(), chord }
+        Self {
+            centre: arc.centre,
+            radius: (r1 + r2) / 2.0,
+            slack: SAME_MM + (r1 - r2).abs(),
+            chord,
+        }
     }
 
     /// The angle that the slack is at the radius, and a tenth of a milliradian.

@@ -40,7 +40,7 @@ pub fn follow<I: Language>(mut interpreter: I, behind: &mut dyn Host) -> Passage
         let next = interpreter.next_line();
         let step = interpreter.step(&mut host, &mut out);
         if let Some(at) = next.filter(|_| step != Step::Waiting) {
-            follower.line(&interpreter, at, &mut host);
+            follower.line(&interpreter, at);
         }
         let at = next.unwrap_or_default();
         for watch in interpreter.watches() {
@@ -80,6 +80,12 @@ pub fn follow<I: Language>(mut interpreter: I, behind: &mut dyn Host) -> Passage
     }
 }
 
+/// Comments of custom cuts are for their owner.
+fn is_custom<I: Language>(interpreter: &I, at: At) -> bool {
+    at.file > 0
+        && interpreter.file_name(at.file).is_some_and(|n| n.to_ascii_lowercase().ends_with(".sbc"))
+}
+
 #[derive(Default)]
 struct Follower {
     passage: Passage,
@@ -91,13 +97,13 @@ struct Follower {
 
 impl Follower {
     /// A line ran.
-    fn line<I: Language>(&mut self, interpreter: &I, at: At, host: &mut Paper<'_>) {
+    fn line<I: Language>(&mut self, interpreter: &I, at: At) {
         if let Some(place) = interpreter.machine_place(at)
             && self.places.insert(at)
         {
-            host.see_once(format!("{place} (line {})", at.line));
+            self.lose(at, place.into());
         }
-        if interpreter.tells_comments() {
+        if interpreter.tells_comments() || is_custom(interpreter, at) {
             return;
         }
         if let Some(text) = interpreter.comment_beside(at)
@@ -113,6 +119,7 @@ impl Follower {
             Command::Diagnostic(diagnostic) => {
                 return self.passage.diagnostics.push((**diagnostic).clone());
             }
+            Command::Message { .. } if is_custom(interpreter, sourced.at) => return,
             Command::Message { text } => {
                 if self.comments.insert(sourced.at) {
                     let beside = interpreter.tells_comments()
@@ -129,7 +136,8 @@ impl Follower {
                 items.extend(interpreter.wanted_tool().map(Item::NextTool));
             }
             Command::Line(_) | Command::Arc(_) => {
-                self.passage.unit.get_or_insert_with(|| interpreter.unit());
+                let now = || (interpreter.unit(), interpreter.settings().clone());
+                self.passage.at_motion.get_or_insert_with(now);
             }
             _ => {}
         }
@@ -185,7 +193,8 @@ impl Follower {
     ) -> Passage {
         self.passage.status = status;
         self.passage.diagnostics.extend(diagnostic.map(|d| *d));
-        self.passage.files = (0..).map_while(|file| interpreter.file_name(file)).take(10_000).collect();
+        self.passage.files =
+            (0..).map_while(|file| interpreter.file_name(file)).take(10_000).collect();
         self.passage
     }
 }

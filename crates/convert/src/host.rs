@@ -68,13 +68,17 @@ impl<'a> Paper<'a> {
     }
 }
 
+fn of_input(number: u8) -> String {
+    format!("input {number}, which was taken as off")
+}
+
 impl Host for Paper<'_> {
     fn settle(&mut self) -> Poll<()> {
         Poll::Ready(())
     }
 
     fn input(&mut self, number: u8) -> bool {
-        self.see_once(format!("input {number}, which was taken as off"));
+        self.see_once(of_input(number));
         false
     }
 
@@ -87,6 +91,10 @@ impl Host for Paper<'_> {
         let machine = matches!(question.kind, QuestionKind::Spindle | QuestionKind::Limit);
         if machine {
             return Poll::Ready(Answer::Button(Button::OK));
+        }
+        if let Some((input, _)) = question.until {
+            // The waiting says all about the input.
+            self.seen.retain(|seen| *seen != Seen::Other(of_input(input)));
         }
         let answer = self.behind.ask(question);
         if let Poll::Ready(answer) = &answer {

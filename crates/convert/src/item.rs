@@ -2,7 +2,7 @@
 
 use kerf_diag::Diagnostic;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{At, Axes, Axis, Command, Hold, Lost, Sourced, Status};
+use kerf_program::{At, Axes, Axis, Command, Hold, Lost, Settings, Sourced, Status};
 use std::sync::Arc;
 
 /// A thing to write.
@@ -33,8 +33,8 @@ pub struct Passage {
     pub diagnostics: Vec<Diagnostic>,
     /// Names of the files that places speak of.
     pub files: Vec<Arc<str>>,
-    /// The unit in force where it first moved.
-    pub unit: Option<LinearUnit>,
+    /// The unit and the settings in force where it first moved.
+    pub at_motion: Option<(LinearUnit, Arc<Settings>)>,
 }
 
 impl Passage {

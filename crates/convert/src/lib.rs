@@ -29,7 +29,7 @@ pub use item::{Item, Passage};
 
 use kerf_diag::Diagnostic;
 use kerf_gcode::Dialect;
-use kerf_program::{Host, Settings};
+use kerf_program::{Axes, Host, Settings};
 use std::sync::Arc;
 
 /// A language, and for G-code whose.
@@ -99,7 +99,18 @@ pub struct Converted {
 }
 
 /// Follows a program with a fresh host: files and answers as at the start.
-pub type Hosts<'a, 'b> = &'a mut (dyn FnMut(&mut dyn FnMut(&mut dyn Host) -> Passage) -> Passage + 'b);
+pub type Hosts<'a, 'b> =
+    &'a mut (dyn FnMut(&mut dyn FnMut(&mut dyn Host) -> Passage) -> Passage + 'b);
+
+/// Follows a program from a place, as a conversion does.
+pub fn passage(
+    source: &Source<'_>,
+    how: &Conversion,
+    hosts: Hosts<'_, '_>,
+    start: Axes,
+) -> Passage {
+    resolved::run(source, how, hosts, start)
+}
 
 /// Converts a program.
 pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {

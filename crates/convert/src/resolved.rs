@@ -25,7 +25,7 @@ pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> C
     if start == Axes::default() {
         diagnostics.push(from_here(&passage, source));
     }
-    let unit = passage.unit.unwrap_or(how.settings.linear_unit);
+    let unit = passage.at_motion.as_ref().map_or(how.settings.linear_unit, |(unit, _)| *unit);
     let settings = settings_for(how, &passage, unit);
     let written = write(&passage, how, &settings, unit, start);
     diagnostics.extend(written.lost.iter().map(|lost| told(lost, &passage, how.to)));
@@ -49,7 +49,12 @@ fn passage(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> (Pass
     if says_its_places(&odd, &zero) { (odd, ODD) } else { (zero, Axes::default()) }
 }
 
-fn run(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>, start: Axes) -> Passage {
+pub(crate) fn run(
+    source: &Source<'_>,
+    how: &Conversion,
+    hosts: Hosts<'_, '_>,
+    start: Axes,
+) -> Passage {
     hosts(&mut |host| match source.language {
         Language::OpenSbp => {
             let program = kerf_sbp::read(source.name.clone(), source.bytes);
@@ -105,8 +110,10 @@ fn settings_for(how: &Conversion, passage: &Passage, unit: LinearUnit) -> Settin
     settings.use_linear_unit(unit);
     if let Some(axis) = passage.last_axis().filter(|axis| axis.index() >= 3) {
         settings.axis_count = settings.axis_count.max(axis.index() as u8 + 1);
-        if how.to == Language::OpenSbp && how.from != Language::OpenSbp {
-            settings.rotary_units = [AxisUnit::Degrees; 3];
+        match (&passage.at_motion, how.from) {
+            (_, Language::Gcode(_)) => settings.rotary_units = [AxisUnit::Degrees; 3],
+            (Some((_, there)), Language::OpenSbp) => settings.rotary_units = there.rotary_units,
+            (None, Language::OpenSbp) => {}
         }
     }
     settings
@@ -222,8 +229,12 @@ fn read_back(
     };
     if !ended_well(&found) {
         let first = found.diagnostics.iter().find(|d| d.is_error());
-        let what = first.map_or_else(String::new, |d| format!("line {}: {}", d.place.line, d.message));
-        return Err(differs(At::default(), format!("the converted file does not run: {what}")));
+        let what =
+            first.map_or_else(String::new, |d| format!("line {}: {}", d.place.line, d.message));
+        return Err(differs(
+            At { file: 0, line: 1 },
+            format!("the converted file does not run: {what}"),
+        ));
     }
     let comparing = Comparing {
         start,

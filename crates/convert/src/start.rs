@@ -11,7 +11,8 @@ use crate::item::{Item, Passage};
 use kerf_program::{AXES, Axes, Command};
 
 /// A place a hair beside zero, mm and degrees.
-pub const ODD: Axes = Axes([0.013_717_31, 0.017_391_13, 0.021_933_71, 0.011_171_37, 0.019_131_73, 0.015_317_19]);
+pub const ODD: Axes =
+    Axes([0.013_717_31, 0.017_391_13, 0.021_933_71, 0.011_171_37, 0.019_131_73, 0.015_317_19]);
 /// Places that differ by less are one, mm or degrees.
 const SAME: f64 = 1e-9;
 

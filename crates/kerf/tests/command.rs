@@ -392,3 +392,44 @@ fn the_profiler_stops_at_corners_and_not_in_smooth_curves() {
     // A quarter of 500 mm/s² on 50 mm: 79 mm/s.
     assert!(seconds("--axis-speed 200 --centripetal 25") > 1.2 * round);
 }
+
+#[test]
+fn convert_there_and_back_moves_the_same() {
+    let shop = Shop::new(&[("box.sbp", BOX)]);
+    shop.kerf("convert box.sbp box.nc").exits(0).says("box.nc: ");
+    let text = shop.read("box.nc");
+    assert!(text.starts_with("(Converted from box.sbp by kerf "), "{text}");
+    assert!(text.contains("G0 Z0.5\nX1 Y1\nG1 Z-0.1 F60\nX4 F120\n"), "{text}");
+    shop.kerf("convert box.nc back.sbp").exits(0);
+    let ends = |file: &str| {
+        let did = shop.kerf(&format!("trace {file}"));
+        did.all("move").iter().map(|e| e["to"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(ends("box.sbp"), ends("back.sbp"));
+}
+
+#[test]
+fn convert_writes_over_nothing_unless_told() {
+    let shop = Shop::new(&[("box.sbp", BOX), ("box.nc", "mine")]);
+    shop.kerf("convert box.sbp box.nc").exits(2).complains("--force");
+    assert_eq!(shop.read("box.nc"), "mine");
+    shop.kerf("convert box.sbp box.nc --force --to grbl").exits(0);
+    assert!(shop.read("box.nc").contains("for grbl"));
+    shop.kerf("convert box.sbp box.dxf").exits(2).complains("not there yet");
+    shop.kerf("convert none.sbp x.nc").exits(2);
+}
+
+#[test]
+fn convert_tells_what_the_other_language_cannot_say() {
+    let shop = Shop::new(&[
+        ("a.sbp", "J2,0,0\nSO,5,1\nMX,1\n"),
+        ("turn.sbp", "VD,,4,,2\nJ2,0,0\nMA,90\n"),
+        ("bad.sbp", "MX,1\nQQ,3\n"),
+    ]);
+    let did = shop.kerf("convert a.sbp a.nc --to grbl");
+    did.exits(0).complains("warning[C001]").complains("a.sbp:2").complains("output 5 on");
+    assert!(shop.read("a.nc").contains("(not in G-code: output 5 on)\n"));
+    shop.kerf("convert turn.sbp turn.nc --to grbl").exits(1).complains("A to 90");
+    shop.kerf("convert bad.sbp bad.nc").exits(1).complains("bad.sbp:2");
+    assert!(!shop.file("turn.nc").exists() && !shop.file("bad.nc").exists());
+}

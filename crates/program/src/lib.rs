@@ -22,6 +22,7 @@ mod printer;
 pub mod settings;
 mod shift;
 mod smoothing;
+mod tool_change;
 
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use command::{
@@ -38,3 +39,4 @@ pub use interpreter::{Interpreter, Status, Step, Watch};
 pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};
 pub use settings::Settings;
 pub use smoothing::{FACTOR_MM, RampModel, Smoothing};
+pub use tool_change::{ChangeWords, Changing};

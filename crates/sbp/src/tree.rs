@@ -416,7 +416,7 @@ impl Program {
     pub fn comment_beside(&self, line: u32) -> Option<&str> {
         let text = self.line_text(line);
         let (code, comment) = text.split_at_checked(crate::reader::code_end(text.as_bytes()))?;
-        let comment = comment.trim_start_matches('\'').trim();
+        let comment = comment.trim().trim_start_matches('\'').trim();
         (!code.trim().is_empty() && !comment.is_empty()).then_some(comment)
     }
 

@@ -16,8 +16,8 @@ mod words;
 use crate::Dialect;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    At, Axes, AxisSet, Command, Frame, Hold, Lost, PathControl, Printer, Settings, Sourced,
-    ToolPathStart, Turn, Written, decimal,
+    At, Axes, AxisSet, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer,
+    Settings, Sourced, Turn, Written, decimal,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -75,6 +75,15 @@ pub fn write(commands: &[Sourced], writing: &Writing) -> Written {
     Box::new(writer).finish()
 }
 
+/// The ramps of the linear axes; those of the others change with their units.
+fn ramps(settings: &Settings) -> [f64; 8] {
+    let ramps = &settings.ramps;
+    let [cut, jog] = [&ramps.cut, &ramps.jog];
+    let rates = [ramps.cut_rate_mm, ramps.jog_rate_mm];
+    let corners = [ramps.min_distance_mm, ramps.slow_corner_percent];
+    [cut.xy, cut.z, jog.xy, jog.z, rates[0], rates[1], corners[0], corners[1]]
+}
+
 /// A program while it is written.
 #[derive(Debug)]
 pub struct Writer<'a> {
@@ -96,10 +105,10 @@ pub struct Writer<'a> {
     feed: Option<String>,
     inverse: bool,
     switches: Switches,
-    /// The tool of the change that comes next, or that is under way.
-    tool: Option<String>,
-    changing: bool,
+    changing: Changing,
     overrides: [bool; 2],
+    /// It was told that an axis is linear.
+    linear_told: bool,
 }
 
 impl<'a> Writer<'a> {
@@ -119,9 +128,9 @@ impl<'a> Writer<'a> {
             feed: None,
             inverse: false,
             switches: Switches::default(),
-            tool: None,
-            changing: false,
+            changing: Changing::default(),
             overrides: [true; 2],
+            linear_told: false,
         };
         writer.begin();
         writer
@@ -181,7 +190,7 @@ impl<'a> Writer<'a> {
             Command::Arc(arc) => self.arc(arc),
             Command::Settings(settings) => self.use_settings(settings),
             Command::Location { frame, working, base } => {
-                if !base.is_empty() {
+                if base.iter().any(|a| frame.base_zero[a] != self.frame.base_zero[a]) {
                     self.unsaid("a change of the table base coordinates");
                 }
                 self.locate(*frame, *working);
@@ -198,14 +207,13 @@ impl<'a> Writer<'a> {
                 self.line(&comment(&format!("PRINT,{text}")));
             }
             Command::Print { text, .. } | Command::Message { text } => self.comment(text),
-            Command::ToolPath(start) => self.tool_path(start),
-            Command::ToolChange { begin: true } => self.changing = true,
-            Command::ToolChange { begin: false } => self.end_tool_change(),
             Command::MotorsOff => self.unsaid("motors off"),
             Command::Independent { .. } => self.unsaid_motion("an axis that moves by itself"),
             Command::Sound { path } => self.unsaid(format!("the sound {path}")),
             Command::File { path, .. } => self.unsaid(format!("use of the file {path}")),
             Command::EndStack
+            | Command::ToolPath(_)
+            | Command::ToolChange { .. }
             | Command::WarningOff
             | Command::Diagnostic(_)
             | Command::ClearPreview => {}
@@ -215,7 +223,7 @@ impl<'a> Writer<'a> {
     /// Speeds are taken into the feed; of the rest, what moves or switches something is told.
     fn use_settings(&mut self, settings: &Arc<Settings>) {
         let before = std::mem::replace(&mut self.settings, settings.clone());
-        if settings.ramps != before.ramps {
+        if ramps(settings) != ramps(&before) {
             self.unsaid("ramps (VR): the controller's own hold");
         }
         if settings.cutter.trigger.active && settings.cutter.trigger != before.cutter.trigger {
@@ -286,20 +294,14 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// A tool path's name is its comment; a tool is put in when its change is over.
-    fn tool_path(&mut self, start: &ToolPathStart) {
-        match &start.tool {
-            Some(tool) if self.changing => {
-                self.tool = Some(tool.to_string());
-                self.end_tool_change();
-            }
-            _ => {}
+    fn change(&mut self, words: ChangeWords) {
+        match words {
+            ChangeWords::PutIn(tool) => self.put_in(&tool),
+            ChangeWords::Hold(text) => self.hold(&Hold { at: self.at, text, until: None }),
         }
     }
 
-    fn end_tool_change(&mut self) {
-        let Some(tool) = self.tool.take().filter(|_| self.changing) else { return };
-        self.changing = false;
+    fn put_in(&mut self, tool: &str) {
         self.switches.turn = Turn::Off;
         let digits: String = tool.chars().filter(char::is_ascii_digit).collect();
         if digits.is_empty() || self.is_grbl() {
@@ -314,6 +316,9 @@ impl<'a> Writer<'a> {
 impl Printer for Writer<'_> {
     fn command(&mut self, sourced: &Sourced) {
         self.at = sourced.at;
+        if let Some(words) = self.changing.follow(&sourced.command) {
+            self.change(words);
+        }
         self.write(&sourced.command);
     }
 
@@ -331,7 +336,7 @@ impl Printer for Writer<'_> {
 
     fn hold(&mut self, hold: &Hold) {
         self.at = hold.at;
-        if self.changing {
+        if self.changing.tell(&hold.text) {
             return;
         }
         if !hold.text.is_empty() {
@@ -355,7 +360,7 @@ impl Printer for Writer<'_> {
     }
 
     fn next_tool(&mut self, name: &str) {
-        self.tool = Some(name.into());
+        self.changing.expect(name);
     }
 
     fn lose(&mut self, lost: Lost) {
@@ -364,6 +369,9 @@ impl Printer for Writer<'_> {
     }
 
     fn finish(mut self: Box<Self>) -> Written {
+        if let Some(words) = self.changing.end() {
+            self.change(words);
+        }
         self.flush();
         self.all_off();
         self.line("M2");

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use kerf_geom::{Arc2, Point2};
-use kerf_program::settings::PerGroup;
+use kerf_program::settings::{AxisUnit, PerGroup};
 use kerf_program::{AXES, Arc, Axes, Axis, Feed, Line, MoveKind, decimal, length_places};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -24,6 +24,15 @@ impl Writer<'_> {
         self.is_grbl() && axis >= 3
     }
 
+    /// G-code measures A, B and C in degrees.
+    fn doubt_unit(&mut self, axis: Axis) {
+        let linear = axis.index() >= 3 && self.settings.axis_unit(axis) != AxisUnit::Degrees;
+        if linear && !std::mem::replace(&mut self.linear_told, true) {
+            let letter = axis.letter();
+            self.unsaid(format!("that {letter} is a linear axis: its words are millimetres"));
+        }
+    }
+
     /// The words of the axes that change; an arc names both axes of its plane.
     fn place(&mut self, to: Axes, both: bool) -> String {
         let (words, here) = (self.words_of(to), self.words_of(self.position));
@@ -32,8 +41,12 @@ impl Writer<'_> {
             let known = self.written[i].as_ref() == Some(&word);
             let still = self.written[i].is_none() && word == here[i];
             if (!known && !still || both && i < 2) && self.lacks(i) {
-                self.unsaid_motion(format!("{} to {word}: grbl has X, Y and Z", Axis::ALL[i].letter()));
+                self.unsaid_motion(format!(
+                    "{} to {word}: grbl has X, Y and Z",
+                    Axis::ALL[i].letter()
+                ));
             } else if !known && !still || both && i < 2 {
+                self.doubt_unit(Axis::ALL[i]);
                 let _ = write!(text, " {}{word}", Axis::ALL[i].letter());
                 self.written[i] = Some(word);
             }

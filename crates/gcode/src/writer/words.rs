@@ -46,5 +46,7 @@ pub(super) fn comments(text: &str) -> Vec<String> {
 fn asks(text: &str) -> bool {
     let head: String = text.chars().filter(|c| !c.is_whitespace()).take(12).collect();
     let head = head.to_ascii_lowercase();
-    ASKING.iter().any(|word| head.strip_prefix(word).is_some_and(|r| r.is_empty() || r.starts_with(',')))
+    ASKING
+        .iter()
+        .any(|word| head.strip_prefix(word).is_some_and(|r| r.is_empty() || r.starts_with(',')))
 }

@@ -1,7 +1,7 @@
 //! A host for examples and tests: agrees with everything, reads files beside the program.
 
 use kerf_program::{
-    Answer, Button, FileMode, FileRequest, Host, HostError, Question, ShellCall, SourceFile,
+    Answer, Button, FileMode, FileRequest, Folder, Host, HostError, Question, ShellCall, SourceFile,
 };
 use std::path::PathBuf;
 use std::task::Poll;
@@ -24,7 +24,14 @@ impl Host for Quiet {
         Poll::Ready(Answer::Button(Button::OK))
     }
     fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        let bytes = std::fs::read(self.0.join(&request.name));
+        let folder = match request.folder {
+            Folder::Parts => self.0.clone(),
+            // The custom cuts that Kerf ships.
+            Folder::Custom => {
+                PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../control/custom"))
+            }
+        };
+        let bytes = std::fs::read(folder.join(&request.name));
         let bytes = bytes.map_err(|e| HostError::NotFound(e.to_string()))?;
         Ok(SourceFile { name: request.name.as_str().into(), bytes: bytes.into() })
     }

@@ -18,8 +18,8 @@ mod tests;
 use crate::table::settings_lines;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    At, Axes, Command, Frame, Hold, Lost, PathControl, Printer, Settings, Sourced, ToolPathStart,
-    Written,
+    At, Axes, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer, Settings,
+    Sourced, ToolPathStart, Written,
 };
 use places::Places;
 use std::sync::Arc;
@@ -81,23 +81,15 @@ pub struct SbpPrinter<'a> {
     /// Comments that stand behind the next line.
     beside: Option<String>,
     settings: Arc<Settings>,
+    /// Settings that hold from here on and are not written yet.
+    changed: Option<Arc<Settings>>,
     places: Places,
     speeds: speeds::Written,
     coolant: [bool; 2],
-    change: Change,
+    changing: Changing,
     /// A comment that names a tool path was written for this line already.
     named: Option<At>,
     path_control_told: bool,
-}
-
-/// Where a change of tools stands.
-#[derive(Debug, Default)]
-struct Change {
-    under_way: bool,
-    /// The tool that comes, once it is known.
-    tool: Option<String>,
-    /// What the operator was told while it was under way.
-    told: Option<String>,
 }
 
 impl<'a> SbpPrinter<'a> {
@@ -110,10 +102,11 @@ impl<'a> SbpPrinter<'a> {
             at: At::default(),
             beside: None,
             settings: printing.settings.clone(),
+            changed: None,
             places: Places::new(printing),
             speeds: speeds::Written::default(),
             coolant: [false; 2],
-            change: Change::default(),
+            changing: Changing::default(),
             named: None,
             path_control_told: false,
         };
@@ -171,9 +164,10 @@ impl<'a> SbpPrinter<'a> {
         match command {
             Command::Line(line) => self.straight(line),
             Command::Arc(arc) => self.arc(arc),
-            Command::Settings(settings) => self.use_settings(settings),
+            Command::Settings(_) => {}
             Command::Location { frame, working, base } => {
-                if !base.is_empty() {
+                let before = self.places.frame.base_zero;
+                if base.iter().any(|a| frame.base_zero[a] != before[a]) {
                     self.unsaid("a change of the table base coordinates");
                 }
                 self.locate(*frame, *working);
@@ -207,11 +201,12 @@ impl<'a> SbpPrinter<'a> {
         }
     }
 
-    /// Settings that changed, as the V commands that set them.
-    fn use_settings(&mut self, settings: &Arc<Settings>) {
+    /// Settings that changed, as the V commands that set them, as soon as something follows them.
+    fn write_settings(&mut self) {
+        let Some(settings) = self.changed.take() else { return };
         let before = std::mem::replace(&mut self.settings, settings.clone());
         let known = settings_lines(&before);
-        for line in settings_lines(settings) {
+        for line in settings_lines(&settings) {
             let of_the_file = ["VD", "SA", "SR"].iter().any(|own| line.starts_with(own));
             if !of_the_file && !known.contains(&line) {
                 self.line(&line);
@@ -237,6 +232,9 @@ impl<'a> SbpPrinter<'a> {
 
     /// The name of a tool path or a tool, as the previewer's comments have it.
     fn tool_path(&mut self, start: &ToolPathStart) {
+        if self.named == Some(self.at) {
+            return;
+        }
         let name = start.name.as_ref().map(|name| format!("Toolpath Name = {name}"));
         let tool = start.tool.as_ref().map(|tool| format!("Tool Name = {tool}"));
         for text in [name, tool].into_iter().flatten() {
@@ -245,57 +243,41 @@ impl<'a> SbpPrinter<'a> {
         }
     }
 
-    /// The change is over: the owner's own file does it.
-    fn change_tool(&mut self) {
-        let tool = self.change.tool.take().unwrap_or_default();
+    fn change(&mut self, words: ChangeWords) {
+        match words {
+            ChangeWords::PutIn(tool) => self.put_in(&tool),
+            ChangeWords::Hold(text) => self.hold(&Hold { at: self.at, text, until: None }),
+        }
+    }
+
+    /// The owner's own file changes the tool.
+    fn put_in(&mut self, tool: &str) {
         let digits: String = tool.chars().filter(char::is_ascii_digit).collect();
         let name = if digits.is_empty() { format!("\"{tool}\"") } else { digits };
         self.line(&format!("&Tool = {name}"));
         self.line("C9");
         self.places.changed_tool();
-        self.speeds = speeds::Written::default();
-        self.change = Change::default();
-    }
-
-    /// True while a command belongs to a change of tools, which is written as a whole.
-    fn belongs_to_change(&mut self, command: &Command) -> bool {
-        match command {
-            Command::ToolChange { begin } => {
-                self.change.under_way = *begin;
-                if !begin && self.change.tool.is_some() {
-                    self.change_tool();
-                }
-                return true;
-            }
-            Command::ToolPath(ToolPathStart { tool: Some(tool), .. })
-                if self.change.told.is_some() =>
-            {
-                self.change.tool = Some(tool.to_string());
-                self.change_tool();
-                return true;
-            }
-            _ if self.change.under_way => {
-                self.places.follow(command);
-                return true;
-            }
-            _ => {}
-        }
-        if let Some(text) = self.change.told.take() {
-            // No tool came in its place.
-            self.hold(&Hold { at: self.at, text, until: None });
-        }
-        false
+        self.named = Some(self.at);
     }
 }
 
 impl Printer for SbpPrinter<'_> {
     fn command(&mut self, sourced: &Sourced) {
         self.at = sourced.at;
-        if !self.belongs_to_change(&sourced.command) {
-            self.write(&sourced.command);
-            if !matches!(sourced.command, Command::ToolPath(_)) {
-                self.named = None;
-            }
+        if let Command::Settings(settings) = &sourced.command {
+            self.changed = Some(settings.clone());
+            return;
+        }
+        if let Some(words) = self.changing.follow(&sourced.command) {
+            self.change(words);
+        }
+        if self.changing.is_under_way() {
+            return self.places.follow(&sourced.command);
+        }
+        self.write_settings();
+        self.write(&sourced.command);
+        if !matches!(sourced.command, Command::ToolPath(_)) {
+            self.named = None;
         }
     }
 
@@ -313,8 +295,7 @@ impl Printer for SbpPrinter<'_> {
 
     fn hold(&mut self, hold: &Hold) {
         self.at = hold.at;
-        if self.change.under_way {
-            self.change.told = Some(hold.text.clone());
+        if self.changing.tell(&hold.text) {
             return;
         }
         if !hold.text.is_empty() {
@@ -329,7 +310,7 @@ impl Printer for SbpPrinter<'_> {
     }
 
     fn next_tool(&mut self, name: &str) {
-        self.change.tool = Some(name.into());
+        self.changing.expect(name);
     }
 
     fn lose(&mut self, lost: Lost) {
@@ -338,6 +319,9 @@ impl Printer for SbpPrinter<'_> {
     }
 
     fn finish(mut self: Box<Self>) -> Written {
+        if let Some(words) = self.changing.end() {
+            self.change(words);
+        }
         self.flush();
         for line in ["END", "UNIT_ERROR:", "C#,91", "END"] {
             self.line(line);

@@ -23,17 +23,13 @@ impl SbpPrinter<'_> {
         self.line(&text);
     }
 
-    /// After a change of tools the tool may stand higher than the program knows: what cuts without
-    /// naming Z first goes to where it should be.
+    /// After a change of tools the tool may stand higher than the program knows: before it cuts it
+    /// goes to where it should be. A jog may start from above.
     fn settle_height(&mut self, line: &Line, from: Axes) {
-        if !self.places.raised {
-            return;
-        }
-        let moves_z = line.to[Axis::Z] != from[Axis::Z];
-        if moves_z {
-            self.places.raised = false;
-        } else if line.kind == MoveKind::Cut {
+        if line.kind == MoveKind::Cut {
             self.lower();
+        } else if line.to[Axis::Z] != from[Axis::Z] {
+            self.places.raised = false;
         }
     }
 
@@ -49,11 +45,10 @@ impl SbpPrinter<'_> {
     /// Nothing moves: the present place is called otherwise.
     pub(super) fn locate(&mut self, frame: Frame, working: AxisSet) {
         let before = std::mem::replace(&mut self.places.frame, frame);
-        let moved =
-            working.iter().filter(|a| frame.working_zero[*a] != before.working_zero[*a]).fold(
-                AxisSet::EMPTY,
-                AxisSet::with,
-            );
+        let moved = working
+            .iter()
+            .filter(|a| frame.working_zero[*a] != before.working_zero[*a])
+            .fold(AxisSet::EMPTY, AxisSet::with);
         if moved.is_empty() {
             return;
         }

@@ -31,7 +31,10 @@ impl SbpPrinter<'_> {
     pub(super) fn coolant(&mut self, wanted: [bool; 2]) {
         let before = std::mem::replace(&mut self.coolant, wanted);
         let outputs = [self.printing.mist_output, self.printing.flood_output];
-        let names = ["mist (M7): --mist-output N names its output", "flood (M8): --flood-output N names its output"];
+        let names = [
+            "mist (M7): --mist-output N names its output",
+            "flood (M8): --flood-output N names its output",
+        ];
         for i in 0..2 {
             match outputs[i] {
                 _ if wanted[i] == before[i] => {}

@@ -44,7 +44,12 @@ fn check(commands: &[Sourced], expected: &str) {
 #[test]
 fn moves_name_what_changes() {
     check(
-        &[jog(1.0, 2.0, 0.0), cut(1.0, 2.0, -1.25, 10.0), cut(5.0, 2.0, -1.25, 10.0), jog(5.0, 2.0, 5.0)],
+        &[
+            jog(1.0, 2.0, 0.0),
+            cut(1.0, 2.0, -1.25, 10.0),
+            cut(5.0, 2.0, -1.25, 10.0),
+            jog(5.0, 2.0, 5.0),
+        ],
         "J2,1,2⏎VS,,10⏎MZ,-1.25⏎VS,10⏎MX,5⏎JZ,5",
     );
 }
@@ -54,7 +59,10 @@ fn slopes_are_as_slow_as_the_feed_says() {
     // At 45° both would be 41 % too fast.
     check(&[cut(10.0, 0.0, -10.0, 10.0)], "VS,7.071068,10⏎M3,10,,-10");
     // A shallow slope stays at the feed.
-    check(&[cut(10.0, 0.0, -0.5, 10.0), cut(20.0, 0.0, 0.0, 10.0)], "VS,10,10⏎M3,10,,-0.5⏎M3,20,,0");
+    check(
+        &[cut(10.0, 0.0, -0.5, 10.0), cut(20.0, 0.0, 0.0, 10.0)],
+        "VS,10,10⏎M3,10,,-0.5⏎M3,20,,0",
+    );
 }
 
 #[test]
@@ -70,7 +78,10 @@ fn arcs_are_cg() {
 
 #[test]
 fn a_feed_that_vs_cannot_say_is_told() {
-    let written = print(&[cut(10.0, 0.0, 0.0, 0.5)], &Printing { unit: LinearUnit::Mm, ..Printing::default() });
+    let written = print(
+        &[cut(10.0, 0.0, 0.0, 0.5)],
+        &Printing { unit: LinearUnit::Mm, ..Printing::default() },
+    );
     assert_eq!(written.lost.len(), 1);
     assert!(written.text.contains("VS,1.27\n"), "{}", written.text);
 }
