@@ -1,8 +1,8 @@
 //! The subcommands, one file each.
 
 mod check;
-mod draw;
 mod convert;
+mod draw;
 mod explain;
 mod fmt;
 mod plot;
