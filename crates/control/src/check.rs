@@ -7,9 +7,10 @@ use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::sink::Sink;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
-use kerf_sbp::{NamedFile, Program};
+use kerf_sbp::NamedFile;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -20,11 +21,12 @@ use std::sync::Arc;
 /// taken are not explored.
 pub fn check(
     session: &Session,
-    program: Program,
+    program: impl Into<Program>,
     options: RunOptions,
     shelf: &mut Shelf,
     operator: &mut dyn Operator,
 ) -> Checked {
+    let program = program.into();
     let mut findings = Findings::default();
     let good = !program.has_errors();
     findings.follow(&program, session.memory.settings.linear_unit, shelf);
@@ -62,7 +64,7 @@ impl Findings {
         while let Some(named) = waiting.pop_front() {
             let Ok(source) = find(shelf, &named.request) else { continue };
             if !self.files.contains(&source.name) {
-                let program = kerf_sbp::read(source.name, &*source.bytes);
+                let program = kerf_part::read(source.name, &*source.bytes);
                 waiting.extend(self.read(&program, None, shelf));
             }
         }
@@ -75,11 +77,11 @@ impl Findings {
         alone: Option<LinearUnit>,
         shelf: &mut Shelf,
     ) -> Vec<NamedFile> {
-        self.files.push(program.name.clone());
+        self.files.push(program.name().clone());
         program.diagnostics.iter().for_each(|d| self.add(d));
-        kerf_sbp::check(program, alone).iter().for_each(|d| self.add(d));
-        let named = program.named_files();
-        if !program.changes_folder() {
+        kerf_sbp::check(&program.sbp, alone).iter().for_each(|d| self.add(d));
+        let named = program.sbp.named_files();
+        if !program.sbp.changes_folder() {
             for file in &named {
                 if let Err(HostError::NotFound(message)) = find(shelf, &file.request) {
                     self.missing(program, file.line, message);
@@ -91,7 +93,7 @@ impl Findings {
 
     /// A file that is not there is an error only where a run comes to it.
     fn missing(&mut self, program: &Program, line: u32, message: String) {
-        let place = Place::line(program.name.clone(), line);
+        let place = Place::line(program.name().clone(), line);
         let diagnostic = Diagnostic::new(Code::FileNotFound, place, message);
         self.add(&diagnostic.severity(Severity::Warning));
     }

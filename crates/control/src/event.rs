@@ -5,7 +5,7 @@
 //! them; times are seconds of machine time since the start.
 
 use kerf_diag::Diagnostic;
-use kerf_program::{AXES, FileOp, MoveKind, OutputReason, QuestionKind};
+use kerf_program::{AXES, FileOp, MoveKind, OutputReason, QuestionKind, Turn};
 use kerf_sbp::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -71,6 +71,24 @@ pub enum Event {
         t: f64,
         /// Its number, from 1.
         n: u8,
+    },
+    /// A spindle turns, which way, or stops (G-code).
+    Turn {
+        /// `off`, `clockwise`, `counterclockwise`, or `dynamic`: a laser whose power follows the speed.
+        turn: Turn,
+        /// When.
+        t: f64,
+        /// Number of the spindle, from 1.
+        n: u8,
+    },
+    /// Coolant (M7, M8, M9 of G-code).
+    Coolant {
+        /// Mist.
+        mist: bool,
+        /// Flood.
+        flood: bool,
+        /// When.
+        t: f64,
     },
     /// The warning light before and during motion.
     Light {

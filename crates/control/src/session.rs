@@ -12,9 +12,10 @@ use crate::world::World;
 use crate::{Pace, Sink};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
-use kerf_program::Axis;
+use kerf_part::{Interpreter, Program};
 use kerf_program::settings::LinearUnit;
-use kerf_sbp::{Dialect, Interpreter, Program, Status, SystemVariable, Value, Variables};
+use kerf_program::{Axis, Interpreter as _};
+use kerf_sbp::{Dialect, Language, Status, SystemVariable, Value};
 use kerf_sim::{Change, Inputs, Machine};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -24,6 +25,8 @@ use std::sync::Arc;
 pub struct RunOptions {
     /// How the language is read.
     pub program: kerf_sbp::Options,
+    /// How G-code is read, as far as `program` does not say.
+    pub gcode: kerf_gcode::Options,
     /// Changes of the simulated machine's inputs.
     pub inputs: Vec<Change>,
     /// Tell the user's variables at the end.
@@ -82,24 +85,27 @@ pub struct Summary {
 pub struct Session {
     /// Settings, frames, position, variables.
     pub memory: kerf_sbp::Session,
+    /// What G-code remembers: offsets, parameters, tools, modes.
+    pub gcode: kerf_gcode::State,
     /// The simulated machine as the last run left it.
     machine: Option<Machine>,
 }
 
 impl Session {
     /// A session in the state of a program's memory.
-    pub const fn new(memory: kerf_sbp::Session) -> Self {
-        Self { memory, machine: None }
+    pub fn new(memory: kerf_sbp::Session) -> Self {
+        Self { memory, gcode: kerf_gcode::State::default(), machine: None }
     }
 
     /// Runs a program to its end. A program with errors does not start unless that is allowed.
     pub fn run(
         &mut self,
-        program: Program,
+        program: impl Into<Program>,
         options: RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Summary {
+        let program = program.into();
         let Company { sink, operator, pace } = company;
         sink.event(&self.start_event(&program, &options));
         for diagnostic in &program.diagnostics {
@@ -114,10 +120,14 @@ impl Session {
         let log = PartLog::begin(self, &options.program, options.started);
         let depth = usize::from(options.program.typed);
         let machine = self.machine(options.inputs);
-        let memory = std::mem::take(&mut self.memory);
+        let memory = kerf_part::Session {
+            sbp: std::mem::take(&mut self.memory),
+            gcode: std::mem::take(&mut self.gcode),
+        };
         let mut world = World::new(machine, shelf, sink, operator);
         world.previews = options.program.preview;
-        let interpreter = Interpreter::new(program, memory, options.program);
+        let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
+        let interpreter = Interpreter::new(program, memory, read);
         let mut runner =
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
@@ -127,7 +137,7 @@ impl Session {
             runner.write_log(&log, &over);
         }
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
-        (self.memory, self.machine) = (memory, Some(machine));
+        (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
         summary
     }
 
@@ -150,7 +160,8 @@ impl Session {
         let (mut sink, mut operator) = ((), ());
         let mut world = World::new(self.machine(Vec::new()), shelf, &mut sink, &mut operator);
         let options = kerf_sbp::Options::default();
-        let mut reader = Interpreter::new(Program::default(), self.memory.clone(), options);
+        let program = kerf_sbp::Program::default();
+        let mut reader = kerf_sbp::Interpreter::new(program, self.memory.clone(), options);
         let read = |variable: SystemVariable| {
             world.settled = true;
             let value = reader.system_variable(&mut world, variable.number);
@@ -179,10 +190,13 @@ impl Session {
 
     fn start_event(&self, program: &Program, options: &RunOptions) -> Event {
         Event::Start {
-            file: program.name.clone(),
+            file: program.name().clone(),
             units: self.memory.settings.linear_unit.symbol(),
             mode: if options.program.preview { "preview" } else { "move" },
-            dialect: dialect_word(options.program.dialect),
+            dialect: match program.language() {
+                Language::Gcode => options.gcode.dialect.name(),
+                _ => dialect_word(options.program.dialect),
+            },
         }
     }
 
@@ -221,7 +235,7 @@ fn conclude(
     runner: Runner<'_, Interpreter>,
     over: crate::runner::Over,
     variables: bool,
-) -> (Summary, kerf_sbp::Session, Machine) {
+) -> (Summary, kerf_part::Session, Machine) {
     let Runner { interpreter, mut world, .. } = runner;
     let summary = Summary {
         status: over.status,
@@ -231,12 +245,13 @@ fn conclude(
         unit: interpreter.settings().linear_unit,
         error: over.diagnostic,
     };
-    let variables = variables.then(|| variables_told(interpreter.variables()));
+    let variables = variables.then(|| variables_told(&interpreter));
     let end = end_event(&summary, &world.machine, variables);
     world.tell(&Event::End(end));
     let position = world.machine.position();
     let independent = world.machine.spinning();
-    let memory = kerf_sbp::Session { position, independent, ..interpreter.into_session() };
+    let mut memory = interpreter.into_session();
+    (memory.sbp.position, memory.sbp.independent) = (position, independent);
     (summary, memory, world.machine)
 }
 
@@ -267,7 +282,7 @@ fn bounds_event(bounds: &Bounds3, mm: f64) -> Option<BoundsEvent> {
     (!bounds.is_empty()).then(|| BoundsEvent { min: corner(bounds.min), max: corner(bounds.max) })
 }
 
-fn variables_told(variables: &Variables) -> BTreeMap<String, VarValue> {
+fn variables_told(interpreter: &Interpreter) -> BTreeMap<String, VarValue> {
     let told = |value: Value| match value.number() {
         // As the language shows it: seven digits, not the noise of single precision.
         Some(number) => {
@@ -276,5 +291,8 @@ fn variables_told(variables: &Variables) -> BTreeMap<String, VarValue> {
         }
         None => VarValue::Text(value.display()),
     };
-    variables.list().into_iter().map(|(name, value)| (name, told(value))).collect()
+    let named = interpreter.sbp_variables().list().into_iter();
+    let parameters = interpreter.gcode_parameters().into_iter();
+    let parameters = parameters.map(|(name, value)| (name, VarValue::Number(value)));
+    named.map(|(name, value)| (name, told(value))).chain(parameters).collect()
 }

@@ -211,12 +211,15 @@ impl<'a> World<'a> {
                 self.sink.event(&Event::ToolChange { begin, t });
             }
             Command::ClearPreview => self.sink.event(&Event::Clear { t }),
-            // The simulated machine has one direction, no coolant and no overrides; the planner
-            // follows the path by its own options.
-            Command::SpindleTurn { .. }
-            | Command::Coolant { .. }
-            | Command::PathControl(_)
-            | Command::Overrides { .. } => {}
+            // The simulated machine has one direction and no coolant: they are only told.
+            Command::SpindleTurn { number, turn } => {
+                self.sink.event(&Event::Turn { turn, t, n: number });
+            }
+            Command::Coolant { mist, flood } => {
+                self.sink.event(&Event::Coolant { mist, flood, t });
+            }
+            // It has no overrides; the planner follows the path by its own options.
+            Command::PathControl(_) | Command::Overrides { .. } => {}
             // The runner carries these out.
             Command::Line(_) | Command::Arc(_) | Command::EndStack | Command::Wait { .. } => {}
         }

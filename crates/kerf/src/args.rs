@@ -1,10 +1,10 @@
 //! Options that several subcommands share.
 
-use crate::parse;
+use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
-use kerf_sbp::{Dialect, Value};
+use kerf_sbp::Value;
 use kerf_sim::Change;
 use std::path::PathBuf;
 
@@ -26,9 +26,9 @@ pub struct RunArgs {
     /// Stops the machine, as the operator would, at a time in seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
     pub stop_at: Option<f64>,
-    /// Which reading of the language: sb3, fabmo or strict
+    /// Which reading of the language: sb3, fabmo or strict; of G-code generic, linuxcnc or grbl
     #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
-    pub dialect: Dialect,
+    pub dialect: Dialects,
     /// Bound on executed lines; 0 for none
     #[arg(long, value_name = "N", default_value_t = 50_000_000)]
     pub max_lines: u64,

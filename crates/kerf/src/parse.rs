@@ -24,14 +24,28 @@ pub fn units(text: &str) -> Result<LinearUnit, String> {
     }
 }
 
-/// `sb3`, `fabmo` or `strict`.
-pub fn dialect(text: &str) -> Result<Dialect, String> {
-    match text {
-        "sb3" => Ok(Dialect::Sb3),
-        "fabmo" => Ok(Dialect::Fabmo),
-        "strict" => Ok(Dialect::Strict),
-        _ => Err("give sb3, fabmo or strict".into()),
-    }
+/// Which reading of each language holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Dialects {
+    /// Of OpenSBP.
+    pub sbp: Dialect,
+    /// Of G-code.
+    pub gcode: kerf_gcode::Dialect,
+}
+
+/// `sb3`, `fabmo` or `strict` for OpenSBP; `generic`, `linuxcnc` or `grbl` for G-code. What is to
+/// the letter in one language is so in the other.
+pub fn dialect(text: &str) -> Result<Dialects, String> {
+    use kerf_gcode::Dialect as Gcode;
+    let (sbp, gcode) = match text {
+        "sb3" | "generic" => (Dialect::Sb3, Gcode::Generic),
+        "fabmo" => (Dialect::Fabmo, Gcode::Generic),
+        "strict" => (Dialect::Strict, Gcode::LinuxCnc),
+        "linuxcnc" => (Dialect::Sb3, Gcode::LinuxCnc),
+        "grbl" => (Dialect::Sb3, Gcode::Grbl),
+        _ => return Err("give sb3, fabmo, strict, generic, linuxcnc or grbl".into()),
+    };
+    Ok(Dialects { sbp, gcode })
 }
 
 /// `3d` or `2d`, as the number of FP.

@@ -9,8 +9,9 @@ use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
+use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
-use kerf_sbp::{FileParameters, GoTo, Program};
+use kerf_sbp::{FileParameters, GoTo, Language};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -33,7 +34,13 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
 }
 
 /// Prepares the run of a program.
-pub fn job_of(program: Program, mut shelf: Shelf, args: &RunArgs, preview: bool) -> Result<Job> {
+pub fn job_of(
+    program: impl Into<Program>,
+    mut shelf: Shelf,
+    args: &RunArgs,
+    preview: bool,
+) -> Result<Job> {
+    let program = program.into();
     let mut session = Session::default();
     let memory =
         Memory::recall(&args.place, args.units.is_some(), preview, &mut shelf, &mut session)?;
@@ -58,11 +65,8 @@ pub fn job_of(program: Program, mut shelf: Shelf, args: &RunArgs, preview: bool)
 
 /// Reads a part file; the name shown is the one the user gave.
 pub fn read_program(file: &Path) -> Result<Program> {
-    if is_gcode(file) {
-        bail!("{}: G-code files cannot be run yet", file.display());
-    }
     let bytes = read_bytes(file)?;
-    Ok(kerf_sbp::read(file.display().to_string().into(), bytes))
+    Ok(kerf_part::read(file.display().to_string().into(), bytes))
 }
 
 /// The bytes of a file, within reason.
@@ -85,11 +89,6 @@ pub fn read_bytes(file: &Path) -> Result<Vec<u8>> {
 /// The text of a file.
 pub fn read_text(file: &Path) -> Result<String> {
     Ok(String::from_utf8_lossy(&read_bytes(file)?).into_owned())
-}
-
-fn is_gcode(file: &Path) -> bool {
-    let extension = file.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    matches!(extension.as_str(), "nc" | "tap" | "ngc" | "gcode")
 }
 
 /// Chooses the model of motion, and what belongs to it.
@@ -162,7 +161,7 @@ pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOpt
         from: None,
     };
     let program = kerf_sbp::Options {
-        dialect: args.dialect,
+        dialect: args.dialect.sbp,
         max_lines: args.max_lines,
         seed: args.seed,
         file: parameters,
@@ -170,14 +169,18 @@ pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOpt
         preview,
         ..kerf_sbp::Options::default()
     };
-    RunOptions { program, inputs: args.input.clone(), ..RunOptions::default() }
+    let gcode = kerf_gcode::Options { dialect: args.dialect.gcode, ..Default::default() };
+    RunOptions { program, gcode, inputs: args.input.clone(), ..RunOptions::default() }
 }
 
 /// The line at which the file begins.
 fn from_line(args: &FileArgs, program: &Program, shelf: &Shelf) -> Result<Option<GoTo>> {
     let Some(words) = &args.from_line else { return Ok(None) };
-    let last = shelf.last_line(&program.name);
-    let (name, lines) = (&program.name, program.lines.len());
+    let name = program.name();
+    if program.language() == Language::Gcode {
+        bail!(Usage("--from-line is not there yet for G-code".into()));
+    }
+    let (last, lines) = (shelf.last_line(name), program.line_count());
     match GoTo::read(words, last) {
         None => bail!(Usage(format!("no run of {name} that ended early is in its log"))),
         Some(to) if to.line as usize > lines => {

@@ -184,6 +184,10 @@ pub enum HostError {
     Refused(String),
 }
 
+/// Key under which [`Host::store`] keeps `1` while the spindle counts as active: then nobody is asked
+/// before it starts (SetSpindleStatus).
+pub const SPINDLE_STATUS: &str = "SpindleStatus";
+
 /// What an interpreter asks of the world.
 ///
 /// Every method that may have to wait returns [`Poll`]; on `Pending` the interpreter's step has no

@@ -33,7 +33,7 @@ pub use dynamics::Dynamics;
 pub use frame::Frame;
 pub use host::{
     Answer, Button, FileMode, FileRequest, Folder, Host, HostError, Question, QuestionKind,
-    ShellCall, SourceFile,
+    SPINDLE_STATUS, ShellCall, SourceFile,
 };
 pub use interpreter::{Interpreter, Status, Step, Watch};
 pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};

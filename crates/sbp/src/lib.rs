@@ -39,14 +39,14 @@ pub use check::check;
 pub use expr::{BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, TextId, UnaryOp};
 pub use format::format;
 pub use interp::{
-    BeforePreview, Dialect, FileParameters, GoTo, Interpreter, Options, POSITION_LOST,
-    SPINDLE_STATUS, Session, Status, Step, SystemVariable, VERSION, Variables, Watch,
-    system_variables,
+    BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, GoTo, Interpreter,
+    Options, POSITION_LOST, SPINDLE_STATUS, Session, Status, Step, SystemVariable, VERSION,
+    Variables, Watch, system_variables,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;
 pub use printer::{Printing, SbpPrinter, print};
-pub use reader::read;
-pub use tree::Program;
+pub use reader::{is_gcode_name, read, read_part};
+pub use tree::{Language, Program};
 pub use typed::read_typed;
 pub use value::Value;

@@ -6,6 +6,7 @@
 use crate::table::CommandSpec;
 use crate::{Expr, Expressions};
 use kerf_diag::{Diagnostic, Place};
+use serde::{Deserialize, Serialize};
 use std::ops::Index;
 use std::sync::Arc;
 
@@ -52,6 +53,20 @@ pub struct Program {
     pub names: Vec<Arc<str>>,
     /// Everything wrong or doubtful, in order of lines.
     pub diagnostics: Vec<Diagnostic>,
+    /// What its lines are written in.
+    pub language: Language,
+}
+
+/// What the lines of a file are written in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Language {
+    /// OpenSBP; single lines may be G-code.
+    #[default]
+    OpenSbp,
+    /// G-code: only the name and the text are kept here.
+    Gcode,
+    /// G-code with lines of OpenSBP: a line that could be either is G-code.
+    Mixed,
 }
 
 /// A line: what it is and where its text begins.
@@ -394,6 +409,39 @@ pub enum Statement {
 }
 
 impl Program {
+    /// The G-code among the lines, each at its place, everything else blank.
+    pub fn gcode_text(&self) -> String {
+        let mut text = String::with_capacity(self.text.len());
+        for (node, number) in self.lines.iter().zip(1..) {
+            if let Some(code) = self.gcode_of(node.node) {
+                let line = self.line_text(number);
+                let end = match self.language {
+                    Language::Mixed => line.trim_end_matches(crate::reader::blank).len(),
+                    _ => crate::reader::code_end(line.as_bytes()),
+                };
+                let before = line.get(..end.saturating_sub(code.len())).unwrap_or_default();
+                text.extend(std::iter::repeat_n(' ', before.chars().count()));
+                text.push_str(code);
+            }
+            text.push('\n');
+        }
+        text
+    }
+
+    /// Whether some lines are G-code.
+    pub fn has_gcode(&self) -> bool {
+        let gcode = |s: &Statement| matches!(s, Statement::Gcode(_));
+        self.statements.iter().any(|s| s.with_inner().any(gcode))
+    }
+
+    fn gcode_of(&self, node: Node) -> Option<&str> {
+        let Node::Statement(index) = node else { return None };
+        self.statements.get(index as usize)?.with_inner().find_map(|s| match s {
+            Statement::Gcode(code) => Some(&**code),
+            _ => None,
+        })
+    }
+
     /// Text of a line without its line end.
     pub fn line_text(&self, line: u32) -> &str {
         let index = line.saturating_sub(1) as usize;

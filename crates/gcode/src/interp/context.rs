@@ -15,6 +15,8 @@ use std::task::Poll;
 pub(super) enum Stop {
     /// The host has no answer yet; nothing has happened.
     Waiting,
+    /// What was given so far is done first, then the block begins again.
+    Again,
     /// An error.
     Failed(Box<Diagnostic>),
     /// The run ends.
@@ -78,8 +80,18 @@ impl Context<'_> {
 
     /// Holds until the operator, or an input, lets the program go on.
     pub(super) fn pause(&mut self, text: &str, until: Option<(u8, bool)>) -> Result<(), Stop> {
+        self.hold_for(QuestionKind::Pause, text, until)
+    }
+
+    /// The same with a box of some kind; Cancel ends the run.
+    pub(super) fn hold_for(
+        &mut self,
+        kind: QuestionKind,
+        text: &str,
+        until: Option<(u8, bool)>,
+    ) -> Result<(), Stop> {
         let question = Question {
-            kind: QuestionKind::Pause,
+            kind,
             text: text.into(),
             title: "G-code".into(),
             buttons: vec![Button::OK, Button::Cancel],

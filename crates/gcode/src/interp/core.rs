@@ -6,7 +6,7 @@ use super::state::Modal;
 use super::{Dialect, Options, Session, State};
 use crate::Program;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{AXES, Axes, Frame, Settings};
+use kerf_program::{AXES, Axes, Frame, Settings, Turn};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -48,12 +48,18 @@ pub(super) struct Core {
     pub(super) beside: Option<Axes>,
     /// A probe move that is under way.
     pub(super) probing: Option<Probe>,
+    /// A tool change has begun: the spindle was stopped, the operator is asked next.
+    #[serde(default)]
+    pub(super) changing: bool,
     /// Motion commands given so far.
     pub(super) motions: u64,
     /// Everything given so far has been carried out.
     pub(super) settled: bool,
     /// Lines executed.
     pub(super) lines: u64,
+    /// Only the line of this index is executed.
+    #[serde(default)]
+    pub(super) only: Option<u32>,
     /// What is told only once was told.
     pub(super) told: Told,
 }
@@ -107,6 +113,7 @@ pub(super) const LOCALS: usize = 30;
 
 impl Core {
     pub(super) fn new(program: Arc<Program>, session: Session, options: Options) -> Self {
+        let lines = options.lines_before;
         let mut core = Self {
             options,
             programs: vec![program],
@@ -127,9 +134,11 @@ impl Core {
             compensator: None,
             beside: None,
             probing: None,
+            changing: false,
             motions: 0,
             settled: true,
-            lines: 0,
+            lines,
+            only: None,
             told: Told::default(),
         };
         core.begin_modes();
@@ -161,6 +170,43 @@ impl Core {
             let system = &mut self.state.systems[self.state.modal.system.min(8)];
             system.offset = system.offset.plus(there.minus(here));
         }
+    }
+
+    /// Makes ready for one line, from 1.
+    pub(super) fn enter_line(&mut self, line: u32) {
+        let index = line.saturating_sub(1);
+        self.calls.truncate(1);
+        match self.calls.first_mut() {
+            Some(call) => call.next = index,
+            None => self.calls.push(Call::new(0, index, CallKind::Main)),
+        }
+        (self.started, self.over, self.only) = (true, false, Some(index));
+    }
+
+    /// Whether the only line to execute has been executed.
+    pub(super) fn only_is_done(&self) -> bool {
+        let at = |index| matches!(&*self.calls, [main] if main.next != index);
+        self.only.is_some_and(at) && self.probing.is_none()
+    }
+
+    /// Whether the operator is asked before the spindle turns so.
+    pub(super) fn would_ask_spindle(&self, turn: Turn) -> bool {
+        let starts = turn != Turn::Off && self.state.modal.turn == Turn::Off;
+        let options = &self.options;
+        starts && options.ask_spindle && options.spindle_output > 0 && !options.preview
+    }
+
+    /// Takes over the machine as another language left it.
+    pub(super) fn adopt(&mut self, settings: &Arc<Settings>, frame: &Frame, position: Axes) {
+        if self.tool_position() != position {
+            (self.compensator, self.beside) = (None, None);
+            self.position = position;
+        }
+        self.settings = settings.clone();
+        self.frame = *frame;
+        self.settled = false;
+        self.adopt_frame();
+        self.refresh();
     }
 
     /// Machine position of the zero of the coordinates in force.

@@ -9,7 +9,7 @@ use crate::codes::{
 };
 use crate::gathered::{AXIS_WORDS, Gathered, letters};
 use kerf_diag::Code;
-use kerf_program::Axis;
+use kerf_program::{Axis, Turn};
 
 /// Letters that ask for a motion.
 const MOVING: u32 = AXIS_WORDS | letters(b"@^");
@@ -19,7 +19,7 @@ const CENTRE: u32 = letters(b"IJK");
 impl Context<'_> {
     /// Carries out a block.
     pub(super) fn execute(&mut self, g: &Gathered) -> Result<(), Stop> {
-        if !stops(g) {
+        if !stops(g) && !self.starts_spindle(g) {
             return self.carry_out(g);
         }
         // A block that stops the program is repeated as a whole when the host has no answer yet.
@@ -30,6 +30,11 @@ impl Context<'_> {
             *self.core = saved;
         }
         outcome
+    }
+
+    /// Whether the block starts the spindle and the operator is asked first.
+    fn starts_spindle(&self, g: &Gathered) -> bool {
+        matches!(g.m[SPINDLE], Some(3 | 4)) && self.core.would_ask_spindle(Turn::Clockwise)
     }
 
     fn carry_out(&mut self, g: &Gathered) -> Result<(), Stop> {

@@ -137,6 +137,7 @@ fn holds(core: &Core) -> bool {
     let modal = &core.state.modal;
     core.started
         && !core.over
+        && core.only.is_none()
         && core.told.units | modal.unit_said
         && core.turned.is_none()
         && core.compensator.is_none()

@@ -58,8 +58,24 @@ pub struct Interpreter {
 
 impl Interpreter {
     /// Prepares to run a program from the state of a session.
-    pub fn new(program: Program, session: Session, options: Options) -> Self {
-        Self { core: Core::new(Arc::new(program), session, options) }
+    pub fn new(program: impl Into<Arc<Program>>, session: Session, options: Options) -> Self {
+        Self { core: Core::new(program.into(), session, options) }
+    }
+
+    /// Prepares to execute one line alone, with the modes in force: lines that stand among those of
+    /// another language. The next steps carry it out with whatever it calls; then the run is done.
+    pub fn enter_line(&mut self, line: u32) {
+        self.core.enter_line(line);
+    }
+
+    /// Takes over what another language did to the machine since the last step.
+    pub fn adopt(&mut self, settings: &Arc<Settings>, frame: &Frame, position: Axes) {
+        self.core.adopt(settings, frame, position);
+    }
+
+    /// Whether the program came to its end (M2, M30).
+    pub fn is_over(&self) -> bool {
+        self.core.over
     }
 
     /// Executes one line. Commands are appended to `out`.

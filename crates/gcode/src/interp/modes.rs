@@ -7,7 +7,7 @@ use crate::codes::{COOLANT, FEED_MODE, MIST, OVERRIDE, PATH, SPINDLE, STATE, UNI
 use crate::gathered::Gathered;
 use kerf_diag::Code;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Command, PathControl, Turn};
+use kerf_program::{Command, PathControl, QuestionKind, SPINDLE_STATUS, Turn};
 
 /// The spindle that M3 … M5 speak of.
 pub(super) const SPINDLE_NUMBER: u8 = 1;
@@ -66,7 +66,21 @@ impl Context<'_> {
             }
             None => return Ok(()),
         };
+        self.ask_spindle(turn)?;
         self.turn_spindle(turn);
+        Ok(())
+    }
+
+    /// The spindle starts only when the operator says so, unless it counts as active.
+    fn ask_spindle(&mut self, turn: Turn) -> Result<(), Stop> {
+        if !self.core.would_ask_spindle(turn) {
+            return Ok(());
+        }
+        if self.host.stored(SPINDLE_STATUS).is_some_and(|v| v.trim() == "1") {
+            return Ok(());
+        }
+        self.hold_for(QuestionKind::Spindle, "The spindle is about to start.", None)?;
+        self.host.store(SPINDLE_STATUS, Some("1"));
         Ok(())
     }
 
@@ -209,7 +223,8 @@ impl Context<'_> {
         if self.core.state.modal.unit_said || std::mem::replace(&mut self.core.told.units, true) {
             return;
         }
-        if self.core.options.dialect == Dialect::Grbl || self.core.options.keep_modes {
+        let options = &self.core.options;
+        if options.dialect == Dialect::Grbl || options.keep_modes || options.unit_known {
             return;
         }
         let (name, code) = match self.core.state.modal.unit {

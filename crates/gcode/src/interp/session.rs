@@ -57,6 +57,12 @@ pub struct Options {
     pub block_delete: u8,
     /// M1 stops.
     pub optional_stop: bool,
+    /// Lines that count as executed before the first.
+    pub lines_before: u64,
+    /// The unit at the start is the right one: no doubt is told where the program does not say it.
+    pub unit_known: bool,
+    /// The operator is asked before the spindle starts, unless it counts as active.
+    pub ask_spindle: bool,
     /// Modes of the state hold from the start, as for lines typed one by one; otherwise a program
     /// begins with the usual ones.
     pub keep_modes: bool,
@@ -85,6 +91,9 @@ impl Default for Options {
             preview: false,
             block_delete: 0,
             optional_stop: false,
+            lines_before: 0,
+            unit_known: false,
+            ask_spindle: false,
             keep_modes: false,
             laser: false,
             comments: true,

@@ -18,6 +18,9 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
         c.relocate();
         return Step::Ran;
     }
+    if core.only_is_done() && !core.over {
+        return Step::Done(Status::Ok, None);
+    }
     let (file, next) = core.calls.last().map_or((0, 0), |c| (c.file, c.next));
     let program = core.programs.get(file as usize).cloned().unwrap_or_default();
     let node = program.lines.get(next as usize).map(|l| l.node);
@@ -33,8 +36,11 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
 
 /// Turns the outcome of a line into a step.
 fn finish(c: &mut Context<'_>, outcome: Result<(), Stop>, given: usize) -> Step {
+    if matches!(outcome, Err(Stop::Failed(_))) {
+        c.core.changing = false;
+    }
     match outcome {
-        Ok(()) => Step::Ran,
+        Ok(()) | Err(Stop::Again) => Step::Ran,
         Err(Stop::Waiting) => {
             c.out.truncate(given);
             Step::Waiting
@@ -89,7 +95,7 @@ impl Context<'_> {
         self.core.lines += 1;
         self.go_on_at(self.at.line);
         let outcome = self.node(program, node);
-        if matches!(outcome, Err(Stop::Waiting)) {
+        if matches!(outcome, Err(Stop::Waiting | Stop::Again)) {
             self.core.lines -= 1;
             self.go_on_at(self.at.line - 1);
         }
@@ -132,6 +138,7 @@ impl Context<'_> {
             return self.flow(program, flow);
         }
         let gathered = self.gather(program, &block)?;
+        self.begin_tool_change(&gathered)?;
         let settings = match extra {
             Some(extra) => self.evaluate_settings(program, &extra.settings)?,
             None => Vec::new(),

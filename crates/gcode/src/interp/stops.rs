@@ -23,20 +23,34 @@ impl Context<'_> {
         }
     }
 
-    fn change_tool(&mut self) -> Result<(), Stop> {
-        let tool = self.core.state.selected;
-        self.turn_spindle(Turn::Off);
+    /// Before the operator reaches into the machine the spindle stands: that is carried out first,
+    /// then the block is read again.
+    pub(super) fn begin_tool_change(&mut self, g: &Gathered) -> Result<(), Stop> {
+        let core = &mut *self.core;
+        let changes = g.m[TOOL] == Some(6) && core.compensator.is_none();
+        if !changes || std::mem::replace(&mut core.changing, true) {
+            return Ok(());
+        }
         // Behind a tool change the program goes on from where the tool really is.
-        self.core.position = self.core.tool_position();
-        self.core.beside = None;
+        core.position = core.tool_position();
+        core.beside = None;
+        self.turn_spindle(Turn::Off);
+        let tool = g.get(b'T').map_or(self.core.state.selected, |tool| tool as u32);
         if tool != self.core.state.tool {
             self.emit(Command::ToolChange { begin: true });
+        }
+        Err(Stop::Again)
+    }
+
+    fn change_tool(&mut self) -> Result<(), Stop> {
+        let tool = self.core.state.selected;
+        if tool != self.core.state.tool {
             let text =
                 if tool == 0 { "take the tool out".into() } else { format!("put in tool {tool}") };
-            // What was given above has to be done before the operator reaches into the machine.
             self.pause(&text, None)?;
             self.emit(Command::ToolChange { begin: false });
         }
+        self.core.changing = false;
         self.core.state.tool = tool;
         if tool > 0 {
             let tool = Some(format!("T{tool}").into());

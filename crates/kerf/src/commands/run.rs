@@ -69,7 +69,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(mut job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
-    let picture = format.map(|_| Picture::new(Path::new(&*job.program.name)));
+    let picture = format.map(|_| Picture::new(Path::new(&**job.program.name())));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(&job.program));
     let mut sink = (talk, (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();

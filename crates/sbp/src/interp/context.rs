@@ -140,13 +140,7 @@ impl Context<'_> {
 
     /// The lines that called the innermost file, innermost first.
     pub(crate) fn callers(&self) -> Vec<Place> {
-        let outer = self.core.levels.iter().rev().skip(1);
-        outer
-            .filter_map(|l| {
-                let program = self.core.programs.get(l.file as usize)?;
-                Some(program.place(l.next, Span::default()))
-            })
-            .collect()
+        self.core.callers()
     }
 
     /// The error of a refused request to the host.

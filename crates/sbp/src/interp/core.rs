@@ -3,9 +3,11 @@
 use super::cutting::Origin;
 use super::watch::Handler;
 use super::{BeforePreview, FileParameters, GoTo, Options, Session, Variables};
+use crate::tree::Span;
 use crate::{Program, Value};
 use kerf_cut::Tabber;
-use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Settings};
+use kerf_diag::Place;
+use kerf_program::{AXES, At, Axes, Axis, AxisSet, Frame, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -68,6 +70,9 @@ pub struct Core {
     pub(crate) random: u64,
     /// Variables made beyond the hundredth were told of.
     pub(crate) told_many_variables: bool,
+    /// A line of G-code that has to run before the next step.
+    #[serde(default)]
+    pub(crate) gcode_line: Option<At>,
     /// Internal units (mm, degrees) of one unit in the file, per axis: unit times proportion.
     pub(crate) scale: [f64; AXES],
 }
@@ -181,6 +186,7 @@ impl Core {
             adrift: AxisSet::EMPTY,
             before_preview: session.before_preview,
             told_many_variables: false,
+            gcode_line: None,
             scale: [1.0; AXES],
         };
         core.load(program);
@@ -216,6 +222,15 @@ impl Core {
     /// The innermost open file.
     pub(crate) fn level(&self) -> Option<&Level> {
         self.levels.last()
+    }
+
+    /// The lines that called the innermost file, innermost first.
+    pub(crate) fn callers(&self) -> Vec<Place> {
+        let place = |level: &Level| {
+            let program = self.programs.get(level.file as usize)?;
+            Some(program.place(level.next, Span::default()))
+        };
+        self.levels.iter().rev().skip(1).filter_map(place).collect()
     }
 
     /// Working location, mm.

@@ -8,7 +8,7 @@
 use super::core::{Level, Purpose};
 use super::registry::PART_FILE;
 use super::{Context, FileParameters, Stop};
-use crate::Program;
+use crate::{Language, Program};
 use kerf_diag::{Code, Place};
 use kerf_program::settings::PlungeSign;
 use kerf_program::{Axis, Command, FileRequest, Folder, HostError, MoveKind, SourceFile};
@@ -49,11 +49,6 @@ impl Context<'_> {
             found => found,
         };
         let source = found.map_err(|e| self.refused(e))?;
-        if extension(&source.name).is_some_and(is_gcode) {
-            let message =
-                format!("{}: G-code files cannot be run from a part file yet", source.name);
-            return Err(self.fail(Code::NotSupported, message));
-        }
         Ok(source)
     }
 
@@ -63,7 +58,10 @@ impl Context<'_> {
         if let Some(known) = self.core.programs.iter().find(same).cloned() {
             return Ok(known);
         }
-        let program = crate::read(source.name.clone(), &*source.bytes);
+        let program = crate::read_part(source.name.clone(), &*source.bytes);
+        if program.language == Language::Gcode {
+            self.need_gcode(&format!("{}: G-code files cannot be run here", source.name))?;
+        }
         let fatal = !self.core.options.allow_errors;
         let mut first = None;
         for mut diagnostic in program.diagnostics.iter().cloned() {
@@ -244,10 +242,6 @@ impl Context<'_> {
 fn extension(name: &str) -> Option<&str> {
     let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
     file.rsplit_once('.').map(|(_, extension)| extension)
-}
-
-fn is_gcode(extension: &str) -> bool {
-    ["nc", "tap", "ngc", "gcode"].iter().any(|known| known.eq_ignore_ascii_case(extension))
 }
 
 #[cfg(test)]

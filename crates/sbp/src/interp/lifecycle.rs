@@ -44,6 +44,19 @@ pub(super) fn too_many_lines(
     Step::Done(Status::Limit, Some(Box::new(diagnostic)))
 }
 
+/// A file of G-code was started where nobody runs it.
+pub(super) fn no_gcode(
+    core: &mut Core,
+    host: &mut dyn Host,
+    out: &mut Vec<Sourced>,
+    at: At,
+) -> Step {
+    let program = &core.program(at.file);
+    let context = Context { core, program, host, out, at, span: Span::default() };
+    let failed = context.fail(Code::NotSupported, "G-code files cannot be run here");
+    after(core, host, out, Err(failed))
+}
+
 /// Opens the file the operator started, with the parameters of FP.
 pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     core.started = true;
@@ -64,7 +77,8 @@ pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>
 pub(super) fn end_of_file(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     let Some(level) = core.levels.last() else { return end(core, host, out) };
     let at = At { file: level.file, line: level.next };
-    if level.next == 0 && level.repetitions_left > 0 {
+    let empty = level.next == 0 || core.is_gcode(level);
+    if empty && level.repetitions_left > 0 {
         // Without lines in the file nothing else would bound the repetitions.
         core.lines += 1;
         if core.options.max_lines > 0 && core.lines >= core.options.max_lines {

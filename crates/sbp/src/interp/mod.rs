@@ -15,6 +15,7 @@ mod core;
 mod cutting;
 mod dialogs;
 mod fields;
+mod gcode;
 mod interrupt;
 mod language;
 mod levels;
@@ -45,6 +46,7 @@ mod z_moves;
 pub use self::core::Core;
 pub use arguments::Arguments;
 pub use context::{Context, Stop};
+pub use gcode::{FilePlace, GcodeDone, GcodeDue};
 pub use kerf_program::{Status, Step, Watch};
 pub use registry::{POSITION_LOST, SPINDLE_STATUS};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
@@ -116,7 +118,7 @@ impl Interpreter {
                 other => return other,
             }
             let new = out.get(given..).unwrap_or_default();
-            if new.iter().any(|s| s.command.ends_stack()) {
+            if new.iter().any(|s| s.command.ends_stack()) || self.gcode_due().is_some() {
                 break;
             }
         }

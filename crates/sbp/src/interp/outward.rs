@@ -2,7 +2,6 @@
 
 use super::{Context, Stop};
 use crate::tree::Statement;
-use kerf_diag::Code;
 
 impl Context<'_> {
     /// Executes one of them.
@@ -44,9 +43,7 @@ impl Context<'_> {
                 self.span = *span;
                 self.custom_cut(number)
             }
-            Statement::Gcode(_) => {
-                Err(self.fail(Code::NotSupported, "G-code in a part file is not carried out yet"))
-            }
+            Statement::Gcode(_) => self.gcode_statement(),
             // The others are carried out by `Context::statement`.
             _ => Ok(()),
         }

@@ -18,8 +18,7 @@ pub(crate) const CLEARED_VALUE: &str = "uValueClrd";
 /// Key of the name of the part file that was read last (GetPartFileName, FE, FP at the keyboard).
 pub(crate) const PART_FILE: &str = "uPartFile";
 
-/// Key of the flag of SetSpindleStatus: `1` while the spindle counts as active.
-pub const SPINDLE_STATUS: &str = "SpindleStatus";
+pub use kerf_program::SPINDLE_STATUS;
 
 /// Key of the letters of axes whose base coordinates are not to be trusted: motors were without
 /// power, or a run never came to its end.

@@ -2,22 +2,41 @@
 
 use super::past::Past;
 use super::{Core, Interpreter};
-use crate::Program;
+use crate::{Language, Program};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// What is written: programs as name and text, read again when restored.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Saved {
-    programs: Vec<(String, String)>,
+    programs: Vec<SavedProgram>,
     core: Core,
     past: Past,
+}
+
+/// A program as its text; reading it again gives the same tree.
+#[derive(Serialize, Deserialize)]
+struct SavedProgram {
+    name: Arc<str>,
+    text: String,
+    language: Language,
+}
+
+impl SavedProgram {
+    fn of(program: &Program) -> Self {
+        let Program { name, text, language, .. } = program;
+        Self { name: name.clone(), text: text.clone(), language: *language }
+    }
+
+    fn read(self) -> Program {
+        crate::reader::read_as(self.name, self.text, self.language)
+    }
 }
 
 impl From<Interpreter> for Saved {
     fn from(interpreter: Interpreter) -> Self {
         let Interpreter { core, past } = interpreter;
-        let programs = core.programs.iter().map(|p| (p.name.to_string(), p.text.clone())).collect();
+        let programs = core.programs.iter().map(|p| SavedProgram::of(p)).collect();
         Self { programs, core, past }
     }
 }
@@ -25,10 +44,8 @@ impl From<Interpreter> for Saved {
 impl From<Saved> for Interpreter {
     fn from(saved: Saved) -> Self {
         let Saved { programs, mut core, mut past } = saved;
-        let programs: Vec<Arc<Program>> = programs
-            .into_iter()
-            .map(|(name, text)| Arc::new(crate::read(name.into(), text.into_bytes())))
-            .collect();
+        let programs: Vec<Arc<Program>> =
+            programs.into_iter().map(|saved| Arc::new(saved.read())).collect();
         // An older state knows the first few of the same list; knowing more changes nothing.
         for state in past.states_mut() {
             state.programs.clone_from(&programs);

@@ -118,6 +118,9 @@ pub struct Options {
     /// also where the dialect reads them as base minus working (see `interp::locate`).
     #[serde(default)]
     pub base_locations: bool,
+    /// Somebody runs the G-code that comes in the way; without, it is an error.
+    #[serde(default)]
+    pub gcode: bool,
 }
 
 impl Default for Options {
@@ -131,6 +134,7 @@ impl Default for Options {
             preview: false,
             typed: false,
             base_locations: false,
+            gcode: false,
         }
     }
 }

@@ -33,6 +33,10 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
     let Some(program) = core.programs.get(file as usize).cloned() else {
         return lifecycle::end(core, host, out);
     };
+    if next == 0 && core.is_gcode(level) {
+        // Only where nobody runs both languages.
+        return lifecycle::no_gcode(core, host, out, At { file, line: 1 });
+    }
     let Some(line) = program.lines.get(next as usize) else {
         return lifecycle::end_of_file(core, host, out);
     };

@@ -1,13 +1,14 @@
 //! What is gathered while a file is read.
 
 use super::commands::CommandIndex;
+use super::language::is_opensbp;
 use super::line::{Line, Read};
 use super::names::Names;
 use super::text::{after_line_end, blank, is_blank, line_end};
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, moves};
 use crate::Expressions;
 use crate::tree::{
-    Args, Label, LabelId, LabelName, LineNode, NameId, Node, Program, Span, Statement,
+    Args, Label, LabelId, LabelName, Language, LineNode, NameId, Node, Program, Span, Statement,
 };
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::borrow::Cow;
@@ -31,6 +32,8 @@ pub(super) struct File {
     pub(super) commands: CommandIndex,
     /// The line of an unconditional END with no label behind it.
     pub(super) last_end: Option<u32>,
+    /// The file has the ending of G-code: a line is OpenSBP only where it can be nothing else.
+    pub(super) gcode_first: bool,
     /// How many diagnostics were told but not kept, and whether errors are among them.
     untold: usize,
     untold_errors: bool,
@@ -52,6 +55,7 @@ impl File {
             diagnostics: Vec::new(),
             commands: CommandIndex::new(),
             last_end: None,
+            gcode_first: false,
             untold: 0,
             untold_errors: false,
         }
@@ -65,7 +69,8 @@ impl File {
         self.numbers.reserve(bytes.len() / 8);
         let mut start = 0;
         while start < bytes.len() {
-            let (node, next) = match moves::read(bytes, start, &mut self.numbers) {
+            let plain = || moves::read(bytes, start, &mut self.numbers);
+            let (node, next) = match (!self.gcode_first).then(plain).flatten() {
                 Some((node, end)) => (node, after_line_end(bytes, end)),
                 None => {
                     let (end, next) = line_end(bytes, start);
@@ -84,6 +89,10 @@ impl File {
             None => return Node::Blank,
             Some(b'\'') => return Node::Comment,
             _ => {}
+        }
+        if self.gcode_first && !is_opensbp(text, &self.commands) {
+            self.statements.push(Statement::Gcode(text.trim_matches(blank).into()));
+            return Node::Statement(self.statements.len() as u32 - 1);
         }
         let number = self.lines.len() as u32 + 1;
         if text.len() > MOST_LINE_BYTES {
@@ -169,6 +178,7 @@ impl File {
             label_names: labels(self.label_names, &self.label_lines),
             names: self.names.into_list(),
             diagnostics: self.diagnostics,
+            language: Language::OpenSbp,
         }
     }
 }

@@ -19,6 +19,7 @@ mod file;
 mod files;
 mod flow;
 mod gcode;
+mod language;
 mod line;
 mod moves;
 mod names;
@@ -31,6 +32,8 @@ mod statements;
 mod suggest;
 mod text;
 
+pub(crate) use language::read_as;
+pub use language::{is_gcode_name, read_part};
 pub(crate) use suggest::did_you_mean;
 pub(crate) use text::{blank, code_end};
 

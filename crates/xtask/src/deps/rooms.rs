@@ -40,6 +40,8 @@ pub const ROOMS: &[Room] = &[
     at(1.5, Half::Machine, "kerf-cut"),
     at(2.0, Half::Machine, "kerf-sbp"),
     at(2.0, Half::Machine, "kerf-gcode"),
+    // Both languages meet here, and only here.
+    at(2.5, Half::Machine, "kerf-part"),
     at(2.0, Half::Drawing, "kerf-drawing"),
     at(2.5, Half::Drawing, "kerf-formats"),
     at(3.0, Half::Drawing, "kerf-toolpath"),

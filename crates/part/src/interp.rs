@@ -1,0 +1,372 @@
+//! The stepped interpreter of both languages.
+
+use crate::Program;
+use crate::files::Files;
+use crate::guest::Guest;
+use crate::library::Library;
+use kerf_diag::Diagnostic;
+use kerf_program::settings::Mode;
+use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Status, Step, Watch};
+use kerf_sbp::{GcodeDone, GcodeDue, Variables};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// How a program is run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Options {
+    /// How OpenSBP is read and run. Bounds, file parameters and preview hold for both languages.
+    pub sbp: kerf_sbp::Options,
+    /// How G-code is read and run, as far as `sbp` does not say.
+    pub gcode: kerf_gcode::Options,
+}
+
+/// What a run starts from and what stays after it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Session {
+    /// The machine, and what OpenSBP remembers.
+    pub sbp: kerf_sbp::Session,
+    /// What G-code remembers.
+    pub gcode: kerf_gcode::State,
+}
+
+/// A program being run.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Interpreter {
+    sbp: kerf_sbp::Interpreter,
+    gcode: kerf_gcode::Options,
+    options: kerf_sbp::Options,
+    /// What G-code remembers while none runs.
+    state: kerf_gcode::State,
+    /// The parameters of the G-code that ran last, with those of its own.
+    parameters: Vec<(String, f64)>,
+    /// G-code under way, outermost first: a handler of ON INPUT may run G-code while other G-code
+    /// stands still.
+    guests: Vec<Guest>,
+    /// Runs the single lines of a file, by the number of the file, so that modes and cycles last.
+    lines: Option<(u32, kerf_gcode::Interpreter)>,
+    files: Files,
+    #[serde(skip)]
+    library: Library,
+}
+
+impl Interpreter {
+    /// Prepares to run a program from the state of a session.
+    pub fn new(program: Program, session: Session, options: Options) -> Self {
+        let Program { sbp, gcode, .. } = program;
+        let Options { sbp: mut options, gcode: gcode_options } = options;
+        options.gcode = true;
+        let sbp = kerf_sbp::Interpreter::new(sbp, session.sbp, options.clone());
+        let mut files = Files::default();
+        files.learn_sbp(&sbp);
+        Self {
+            sbp,
+            gcode: gcode_options,
+            options,
+            state: session.gcode,
+            parameters: Vec::new(),
+            guests: Vec::new(),
+            lines: None,
+            files,
+            library: Library::new(gcode),
+        }
+    }
+
+    /// The user's variables of OpenSBP.
+    pub fn sbp_variables(&self) -> &Variables {
+        self.sbp.variables()
+    }
+
+    /// Parameters of G-code that are not zero, by name as people write them.
+    pub fn gcode_parameters(&self) -> Vec<(String, f64)> {
+        match self.guests.last() {
+            Some(guest) => guest.interpreter.variables(),
+            None => self.parameters.clone(),
+        }
+    }
+
+    /// What stays after the run.
+    pub fn into_session(mut self) -> Session {
+        self.retire();
+        Session { sbp: self.sbp.into_session(), gcode: self.state }
+    }
+
+    fn go(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        self.drop_left();
+        let Some(due) = self.sbp.gcode_due() else {
+            return self.go_sbp(host, out, lines);
+        };
+        let fits = |g: &Guest| g.due == due && g.depth == self.sbp.depth();
+        if !self.guests.last().is_some_and(fits)
+            && let Err(error) = self.begin(due, out)
+        {
+            return self.failed(host, out, Status::Failed, Some(error));
+        }
+        self.go_gcode(host, out, lines)
+    }
+
+    fn go_sbp(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        let given = out.len();
+        self.guests.iter_mut().for_each(|g| g.stale = true);
+        let step = match lines {
+            1 => self.sbp.step(host, out),
+            _ => self.sbp.run(host, out, lines),
+        };
+        self.files.learn_sbp(&self.sbp);
+        self.files.translate_sbp(&mut out[given..]);
+        step
+    }
+
+    fn go_gcode(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        let watched = self.sbp.watches().next().is_some();
+        let Some(guest) = self.guests.last_mut() else { return Step::Ran };
+        guest.catch_up(&self.sbp);
+        match guest.run(host, out, lines, watched, &mut self.files) {
+            Step::Done(Status::Ok, _) => {
+                self.end_guest();
+                Step::Ran
+            }
+            Step::Done(status, error) => self.failed(host, out, status, error),
+            step => step,
+        }
+    }
+
+    /// Opens the G-code that is due. A file with errors does not start.
+    fn begin(&mut self, due: GcodeDue, out: &mut Vec<Sourced>) -> Result<(), Box<Diagnostic>> {
+        let (file, at) = match due {
+            GcodeDue::File(file) => (file, At { file, line: 1 }),
+            GcodeDue::Line(at) => (at.file, at),
+        };
+        let (program, new) = self.library.of(file, &self.sbp);
+        let here = self.files.of_sbp(file);
+        if new {
+            self.tell_faults(&program, due, At { file: here, ..at }, out)?;
+        }
+        let interpreter = match due {
+            GcodeDue::File(_) => self.file_interpreter(program),
+            GcodeDue::Line(at) => self.line_interpreter(program, at),
+        };
+        self.guests.push(Guest::new(interpreter, due, self.sbp.depth(), here));
+        Ok(())
+    }
+
+    /// Tells what is wrong with G-code that was just read; an error ends the run, unless a single
+    /// line has it, which fails when it is reached.
+    fn tell_faults(
+        &mut self,
+        program: &kerf_gcode::Program,
+        due: GcodeDue,
+        at: At,
+        out: &mut Vec<Sourced>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let fatal = matches!(due, GcodeDue::File(_)) && !self.options.allow_errors;
+        for diagnostic in &program.diagnostics {
+            if fatal && diagnostic.is_error() {
+                return Err(Box::new(diagnostic.clone()));
+            }
+            let command = kerf_program::Command::Diagnostic(Box::new(diagnostic.clone()));
+            out.push(Sourced { at, command });
+        }
+        Ok(())
+    }
+
+    fn file_interpreter(&self, program: Arc<kerf_gcode::Program>) -> kerf_gcode::Interpreter {
+        kerf_gcode::Interpreter::new(program, self.gcode_session(), self.gcode_options())
+    }
+
+    /// The interpreter of the lines of a file, made ready for one of them.
+    fn line_interpreter(
+        &mut self,
+        program: Arc<kerf_gcode::Program>,
+        at: At,
+    ) -> kerf_gcode::Interpreter {
+        let known = self.lines.take().filter(|(file, _)| *file == at.file);
+        let mut interpreter = known.map_or_else(
+            || {
+                let options = kerf_gcode::Options {
+                    unit_known: true,
+                    keep_modes: self.options.typed,
+                    ..self.gcode_options()
+                };
+                kerf_gcode::Interpreter::new(program, self.gcode_session(), options)
+            },
+            |(_, interpreter)| interpreter,
+        );
+        interpreter.adopt(self.sbp.settings(), self.sbp.frame(), self.sbp.position());
+        interpreter.enter_line(at.line);
+        interpreter
+    }
+
+    fn gcode_session(&self) -> kerf_gcode::Session {
+        kerf_gcode::Session {
+            settings: (**self.sbp.settings()).clone(),
+            frame: *self.sbp.frame(),
+            position: self.sbp.position(),
+            state: self.state.clone(),
+        }
+    }
+
+    fn gcode_options(&self) -> kerf_gcode::Options {
+        let place = self.sbp.file_place();
+        let preview = self.options.preview || self.sbp.settings().mode == Mode::Preview;
+        kerf_gcode::Options {
+            max_lines: self.options.max_lines,
+            lines_before: self.sbp.lines(),
+            preview,
+            ask_spindle: self.sbp.settings().ask_spindle,
+            proportion: place.proportion,
+            temporary_zero_mm: place.zero_mm,
+            ..self.gcode.clone()
+        }
+    }
+
+    /// The innermost G-code is done: OpenSBP goes on from where it left the machine.
+    fn end_guest(&mut self) {
+        let Some(guest) = self.guests.pop() else { return };
+        self.sbp.gcode_done(&guest.done());
+        self.keep(guest);
+    }
+
+    fn keep(&mut self, guest: Guest) {
+        self.state = guest.interpreter.state().clone();
+        self.parameters = guest.interpreter.variables();
+        if let GcodeDue::Line(at) = guest.due {
+            self.lines = Some((at.file, guest.interpreter));
+        }
+    }
+
+    /// G-code whose file a handler of ON INPUT has left does not go on.
+    fn drop_left(&mut self) {
+        while self.guests.last().is_some_and(|g| g.depth > self.sbp.depth()) {
+            if let Some(guest) = self.guests.pop() {
+                self.keep(guest);
+            }
+        }
+    }
+
+    /// Everything of G-code ends here.
+    fn retire(&mut self) {
+        while let Some(guest) = self.guests.last() {
+            let done = GcodeDone { ended: false, ..guest.done() };
+            if !guest.stale {
+                self.sbp.gcode_done(&done);
+            }
+            if let Some(guest) = self.guests.pop() {
+                self.keep(guest);
+            }
+        }
+    }
+
+    /// G-code ended the run.
+    fn failed(
+        &mut self,
+        host: &mut dyn Host,
+        out: &mut Vec<Sourced>,
+        status: Status,
+        mut error: Option<Box<Diagnostic>>,
+    ) -> Step {
+        if let Some(error) = &mut error {
+            error.callers.extend(self.sbp.callers());
+        }
+        self.retire();
+        let given = out.len();
+        self.sbp.abandon(host, out);
+        self.files.translate_sbp(&mut out[given..]);
+        Step::Done(status, error)
+    }
+}
+
+impl kerf_program::Interpreter for Interpreter {
+    fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        self.go(host, out, 1)
+    }
+
+    fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        self.go(host, out, lines)
+    }
+
+    fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes) {
+        let Some(guest) = self.guests.last_mut().filter(|g| !g.stale) else {
+            return self.sbp.interrupt(watch, motion, position);
+        };
+        if guest.interpreter.watches().any(|w| w == watch) {
+            return guest.interpreter.interrupt(watch, motion, position);
+        }
+        guest.interrupted(position);
+        self.sbp.interrupt(watch, None, position);
+    }
+
+    fn nudge(&mut self, by: Axes) {
+        self.sbp.nudge(by);
+        self.guests.iter_mut().for_each(|g| g.interpreter.nudge(by));
+    }
+
+    fn carried_out(&mut self, motion: u64) {
+        self.sbp.carried_out(motion);
+    }
+
+    fn stop(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        self.retire();
+        self.sbp.stop(host, out)
+    }
+
+    fn limit(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        self.retire();
+        self.sbp.limit(host, out)
+    }
+
+    fn watches(&self) -> Vec<Watch> {
+        let probe = self.guests.last().into_iter().flat_map(|g| g.interpreter.watches());
+        probe.chain(self.sbp.watches()).cloned().collect()
+    }
+
+    fn file_name(&self, file: u32) -> Option<Arc<str>> {
+        self.files.name(file)
+    }
+
+    fn call_stack(&self) -> Vec<At> {
+        let here = |at: At| At { file: self.files.of_sbp(at.file), ..at };
+        let mut open: Vec<At> = self.sbp.call_stack().map(here).collect();
+        for guest in &self.guests {
+            if let GcodeDue::File(_) = guest.due {
+                let inner = open.split_off(guest.depth.min(open.len()));
+                open.pop();
+                open.extend(guest.call_stack());
+                open.extend(inner);
+            }
+        }
+        open
+    }
+
+    fn motions(&self) -> u64 {
+        self.sbp.motions() + self.guests.iter().map(Guest::motions).sum::<u64>()
+    }
+
+    fn lines(&self) -> u64 {
+        let file = |g: &&Guest| matches!(g.due, GcodeDue::File(_));
+        self.sbp.lines() + self.guests.iter().filter(file).map(Guest::lines).sum::<u64>()
+    }
+
+    fn settings(&self) -> &Arc<Settings> {
+        self.sbp.settings()
+    }
+
+    fn frame(&self) -> &Frame {
+        match self.guests.last() {
+            Some(guest) if !guest.stale => guest.interpreter.frame(),
+            _ => self.sbp.frame(),
+        }
+    }
+
+    fn position(&self) -> Axes {
+        match self.guests.last() {
+            Some(guest) if !guest.stale => guest.interpreter.position(),
+            _ => self.sbp.position(),
+        }
+    }
+
+    fn variables(&self) -> Vec<(String, String)> {
+        let named = self.sbp.variables().list().into_iter().map(|(n, v)| (n, v.display()));
+        let parameters = self.gcode_parameters();
+        named.chain(parameters.into_iter().map(|(n, v)| (n, v.to_string()))).collect()
+    }
+}

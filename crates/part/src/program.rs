@@ -1,0 +1,65 @@
+//! A part file that was read.
+
+use kerf_diag::Diagnostic;
+use kerf_sbp::Language;
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// A part file: OpenSBP, G-code, or lines of both.
+#[derive(Debug, Default)]
+pub struct Program {
+    /// The file as OpenSBP sees it.
+    pub sbp: kerf_sbp::Program,
+    /// The G-code in it, each line at its own place; `None` where there is none.
+    pub gcode: Option<Arc<kerf_gcode::Program>>,
+    /// Everything wrong or doubtful, in order of lines.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads a part file; its ending and its lines say in which language.
+pub fn read<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>) -> Program {
+    kerf_sbp::read_part(name, bytes).into()
+}
+
+impl From<kerf_sbp::Program> for Program {
+    fn from(sbp: kerf_sbp::Program) -> Self {
+        let gcode = gcode_of(&sbp);
+        let mut diagnostics = sbp.diagnostics.clone();
+        if let Some(gcode) = &gcode {
+            diagnostics.extend(gcode.diagnostics.iter().cloned());
+            diagnostics.sort_by_key(|d| d.place.line);
+        }
+        Self { sbp, gcode: gcode.map(Arc::new), diagnostics }
+    }
+}
+
+/// The G-code of a file, read.
+pub(crate) fn gcode_of(sbp: &kerf_sbp::Program) -> Option<kerf_gcode::Program> {
+    if sbp.language == Language::Gcode {
+        return Some(kerf_gcode::read(sbp.name.clone(), sbp.text.as_bytes()));
+    }
+    sbp.has_gcode().then(|| kerf_gcode::read(sbp.name.clone(), sbp.gcode_text().as_bytes()))
+}
+
+impl Program {
+    /// Name shown to people.
+    pub const fn name(&self) -> &Arc<str> {
+        &self.sbp.name
+    }
+
+    /// What its lines are written in.
+    pub const fn language(&self) -> Language {
+        self.sbp.language
+    }
+
+    /// How many lines it has.
+    pub fn line_count(&self) -> usize {
+        let gcode = self.gcode.as_ref().map_or(0, |g| g.lines.len());
+        gcode.max(self.sbp.lines.len())
+    }
+
+    /// True when something is wrong with the file.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+}

@@ -1,0 +1,156 @@
+//! G-code within a run of OpenSBP: where it is due, and what it leaves behind.
+//!
+//! This crate does not know G-code. Where a line or a file of it comes, the run stands still until
+//! whoever owns both languages has carried it out:
+//!
+//! ```text
+//!  step … gcode_due() ──► (the other interpreter runs) ──► gcode_done(after) ──► step …
+//! ```
+
+use super::core::Level;
+use super::{Context, Core, Interpreter, Stop, lifecycle};
+use crate::tree::Language;
+use kerf_diag::Place;
+use kerf_program::{At, Axes, Axis, Frame, Host, Sourced};
+
+/// G-code that has to run before the program goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum GcodeDue {
+    /// The innermost file, by its number in [`At`].
+    File(u32),
+    /// One line of a file.
+    Line(At),
+}
+
+/// How the file at hand places what is in it (FP).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FilePlace {
+    /// Proportions of X, Y and Z, those of its callers included.
+    pub proportion: [f64; 3],
+    /// Working location that counts as zero in the file, mm.
+    pub zero_mm: [f64; 3],
+}
+
+/// What G-code left behind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GcodeDone {
+    /// Where it has sent the machine, machine frame.
+    pub position: Axes,
+    /// The frames in force.
+    pub frame: Frame,
+    /// Motion commands it gave.
+    pub motions: u64,
+    /// Lines it executed.
+    pub lines: u64,
+    /// It ended the file that its line stands in (M2, M30).
+    pub ended: bool,
+}
+
+impl Core {
+    /// The G-code that is due now; none while something else comes first.
+    pub(super) fn gcode_due(&self) -> Option<GcodeDue> {
+        let other = !self.started || self.pausing || !self.fired.is_empty();
+        if other || !self.adrift.is_empty() {
+            return None;
+        }
+        if let Some(at) = self.gcode_line {
+            return Some(GcodeDue::Line(at));
+        }
+        let level = self.levels.last()?;
+        let due = level.next == 0 && self.is_gcode(level);
+        due.then_some(GcodeDue::File(level.file))
+    }
+
+    /// Whether a file is G-code.
+    pub(super) fn is_gcode(&self, level: &Level) -> bool {
+        let program = self.programs.get(level.file as usize);
+        program.is_some_and(|p| p.language == Language::Gcode)
+    }
+
+    fn gcode_done(&mut self, due: GcodeDue, done: &GcodeDone) {
+        for axis in Axis::ALL {
+            if self.position[axis] != done.position[axis] {
+                self.position[axis] = done.position[axis];
+                self.offset_applied[axis] = 0.0;
+            }
+        }
+        self.frame = done.frame;
+        self.settled = false;
+        self.motions += done.motions;
+        self.lines += if matches!(due, GcodeDue::File(_)) { done.lines } else { 0 };
+        self.gcode_line = None;
+        if let (GcodeDue::File(_), Some(level)) = (due, self.levels.last_mut()) {
+            level.next = 1;
+        }
+    }
+}
+
+impl Context<'_> {
+    /// A line of G-code: whoever runs both languages takes it from here.
+    pub(super) fn gcode_statement(&mut self) -> Result<(), Stop> {
+        self.need_gcode("G-code in a part file cannot be carried out here")?;
+        self.end_tabs();
+        self.core.gcode_line = Some(self.at);
+        Ok(())
+    }
+
+    /// Fails where nobody runs G-code.
+    pub(super) fn need_gcode(&self, message: &str) -> Result<(), Stop> {
+        let runs = self.core.options.gcode;
+        if runs { Ok(()) } else { Err(self.fail(kerf_diag::Code::NotSupported, message)) }
+    }
+}
+
+impl Interpreter {
+    /// The G-code that has to run before the next step; see the head of this file.
+    pub fn gcode_due(&self) -> Option<GcodeDue> {
+        self.core.gcode_due()
+    }
+
+    /// Tells that the G-code that was due is done.
+    pub fn gcode_done(&mut self, done: &GcodeDone) {
+        let Some(due) = self.core.gcode_due() else { return };
+        self.core.gcode_done(due, done);
+        self.past.clear();
+        if done.ended
+            && let GcodeDue::Line(at) = due
+        {
+            self.core.end_file_at(at);
+        }
+    }
+
+    /// How the innermost file places what is in it.
+    pub fn file_place(&self) -> FilePlace {
+        let level = self.core.level();
+        level.map_or(FilePlace { proportion: [1.0; 3], zero_mm: [0.0; 3] }, |l| FilePlace {
+            proportion: l.proportion,
+            zero_mm: l.offset,
+        })
+    }
+
+    /// How many files are open within each other.
+    pub fn depth(&self) -> usize {
+        self.core.levels.len()
+    }
+
+    /// The lines that led to the innermost file, innermost first.
+    pub fn callers(&self) -> Vec<Place> {
+        self.core.callers()
+    }
+
+    /// Ends the run as an error does: what G-code did cannot go on.
+    pub fn abandon(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) {
+        self.core.gcode_line = None;
+        lifecycle::finish(&mut self.core, host, out);
+    }
+}
+
+impl Core {
+    /// M2 or M30 in a line: the file that it stands in is over.
+    fn end_file_at(&mut self, at: At) {
+        let lines = self.programs.get(at.file as usize).map_or(0, |p| p.lines.len());
+        if let Some(level) = self.levels.last_mut().filter(|l| l.file == at.file) {
+            level.next = lines as u32;
+        }
+    }
+}
