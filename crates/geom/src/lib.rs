@@ -21,6 +21,7 @@
 mod arc;
 mod bounds;
 mod bounds2;
+pub mod edit;
 mod error;
 pub mod fit;
 mod index;

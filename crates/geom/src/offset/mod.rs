@@ -23,6 +23,8 @@ mod validate;
 
 pub use validate::CHECK_MM;
 
+pub(crate) use raw::parallel;
+
 use crate::{GeomError, Point2, Polyarc, tol};
 use source::Source;
 

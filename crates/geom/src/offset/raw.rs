@@ -62,7 +62,7 @@ fn link_to_last(pieces: &mut [Piece], first: usize, start: Point2) {
 
 /// A segment moved sideways; nothing for an arc that shrinks to its centre or beyond: everything
 /// there is nearer to other parts of the arc.
-pub(super) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
+pub(crate) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
     match *segment {
         Segment::Line { start, end } => {
             let right = -(end - start).normalized()?.left() * distance;
