@@ -48,6 +48,12 @@ pub enum GeomError {
         /// Its name.
         what: &'static str,
     },
+    /// The boundary of a combined region has an end: the contours lie too nearly on each other.
+    #[error("the contours cannot be told apart near {:.3}, {:.3}", at.x, at.y)]
+    Unclosed {
+        /// Where.
+        at: Point2,
+    },
     /// The arguments ask for something that does not exist there.
     #[error("{what} at {:.3}, {:.3}", at.x, at.y)]
     Impossible {

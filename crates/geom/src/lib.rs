@@ -19,12 +19,14 @@
 //! part larger and a hole smaller.
 
 mod arc;
+mod boolean;
 mod bounds;
 mod bounds2;
 pub mod edit;
 mod error;
 pub mod fit;
 mod index;
+mod indexed;
 mod offset;
 mod point;
 mod polyarc;
@@ -34,10 +36,12 @@ pub mod tol;
 mod transform;
 
 pub use arc::Arc2;
+pub use boolean::{Combine, combine};
 pub use bounds::Bounds3;
 pub use bounds2::Bounds2;
 pub use error::GeomError;
 pub use index::BoxTree;
+pub use indexed::Indexed;
 pub use offset::{CHECK_MM, OffsetPath, Origin, offset, offset_region};
 pub use point::{Point2, Vec2, clock_to_vec, vec_to_clock};
 pub use polyarc::{Crossing, Place, Polyarc, Position, Vertex};

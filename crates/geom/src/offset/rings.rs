@@ -112,7 +112,7 @@ fn path(mut parts: Vec<Part>, closed: bool) -> Option<OffsetPath> {
 /// The ring from the place nearest to the parallel of its source's start.
 pub(super) fn started_like_source(source: &Source, distance: f64, ring: OffsetPath) -> OffsetPath {
     let Some(contour) = ring.origins.iter().map(|o| o.contour).min() else { return ring };
-    let first = source.segments[source.first[contour]];
+    let first = source.segments()[source.first[contour]];
     let wanted = raw::parallel(&first, distance)
         .map_or_else(|| first.start() - first.direction(0.0).left() * distance, |p| p.start());
     let Some((place, _)) = ring.path.nearest(wanted) else { return ring };

@@ -44,7 +44,7 @@ fn unproved(why: &'static str, at: Point2) -> Checked {
 
 /// Start, middle and end at the distance from what the segment says it is parallel to, to the right.
 fn follows_origin(source: &Source, distance: f64, segment: &Segment, origin: &Origin) -> Checked {
-    let of = &source.segments[source.first[origin.contour] + origin.element];
+    let of = &source.segments()[source.first[origin.contour] + origin.element];
     for share in [0.0, 0.5, 1.0] {
         let at = segment.at(share);
         if !at.x.is_finite() || !at.y.is_finite() {
@@ -123,13 +123,13 @@ fn complete(source: &Source, distance: f64, found: &[OffsetPath]) -> Checked {
     for (contour, first) in source.contours.iter().zip(&source.first) {
         let count = contour.segment_count();
         for k in 0..count {
-            let segment = &source.segments[first + k];
+            let segment = &source.segments()[first + k];
             if let Some(parallel) = raw::parallel(segment, distance) {
                 let out = |share| -segment.direction(share).left() * distance.signum();
                 present(source, distance, &coverage, (first + k, false), &parallel, out)?;
             }
             let before = if k > 0 { Some(k - 1) } else { contour.closed.then_some(count - 1) };
-            let before = before.map(|b| &source.segments[first + b]);
+            let before = before.map(|b| &source.segments()[first + b]);
             if let Some(arc) = before.and_then(|b| raw::corner(b, segment, distance)) {
                 let centre = segment.start();
                 let out = |share| (arc.at(share) - centre) / distance.abs();

@@ -4,10 +4,12 @@ mod check;
 mod contain;
 mod cross;
 mod measure;
+mod merge;
 mod shapes;
 mod travel;
 
 pub use contain::Position;
+pub(crate) use contain::winding_of;
 pub use cross::Crossing;
 pub use measure::Place;
 
