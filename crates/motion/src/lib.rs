@@ -55,10 +55,10 @@ mod turns;
 
 pub use mover::Mover;
 pub use moves::{Move, Path};
-pub use optimal::Optimal;
+pub use optimal::{Optimal, OptimalPlanner};
 pub use pass::Pass;
 pub use plan::{Plan, Span, State};
-pub use planner::{Planner, Whole, planner};
+pub use planner::{Planner, planner};
 pub use profiler::{Profiler, ProfilerPlanner};
 pub use shopbot::{Model, ShopBot, ShopBotPlanner, plan_stack};
 pub use stop::Stop;

@@ -7,10 +7,10 @@
 //! ```
 
 use crate::moves::Move;
-use crate::optimal::Optimal;
+use crate::optimal::OptimalPlanner;
 use crate::plan::Plan;
 use crate::profiler::ProfilerPlanner;
-use crate::shopbot::{Model, ShopBotPlanner};
+use crate::shopbot::ShopBotPlanner;
 use kerf_program::{RampModel, Settings};
 
 /// Plans one stack of moves, which starts and ends at rest, while it is read.
@@ -35,37 +35,6 @@ pub fn planner(settings: &Settings) -> Box<dyn Planner> {
     match settings.model() {
         RampModel::Shopbot => Box::new(ShopBotPlanner::new(&settings.ramps)),
         RampModel::Profiler => Box::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)),
-        RampModel::Optimal => {
-            Box::new(Whole::new(move |moves| Optimal { dynamics: &dynamics }.plan(moves)))
-        }
-    }
-}
-
-/// Plans a stack when it is complete, with a function that plans a whole stack.
-#[derive(Clone, Debug)]
-pub struct Whole<F> {
-    moves: Vec<Move>,
-    plan: F,
-}
-
-impl<F: Fn(Vec<Move>) -> Plan> Whole<F> {
-    /// A planner that hands over all moves at once.
-    pub const fn new(plan: F) -> Self {
-        Self { moves: Vec::new(), plan }
-    }
-}
-
-impl<F: Fn(Vec<Move>) -> Plan> Planner for Whole<F> {
-    fn push(&mut self, made: Move) {
-        self.moves.push(made);
-    }
-
-    fn take(&mut self) -> Option<Plan> {
-        None
-    }
-
-    fn finish(&mut self) -> Option<Plan> {
-        let moves = std::mem::take(&mut self.moves);
-        (!moves.is_empty()).then(|| (self.plan)(moves))
+        RampModel::Optimal => Box::new(OptimalPlanner::new(&dynamics)),
     }
 }

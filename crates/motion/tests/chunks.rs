@@ -2,10 +2,11 @@
 #![allow(clippy::unwrap_used)]
 
 use kerf_motion::{
-    Model, Move, Mover, Plan, Planner, Profiler, ProfilerPlanner, ShopBotPlanner, Span, plan_stack,
+    Model, Move, Mover, Optimal, OptimalPlanner, Plan, Planner, Profiler, ProfilerPlanner,
+    ShopBotPlanner, Span, plan_stack,
 };
 use kerf_program::settings::Ramps;
-use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings, Smoothing};
+use kerf_program::{AXES, Arc, At, Axes, Dynamics, Feed, Line, MoveKind, Settings, Smoothing};
 use proptest::prelude::*;
 
 /// Lines and arcs of all sizes, smooth and rough stretches, changes of speed, plunges and jogs.
@@ -138,5 +139,55 @@ proptest! {
     ) {
         let ramps = Ramps { min_distance_mm, ..Settings::default().ramps };
         check(&moves(20_000, seed), &ramps, at_once);
+    }
+}
+
+/// The same for the `optimal` model, whose pieces end in the middle of corners: to the last digits
+/// but a few, since a piece tells its times from another node.
+fn check_optimal(moves: &[Move], dynamics: &Dynamics, at_once: usize) -> usize {
+    let whole = Optimal { dynamics }.plan(moves.to_vec());
+    let pieces = pieces(&mut OptimalPlanner::new(dynamics), moves, at_once);
+    let (mut index, mut begun_s) = (0, 0.0);
+    for piece in &pieces {
+        for (k, made) in piece.moves().iter().enumerate() {
+            assert_eq!(*made, whole.moves()[index + k]);
+        }
+        let end_s = piece.duration_s();
+        for k in 0..=2000 {
+            let t_s = begun_s + (end_s - begun_s) * f64::from(k) / 2000.0;
+            let (found, expected) = (piece.at(t_s), whole.at(t_s));
+            for axis in 0..AXES {
+                let off = |f: Axes, e: Axes| (f.0[axis] - e.0[axis]).abs();
+                assert!(off(found.position, expected.position) < 1e-8, "{at_once} at {t_s}");
+                let first = k > 0 && k < 2000;
+                assert!(
+                    !first || off(found.velocity, expected.velocity) < 1e-5,
+                    "{at_once} at {t_s}"
+                );
+            }
+        }
+        index += piece.moves().len();
+        let expected_s = whole.span_s(index - 1).1;
+        assert!((end_s - expected_s).abs() < 1e-9 * end_s.max(1.0), "{end_s} {expected_s}");
+        begun_s = end_s;
+    }
+    assert_eq!(index, moves.len());
+    pieces.len()
+}
+
+#[test]
+fn pieces_of_the_fastest_motion_make_the_plan_of_the_whole_stack() {
+    let dynamics = Dynamics {
+        speed_mm_s: Axes::splat(150.0),
+        accel_mm_s2: Axes::splat(700.0),
+        jerk_mm_s3: None,
+        tolerance_mm: 0.02,
+    };
+    for (seed, tolerance_mm) in [(1, 0.02), (2, 0.3), (3, 0.0)] {
+        let moves = moves(12_000, seed);
+        for at_once in [0, 1, 1000, 7777] {
+            let count = check_optimal(&moves, &Dynamics { tolerance_mm, ..dynamics }, at_once);
+            assert!(at_once % 1000 > 1 || (at_once == 0 && count == 1) || count > 4, "{count}");
+        }
     }
 }

@@ -255,7 +255,7 @@ fn wander(steps: &[[f64; 3]], scale: f64) -> Vec<[f64; 3]> {
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: 150,
+        cases: 60,
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(7),
         ..ProptestConfig::default()

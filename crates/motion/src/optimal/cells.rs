@@ -1,8 +1,8 @@
 //! The smoothed path as a row of cells: between the places where a bump begins, peaks or ends, the
 //! path's slope is a polynomial.
 
+use super::kernel::{CORNER, Kernel, PARTS};
 use super::track::{Track, norm};
-use super::widths::{CORNER, Kernel, PARTS};
 use crate::moves::{Basis, Move};
 
 /// A cell turns by no more, radians: how finely a sharp corner is resolved.

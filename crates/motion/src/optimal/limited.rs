@@ -2,13 +2,13 @@
 
 use super::cells::{Cell, Cells, feed_cap};
 use super::jerk::{Launch, Problem};
+use super::kernel::Kernel;
 use super::pieces::Piece;
 use super::reach::{Bounds, Gate};
 use super::scurve::phases;
-use super::speeds::{self, Node};
+use super::speeds::{Node, Passes};
 use super::timed::{Push, swing};
 use super::track::Track;
-use super::widths::Kernel;
 use crate::moves::Move;
 
 /// Across a piece z = x^(3/4) changes by at most about this share.
@@ -122,17 +122,17 @@ impl<const N: usize> Limited<'_, N> {
     /// The path between the launches in pieces as fine as the speed asks for.
     fn pieces(&self, run: [usize; 2], launches: &[Launch; 2]) -> Vec<Piece<N>> {
         let cells = || Cells::<N>::new(self.track, self.widths, Kernel::Triangle, self.moves, run);
-        let mut gates: Vec<Gate<N>> =
-            cells().map(|cell| Gate::new(&cell, &self.bounds, self.moves)).collect();
         let from = self.track.at_mm[run[0]];
-        let mut guide = vec![Node { at_mm: from, v: 0.0, t_s: 0.0 }];
-        speeds::run(&mut gates, &self.bounds, &mut guide);
+        let mut passes = Passes::new(self.bounds, from);
+        let gate = |cell| Gate::new(&cell, &self.bounds, self.moves);
+        passes.gates.extend(cells().map(gate));
+        passes.settle(true);
         let begin = from + launches[0].way_mm;
         let end = self.track.at_mm[run[1]] - launches[1].way_mm;
         let cells: Vec<Cell<N>> = cells().collect();
         let rate = (4.5 * self.jerk.iter().copied().fold(f64::INFINITY, f64::min)).sqrt();
         let slow = Slow::new(&cells, &self.jerk, rate, launches);
-        let mut grid = Grid { guide: &guide, place: 0 };
+        let mut grid = Grid { guide: &passes.nodes, place: 0 };
         let mut pieces: Vec<Piece<N>> = Vec::new();
         let (mut at, mut k) = (begin, 0);
         while at < end {

@@ -1,20 +1,26 @@
 //! The fastest motion within the limits of every axis and a tolerance of the path.
 //!
-//! Three steps, each in its own file. The moves become a polyline over one length ([`track`]). Its
-//! corners are smoothed by bumps as wide as the tolerance allows ([`widths`]); the sum of polyline
-//! and bumps is a path whose derivatives are known in closed form ([`cells`]). Along it the fastest
-//! speed is found by a pass back and a pass forward ([`reach`], [`speeds`]). The outcome is a list
-//! of nodes between which the motion along the path has a closed form ([`timed`]).
+//! Three steps, each in its own files. The moves become a polyline over one length ([`track`]). Its
+//! corners are smoothed by bumps ([`kernel`]) as wide as the tolerance allows ([`widths`],
+//! [`choice`]); the sum of polyline and bumps is a path whose derivatives are known in closed form
+//! ([`walk`], [`cells`]). Along it the fastest speed is found by a pass back and a pass forward
+//! ([`reach`], [`speeds`]). The outcome is a list of nodes between which the motion along the path
+//! has a closed form ([`timed`]). Without a limit of jerk all of it happens while the moves are read
+//! ([`planner`]).
 
 mod cells;
+mod choice;
 mod jerk;
+mod kernel;
 mod limited;
 mod pieces;
+mod planner;
 mod reach;
 mod scurve;
 mod speeds;
 mod timed;
 mod track;
+mod walk;
 mod widths;
 
 pub(crate) use speeds::Node;
@@ -22,13 +28,15 @@ pub(crate) use timed::{Push, Timed};
 
 use crate::moves::Move;
 use crate::plan::{Law, Plan};
+use crate::planner::Planner;
 use crate::shopbot::Model;
-use cells::Cells;
-use kerf_program::{AXES, Dynamics};
+use kerf_program::{AXES, Axes, Dynamics};
+use kernel::Kernel;
 use limited::Limited;
-use reach::{Bounds, Gate};
+use planner::Stream;
+use reach::Bounds;
 use track::Track;
-use widths::{Kernel, Overlap, widths};
+use widths::widest;
 
 /// The fastest motion that keeps every axis within its limits and the path within the tolerance,
 /// over the whole stack.
@@ -40,94 +48,73 @@ pub struct Optimal<'a> {
 
 impl Model for Optimal<'_> {
     fn plan(&self, moves: Vec<Move>) -> Plan {
+        let Some(jerk) = self.dynamics.jerk_mm_s3 else {
+            return Stream::whole(self.dynamics, moves);
+        };
         if moves.is_empty() {
             return Plan::default();
         }
-        let (track, breaks) = Track::of(&moves, self.dynamics.tolerance_mm.max(0.0));
+        let track = Track::of(&moves, self.dynamics.tolerance_mm);
         let timed = match track.dims {
-            3 => self.time::<3>(track, &breaks, &moves),
-            _ => self.time::<AXES>(track, &breaks, &moves),
+            3 => self.limited::<3>(track, &moves, &jerk),
+            _ => self.limited::<AXES>(track, &moves, &jerk),
         };
         Plan { moves, law: Law::Timed(Box::new(timed)) }
     }
 }
 
-impl Optimal<'_> {
-    fn time<const N: usize>(&self, track: Track, breaks: &[usize], moves: &[Move]) -> Timed {
+/// Plans a stack with all that the axes can do while it is read; with a limit of jerk, when it is
+/// complete.
+#[derive(Clone, Debug)]
+pub struct OptimalPlanner {
+    dynamics: Dynamics,
+    stream: Stream,
+    /// Moves that wait for the end of the stack, where jerk is limited.
+    moves: Vec<Move>,
+}
+
+impl OptimalPlanner {
+    /// For a stack that begins under these limits.
+    pub fn new(dynamics: &Dynamics) -> Self {
+        Self { dynamics: *dynamics, stream: Stream::new(dynamics), moves: Vec::new() }
+    }
+}
+
+impl Planner for OptimalPlanner {
+    fn push(&mut self, made: Move) {
         match self.dynamics.jerk_mm_s3 {
-            None => self.free::<N>(track, breaks, moves),
-            Some(jerk) => self.limited::<N>(track, breaks, moves, &jerk.0),
+            None => self.stream.push(made),
+            Some(_) => self.moves.push(made),
         }
     }
 
-    fn limited<const N: usize>(
-        &self,
-        track: Track,
-        breaks: &[usize],
-        moves: &[Move],
-        jerk: &[f64],
-    ) -> Timed {
+    fn take(&mut self) -> Option<Plan> {
+        self.stream.take()
+    }
+
+    fn finish(&mut self) -> Option<Plan> {
+        let moves = std::mem::take(&mut self.moves);
+        if moves.is_empty() {
+            return self.stream.finish();
+        }
+        Some(Optimal { dynamics: &self.dynamics }.plan(moves))
+    }
+}
+
+impl Optimal<'_> {
+    fn limited<const N: usize>(&self, track: Track, moves: &[Move], jerk: &Axes) -> Timed {
         let dynamics = *self.dynamics;
         let kernel = Kernel::Triangle;
-        let widths = widths::<N>(&track, breaks, moves, kernel, Overlap::Widest);
-        let mut nodes: Vec<Node> = track
-            .at_mm
-            .first()
-            .map(|at| Node { at_mm: *at, v: 0.0, t_s: 0.0 })
-            .into_iter()
-            .collect();
+        let widths = widest::<N>(&track, moves, kernel);
+        let mut nodes = vec![Node { at_mm: 0.0, v: 0.0, t_s: 0.0 }];
         let mut pushes = vec![Push { accel: 0.0, jerk: None }];
-        let bounds = Bounds::<N>::new(&dynamics.speed_mm_s.0, &dynamics.accel_mm_s2.0);
-        let jerk = std::array::from_fn(|k| jerk[k].max(1e-3));
+        let bounds = Bounds::<N>::of(&dynamics);
+        let jerk = std::array::from_fn(|k| jerk.0[k].max(1e-3));
         let limited = Limited { track: &track, widths: &widths, moves, bounds, jerk };
         for run in runs(&widths) {
             limited.run(run, &mut nodes, &mut pushes);
         }
         Timed { track, widths, kernel, nodes, pushes, dynamics }
-    }
-
-    fn free<const N: usize>(&self, track: Track, breaks: &[usize], moves: &[Move]) -> Timed {
-        let bounds = Bounds::<N>::new(&self.dynamics.speed_mm_s.0, &self.dynamics.accel_mm_s2.0);
-        let mut nodes = Vec::with_capacity(2 * track.len());
-        nodes.extend(track.at_mm.first().map(|at| Node { at_mm: *at, v: 0.0, t_s: 0.0 }));
-        let narrow = widths::<N>(&track, breaks, moves, Kernel::Box, Overlap::None);
-        let mut chosen = widths::<N>(&track, breaks, moves, Kernel::Box, Overlap::Widest);
-        for run in runs(&narrow) {
-            let [first, last] = run;
-            let since = nodes.len();
-            let start = nodes[since - 1];
-            let time = |widths: &[f64], nodes: &mut Vec<Node>| {
-                let cells = Cells::new(&track, widths, Kernel::Box, moves, run);
-                let mut gates: Vec<Gate<N>> =
-                    cells.map(|cell| Gate::new(&cell, &bounds, moves)).collect();
-                speeds::run(&mut gates, &bounds, nodes);
-                // Sums of cells are rounded; the end of a run is a vertex.
-                if let Some(end) = nodes.last_mut() {
-                    end.at_mm = track.at_mm[last];
-                }
-            };
-            time(&narrow, &mut nodes);
-            if narrow[first..last] == chosen[first..last] {
-                continue;
-            }
-            let mut other = vec![start];
-            time(&chosen, &mut other);
-            let ends = |nodes: &[Node]| nodes.last().map_or(0.0, |n| n.t_s);
-            if ends(&other) < ends(&nodes) {
-                nodes.truncate(since);
-                nodes.extend_from_slice(&other[1..]);
-            } else {
-                chosen[first..last].copy_from_slice(&narrow[first..last]);
-            }
-        }
-        Timed {
-            track,
-            widths: chosen,
-            kernel: Kernel::Box,
-            nodes,
-            pushes: Vec::new(),
-            dynamics: *self.dynamics,
-        }
     }
 }
 

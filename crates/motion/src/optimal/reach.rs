@@ -7,13 +7,16 @@
 //! interval, and the passes over a grid are exact for it.
 
 use super::cells::{Cell, feed_cap};
+use super::planner::padded;
 use crate::moves::Move;
+use kerf_program::Dynamics;
 
 /// Lines looked at in search of the best exit; far more than there are.
 const CROSSINGS: u32 = 40;
 
-/// A cell across which the squared speed could change by more than this share is cut.
-const COARSE: f64 = 0.02;
+/// A cell is cut where the acceleration of an axis that is at its limit at one end would be below it
+/// by more than this share at the other.
+const COARSE: f64 = 1e-2;
 
 /// No cell is cut into more parts.
 pub(crate) const MOST_PARTS: u32 = 32;
@@ -32,16 +35,23 @@ const SPARE: f64 = 1.0 - 1e-9;
 pub(crate) struct Bounds<const N: usize> {
     pub speed: [f64; N],
     pub accel: [f64; N],
+    per_speed: [f64; N],
+    /// One over the limits.
+    pub per_accel: [f64; N],
 }
 
 impl<const N: usize> Bounds<N> {
+    /// Those of a machine.
+    pub fn of(dynamics: &Dynamics) -> Self {
+        Self::new(&dynamics.speed_mm_s.0, &dynamics.accel_mm_s2.0)
+    }
+
     /// Of the first axes; a limit that is not above zero becomes very small instead.
-    pub fn new(speed: &[f64], accel: &[f64]) -> Self {
+    fn new(speed: &[f64], accel: &[f64]) -> Self {
         let least = |v: f64| v.max(1e-6) * SPARE;
-        Self {
-            speed: std::array::from_fn(|k| least(speed[k])),
-            accel: std::array::from_fn(|k| least(accel[k])),
-        }
+        let speed: [f64; N] = std::array::from_fn(|k| least(speed[k]));
+        let accel: [f64; N] = std::array::from_fn(|k| least(accel[k]));
+        Self { speed, accel, per_speed: speed.map(f64::recip), per_accel: accel.map(f64::recip) }
     }
 }
 
@@ -59,6 +69,10 @@ pub(crate) struct Gate<const N: usize> {
     accel: f64,
     /// There is none.
     straight: bool,
+    /// The machine stands where it begins.
+    pub stands: bool,
+    /// Greatest share of the acceleration of an axis that the curvature takes for a y of 1.
+    load: f64,
     /// Equal parts, a power of two, into which the pass back has cut the cell.
     pub parts: u32,
 }
@@ -67,45 +81,62 @@ impl<const N: usize> Gate<N> {
     pub fn new(cell: &Cell<N>, bounds: &Bounds<N>, moves: &[Move]) -> Self {
         let (a, b) = (cell.frame.slope, cell.frame.after(cell.h).slope);
         let m = &moves[cell.owner as usize];
-        let mut cap = feed_cap(m, &a).min(feed_cap(m, &b)) * SPARE;
-        let mut accel = f64::INFINITY;
+        let feed = feed_cap(m, &a).min(feed_cap(m, &b)) * SPARE;
+        let (mut speed, mut accel, mut load) = (0.0f64, 0.0f64, 0.0f64);
+        let end = cell.frame.after(cell.h).bend;
         for k in 0..N {
+            load = load.max(cell.frame.bend[k].abs().max(end[k].abs()) * bounds.per_accel[k]);
             let fastest = a[k].abs().max(b[k].abs());
-            if fastest > 0.0 {
-                let v = bounds.speed[k] / fastest;
-                cap = cap.min(v * v);
-                accel = accel.min(bounds.accel[k] / fastest);
-            }
+            speed = speed.max(fastest * bounds.per_speed[k]);
+            accel = accel.max(fastest * bounds.per_accel[k]);
         }
-        let (at_mm, h, straight) = (cell.at_mm, cell.h, cell.straight);
         Self {
-            at_mm,
-            h,
-            cap,
+            at_mm: cell.at_mm,
+            h: cell.h,
+            cap: feed.min(1.0 / (speed * speed)),
             slope: a,
             bend: cell.frame.bend,
             twist: cell.frame.twist,
-            accel,
-            straight,
+            accel: 1.0 / accel,
+            straight: cell.straight,
+            stands: false,
+            load,
             parts: 1,
         }
+    }
+
+    /// The same with more axes, which stood still.
+    pub fn widen<const M: usize>(&self) -> Gate<M> {
+        Gate {
+            at_mm: self.at_mm,
+            h: self.h,
+            cap: self.cap,
+            slope: padded(&self.slope),
+            bend: padded(&self.bend),
+            twist: padded(&self.twist),
+            accel: self.accel,
+            straight: self.straight,
+            stands: self.stands,
+            load: self.load,
+            parts: self.parts,
+        }
+    }
+
+    /// Equal parts, a power of two, into which the cell must be cut for s̈ to be constant in each,
+    /// where the squared speed changes from one value to another across it.
+    ///
+    /// The acceleration of an axis with constant q″ then changes by 3·q″·h·s̈ = 3/2·q″·(y₁ − y₀).
+    pub fn parts(&self, from: f64, to: f64) -> u32 {
+        let lost = 1.5 * self.load * (to - from).abs();
+        if lost <= COARSE {
+            return 1;
+        }
+        ((lost / COARSE).min(f64::from(MOST_PARTS)).ceil() as u32).next_power_of_two()
     }
 
     /// Greatest |s̈| on a straight.
     pub fn straight(&self) -> Option<f64> {
         self.straight.then_some(self.accel)
-    }
-
-    /// Equal parts, a power of two, into which the cell must be cut for s̈ to be constant in each, where the squared
-    /// speed is about `y`.
-    pub fn parts(&self, y: f64) -> u32 {
-        let gain = 2.0 * self.accel * self.h;
-        if self.straight || gain <= COARSE * y {
-            return 1;
-        }
-        ((gain / (COARSE * y)).min(f64::from(MOST_PARTS)) as u32 + 1)
-            .next_power_of_two()
-            .min(MOST_PARTS)
     }
 
     /// One of the equal parts.
@@ -114,7 +145,8 @@ impl<const N: usize> Gate<N> {
         let way = h * f64::from(index);
         let slope = std::array::from_fn(|k| self.slope_after(k, way));
         let bend = std::array::from_fn(|k| self.bend[k] + way * self.twist[k]);
-        Self { at_mm: self.at_mm + way, h, slope, bend, ..*self }
+        let stands = self.stands && index == 0;
+        Self { at_mm: self.at_mm + way, h, slope, bend, stands, ..*self }
     }
 
     /// Coefficients of the acceleration of an axis at both ends: α·y₀ + β·y₁.

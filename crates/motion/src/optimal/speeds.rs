@@ -14,30 +14,87 @@ pub(crate) struct Node {
     pub t_s: f64,
 }
 
-/// Appends the nodes of a run from rest to rest, after the one at its start.
-pub(crate) fn run<const N: usize>(
-    gates: &mut [Gate<N>],
-    bounds: &Bounds<N>,
-    nodes: &mut Vec<Node>,
-) {
-    let mut most = vec![0.0; gates.len() + 1];
-    for (i, gate) in gates.iter_mut().enumerate().rev() {
-        most[i] = entry(gate, most[i + 1], bounds);
+/// The passes over cells that come one after the other.
+#[derive(Clone, Debug)]
+pub(crate) struct Passes<const N: usize> {
+    bounds: Bounds<N>,
+    /// Cells through which the speed is not final.
+    pub gates: Vec<Gate<N>>,
+    /// The greatest squared speed at the beginning of each, as far as is known.
+    most: Vec<f64>,
+    /// The squared speed at the beginning of the first.
+    y: f64,
+    pub nodes: Vec<Node>,
+}
+
+impl<const N: usize> Passes<N> {
+    /// From rest at a place.
+    pub fn new(bounds: Bounds<N>, at_mm: f64) -> Self {
+        let start = Node { at_mm, v: 0.0, t_s: 0.0 };
+        Self { bounds, gates: Vec::new(), most: Vec::new(), y: 0.0, nodes: vec![start] }
     }
-    let mut y = 0.0;
-    for (i, gate) in gates.iter().enumerate() {
-        let end = if i + 1 == gates.len() { 0.0 } else { most[i + 1] };
-        y = match gate.straight() {
-            Some(accel) => straight(gate, accel, y, end, nodes),
-            None => curved(gate, y, end, bounds, nodes),
-        };
+
+    /// The same with more axes, which stood still.
+    pub fn widen<const M: usize>(&mut self, bounds: Bounds<M>) -> Passes<M> {
+        Passes {
+            bounds,
+            gates: self.gates.iter().map(Gate::widen).collect(),
+            most: Vec::new(),
+            y: self.y,
+            nodes: std::mem::take(&mut self.nodes),
+        }
+    }
+
+    /// Finds the speed through all cells for which it does not depend on what comes after the last;
+    /// `ended` when the machine stands there.
+    pub fn settle(&mut self, ended: bool) {
+        let last = self.gates.len();
+        self.most.clear();
+        self.most.resize(last + 1, if ended { 0.0 } else { f64::INFINITY });
+        for i in (0..last).rev() {
+            self.most[i] = entry(&mut self.gates[i], self.most[i + 1], &self.bounds);
+        }
+        let known = if ended { last } else { self.agreed() };
+        self.forward(known);
+        self.gates.drain(..known);
+    }
+
+    /// Whatever comes, what can be slowed from lies between what it is if the machine must stand
+    /// after the last cell and what it is if nothing slows it there. From where both agree on, all
+    /// before is final.
+    fn agreed(&mut self) -> usize {
+        let mut low = 0.0;
+        for i in (1..self.gates.len()).rev() {
+            low = entry(&mut self.gates[i], low, &self.bounds);
+            if low == self.most[i] {
+                return i;
+            }
+        }
+        0
+    }
+
+    fn forward(&mut self, count: usize) {
+        let mut y = self.y;
+        for (gate, end) in self.gates[..count].iter().zip(&self.most[1..]) {
+            y = match gate.straight() {
+                Some(accel) => straight(gate, accel, y, *end, &mut self.nodes),
+                None => curved(gate, y, *end, &self.bounds, &mut self.nodes),
+            };
+        }
+        self.y = y;
     }
 }
 
 /// The greatest entry into a cell, in parts where it is too coarse.
 fn entry<const N: usize>(gate: &mut Gate<N>, most: f64, bounds: &Bounds<N>) -> f64 {
+    if gate.stands {
+        return 0.0;
+    }
     let whole = gate.entry(most, bounds);
-    gate.parts = gate.parts(whole.max(most));
+    if gate.straight().is_some() {
+        return whole;
+    }
+    gate.parts = gate.parts(whole, most.min(gate.cap));
     match gate.parts {
         1 => whole,
         parts => (0..parts).rev().fold(most, |most, k| gate.part(k, parts).entry(most, bounds)),
@@ -54,7 +111,7 @@ fn curved<const N: usize>(
 ) -> f64 {
     let mut y = gate.exit(entry, most, bounds);
     // A refinement of the parts of the pass back, so that what it promised holds.
-    let parts = gate.parts(entry.max(y)).max(gate.parts);
+    let parts = gate.parts(entry, y).max(gate.parts);
     if parts > 1 {
         let mut ends = [most; MOST_PARTS as usize];
         for k in (1..parts as usize).rev() {

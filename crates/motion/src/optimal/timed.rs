@@ -1,10 +1,10 @@
 //! A smoothed path with its times: where every axis is at time t.
 
 use super::cells::Cells;
+use super::kernel::Kernel;
 use super::reach::{Bounds, Gate};
 use super::speeds::{Node, step};
 use super::track::{Track, norm};
-use super::widths::Kernel;
 use crate::moves::Move;
 use crate::plan::State;
 use kerf_program::{AXES, Axes, Dynamics};
@@ -65,7 +65,7 @@ impl Timed {
                 let at_mm = between(a, b, a.at_mm + s * (a.v + 0.5 * accel * s));
                 Along { at_mm, v: a.v + accel * s, accel }
             }
-            _ => Along { at_mm: a.at_mm, v: 0.0, accel: 0.0 },
+            _ => Along { at_mm: a.at_mm, v: a.v, accel: 0.0 },
         }
     }
 
@@ -103,7 +103,7 @@ impl Timed {
         let later = self.nodes.partition_point(|n| n.at_mm < at_mm);
         let (Some(a), Some(b)) = (self.nodes.get(later.wrapping_sub(1)), self.nodes.get(later))
         else {
-            return if later == 0 { 0.0 } else { self.duration_s() };
+            return if later == 0 { self.start_s() } else { self.duration_s() };
         };
         if !self.pushes.is_empty() {
             return self.pushed_time(later - 1, at_mm);
@@ -115,11 +115,21 @@ impl Timed {
         a.t_s + within.min(b.t_s - a.t_s)
     }
 
-    /// Where a move begins on the track; beyond the last, where the track ends.
+    /// When the first node is passed; not zero for a later piece of a stack.
+    fn start_s(&self) -> f64 {
+        self.nodes.first().map_or(0.0, |n| n.t_s)
+    }
+
+    /// Where a move begins on the track; beyond the last, where the plan ends.
     pub fn start_mm(&self, index: usize) -> f64 {
+        let end = |n: Option<&Node>| n.map_or(0.0, |n| n.at_mm);
+        if index == 0 {
+            return end(self.nodes.first());
+        }
         let vertex = self.track.owner.partition_point(|owner| (*owner as usize) < index);
-        let vertex = if index > self.last_move() { self.track.len() } else { vertex };
-        self.track.at_mm.get(vertex).or(self.track.at_mm.last()).copied().unwrap_or(0.0)
+        let past = index > self.last_move();
+        let at = self.track.at_mm.get(vertex).filter(|_| !past);
+        at.copied().unwrap_or_else(|| end(self.nodes.last()))
     }
 
     fn last_move(&self) -> usize {
@@ -217,13 +227,13 @@ impl Timed {
 
     fn brake_in<const N: usize>(&self, t_s: f64, moves: &[Move]) -> Vec<Node> {
         let along = self.along(t_s);
-        let bounds = Bounds::<N>::new(&self.dynamics.speed_mm_s.0, &self.dynamics.accel_mm_s2.0);
+        let bounds = Bounds::<N>::of(&self.dynamics);
         let mut nodes = vec![Node { at_mm: along.at_mm, v: along.v, t_s }];
         let cells = Cells::<N>::from(&self.track, &self.widths, self.kernel, moves, along.at_mm);
         let mut y = along.v * along.v;
         for cell in cells {
             let gate = Gate::new(&cell, &bounds, moves);
-            let parts = gate.parts(y);
+            let parts = gate.parts(y, 0.0);
             for part in (0..parts).map(|k| gate.part(k, parts)) {
                 if y <= 0.0 {
                     return nodes;

@@ -1,6 +1,6 @@
 //! The path of a stack as a polyline over one length: arcs become chords far finer than the
-//! tolerance, every axis counts (a degree as a millimetre), and the chain is cut into runs where the
-//! machine must stand.
+//! tolerance, every axis counts (a degree as a millimetre), and the chain is cut where the machine
+//! must stand.
 
 use crate::moves::{Move, Path};
 use kerf_program::{AXES, Axes};
@@ -23,37 +23,48 @@ const CURVE_CHORDS: u32 = 16;
 /// Ends of neighbouring moves that are closer are the same place, mm.
 const SAME_PLACE_MM: f64 = 1e-6;
 
-/// A polyline over its length.
+/// A polyline over its length, or the part of it that is still needed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Track {
     /// Axes that are stored: 3 when only X, Y and Z move, else all.
     pub dims: usize,
     /// Coordinates of the vertices, `dims` each.
     coords: Vec<f64>,
+    /// Where the axes stand that are not stored.
+    rest: Axes,
     /// Length from the start to each vertex, mm.
     pub at_mm: Vec<f64>,
     /// The move to which the segment after each vertex belongs.
     pub owner: Vec<u32>,
+    /// The vertices at which the chain is broken: its ends, and its beginnings.
+    pub breaks: Vec<bool>,
     tolerance_mm: f64,
 }
 
 impl Track {
-    /// The polyline of moves, and the vertices at which the chain is broken.
-    pub fn of(moves: &[Move], tolerance_mm: f64) -> (Self, Vec<usize>) {
-        let flat = |m: &Move| (3..AXES).all(|k| m.from.0[k] == m.to.0[k]);
-        let dims = if moves.iter().all(flat) { 3 } else { AXES };
-        let mut track = Self { dims, tolerance_mm, ..Self::default() };
-        track.coords.reserve((moves.len() + 1) * dims);
-        let mut breaks = Vec::new();
+    /// Of no moves yet.
+    pub fn new(dims: usize, tolerance_mm: f64) -> Self {
+        Self { dims, tolerance_mm: tolerance_mm.max(0.0), ..Self::default() }
+    }
+
+    /// The polyline of moves.
+    pub fn of(moves: &[Move], tolerance_mm: f64) -> Self {
+        let mut track = Self::new(3, tolerance_mm);
         for (i, m) in moves.iter().enumerate() {
-            let apart = i == 0 || distance(&moves[i - 1].to, &m.from) > SAME_PLACE_MM;
-            if apart {
-                breaks.push(track.len());
-                track.push(&m.from, 0.0, i);
+            if !track.holds(m) {
+                track.widen();
             }
-            track.follow(m, i);
+            track.follow(moves, i);
         }
-        (track, breaks)
+        track.end();
+        track
+    }
+
+    /// Whether the axes that are not stored stand still in a move.
+    pub fn holds(&self, m: &Move) -> bool {
+        let still = |k: usize| m.from.0[k] == m.to.0[k];
+        let stays = |k: usize| self.len() == 0 || m.from.0[k] == self.rest.0[k];
+        (self.dims..AXES).all(|k| still(k) && stays(k))
     }
 
     /// Number of vertices.
@@ -61,15 +72,16 @@ impl Track {
         self.at_mm.len()
     }
 
-    fn push(&mut self, place: &Axes, way_mm: f64, owner: usize) {
-        let at_mm = self.at_mm.last().map_or(0.0, |s| s + way_mm);
-        self.coords.extend_from_slice(&place.0[..self.dims]);
-        self.at_mm.push(at_mm);
-        self.owner.push(owner as u32);
-    }
-
-    /// Adds the vertices of a move after its start.
-    fn follow(&mut self, m: &Move, index: usize) {
+    /// Adds the vertices of a move; the moves before have theirs.
+    pub fn follow(&mut self, moves: &[Move], index: usize) {
+        let m = &moves[index];
+        let apart = self.len() == 0 || distance(&moves[index - 1].to, &m.from) > SAME_PLACE_MM;
+        if apart {
+            self.end();
+            self.rest = m.from;
+            self.push(&m.from, 0.0, index);
+            self.end();
+        }
         if let Some(last) = self.owner.last_mut() {
             *last = index as u32;
         }
@@ -82,11 +94,63 @@ impl Track {
         }
     }
 
+    /// The chain is broken at the last vertex.
+    pub fn end(&mut self) {
+        if let Some(last) = self.breaks.last_mut() {
+            *last = true;
+        }
+    }
+
+    fn push(&mut self, place: &Axes, way_mm: f64, owner: usize) {
+        let at_mm = self.at_mm.last().map_or(0.0, |s| s + way_mm);
+        self.coords.extend_from_slice(&place.0[..self.dims]);
+        self.at_mm.push(at_mm);
+        self.owner.push(owner as u32);
+        self.breaks.push(false);
+    }
+
+    /// Stores all axes from here on.
+    pub fn widen(&mut self) {
+        let place = |v: &[f64]| {
+            let mut all = self.rest.0;
+            all[..v.len()].copy_from_slice(v);
+            all
+        };
+        self.coords = self.coords.chunks_exact(self.dims).flat_map(place).collect();
+        self.dims = AXES;
+    }
+
+    /// A part, from one vertex up to another; what lies beyond a last move counts to it.
+    pub fn part(&self, from: usize, to: usize, last: usize) -> Self {
+        Self {
+            dims: self.dims,
+            coords: self.coords[from * self.dims..to * self.dims].to_vec(),
+            rest: self.rest,
+            at_mm: self.at_mm[from..to].to_vec(),
+            owner: self.owner[from..to].iter().map(|owner| (*owner).min(last as u32)).collect(),
+            breaks: self.breaks[from..to].to_vec(),
+            tolerance_mm: self.tolerance_mm,
+        }
+    }
+
+    /// Forgets the first vertices.
+    pub fn forget(&mut self, vertices: usize) {
+        self.coords.drain(..vertices * self.dims);
+        self.at_mm.drain(..vertices);
+        self.owner.drain(..vertices);
+        self.breaks.drain(..vertices);
+    }
+
+    /// Counts moves from a later one on.
+    pub fn count_from(&mut self, first: usize) {
+        self.owner.iter_mut().for_each(|owner| *owner = owner.saturating_sub(first as u32));
+    }
+
     /// A vertex.
     pub fn point<const N: usize>(&self, vertex: usize) -> [f64; N] {
-        let mut place = [0.0; N];
         let from = vertex * self.dims;
         let stored = self.dims.min(N);
+        let mut place = std::array::from_fn(|k| self.rest.0[k]);
         place[..stored].copy_from_slice(&self.coords[from..from + stored]);
         place
     }
@@ -115,6 +179,13 @@ impl Track {
         }
         let share = if arc(before) || arc(after) { 1.0 - CHORD_SHARE } else { 1.0 };
         self.tolerance_mm * share
+    }
+
+    /// Whether another speed holds after a vertex.
+    pub fn feed_changes(&self, vertex: usize, moves: &[Move]) -> bool {
+        let (a, b) = (self.owner[vertex - 1], self.owner[vertex]);
+        let (a, b) = (&moves[a as usize], &moves[b as usize]);
+        a.basis != b.basis || a.speed_mm_s != b.speed_mm_s
     }
 
     /// The segment on which a length lies, between two vertices.

@@ -1,26 +1,22 @@
 //! How wide each corner is smoothed.
 //!
-//! Along its length s the polyline turns at each vertex j by D = u₂ − u₁, the change of its unit
-//! tangent. The smoothed path is the polyline plus one bump h(s − sⱼ)·Dⱼ for each vertex, where h″
-//! is a kernel of area 1 and half-width c: the path then curves by the kernel times D where the
-//! polyline had a kink. A box gives the parabolic blend; a triangle gives a curve whose curvature
-//! is continuous, for motion with limited jerk. Bumps may overlap, so that a curve of many short
-//! chords is smoothed over several of them.
+//! A bump of half-width c at a vertex whose tangent turns by D is D·h(s), and its height is
+//! proportional to c. Where bumps overlap their sum, which is convex between vertices, is greatest at
+//! a vertex; there it is kept within the tolerance.
 //!
-//! ```text
-//!   bump h at the distance d from the vertex      its greatest, at the vertex
-//!   box       (c − d)² / 4c                       c/4
-//!   triangle  (c − d)³ / 6c²                      c/6
-//! ```
-//!
-//! Between vertices every bump is convex in s, so the sum of their sizes is greatest at a vertex:
-//! a path that is within tolerance at the vertices is so everywhere.
+//! Widths are found in passes over the vertices, each of which looks at most [`REACH`] vertices
+//! ahead. So a width is final as soon as a few vertices after it are known, and a path can be
+//! smoothed while it is read.
 
+use super::kernel::Kernel;
+use super::planner::padded;
 use super::track::{Track, norm};
 use crate::moves::Move;
+use std::mem::take;
+use std::ops::Range;
 
 /// Bumps reach over at most so many vertices on each side.
-const REACH: usize = 8;
+pub(crate) const REACH: usize = 8;
 
 /// Slighter turns are none.
 const STRAIGHT: f64 = 1e-9;
@@ -31,294 +27,309 @@ const SHARPEST_MM: f64 = 1e-6;
 /// Steps of Newton's method; each from above, so that the width only shrinks.
 const STEPS: usize = 8;
 
-/// How far bumps may overlap.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Overlap {
-    /// Each bump stays on its half of the segments: best on even curves.
-    None,
-    /// As far as the tolerance allows: best where corners are close and uneven.
-    Widest,
-}
+/// A bump may use this much more than the tolerance before it is narrowed, as a share.
+const CLOSE: f64 = 1e-3;
 
-/// The shape of the smoothing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Kernel {
-    /// Curvature jumps: for motion limited in acceleration.
-    #[default]
-    Box,
-    /// Curvature is continuous: for motion limited in jerk.
-    Triangle,
-}
+/// Segments whose lengths differ by no more than this factor are even.
+const UNEVEN: f64 = 1.1;
 
-/// A turn sharper than this, as change of the unit tangent, is a corner and not part of a curve.
-const SHARP: f64 = 0.2;
+/// Slighter turns are those of a curve, sharper ones corners.
+const CURVE: f64 = 0.2;
 
-/// Triangles of which the kernel of a corner is made: share of the area and of the width.
-///
-/// Together they are a broken line through the kernel of the fastest corner between axes limited in
-/// jerk alone, K ∝ (1 − u²)/(1 + u²)³ at s ∝ u + u³/3, where one axis stops with its full jerk while
-/// the other starts with its own.
-pub(crate) const CORNER: [(f64, f64); PARTS] = [
-    (0.25355, 1.0),
-    (0.06040, 0.94),
-    (0.08027, 0.88),
-    (0.11670, 0.8),
-    (0.14087, 0.7),
-    (0.14475, 0.6),
-    (0.12888, 0.5),
-    (0.08639, 0.4),
-    (0.02653, 0.3),
-    (-0.01581, 0.2),
-    (-0.02253, 0.1),
-];
-
-/// Triangles that a kernel has at most.
-pub(crate) const PARTS: usize = 11;
-
-impl Kernel {
-    /// The triangles of which the kernel for a turn is made.
-    pub fn parts(self, turn: f64) -> [(f64, f64); PARTS] {
-        if self.is_corner(turn) {
-            return CORNER;
-        }
-        let mut parts = [(0.0, 1.0); PARTS];
-        parts[0] = (1.0, 1.0);
-        parts
-    }
-
-    /// Whether the kernel for a turn is that of a corner.
-    pub fn is_corner(self, turn: f64) -> bool {
-        self == Self::Triangle && turn > SHARP
-    }
-
-    /// The bump of half-width `c` at a distance, and its derivative by the half-width.
-    fn bump(self, turn: f64, c: f64, distance: f64) -> (f64, f64) {
-        if self == Self::Box {
-            let left = c - distance;
-            return (left * left / (4.0 * c), left * (c + distance) / (4.0 * c * c));
-        }
-        let mut sum = (0.0, 0.0);
-        for (share, width) in self.parts(turn) {
-            let (c, left) = (c * width, c * width - distance);
-            if share != 0.0 && left > 0.0 {
-                let square = share * left * left / (6.0 * c * c);
-                sum.0 += square * left;
-                sum.1 += width * square * (c + 2.0 * distance) / c;
-            }
-        }
-        sum
-    }
-
-    /// The share of the way to a stop over which a bump may reach: with limited jerk the first bit
-    /// of path from rest must be straight.
-    const fn straight_ends(self) -> f64 {
-        match self {
-            Self::Box => 1.0,
-            Self::Triangle => 1.0 - super::limited::LAUNCH_SHARE,
-        }
-    }
-
-    /// The half-width of a bump of height 1.
-    fn width(self, turn: f64) -> f64 {
-        match self {
-            Self::Box => 4.0,
-            Self::Triangle => {
-                6.0 / self.parts(turn).iter().map(|(share, width)| share * width).sum::<f64>()
-            }
-        }
-    }
-
-    /// Value, slope and curvature of the bump at an offset from its vertex; at the vertex itself the
-    /// sign of the offset tells the side.
-    pub fn shape(self, turn: f64, c: f64, offset: f64) -> [f64; 3] {
-        let side = -offset.signum();
-        if self == Self::Box {
-            let left = c - offset.abs();
-            return [left * left / (4.0 * c), side * left / (2.0 * c), 0.5 / c];
-        }
-        let mut sum = [0.0; 3];
-        for (share, width) in self.parts(turn) {
-            let left = c * width - offset.abs();
-            if share != 0.0 && left > 0.0 {
-                let scale = share / (c * width * c * width);
-                sum[0] += scale * left * left * left / 6.0;
-                sum[1] += side * 0.5 * scale * left * left;
-                sum[2] += scale * left;
-            }
-        }
-        sum
-    }
-}
-
-/// Half-widths of all vertices; zero where the machine stands: at the breaks, at the end, and where
-/// the tolerance leaves no room. Negative where there is no turn, and so no bump.
-pub(crate) fn widths<const N: usize>(
-    track: &Track,
-    breaks: &[usize],
-    moves: &[Move],
+/// Widths under construction, and what they are made from: one of each for each vertex.
+#[derive(Clone, Debug)]
+pub(crate) struct Smoothing<const N: usize> {
     kernel: Kernel,
-    overlap: Overlap,
-) -> Vec<f64> {
-    let (turns, widths) = (turns::<N>(track), vec![0.0; track.len()]);
-    let mut out = Widths { at: &track.at_mm, turns, kernel, overlap, widths };
-    for (k, first) in breaks.iter().enumerate() {
-        let last = breaks.get(k + 1).map_or(track.len(), |next| *next) - 1;
-        out.run(*first, last, |vertex| track.tolerance_mm(vertex, moves));
-    }
-    out.widths
-}
-
-struct Widths<'a> {
-    at: &'a [f64],
+    /// Direction of the segment after the vertex.
+    pub directions: Vec<[f64; N]>,
+    /// How much the tangent changes; for a stop more than it can.
     turns: Vec<f64>,
-    kernel: Kernel,
-    overlap: Overlap,
-    widths: Vec<f64>,
+    /// The widest bump that stays on its own half of the segments.
+    pub narrow: Vec<f64>,
+    /// The widest bump.
+    pub wide: Vec<f64>,
+    /// By how much the widest bumps must be narrowed.
+    factors: Vec<f64>,
+    /// How far each pass has come.
+    done: Done,
+    /// Width before the vertex at which the first and the fourth pass stand.
+    before: [f64; 2],
+    /// The last stop before the first pass.
+    stop: usize,
 }
 
-impl Widths<'_> {
-    /// Splits a chain where a corner cannot be passed and smooths each part.
-    fn run(&mut self, first: usize, last: usize, tolerance: impl Fn(usize) -> f64) {
-        let mut start = first;
-        for vertex in first + 1..=last {
-            let widest =
-                self.kernel.width(self.turns[vertex]) * tolerance_or(vertex, last, &tolerance);
-            let sharp = self.turns[vertex] > STRAIGHT && widest < SHARPEST_MM * self.turns[vertex];
-            if vertex == last || sharp {
-                self.smooth(start, vertex, &tolerance);
-                start = vertex;
+#[derive(Clone, Copy, Debug, Default)]
+struct Done {
+    alone: usize,
+    back: usize,
+    summed: usize,
+    held: usize,
+    wide: usize,
+}
+
+/// What stands for the turn at a stop.
+const STOP: f64 = f64::INFINITY;
+
+impl<const N: usize> Smoothing<N> {
+    pub const fn new(kernel: Kernel) -> Self {
+        Self {
+            kernel,
+            directions: Vec::new(),
+            turns: Vec::new(),
+            narrow: Vec::new(),
+            wide: Vec::new(),
+            factors: Vec::new(),
+            done: Done { alone: 0, back: 0, summed: 0, held: 0, wide: 0 },
+            before: [0.0; 2],
+            stop: 0,
+        }
+    }
+
+    /// Goes on with vertices that are new; `ended` when there will be no more. Gives for how many
+    /// vertices the widest bumps are final.
+    pub fn advance(&mut self, track: &Track, moves: &[Move], ended: bool) -> usize {
+        self.turn(track, moves, ended);
+        let known = self.turns.len();
+        let behind = |n: usize| if ended { n } else { n.saturating_sub(REACH) };
+        let alone = behind(known).max(self.done.alone);
+        self.by_itself(track, moves, alone);
+        self.narrow_back(&track.at_mm, self.done.back..alone);
+        self.done.back = behind(alone).max(self.done.back);
+        let summed = behind(self.done.back).max(self.done.summed);
+        self.sum(track, moves, self.done.summed..summed);
+        let held = behind(summed).max(self.done.held);
+        self.hold(&track.at_mm, held);
+        self.narrow_back(&track.at_mm, self.done.wide..held);
+        self.done =
+            Done { alone, summed, held, wide: behind(held).max(self.done.wide), ..self.done };
+        self.done.wide
+    }
+
+    /// The same with more axes, which stood still.
+    pub fn widen<const M: usize>(&mut self) -> Smoothing<M> {
+        Smoothing {
+            kernel: self.kernel,
+            directions: self.directions.iter().map(padded).collect(),
+            turns: take(&mut self.turns),
+            narrow: take(&mut self.narrow),
+            wide: take(&mut self.wide),
+            factors: take(&mut self.factors),
+            done: self.done,
+            before: self.before,
+            stop: self.stop,
+        }
+    }
+
+    /// Whether the machine stands at a vertex.
+    pub fn stops(&self, vertex: usize) -> bool {
+        self.turns[vertex] == STOP
+    }
+
+    /// Whether there is nothing to smooth at a vertex.
+    pub fn is_straight(&self, vertex: usize) -> bool {
+        self.turns[vertex] <= STRAIGHT
+    }
+
+    /// Change of the direction at a vertex that is not the first.
+    pub fn turn_at(&self, vertex: usize) -> [f64; N] {
+        let (a, b) = (&self.directions[vertex - 1], &self.directions[vertex]);
+        std::array::from_fn(|k| b[k] - a[k])
+    }
+
+    /// Forgets the first vertices.
+    pub fn forget(&mut self, vertices: usize) {
+        self.directions.drain(..vertices);
+        for values in [&mut self.turns, &mut self.narrow, &mut self.wide, &mut self.factors] {
+            values.drain(..vertices);
+        }
+        let Done { alone, back, summed, held, wide } = &mut self.done;
+        for place in [alone, back, summed, held, wide] {
+            *place -= vertices;
+        }
+        self.stop = self.stop.saturating_sub(vertices);
+    }
+
+    /// Turns of the vertices whose next vertex is known.
+    fn turn(&mut self, track: &Track, moves: &[Move], ended: bool) {
+        let known = if ended { track.len() } else { track.len().saturating_sub(1) };
+        for j in self.turns.len()..known {
+            let direction = if j + 1 < track.len() { track.direction(j) } else { [0.0; N] };
+            self.directions.push(direction);
+            let mut turn = STOP;
+            if !track.breaks[j] && j > 0 && j + 1 < track.len() {
+                let exact = norm(&self.turn_at(j));
+                let widest = self.kernel.width(exact) * track.tolerance_mm(j, moves);
+                if exact <= STRAIGHT || widest >= SHARPEST_MM * exact {
+                    turn = exact;
+                }
             }
+            self.turns.push(turn);
         }
     }
 
-    fn smooth(&mut self, first: usize, last: usize, tolerance: &impl Fn(usize) -> f64) {
-        match self.overlap {
-            Overlap::None => self.part(first, last, tolerance),
-            Overlap::Widest => self.spread(first, last, tolerance),
-        }
-        for j in first + 1..last {
-            if self.turns[j] <= STRAIGHT {
-                self.widths[j] = -self.widths[j];
+    /// First pass: every bump by itself, as narrow and as wide as it may be.
+    fn by_itself(&mut self, track: &Track, moves: &[Move], to: usize) {
+        for j in self.done.alone..to {
+            let (mut narrow, mut wide) = (0.0, 0.0);
+            if self.stops(j) {
+                self.stop = j;
+            } else {
+                let (at, tolerance) = (&track.at_mm, track.tolerance_mm(j, moves));
+                let turn = self.turns[j].max(STRAIGHT);
+                let alone = self.kernel.width(turn) * tolerance / turn;
+                let (before, after) = (at[j] - at[j - 1], at[j + 1] - at[j]);
+                narrow = alone.min(0.5 * before.min(after));
+                wide = self.widest(j, at, alone.min(self.before[0] + before), tolerance);
             }
+            self.before[0] = wide;
+            self.narrow.push(narrow);
+            self.wide.push(wide);
+            self.factors.push(1.0);
         }
-    }
-
-    /// Widths up to the middle of the segments.
-    fn part(&mut self, first: usize, last: usize, tolerance: &impl Fn(usize) -> f64) {
-        for j in first + 1..last {
-            let (before, after) = (self.at[j] - self.at[j - 1], self.at[j + 1] - self.at[j]);
-            let turn = self.turns[j].max(STRAIGHT);
-            let alone = self.kernel.width(turn) * tolerance(j) / turn;
-            self.widths[j] = alone.min(0.5 * before.min(after));
-        }
-    }
-
-    fn spread(&mut self, first: usize, last: usize, tolerance: &impl Fn(usize) -> f64) {
-        let mut before = 0.0;
-        for j in first + 1..last {
-            let room = before + (self.at[j] - self.at[j - 1]);
-            before = self.widest(j, first, last, room, tolerance(j));
-            self.widths[j] = before;
-        }
-        self.narrow_back(first, last);
-        self.hold_tolerance(first, last, tolerance);
-        self.narrow_forward(first, last);
-        self.narrow_back(first, last);
     }
 
     /// The width at which this bump and its neighbours, were they as wide, just use the tolerance.
-    fn widest(&self, j: usize, first: usize, last: usize, room: f64, tolerance: f64) -> f64 {
-        let at = self.at[j];
-        let reach = (self.at[(j + REACH).min(last)] - at)
-            .min(at - self.at[j.saturating_sub(REACH).max(first)]);
-        let turn = self.turns[j].max(STRAIGHT);
-        let alone = self.kernel.width(turn) * tolerance / turn;
-        let ends = (at - self.at[first]).min(self.at[last] - at);
-        let mut c = reach.min(room).min(alone).min(self.kernel.straight_ends() * ends);
+    fn widest(&self, j: usize, at: &[f64], most: f64, tolerance: f64) -> f64 {
+        let far = (j + REACH).min(self.turns.len() - 1);
+        let stop = (j + 1..=far).find(|k| self.stops(*k));
+        let before = at[j] - at[j.saturating_sub(REACH).max(self.stop)];
+        let after = at[stop.unwrap_or(far)] - at[j];
+        let straight = self.kernel.straight_ends();
+        let mut c = most.min(before).min(after);
+        c = c.min(straight * (at[j] - at[self.stop]));
+        if stop.is_some() {
+            c = c.min(straight * after);
+        }
         for _ in 0..STEPS {
-            let (mut sum, mut slope) = (0.0, 0.0);
-            let mut add = |k: usize, distance: f64| {
-                let (bump, by_width) = self.kernel.bump(self.turns[k], c, distance);
-                sum += self.turns[k] * bump;
-                slope += self.turns[k] * by_width;
-            };
-            add(j, 0.0);
-            (j + 1..last)
-                .take_while(|k| self.at[*k] - at < c)
-                .for_each(|k| add(k, self.at[k] - at));
-            (first + 1..j)
-                .rev()
-                .take_while(|k| at - self.at[*k] < c)
-                .for_each(|k| add(k, at - self.at[k]));
+            let (sum, slope) = self.bumps(j, at, c);
             let over = sum - tolerance;
-            if over <= 1e-3 * tolerance {
+            if over <= CLOSE * tolerance {
                 break;
             }
             c = (c - over / slope).max(0.5 * c);
         }
-        c
+        self.even(j, at, c)
     }
 
-    /// Bumps begin in the order of their vertices …
-    fn narrow_back(&mut self, first: usize, last: usize) {
-        for j in (first..last).rev() {
-            let most = self.widths[j + 1] + (self.at[j + 1] - self.at[j]);
-            self.widths[j] = self.widths[j].min(most);
+    /// On a curve of even chords, narrows a bump so that it begins and ends where others do: at a
+    /// vertex or in the middle between two. The sum of all then has the same curvature everywhere.
+    fn even(&self, j: usize, at: &[f64], c: f64) -> f64 {
+        let (before, after) = (at[j] - at[j - 1], at[j + 1] - at[j]);
+        let short = before.min(after);
+        if before.max(after) > UNEVEN * short || c < 0.5 * short || self.turns[j] > CURVE {
+            return c;
         }
-    }
-
-    /// … and end in that order.
-    fn narrow_forward(&mut self, first: usize, last: usize) {
-        for j in first + 1..=last {
-            let most = self.widths[j - 1] + (self.at[j] - self.at[j - 1]);
-            self.widths[j] = self.widths[j].min(most);
-        }
-    }
-
-    /// Narrows what overlaps too much: a bump shrinks at least as its width does, so narrowing all
-    /// that reach a vertex by the same factor brings their sum there within the tolerance.
-    fn hold_tolerance(&mut self, first: usize, last: usize, tolerance: &impl Fn(usize) -> f64) {
-        let mut factors = vec![1.0f64; last + 1 - first];
-        for j in first + 1..last {
-            let sum: f64 = self
-                .reaching(j, first, last)
-                .map(|(k, d)| self.turns[k] * self.kernel.bump(self.turns[k], self.widths[k], d).0)
-                .sum();
-            let most = tolerance(j);
-            if sum > most {
-                let factor = most / sum;
-                self.reaching(j, first, last).for_each(|(k, _)| {
-                    factors[k - first] = factors[k - first].min(factor);
-                });
+        let mut even = 0.5 * short;
+        for k in 1..=REACH.min(j) {
+            if j + k + 1 >= at.len() {
+                break;
+            }
+            let full = (at[j + k] - at[j]).min(at[j] - at[j - k]);
+            if full > c {
+                break;
+            }
+            even = full;
+            if k < j {
+                let half = 0.5 * (at[j + k] + at[j + k + 1]) - at[j];
+                let half = half.min(at[j] - 0.5 * (at[j - k] + at[j - k - 1]));
+                if half > c {
+                    break;
+                }
+                even = half;
             }
         }
-        for (j, factor) in factors.iter().enumerate() {
-            self.widths[first + j] *= factor;
+        even
+    }
+
+    /// The sum of all bumps at a vertex, were they as wide as its own, and how it grows with that.
+    fn bumps(&self, j: usize, at: &[f64], c: f64) -> (f64, f64) {
+        let (mut sum, mut slope) = (0.0, 0.0);
+        let mut add = |k: usize, distance: f64| {
+            let (bump, by_width) = self.kernel.bump(self.turns[k], c, distance);
+            sum += self.turns[k] * bump;
+            slope += self.turns[k] * by_width;
+        };
+        add(j, 0.0);
+        let mut k = j + 1;
+        while k < self.turns.len() && at[k] - at[j] < c {
+            add(k, at[k] - at[j]);
+            k += 1;
+        }
+        let mut k = j;
+        while k > self.stop + 1 && at[j] - at[k - 1] < c {
+            k -= 1;
+            add(k, at[j] - at[k]);
+        }
+        (sum, slope)
+    }
+
+    /// Bumps end in the order of their vertices.
+    fn narrow_back(&mut self, at: &[f64], range: Range<usize>) {
+        back(&mut self.wide, at, range);
+    }
+
+    /// What overlaps too much: a bump shrinks at least as its width does, so narrowing all that reach
+    /// a vertex by the same factor brings their sum there within the tolerance.
+    fn sum(&mut self, track: &Track, moves: &[Move], range: Range<usize>) {
+        for j in range {
+            if self.stops(j) {
+                continue;
+            }
+            let (from, to, sum) = self.reaching(j, &track.at_mm);
+            let most = track.tolerance_mm(j, moves);
+            if sum > most {
+                for factor in &mut self.factors[from..to] {
+                    *factor = factor.min(most / sum);
+                }
+            }
         }
     }
 
-    /// The vertices whose bumps reach this one, and their distances.
-    fn reaching(&self, j: usize, first: usize, last: usize) -> impl Iterator<Item = (usize, f64)> {
-        let at = self.at[j];
-        let after = (j..last).map(move |k| (k, self.at[k] - at));
-        let before = (first + 1..j).rev().map(move |k| (k, at - self.at[k]));
-        let reaches = |(k, d): &(usize, f64)| *d < self.widths[*k];
-        after.take_while(reaches).chain(before.take_while(reaches))
+    /// The vertices whose bumps reach this one, and how high they are there together.
+    fn reaching(&self, j: usize, at: &[f64]) -> (usize, usize, f64) {
+        let bump =
+            |k: usize, d: f64| self.turns[k] * self.kernel.bump(self.turns[k], self.wide[k], d).0;
+        let (mut from, mut to, mut sum) = (j, j + 1, bump(j, 0.0));
+        while to < self.wide.len() && at[to] - at[j] < self.wide[to] {
+            sum += bump(to, at[to] - at[j]);
+            to += 1;
+        }
+        while from > 0 && at[j] - at[from - 1] < self.wide[from - 1] {
+            from -= 1;
+            sum += bump(from, at[j] - at[from]);
+        }
+        (from, to, sum)
+    }
+
+    /// Narrows, so that the bumps begin in the order of their vertices.
+    fn hold(&mut self, at: &[f64], to: usize) {
+        for j in self.done.held..to {
+            let mut width = self.wide[j] * self.factors[j];
+            if j > 0 {
+                width = width.min(self.before[1] + (at[j] - at[j - 1]));
+            }
+            self.wide[j] = width;
+            self.before[1] = width;
+        }
     }
 }
 
-fn tolerance_or(vertex: usize, last: usize, tolerance: &impl Fn(usize) -> f64) -> f64 {
-    if vertex == last { 0.0 } else { tolerance(vertex) }
+/// Narrows, so that bumps end in the order of their vertices.
+pub(crate) fn back(widths: &mut [f64], at: &[f64], range: Range<usize>) {
+    for j in range.rev().skip(1) {
+        let most = widths[j + 1] + (at[j + 1] - at[j]);
+        widths[j] = widths[j].min(most);
+    }
 }
 
-/// How much the tangent changes at each vertex.
-fn turns<const N: usize>(track: &Track) -> Vec<f64> {
-    let mut turns = vec![0.0; track.len()];
-    let mut before = [0.0; N];
-    for (j, turn) in turns.iter_mut().enumerate().take(track.len() - 1) {
-        let after = track.direction::<N>(j);
-        *turn = norm(&std::array::from_fn::<f64, N, _>(|k| after[k] - before[k]));
-        before = after;
-    }
-    turns
+/// The widest bumps of a whole path: above zero half-widths, zero where the machine stands, below
+/// zero where there is no turn and so no bump.
+pub(crate) fn widest<const N: usize>(track: &Track, moves: &[Move], kernel: Kernel) -> Vec<f64> {
+    let mut smoothing = Smoothing::<N>::new(kernel);
+    smoothing.advance(track, moves, true);
+    let signed = |j: usize| {
+        let width = smoothing.wide[j];
+        if smoothing.is_straight(j) { -width.max(f64::MIN_POSITIVE) } else { width }
+    };
+    (0..track.len()).map(signed).collect()
 }
