@@ -48,7 +48,7 @@ pub struct ToolPathTime {
 
 impl Tally {
     /// A move was made.
-    pub(crate) fn made(&mut self, made: &Move, seconds: f64, frame: &Frame) {
+    pub fn made(&mut self, made: &Move, seconds: f64, frame: &Frame) {
         let length_mm = match made.path {
             Path::Line | Path::Curve { .. } => {
                 self.moves += 1;
@@ -74,13 +74,13 @@ impl Tally {
     }
 
     /// Time passed without motion.
-    pub(crate) fn waited(&mut self, seconds: f64) {
+    pub fn waited(&mut self, seconds: f64) {
         self.spend(seconds, |t| &mut t.wait_s);
     }
 
     /// A tool path begins. A start that only names the tool, or only the path, belongs to the part
     /// that has nothing but the other.
-    pub(crate) fn begins(&mut self, start: &ToolPathStart) {
+    pub fn begins(&mut self, start: &ToolPathStart) {
         let (name, tool) = (start.name.clone(), start.tool.clone());
         match self.toolpaths.last_mut() {
             Some(last) if last.seconds == 0.0 && (last.name.is_empty() || name.is_none()) => {
@@ -97,7 +97,7 @@ impl Tally {
     }
 
     /// A tool change begins or is over.
-    pub(crate) fn changing(&mut self, begin: bool) {
+    pub fn changing(&mut self, begin: bool) {
         self.changing = begin;
     }
 

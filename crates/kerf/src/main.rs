@@ -9,6 +9,7 @@ mod commands;
 mod curves;
 mod date;
 mod drawings;
+mod estimate;
 mod exit;
 mod memory;
 mod operator;

@@ -139,6 +139,11 @@ pub fn ramps(text: &str) -> Result<RampModel, String> {
     named.ok_or_else(|| "give shopbot, profiler or optimal".into())
 }
 
+/// A number greater than 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    number(text).ok().filter(|n| *n > 0.0).ok_or_else(|| "give a number greater than 0".into())
+}
+
 /// Any finite number.
 pub fn number(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|n: &f64| n.is_finite());

@@ -374,26 +374,6 @@ fn sbp_lang_size() {
 }
 
 #[test]
-fn the_profiler_stops_at_corners_and_not_in_smooth_curves() {
-    let sides: String = (1..=72)
-        .map(|k| f64::from(k) * std::f64::consts::TAU / 72.0)
-        .map(|a| format!("M2,{:.6},{:.6}\n", 50.0 * a.cos(), 50.0 * a.sin()))
-        .collect();
-    let shop = Shop::new(&[("round.sbp", &format!("MS,100\nJ2,50,0\n{sides}"))]);
-    let seconds = |options: &str| {
-        let line = format!("time round.sbp --units mm --format json --ramps profiler {options}");
-        shop.kerf(&line).exits(0).json()["cut"].as_f64().unwrap()
-    };
-    // Once round at 100 mm/s, with a ramp of 500 mm/s² at each end.
-    let round = 100.0 * std::f64::consts::PI / 100.0 + 0.2;
-    assert!((seconds("--axis-speed 200") - round).abs() < 0.01);
-    assert!(seconds("--axis-speed 200 --smoothing 0") > 2.0 * round);
-    assert!((seconds("--axis-speed 200 --smoothing 0 --stop-angle 6") - round).abs() < 0.01);
-    // A quarter of 500 mm/s² on 50 mm: 79 mm/s.
-    assert!(seconds("--axis-speed 200 --centripetal 25") > 1.2 * round);
-}
-
-#[test]
 fn convert_there_and_back_moves_the_same() {
     let shop = Shop::new(&[("box.sbp", BOX)]);
     shop.kerf("convert box.sbp box.nc").exits(0).says("box.nc: ");

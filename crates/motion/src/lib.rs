@@ -36,6 +36,7 @@
 
 mod ahead;
 mod caps;
+pub mod controllers;
 mod corner;
 mod course;
 mod fit;

@@ -1,0 +1,135 @@
+//! `kerf time`: how long a part file takes.
+
+mod controller;
+
+use crate::args::{Format, RunArgs};
+use crate::estimate::Estimate;
+use crate::exit::{Exit, Usage};
+use crate::out;
+use crate::report::Diagnostics;
+use crate::setup::{self, Job};
+use anyhow::{Result, bail};
+use clap::Args;
+use controller::ControllerArgs;
+use kerf_control::{Company, Sink, StopAt, Summary, Tally, ToolPathTime, json};
+use kerf_motion::controllers::Controller;
+use kerf_program::RampModel;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// Tells how long a part file takes: cutting, jogging, waiting, tool changes, each tool path
+///
+/// The times come from the plan that a run follows: speeds, ramps and corners as VS and VR set them.
+/// Other controllers plan otherwise; --controller tells what grbl or LinuxCNC would take.
+#[derive(Args)]
+#[command(after_help = "Examples:
+  kerf time box.sbp --format json
+  kerf time box.sbp --controller grbl --junction-deviation 0.02 --accel 300,300,100")]
+pub struct TimeArgs {
+    /// The part file
+    file: PathBuf,
+    /// Text for people or JSON for programs
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    #[command(flatten)]
+    controller: ControllerArgs,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+/// The times of a run, seconds.
+#[derive(Serialize)]
+struct Times<'a> {
+    total: f64,
+    cut: f64,
+    jog: f64,
+    wait: f64,
+    tool_change: f64,
+    toolpaths: &'a [ToolPathTime],
+}
+
+pub fn run(args: &TimeArgs) -> Result<Exit> {
+    if args.controller.controller.is_some() {
+        return run_elsewhere(args);
+    }
+    let mut job = setup::job(&args.file, &args.run, true)?;
+    args.controller.controller(&job.session.memory.settings.axis_dynamics())?;
+    let mut sink = Diagnostics::default();
+    let summary = follow(&mut job, &mut sink, args);
+    tell(&times(summary.seconds, &summary.tally), args);
+    Ok(summary.status.into())
+}
+
+/// The same moves, as another controller would make them.
+fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
+    let mut run = args.run.clone();
+    let motion = &mut run.motion;
+    let axes = (motion.axis_speed.take(), motion.accel.take());
+    if motion.ramps.take().is_some() {
+        bail!(Usage("--ramps are Kerf's own; they do not belong to --controller".into()));
+    }
+    let mut job = setup::job(&args.file, &run, true)?;
+    let settings = &mut job.session.memory.settings;
+    let mut dynamics = settings.axis_dynamics();
+    for (own, given) in [(&mut dynamics.speed_mm_s, axes.0), (&mut dynamics.accel_mm_s2, axes.1)] {
+        if let Some(given) = given {
+            own.0[..3].copy_from_slice(&given);
+        }
+    }
+    // The model does not matter for the moves, but this one leaves them as they are.
+    settings.ramp_model = Some(RampModel::Shopbot);
+    let Some(controller) = args.controller.controller(&dynamics)? else { return Ok(Exit::Good) };
+    let controller: &dyn Controller = &*controller;
+    let mut sink = (Diagnostics::default(), Estimate::new(controller));
+    let summary = follow(&mut job, &mut sink, args);
+    let estimate = sink.1;
+    tell(&times(estimate.total_s(), &estimate.tally), args);
+    Ok(summary.status.into())
+}
+
+fn follow(job: &mut Job, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
+    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let company = Company { sink, operator: &mut job.answers, pace: &mut pace };
+    let (program, options) = (std::mem::take(&mut job.program), job.options.clone());
+    job.session.run(program, options, &mut job.shelf, company)
+}
+
+fn tell(times: &Times<'_>, args: &TimeArgs) {
+    out::print(&match args.format {
+        Format::Json => json::to_string(times) + "\n",
+        Format::Text => text(times),
+    });
+}
+
+fn times(total: f64, tally: &Tally) -> Times<'_> {
+    Times {
+        total,
+        cut: tally.cut_s,
+        jog: tally.jog_s,
+        wait: tally.wait_s,
+        tool_change: tally.tool_change_s,
+        toolpaths: &tally.toolpaths,
+    }
+}
+
+fn text(times: &Times<'_>) -> String {
+    let rows = [
+        ("total", times.total),
+        ("cutting", times.cut),
+        ("jogging", times.jog),
+        ("waiting", times.wait),
+        ("tool changes", times.tool_change),
+    ];
+    let mut text = String::new();
+    for (name, seconds) in rows {
+        text += &format!("{name:<14}{:>12}\n", out::duration(seconds));
+    }
+    if !times.toolpaths.is_empty() {
+        text += "\n";
+    }
+    for path in times.toolpaths {
+        let tool = if path.tool.is_empty() { String::new() } else { format!("  ({})", path.tool) };
+        text += &format!("{:>12}  {}{tool}\n", out::duration(path.seconds), path.name);
+    }
+    text
+}
