@@ -50,6 +50,12 @@ impl Drawing {
         Self { shapes: shapes.into_iter().map(Arc::new).collect(), ..Self::default() }
     }
 
+    /// Other shapes with the settings, arrays and comments of this drawing.
+    #[must_use]
+    pub fn with_shapes(&self, shapes: Vec<Arc<Shape>>) -> Self {
+        Self { shapes, comments: self.comments.clone(), ..*self }
+    }
+
     /// Settings of a group.
     pub fn settings(&self, group: Group) -> &GroupSettings {
         &self.groups[group.index()]

@@ -30,6 +30,9 @@ struct Head {
     moved: Vec2,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     comments: Vec<String>,
+    /// What a job has besides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    job: Option<serde_json::Value>,
 }
 
 /// What a shape has beyond its lines and arcs.
@@ -52,12 +55,18 @@ fn is_false(value: &bool) -> bool {
 
 /// A drawing as RSG.
 pub fn write(drawing: &Drawing) -> String {
+    write_with(drawing, None)
+}
+
+/// A drawing with the data of a job, as RSM has them.
+pub fn write_with(drawing: &Drawing, job: Option<serde_json::Value>) -> String {
     let head = Head {
         version: VERSION,
         groups: drawing.groups,
         arrays: drawing.arrays,
         moved: drawing.moved,
         comments: drawing.comments().to_vec(),
+        job,
     };
     let notes = Notes {
         head: chunks(&json(&head)),
@@ -95,18 +104,27 @@ fn extra(shape: &Shape) -> Extra {
 
 /// Reads an RSG file, or any DXF.
 pub fn read(bytes: &[u8]) -> Imported {
+    read_with(bytes).0
+}
+
+/// Reads an RSG or RSM file with the data of its job.
+pub fn read_with(bytes: &[u8]) -> (Imported, Option<serde_json::Value>) {
     let options = Options { scale: false, ..Options::default() };
     let (mut read, notes) = dxf::read_with_notes(bytes, &options);
     let head: String = notes.head.iter().filter_map(|line| line.strip_prefix(MARK)).collect();
     if head.is_empty() {
-        return read;
+        return (read, None);
     }
+    let mut job = None;
     match serde_json::from_str::<Head>(&head) {
-        Ok(head) if head.version <= VERSION => restore(&mut read, head, &notes.shapes),
+        Ok(mut head) if head.version <= VERSION => {
+            job = head.job.take();
+            restore(&mut read, head, &notes.shapes);
+        }
         Ok(head) => tell(&mut read, format!("written by a later Kerf (version {})", head.version)),
         Err(error) => tell(&mut read, format!("its own data cannot be read ({error})")),
     }
-    read
+    (read, job)
 }
 
 fn tell(read: &mut Imported, why: String) {

@@ -92,3 +92,15 @@ fn the_layers_of_a_file_become_groups_when_asked() {
         shapes(folder.path(), "part.rsg").iter().map(|shape| shape["group"].clone()).collect();
     assert_eq!(groups, ["black", "blue", "black"]);
 }
+
+#[test]
+fn pro_files_rsm_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "line 0,0 100,0 100,100 0,100 close; set black offset=5; array block 2x3";
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    let made = kerf(folder.path(), &["toolpath", "job.rsg", "--report"]);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    let report = String::from_utf8(made.stdout).unwrap();
+    assert_eq!(report.lines().nth(1), Some("black           6       2588.5  1"));
+    assert_eq!(shapes(folder.path(), "job.rsm").len(), 6);
+}

@@ -90,6 +90,31 @@ pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPa
     Ok(found)
 }
 
+/// The path beside an open one that may cross itself: every segment moved sideways, with arcs about
+/// corners that open, cut back at those that close, and nothing else taken away. It is one path
+/// without a break, and near a crossing it comes nearer to other parts of the source than the distance.
+///
+/// # Errors
+/// Numbers that are not finite, fewer than two different vertices, and places where neighbours do not
+/// meet: an arc or a segment that is smaller than the distance.
+pub fn parallel_path(source: &Polyarc, distance: f64) -> Result<Polyarc, GeomError> {
+    source.check()?;
+    let source = source.tidied();
+    if source.segment_count() == 0 {
+        return Err(GeomError::TooFewVertices { found: source.vertices.len(), needed: 2 });
+    }
+    let mut pieces = Vec::new();
+    raw::append(0, &source, distance, &mut pieces);
+    let joints = if source.closed { pieces.len() } else { pieces.len().saturating_sub(1) };
+    let broken = pieces[..joints].iter().find(|piece| piece.next.is_none());
+    if let Some(piece) = broken {
+        let what = "the path beside it is interrupted";
+        return Err(GeomError::Impossible { what, at: piece.segment.end() });
+    }
+    let segments: Vec<_> = pieces.iter().map(|piece| piece.segment).collect();
+    Ok(Polyarc::from_segments(&segments, source.closed))
+}
+
 /// An offset by nothing is the contour itself.
 fn unmoved(contour: usize, path: &Polyarc) -> OffsetPath {
     let origin = |element| Origin { contour, element, corner: false };

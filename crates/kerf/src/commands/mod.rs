@@ -13,6 +13,7 @@ mod samples;
 mod send;
 mod sysvars;
 mod time;
+mod toolpath;
 mod trace;
 mod wavlength;
 
@@ -33,6 +34,7 @@ pub enum Command {
     Fmt(fmt::FmtArgs),
     Draw(draw::DrawArgs),
     Convert(convert::ConvertArgs),
+    Toolpath(toolpath::ToolpathArgs),
     Explain(explain::ExplainArgs),
     Wavlength(wavlength::WavlengthArgs),
     Registry(registry::RegistryArgs),
@@ -53,6 +55,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Fmt(args) => fmt::run(&args),
         Command::Draw(args) => draw::run(&args),
         Command::Convert(args) => convert::run(&args),
+        Command::Toolpath(args) => toolpath::run(&args),
         Command::Samples(args) => samples::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),

@@ -1,0 +1,138 @@
+//! Everything that is cut, in order.
+
+use crate::gouge::{self, Contours};
+use crate::shape_paths::{Pass, paths};
+use crate::warning::Warning;
+use crate::{Depths, Heights};
+use kerf_drawing::{Drawing, Group, Shape};
+use kerf_geom::{Point2, Transform2, Vec2};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// The most paths of a job: what is more is a slip in the number of rows, not a job.
+pub const MOST_PATHS: u64 = 10_000_000;
+
+/// One path of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutPath {
+    /// The path with its group; in the black group with THRU nothing else is needed to cut it.
+    pub shape: Arc<Shape>,
+    /// Number of the shape of the drawing it comes from, counted from 1.
+    pub from: usize,
+    /// Which cut of that shape it is.
+    pub pass: Pass,
+}
+
+/// What is cut, and how.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Job {
+    /// The paths, in cutting order, arrays laid out.
+    pub paths: Vec<CutPath>,
+    /// The drawing that it was made from, without its shapes: settings of the groups, comments.
+    pub drawing: Drawing,
+    /// Where the drawing's origin lies on the table, millimetres from home.
+    pub origin: Point2,
+    /// Where the head goes at the end, millimetres from home.
+    pub finish: Point2,
+    /// The path with which the job begins, counted from 1.
+    pub start: usize,
+}
+
+/// Why there is no job.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum JobError {
+    /// Arrays without bound.
+    #[error(
+        "{paths} paths: the arrays make {copies} copies of the drawing; 10 million paths at the most"
+    )]
+    TooMany {
+        /// Paths of the whole.
+        paths: u64,
+        /// Copies of the drawing.
+        copies: u64,
+    },
+}
+
+/// Where the copies of a shape come from and go.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Origin {
+    pub from: usize,
+    pub pass: Pass,
+}
+
+/// Makes the job of a drawing: the paths of every shape of the groups that are on, in the drawing's
+/// sequence, block after block.
+///
+/// # Errors
+/// Arrays that make more than [`MOST_PATHS`].
+pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
+    let mut warnings = Vec::new();
+    let block = block(drawing, &mut warnings);
+    let copies = drawing.arrays.count();
+    let paths = copies.saturating_mul(block.len() as u64);
+    if paths > MOST_PATHS {
+        return Err(JobError::TooMany { paths, copies });
+    }
+    let size = drawing.bounds().map_or(Vec2::default(), |bounds| bounds.size());
+    let places = drawing.arrays.placements(size);
+    let laid_out = places.flat_map(|by| block.iter().map(move |path| moved(path, by)));
+    let plain = drawing.with_shapes(Vec::new());
+    let job = Job { paths: laid_out.collect(), drawing: plain, start: 1, ..Job::default() };
+    Ok((job, warnings))
+}
+
+/// The paths of the basic block.
+fn block(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
+    let contours = Contours::of(drawing);
+    let mut block = Vec::new();
+    for (n, shape) in drawing.shapes.iter().enumerate() {
+        let settings = drawing.settings(shape.group);
+        if !settings.on {
+            continue;
+        }
+        let number = n + 1;
+        let found = paths(number, shape, settings, warnings);
+        // The machine halts before the shape, not before each of its paths.
+        let mut pause = shape.pause;
+        for path in found {
+            gouge::check(number, &path.leads, path.offset_mm, &contours, warnings);
+            let cut = Shape {
+                path: path.path,
+                z_mm: path.z_mm,
+                group: shape.group,
+                pause: std::mem::take(&mut pause),
+                start_inserted: false,
+            };
+            block.push(CutPath { shape: Arc::new(cut), from: number, pass: path.pass });
+        }
+    }
+    block
+}
+
+fn moved(path: &CutPath, by: Vec2) -> CutPath {
+    if by == Vec2::default() {
+        return path.clone();
+    }
+    let shape = Arc::new(path.shape.mapped(&Transform2::moved(by)));
+    CutPath { shape, ..path.clone() }
+}
+
+impl Job {
+    /// The heights at which a path is cut, or why it cannot be.
+    ///
+    /// # Errors
+    /// The pass that would go below ZBottom, with the shape it belongs to.
+    pub fn depths(&self, path: &CutPath, heights: &Heights) -> Result<Depths, Warning> {
+        let settings = self.drawing.settings(path.shape.group);
+        Depths::of(settings, heights).map_err(|error| Warning::new(path.from, error.to_string()))
+    }
+
+    /// Length of the cutting paths of each group, millimetres, in the order of the groups.
+    pub fn lengths(&self) -> [(Group, f64); 8] {
+        Group::ALL.map(|group| {
+            let cut = |path: &&CutPath| path.shape.group == group && path.pass != Pass::Traversal;
+            (group, self.paths.iter().filter(cut).map(|path| path.shape.path.length()).sum())
+        })
+    }
+}

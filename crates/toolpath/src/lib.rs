@@ -1,0 +1,28 @@
+//! Tool paths from drawings.
+//!
+//! ```text
+//!  Drawing ─ shape by shape ─► offset ─► tag ─► lead-in, lead-out ─► passes    (Profiler reference,
+//!                │                                                              "Tool path")
+//!                └─ arrays: every path again in each block, in cutting order ─► Job ─► RSM
+//! ```
+//!
+//! A [`Job`] is what is cut: paths in order, each with what it comes from, and the [`Warning`]s that
+//! arose. Nothing is left out silently: a shape without a path is told with its number.
+//!
+//! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
+
+mod depth;
+mod gouge;
+mod job;
+mod lead;
+mod rsm;
+mod shape_paths;
+mod tag;
+mod warning;
+
+pub use depth::{Depths, Heights, LowError};
+pub use job::{CutPath, Job, JobError, MOST_PATHS, job};
+pub use lead::{Side, lead_in, lead_out};
+pub use rsm::{read, write};
+pub use shape_paths::Pass;
+pub use warning::Warning;

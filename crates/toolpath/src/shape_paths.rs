@@ -1,0 +1,160 @@
+//! From one shape to the paths that cut it: smoothing apart, the order of the Profiler reference is
+//! offset, tag, lead-in and lead-out.
+
+use crate::lead::{Side, lead_in, lead_out, with_leads};
+use crate::tag::without_tag;
+use crate::warning::Warning;
+use kerf_drawing::{GroupSettings, Kind, Shape};
+use kerf_geom::{GeomError, Place, Polyarc, offset, parallel_path};
+use serde::{Deserialize, Serialize};
+
+/// Which cut of a shape a path is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Pass {
+    /// The first one, which leaves some material.
+    Rough,
+    /// The one that gives the part its size.
+    #[default]
+    Final,
+    /// No cut: the head only follows it.
+    Traversal,
+}
+
+/// A path of a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct ShapePath {
+    pub pass: Pass,
+    pub path: Polyarc,
+    pub z_mm: Option<Vec<f64>>,
+    /// The offset it was made with.
+    pub offset_mm: f64,
+    /// Its leads, for those who ask whether they cut into something.
+    pub leads: Vec<(&'static str, Polyarc)>,
+}
+
+/// The paths of a shape, in cutting order.
+pub(crate) fn paths(
+    number: usize,
+    shape: &Shape,
+    settings: &GroupSettings,
+    warnings: &mut Vec<Warning>,
+) -> Vec<ShapePath> {
+    if settings.traversal || shape.kind() == Kind::Point {
+        let pass = if settings.traversal { Pass::Traversal } else { Pass::Final };
+        return vec![plain(shape, pass)];
+    }
+    let mut paths = Vec::new();
+    for side in sides(shape, settings) {
+        for (pass, distance) in passes(settings) {
+            match offset_paths(shape, side * distance) {
+                Ok(found) => {
+                    if found.is_empty() {
+                        warnings.push(gone(number, side * distance));
+                    }
+                    let leads = |base| with_tag_and_leads(number, base, pass, settings, warnings);
+                    paths.extend(found.into_iter().filter_map(leads));
+                }
+                Err(error) => warnings.push(failed(number, &error)),
+            }
+        }
+    }
+    paths
+}
+
+fn plain(shape: &Shape, pass: Pass) -> ShapePath {
+    let (path, z_mm) = (shape.path.clone(), shape.z_mm.clone());
+    ShapePath { pass, path, z_mm, offset_mm: 0.0, leads: Vec::new() }
+}
+
+/// 1 for the side of the offset, −1 for the other one. A double line is cut on both, of a closed
+/// shape the inner one first.
+fn sides(shape: &Shape, settings: &GroupSettings) -> Vec<f64> {
+    if !settings.double_line || settings.offset_mm == 0.0 {
+        return vec![1.0];
+    }
+    // Right of travel is outside when travel is counter-clockwise.
+    let outward = settings.offset_mm * shape.path.signed_area();
+    if shape.is_closed() && outward > 0.0 { vec![-1.0, 1.0] } else { vec![1.0, -1.0] }
+}
+
+fn passes(settings: &GroupSettings) -> Vec<(Pass, f64)> {
+    let rough = settings.rough_offset_mm().map(|distance| (Pass::Rough, distance));
+    rough.into_iter().chain([(Pass::Final, settings.offset_mm)]).collect()
+}
+
+fn gone(number: usize, distance: f64) -> Warning {
+    let text = format!("too small for an offset of {} mm: no path", distance.abs());
+    Warning::new(number, text)
+}
+
+fn failed(number: usize, error: &GeomError) -> Warning {
+    Warning::new(number, format!("offset failed: {error}: no path"))
+}
+
+/// A path beside a shape, with heights, before tag and leads.
+struct Base {
+    path: Polyarc,
+    z_mm: Option<Vec<f64>>,
+    offset_mm: f64,
+}
+
+fn offset_paths(shape: &Shape, distance: f64) -> Result<Vec<Base>, GeomError> {
+    if distance == 0.0 {
+        let base = Base { path: shape.path.clone(), z_mm: shape.z_mm.clone(), offset_mm: 0.0 };
+        return Ok(vec![base]);
+    }
+    let crosses = !shape.path.self_crossings().is_empty();
+    let found = if crosses && !shape.is_closed() && shape.z_mm.is_none() {
+        vec![parallel_path(&shape.path, distance)?]
+    } else {
+        offset(&shape.path, distance)?.into_iter().map(|found| found.path).collect()
+    };
+    let base = |path: Polyarc| {
+        let z_mm = shape.z_mm.as_ref().map(|_| heights_beside(shape, &path));
+        Base { path, z_mm, offset_mm: distance }
+    };
+    Ok(found.into_iter().map(base).collect())
+}
+
+/// The height of each vertex: that of the nearest place of the shape (Profiler notes, 45).
+fn heights_beside(shape: &Shape, path: &Polyarc) -> Vec<f64> {
+    let height = |place: Place| {
+        let next = (place.segment + 1) % shape.path.vertices.len();
+        let (from, to) = (shape.height_mm(place.segment), shape.height_mm(next));
+        from + (to - from) * place.share
+    };
+    let nearest = |at| shape.path.nearest(at).map_or(0.0, |(place, _)| height(place));
+    path.vertices.iter().map(|vertex| nearest(vertex.at)).collect()
+}
+
+fn with_tag_and_leads(
+    number: usize,
+    base: Base,
+    pass: Pass,
+    settings: &GroupSettings,
+    warnings: &mut Vec<Warning>,
+) -> Option<ShapePath> {
+    let Some(path) = without_tag(&base.path, settings.tag_mm) else {
+        let (tag, long) = (settings.tag_mm, base.path.length());
+        let text = format!("the tag of {tag} mm is longer than its path of {long:.3} mm: no path");
+        warnings.push(Warning::new(number, text));
+        return None;
+    };
+    let side = Side::of_offset(base.offset_mm);
+    let (first, last) = (path.segment(0), path.segment(path.segment_count() - 1));
+    let lead_in = lead_in(settings.lead_in, first.start(), first.direction(0.0), side);
+    let lead_out = lead_out(settings.lead_out, last.end(), last.direction(1.0), side);
+    let named = [("lead-in", lead_in.clone()), ("lead-out", lead_out.clone())];
+    let leads = named.into_iter().filter_map(|(name, lead)| Some((name, lead?))).collect();
+    let long = with_leads(&path, lead_in, lead_out);
+    let z_mm = base.z_mm.map(|z| heights_along(&base.path, &z, &long));
+    Some(ShapePath { pass, path: long, z_mm, offset_mm: base.offset_mm, leads })
+}
+
+/// Heights of a path made from another by tag and leads: those of the nearest place, so that a lead
+/// has the height of the end it belongs to.
+fn heights_along(base: &Polyarc, z_mm: &[f64], path: &Polyarc) -> Vec<f64> {
+    let shape = Shape::with_heights(base.clone(), z_mm.to_vec());
+    heights_beside(&shape, path)
+}
