@@ -21,6 +21,7 @@ mod desk;
 pub mod event;
 mod execute;
 pub mod files;
+pub mod gcode_file;
 mod hold;
 mod host;
 pub mod json;

@@ -2,6 +2,7 @@
 //! write, stored values, external programs.
 
 use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
+use crate::gcode_file::GCODE_FILE;
 use crate::part_log;
 use crate::settings_file::SETTINGS_FILE;
 use crate::stored::Stored;
@@ -78,11 +79,7 @@ impl Shelf {
     /// # Errors
     /// Whatever the disk says.
     pub fn settings_text(&self) -> std::io::Result<Option<String>> {
-        let path = self.data.join(SETTINGS_FILE);
-        if !self.disk.is_file(&path) {
-            return Ok(None);
-        }
-        Ok(Some(String::from_utf8_lossy(&self.disk.read(&path)?).into_owned()))
+        self.data_text(SETTINGS_FILE)
     }
 
     /// Writes the settings file, whole or not at all.
@@ -90,8 +87,36 @@ impl Shelf {
     /// # Errors
     /// Whatever the disk says.
     pub fn keep_settings(&mut self, text: &str) -> std::io::Result<()> {
+        self.keep_data(SETTINGS_FILE, text)
+    }
+
+    /// The text of the file of what G-code remembers; `None` when there is none yet.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn gcode_text(&self) -> std::io::Result<Option<String>> {
+        self.data_text(GCODE_FILE)
+    }
+
+    /// Writes the file of what G-code remembers, whole or not at all.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn keep_gcode(&mut self, text: &str) -> std::io::Result<()> {
+        self.keep_data(GCODE_FILE, text)
+    }
+
+    fn data_text(&self, name: &str) -> std::io::Result<Option<String>> {
+        let path = self.data.join(name);
+        if !self.disk.is_file(&path) {
+            return Ok(None);
+        }
+        Ok(Some(String::from_utf8_lossy(&self.disk.read(&path)?).into_owned()))
+    }
+
+    fn keep_data(&mut self, name: &str, text: &str) -> std::io::Result<()> {
         self.disk.make_folder(&self.data)?;
-        self.disk.write(&self.data.join(SETTINGS_FILE), text.as_bytes())
+        self.disk.write(&self.data.join(name), text.as_bytes())
     }
 
     /// Adds to the log of a part file, which lies beside it. A file that comes with the program has

@@ -5,8 +5,10 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::{Context, Result, anyhow};
+use kerf_control::gcode_file::{self, GCODE_FILE};
 use kerf_control::settings_file::{self, Restored, SETTINGS_FILE};
 use kerf_control::{Session, Shelf};
+use kerf_diag::Diagnostic;
 use kerf_program::{Axis, Settings};
 use kerf_sbp::POSITION_LOST;
 use std::sync::Arc;
@@ -33,14 +35,16 @@ impl Memory {
         let kept = place.start.unwrap_or(usual) == Start::Kept;
         let text = if kept { shelf.settings_text().context("settings file")? } else { None };
         if let Some(text) = text {
-            let Restored { memory, unverified } = settings_file::read(&text).map_err(|error| {
-                let (place, message) = (&error.place, &error.message);
-                anyhow!("{SETTINGS_FILE} line {}: {message}; mend it, or remove it", place.line)
-            })?;
+            let Restored { memory, unverified } =
+                settings_file::read(&text).map_err(|error| mend(&error))?;
             if unverified && !previews {
                 doubt_position(shelf);
             }
             session.memory = memory;
+        }
+        let text = if kept { shelf.gcode_text().context("what G-code remembers")? } else { None };
+        if let Some(text) = text {
+            session.gcode = gcode_file::read(&text).map_err(|error| mend(&error))?;
         }
         let given = place.config.is_some() || units_given;
         let replaced = given.then(|| session.memory.settings.clone());
@@ -73,8 +77,20 @@ impl Memory {
             memory.before_preview.iter_mut().for_each(|b| b.settings = Arc::new(settings.clone()));
         }
         let text = settings_file::write(&memory, under_way);
-        shelf.keep_settings(&text).with_context(|| format!("cannot keep {SETTINGS_FILE}"))
+        shelf.keep_settings(&text).with_context(|| format!("cannot keep {SETTINGS_FILE}"))?;
+        match gcode_file::write(&session.gcode) {
+            Some(text) => {
+                shelf.keep_gcode(&text).with_context(|| format!("cannot keep {GCODE_FILE}"))
+            }
+            None => Ok(()),
+        }
     }
+}
+
+/// What to do about a file that cannot be read.
+fn mend(error: &Diagnostic) -> anyhow::Error {
+    let (place, message) = (&error.place, &error.message);
+    anyhow!("{} line {}: {message}; mend it, or remove it", place.file, place.line)
 }
 
 /// The machine may stand elsewhere than the file says.

@@ -168,3 +168,32 @@ fn without_a_named_data_folder_the_same_run_twice_is_the_same() {
     assert!(first.starts_with("1\n"), "{first}");
     assert_eq!(once(), first);
 }
+
+#[test]
+fn offsets_and_parameters_of_g_code_are_kept() {
+    let shop = Shop::new(&[
+        ("a.nc", "G20 G10 L2 P2 X2 Y1\n#500=4\n"),
+        ("b.nc", "G20 G55 G0 X0 Y0\n(PRINT,at #500)\n"),
+    ]);
+    shop.kerf("run a.nc --quiet").exits(0);
+    shop.kerf("run b.nc --quiet").exits(0).says("at 4");
+    assert_eq!(prints(&shop, "%(6);\" \";%(7)"), "2 1");
+    // What only looks begins afresh and leaves nothing.
+    let kept = shop.read("data/gcode.json");
+    let fresh = shop.kerf("trace b.nc");
+    assert!(fresh.all("print")[0]["text"].to_string().contains("at 0"), "{}", fresh.out());
+    assert_eq!(shop.read("data/gcode.json"), kept);
+    shop.write("data/gcode.json", b"{\n]");
+    shop.kerf("run b.nc").exits(1).complains("gcode.json line 2");
+}
+
+#[test]
+fn sbp_cmd_si_gcode() {
+    let shop = Shop::new(&[]);
+    send(&shop, &["G1 X1 F60", "MY,2"]).exits(0);
+    assert_eq!(prints(&shop, "%(1);\" \";%(2)"), "1 2");
+    // Modes last from line to line.
+    send(&shop, &["G91 G1 X1 F60"]).exits(0);
+    send(&shop, &["X1"]).exits(0);
+    assert_eq!(prints(&shop, "%(1);\" \";%(2)"), "3 2");
+}

@@ -8,12 +8,14 @@ use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
 use kerf_sim::Change;
 
-/// Name of the program that a case runs.
+/// Names of the program that a case runs.
 const MAIN: &str = "main.sbp";
+const MAIN_GCODE: &str = "main.nc";
 
 /// A program with everything that its row says about the start.
 #[derive(Clone, Debug)]
 pub struct Case {
+    name: &'static str,
     program: String,
     before: Vec<String>,
     files: Vec<(String, String)>,
@@ -26,6 +28,7 @@ pub struct Case {
 /// A program in the state S0; `⏎` separates lines as `\n` does.
 pub fn sbp(program: &str) -> Case {
     Case {
+        name: MAIN,
         program: lines(program),
         before: Vec::new(),
         files: Vec::new(),
@@ -34,6 +37,11 @@ pub fn sbp(program: &str) -> Case {
         session: Session::default(),
         stop_at_s: f64::INFINITY,
     }
+}
+
+/// A program of G-code in the state S0.
+pub fn gcode(program: &str) -> Case {
+    Case { name: MAIN_GCODE, ..sbp(program) }
 }
 
 /// Runs a program from the state S0.
@@ -116,7 +124,7 @@ impl Case {
     /// Runs it.
     pub fn run(mut self) -> Run {
         let mut files = self.files.clone();
-        files.push((MAIN.to_owned(), self.program.clone()));
+        files.push((self.name.to_owned(), self.program.clone()));
         let files = files.iter().map(|(name, text)| (name.as_str(), text.as_bytes()));
         let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
         for program in std::mem::take(&mut self.before) {
@@ -147,7 +155,7 @@ impl Case {
         let mut operator = Answers::read(&self.answers.join("\n"));
         let mut pace = StopAt(stop_at_s);
         let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
-        let program = kerf_sbp::read(MAIN.into(), program.as_bytes());
+        let program = kerf_part::read(self.name.into(), program.as_bytes());
         self.session.run(program, options, shelf, company);
         events
     }

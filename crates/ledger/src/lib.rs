@@ -24,5 +24,5 @@ mod case;
 mod read;
 mod run;
 
-pub use case::{Case, at, run, sbp};
+pub use case::{Case, at, gcode, run, sbp};
 pub use run::Run;

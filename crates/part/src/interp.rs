@@ -9,6 +9,7 @@ use kerf_program::settings::Mode;
 use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Status, Step, Watch};
 use kerf_sbp::{GcodeDone, GcodeDue, Variables};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// How a program is run.
@@ -45,6 +46,8 @@ pub struct Interpreter {
     /// Runs the single lines of a file, by the number of the file, so that modes and cycles last.
     lines: Option<(u32, kerf_gcode::Interpreter)>,
     files: Files,
+    /// Files whose faults in G-code were told: those of the first are told before the start.
+    told: BTreeSet<u32>,
     #[serde(skip)]
     library: Library,
 }
@@ -67,6 +70,7 @@ impl Interpreter {
             guests: Vec::new(),
             lines: None,
             files,
+            told: BTreeSet::from([0]),
             library: Library::new(gcode),
         }
     }
@@ -136,9 +140,9 @@ impl Interpreter {
             GcodeDue::File(file) => (file, At { file, line: 1 }),
             GcodeDue::Line(at) => (at.file, at),
         };
-        let (program, new) = self.library.of(file, &self.sbp);
+        let program = self.library.of(file, &self.sbp);
         let here = self.files.of_sbp(file);
-        if new {
+        if self.told.insert(file) {
             self.tell_faults(&program, due, At { file: here, ..at }, out)?;
         }
         let interpreter = match due {

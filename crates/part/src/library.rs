@@ -13,21 +13,21 @@ impl Library {
         Self(vec![first])
     }
 
-    /// The G-code of a file, and whether it was read just now.
+    /// The G-code of a file.
     pub(crate) fn of(
         &mut self,
         file: u32,
         sbp: &kerf_sbp::Interpreter,
-    ) -> (Arc<kerf_gcode::Program>, bool) {
+    ) -> Arc<kerf_gcode::Program> {
         let index = file as usize;
         if self.0.len() <= index {
             self.0.resize(index + 1, None);
         }
         let slot = &mut self.0[index];
         if let Some(known) = slot {
-            return (known.clone(), false);
+            return known.clone();
         }
         let read = sbp.program(file).and_then(gcode_of).unwrap_or_default();
-        (slot.insert(Arc::new(read)).clone(), true)
+        slot.insert(Arc::new(read)).clone()
     }
 }

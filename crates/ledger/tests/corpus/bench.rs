@@ -73,7 +73,7 @@ fn one(
     let mut events: Vec<Event> = Vec::new();
     let mut operator = Answers::read(&row.answers);
     let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
-    let program = kerf_sbp::read(name.into(), bytes);
+    let program = kerf_part::read(name.into(), bytes);
     let summary = session.run(program, options, shelf, company);
     let (code, line, message) = summary
         .error

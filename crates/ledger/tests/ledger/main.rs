@@ -5,6 +5,7 @@
 mod cut;
 mod file;
 mod flow;
+mod gcode;
 mod headless;
 mod height;
 mod io;

@@ -18,6 +18,12 @@ impl Line<'_, '_> {
         self.gcode_words(start) > 0
     }
 
+    /// `M3 S12000`: a command of a letter and a digit with another word behind it is G-code.
+    pub(super) fn is_gcode_words(&self, start: usize, word: &str) -> bool {
+        let numbered = word.as_bytes().get(1).is_some_and(u8::is_ascii_digit);
+        numbered && self.gcode_words(start) > 1
+    }
+
     /// How many G-code words the code consists of; 0 when it is something else.
     pub(super) fn gcode_words(&self, start: usize) -> usize {
         const LETTERS: &[u8] = b"NGMXYZABCFSTIJKRPQLHDUVWE";

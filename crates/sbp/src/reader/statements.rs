@@ -92,6 +92,7 @@ impl Line<'_, '_> {
         if word.len() == 2
             && separated
             && let Some(spec) = self.file.commands.find(word)
+            && !self.is_gcode_words(start, word)
         {
             self.at = end;
             return self.command(spec, start);
