@@ -6,7 +6,7 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run bench test properties check fuzz format conformance book prepare
+.PHONY: help run bench test properties check fuzz format conformance book figures prepare
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -41,6 +41,14 @@ conformance: ## enter new tests into the score and write its page
 
 book: ## write the generated pages of the user's book
 	$(CARGO) xtask book
+
+figures: prepare ## draw the figures of the book anew
+	$(CARGO) build --release --locked --package kerf
+	for model in shopbot profiler "optimal --jerk 10000"; do \
+	  target/release/kerf plot docs/figures/corners.sbp --units mm --over time \
+	    --ramps $$model -o docs/figures/speed-$${model%% *}.svg; \
+	done
+	target/release/kerf preview docs/figures/corners.sbp --units mm -o docs/figures/corners.svg
 
 run: prepare ## run the first example on the simulated machine and draw its path
 	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
