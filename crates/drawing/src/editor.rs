@@ -7,7 +7,7 @@ use std::sync::Arc;
 /// A drawing with what a person working on it needs besides.
 ///
 /// Operations are carried out wholly or not at all. Every change can be undone.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Editor {
     /// The drawing.
     pub drawing: Drawing,
@@ -15,6 +15,8 @@ pub struct Editor {
     pub selection: Vec<usize>,
     /// Shapes to be pasted.
     pub clipboard: Vec<Arc<Shape>>,
+    /// How near ends are to be joined when nothing else is said: as near as the last time.
+    pub join_mm: f64,
     undo: Vec<Past>,
     redo: Vec<Past>,
 }
@@ -24,6 +26,19 @@ pub struct Editor {
 struct Past {
     drawing: Drawing,
     selection: Vec<usize>,
+}
+
+impl Default for Editor {
+    fn default() -> Self {
+        Self {
+            drawing: Drawing::default(),
+            selection: Vec::new(),
+            clipboard: Vec::new(),
+            join_mm: kerf_geom::tol::JOIN_MM,
+            undo: Vec::new(),
+            redo: Vec::new(),
+        }
+    }
 }
 
 impl Editor {
@@ -40,6 +55,7 @@ impl Editor {
         let mut draft = self.clone_without_past();
         let outcome = act(&mut draft, operation)?;
         self.clipboard = draft.clipboard;
+        self.join_mm = draft.join_mm;
         if draft.drawing == self.drawing {
             self.selection = draft.selection;
             return Ok(outcome);
@@ -56,6 +72,7 @@ impl Editor {
             drawing: self.drawing.clone(),
             selection: self.selection.clone(),
             clipboard: self.clipboard.clone(),
+            join_mm: self.join_mm,
             ..Self::default()
         }
     }
@@ -124,6 +141,32 @@ impl Editor {
             self.drawing.shapes[place] = Arc::new(changed);
         }
         Ok(())
+    }
+
+    /// Takes shapes out; the selection goes along with those that stay.
+    pub(crate) fn remove(&mut self, gone: &[bool]) {
+        let mut left = 0..;
+        let new: Vec<Option<usize>> =
+            gone.iter().map(|gone| if *gone { None } else { left.next() }).collect();
+        self.selection = self.selection.iter().filter_map(|n| new[*n]).collect();
+        let mut gone = gone.iter();
+        self.drawing.shapes.retain(|_| gone.next() != Some(&true));
+    }
+
+    /// Puts other shapes into the place of the shape at a place. The numbers of those after it change,
+    /// and so does the selection; the new ones are selected when the old one was.
+    pub(crate) fn replace(&mut self, place: usize, with: Vec<Shape>) {
+        let more = with.len();
+        let was_selected = self.selection.contains(&place);
+        let moved = |n: usize| if n > place { n + more - 1 } else { n };
+        let others = self.selection.iter().filter(|n| **n != place).map(|n| moved(*n));
+        let mut selection: Vec<usize> = others.collect();
+        if was_selected {
+            selection.extend(place..place + more);
+            selection.sort_unstable();
+        }
+        self.selection = selection;
+        self.drawing.shapes.splice(place..=place, with.into_iter().map(Arc::new));
     }
 
     /// Adds what `make` makes of each selected shape at the end of the sequence, and selects it.

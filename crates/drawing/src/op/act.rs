@@ -1,7 +1,8 @@
 //! From an operation to the function that carries it out.
 
 use super::{OpError, Operation, Outcome};
-use super::{arrays, clipboard, draw, edit, grouping, layout, path, sequence};
+use super::{arrays, clipboard, copies, draw, edit, grouping, layout, outline, path};
+use super::{sequence, vertices};
 use crate::Editor;
 
 /// Carries out an operation on a draft of the drawing; after an error the draft is thrown away.
@@ -16,6 +17,19 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Scale { factor, about } => edit::scale(draft, *factor, *about)?,
         O::Mirror { a, b, raw } => edit::mirror(draft, *a, *b, *raw)?,
         O::Erase => edit::erase(draft)?,
+        O::Fillet { radius_mm, at } => outline::fillet(draft, *radius_mm, *at)?,
+        O::Chamfer { length_mm, at } => outline::chamfer(draft, *length_mm, *at)?,
+        O::Offset { distance_mm, keep } => outline::offset(draft, *distance_mm, *keep)?,
+        O::Join { distance_mm, merge } => outline::join(draft, *distance_mm, *merge)?,
+        O::Break { shape, at } => outline::break_at(draft, *shape, *at)?,
+        O::Trim { at } => outline::trim(draft, *at)?,
+        O::ArrayRect { rows, columns, gap } => copies::in_rows(draft, *rows, *columns, *gap)?,
+        O::ArrayRound { count, centre } => copies::round(draft, *count, *centre)?,
+        O::Bulge { shape, at, bulge } => vertices::bulge(draft, *shape, *at, *bulge)?,
+        O::Radius { shape, at, radius_mm } => vertices::radius(draft, *shape, *at, *radius_mm)?,
+        O::Vertex { shape, at, to } => vertices::shift(draft, *shape, *at, *to)?,
+        O::Stretch { a, b, by } => vertices::stretch(draft, *a, *b, *by)?,
+        O::DeleteVertices { shape, at } => vertices::delete(draft, *shape, at)?,
         O::Circle { centre, radius_mm } => draw::circle(draft, *centre, *radius_mm)?,
         O::Rectangle { a, b } => draw::rectangle(draft, *a, *b)?,
         O::Point { at } => draw::point(draft, *at),

@@ -85,6 +85,10 @@ mod tests {
     const CANONICAL: &str = "select all; select add 1,3,4; select remove group red; select none; \
         select window 0,0 50,40; select crossing 0,0 50,40; move 10,5; copy -1.5,0; \
         rotate 30 about 1,2; scale 25.4 about 0,0; mirror 0,0 0,1; mirror 0,0 1,1 raw; erase; \
+        fillet 3; fillet 3 at 10,0; chamfer 2; chamfer 2 at 1,1; offset -2; offset 2 keep; \
+        join keep; join 0.5 merge; break 1 50,0; trim 50,0; bulge 1 5,0 -0.25; radius 1 5,0 10; \
+        vertex 1 10,0 12,1; stretch 0,0 9,9 by 20,0; delete-vertices 1 10,0 20,0; \
+        array rect 2x3 spacing 5,8; array round 6 about 0,0; \
         circle 50,50 25; rect 10,10 60,40; point 12.5,7; line 0,0 10,0,0.414214 10,10; \
         line 0,0 10,0 10,10 close; reverse; directions auto; start 4 50,0; pause on; pause off; \
         group blue; copy-to red; set blue on=off traversal=on tool=2 cut=3 speed=3000 height=-2.5 \
@@ -122,6 +126,10 @@ mod tests {
             assert_eq!(script(text).unwrap()[0].1.to_string(), long);
         };
         short("ROTATE 30", "rotate 30 about 0,0");
+        short("move from 100,100 to 150,120", "move 50,20");
+        short("rotate to 90 from 0,0 100,100", "rotate 45 about 0,0");
+        short("scale to 75 from 0,0 50,0", "scale 1.5 about 0,0");
+        short("join", "join keep");
         short("rect 10,10 size -5,3", "rect 10,10 5,13");
         short("select 5-7,1", "select 5,6,7,1");
         short("array block 2x2", "array block 2x2 gap 0,0 start bl order row");
@@ -141,8 +149,14 @@ mod tests {
             "fly",
             "clause 1 `fly`: there is no operation `fly`; `kerf draw --help` lists them",
         );
-        refused("move", "clause 1 `move`: the distance is missing; write `move X,Y`");
-        refused("move 1", "clause 1 `move 1`: `1` is not a distance as x,y; write `move X,Y`");
+        refused(
+            "move",
+            "clause 1 `move`: the distance is missing; write `move X,Y | move from X,Y to X,Y`",
+        );
+        refused(
+            "move 1",
+            "clause 1 `move 1`: `1` is not a distance as x,y; write `move X,Y | move from X,Y to X,Y`",
+        );
         refused("erase 2", "clause 1 `erase 2`: `2` is one word too many; write `erase`");
     }
 }

@@ -55,13 +55,9 @@ pub(super) fn mirrored(shape: &Shape, map: &Transform2, raw: bool) -> Shape {
 }
 
 pub(super) fn erase(draft: &mut Editor) -> Result<(), OpError> {
-    let selected = draft.selected()?;
-    let mut place = 0..;
-    draft.drawing.shapes.retain(|_| {
-        let place = place.next().unwrap_or_default();
-        selected.binary_search(&place).is_err()
-    });
-    draft.selection.clear();
+    let mut gone = vec![false; draft.drawing.shapes.len()];
+    draft.selected()?.into_iter().for_each(|place| gone[place] = true);
+    draft.remove(&gone);
     Ok(())
 }
 

@@ -5,7 +5,7 @@
 use super::words::{WordError, Words, number, pair};
 use super::{Change, How, Operation, Sequencing};
 use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
-use kerf_geom::Vertex;
+use kerf_geom::{Point2, Vec2, Vertex};
 
 /// An operation as a person writes it.
 #[derive(Clone, Copy, Debug)]
@@ -38,23 +38,31 @@ pub const ENTRIES: &[Entry] = &[
         "chooses the shapes that the next operations act on",
         select,
     ),
-    entry("move", "move X,Y", "moves the selected shapes", |w| {
-        Ok(Operation::Move { by: w.vector("the distance")? })
-    }),
-    entry("copy", "copy X,Y", "adds moved copies of the selected shapes", |w| {
-        Ok(Operation::Copy { by: w.vector("the distance")? })
-    }),
+    entry(
+        "move",
+        "move X,Y | move from X,Y to X,Y",
+        "moves the selected shapes by a distance, or from a base point to another",
+        |w| Ok(Operation::Move { by: distance(w)? }),
+    ),
+    entry(
+        "copy",
+        "copy X,Y | copy from X,Y to X,Y",
+        "adds moved copies of the selected shapes",
+        |w| Ok(Operation::Copy { by: distance(w)? }),
+    ),
     entry(
         "rotate",
-        "rotate ANGLE [about X,Y]",
-        "turns the selected shapes counter-clockwise, about the origin if nothing else is said",
-        |w| Ok(Operation::Rotate { angle_deg: w.number("the angle")?, about: about(w)? }),
+        "rotate ANGLE [about X,Y] | rotate to ANGLE from X,Y X,Y",
+        "turns the selected shapes counter-clockwise, about the origin if nothing else is said; `to` \
+         turns them so that the line between two points gets the angle",
+        rotate,
     ),
     entry(
         "scale",
-        "scale FACTOR [about X,Y]",
-        "makes the selected shapes larger; 25.4 turns inches into millimetres",
-        |w| Ok(Operation::Scale { factor: w.number("the factor")?, about: about(w)? }),
+        "scale FACTOR [about X,Y] | scale to LENGTH from X,Y X,Y",
+        "makes the selected shapes larger; 25.4 turns inches into millimetres; `to` scales so that the \
+         line between two points gets the length",
+        scale,
     ),
     entry(
         "mirror",
@@ -66,6 +74,84 @@ pub const ENTRIES: &[Entry] = &[
         },
     ),
     entry("erase", "erase", "removes the selected shapes", |_| Ok(Operation::Erase)),
+    entry(
+        "fillet",
+        "fillet RADIUS [at X,Y]",
+        "rounds the corners of the selected shapes, or the one nearest to a place",
+        |w| Ok(Operation::Fillet { radius_mm: w.number("the radius")?, at: at(w)? }),
+    ),
+    entry(
+        "chamfer",
+        "chamfer LENGTH [at X,Y]",
+        "cuts the corners of the selected shapes off, or the one nearest to a place",
+        |w| Ok(Operation::Chamfer { length_mm: w.number("the length")?, at: at(w)? }),
+    ),
+    entry(
+        "offset",
+        "offset DISTANCE [keep]",
+        "replaces the selected shapes by paths to the right of travel, negative to the left",
+        |w| {
+            let distance_mm = w.number("the distance")?;
+            Ok(Operation::Offset { distance_mm, keep: w.takes("keep") })
+        },
+    ),
+    entry(
+        "join",
+        "join [DISTANCE] [keep|merge]",
+        "joins the selected open shapes at ends that near, by a line or by making them one point",
+        join,
+    ),
+    entry(
+        "break",
+        "break SHAPE X,Y",
+        "opens a closed shape there, makes two of an open one",
+        |w| Ok(Operation::Break { shape: w.shape()?, at: w.point("the place")? }),
+    ),
+    entry(
+        "trim",
+        "trim X,Y",
+        "takes the part of a shape there out, between its meetings with the selected shapes",
+        |w| Ok(Operation::Trim { at: w.point("the part to be taken out")? }),
+    ),
+    entry(
+        "bulge",
+        "bulge SHAPE X,Y B",
+        "gives the segment there another bulge; 0 is a line",
+        |w| {
+            let (shape, at) = (w.shape()?, w.point("the segment")?);
+            Ok(Operation::Bulge { shape, at, bulge: w.number("the bulge")? })
+        },
+    ),
+    entry("radius", "radius SHAPE X,Y RADIUS", "gives the segment there another radius", |w| {
+        let (shape, at) = (w.shape()?, w.point("the segment")?);
+        Ok(Operation::Radius { shape, at, radius_mm: w.number("the radius")? })
+    }),
+    entry("vertex", "vertex SHAPE X,Y X,Y", "moves the vertex nearest to a place", |w| {
+        let (shape, at) = (w.shape()?, w.point("the vertex")?);
+        Ok(Operation::Vertex { shape, at, to: w.point("where it goes")? })
+    }),
+    entry(
+        "stretch",
+        "stretch X,Y X,Y by X,Y",
+        "moves the vertices of the selected shapes that lie in a window",
+        |w| {
+            let (a, b) = (w.point("a corner")?, w.point("the opposite corner")?);
+            w.keyword("by", ())?;
+            Ok(Operation::Stretch { a, b, by: w.vector("the distance")? })
+        },
+    ),
+    entry(
+        "delete-vertices",
+        "delete-vertices SHAPE X,Y …",
+        "takes the vertices nearest to places out of a flat shape",
+        |w| {
+            let (shape, mut at) = (w.shape()?, vec![w.point("a vertex")?]);
+            while w.peek().is_some() {
+                at.push(w.point("a vertex")?);
+            }
+            Ok(Operation::DeleteVertices { shape, at })
+        },
+    ),
     entry("circle", "circle X,Y RADIUS", "adds a circle", |w| {
         Ok(Operation::Circle { centre: w.point("the centre")?, radius_mm: w.number("the radius")? })
     }),
@@ -121,9 +207,11 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "array",
-        "array block|job RxC [gap X,Y] [start bl|br|tr|tl] [order row|column|row-snake|column-snake]",
-        "repeats the drawing in rows and columns when the tool paths are made",
-        levels,
+        "array rect RxC [spacing X,Y] | array round N about X,Y | \
+         array block|job RxC [gap X,Y] [start bl|br|tr|tl] [order row|column|row-snake|column-snake]",
+        "adds the selected shapes again in rows and columns or round a centre; block and job repeat the \
+         whole drawing when the tool paths are made",
+        array,
     ),
     entry(
         "justify",
@@ -196,8 +284,58 @@ fn select(w: &mut Words) -> Read {
     Ok(Operation::Select { choice, how })
 }
 
-fn about(w: &mut Words) -> Result<kerf_geom::Point2, WordError> {
-    if w.takes("about") { w.point("the centre") } else { Ok(kerf_geom::Point2::default()) }
+fn about(w: &mut Words) -> Result<Point2, WordError> {
+    if w.takes("about") { w.point("the centre") } else { Ok(Point2::default()) }
+}
+
+/// `at X,Y`, where it stands.
+fn at(w: &mut Words) -> Result<Option<Point2>, WordError> {
+    if w.takes("at") { w.point("the place").map(Some) } else { Ok(None) }
+}
+
+/// A distance, or the way from a base point to another.
+fn distance(w: &mut Words) -> Result<Vec2, WordError> {
+    if !w.takes("from") {
+        return w.vector("the distance");
+    }
+    let base = w.point("the base point")?;
+    w.keyword("to", ())?;
+    Ok(w.point("where it goes")? - base)
+}
+
+/// `from X,Y X,Y`: a base point and the line from it.
+fn base_line(w: &mut Words) -> Result<(Point2, Vec2), WordError> {
+    w.keyword("from", ())?;
+    let base = w.point("the base point")?;
+    Ok((base, w.point("the end of the base line")? - base))
+}
+
+fn rotate(w: &mut Words) -> Read {
+    if !w.takes("to") {
+        return Ok(Operation::Rotate { angle_deg: w.number("the angle")?, about: about(w)? });
+    }
+    let wanted = w.number("the angle")?;
+    let (about, line) = base_line(w)?;
+    Ok(Operation::Rotate { angle_deg: wanted - line.angle().to_degrees(), about })
+}
+
+fn scale(w: &mut Words) -> Read {
+    if !w.takes("to") {
+        return Ok(Operation::Scale { factor: w.number("the factor")?, about: about(w)? });
+    }
+    let wanted = w.number("the length")?;
+    let (about, line) = base_line(w)?;
+    Ok(Operation::Scale { factor: wanted / line.length(), about })
+}
+
+fn join(w: &mut Words) -> Read {
+    let says_how = matches!(w.peek(), None | Some("keep" | "merge"));
+    let distance_mm = if says_how { None } else { Some(w.number("the distance")?) };
+    let merge = w.takes("merge");
+    if !merge {
+        w.takes("keep");
+    }
+    Ok(Operation::Join { distance_mm, merge })
 }
 
 fn group(w: &mut Words) -> Result<Group, WordError> {
@@ -317,16 +455,34 @@ fn sequence(w: &mut Words) -> Read {
     Ok(Operation::Sequence { order })
 }
 
-fn levels(w: &mut Words) -> Read {
-    let level = w.read("block or job", "block or job", |word| match word {
-        "block" => Some(Level::Block),
-        "job" => Some(Level::Job),
-        _ => None,
-    })?;
-    let (rows, columns) = w.read("rows x columns", "rows x columns such as 2x3", |word| {
+fn array(w: &mut Words) -> Read {
+    if w.takes("rect") {
+        let (rows, columns) = rows_and_columns(w)?;
+        let gap = if w.takes("spacing") { w.vector("the gaps")? } else { Vec2::default() };
+        return Ok(Operation::ArrayRect { rows, columns, gap });
+    }
+    if w.takes("round") {
+        let count = w.read("how many", "a number of copies", |word| word.parse().ok())?;
+        return Ok(Operation::ArrayRound { count, centre: about(w)? });
+    }
+    levels(w)
+}
+
+fn rows_and_columns(w: &mut Words) -> Result<(u32, u32), WordError> {
+    w.read("rows x columns", "rows x columns such as 2x3", |word| {
         let (rows, columns) = word.split_once('x')?;
         Some((rows.parse().ok()?, columns.parse().ok()?))
-    })?;
+    })
+}
+
+fn levels(w: &mut Words) -> Read {
+    let level =
+        w.read("rect, round, block or job", "rect, round, block or job", |word| match word {
+            "block" => Some(Level::Block),
+            "job" => Some(Level::Job),
+            _ => None,
+        })?;
+    let (rows, columns) = rows_and_columns(w)?;
     let mut array = ArrayLevel { rows, columns, ..ArrayLevel::default() };
     while w.peek().is_some() {
         array_word(w, &mut array)?;

@@ -8,14 +8,17 @@ mod act;
 mod arrays;
 mod clause;
 mod clipboard;
+mod copies;
 mod draw;
 mod edit;
 mod entries;
 mod error;
 mod grouping;
 mod layout;
+mod outline;
 mod path;
 mod sequence;
+mod vertices;
 mod words;
 mod write;
 
@@ -80,6 +83,109 @@ pub enum Operation {
     },
     /// Removes the selected shapes.
     Erase,
+    /// Rounds corners of the selected shapes.
+    Fillet {
+        /// Radius of the arcs, above 0.
+        radius_mm: f64,
+        /// Only the corner nearest to this place; else every corner.
+        #[serde(default)]
+        at: Option<Point2>,
+    },
+    /// Cuts corners of the selected shapes off.
+    Chamfer {
+        /// How far from the corner, above 0.
+        length_mm: f64,
+        /// Only the corner nearest to this place; else every corner.
+        #[serde(default)]
+        at: Option<Point2>,
+    },
+    /// Replaces the selected shapes by paths beside them.
+    Offset {
+        /// How far to the right of travel; negative is to the left.
+        distance_mm: f64,
+        /// Keep the shapes too.
+        #[serde(default)]
+        keep: bool,
+    },
+    /// Joins the selected open shapes where their ends are near each other.
+    Join {
+        /// How near; `None` is as near as the last time.
+        distance_mm: Option<f64>,
+        /// Let the ends be one place instead of putting a line between them.
+        #[serde(default)]
+        merge: bool,
+    },
+    /// Opens a closed shape at a place, or makes two of an open one.
+    Break {
+        /// The shape.
+        shape: usize,
+        /// Where.
+        at: Point2,
+    },
+    /// Takes the part of a shape at a place out, between its meetings with the selected shapes.
+    Trim {
+        /// The part that goes.
+        at: Point2,
+    },
+    /// Adds the selected shapes again in rows and columns.
+    ArrayRect {
+        /// Rows, upwards.
+        rows: u32,
+        /// Columns, to the right.
+        columns: u32,
+        /// Gap between neighbours.
+        gap: Vec2,
+    },
+    /// Adds the selected shapes again round a centre, turned with the angle.
+    ArrayRound {
+        /// How many there are then, the selected ones counted.
+        count: u32,
+        /// The centre.
+        centre: Point2,
+    },
+    /// Gives the segment of a shape nearest to a place another bulge.
+    Bulge {
+        /// The shape.
+        shape: usize,
+        /// On which segment.
+        at: Point2,
+        /// The tangent of a quarter of the new arc's angle; 0 makes a line of it.
+        bulge: f64,
+    },
+    /// Gives the segment of a shape nearest to a place another radius.
+    Radius {
+        /// The shape.
+        shape: usize,
+        /// On which segment.
+        at: Point2,
+        /// The radius.
+        radius_mm: f64,
+    },
+    /// Moves the vertex of a shape nearest to a place; arcs beside it keep their middle.
+    Vertex {
+        /// The shape.
+        shape: usize,
+        /// Which vertex.
+        at: Point2,
+        /// Where it goes.
+        to: Point2,
+    },
+    /// Moves the vertices of the selected shapes that lie in a window; arcs keep their bulge.
+    Stretch {
+        /// A corner of the window.
+        a: Point2,
+        /// The opposite one.
+        b: Point2,
+        /// How far.
+        by: Vec2,
+    },
+    /// Takes the vertices of a shape nearest to places out.
+    DeleteVertices {
+        /// The shape.
+        shape: usize,
+        /// Which vertices.
+        at: Vec<Point2>,
+    },
     /// Adds a circle.
     Circle {
         /// Its centre.

@@ -19,6 +19,34 @@ impl Display for Operation {
                 write!(f, "mirror {} {}{}", P(*a), P(*b), if *raw { " raw" } else { "" })
             }
             Self::Erase => f.write_str("erase"),
+            Self::Fillet { radius_mm, at } => near(f, "fillet", *radius_mm, *at),
+            Self::Chamfer { length_mm, at } => near(f, "chamfer", *length_mm, *at),
+            Self::Offset { distance_mm, keep } => {
+                write!(f, "offset {distance_mm}{}", if *keep { " keep" } else { "" })
+            }
+            Self::Join { distance_mm, merge } => {
+                f.write_str("join")?;
+                distance_mm.iter().try_for_each(|distance| write!(f, " {distance}"))?;
+                f.write_str(if *merge { " merge" } else { " keep" })
+            }
+            Self::Break { shape, at } => write!(f, "break {shape} {}", P(*at)),
+            Self::Trim { at } => write!(f, "trim {}", P(*at)),
+            Self::ArrayRect { rows, columns, gap } => {
+                write!(f, "array rect {rows}x{columns} spacing {}", V(*gap))
+            }
+            Self::ArrayRound { count, centre } => {
+                write!(f, "array round {count} about {}", P(*centre))
+            }
+            Self::Bulge { shape, at, bulge } => write!(f, "bulge {shape} {} {bulge}", P(*at)),
+            Self::Radius { shape, at, radius_mm } => {
+                write!(f, "radius {shape} {} {radius_mm}", P(*at))
+            }
+            Self::Vertex { shape, at, to } => write!(f, "vertex {shape} {} {}", P(*at), P(*to)),
+            Self::Stretch { a, b, by } => write!(f, "stretch {} {} by {}", P(*a), P(*b), V(*by)),
+            Self::DeleteVertices { shape, at } => {
+                write!(f, "delete-vertices {shape}")?;
+                at.iter().try_for_each(|at| write!(f, " {}", P(*at)))
+            }
             Self::Circle { centre, radius_mm } => write!(f, "circle {} {radius_mm}", P(*centre)),
             Self::Rectangle { a, b } => write!(f, "rect {} {}", P(*a), P(*b)),
             Self::Point { at } => write!(f, "point {}", P(*at)),
@@ -68,6 +96,12 @@ impl Display for V {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         write!(f, "{},{}", self.0.x, self.0.y)
     }
+}
+
+/// An operation with a length, on one corner or on all.
+fn near(f: &mut Formatter<'_>, name: &str, length: f64, at: Option<Point2>) -> Result {
+    write!(f, "{name} {length}")?;
+    at.map_or(Ok(()), |at| write!(f, " at {}", P(at)))
 }
 
 fn on_off(on: bool) -> &'static str {
