@@ -104,6 +104,16 @@ pub enum Event {
         /// When.
         t: f64,
     },
+    /// Somebody pushed an axis of the simulated machine by hand.
+    #[serde(rename = "handmove")]
+    HandMove {
+        /// Its letter.
+        axis: char,
+        /// How far it gave way; 0 while its motor holds it.
+        by: f64,
+        /// When.
+        t: f64,
+    },
     /// Steps became coarser, or fine again (VU); locations do not change.
     Resolution {
         /// Factor of each axis, X to C.
@@ -347,6 +357,10 @@ pub struct EndEvent {
     /// Axes whose location should be verified: the motors had no power.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub verify: Vec<char>,
+    /// How far axes of the simulated machine are from where the controller believes them, because
+    /// they were pushed by hand; nothing for those that are where they should be.
+    #[serde(skip_serializing_if = "Partial::is_empty")]
+    pub astray: Partial,
     /// The user's variables, when asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub vars: Option<BTreeMap<String, VarValue>>,

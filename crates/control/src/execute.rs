@@ -181,8 +181,10 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut index = 0;
         while index < plan.moves().len() {
             self.carry_out_marks(marks, index);
+            let (begin_s, end_s) = plan.span_s(index);
+            let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
             if stopped.is_none()
-                && let Some(t_s) = self.pace.pass(self.world.now(), t0_s + plan.span_s(index).1)
+                && let Some(t_s) = self.pace.pass(self.world.now(), end_s)
             {
                 let (rest, why) = cut(plan, (t_s - t0_s).max(0.0), true);
                 plan = rest;
@@ -195,17 +197,23 @@ impl<I: Interpreter> Runner<'_, I> {
         stopped
     }
 
+    /// When a part of a plan that started at `t0_s` begins and ends. What is only drawn takes no time.
+    fn moments(&self, t0_s: f64, span_s: [f64; 2]) -> [f64; 2] {
+        if self.world.machine.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
+    }
+
     fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
         let Some(span) = plan.span(index) else { return };
         self.last_move = span.made.at;
         self.trail.moves(span.made.at);
+        let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         if self.world.tells_motion() {
-            let event = self.move_event(span.made, t0_s + span.t0_s, t0_s + span.t1_s);
+            let event = self.move_event(span.made, begin_s, end_s);
             self.world.tell(&event);
         }
         self.world.tell_made(&Made { plan, span: &span, t0_s });
         let frame = self.world.machine.frame();
-        self.world.tally.made(span.made, span.t1_s - span.t0_s, frame);
+        self.world.tally.made(span.made, end_s - begin_s, frame);
         self.world.machine.make(t0_s, plan, &span);
         self.world.tell_log();
     }

@@ -1,7 +1,7 @@
 //! The owner of one machine: what stays between runs, and how a run starts.
 
 use crate::answers::Operator;
-use crate::event::{BoundsEvent, Corner, EndEvent, Event, VarValue};
+use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
 use crate::nudge::{Nudge, Outside};
 use crate::part_log::{PartLog, Started};
 use crate::runner::Runner;
@@ -14,9 +14,9 @@ use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
 use kerf_part::{Interpreter, Program};
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Axis, Interpreter as _};
-use kerf_sbp::{Dialect, Language, Status, SystemVariable, Value};
-use kerf_sim::{Change, Inputs, Machine};
+use kerf_program::{Axis, AxisSet, Interpreter as _};
+use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, SystemVariable, Value};
+use kerf_sim::{Change, Inputs, Machine, Push};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -29,6 +29,8 @@ pub struct RunOptions {
     pub gcode: kerf_gcode::Options,
     /// Changes of the simulated machine's inputs.
     pub inputs: Vec<Change>,
+    /// Pushes of the simulated machine by hand.
+    pub pushes: Vec<Push>,
     /// Tell the user's variables at the end.
     pub tell_variables: bool,
     /// When the run starts, for the log of the part file; without it none is written.
@@ -119,7 +121,7 @@ impl Session {
         }
         let log = PartLog::begin(self, &options.program, options.started);
         let depth = usize::from(options.program.typed);
-        let machine = self.machine(options.inputs);
+        let machine = self.machine(options.inputs).pushed(options.pushes).doubting(lost(shelf));
         let memory = kerf_part::Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
@@ -217,6 +219,12 @@ impl Session {
     }
 }
 
+/// The axes whose locations are not verified.
+fn lost(shelf: &Shelf) -> AxisSet {
+    let letters = shelf.stored.get(POSITION_LOST).unwrap_or_default();
+    letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
+}
+
 fn saved_and_restored(interpreter: &Interpreter) -> Result<Interpreter, String> {
     let saved = serde_json::to_vec(interpreter).map_err(|e| e.to_string())?;
     serde_json::from_slice(&saved).map_err(|e| e.to_string())
@@ -272,9 +280,16 @@ fn end_event(
         bounds: bounds_event(&summary.tally.bounds, mm),
         steps: machine.steps(),
         heater: (machine.settings().io.analog >= 3).then(|| machine.heater_degrees()),
+        astray: astray(machine),
         verify: machine.unverified().iter().map(|axis| axis.letter()).collect(),
         vars,
     }
+}
+
+fn astray(machine: &Machine) -> Partial {
+    let user = machine.settings().to_user(machine.astray());
+    let axes = Axis::ALL.into_iter().filter(|axis| user[*axis] != 0.0);
+    axes.map(|axis| (axis.letter().to_ascii_lowercase(), user[axis])).collect()
 }
 
 fn bounds_event(bounds: &Bounds3, mm: f64) -> Option<BoundsEvent> {

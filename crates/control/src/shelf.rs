@@ -13,6 +13,9 @@ use std::process::{Command, Stdio};
 /// Files larger than this are no part files, bytes.
 pub const MOST_BYTES: usize = 1 << 29;
 
+/// Which files lists show at first: part files, settings files, custom cuts.
+const MASK: &str = "*.sb?";
+
 /// What the name of a part file's log ends with.
 const LOG: &str = "log";
 
@@ -26,6 +29,8 @@ pub struct Shelf {
     /// Folder of settings and values.
     data: PathBuf,
     shell: Shell,
+    /// Which files lists show, when somebody chose.
+    mask: Option<String>,
 }
 
 /// What SHELL does.
@@ -43,7 +48,8 @@ pub enum Shell {
 impl Shelf {
     /// Programs change these files.
     pub fn new(disk: Box<dyn Disk>, folders: Folders, stored: Stored, data: PathBuf) -> Self {
-        Self { disk, folders, open: OpenFiles::default(), stored, data, shell: Shell::Refused }
+        let (open, shell) = (OpenFiles::default(), Shell::Refused);
+        Self { disk, folders, open, stored, data, shell, mask: None }
     }
 
     /// Programs see these files; what they write stays in a scratch space.
@@ -153,6 +159,35 @@ impl Shelf {
         let path = self.folders.find(&*self.disk, Folder::Parts, name, Purpose::Read).ok()?;
         let bytes = self.disk.read(&path).ok()?;
         Some(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// Which files lists of the part folder show.
+    pub fn mask(&self) -> &str {
+        self.mask.as_deref().unwrap_or(MASK)
+    }
+
+    /// Chooses which files lists show (FS); those of OpenSBP when nothing is given.
+    pub fn set_mask(&mut self, mask: Option<&str>) {
+        self.mask = mask.map(str::to_owned);
+    }
+
+    /// Names of what lies in the part folder.
+    pub(crate) fn names(&self) -> std::io::Result<Vec<String>> {
+        self.disk.names(self.folders.parts())
+    }
+
+    /// Whether a folder of this name lies in the part folder.
+    pub(crate) fn is_folder(&self, name: &str) -> bool {
+        self.disk.is_folder(&self.folders.parts().join(name))
+    }
+
+    /// The path of a file from the root on; the name itself when there is no such file.
+    pub(crate) fn full_path(&self, name: &str) -> String {
+        let path = Path::new(name);
+        if self.disk.is_file(path) {
+            return self.disk.real_path(path).display().to_string();
+        }
+        name.to_owned()
     }
 
     /// The current part folder.

@@ -166,6 +166,9 @@ impl<'a> World<'a> {
             What::Spindle { number, rpm, on } => Event::Spindle { rpm, on, t, n: number },
             What::Light(on) => Event::Light { on, t },
             What::Motors(on) => Event::Motors { on, t },
+            What::Pushed { axis, by } => {
+                Event::HandMove { axis: axis.letter(), by: by / self.scale(axis), t }
+            }
             What::Resolution(multipliers) => Event::Resolution { multipliers, t },
             What::Independent { axis, motion } => self.independent(axis, motion, t),
         }

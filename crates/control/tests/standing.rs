@@ -134,3 +134,37 @@ fn a_nudge_stays_on_the_table() {
     assert_eq!(session.nudge(Axis::X, high_mm + 1.0).unwrap_err().axis, Axis::X);
     assert_eq!(session.memory, before);
 }
+
+#[test]
+fn sbp_file_fs_dialog() {
+    let files = [("x/part.sbp", "MX,1"), ("main.sbp", "FP,part.sbp\nUV\n")];
+    let disk = MemoryDisk::new(files.iter().map(|(name, text)| (*name, text.as_bytes())));
+    let mut shelf = Shelf::in_memory(disk);
+    shelf.browse(Some("nowhere")).unwrap_err();
+    shelf.browse(Some("x")).unwrap();
+    assert_eq!(shelf.listing().unwrap().files[0].name, "part.sbp");
+    let mut events = Vec::new();
+    let company = Company { sink: &mut events, operator: &mut Answers::default(), pace: &mut () };
+    let program = kerf_sbp::read("main.sbp".into(), files[1].1.as_bytes());
+    Session::default().run(program, RunOptions::default(), &mut shelf, company);
+    let shown =
+        events.iter().any(|e| matches!(e, Event::Message { text, .. } if text.contains("FS,x,")));
+    assert!(shown, "{events:?}");
+}
+
+#[test]
+fn sbp_file_fs_mask() {
+    let names = ["proj1.sbp", "proj12.sbp", "project.sbp", "readme.txt"];
+    let listed = |program: &str| {
+        let mut shelf = Shelf::in_memory(MemoryDisk::new(names.map(|name| (name, &b""[..]))));
+        let (sink, operator) = (&mut Vec::<Event>::new(), &mut Answers::default());
+        let company = Company { sink, operator, pace: &mut () };
+        let program = kerf_sbp::read("main.sbp".into(), program.as_bytes());
+        Session::default().run(program, RunOptions::default(), &mut shelf, company);
+        let files = shelf.listing().unwrap().files;
+        files.into_iter().map(|file| file.name).collect::<Vec<_>>()
+    };
+    assert_eq!(listed(""), names[..3]);
+    assert_eq!(listed("FS,,*.*"), names);
+    assert_eq!(listed("FS,,proj??.sbp"), ["proj12.sbp"]);
+}

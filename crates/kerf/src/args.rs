@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
-use kerf_sim::Change;
+use kerf_sim::{Change, Push};
 use std::path::PathBuf;
 
 /// Options of everything that runs a part file, on a machine or as a preview.
@@ -23,6 +23,9 @@ pub struct RunArgs {
     /// Changes an input of the simulated machine at a time in seconds; may be repeated
     #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
     pub input: Vec<Change>,
+    /// Pushes an axis of the simulated machine by hand, so far, at a time in seconds; may be repeated
+    #[arg(long, value_name = "AXIS@T=BY", value_parser = parse::hand_move)]
+    pub hand_move: Vec<Push>,
     /// Stops the machine, as the operator would, at a time in seconds
     #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
     pub stop_at: Option<f64>,

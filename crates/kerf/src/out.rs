@@ -29,6 +29,12 @@ pub fn number(value: f64, decimals: usize) -> String {
     if text == "-0" || text.is_empty() { "0".into() } else { text.into() }
 }
 
+/// So many of something: `1 arc`, `2 arcs`.
+pub fn count(number: u64, thing: &str) -> String {
+    let s = if number == 1 { "" } else { "s" };
+    format!("{number} {thing}{s}")
+}
+
 /// What the cutting moves cover: `X 0 … 4, Y 0 … 3, Z -0.25 … 0 in`; nothing when nothing is cut.
 pub fn bounds(summary: &Summary) -> Option<String> {
     let bounds = &summary.tally.bounds;
@@ -56,6 +62,11 @@ mod tests {
         ] {
             assert_eq!(duration(seconds), text);
         }
+    }
+
+    #[test]
+    fn one_is_no_plural() {
+        assert_eq!((count(1, "arc"), count(0, "arc")), ("1 arc".into(), "0 arcs".into()));
     }
 
     #[test]

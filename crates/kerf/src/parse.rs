@@ -3,7 +3,7 @@
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
 use kerf_sbp::{Dialect, GoTo, Value};
-use kerf_sim::Change;
+use kerf_sim::{Change, Push};
 
 /// Letters of axes, as `xyz`.
 pub fn axes(text: &str) -> Result<Vec<Axis>, String> {
@@ -84,6 +84,19 @@ pub fn input(text: &str) -> Result<Change, String> {
     }
 }
 
+/// `AXIS@T=BY`, in units of the axis.
+pub fn hand_move(text: &str) -> Result<Push, String> {
+    let parts = text.split_once('@').and_then(|(axis, rest)| Some((axis, rest.split_once('=')?)));
+    let Some((axis, (at, by))) = parts else {
+        return Err("give AXIS@SECONDS=DISTANCE, as X@2.5=1".into());
+    };
+    let mut letters = axis.trim().chars();
+    let letter = letters.next().and_then(Axis::from_letter).filter(|_| letters.next().is_none());
+    let axis = letter.ok_or("axes are X, Y, Z, A, B and C")?;
+    let at_s = not_negative(at.trim()).map_err(|_| "the time is a number of seconds, 0 or more")?;
+    Ok(Push { axis, at_s, by: number(by.trim())? })
+}
+
 /// `NAME=VALUE`; a leading `&` is left out, a value that reads as a number is one.
 pub fn variable(text: &str) -> Result<(String, Value), String> {
     let (name, value) = text.split_once('=').ok_or("give NAME=VALUE, as depth=0.25")?;
@@ -160,6 +173,14 @@ mod tests {
         assert_eq!(input("12@0=0"), Ok(Change { input: 12, at_s: 0.0, on: false }));
         for wrong in ["", "3", "3@1", "3=1", "0@1=1", "13@1=1", "3@-1=1", "3@nan=1", "3@1=2"] {
             assert!(input(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn hand_moves_are_axis_time_and_distance() {
+        assert_eq!(hand_move("x@2.5=-1"), Ok(Push { axis: Axis::X, at_s: 2.5, by: -1.0 }));
+        for wrong in ["", "x", "x@1", "x=1", "xy@1=1", "w@1=1", "x@-1=1", "x@1=far"] {
+            assert!(hand_move(wrong).is_err(), "{wrong}");
         }
     }
 

@@ -12,6 +12,7 @@ use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
 use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sbp::{FileParameters, GoTo, Language};
+use kerf_sim::Push;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -58,6 +59,8 @@ pub fn job_of(
     }
     let mut options = run_options(args, &settings, preview);
     options.program.file.from = from_line(&args.file, &program, &shelf)?;
+    let in_mm = |push: &Push| Push { by: push.by * settings.axis_scale(push.axis), ..*push };
+    options.pushes = args.hand_move.iter().map(in_mm).collect();
     options.started = memory.keeps().then(clock::started);
     session.memory.settings = settings;
     Ok(Job { program, session, options, shelf, answers, memory })

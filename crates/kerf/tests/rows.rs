@@ -61,3 +61,110 @@ fn sbp_file_check() {
     }
     assert_eq!(shop.names().len(), 6, "nothing is written");
 }
+
+#[test]
+fn sbp_io_getusrpath() {
+    let shop = Shop::new(&[("a.sbp", "GetUsrPath, &p\nPRINT &p\n")]);
+    let told = shop.kerf("run a.sbp --quiet").exits(0).out();
+    assert_eq!(told, shop.kerf("registry get uUsrPath").exits(0).out());
+    let folder = std::path::Path::new(told.trim_end());
+    assert!(folder.is_absolute() && folder.is_dir() && !told.ends_with("/\n"), "{told}");
+}
+
+#[test]
+fn sbp_io_getapppath() {
+    let shop = Shop::new(&[("a.sbp", "GetAppPath, &p\nPRINT &p\n")]);
+    let told = shop.kerf("run a.sbp --quiet").exits(0).out();
+    assert_eq!(told, shop.kerf("registry get uAppPath").exits(0).out());
+    assert!(std::path::Path::new(told.trim_end()).join("settings.sbd").is_file(), "{told}");
+}
+
+#[test]
+fn sbp_io_getpartfilename() {
+    let shop =
+        Shop::new(&[("parts/a.sbp", "MX,1\n"), ("f.sbp", "GetPartFileName, &f\nPRINT &f\n")]);
+    shop.kerf("run parts/a.sbp").exits(0);
+    // A one-liner is no part file; the last one is told with its full path, wherever one is now.
+    let out = shop.command().args(["send", "--quiet", "GetPartFileName, &f", "PRINT &f"]).output();
+    let told = String::from_utf8(out.unwrap().stdout).unwrap();
+    let path = std::fs::canonicalize(shop.file("parts/a.sbp")).unwrap();
+    assert_eq!(told.trim_end(), path.display().to_string());
+}
+
+#[test]
+fn sbp_io_setspindle() {
+    let shop =
+        Shop::new(&[("on.sbp", "SetSpindleStatus, 1\n"), ("bad.sbp", "SetSpindleStatus, 2\n")]);
+    let status = || shop.kerf("registry get SpindleStatus").exits(0).out();
+    assert_eq!(status(), "0\n");
+    shop.kerf("run on.sbp").exits(0);
+    assert_eq!(status(), "1\n");
+    shop.kerf("run bad.sbp").exits(1).complains("must be 0 or 1");
+}
+
+#[test]
+fn sbp_io_setusrval() {
+    let shop =
+        Shop::new(&[("a.sbp", "SetUsrVal, hello\n"), ("b.sbp", "GetUsrVal, &v\nPRINT &v\n")]);
+    shop.kerf("run a.sbp").exits(0);
+    shop.kerf("run b.sbp --quiet").exits(0).says("hello");
+    shop.kerf("send UD").exits(0).says("uValue: hello");
+    shop.kerf("reg get ShopBot/UserData/uValue").exits(0).says("hello");
+}
+
+#[test]
+fn sbp_val_vn_prs() {
+    let shop = Shop::new(&[]);
+    shop.kerf("samples --machines").exits(0).says("prs.sbd").says("prt.sbd");
+    let wired = |file: &str| {
+        shop.kerf(&format!("run {file}")).exits(0);
+        let out = shop.kerf("send UV").exits(0).out();
+        let line = out.lines().find(|line| line.starts_with("VN")).unwrap().to_owned();
+        line.split(',').skip(4).take(3).collect::<Vec<_>>().join(",")
+    };
+    assert_eq!((wired("prs.sbd"), wired("prt.sbd")), ("0,2,2".into(), "0,0,1".into()));
+}
+
+#[test]
+fn sbp_file_fs_mask() {
+    let shop = Shop::new(&[
+        ("proj1.sbp", ""),
+        ("proj12.sbp", ""),
+        ("project.sbp", ""),
+        ("notes.txt", ""),
+        ("doors/a.sbp", ""),
+    ]);
+    let list = |mask: &str| shop.kerf(&format!("parts --mask {mask}")).exits(0).out();
+    assert_eq!(list("proj??.sbp"), "  data/\n  doors/\n  proj12.sbp\n".replace("  data/\n", ""));
+    assert!(list("*.*").contains("notes.txt"));
+    shop.kerf("parts doors").exits(0).says("a.sbp");
+    shop.kerf("parts nowhere").exits(2).complains("cannot list nowhere");
+    shop.write("mask.sbp", b"FS,,proj??.sbp\nUV\n");
+    shop.kerf("send FS,,proj??.sbp UV").exits(0).says(",proj??.sbp\n");
+}
+
+#[test]
+fn sbp_lang_ext() {
+    let shop = Shop::new(&[
+        ("demo.sbp", "MX,1\n"),
+        ("mine.sbd", "VS,3,2\nPRINT %(71);\" \";%(73)\n"),
+        ("demo.txt", ""),
+    ]);
+    assert_eq!(shop.kerf("parts").exits(0).out(), "  demo.sbp\n  mine.sbd\n");
+    shop.kerf("run demo.sbp").exits(0);
+    shop.kerf("run mine.sbd --quiet").exits(0).says("3 2");
+}
+
+#[test]
+fn sbp_file_fp_headerinfo() {
+    let shop = Shop::new(&[
+        ("door.sbp", "'Contact: Ann\n'Material: birch, 18 mm\n\nMX,1\n'Notes: no\n"),
+        ("plain.sbp", "'a comment\nMX,1\n"),
+    ]);
+    assert_eq!(shop.kerf("parts").exits(0).out(), "! door.sbp\n  plain.sbp\n");
+    let told = shop.kerf("parts --headers").exits(0).out();
+    assert!(told.contains("      Material: birch, 18 mm\n") && !told.contains("Notes"), "{told}");
+    let json = shop.kerf("parts --format json").exits(0).json();
+    assert_eq!(json["files"][0]["header"], "Contact: Ann\nMaterial: birch, 18 mm");
+    assert!(json["files"][1]["header"].is_null());
+}

@@ -6,7 +6,7 @@ use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, StopAt, json};
 use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
-use kerf_sim::Change;
+use kerf_sim::{Change, Push};
 
 /// Names of the program that a case runs.
 const MAIN: &str = "main.sbp";
@@ -80,6 +80,14 @@ impl Case {
     #[must_use]
     pub fn input(mut self, input: u8, at_s: f64, on: bool) -> Self {
         self.options.inputs.push(Change { input, at_s, on });
+        self
+    }
+
+    /// An axis is pushed by hand at a machine time, seconds; inches or degrees.
+    #[must_use]
+    pub fn pushed(mut self, axis: Axis, at_s: f64, by: f64) -> Self {
+        let by = by * self.session.memory.settings.axis_scale(axis);
+        self.options.pushes.push(Push { axis, at_s, by });
         self
     }
 

@@ -211,6 +211,19 @@ pub trait Host {
     /// Changes the current part folder (FS); `None` restores the one at the start. Returns the new one.
     fn set_part_folder(&mut self, folder: Option<&str>) -> Result<String, HostError>;
 
+    /// Chooses which files lists of the part folder show (FS): `*` any characters, `?` one.
+    fn set_file_mask(&mut self, _mask: &str) {}
+
+    /// Which files lists of the part folder show.
+    fn file_mask(&mut self) -> String {
+        "*.sb?".into()
+    }
+
+    /// The path of a file from the root on, where there is such a thing.
+    fn full_path(&mut self, name: &str) -> String {
+        name.to_owned()
+    }
+
     /// Opens a user file under a number 1 … 9; returns the path it resolved to.
     fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError>;
 

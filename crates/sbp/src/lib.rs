@@ -22,6 +22,7 @@ mod corpus;
 mod eval;
 mod expr;
 mod format;
+mod header;
 mod interp;
 mod named_files;
 mod number;
@@ -38,6 +39,7 @@ mod walk;
 pub use check::check;
 pub use expr::{BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, TextId, UnaryOp};
 pub use format::format;
+pub use header::Header;
 pub use interp::{
     BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, GoTo, Interpreter,
     Options, POSITION_LOST, SPINDLE_STATUS, Session, Status, Step, SystemVariable, VERSION,

@@ -15,6 +15,7 @@
 //! positions in the machine frame.
 
 mod halt;
+mod hand;
 mod heater;
 mod independent;
 mod inputs;
@@ -27,6 +28,7 @@ mod outputs;
 mod trigger;
 
 pub use halt::{Halt, HaltCause, Watched};
+pub use hand::Push;
 pub use inputs::{Change, Inputs};
 pub use limits::Violation;
 pub use log::{Happening, Log, What};

@@ -52,6 +52,13 @@ pub enum What {
     Light(bool),
     /// Power of the motors.
     Motors(bool),
+    /// An axis was pushed by hand.
+    Pushed {
+        /// The axis.
+        axis: Axis,
+        /// How far it gave way, mm or degrees: not at all while its motor holds it.
+        by: f64,
+    },
     /// Coarser steps began or ended, each axis by its factor (command reference, VU).
     Resolution([u8; AXES]),
     /// An axis began or stopped to move beside the others (MI).

@@ -4,6 +4,7 @@ mod drive;
 mod torch;
 
 use crate::halt::{self, Halt, Watched};
+use crate::hand::Hand;
 use crate::heater::{self, Heater};
 use crate::independent::Spin;
 use crate::inputs::Inputs;
@@ -42,6 +43,7 @@ pub struct Machine {
     powered: bool,
     /// Axes that may have been moved by hand while they had none.
     unverified: AxisSet,
+    hand: Hand,
     /// Factors of coarser steps.
     coarse: [u8; AXES],
     pwm_percent: f64,
@@ -80,6 +82,7 @@ impl Machine {
             motors,
             powered: true,
             unverified: AxisSet::EMPTY,
+            hand: Hand::default(),
             coarse: [1; AXES],
             pwm_percent: 0.0,
             light: false,
@@ -354,6 +357,9 @@ impl Machine {
                 self.steer_torch(t_s);
             }
         }
+        while let Some(push) = self.hand.next(to_s) {
+            self.push(push);
+        }
         self.clock_s = self.clock_s.max(to_s);
         self.heat(self.clock_s);
     }
@@ -433,7 +439,9 @@ impl Machine {
             }
         }
         self.position = span.made.to;
-        self.advance(t0_s + span.t1_s);
+        if !self.draws() {
+            self.advance(t0_s + span.t1_s);
+        }
     }
 
     /// The stack is over, the machine stands.

@@ -23,4 +23,4 @@ pub use memory::MemoryDisk;
 pub use open::OpenFiles;
 pub use real::RealDisk;
 pub use scratch::Scratch;
-pub use shipped::{SAMPLES, SHIPPED, Shipped};
+pub use shipped::{MACHINES, SAMPLES, SHIPPED, Shipped};

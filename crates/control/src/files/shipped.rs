@@ -32,6 +32,12 @@ shipped! {
     "Custom90.sbc" "Custom91.sbc" "my_variables.sbc"
 }
 
+shipped! {
+    /// Settings of machines: part files that set how they are wired.
+    MACHINES in "machines":
+    "prs.sbd" "prt.sbd"
+}
+
 impl Shipped {
     /// The custom cut of a name, in any case.
     pub fn find(name: &str) -> Option<&'static Self> {

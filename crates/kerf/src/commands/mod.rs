@@ -5,6 +5,7 @@ mod convert;
 mod draw;
 mod explain;
 mod fmt;
+mod parts;
 mod plot;
 mod preview;
 mod registry;
@@ -37,9 +38,11 @@ pub enum Command {
     Toolpath(toolpath::ToolpathArgs),
     Explain(explain::ExplainArgs),
     Wavlength(wavlength::WavlengthArgs),
+    #[command(visible_alias = "reg")]
     Registry(registry::RegistryArgs),
     Sysvars(sysvars::SysvarsArgs),
     Samples(samples::SamplesArgs),
+    Parts(parts::PartsArgs),
 }
 
 /// Does it.
@@ -57,6 +60,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Convert(args) => convert::run(&args),
         Command::Toolpath(args) => toolpath::run(&args),
         Command::Samples(args) => samples::run(&args),
+        Command::Parts(args) => parts::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),
         Command::Wavlength(args) => wavlength::run(&args),

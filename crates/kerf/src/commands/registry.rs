@@ -6,6 +6,7 @@ use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::{Args, Subcommand};
 use kerf_control::files::{Disk, RealDisk};
+use std::path::Path;
 
 /// Shows and sets the values that survive runs: uValue, $variables, what other software leaves
 ///
@@ -38,8 +39,14 @@ enum Action {
 }
 
 /// Keys that the machine keeps itself, and what they read while no program runs.
-const IDLE: &[&str] =
-    &["Status", "InputSwitches", "InputSwitchesUpper", "OutPutSwitches", "OutPutSwitchesUpper"];
+const IDLE: &[&str] = &[
+    "Status",
+    "SpindleStatus",
+    "InputSwitches",
+    "InputSwitchesUpper",
+    "OutPutSwitches",
+    "OutPutSwitchesUpper",
+];
 
 pub fn run(args: &RegistryArgs) -> Result<Exit> {
     let data = setup::data_folder(&args.data)?;
@@ -56,6 +63,9 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
                 Some(value) => value.to_owned(),
                 None if IDLE.contains(&key) => "0".into(),
                 None if key == "uAppPath" => folder(),
+                None if key == "uUsrPath" => {
+                    RealDisk.real_path(Path::new("")).display().to_string()
+                }
                 None => {
                     eprintln!("kerf: {key} has no value");
                     return Ok(Exit::Failed);

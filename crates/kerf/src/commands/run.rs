@@ -122,10 +122,10 @@ fn told(summary: &Summary) -> String {
     };
     let mut text = format!("{status} after {}\n", out::duration(summary.seconds));
     text += &format!(
-        "  {} lines, {} moves, {} arcs\n  cut {}, jogged {}\n",
-        summary.lines,
-        tally.moves,
-        tally.arcs,
+        "  {}, {}, {}\n  cut {}, jogged {}\n",
+        out::count(summary.lines, "line"),
+        out::count(tally.moves, "move"),
+        out::count(tally.arcs, "arc"),
         length(tally.cut_mm),
         length(tally.jog_mm)
     );

@@ -166,3 +166,17 @@ fn sbp_flow_pause_until_0() {
     run.ends_at([1.0]);
     kerf_ledger::run("PAUSE UNTIL 5, 0 ⏎ MX,1").ends_at([1.0]);
 }
+
+#[test]
+fn sbp_flow_warning_off() {
+    let lights = |program: &str| -> Vec<(bool, f64)> {
+        let run = run(program);
+        let lights = run.is_ok().events("light");
+        lights.map(|e| (e["on"] == true, e["t"].as_f64().unwrap())).collect()
+    };
+    let lit = lights("MX,1 ⏎ WARNING OFF ⏎ PAUSE 2 ⏎ MX,2");
+    assert_eq!(lit.iter().map(|l| l.0).collect::<Vec<_>>(), [true, false, true, false]);
+    assert!((lit[2].1 - lit[1].1 - 2.0).abs() < 1e-6, "dark for the pause: {lit:?}");
+    let kept = lights("MX,1 ⏎ PAUSE 2 ⏎ MX,2");
+    assert_eq!(kept.len(), 2, "without it the light stays on: {kept:?}");
+}

@@ -132,16 +132,6 @@ fn sbp_val_vi_speed() {
 }
 
 #[test]
-fn sbp_cmd_st_lost() {
-    let told = run("MX,1 ⏎ MO ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
-    assert!(told.contains("position not verified: X Y Z"), "{told}");
-    let zeroed = run("MO ⏎ ZT ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
-    assert!(!zeroed.contains("not verified"), "{zeroed}");
-    let drawn = run("SP ⏎ MO ⏎ SM ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
-    assert!(!drawn.contains("not verified"), "nothing was switched off: {drawn}");
-}
-
-#[test]
 fn sbp_cmd_z_confirm() {
     let zeroed = at([1.0, 2.0], "ZX");
     zeroed.ends_at([0.0, 2.0]).asks(&[]);

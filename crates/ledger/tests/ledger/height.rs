@@ -52,6 +52,14 @@ fn sbp_val_vh_torch__other_moves_begin_where_it_left_z() {
 }
 
 #[test]
+fn zero_is_where_the_torch_has_brought_z() {
+    let zeroed = run(&format!("{ON} MX,8 ⏎ ZZ ⏎ PRINT %(3) ⏎ MX,0 ⏎ MZ,0 ⏎ PRINT %(3)"));
+    assert_eq!(printed(&zeroed), [0.0, 0.0]);
+    let called = run(&format!("{ON} MX,8 ⏎ VA,,,5 ⏎ PRINT %(3)"));
+    assert_eq!(printed(&called), [5.0]);
+}
+
+#[test]
 fn sbp_val_vh_rate() {
     let speed = |vh: &str| rides(&run(&format!("VS,4 ⏎ VN,,,1 ⏎ {vh} ⏎ MX,8")))[0].1;
     assert_eq!((speed("VH,1"), speed("VH,1,.1"), speed("VH,1,.5")), (1.0, 0.4, 2.0));

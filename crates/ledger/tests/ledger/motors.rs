@@ -1,6 +1,8 @@
 //! Motors: channels, steps, power (VI, VU, MO), and axes that move by themselves (MI).
 
 use kerf_ledger::{run, sbp};
+use kerf_program::Axis;
+use serde_json::json;
 
 #[test]
 fn sbp_val_vi_channels() {
@@ -160,4 +162,36 @@ fn sbp_cmd_mi_stop() {
     emergency.status("stopped").steps(&[763, 0, 0, 0, 417]);
     let last = emergency.events("independent").last().cloned().unwrap();
     assert_eq!((&last["speed"], &last["t"]), (&0.into(), &1.into()), "{emergency}");
+}
+
+#[test]
+fn sbp_cmd_mo_handmove() {
+    let pushed = |program: &str| sbp(program).pushed(Axis::X, 2.0, 1.0).run();
+    let free = pushed("MX,1 ⏎ MO ⏎ PAUSE 3 ⏎ PRINT %(1)");
+    free.ends_at([1.0]).prints(&["1"]);
+    assert_eq!(free.end()["astray"], json!({"x": 1}), "{free}");
+    assert_eq!(free.events("handmove").next().expect("a push")["by"], 1, "{free}");
+    let held = pushed("MX,1 ⏎ PAUSE 3");
+    assert_eq!((&held.end()["astray"], held.events("handmove").count()), (&json!(null), 1));
+    // Where the tool is sent, it misses by as much.
+    let on = pushed("MX,1 ⏎ MO ⏎ PAUSE 3 ⏎ MX,5").ends_at([5.0]).end()["astray"].clone();
+    assert_eq!(on, json!({"x": 1}));
+    let spec = kerf_sbp::table::find("MO").expect("MO");
+    assert!(spec.doc.contains("by hand") && spec.doc.contains("voltage"), "{}", spec.doc);
+}
+
+#[test]
+fn sbp_cmd_st_lost() {
+    let told = run("MX,1 ⏎ MO ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
+    assert!(told.contains("position not verified: X Y Z"), "{told}");
+    let zeroed = run("MO ⏎ ZT ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
+    assert!(!zeroed.contains("not verified"), "{zeroed}");
+    let drawn = run("SP ⏎ MO ⏎ SM ⏎ UD").is_ok().events("message").last().expect("UD").to_string();
+    assert!(!drawn.contains("not verified"), "nothing was switched off: {drawn}");
+    let program = "MX,1 ⏎ ZX ⏎ MO ⏎ PAUSE 3 ⏎ ST ⏎ UD";
+    let pushed = sbp(program).pushed(Axis::X, 2.0, 1.0).run();
+    pushed.ends_at([1.0]);
+    let told = pushed.events("message").last().expect("UD").to_string();
+    assert!(told.contains("position not verified: X"), "{told}");
+    assert_eq!(pushed.end()["astray"], json!({"x": 1}), "the tool stands at 2");
 }

@@ -82,7 +82,8 @@ fn sbp_cmd_sp_start() {
 
 #[test]
 fn sbp_cmd_sp_noeffect() {
-    let program = "SP ⏎ SO,3,1 ⏎ PAUSE 5 ⏎ ZX ⏎ PRINT %(103) ⏎ SM ⏎ PRINT %(1), %(103)";
+    let program =
+        "SP ⏎ SO,3,1 ⏎ PAUSE 5 ⏎ ZX ⏎ MX,1 ⏎ JY,2 ⏎ PRINT %(103) ⏎ SM ⏎ PRINT %(1), %(103)";
     let run = at([2.0], program);
     run.is_ok().prints(&["0", "2     0"]).switches(3, &[]);
     assert_eq!((run.seconds(), run.events("wait").count()), (0.0, 0), "{run}");

@@ -32,7 +32,8 @@ impl Context<'_> {
         let source = self.source(&request)?;
         let program = self.read_cached(&source)?;
         if request.folder == Folder::Parts {
-            self.host.store(PART_FILE, Some(&source.name));
+            let path = self.host.full_path(&source.name);
+            self.host.store(PART_FILE, Some(&path));
         }
         self.doubt_plunge(&program, &parameters);
         self.open_level(program, parameters);

@@ -63,7 +63,8 @@ pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>
     let Some(first) = core.programs.first().cloned() else { return end(core, host, out) };
     host.store(CLEARED_VALUE, None);
     if !core.options.typed {
-        host.store(PART_FILE, Some(&first.name));
+        let path = host.full_path(&first.name);
+        host.store(PART_FILE, Some(&path));
     }
     let parameters = core.options.file;
     let at = At { file: 0, line: 0 };

@@ -109,16 +109,26 @@ impl Context<'_> {
         self.core.take_position(axes, self.host);
     }
 
+    /// Where the machine is, with the true place of an axis that may have moved by itself. The machine
+    /// is at rest.
+    fn real_position(&mut self, axis: Axis) -> Axes {
+        let mut position = self.core.position;
+        if self.core.wanders(axis) {
+            position[axis] = self.host.machine_position()[axis.index()];
+        }
+        position
+    }
+
     /// Calls the present place of an axis so, in working locations.
     pub(crate) fn set_working(&mut self, axis: Axis, value: f64) {
-        let position = self.core.position;
+        let position = self.real_position(axis);
         self.core.frame.set_working(axis, position, value);
     }
 
     /// Gives the present place of an axis the base coordinate that programs read.
     pub(crate) fn set_base(&mut self, axis: Axis, value: f64) {
         let location = value + self.core.base_ahead(axis);
-        let position = self.core.position;
+        let position = self.real_position(axis);
         self.core.frame.set_base(axis, position, location);
     }
 

@@ -48,7 +48,7 @@ pub use arguments::Arguments;
 pub use context::{Context, Stop};
 pub use gcode::{FilePlace, GcodeDone, GcodeDue};
 pub use kerf_program::{Status, Step, Watch};
-pub use registry::{POSITION_LOST, SPINDLE_STATUS};
+pub use registry::{POSITION_LOST, SPINDLE_STATUS, USER_VALUE};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
 pub use stepping::GoTo;
 pub use sysvar::{SystemVariable, VERSION, system_variables};

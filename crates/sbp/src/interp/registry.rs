@@ -10,7 +10,7 @@ use kerf_program::settings::Mode;
 use kerf_program::{Axis, AxisSet};
 
 /// Key of the value of SetUsrVal.
-pub(crate) const USER_VALUE: &str = "uValue";
+pub const USER_VALUE: &str = "uValue";
 
 /// Key of the value of SetUsrValClrd.
 pub(crate) const CLEARED_VALUE: &str = "uValueClrd";

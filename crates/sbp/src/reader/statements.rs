@@ -269,7 +269,8 @@ impl Line<'_, '_> {
         let span = Span { start: start as u32, end: stop };
         let word = self.slice(start, stop as usize).to_uppercase();
         let message = format!("unknown command or missing separator: {word}");
-        let hint = format!("write {},{value}", spec.letters);
+        let rest = self.slice(start + 2, self.end).trim_end();
+        let hint = format!("write {},{rest}", spec.letters);
         Some(self.fault(Code::UnknownCommand, span, message, hint))
     }
 }
@@ -302,7 +303,7 @@ mod tests {
                 "S002 1:1+2 unknown command QQ [a command has two letters and then a comma or a blank]",
             ),
             ("XM,1", "S002 1:1+2 unknown command XM [did you mean MX?]"),
-            ("M23, 4.2", "S002 1:1+3 unknown command or missing separator: M23 [write M2,3]"),
+            ("M23, 4.2", "S002 1:1+3 unknown command or missing separator: M23 [write M2,3, 4.2]"),
             ("MX-5", "S002 1:1+4 unknown command or missing separator: MX-5 [write MX,-5]"),
             ("JZ&up", "S002 1:1+5 unknown command or missing separator: JZ&UP [write JZ,&up]"),
             ("REMARK,1", "S002 1:1+6 unknown command REMARK"),

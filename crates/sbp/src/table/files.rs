@@ -152,6 +152,9 @@ fn edit(c: &mut Context<'_>, name: &str) -> Result<(), Stop> {
 
 fn set_folder(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let folder = a.text(0);
+    if let Some(mask) = a.text(1) {
+        c.host.set_file_mask(mask.trim());
+    }
     if folder.is_none() && a.given(1) {
         return Ok(());
     }

@@ -3,7 +3,7 @@
 use super::setting::plain;
 use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
 use crate::Value;
-use crate::interp::{Context, Stop};
+use crate::interp::{Context, Stop, USER_VALUE};
 use kerf_program::settings::Distance;
 use kerf_program::{Axis, Command, Settings};
 
@@ -13,10 +13,16 @@ pub(super) static SPECS: [CommandSpec; 4] = [
         let lines: Vec<_> = lines.map(|(name, v)| format!("&{name} = {}", v.display())).collect();
         tell(c, if lines.is_empty() { "no variables".into() } else { lines.join("\n") })
     }),
-    shows("UV", "Show values", "Shows the values of all V commands.", |c, _| {
-        let text = settings_lines(c.settings()).join("\n");
-        tell(c, text)
-    }),
+    shows(
+        "UV",
+        "Show values",
+        "Shows the values of all V commands, and the part folder.",
+        |c, _| {
+            let mut lines = settings_lines(c.settings());
+            lines.push(format!("FS,{},{}", c.host.user_path(), c.host.file_mask()));
+            tell(c, lines.join("\n"))
+        },
+    ),
     shows(
         "UD",
         "Diagnostics",
@@ -78,6 +84,9 @@ fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
     let lost: Vec<String> = c.lost_axes().iter().map(|axis| axis.letter().to_string()).collect();
     if !lost.is_empty() {
         lines.push(format!("position not verified: {}", lost.join(" ")));
+    }
+    if let Some(value) = c.host.stored(USER_VALUE) {
+        lines.push(format!("{USER_VALUE}: {value}"));
     }
     let inputs = (1..=12).filter(|n| c.host.input(*n)).map(|n| n.to_string());
     lines.push(format!("inputs on: {}", list(inputs.collect())));

@@ -1,8 +1,9 @@
 //! Power, steps and resolution of the motors (command reference, MO, VI, VU).
 
 use super::Machine;
+use crate::hand::Push;
 use crate::log::What;
-use kerf_program::{AXES, AxisSet, MoveKind, OutputReason};
+use kerf_program::{AXES, Axes, AxisSet, MoveKind, OutputReason};
 
 /// Factors of steps that are not made coarser.
 const FINE: [u8; AXES] = [1; AXES];
@@ -21,6 +22,34 @@ impl Machine {
     /// set since.
     pub const fn unverified(&self) -> AxisSet {
         self.unverified
+    }
+
+    /// The same machine, whose locations of these axes nobody has verified since an earlier session.
+    #[must_use]
+    pub fn doubting(mut self, axes: AxisSet) -> Self {
+        axes.iter().for_each(|axis| self.unverified.insert(axis));
+        self
+    }
+
+    /// The same machine, pushed by hand at these times.
+    #[must_use]
+    pub fn pushed(mut self, script: Vec<Push>) -> Self {
+        self.hand.follow(script);
+        self
+    }
+
+    /// How far axes are from where the controller believes them, because somebody pushed them: what
+    /// only the simulation knows, mm or degrees.
+    pub const fn astray(&self) -> Axes {
+        self.hand.astray
+    }
+
+    /// An axis is pushed by hand: its motor holds it, or it gives way and nobody notices.
+    pub(super) fn push(&mut self, push: Push) {
+        let by = if self.powered || self.draws() { 0.0 } else { push.by };
+        self.hand.astray[push.axis] += by;
+        let what = What::Pushed { axis: push.axis, by };
+        self.log.add(push.at_s.max(self.clock_s), what);
     }
 
     /// Cuts motor power; everything that moves or is on stops (MO).

@@ -1,0 +1,41 @@
+//! Somebody pushes the machine by hand.
+//!
+//! Motors with power hold their axes. Without power an axis can be pushed, and nobody but the
+//! simulation knows: the controller goes on believing that the axis is where it was.
+
+use kerf_program::{Axes, Axis};
+
+/// An axis is pushed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Push {
+    /// The axis.
+    pub axis: Axis,
+    /// When, seconds of machine time.
+    pub at_s: f64,
+    /// How far, mm or degrees.
+    pub by: f64,
+}
+
+/// Pushes still to come, and what all others came to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Hand {
+    /// The next one last.
+    script: Vec<Push>,
+    /// How far the axes are from where the controller believes them.
+    pub astray: Axes,
+}
+
+impl Hand {
+    /// Follows a script from here on; pushes at no finite time, or of no finite length, are left out.
+    pub fn follow(&mut self, mut script: Vec<Push>) {
+        script.retain(|push| push.at_s.is_finite() && push.by.is_finite());
+        script.sort_by(|a, b| b.at_s.total_cmp(&a.at_s));
+        self.script = script;
+    }
+
+    /// The next push up to a time.
+    pub fn next(&mut self, to_s: f64) -> Option<Push> {
+        let due = self.script.last().is_some_and(|push| push.at_s <= to_s);
+        due.then(|| self.script.pop()).flatten()
+    }
+}
