@@ -64,7 +64,7 @@ impl Findings {
         while let Some(named) = waiting.pop_front() {
             let Ok(source) = find(shelf, &named.request) else { continue };
             if !self.files.contains(&source.name) {
-                let program = kerf_part::read(source.name, &*source.bytes);
+                let program = kerf_part::read_as(source.name, &*source.bytes, program.sbp.dialect);
                 waiting.extend(self.read(&program, None, shelf));
             }
         }

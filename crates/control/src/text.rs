@@ -81,7 +81,7 @@ pub struct Outcome {
 pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Outcome {
     let disk = MemoryDisk::new(files.iter().map(|(name, text)| (*name, text.as_bytes())));
     let text = files.iter().find(|(name, _)| *name == main).map_or("", |(_, text)| text);
-    let program = kerf_part::read(main.into(), text.as_bytes());
+    let program = kerf_part::read_as(main.into(), text.as_bytes(), options.run.program.dialect);
     let mut session = Session::default();
     session.memory.settings = options.settings;
     for (name, value) in options.variables {

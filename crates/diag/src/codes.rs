@@ -151,6 +151,8 @@ codes! {
         "The end point and the centre give two different radii.";
     StackDropped "R019" Note "motion that was read but not made"
         "An error found while a stack of moves is read means that none of the stack moves.";
+    ProgramFailed "R020" Error "the program gave up"
+        "A FAIL of FabMo's dialect ended the run; the text is the program's own.";
 
     FileNotFound "F001" Error "file not found"
         "The name is looked for in the current part folder, ignoring case.";

@@ -11,7 +11,7 @@ use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
 use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
-use kerf_sbp::{FileParameters, GoTo, Language};
+use kerf_sbp::{Dialect, FileParameters, GoTo, Language};
 use kerf_sim::Push;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -29,7 +29,7 @@ pub struct Job {
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
-    let program = read_program(file)?;
+    let program = read_program(file, args.dialect.sbp)?;
     let parts = file.parent().unwrap_or(Path::new(""));
     job_of(program, shelf(parts, &args.place, preview)?, args, preview)
 }
@@ -67,9 +67,9 @@ pub fn job_of(
 }
 
 /// Reads a part file; the name shown is the one the user gave.
-pub fn read_program(file: &Path) -> Result<Program> {
+pub fn read_program(file: &Path, dialect: Dialect) -> Result<Program> {
     let bytes = read_bytes(file)?;
-    Ok(kerf_part::read(file.display().to_string().into(), bytes))
+    Ok(kerf_part::read_as(file.display().to_string().into(), bytes, dialect))
 }
 
 /// The bytes of a file, within reason.

@@ -26,4 +26,4 @@ mod program;
 mod tests;
 
 pub use interp::{Interpreter, Options, Session};
-pub use program::{Program, read};
+pub use program::{Program, read, read_as};

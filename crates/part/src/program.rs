@@ -1,7 +1,7 @@
 //! A part file that was read.
 
 use kerf_diag::Diagnostic;
-use kerf_sbp::Language;
+use kerf_sbp::{Dialect, Language};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -19,6 +19,11 @@ pub struct Program {
 /// Reads a part file; its ending and its lines say in which language.
 pub fn read<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>) -> Program {
     kerf_sbp::read_part(name, bytes).into()
+}
+
+/// The same, OpenSBP written in a dialect.
+pub fn read_as<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>, dialect: Dialect) -> Program {
+    kerf_sbp::read_part_as(name, bytes, dialect).into()
 }
 
 impl From<kerf_sbp::Program> for Program {

@@ -4,7 +4,7 @@
 //! checkout or beside one of its parents; `KERF_SHARED` names another place.
 
 use crate::format::tests::keeps_meaning;
-use crate::{check, read};
+use crate::{Dialect, check, read, read_as};
 use kerf_diag::{Code, Diagnostic, Severity};
 use kerf_program::settings::LinearUnit;
 use std::collections::BTreeMap;
@@ -85,6 +85,26 @@ fn files_that_are_refused_are_at_fault_themselves() {
         let faulty = files.iter().map(program).filter(|program| program.has_errors());
         let faulty: Vec<String> = faulty.map(|program| program.name.to_string()).collect();
         assert_eq!(faulty, FAULTY);
+    });
+}
+
+#[test]
+fn files_of_fabmo_are_read_in_its_dialect() {
+    with_corpus(|files| {
+        let fabmo = files
+            .iter()
+            .filter(|(name, _)| name.starts_with("fabmo-") && FAULTY.contains(&name.as_str()));
+        let program = |(name, bytes): (&String, &Vec<u8>)| {
+            read_as(name.as_str().into(), bytes, Dialect::Fabmo)
+        };
+        let faulty = fabmo.map(program).filter(|program| program.has_errors());
+        let faulty: Vec<String> = faulty.map(|program| program.name.to_string()).collect();
+        let own_faults = [
+            "fabmo-engine__data_request_example-d485d3.sbp",
+            "fabmo-engine__falcon_macro_9-edef06.sbp",
+            "fabmo-macroinstall-sb-app__macro_3_new_Wbugs-adffbf.sbp",
+        ];
+        assert_eq!(faulty, own_faults);
     });
 }
 

@@ -6,7 +6,7 @@
 
 use crate::Value;
 use crate::expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
-use crate::interp::{Context, Stop};
+use crate::interp::{Context, Dialect, Stop};
 use crate::tree::{NameId, Span};
 use crate::value::single;
 use kerf_diag::Code;
@@ -32,6 +32,7 @@ impl Context<'_> {
             ExprNode::Binary(op, left, right) => {
                 self.binary(*op, &operands[*left], &operands[*right], expr.span)
             }
+            ExprNode::Member(path) => self.member(&operands[*path], expr.span),
             ExprNode::Call(function, argument) => {
                 let argument = argument.map(|id| &operands[id]);
                 self.call(*function, argument, expr.span)
@@ -56,7 +57,11 @@ impl Context<'_> {
         {
             self.need_number(expr, &Value::Empty)?;
         }
-        self.eval(expr)
+        let value = self.eval(expr)?;
+        if let (ExprNode::Member(_), Value::Empty) = (expr.node, &value) {
+            self.need_number(expr, &value)?;
+        }
+        Ok(value)
     }
 
     /// True unless the expression is 0, empty or empty text.
@@ -86,6 +91,10 @@ impl Context<'_> {
     /// Two texts one after the other.
     fn joined(&mut self, left: &Expr, right: &Expr, span: Span) -> Result<String, Stop> {
         let text = self.eval_text(left)? + &self.eval_text(right)?;
+        self.bounded_text(text, span)
+    }
+
+    fn bounded_text(&self, text: String, span: Span) -> Result<String, Stop> {
         if text.len() <= MOST_TEXT {
             return Ok(text);
         }
@@ -187,12 +196,26 @@ impl Context<'_> {
             | BinaryOp::LessEqual
             | BinaryOp::Greater
             | BinaryOp::GreaterEqual => self.compare(op, left, right),
+            BinaryOp::Add if self.core.options.dialect == Dialect::Fabmo => {
+                self.add_or_join(left, right, span)
+            }
             _ => {
                 let a = self.eval_number(left)?;
                 let b = self.eval_number(right)?;
                 self.arithmetic(op, a, b, span, right.span)
             }
         }
+    }
+
+    /// FabMo's `+`: the sum of two numbers, or texts one after the other.
+    fn add_or_join(&mut self, left: &Expr, right: &Expr, span: Span) -> Result<Value, Stop> {
+        let (a, b) = (self.eval(left)?, self.eval(right)?);
+        let is_text = |value: &Value| matches!(value, Value::Text(_)) && value.number().is_none();
+        if is_text(&a) || is_text(&b) {
+            return self.bounded_text(a.display() + &b.display(), span).map(Value::text);
+        }
+        let (a, b) = (self.need_number(left, &a)?, self.need_number(right, &b)?);
+        self.arithmetic(BinaryOp::Add, a, b, span, span)
     }
 
     fn arithmetic(

@@ -16,11 +16,16 @@ pub struct ExprId(u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextId(u32);
 
+/// Index of a path in [`Expressions`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PathId(u32);
+
 /// The operands and texts of all expressions of a file.
 #[derive(Debug, Default)]
 pub struct Expressions {
     operands: Vec<Expr>,
     texts: Vec<Arc<str>>,
+    paths: Vec<Path>,
 }
 
 impl Expressions {
@@ -34,6 +39,12 @@ impl Expressions {
     pub(crate) fn add_text(&mut self, text: &str) -> TextId {
         self.texts.push(text.into());
         TextId(self.texts.len() as u32 - 1)
+    }
+
+    /// Keeps a path.
+    pub(crate) fn add_path(&mut self, path: Path) -> PathId {
+        self.paths.push(path);
+        PathId(self.paths.len() as u32 - 1)
     }
 }
 
@@ -52,6 +63,15 @@ impl Index<TextId> for Expressions {
 
     fn index(&self, id: TextId) -> &Arc<str> {
         &self.texts[id.0 as usize]
+    }
+}
+
+/// A path; its number must come from the same file.
+impl Index<PathId> for Expressions {
+    type Output = Path;
+
+    fn index(&self, id: PathId) -> &Path {
+        &self.paths[id.0 as usize]
     }
 }
 
@@ -85,6 +105,30 @@ pub enum ExprNode {
     Binary(BinaryOp, ExprId, ExprId),
     /// A function of one argument; RND needs none.
     Call(Function, Option<ExprId>),
+    /// A part of an array or object, `&a[n].name` (FabMo).
+    Member(PathId),
+}
+
+/// Where a part of an array or object is found (FabMo).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// `$name` instead of `&name`.
+    pub persistent: bool,
+    /// The name before the first bracket or dot.
+    pub name: NameId,
+    /// What stands behind it.
+    pub steps: Vec<PathStep>,
+}
+
+/// One step of a [`Path`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum PathStep {
+    /// `[n]`
+    Index(Expr),
+    /// `[]`: the value for inches and the one for millimetres, `[0]` and `[1]`.
+    BothUnits,
+    /// `.name`, in capitals.
+    Field(Arc<str>),
 }
 
 /// Operators with one operand.

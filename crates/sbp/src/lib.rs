@@ -37,8 +37,11 @@ mod value;
 mod walk;
 
 pub use check::check;
-pub use expr::{BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, TextId, UnaryOp};
-pub use format::format;
+pub use expr::{
+    BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, Path, PathId, PathStep, TextId,
+    UnaryOp,
+};
+pub use format::{format, format_as};
 pub use header::Header;
 pub use interp::{
     BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, GoTo, Interpreter,
@@ -48,7 +51,7 @@ pub use interp::{
 pub use named_files::NamedFile;
 pub use number::format_number;
 pub use printer::{Printing, SbpPrinter, print};
-pub use reader::{is_gcode_name, read, read_part};
+pub use reader::{is_gcode_name, read, read_as, read_part, read_part_as};
 pub use tree::{Language, Program};
 pub use typed::read_typed;
 pub use value::Value;

@@ -1,5 +1,6 @@
 //! The files a program names: what a checker reads too, also where the run never comes.
 
+use crate::Dialect;
 use crate::tree::{Arg, ArgKind, Node, Program, Statement};
 use crate::{Expr, ExprNode};
 use kerf_program::{FileRequest, Folder};
@@ -42,6 +43,8 @@ fn named(program: &Program, statement: &Statement) -> Option<FileRequest> {
             let name = literal_text(program, program.args[*args].first()?)?.trim().to_owned();
             Some(FileRequest { folder: Folder::Parts, name })
         }
+        // Which file it is depends on whether there is a macro of FabMo.
+        Statement::Custom { .. } if program.dialect == Dialect::Fabmo => None,
         Statement::Custom { number, .. } => {
             let ExprNode::Number(n) = number.node else { return None };
             Some(FileRequest { folder: Folder::Custom, name: format!("Custom{n}.sbc") })

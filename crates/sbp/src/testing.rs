@@ -4,7 +4,7 @@ mod rows;
 
 pub(crate) use rows::{check, check_as, rows};
 
-use crate::{Interpreter, Options, Session, Status, Step, Value, read};
+use crate::{Interpreter, Options, Session, Status, Step, Value, read_as};
 use kerf_diag::Diagnostic;
 use kerf_program::{
     Answer, Axes, Axis, Command, FileMode, FileRequest, Host, HostError, Line, MoveKind, Question,
@@ -184,7 +184,7 @@ pub(crate) fn run_with(text: &str, host: FakeHost, session: Session) -> Ran {
 /// Runs a program with everything given.
 pub(crate) fn run_as(text: &str, mut host: FakeHost, session: Session, options: Options) -> Ran {
     let text: String = text.split('⏎').map(str::trim).collect::<Vec<_>>().join("\n");
-    let program = read(Arc::from("test.sbp"), text.as_bytes());
+    let program = read_as(Arc::from("test.sbp"), text.as_bytes(), options.dialect);
     let first_error = program.diagnostics.iter().find(|d| d.is_error()).cloned();
     let mut commands = Vec::new();
     if let Some(error) = first_error {

@@ -4,7 +4,7 @@
 //! bytes that point into a pool of numbers; everything else becomes a [`Statement`].
 
 use crate::table::CommandSpec;
-use crate::{Expr, Expressions};
+use crate::{Dialect, Expr, Expressions, PathId};
 use kerf_diag::{Diagnostic, Place};
 use serde::{Deserialize, Serialize};
 use std::ops::Index;
@@ -33,6 +33,8 @@ pub struct NameId(pub u32);
 pub struct Program {
     /// Name shown to people.
     pub name: Arc<str>,
+    /// The dialect it was read in.
+    pub dialect: Dialect,
     /// The whole text, as it was read (line ends kept, byte-order mark removed).
     pub text: String,
     /// One entry a line; line n of the file is `lines[n - 1]`.
@@ -307,6 +309,24 @@ pub struct Shell {
     pub span: Span,
 }
 
+/// A box of FabMo's DIALOG and PAUSE.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Dialog {
+    /// What it says.
+    pub text: Expr,
+    /// The variable that takes an answer.
+    pub variable: Option<NameId>,
+    /// TITLE, DETAIL, OKTEXT, CANCELTEXT: more words in it.
+    pub title: Option<Expr>,
+    pub detail: Option<Expr>,
+    pub ok: Option<Expr>,
+    pub cancel: Option<Expr>,
+    /// TIMER: seconds after which it goes away by itself.
+    pub seconds: Option<Expr>,
+    pub span: Span,
+}
+
 /// The registry statements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
@@ -341,6 +361,13 @@ pub enum Statement {
     Assign {
         name: NameId,
         persistent: bool,
+        only_if_undefined: bool,
+        value: Assigned,
+        span: Span,
+    },
+    /// `&a[1].x = …` (FabMo).
+    AssignMember {
+        path: PathId,
         only_if_undefined: bool,
         value: Assigned,
         span: Span,
@@ -399,6 +426,15 @@ pub enum Statement {
         span: Span,
     },
     WarningOff,
+    /// DIALOG, or PAUSE with a text (FabMo).
+    Dialog(Box<Dialog>),
+    /// FAIL, FAIL text (FabMo).
+    Fail(Option<Expr>),
+    /// DATA_SEND and DATA_REQUEST, to a program beside the machine (FabMo).
+    Data {
+        request: bool,
+        items: Vec<Expr>,
+    },
     /// `C#,n`, `CN,n`, `Cn`: run CustomN.sbc.
     Custom {
         number: Expr,

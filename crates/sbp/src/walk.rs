@@ -1,7 +1,7 @@
 //! Going through the tree: the expressions, variables and jumps of a statement.
 
 use crate::Program;
-use crate::expr::{Expr, ExprNode, Expressions};
+use crate::expr::{Expr, ExprNode, Expressions, Path, PathStep};
 use crate::tree::{ArgKind, Assigned, DialogText, NameId, Span, Statement, Target};
 
 impl Statement {
@@ -34,6 +34,7 @@ impl Statement {
                 }
             }
             Self::Assign { value: Assigned::Expr(expr), .. }
+            | Self::Fail(Some(expr))
             | Self::If { condition: expr, .. }
             | Self::Pause { seconds: Some(expr) }
             | Self::InputFile { file: expr, .. }
@@ -44,6 +45,17 @@ impl Statement {
             | Self::Open { path: a, number: b, .. } => [a, b].into_iter().for_each(f),
             Self::Output(output) => output.file.iter().chain(&output.items).for_each(f),
             Self::Input(input) => input.text.iter().chain(&input.default).for_each(f),
+            Self::AssignMember { path, value, .. } => {
+                program.expressions[*path].indexes().for_each(&mut *f);
+                if let Assigned::Expr(expr) = value {
+                    f(expr);
+                }
+            }
+            Self::Dialog(d) => {
+                let words = [&d.title, &d.detail, &d.ok, &d.cancel, &d.seconds];
+                [&d.text].into_iter().chain(words.into_iter().flatten()).for_each(f);
+            }
+            Self::Data { items, .. } => items.iter().for_each(f),
             Self::Shell(shell) => {
                 shell.display.iter().chain(shell.line.expression()).for_each(f);
             }
@@ -73,6 +85,7 @@ impl Statement {
             Self::Input(input) => &input.variables,
             Self::InputFile { variables, .. } => variables,
             Self::Fetch { variable, .. } => std::slice::from_ref(variable),
+            Self::Dialog(dialog) => dialog.variable.as_slice(),
             _ => &[],
         }
     }
@@ -112,6 +125,7 @@ impl Expressions {
                 self.each(&self[a], f);
                 self.each(&self[b], f);
             }
+            ExprNode::Member(path) => self[path].indexes().for_each(|index| self.each(index, f)),
             _ => {}
         }
     }
@@ -125,5 +139,15 @@ impl Expressions {
             }
         });
         found
+    }
+}
+
+impl Path {
+    /// The expressions between its brackets.
+    pub(crate) fn indexes(&self) -> impl Iterator<Item = &Expr> {
+        self.steps.iter().filter_map(|step| match step {
+            PathStep::Index(index) => Some(index),
+            _ => None,
+        })
     }
 }

@@ -1,9 +1,11 @@
 //! `kerf fmt`: part files, tidied.
 
 use crate::exit::{Exit, Usage};
+use crate::parse::{self, Dialects};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use kerf_control::files::{Disk, RealDisk};
+use kerf_sbp::Dialect;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
@@ -23,23 +25,26 @@ pub struct FmtArgs {
     /// Only tells which files would change
     #[arg(long)]
     check: bool,
+    /// How the files are read: sb3, fabmo or strict
+    #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
+    dialect: Dialects,
 }
 
 pub fn run(args: &FmtArgs) -> Result<Exit> {
     let mut changed = false;
     for file in &args.files {
-        changed |= one(file, args.check)?;
+        changed |= one(file, args)?;
     }
     Ok(if args.check && changed { Exit::Failed } else { Exit::Good })
 }
 
 /// Formats one file; true when that changes it.
-fn one(file: &Path, check: bool) -> Result<bool> {
+fn one(file: &Path, args: &FmtArgs) -> Result<bool> {
     let stream = file == Path::new("-");
     let bytes = if stream { read_stream()? } else { read_file(file)? };
-    let formatted = format(&bytes);
+    let formatted = format(&bytes, args.dialect.sbp);
     let changes = formatted != bytes;
-    if check {
+    if args.check {
         if changes {
             tell(file);
         }
@@ -54,13 +59,13 @@ fn one(file: &Path, check: bool) -> Result<bool> {
 }
 
 /// Old files are not UTF-8: each byte stands for a character then, and comes back as it was.
-fn format(bytes: &[u8]) -> Vec<u8> {
+fn format(bytes: &[u8], dialect: Dialect) -> Vec<u8> {
     if let Ok(text) = std::str::from_utf8(bytes) {
-        return kerf_sbp::format(text).into_bytes();
+        return kerf_sbp::format_as(text, dialect).into_bytes();
     }
     let text: String = bytes.iter().map(|b| char::from(*b)).collect();
     let formatted: Option<Vec<u8>> =
-        kerf_sbp::format(&text).chars().map(|c| u8::try_from(c).ok()).collect();
+        kerf_sbp::format_as(&text, dialect).chars().map(|c| u8::try_from(c).ok()).collect();
     formatted.unwrap_or_else(|| bytes.to_vec())
 }
 

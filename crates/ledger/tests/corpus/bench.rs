@@ -59,6 +59,7 @@ fn run_with(tree: &Tree, row: &Row, options: RunOptions) -> Ended {
     let mut options = RunOptions { inputs: row.inputs.clone(), ..options };
     options.program.preview = !row.moves;
     options.program.max_lines = row.max_lines;
+    options.program.dialect = row.dialect;
     one(&mut session, &path.display().to_string(), tree.bytes(row.file), options, row, &mut shelf)
 }
 
@@ -73,7 +74,7 @@ fn one(
     let mut events: Vec<Event> = Vec::new();
     let mut operator = Answers::read(&row.answers);
     let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
-    let program = kerf_part::read(name.into(), bytes);
+    let program = kerf_part::read_as(name.into(), bytes, row.dialect);
     let summary = session.run(program, options, shelf, company);
     let (code, line, message) = summary
         .error

@@ -1,6 +1,6 @@
 //! The lines of `files.txt`: what a file needs, and what has to come of it.
 
-use kerf_sbp::Value;
+use kerf_sbp::{Dialect, Value};
 use kerf_sim::Change;
 
 /// The list.
@@ -27,6 +27,8 @@ pub struct Row {
     pub max_lines: u64,
     /// On the machine, not as a preview.
     pub moves: bool,
+    /// The dialect it is written in.
+    pub dialect: Dialect,
     /// A text that the operator has to see.
     pub shows: &'static str,
 }
@@ -50,6 +52,7 @@ impl Row {
             axes: 3,
             max_lines: 200_000,
             moves: false,
+            dialect: Dialect::Sb3,
             shows: "",
         };
         for option in columns.filter(|option| !option.is_empty()) {
@@ -70,11 +73,19 @@ impl Row {
             "axes" => self.axes = value.parse().unwrap(),
             "lines" => self.max_lines = value.parse().unwrap(),
             "moves" => self.moves = true,
+            "dialect" => self.dialect = dialect(value),
             "shows" => self.shows = value,
             // Why the file ends as it does, for readers.
             "note" => {}
             _ => panic!("{}: what is {key}?", self.file),
         }
+    }
+}
+
+fn dialect(word: &str) -> Dialect {
+    match word {
+        "fabmo" => Dialect::Fabmo,
+        _ => panic!("what is the dialect {word}?"),
     }
 }
 

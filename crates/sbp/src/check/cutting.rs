@@ -1,6 +1,7 @@
 //! Cutting: what cuts, how deep, and whether the spindle turns.
 
 use super::facts::Facts;
+use crate::Dialect;
 use crate::table::Group;
 use crate::tree::{Span, Statement};
 use kerf_diag::{Code, Diagnostic};
@@ -66,6 +67,7 @@ pub(super) fn old_order_of_speeds(facts: &Facts<'_>) -> Vec<Diagnostic> {
     for (line, statement) in facts.statements() {
         let Statement::Command { spec, args, span } = statement else { continue };
         if spec.letters == "VS"
+            && facts.program.dialect != Dialect::Fabmo
             && args.len() == 5
             && !facts.given(*args, 2)
             && facts.given(*args, 3)

@@ -16,9 +16,9 @@ mod statement;
 #[cfg(test)]
 pub(crate) mod tests;
 
-use crate::read;
 use crate::reader::{blank, code_end};
 use crate::tree::{Node, Program};
+use crate::{Dialect, read_as};
 
 /// Formats a part file.
 ///
@@ -27,7 +27,12 @@ use crate::tree::{Node, Program};
 ///            "  MX,1.50  'go\r\nIF &a=1 THEN GOTO Done\r\n");
 /// ```
 pub fn format(text: &str) -> String {
-    let program = read("".into(), text.as_bytes());
+    format_as(text, Dialect::Sb3)
+}
+
+/// Formats a part file written in a dialect.
+pub fn format_as(text: &str, dialect: Dialect) -> String {
+    let program = read_as("".into(), text.as_bytes(), dialect);
     if program.lines.is_empty() {
         return text.to_string();
     }

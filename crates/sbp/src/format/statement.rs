@@ -23,7 +23,7 @@ impl<'a> Code<'a> {
                 out.push_str(&self.word().to_uppercase());
                 push_fields(self.program.args[*args].iter().map(|arg| self.slice(arg.span)), out);
             }
-            Statement::Assign { .. } => self.push_assignment(out),
+            Statement::Assign { .. } | Statement::AssignMember { .. } => self.push_assignment(out),
             Statement::If { condition, then } => {
                 out.push_str("IF ");
                 out.push_str(self.slice(condition.span));

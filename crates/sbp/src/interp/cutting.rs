@@ -77,6 +77,11 @@ impl Context<'_> {
 
     /// A straight move to a machine position.
     pub(crate) fn line(&mut self, kind: MoveKind, to: Axes) {
+        self.line_at(kind, to, Feed::Axis);
+    }
+
+    /// A straight move at a speed.
+    pub(super) fn line_at(&mut self, kind: MoveKind, to: Axes, feed: Feed) {
         let from = self.core.position;
         if to.same_place(&from) {
             return;
@@ -94,7 +99,7 @@ impl Context<'_> {
             self.interrupt_tabs();
         }
         self.core.position = to;
-        self.motion(self.origin(), Command::Line(Line { kind, to, feed: Feed::Axis }));
+        self.motion(self.origin(), Command::Line(Line { kind, to, feed }));
     }
 
     fn origin(&self) -> Origin {

@@ -49,7 +49,7 @@ impl Context<'_> {
         self.core.watches.retain(|h| h.watch != watch);
         if armed {
             let level = self.core.levels.len();
-            self.core.watches.push(Handler { watch, at: self.at, level });
+            self.core.watches.push(Handler { watch, at: self.at, level, probe: false });
         }
         Ok(())
     }

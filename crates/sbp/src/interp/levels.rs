@@ -59,7 +59,8 @@ impl Context<'_> {
         if let Some(known) = self.core.programs.iter().find(same).cloned() {
             return Ok(known);
         }
-        let program = crate::read_part(source.name.clone(), &*source.bytes);
+        let program =
+            crate::read_part_as(source.name.clone(), &*source.bytes, self.core.options.dialect);
         if program.language == Language::Gcode {
             self.need_gcode(&format!("{}: G-code files cannot be run here", source.name))?;
         }

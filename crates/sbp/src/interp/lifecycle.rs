@@ -1,7 +1,7 @@
 //! How a run begins and ends.
 
 use super::registry::{CLEARED_VALUE, PART_FILE};
-use super::{Context, Core, Status, Step, Stop};
+use super::{Context, Core, Dialect, Status, Step, Stop};
 use crate::tree::Span;
 use kerf_diag::Code;
 use kerf_program::{At, Host, Sourced};
@@ -128,7 +128,12 @@ impl Context<'_> {
     /// VS, VI, VU and limits go back to what they were; VO and the VC trigger end.
     fn restore_temporary(&mut self) {
         let kept = self.core.kept.clone();
+        let unit = (self.core.options.dialect == Dialect::Fabmo).then_some(kept.linear_unit);
         self.change_settings(|s| {
+            // SU holds for the run.
+            if let Some(unit) = unit {
+                s.use_linear_unit(unit);
+            }
             s.speeds = kept.speeds;
             s.driver = kept.driver;
             s.resolution = kept.resolution;

@@ -44,6 +44,12 @@ impl Context<'_> {
                 self.custom_cut(number)
             }
             Statement::Gcode(_) => self.gcode_statement(),
+            Statement::Dialog(dialog) => {
+                self.span = dialog.span;
+                self.dialog(dialog)
+            }
+            Statement::Fail(text) => self.give_up(text.as_ref()),
+            Statement::Data { request, items } => self.data(*request, items),
             // The others are carried out by `Context::statement`.
             _ => Ok(()),
         }

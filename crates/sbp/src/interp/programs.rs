@@ -1,7 +1,7 @@
 //! PLAY, SHELL and custom cuts: sounds and programs that lie outside the part file.
 
 use super::core::Purpose;
-use super::{Context, FileParameters, Stop};
+use super::{Context, Dialect, FileParameters, Stop};
 use crate::tree::{DialogText, Shell};
 use crate::{Expr, Value};
 use kerf_diag::Code;
@@ -65,8 +65,8 @@ impl Context<'_> {
             return Err(self.fail_at(number.span, Code::OutOfRange, message, ""));
         }
         let n = n as i64;
-        let request = FileRequest { folder: Folder::Custom, name: format!("Custom{n}.sbc") };
-        match self.call_file(request, FileParameters::default()) {
+        let file = self.custom_file(n);
+        match self.call_file(file, FileParameters::default()) {
             Err(Stop::Failed(d)) if n == MY_VARIABLES && d.code == Code::FileNotFound => {
                 self.warn(d.code, d.message, "the variables it would set are missing");
                 Ok(())
@@ -77,6 +77,16 @@ impl Context<'_> {
             }
             outcome => outcome,
         }
+    }
+
+    /// The file of a custom cut; FabMo has macros instead, where there is one.
+    fn custom_file(&mut self, n: i64) -> FileRequest {
+        let file = |name| FileRequest { folder: Folder::Custom, name };
+        let own = file(format!("macro_{n}.sbp"));
+        if self.core.options.dialect == Dialect::Fabmo && self.host.source(&own).is_ok() {
+            return own;
+        }
+        file(format!("Custom{n}.sbc"))
     }
 
     /// The file just opened changes the tool; its end is told when it is left.

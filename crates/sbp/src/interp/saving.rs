@@ -2,7 +2,7 @@
 
 use super::past::Past;
 use super::{Core, Interpreter};
-use crate::{Language, Program};
+use crate::{Dialect, Language, Program};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -28,8 +28,8 @@ impl SavedProgram {
         Self { name: name.clone(), text: text.clone(), language: *language }
     }
 
-    fn read(self) -> Program {
-        crate::reader::read_as(self.name, self.text, self.language)
+    fn read(self, dialect: Dialect) -> Program {
+        crate::reader::read_language(self.name, self.text, self.language, dialect)
     }
 }
 
@@ -45,7 +45,7 @@ impl From<Saved> for Interpreter {
     fn from(saved: Saved) -> Self {
         let Saved { programs, mut core, mut past } = saved;
         let programs: Vec<Arc<Program>> =
-            programs.into_iter().map(|saved| Arc::new(saved.read())).collect();
+            programs.into_iter().map(|saved| Arc::new(saved.read(core.options.dialect))).collect();
         // An older state knows the first few of the same list; knowing more changes nothing.
         for state in past.states_mut() {
             state.programs.clone_from(&programs);

@@ -25,6 +25,11 @@ impl Context<'_> {
                 self.span = *span;
                 self.assign(*name, *persistent, *only_if_undefined, value)
             }
+            Statement::AssignMember { path, only_if_undefined, value, span } => {
+                self.span = *span;
+                let path = &self.program.expressions[*path];
+                self.assign_member(path, *only_if_undefined, value)
+            }
             Statement::If { condition, then } => {
                 if self.eval_condition(condition)? {
                     self.statement(then)
@@ -67,11 +72,7 @@ impl Context<'_> {
         only_new: bool,
         value: &Assigned,
     ) -> Result<(), Stop> {
-        let value = match value {
-            Assigned::Nothing => Value::text(""),
-            Assigned::Expr(expr) => self.eval(expr)?,
-            Assigned::Text(text) => Value::Text(text.clone()),
-        };
+        let value = self.assigned_value(value)?;
         if persistent {
             // What survives restarts must not run ahead of the motion before it.
             self.settle()?;
@@ -88,6 +89,15 @@ impl Context<'_> {
             }
         }
         Ok(())
+    }
+
+    /// What an assignment gives.
+    pub(super) fn assigned_value(&mut self, value: &Assigned) -> Result<Value, Stop> {
+        match value {
+            Assigned::Nothing => Ok(Value::text("")),
+            Assigned::Expr(expr) => self.eval(expr),
+            Assigned::Text(text) => Ok(Value::Text(text.clone())),
+        }
     }
 
     /// The old software had room for 100 variables; files that need more are told of once.

@@ -27,6 +27,7 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
         }
         core.pausing = false;
         core.settled = true;
+        core.watches.retain(|handler| !handler.probe);
     }
     let Some(level) = core.levels.last() else { return lifecycle::end(core, host, out) };
     let (file, next) = (level.file, level.next);

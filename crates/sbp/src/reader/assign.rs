@@ -1,6 +1,7 @@
 //! Assignments: `&name = …`, `$name = …`, `&name := …`.
 
 use super::line::{Failed, Line, Read, is_name};
+use crate::Dialect;
 use crate::expr::{BinaryOp, Expr, ExprNode};
 use crate::tree::{Assigned, Span, Statement};
 use kerf_diag::Code;
@@ -10,6 +11,9 @@ impl Line<'_, '_> {
         let start = self.at;
         let end = self.word_end(start + 1);
         self.at = end;
+        if self.file.dialect == Dialect::Fabmo && end > start + 1 && self.at_member(start) {
+            return self.member_assignment(start);
+        }
         self.skip_blanks();
         let only_if_undefined = self.peek() == b':' && self.byte(self.at + 1) == b'=';
         self.at += usize::from(only_if_undefined);
@@ -35,7 +39,7 @@ impl Line<'_, '_> {
         let found = self.slice(bad, equals).chars().next().unwrap_or('=');
         let span = Span { start: bad as u32, end: (bad + found.len_utf8()) as u32 };
         let hint = match found {
-            '[' | '.' => "arrays and objects belong to FabMo's dialect; use plain variables",
+            '[' | '.' => super::fabmo::ARRAYS_HINT,
             _ => "letters, digits and underscores are allowed",
         };
         let message = format!("character not allowed in a variable name: '{found}'");
@@ -43,7 +47,7 @@ impl Line<'_, '_> {
     }
 
     /// The value: computed where all of it can be, text otherwise.
-    fn assigned(&mut self) -> Read<Assigned> {
+    pub(super) fn assigned(&mut self) -> Read<Assigned> {
         let text = self.rest();
         if text.is_empty() {
             return Ok(Assigned::Nothing);
@@ -82,7 +86,7 @@ impl Line<'_, '_> {
             ExprNode::Binary(op, a, b) if op.precedence() <= BinaryOp::Join.precedence() => {
                 let (a, b) = (&operands[a], &operands[b]);
                 let (text_a, text_b) = (self.is_text(a), self.is_text(b));
-                text_a && text_b || (text_a && !is_word(a)) || (text_b && !is_word(b))
+                text_a && (text_b || !is_word(a)) || (text_b && !is_word(b))
             }
             _ => operands.has_words(expr),
         }

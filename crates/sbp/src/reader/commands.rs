@@ -1,6 +1,7 @@
 //! Two-letter commands: looked up in the table, their values read by the kind of each parameter.
 
 use super::line::{Failed, Line, Read, is_name};
+use crate::Dialect;
 use crate::expr::{Expr, ExprNode};
 use crate::table::{self, CommandSpec, Default, Kind, ParamSpec};
 use crate::tree::{Arg, ArgKind, ArgList, Span, Statement};
@@ -11,9 +12,10 @@ use kerf_diag::Code;
 pub(super) struct CommandIndex(Vec<Option<&'static CommandSpec>>);
 
 impl CommandIndex {
-    pub(super) fn new() -> Self {
+    pub(super) fn new(dialect: Dialect) -> Self {
         let mut index = vec![None; 36 * 36];
-        for spec in table::commands() {
+        let own = table::fabmo::SPECS.iter().filter(|_| dialect == Dialect::Fabmo);
+        for spec in table::commands().chain(own) {
             let letters = spec.letters.as_bytes();
             if let (Some(a), Some(b)) = (letters.first(), letters.get(1))
                 && let Some(slot) = slot(*a, *b)

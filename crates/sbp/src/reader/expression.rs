@@ -3,7 +3,7 @@
 use super::line::{Failed, Line, Read, is_name};
 use super::moves::number;
 use crate::expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
-use crate::tree::{NameId, Span};
+use crate::tree::Span;
 use kerf_diag::Code;
 
 /// Operators in one expression; a bound for memory and for whoever walks the tree.
@@ -52,10 +52,20 @@ impl Line<'_, '_> {
 
     /// An expression without comparisons and logic, for places where `=` ends it.
     fn bounded(&mut self, min: u8, join_adjacent: bool) -> Read<Expr> {
+        self.begin_expression();
+        self.binary(min, join_adjacent)
+    }
+
+    /// Sets the bounds of an expression.
+    pub(super) fn begin_expression(&mut self) {
         self.operators_left = MOST_OPERATORS;
         self.depth_left = MOST_DEPTH;
         self.words = false;
-        self.binary(min, join_adjacent)
+    }
+
+    /// An expression inside another one, which shares its bounds.
+    pub(super) fn inner_expression(&mut self) -> Read<Expr> {
+        self.binary(0, true)
     }
 
     fn binary(&mut self, min: u8, adjacent: bool) -> Read<Expr> {
@@ -189,8 +199,7 @@ impl Line<'_, '_> {
         let node = match self.peek() {
             b'0'..=b'9' | b'.' => self.literal()?,
             b'"' => self.quoted()?,
-            b'&' if is_name(self.byte(start + 1)) => ExprNode::Variable(self.variable(start)?),
-            b'$' if is_name(self.byte(start + 1)) => ExprNode::Persistent(self.variable(start)?),
+            b'&' | b'$' if is_name(self.byte(start + 1)) => self.variable(start)?,
             b'%' => {
                 self.at += 1;
                 if !self.take(b'(') {
@@ -212,20 +221,19 @@ impl Line<'_, '_> {
         Ok(Expr { node, span: self.span_from(start) })
     }
 
-    /// The name behind `&` or `$`.
-    fn variable(&mut self, start: usize) -> Read<NameId> {
+    /// A variable, or a part of an array or object.
+    fn variable(&mut self, start: usize) -> Read<ExprNode> {
         let end = self.word_end(start + 1);
         self.at = end;
-        let member = self.peek() == b'.' && self.byte(end + 1).is_ascii_alphabetic();
-        if self.peek() == b'[' || (member && self.byte(start) == b'$') {
-            self.foreign = true;
-            let stop = self.until(end, b' ');
-            let span = Span { start: start as u32, end: stop as u32 };
-            let hint = "FabMo's dialect; use plain variables";
-            let message = "arrays and objects are not part of the language";
-            return Err(self.fault(Code::BadExpression, span, message, hint));
+        if self.at_member(start) {
+            let path = self.path(start)?;
+            return Ok(ExprNode::Member(self.file.expressions.add_path(path)));
         }
-        Ok(self.name(start + 1, end))
+        let name = self.name(start + 1, end);
+        Ok(match self.byte(start) {
+            b'$' => ExprNode::Persistent(name),
+            _ => ExprNode::Variable(name),
+        })
     }
 
     fn no_value(&mut self) -> Failed {

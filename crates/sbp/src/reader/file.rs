@@ -6,10 +6,10 @@ use super::line::{Line, Read};
 use super::names::Names;
 use super::text::{after_line_end, blank, is_blank, line_end};
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, moves};
-use crate::Expressions;
 use crate::tree::{
     Args, Label, LabelId, LabelName, Language, LineNode, NameId, Node, Program, Span, Statement,
 };
+use crate::{Dialect, Expressions};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -18,6 +18,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct File {
     pub(super) name: Arc<str>,
+    pub(super) dialect: Dialect,
     pub(super) lines: Vec<LineNode>,
     pub(super) numbers: Vec<f64>,
     pub(super) statements: Vec<Statement>,
@@ -40,9 +41,10 @@ pub(super) struct File {
 }
 
 impl File {
-    pub(super) fn new(name: Arc<str>) -> Self {
+    pub(super) fn new(name: Arc<str>, dialect: Dialect) -> Self {
         Self {
             name,
+            dialect,
             lines: Vec::new(),
             numbers: Vec::new(),
             statements: Vec::new(),
@@ -53,7 +55,7 @@ impl File {
             label_lines: Vec::new(),
             names: Names::default(),
             diagnostics: Vec::new(),
-            commands: CommandIndex::new(),
+            commands: CommandIndex::new(dialect),
             last_end: None,
             gcode_first: false,
             untold: 0,
@@ -168,6 +170,7 @@ impl File {
         self.soften_unreachable();
         Program {
             name: self.name,
+            dialect: self.dialect,
             text,
             lines: self.lines,
             numbers: self.numbers,

@@ -137,9 +137,14 @@ impl Line<'_, '_> {
         if self.at_end() {
             return Ok(Statement::Pause { seconds: None });
         }
+        let from = self.at;
         let seconds = self.expression()?;
+        if self.is_dialog_text(&seconds) {
+            self.at = from;
+            return self.dialog(start);
+        }
         if self.file.expressions.any(&seconds, &|node| matches!(node, ExprNode::Text(_))) {
-            let hint = "text is FabMo's dialect; here the comment line above is the message";
+            let hint = super::fabmo::or_else("the comment line above is the message");
             let message = "PAUSE takes seconds, not text";
             return Err(self.fault(Code::Syntax, seconds.span, message, hint));
         }
@@ -283,7 +288,7 @@ mod tests {
         finds(
             "PAUSE \"Change bit\"",
             &[
-                "S004 1:7+12 PAUSE takes seconds, not text [text is FabMo's dialect; here the comment line above is the message]",
+                "S004 1:7+12 PAUSE takes seconds, not text [this is FabMo's dialect: --dialect fabmo; here the comment line above is the message]",
             ],
         );
         finds("PAUSE UNTIL 5", &["S010 1:1+13 the state is missing"]);

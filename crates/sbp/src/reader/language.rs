@@ -8,6 +8,7 @@ use super::commands::CommandIndex;
 use super::file::File;
 use super::statements::Keyword;
 use super::text::{self, is_blank, line_end};
+use crate::Dialect;
 use crate::tree::{Language, Node, Program, Statement};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::borrow::Cow;
@@ -24,28 +25,42 @@ pub fn is_gcode_name(name: &str) -> bool {
 ///
 /// Of a file in G-code only the text is kept: [`Program::language`] tells, and `kerf-gcode` reads it.
 pub fn read_part<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>) -> Program {
+    read_part_as(name, bytes, Dialect::Sb3)
+}
+
+/// The same, OpenSBP written in a dialect.
+pub fn read_part_as<'a>(
+    name: Arc<str>,
+    bytes: impl Into<Cow<'a, [u8]>>,
+    dialect: Dialect,
+) -> Program {
     let bytes = bytes.into();
     if !is_gcode_name(&name) {
-        return gcode_in_disguise(super::read(name, bytes));
+        return gcode_in_disguise(super::read_as(name, bytes, dialect));
     }
     let text = match text::decode(bytes) {
         Ok(text) if text.len() < u32::MAX as usize => text,
         Ok(_) => return super::refused(name, 1, "the file is larger than 4 GB"),
         Err(line) => return super::refused(name, line, "not a text file"),
     };
-    match contents(&text) {
+    match contents(&text, dialect) {
         (_, false) => whole_gcode(name, text),
-        (true, true) => mixed(name, text),
-        (false, true) => part_file_in_disguise(name, text),
+        (true, true) => mixed(name, text, dialect),
+        (false, true) => part_file_in_disguise(name, text, dialect),
     }
 }
 
 /// Reads a text in a language that is known.
-pub(crate) fn read_as(name: Arc<str>, text: String, language: Language) -> Program {
+pub(crate) fn read_language(
+    name: Arc<str>,
+    text: String,
+    language: Language,
+    dialect: Dialect,
+) -> Program {
     match language {
-        Language::OpenSbp => super::read(name, text.into_bytes()),
+        Language::OpenSbp => super::read_as(name, text.into_bytes(), dialect),
         Language::Gcode => whole_gcode(name, text),
-        Language::Mixed => mixed(name, text),
+        Language::Mixed => mixed(name, text, dialect),
     }
 }
 
@@ -55,16 +70,16 @@ fn whole_gcode(name: Arc<str>, text: String) -> Program {
 }
 
 /// A G-code file with lines of OpenSBP.
-fn mixed(name: Arc<str>, text: String) -> Program {
-    let mut file = File::new(name);
+fn mixed(name: Arc<str>, text: String, dialect: Dialect) -> Program {
+    let mut file = File::new(name, dialect);
     file.gcode_first = true;
     file.read(&text);
     Program { language: Language::Mixed, ..file.finish(text) }
 }
 
 /// A part file with the ending of G-code files.
-fn part_file_in_disguise(name: Arc<str>, text: String) -> Program {
-    let mut program = super::read(name, text.into_bytes());
+fn part_file_in_disguise(name: Arc<str>, text: String, dialect: Dialect) -> Program {
+    let mut program = super::read_as(name, text.into_bytes(), dialect);
     let message = "this file is OpenSBP, not G-code; it is read as OpenSBP";
     disguised(&mut program, message, "give it the ending .sbp");
     program
@@ -112,7 +127,7 @@ fn may_be_gcode(statement: &Statement) -> bool {
 }
 
 /// Whether a text with a G-code file's ending holds G-code, and whether it holds OpenSBP.
-fn contents(text: &str) -> (bool, bool) {
+fn contents(text: &str, dialect: Dialect) -> (bool, bool) {
     let (mut gcode, mut opensbp) = (false, false);
     let mut commands = None;
     let bytes = text.as_bytes();
@@ -125,7 +140,7 @@ fn contents(text: &str) -> (bool, bool) {
             continue;
         }
         let found = may_be_opensbp(line.as_bytes())
-            && is_opensbp(line, commands.get_or_insert_with(CommandIndex::new));
+            && is_opensbp(line, commands.get_or_insert_with(|| CommandIndex::new(dialect)));
         opensbp |= found;
         gcode |= !found;
     }

@@ -15,6 +15,7 @@ mod assign;
 mod commands;
 mod dialog;
 mod expression;
+mod fabmo;
 mod file;
 mod files;
 mod flow;
@@ -32,12 +33,12 @@ mod statements;
 mod suggest;
 mod text;
 
-pub(crate) use language::read_as;
-pub use language::{is_gcode_name, read_part};
+pub(crate) use language::read_language;
+pub use language::{is_gcode_name, read_part, read_part_as};
 pub(crate) use suggest::did_you_mean;
 pub(crate) use text::{blank, code_end};
 
-use crate::Program;
+use crate::{Dialect, Program};
 use kerf_diag::{Code, Diagnostic, Place};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -53,16 +54,21 @@ const MOST_DIAGNOSTICS: usize = 10_000;
 /// Every line becomes one node; what is wrong or doubtful stands in [`Program::diagnostics`].
 /// Bytes that are given away (a `Vec`) become the program's text without a copy.
 pub fn read<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>) -> Program {
-    read_bytes(name, bytes.into())
+    read_bytes(name, bytes.into(), Dialect::Sb3)
 }
 
-fn read_bytes(name: Arc<str>, bytes: Cow<'_, [u8]>) -> Program {
+/// Reads a part file written in a dialect.
+pub fn read_as<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>, dialect: Dialect) -> Program {
+    read_bytes(name, bytes.into(), dialect)
+}
+
+fn read_bytes(name: Arc<str>, bytes: Cow<'_, [u8]>, dialect: Dialect) -> Program {
     let text = match text::decode(bytes) {
         Ok(text) if text.len() < u32::MAX as usize => text,
         Ok(_) => return refused(name, 1, "the file is larger than 4 GB"),
         Err(line) => return refused(name, line, "not a text file"),
     };
-    let mut file = file::File::new(name);
+    let mut file = file::File::new(name, dialect);
     file.read(&text);
     file.finish(text)
 }

@@ -7,6 +7,14 @@ use proptest::test_runner::RngSeed;
 
 /// Pieces that lines are made of; random rows of them come near to every branch of the reader.
 const PIECES: &[&str] = &[
+    "[",
+    "]",
+    "&a[",
+    "$b[].x",
+    "DIALOG ",
+    "FAIL ",
+    "OKTEXT=",
+    "PZ,",
     "MX",
     "M3",
     "JZ",
@@ -216,6 +224,14 @@ proptest! {
     fn any_statements_are_read(text in prop::collection::vec(statements(), 1..6)) {
         let text = text.join("\n");
         check_program(&text, &read("p".into(), text.as_bytes()));
+    }
+
+    #[test]
+    fn any_lines_are_read_in_the_dialect_of_fabmo(
+        text in prop::collection::vec(prop_oneof![lines(), statements()], 1..6),
+    ) {
+        let text = text.join("\n");
+        check_program(&text, &crate::read_as("p".into(), text.as_bytes(), crate::Dialect::Fabmo));
     }
 
     /// The fast road and the careful one give the same values: a comment-free line of literals is

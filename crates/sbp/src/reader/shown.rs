@@ -1,10 +1,17 @@
 //! Trees and diagnostics as short text, for tests.
 
-use crate::expr::{Expr, ExprId, ExprNode, UnaryOp};
+use crate::expr::{Expr, ExprId, ExprNode, Path, PathStep, UnaryOp};
 use crate::tree::{
     Arg, ArgKind, Assigned, DialogText, Node, Program, Separator, Statement, TextPart,
 };
 use crate::{format_number, read};
+
+/// Checks the tree of the last line of a text in a dialect.
+#[track_caller]
+pub(crate) fn check_as(dialect: crate::Dialect, text: &str, expected: &str) {
+    let program = crate::read_as("t.sbp".into(), text.replace('⏎', "\n").as_bytes(), dialect);
+    assert_eq!(node(&program, program.lines.len() - 1), expected, "{text}");
+}
 
 /// The last line of a text as a tree; for a bad line its diagnostics.
 pub(crate) fn tree(text: &str) -> String {
@@ -139,6 +146,32 @@ fn statement(p: &Program, s: &Statement) -> String {
         Statement::Fetch { which, variable, .. } => {
             format!("{which:?} &{}", p.names[variable.0 as usize])
         }
+        Statement::AssignMember { path, only_if_undefined, value, .. } => {
+            let op = if *only_if_undefined { ":=" } else { "=" };
+            let value = match value {
+                Assigned::Nothing => "nothing".into(),
+                Assigned::Expr(x) => e(x),
+                Assigned::Text(t) => format!("'{t}'"),
+            };
+            format!("{} {op} {value}", member(p, &p.expressions[*path]))
+        }
+        Statement::Dialog(d) => {
+            let variable = d.variable.map_or(String::new(), |n| names(&[n]));
+            let word = |name: &str, x: &Option<Expr>| {
+                x.as_ref().map_or(String::new(), |x| format!(" {name} {}", e(x)))
+            };
+            format!(
+                "dialog {}{variable}{}{}",
+                e(&d.text),
+                word("ok", &d.ok),
+                word("cancel", &d.cancel)
+            )
+        }
+        Statement::Fail(text) => format!("fail {}", o(text)),
+        Statement::Data { request, items } => {
+            let items: String = items.iter().map(|i| format!(" {}", e(i))).collect();
+            format!("data {}{items}", if *request { "request" } else { "send" })
+        }
         Statement::Custom { number, .. } => format!("custom {}", e(number)),
         Statement::Gcode(text) => format!("gcode {text}"),
         other => format!("{other:?}").to_lowercase(),
@@ -183,8 +216,19 @@ pub(crate) fn expression(p: &Program, expr: &Expr) -> String {
             format!("({}{})", if *op == UnaryOp::Minus { '-' } else { '+' }, e(x))
         }
         ExprNode::Binary(op, a, b) => format!("({} {} {})", e(a), op.symbol(), e(b)),
+        ExprNode::Member(path) => member(p, &p.expressions[*path]),
         ExprNode::Call(f, x) => {
-            format!("{}[{}]", f.name(), x.as_ref().map_or(String::new(), |x| e(x)))
+            format!("{}[{}]", f.name(), x.as_ref().map_or(String::new(), e))
         }
     }
+}
+
+fn member(p: &Program, path: &Path) -> String {
+    let sign = if path.persistent { '$' } else { '&' };
+    let steps = path.steps.iter().map(|step| match step {
+        PathStep::Index(index) => format!("[{}]", expression(p, index)),
+        PathStep::BothUnits => "[]".into(),
+        PathStep::Field(name) => format!(".{name}"),
+    });
+    format!("{sign}{}{}", p.names[path.name.0 as usize], steps.collect::<String>())
 }

@@ -46,9 +46,28 @@ impl Keyword {
     }
 }
 
-const FABMO_PROBE: &str = "a probe of FabMo's dialect; use ON INPUT(switch, 1) and a move";
+/// Words of FabMo's dialect, and what does the same here.
+const FABMO: &[(&str, &str)] = &[
+    ("DIALOG", "MSGBOX or INPUT"),
+    ("FAIL", "MSGBOX and ENDALL"),
+    ("DATA_SEND", "WRITE"),
+    ("DATA_REQUEST", "INPUT"),
+    ("SU", "VD,,,0 sets inches, VD,,,1 millimetres"),
+    ("PX", PROBE),
+    ("PY", PROBE),
+    ("PZ", PROBE),
+    ("PA", PROBE),
+    ("PB", PROBE),
+    ("PC", PROBE),
+    ("P2", PROBE),
+    ("P3", PROBE),
+    ("P4", PROBE),
+    ("P5", PROBE),
+];
 
-/// Words of other BASICs and of FabMo, and what to write instead.
+const PROBE: &str = "ON INPUT(switch, 1) and a move";
+
+/// Words of other BASICs, and what to write instead.
 const FOREIGN: &[(&str, &str)] = &[
     ("ELSE", "use a second IF, or IF ... THEN GOTO"),
     ("ELSEIF", "use a second IF, or IF ... THEN GOTO"),
@@ -62,17 +81,6 @@ const FOREIGN: &[(&str, &str)] = &[
     ("LET", "write &name = value"),
     ("DIM", "variables need no declaration"),
     ("LABEL", "a label is a name alone on its line and a colon behind it"),
-    ("DIALOG", "FabMo's dialect; use MSGBOX or INPUT"),
-    ("FAIL", "FabMo's dialect; use MSGBOX and ENDALL"),
-    ("DATA_SEND", "FabMo's dialect; use WRITE"),
-    ("DATA_REQUEST", "FabMo's dialect; use INPUT"),
-    ("SU", "FabMo's dialect; VD,,,0 sets inches, VD,,,1 millimetres"),
-    ("PX", FABMO_PROBE),
-    ("PY", FABMO_PROBE),
-    ("PZ", FABMO_PROBE),
-    ("PA", FABMO_PROBE),
-    ("PB", FABMO_PROBE),
-    ("PC", FABMO_PROBE),
 ];
 
 impl Line<'_, '_> {
@@ -101,6 +109,11 @@ impl Line<'_, '_> {
             self.at = end;
             return self.keyword(keyword, start, inner);
         }
+        self.at = end;
+        if let Some(read) = self.fabmo(word, start) {
+            return read;
+        }
+        self.at = start;
         if let Some(custom) = self.custom(start, end)? {
             return Ok(custom);
         }
@@ -219,14 +232,14 @@ impl Line<'_, '_> {
             return self.unknown_sign(start);
         }
         let name = word.to_uppercase();
-        let foreign = FOREIGN.iter().find(|(w, _)| *w == name);
+        let foreign = foreign_hint(&name);
         if foreign.is_none()
             && let Some(failed) = self.missing_separator(start, end)
         {
             return failed;
         }
         let span = Span { start: start as u32, end: end as u32 };
-        let hint = foreign.map_or_else(|| nearest(&name), |(_, hint)| (*hint).to_string());
+        let hint = foreign.unwrap_or_else(|| nearest(&name));
         let (code, kind) = if name.len() <= 2 || self.byte(end) == b',' {
             (Code::UnknownCommand, "command")
         } else {
@@ -275,6 +288,13 @@ impl Line<'_, '_> {
     }
 }
 
+/// The hint for a word of another language or dialect.
+fn foreign_hint(name: &str) -> Option<String> {
+    let find = |list: &[(&str, &'static str)]| list.iter().find(|(w, _)| *w == name).map(|f| f.1);
+    let fabmo = || find(FABMO).map(super::fabmo::or_else);
+    find(FOREIGN).map(str::to_owned).or_else(fabmo)
+}
+
 /// A hint for an unknown word: signs that look alike first, then the nearest name.
 fn nearest(name: &str) -> String {
     let alike = name.replace('0', "O").replace('1', "I");
@@ -310,7 +330,10 @@ mod tests {
             ("GOTTO Done", "S003 1:1+5 unknown statement GOTTO [did you mean GOTO?]"),
             ("ELSE", "S003 1:1+4 unknown statement ELSE [use a second IF, or IF ... THEN GOTO]"),
             ("END IF", "S003 1:1+6 unknown statement END IF"),
-            ("PZ,-1,2,3", "S002 1:1+2 unknown command PZ [a probe of FabMo's dialect"),
+            (
+                "PZ,-1,2,3",
+                "S002 1:1+2 unknown command PZ [this is FabMo's dialect: --dialect fabmo; here ON INPUT(switch, 1)",
+            ),
             ("EXIT", "S003 1:5+0 EXIT SHOPBOT expected"),
             ("WARNING ON", "S003 1:9+2 WARNING OFF expected"),
             ("!FABMO!", "S003 1:1+1 a line cannot begin with !"),

@@ -5,6 +5,7 @@
 
 mod cuts;
 mod elsewhere;
+pub mod fabmo;
 mod files;
 mod moves;
 mod setting;

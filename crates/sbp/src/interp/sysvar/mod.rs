@@ -59,7 +59,10 @@ impl Context<'_> {
             let hint = "they are numbered 1 to 161";
             return Err(self.fail_at(span, Code::NoSystemVariable, message, hint));
         }
-        let n = number as u8;
+        let n = match self.core.options.dialect {
+            crate::Dialect::Fabmo => self.fabmo_number(number as u8, span)?,
+            _ => number as u8,
+        };
         let found = FAMILIES.iter().find_map(|family| {
             let place = usize::from(n.checked_sub(family.first)?);
             (place < family.names.len()).then_some((family, place))
@@ -71,6 +74,21 @@ impl Context<'_> {
                 self.warn(Code::UnassignedSystemVariable, message, "it reads as empty");
                 Ok(Value::Empty)
             }
+        }
+    }
+
+    /// The number here of a system variable of FabMo's dialect: C comes behind B there, so that
+    /// locations are 1 to 6 and base coordinates 7 to 12.
+    fn fabmo_number(&self, n: u8, span: Span) -> Result<u8, Stop> {
+        match n {
+            6 => Ok(144),
+            7..=11 => Ok(n - 1),
+            12 => Ok(145),
+            77..=112 => {
+                let message = format!("%({n}) of FabMo's dialect is not known here");
+                Err(self.fail_at(span, Code::NotSupported, message, "limits and jerk are not read"))
+            }
+            _ => Ok(n),
         }
     }
 

@@ -3,6 +3,7 @@
 
 mod corpus;
 mod dialogs;
+mod fabmo;
 mod file_parameters;
 mod files;
 mod flow;

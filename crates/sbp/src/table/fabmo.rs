@@ -1,0 +1,195 @@
+//! Commands of FabMo's dialect: probes, SU, and VA and VS with their values in another order.
+//!
+//! They stand before those of the same letters when a file is read in that dialect.
+
+use super::setting::real;
+use super::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
+use crate::interp::{Arguments, Context, Stop};
+use crate::tree::Span;
+use kerf_diag::Code;
+use kerf_program::settings::LinearUnit;
+use kerf_program::{Axis, AxisSet};
+
+macro_rules! axis {
+    ($name:literal, $axis:ident) => {
+        ParamSpec::keep($name, Kind::Number(Unit::Axis(Axis::$axis)))
+    };
+}
+
+/// Location, speed and input of a probe along one axis.
+macro_rules! single {
+    ($letters:literal, $axis:ident) => {
+        CommandSpec::new(
+            $letters,
+            concat!("Probe ", stringify!($axis)),
+            Group::Move,
+            &[
+                ParamSpec::required("Target", Kind::Number(Unit::Axis(Axis::$axis)))
+                    .about("Where the search ends at the latest."),
+                ParamSpec::required("Speed", Kind::Number(Unit::Axis(Axis::$axis)))
+                    .within(Bound::Positive),
+                INPUT,
+            ],
+            Stack::Ends,
+            PROBE,
+            |c, a| probe(c, a, Axis::$axis.index()),
+        )
+    };
+}
+
+/// Locations of the first axes, speed and input of a probe.
+macro_rules! several {
+    ($letters:literal, $($target:expr),*) => {
+        CommandSpec::new(
+            $letters,
+            concat!("Probe ", $letters),
+            Group::Move,
+            &[
+                $($target,)*
+                ParamSpec::required("Speed", Kind::Number(Unit::Speed)).within(Bound::Positive),
+                INPUT,
+            ],
+            Stack::Ends,
+            PROBE,
+            |c, a| probe(c, a, 0),
+        )
+    };
+}
+
+const PROBE: &str = "Moves until an input goes on, or to the target when it never does; the program \
+     goes on behind it either way. FabMo.";
+const INPUT: ParamSpec = ParamSpec::required("Input", Kind::Whole).within(Bound::Range(1.0, 12.0));
+const X: ParamSpec = axis!("X target", X);
+const Y: ParamSpec = axis!("Y target", Y);
+const Z: ParamSpec = axis!("Z target", Z);
+const A: ParamSpec = axis!("A target", A);
+const B: ParamSpec = axis!("B target", B);
+
+/// Every command of the dialect.
+pub static SPECS: [CommandSpec; 14] = [
+    single!("PX", X),
+    single!("PY", Y),
+    single!("PZ", Z),
+    single!("PA", A),
+    single!("PB", B),
+    single!("PC", C),
+    several!("P2", X, Y),
+    several!("P3", X, Y, Z),
+    several!("P4", X, Y, Z, A),
+    several!("P5", X, Y, Z, A, B),
+    CommandSpec::new(
+        "SU",
+        "Set unit",
+        Group::Settings,
+        &[ParamSpec::required("Unit", Kind::OneOf(&[0, 1])).about("0 inches, 1 millimetres.")],
+        Stack::Ends,
+        "The unit of the lines that follow, up to the end of the run. FabMo.",
+        unit,
+    ),
+    CommandSpec::new(
+        "SC",
+        "Set coordinates",
+        Group::Settings,
+        &[ParamSpec::required("System", Kind::OneOf(&[0, 1])).about("0 table base, 1 working.")],
+        Stack::Ends,
+        "Changes between two coordinate systems that FabMo keeps side by side. Not carried out here.",
+        |c, _| {
+            let hint = "ST makes the working locations those of the table base";
+            let message = "the coordinate systems of SC are not carried out here";
+            Err(c.fail_at(Span::LINE, Code::NotSupported, message, hint))
+        },
+    ),
+    CommandSpec::new(
+        "VA",
+        "Values: axis locations",
+        Group::Values,
+        &LOCATIONS,
+        Stack::Ends,
+        "What the present place is called: six working locations, then how far base is ahead of \
+         working for six axes. FabMo.",
+        locations,
+    ),
+    CommandSpec::new(
+        "VS",
+        "Values: speeds",
+        Group::Values,
+        &SPEEDS,
+        Stack::Joins,
+        "Move speeds of XY, Z, A, B and C, then their jog speeds. FabMo.",
+        |c, a| super::values::set_speeds(c, a, &SPEEDS),
+    ),
+];
+
+static LOCATIONS: [ParamSpec; 12] = [
+    axis!("X location", X),
+    axis!("Y location", Y),
+    axis!("Z location", Z),
+    axis!("A location", A),
+    axis!("B location", B),
+    axis!("C location", C),
+    axis!("X table base", X),
+    axis!("Y table base", Y),
+    axis!("Z table base", Z),
+    axis!("A table base", A),
+    axis!("B table base", B),
+    axis!("C table base", C),
+];
+
+macro_rules! speed {
+    ($name:literal, $unit:expr, $($place:tt)+) => {
+        ParamSpec::of($name, Kind::Number($unit), real!(speeds.$($place)+)).within(Bound::Positive)
+    };
+}
+
+static SPEEDS: [ParamSpec; 10] = [
+    speed!("XY move speed", Unit::Speed, cut.xy),
+    speed!("Z move speed", Unit::Speed, cut.z),
+    speed!("A move speed", Unit::Axis(Axis::A), cut.a),
+    speed!("B move speed", Unit::Axis(Axis::B), cut.b),
+    speed!("C move speed", Unit::Axis(Axis::C), cut.c),
+    speed!("XY jog speed", Unit::Speed, jog.xy),
+    speed!("Z jog speed", Unit::Speed, jog.z),
+    speed!("A jog speed", Unit::Axis(Axis::A), jog.a),
+    speed!("B jog speed", Unit::Axis(Axis::B), jog.b),
+    speed!("C jog speed", Unit::Axis(Axis::C), jog.c),
+];
+
+/// Targets of axes from the first one on, then speed and input.
+fn probe(c: &mut Context<'_>, a: &Arguments, first: usize) -> Result<(), Stop> {
+    let count = a.len().saturating_sub(2);
+    let given = Axis::ALL.into_iter().skip(first).take(count).enumerate();
+    let given: Vec<_> = given.filter_map(|(i, axis)| Some((axis, a.number(i)?))).collect();
+    for (axis, _) in &given {
+        c.need_axis(*axis)?;
+    }
+    let to = c.targets(given);
+    let input = a.number_or(count + 1, 1.0) as u8;
+    c.probe(to, a.number_or(count, 1.0), input);
+    Ok(())
+}
+
+fn unit(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let unit = if a.flag(0) == Some(true) { LinearUnit::Mm } else { LinearUnit::Inch };
+    c.change_settings(|s| s.use_linear_unit(unit));
+    Ok(())
+}
+
+fn locations(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let (mut working, mut base) = (AxisSet::EMPTY, AxisSet::EMPTY);
+    for (index, axis) in Axis::ALL.into_iter().enumerate() {
+        if let Some(value) = a.number(index) {
+            c.set_working(axis, value);
+            working.insert(axis);
+        }
+    }
+    for (index, axis) in Axis::ALL.into_iter().enumerate() {
+        if let Some(value) = a.number(Axis::ALL.len() + index) {
+            c.set_base(axis, value);
+            base.insert(axis);
+        }
+    }
+    if !(working.is_empty() && base.is_empty()) {
+        c.location_set(working, base);
+    }
+    Ok(())
+}
