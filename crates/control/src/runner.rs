@@ -13,8 +13,10 @@ use crate::trail::Trail;
 use crate::world::World;
 use crate::{Pace, flag};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_motion::Mover;
-use kerf_program::{At, Axes, Axis, Command, Interpreter, MoveKind, Sourced, Status, Step};
+use kerf_motion::{Move, Mover};
+use kerf_program::{
+    At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step,
+};
 use kerf_sim::Watched;
 
 /// Lines that are executed before their commands are looked at.
@@ -259,11 +261,53 @@ impl<'a, I: Interpreter> Runner<'a, I> {
                 flow => return flow,
             }
         }
+        if !jog && self.is_full() {
+            match self.reload(&mut made, number) {
+                Flow::On => {}
+                flow => return flow,
+            }
+        }
+        self.stack_up(made, number);
+        if jog { self.flush() } else { Flow::On }
+    }
+
+    fn stack_up(&mut self, made: Move, number: u64) {
         self.stack.moves.push(made);
         if self.watching {
             self.stack.numbers.push(number);
         }
-        if jog { self.flush() } else { Flow::On }
+    }
+
+    /// Whether the stack takes no more moves.
+    fn is_full(&self) -> bool {
+        let limit = self.world.machine.settings().stack_limit;
+        limit.is_some_and(|limit| self.stack.moves.len() >= limit as usize)
+    }
+
+    /// Makes a full stack, pulls up to Safe-Z and comes back, so that the next move begins another
+    /// (programming handbook, "Movement Blocks").
+    fn reload(&mut self, next: &mut Move, number: u64) -> Flow {
+        match self.flush_before(|by| next.shift(by)) {
+            Flow::On => {}
+            flow => return flow,
+        }
+        let machine = &self.world.machine;
+        let Some(safe_mm) = machine.settings().cutter.safe_z_mm else { return Flow::On };
+        let mut up = next.from;
+        up[Axis::Z] = machine.frame().working_zero[Axis::Z] + safe_mm;
+        let after = self.mover.position();
+        self.mover.set_position(next.from);
+        for (kind, to) in [(MoveKind::Jog, up), (MoveKind::Cut, next.from)] {
+            let line = Line { kind, to, feed: Feed::Axis };
+            let Some(made) = self.mover.line(next.at, &line) else { continue };
+            self.stack_up(made, number);
+            match self.flush() {
+                Flow::On => {}
+                flow => return flow,
+            }
+        }
+        self.mover.set_position(after);
+        Flow::On
     }
 
     fn take_other(&mut self, mut sourced: Sourced) -> Flow {

@@ -79,3 +79,17 @@ fn times_are_told_for_each_tool_path_with_waiting_and_tool_changes() {
         assert!((seconds(0) + seconds(1) - total).abs() < 1e-6);
     }
 }
+
+#[test]
+fn inverse_time_and_degrees_are_as_long_as_the_program_says() {
+    // Half a minute's share, then degrees by themselves, then both together.
+    let program = "G21 G90 G93\nG1 X20 F30\nA90 F60\nX30 A180 F12\nG94 B45 F600\nM2\n";
+    let config = "units = \"mm\"\naxes = 5\nrotary = [\"deg\", \"deg\", \"deg\"]\n";
+    let shop = Shop::new(&[("a.nc", program), ("five.toml", config)]);
+    let told = shop.kerf("trace a.nc --config five.toml").exits(0).all("move");
+    for (made, seconds) in told.iter().zip([2.0, 1.0, 5.0, 4.5]) {
+        let lasts = made["t1"].as_f64().unwrap() - made["t0"].as_f64().unwrap();
+        // Ramps make it a little longer.
+        assert!(lasts >= seconds - 1e-6 && lasts < seconds + 0.25, "{made}");
+    }
+}

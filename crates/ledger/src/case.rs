@@ -105,6 +105,13 @@ impl Case {
         self
     }
 
+    /// The machine's stack takes so many moves.
+    #[must_use]
+    pub const fn stack_limit(mut self, limit: u32) -> Self {
+        self.session.memory.settings.stack_limit = Some(limit);
+        self
+    }
+
     /// An input of the machine is the interlock of its enclosure.
     #[must_use]
     pub const fn interlock(mut self, input: u8) -> Self {

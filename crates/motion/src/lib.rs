@@ -2,8 +2,8 @@
 //!
 //! Two steps. A [`Mover`] keeps the position and the settings in force and turns the motion
 //! commands of `kerf-program` into [`Move`]s: where from, where to, along what, and how fast at
-//! most. A model of motion ([`ShopBot`], the ramps of the OpenSBP command reference; [`Optimal`],
-//! all that the axes can do) makes a [`Plan`] of a stack of moves, which answers where every axis is
+//! most. A model of motion ([`ShopBot`], the ramps of the OpenSBP command reference; [`Profiler`],
+//! smoothed sections and stops; [`Optimal`], all that the axes can do) makes a [`Plan`] of a stack of moves, which answers where every axis is
 //! at time t, how fast, and in which move. Time estimate, picture, simulation and real run all ask
 //! the same plan.
 //!
@@ -14,6 +14,9 @@
 //! A stack is planned while it is read: a [`Planner`] takes moves and gives finished pieces of plan,
 //! and keeps only what a later move can still change. [`Model::plan`] plans a whole stack at once,
 //! with the same outcome.
+//!
+//! Beside this, [`Stepper`] finds when each motor steps, and [`controllers`] tells how long other
+//! controllers would take for the same moves.
 //!
 //! Everything is in the machine frame, in millimetres, seconds and degrees; every number that is
 //! not says so in its name (`_rad`, `_percent`). A speed of a move is a speed along its *reference
@@ -50,6 +53,7 @@ mod profile;
 mod profiler;
 mod ramped;
 mod shopbot;
+mod steps;
 mod stop;
 mod surge;
 mod turns;
@@ -62,4 +66,5 @@ pub use plan::{Plan, Span, State};
 pub use planner::{Planner, planner};
 pub use profiler::{Profiler, ProfilerPlanner};
 pub use shopbot::{Model, ShopBot, ShopBotPlanner, plan_stack};
+pub use steps::{Step, Stepper};
 pub use stop::Stop;

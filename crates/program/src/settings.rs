@@ -392,6 +392,10 @@ pub struct Settings {
     /// What the axes can do; from the machine's configuration, no V command sets it.
     #[serde(default)]
     pub dynamics: Option<Dynamics>,
+    /// Moves that the stack takes before the tool pulls up and the rest is read; no limit when not
+    /// given. From the machine's configuration.
+    #[serde(default)]
+    pub stack_limit: Option<u32>,
     /// The model of motion; the configuration or an option names it.
     #[serde(default)]
     pub ramp_model: Option<RampModel>,
@@ -586,6 +590,7 @@ impl Default for Settings {
             warning_s: 0.0,
             ask_spindle: true,
             dynamics: None,
+            stack_limit: None,
             ramp_model: None,
             smoothing: Smoothing::default(),
         }

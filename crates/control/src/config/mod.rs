@@ -9,6 +9,7 @@
 //! axes = 4
 //! rotary = ["mm", "deg", "deg"]   # what A, B and C are: in, mm or deg
 //! warning_s = 2.0             # warning before motion
+//! stack_limit = 1000          # moves read before motion begins; no limit when not given
 //! [speeds.cut]
 //! xy = 50.0
 //! z = 25.0
@@ -73,6 +74,7 @@ struct Config {
     io: Option<Io>,
     steps: Option<Steps>,
     dynamics: Option<Dynamics>,
+    stack_limit: Option<u32>,
     /// The model of motion.
     motion: Option<RampModel>,
     smoothing: Option<SmoothingValues>,
@@ -171,6 +173,10 @@ impl Config {
             });
         }
         set(&mut s.axis_count, self.axes, "axes", "1 to 6", |n| (1..=AXES as u8).contains(n))?;
+        if let Some(limit) = self.stack_limit {
+            set(&mut 0, Some(limit), "stack_limit", "1 or greater", |n| *n > 0)?;
+            s.stack_limit = Some(limit);
+        }
         set(&mut s.warning_s, self.warning_s, "warning_s", NOT_NEGATIVE, not_negative)
     }
 
@@ -275,6 +281,7 @@ mod tests {
             ("[io]\noutputs = [0,0,0,0,0,0,0,0,0,0,0,0,0]", "io.outputs must be a shorter list"),
             ("[steps]\nper_unit = [nan]", "steps.per_unit must be greater than 0"),
             ("motion = \"fast\"", "unknown variant `fast`"),
+            ("stack_limit = 0", "stack_limit must be 1 or greater, not 0"),
             ("axes = ", "TOML parse error"),
         ] {
             let error = settings(text).unwrap_err().to_string();

@@ -53,6 +53,29 @@ fn sbp_motion_switchoff_stack() {
 }
 
 #[test]
+fn sbp_motion_stack_full() {
+    let count = "&i=0 ⏎ L: ⏎ &i=&i+1 ⏎ M3,&i/1000,0,-.1 ⏎ IF &i<1500 THEN GOTO L";
+    let heights = |run: &Run| -> Vec<(u64, f64)> {
+        let to = |m: &serde_json::Value| m["to"]["z"].as_f64().unwrap();
+        let moves: Vec<f64> = run.is_ok().events("move").map(to).collect();
+        (0u64..).zip(moves).filter(|(_, z)| *z != -0.1).collect()
+    };
+    let limited = sbp(count).at([0.0, 0.0, -0.1]).stack_limit(1000).run();
+    // After a thousand moves up to Safe-Z, 1 in; then down, then the other five hundred.
+    assert_eq!(heights(&limited), [(1000, 1.0)]);
+    assert_eq!(limited.events("move").count(), 1502);
+    let kind = |k: usize| limited.events("move").nth(k).unwrap()["kind"].clone();
+    assert_eq!((kind(1000), kind(1001)), ("jog".into(), "cut".into()));
+    limited.ends_at([1.5, 0.0, -0.1]);
+    let free = sbp(count).at([0.0, 0.0, -0.1]).run();
+    assert_eq!((heights(&free).len(), free.events("move").count()), (0, 1500));
+    // With Safe-Z off it only stands for a moment.
+    let off = sbp(&format!("VC,,,,OFF ⏎ {count}")).at([0.0, 0.0, -0.1]).stack_limit(1000).run();
+    assert_eq!((heights(&off).len(), off.events("move").count()), (0, 1500));
+    assert!(off.seconds() > free.seconds());
+}
+
+#[test]
 fn sbp_cmd_speed_vector() {
     // Ramp speed 5 leaves no ramps.
     let lasts = |program: &str| {
