@@ -5,6 +5,11 @@ use anyhow::{Context, Result, bail};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_formats::{Imported, Weight, dxf, rsg};
+use kerf_gcode::{Writer, Writing};
+use kerf_program::settings::LinearUnit;
+use kerf_program::{Printer, Written};
+use kerf_sbp::{Printing, SbpPrinter};
+use kerf_toolpath::{Heights, Job};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -36,10 +41,7 @@ pub fn open(files: &[impl AsRef<Path>], reading: &Reading) -> Result<Drawing> {
 
 fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     let extension = extension(file);
-    let bytes = match fs::read(file) {
-        Ok(bytes) => bytes,
-        Err(error) => bail!(Usage(format!("cannot read {}: {error}", file.display()))),
-    };
+    let bytes = bytes(file)?;
     let options =
         dxf::Options { scale: reading.scale, explode: reading.explode, ..dxf::Options::default() };
     let mut read = match extension.as_str() {
@@ -55,6 +57,13 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
         bail!("{}: nothing of a drawing could be read", file.display());
     }
     Ok(read.drawing)
+}
+
+fn bytes(file: &Path) -> Result<Vec<u8>> {
+    match fs::read(file) {
+        Ok(bytes) => Ok(bytes),
+        Err(error) => bail!(Usage(format!("cannot read {}: {error}", file.display()))),
+    }
 }
 
 fn tell(file: &Path, read: &Imported) {
@@ -77,6 +86,60 @@ fn group_by_layer(file: &Path, read: &mut Imported) {
             *old = Arc::new(Shape { group, ..old.as_ref().clone() });
         }
     }
+}
+
+/// The job in a file: the one of an RSM, or the one that is made of a drawing. What is noticed is told.
+pub fn job(file: &Path) -> Result<Job> {
+    if extension(file) == "rsm" {
+        let (job, read) = kerf_toolpath::read(&bytes(file)?);
+        tell(file, &read);
+        return Ok(job);
+    }
+    let reading = Reading { layers: false, scale: true, explode: true };
+    let (job, warnings) = kerf_toolpath::job(&open(&[file], &reading)?)?;
+    for warning in &warnings {
+        eprintln!("{}: warning: {warning}", file.display());
+    }
+    Ok(job)
+}
+
+/// A job as a part program of OpenSBP, millimetres.
+pub fn part_program(file: &Path, job: &Job, heights: &Heights) -> Result<Written> {
+    let printing = Printing {
+        unit: LinearUnit::Mm,
+        title: Some(format!("Made from {}", name(file))),
+        ..Printing::default()
+    };
+    print(file, job, heights, Box::new(SbpPrinter::new(&printing)))
+}
+
+/// A job as G-code.
+pub fn gcode_program(file: &Path, job: &Job, heights: &Heights) -> Result<Written> {
+    let writing =
+        Writing { title: Some(format!("Made from {}", name(file))), ..Writing::default() };
+    print(file, job, heights, Box::new(Writer::new(&writing)))
+}
+
+fn print(
+    file: &Path,
+    job: &Job,
+    heights: &Heights,
+    mut printer: Box<dyn Printer + '_>,
+) -> Result<Written> {
+    if let Err(wrong) = kerf_toolpath::print(job, heights, printer.as_mut()) {
+        let all: Vec<_> = wrong.iter().map(ToString::to_string).collect();
+        bail!("{}: {}", file.display(), all.join("\n"));
+    }
+    Ok(printer.finish())
+}
+
+fn name(file: &Path) -> String {
+    file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+}
+
+/// Whether a file is a drawing or a job made of one.
+pub fn is_drawing(file: &Path) -> bool {
+    matches!(extension(file).as_str(), "dxf" | "rsg" | "rsm")
 }
 
 /// Writes a drawing, whole or not at all.
@@ -106,6 +169,7 @@ fn loses(drawing: &Drawing) -> bool {
     shapes || drawing.groups != plain.groups || drawing.arrays != plain.arrays
 }
 
-fn extension(file: &Path) -> String {
+/// The extension of a file, in small letters.
+pub fn extension(file: &Path) -> String {
     file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }

@@ -2,6 +2,7 @@
 
 use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
+use crate::drawings;
 use crate::exit::Usage;
 use crate::memory::Memory;
 use anyhow::{Context, Result, bail};
@@ -13,6 +14,7 @@ use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters, GoTo, Language};
 use kerf_sim::Push;
+use kerf_toolpath::Heights;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -68,6 +70,10 @@ pub fn job_of(
 
 /// Reads a part file; the name shown is the one the user gave.
 pub fn read_program(file: &Path, dialect: Dialect) -> Result<Program> {
+    if drawings::is_drawing(file) {
+        let written = drawings::part_program(file, &drawings::job(file)?, &Heights::default())?;
+        return Ok(kerf_part::read(file.display().to_string().into(), written.text.into_bytes()));
+    }
     let bytes = read_bytes(file)?;
     Ok(kerf_part::read_as(file.display().to_string().into(), bytes, dialect))
 }

@@ -104,3 +104,95 @@ fn pro_files_rsm_name() {
     assert_eq!(report.lines().nth(1), Some("black           6       2588.5  1"));
     assert_eq!(shapes(folder.path(), "job.rsm").len(), 6);
 }
+
+/// The motion lines of the part program of a drawing, one a line.
+fn program(script: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.sbp"]);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    let text = std::fs::read_to_string(folder.path().join("job.sbp")).unwrap();
+    // C# is the answer to a machine set to the other unit.
+    let motion = text.lines().filter(|line| line.starts_with(['M', 'J', 'P']));
+    motion.map(str::to_owned).collect()
+}
+
+#[test]
+fn pro_group_multi_order() {
+    let closed = "line 0,0 9,0 9,9 close; line 50,0 59,0 59,9 close; set black height=-8 pass=4";
+    let around = |x: u32| {
+        let (a, b) = (x, x + 9);
+        let lap = [format!("MX,{b}"), "MY,9".into(), format!("M2,{a},0")];
+        [vec!["MZ,-4".into()], lap.to_vec(), vec!["MZ,-8".into()], lap.to_vec()].concat()
+    };
+    let travel = |words: &[&str]| words.iter().map(|w| w.to_string()).collect::<Vec<_>>();
+    let home = travel(&["JZ,10", "JX,0"]);
+    let expected =
+        [travel(&["JZ,10"]), around(0), travel(&["JZ,10", "JX,50"]), around(50), home].concat();
+    assert_eq!(program(closed), expected);
+    let open = program("line 0,0 9,0; set black height=-8 pass=4");
+    assert_eq!(open, ["JZ,10", "MZ,-4", "MX,9", "JZ,10", "JX,0", "MZ,-8", "MX,9", "JZ,10", "JX,0"]);
+}
+
+#[test]
+fn pro_group_rough_multi() {
+    let script = "line 0,0 100,0; set black height=-9 pass=4 offset=3 rough=0.5";
+    let lines = program(script);
+    let depths: Vec<_> = lines.iter().filter(|line| line.starts_with("MZ")).collect();
+    assert_eq!(depths, ["MZ,-4", "MZ,-8", "MZ,-9", "MZ,-4", "MZ,-8", "MZ,-9"]);
+    let sides: Vec<_> =
+        lines.iter().filter(|l| l.starts_with("J2") || l.starts_with("JY")).collect();
+    assert_eq!(sides[..2], ["JY,-3.5", "J2,0,-3"], "rough first: {lines:?}");
+}
+
+#[test]
+fn traversal_shapes_lead_the_head_at_the_height_of_travel() {
+    let script = "line 0,0 0,100 200,100; select 1; group red; set red traversal=on";
+    assert_eq!(program(script), ["JZ,10", "MY,100", "MX,200", "J2,0,0"]);
+}
+
+#[test]
+fn the_program_waits_before_a_pause_shape() {
+    let script = "point 0,0; point 50,0; select 2; pause on; set black height=-2";
+    let expected = ["JZ,10", "MZ,-2", "JZ,10", "JX,50", "PAUSE", "MZ,-2", "JZ,10", "JX,0"];
+    let lines = program(script);
+    let words: Vec<_> = lines.iter().map(|line| line.split(' ').next().unwrap()).collect();
+    assert_eq!(words, expected, "{lines:?}");
+}
+
+#[test]
+fn a_job_below_z_bottom_is_refused_with_its_shape() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "point 0,0; set black height=-13";
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.sbp"]);
+    assert_eq!(made.status.code(), Some(1));
+    assert!(
+        told(&made).contains("shape 1: it would be cut at -13, below ZBottom"),
+        "{}",
+        told(&made)
+    );
+    assert!(!folder.path().join("job.sbp").exists());
+    let deeper = ["toolpath", "job.rsg", "-o", "job.sbp", "--z-bottom", "-20"];
+    assert_eq!(kerf(folder.path(), &deeper).status.code(), Some(0));
+}
+
+#[test]
+fn drawings_and_jobs_are_previewed_timed_and_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "circle 50,50 25; set black offset=5 lead-in=5,90";
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    kerf(folder.path(), &["toolpath", "job.rsg"]);
+    for args in [
+        &["run", "job.rsm", "--units", "mm"][..],
+        &["time", "job.rsg", "--units", "mm"],
+        &["preview", "job.rsg", "-o", "job.svg", "--units", "mm"],
+    ] {
+        let output = kerf(folder.path(), args);
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", told(&output));
+    }
+    let trace = kerf(folder.path(), &["trace", "job.rsm", "--units", "mm"]);
+    let trace = String::from_utf8(trace.stdout).unwrap();
+    let arcs = trace.lines().filter(|line| line.contains("\"e\":\"arc\"")).count();
+    assert_eq!(arcs, 3, "the lead and two halves of the circle");
+}

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! A [`Job`] is what is cut: paths in order, each with what it comes from, and the [`Warning`]s that
-//! arose. Nothing is left out silently: a shape without a path is told with its number.
+//! arose. Nothing is left out silently: a shape without a path is told with its number. [`print()`] gives a job
+//! to a printer, which writes it as OpenSBP or G-code.
 //!
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
@@ -15,6 +16,7 @@ mod depth;
 mod gouge;
 mod job;
 mod lead;
+mod program;
 mod rsm;
 mod shape_paths;
 mod tag;
@@ -23,6 +25,7 @@ mod warning;
 pub use depth::{Depths, Heights, LowError};
 pub use job::{CutPath, Job, JobError, MOST_PATHS, job};
 pub use lead::{Side, lead_in, lead_out};
+pub use program::print;
 pub use rsm::{read, write};
 pub use shape_paths::Pass;
 pub use warning::Warning;

@@ -5,8 +5,9 @@ use crate::{drawings, out};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use kerf_control::files::{Disk, RealDisk};
-use kerf_toolpath::{Job, Pass, job, write};
-use std::path::PathBuf;
+use kerf_program::Written;
+use kerf_toolpath::{Heights, Job, Pass, write};
+use std::path::{Path, PathBuf};
 
 /// Makes the tool paths of a drawing: offsets, tags, leads, arrays
 ///
@@ -14,34 +15,69 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "Example: kerf toolpath plate.rsg -o plate.rsm --report")]
 pub struct ToolpathArgs {
-    /// The drawing: .rsg or .dxf
+    /// The drawing: .rsg or .dxf, or a job that was made before: .rsm
     drawing: PathBuf,
-    /// The job to write [default: the drawing's name with .rsm]
+    /// The job to write, .rsm, or a part program, .sbp or .nc [default: the drawing's name with .rsm]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Tells how many paths there are and how long they are, group by group
     #[arg(long)]
     report: bool,
+    #[command(flatten)]
+    heights: HeightArgs,
+}
+
+/// Heights of the machine, as Z above its home.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct HeightArgs {
+    /// Where the tool travels
+    #[arg(long, value_name = "MM", default_value_t = 10.0, allow_negative_numbers = true)]
+    z_top: f64,
+    /// The surface of the material; zero of Z in a part program
+    #[arg(long, value_name = "MM", default_value_t = 0.0, allow_negative_numbers = true)]
+    z_surface: f64,
+    /// Where THRU cuts; nothing is cut below it
+    #[arg(long, value_name = "MM", default_value_t = -10.0, allow_negative_numbers = true)]
+    z_bottom: f64,
+}
+
+impl HeightArgs {
+    fn heights(self) -> Result<Heights> {
+        let Self { z_top, z_surface, z_bottom } = self;
+        if !(z_bottom < z_surface && z_surface < z_top) {
+            bail!(Usage("Z top must lie above Z surface, and Z bottom below it".into()));
+        }
+        Ok(Heights { top_mm: z_top, surface_mm: z_surface, bottom_mm: z_bottom })
+    }
 }
 
 pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let output = args.output.clone().unwrap_or_else(|| args.drawing.with_extension("rsm"));
-    if output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("rsm")) {
-        bail!(Usage(format!("{}: a job is written as .rsm", output.display())));
-    }
-    let reading = drawings::Reading { layers: false, scale: true, explode: true };
-    let drawing = drawings::open(std::slice::from_ref(&args.drawing), &reading)?;
-    let (job, warnings) = job(&drawing)?;
-    for warning in &warnings {
-        eprintln!("{}: warning: {warning}", args.drawing.display());
-    }
+    let heights = args.heights.heights()?;
+    let job = drawings::job(&args.drawing)?;
+    let text = match drawings::extension(&output).as_str() {
+        "rsm" => write(&job),
+        "sbp" => told(&output, drawings::part_program(&args.drawing, &job, &heights)?),
+        "nc" | "ngc" | "tap" | "gcode" => {
+            told(&output, drawings::gcode_program(&args.drawing, &job, &heights)?)
+        }
+        _ => bail!(Usage(format!("{}: written are .rsm, .sbp and .nc", output.display()))),
+    };
     RealDisk
-        .write(&output, write(&job).as_bytes())
+        .write(&output, text.as_bytes())
         .with_context(|| format!("cannot write {}", output.display()))?;
     if args.report {
         report(&job);
     }
     Ok(Exit::Good)
+}
+
+/// The text of a program; what it does not say is told.
+fn told(output: &Path, written: Written) -> String {
+    for lost in &written.lost {
+        eprintln!("{}: warning: not written: {}", output.display(), lost.what);
+    }
+    written.text
 }
 
 /// A line a group that has paths.
