@@ -89,10 +89,7 @@ impl Context<'_> {
                 self.core.state.shift = Axes::default();
                 self.core.state.shift_kept = Axes::default();
             }
-            922 => {
-                self.core.state.shift_kept = self.core.state.shift;
-                self.core.state.shift = Axes::default();
-            }
+            922 => self.core.state.shift = Axes::default(),
             923 => self.core.state.shift = self.core.state.shift_kept,
             _ => {}
         }

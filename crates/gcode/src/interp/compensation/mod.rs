@@ -25,6 +25,10 @@ use serde::{Deserialize, Serialize};
 /// Corners that turn by less are no corners, radians (LinuxCNC's tolerance). The tool cuts them by
 /// at most 0.03% of its radius.
 const STRAIGHT_RAD: f64 = 0.05;
+/// Paths that turn round by this much less than half a turn go back over themselves, radians: there is
+/// no inside, and the tool goes round the end. A guess; rounding is far below it.
+const REVERSAL_RAD: f64 = 1e-6;
+
 /// Compensation that is on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Compensator {
@@ -330,7 +334,7 @@ impl Context<'_> {
         };
         let (d, e) = (before.heading[1], next.heading[0]);
         let angle = d.cross(e).atan2(d.dot(e));
-        let reversal = angle.abs() > std::f64::consts::PI - STRAIGHT_RAD;
+        let reversal = angle.abs() > std::f64::consts::PI - REVERSAL_RAD;
         if angle.abs() < STRAIGHT_RAD {
             let next = Piece { from: before.end(), ..next };
             self.hold_back(next);

@@ -43,6 +43,12 @@ impl Piece {
         xy(self.to)
     }
 
+    /// The radius about a centre. Its start may lie a hair off the circle, where the path goes on
+    /// almost straight; its end does not before it is trimmed.
+    fn radius(&self, centre: Point2) -> f64 {
+        self.end().distance(centre)
+    }
+
     /// The same move elsewhere.
     pub(super) fn nudge(&mut self, by: Axes) {
         let way = Vec2::new(by.0[0], by.0[1]);
@@ -126,13 +132,13 @@ pub(super) fn crossing(a: &Piece, b: &Piece, near: Point2) -> Option<Point2> {
             [(cross.abs() > 1e-12).then(|| a.end() + d * along), None]
         }
         (Shape::Line, Shape::Arc { centre, .. }) => {
-            line_circle(a.end(), a.heading[1], centre, b.from.distance(centre))
+            line_circle(a.end(), a.heading[1], centre, b.radius(centre))
         }
         (Shape::Arc { centre, .. }, Shape::Line) => {
-            line_circle(b.from, b.heading[0], centre, a.from.distance(centre))
+            line_circle(b.from, b.heading[0], centre, a.radius(centre))
         }
         (Shape::Arc { centre: c1, .. }, Shape::Arc { centre: c2, .. }) => {
-            circles(c1, a.from.distance(c1), c2, b.from.distance(c2))
+            circles(c1, a.radius(c1), c2, b.radius(c2))
         }
     };
     let mut found = candidates.into_iter().flatten();
