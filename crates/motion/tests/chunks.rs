@@ -191,3 +191,16 @@ fn pieces_of_the_fastest_motion_make_the_plan_of_the_whole_stack() {
         }
     }
 }
+
+#[test]
+fn with_a_limit_of_jerk_pieces_end_where_the_machine_stands() {
+    let dynamics = Dynamics {
+        speed_mm_s: Axes::splat(150.0),
+        accel_mm_s2: Axes::splat(700.0),
+        jerk_mm_s3: Some(Axes::splat(20_000.0)),
+        tolerance_mm: 0.0,
+    };
+    let moves = moves(600, 4);
+    assert!(check_optimal(&moves, &dynamics, 1) > 5);
+    assert_eq!(check_optimal(&moves, &dynamics, 0), 1);
+}

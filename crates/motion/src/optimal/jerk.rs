@@ -11,7 +11,9 @@
 //! From rest, x grows as s^(4/3), which no parabola does: over the first and last bit of path, which
 //! are straight, the jerk is constant instead, and only its size is unknown.
 
-use super::pieces::{Part, Piece};
+use super::condition::{Condition, NEARLY, dot};
+use super::newton::{Local, System};
+use super::pieces::{Part, Piece, Row};
 
 /// Part of the limit of jerk that is used, so that rounding never exceeds it.
 const USED: f64 = 1.0 - 1e-6;
@@ -27,26 +29,17 @@ const SLOWER: f64 = 0.8;
 const SLOWER_YET: f64 = 0.9999;
 
 /// Whole steps in a row with the full weight, after which nothing is left to gain.
-const CALM: u32 = 3;
+const CALM: u32 = 1;
 
 /// How much the weight of the time against the barriers grows, and after which share of a step.
-const SHARPER: f64 = 2.5;
-const CENTRED: f64 = 0.5;
+const SHARPER: f64 = 5.0;
+const CENTRED: f64 = 0.3;
 
 /// Where the search starts, as a share of what is expected.
 const BEGIN: f64 = 0.6;
 
-/// Room given to a condition that is not met yet, as a share of its value.
-const RELAXED: f64 = 0.25;
-
 /// What the barriers may cost at the end, as a share of the time.
 const GAP: f64 = 2e-3;
-
-/// How far a step goes to the nearest barrier.
-const NEARLY: f64 = 0.95;
-
-/// Below this share of what to expect, x is far from its goal.
-const FAR_BELOW: f64 = 0.2;
 
 /// The first or last bit of path, made with constant jerk between rest and the spline.
 #[derive(Clone, Copy, Debug)]
@@ -83,19 +76,14 @@ pub(crate) struct Problem<'a, const N: usize> {
     pub launches: [Launch; 2],
 }
 
-/// Lower part of a symmetric matrix with five diagonals, and the right side.
-struct System {
-    rows: Vec<[f64; 3]>,
-    right: Vec<f64>,
-}
-
 impl<const N: usize> Problem<'_, N> {
     /// Bézier ordinates of x over every piece.
     pub fn solve(&self) -> Vec<[f64; 3]> {
         let n = self.pieces.len();
         let mut b = self.start();
-        let parts: usize = self.pieces.iter().map(|p| p.parts.len()).sum();
-        let conditions = (parts * 14 * N + 3 * n) as f64;
+        let axes = |part: &Part<N>| part.moves.iter().filter(|moves| **moves).count();
+        let axes: usize = self.pieces.iter().flat_map(|p| &p.parts).map(axes).sum();
+        let conditions = (14 * axes + 6 * n) as f64;
         let (mut weight, mut calm, mut found) = (0.0f64, 0, false);
         for step in 0..STEPS {
             let (system, time, kept) = self.newton(&b, weight);
@@ -199,15 +187,15 @@ impl<const N: usize> Problem<'_, N> {
     /// Newton's system for a weight of the time, the time, and whether all conditions are met.
     fn newton(&self, b: &[f64], weight: f64) -> (System, f64, bool) {
         let n = self.pieces.len();
-        let mut system = System { rows: vec![[0.0; 3]; n], right: vec![0.0; n] };
+        let mut system = System::new(n);
         let (mut time, mut kept) = (0.0, true);
         for (k, piece) in self.pieces.iter().enumerate() {
             let x = self.local(b, k);
             let mut part = Local::default();
             time += part.time(piece, &x, weight);
-            self.conditions(k, &x, |slack, row| {
-                kept &= slack > 0.0;
-                part.barrier(slack.abs(), row);
+            self.conditions(k, &x, |condition| {
+                kept &= condition.kept();
+                part.barrier(condition);
             });
             for of in &piece.parts {
                 part.level(&x, of);
@@ -217,12 +205,10 @@ impl<const N: usize> Problem<'_, N> {
         (system, time, kept)
     }
 
-    /// Calls with the slack of each condition and its gradient.
-    fn conditions(&self, k: usize, x: &[f64; 3], mut each: impl FnMut(f64, &[f64; 3])) {
+    /// Calls with each condition.
+    fn conditions(&self, k: usize, x: &[f64; 3], mut each: impl FnMut(&Condition)) {
         let piece = &self.pieces[k];
         for m in 0..3 {
-            let mut row = [0.0; 3];
-            row[m] = -1.0;
             let mut cap = piece.cap;
             if m == 0 && k == 0 {
                 cap = cap.min(self.launches[0].most);
@@ -230,38 +216,37 @@ impl<const N: usize> Problem<'_, N> {
             if m == 2 && k + 1 == self.pieces.len() {
                 cap = cap.min(self.launches[1].most);
             }
-            each(slack(cap, x[m]), &row);
+            // Between zero and the cap: about half of it, not farther than half of it.
+            let mut row = [0.0; 3];
             row[m] = 1.0;
-            each(x[m], &row);
+            each(&Condition { value: x[m] - 0.5 * cap, row, limit: 0.5 * cap, tangent: None });
         }
         for part in &piece.parts {
             self.part(part, x, &mut each);
         }
     }
 
-    fn part(&self, part: &Part<N>, x: &[f64; 3], each: &mut impl FnMut(f64, &[f64; 3])) {
+    fn part(&self, part: &Part<N>, x: &[f64; 3], each: &mut impl FnMut(&Condition)) {
         let y: [f64; 3] = std::array::from_fn(|m| dot(&part.ordinates[m], x));
         // 1/√x is nowhere below its tangent at the mean of x over the part.
         let mean = (y[0] + y[1] + y[2]) / 3.0;
         let root = 1.0 / mean.sqrt();
-        for axis in 0..N {
+        let unit: [(f64, Row); 3] = std::array::from_fn(|m| {
+            let own = -0.5 * root / mean;
+            let others = 0.75 * root * (y[m] / mean - 1.0) / mean;
+            let by_mean = |k: usize| part.ordinates.iter().map(|o| o[k]).sum::<f64>() / 3.0;
+            let tangent = |k: usize| own * part.ordinates[m][k] + others * by_mean(k);
+            (root * (1.5 - 0.5 * y[m] / mean), std::array::from_fn(tangent))
+        });
+        for axis in (0..N).filter(|axis| part.moves[*axis]) {
             for row in &part.accel[axis] {
-                let f = dot(row, x);
-                each(slack(self.accel[axis], f), &row.map(|r| -r));
-                each(slack(self.accel[axis], -f), row);
+                let limit = self.accel[axis];
+                each(&Condition { value: dot(row, x), row: *row, limit, tangent: None });
             }
             let most = self.jerk[axis] * USED;
-            for (m, row) in part.gain[axis].iter().enumerate() {
-                let g = dot(row, x);
-                let limit = most * root * (1.5 - 0.5 * y[m] / mean);
-                let (own, others) =
-                    (-0.5 * most * root / mean, 0.75 * most * root * (y[m] / mean - 1.0) / mean);
-                let by_mean = |k: usize| part.ordinates.iter().map(|o| o[k]).sum::<f64>() / 3.0;
-                let tangent: [f64; 3] =
-                    std::array::from_fn(|k| own * part.ordinates[m][k] + others * by_mean(k));
-                let side = |sign: f64| std::array::from_fn(|k| tangent[k] + sign * row[k]);
-                each(slack(limit, g), &side(-1.0));
-                each(slack(limit, -g), &side(1.0));
+            for (row, (limit, tangent)) in part.gain[axis].iter().zip(&unit) {
+                let tangent = Some(tangent.map(|t| most * t));
+                each(&Condition { value: dot(row, x), row: *row, limit: most * limit, tangent });
             }
         }
     }
@@ -274,137 +259,8 @@ impl<const N: usize> Problem<'_, N> {
                 scale = scale.min(-NEARLY * b[k] / d[k]);
             }
             let (x, dx) = (self.local(b, k), self.local(d, k));
-            self.conditions(k, &x, |slack, row| {
-                let change = dot(row, &dx);
-                if change < 0.0 {
-                    scale = scale.min(-NEARLY * slack.abs() / change);
-                }
-            });
+            self.conditions(k, &x, |condition| scale = scale.min(condition.room(&dx, scale)));
         }
         scale
-    }
-}
-
-/// What a value leaves of its limit. While a limit is exceeded it counts as higher; what is left of
-/// the higher one is told with a minus.
-fn slack(limit: f64, value: f64) -> f64 {
-    if value < limit { limit - value } else { -RELAXED * value.abs().max(limit.abs()) }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// Gradient and matrix of one piece in its own ordinates.
-#[derive(Default)]
-struct Local {
-    gradient: [f64; 3],
-    matrix: [[f64; 3]; 3],
-}
-
-impl Local {
-    fn add(&mut self, row: &[f64; 3], first: f64, second: f64) {
-        for i in 0..3 {
-            self.gradient[i] += first * row[i];
-            for j in 0..=i {
-                self.matrix[i][j] += second * row[i] * row[j];
-            }
-        }
-    }
-
-    fn barrier(&mut self, slack: f64, row: &[f64; 3]) {
-        let inverse = 1.0 / slack;
-        self.add(row, -inverse, inverse * inverse);
-    }
-
-    /// Makes barriers of J/√x − |f′| into those of J − |f′|·√x, which do not favour a small x.
-    fn level<const N: usize>(&mut self, x: &[f64; 3], part: &Part<N>) {
-        for row in &part.ordinates {
-            let inverse = 1.0 / dot(row, x);
-            let share = N as f64;
-            self.add(row, -share * inverse, share * inverse * inverse);
-        }
-    }
-
-    /// Simpson's rule; where x is far below what to expect the time counts as linear, which makes
-    /// the first steps long.
-    fn time<const N: usize>(&mut self, piece: &Piece<N>, x: &[f64; 3], weight: f64) -> f64 {
-        let mut time = 0.0;
-        for (row, share) in
-            [([1.0, 0.0, 0.0], 1.0), ([0.25, 0.5, 0.25], 4.0), ([0.0, 0.0, 1.0], 1.0)]
-        {
-            let at = dot(&row, x);
-            let least = FAR_BELOW * piece.guess;
-            let seen = at.max(least);
-            let inverse = 1.0 / seen.sqrt();
-            let w = share * piece.h / 6.0;
-            time += w / at.sqrt();
-            let first = -0.5 * w * inverse / seen;
-            let second = if at < least { 0.0 } else { 0.75 * w * inverse / (seen * seen) };
-            self.add(&row, weight * first, weight * second);
-        }
-        time
-    }
-}
-
-impl System {
-    /// Adds a piece, whose ordinates are made of three unknowns.
-    fn add(&mut self, k: usize, part: &Local, shares: &[[f64; 2]; 2]) {
-        let [[l0, l1], [r0, r1]] = *shares;
-        // Columns: the unknown before, its own, the one after.
-        let map = [[l0, l1, 0.0], [0.0, 1.0, 0.0], [0.0, r0, r1]];
-        let m = |i: usize, j: usize| part.matrix[i.max(j)][i.min(j)];
-        for c in 0..3 {
-            let Some(i) = (k + c).checked_sub(1).filter(|i| *i < self.right.len()) else {
-                continue;
-            };
-            self.right[i] -= (0..3).map(|a| map[a][c] * part.gradient[a]).sum::<f64>();
-            for e in 0..=c {
-                let Some(j) = (k + e).checked_sub(1) else { continue };
-                let mut sum = 0.0;
-                for a in 0..3 {
-                    for b in 0..3 {
-                        sum += map[a][c] * m(a, b) * map[b][e];
-                    }
-                }
-                self.rows[i][i - j] += sum;
-            }
-        }
-    }
-
-    /// Solves by Cholesky's method without roots.
-    fn solve(mut self) -> Vec<f64> {
-        let n = self.right.len();
-        for i in 0..n {
-            let mut row = self.rows[i];
-            if i >= 2 {
-                let second = self.rows[i - 2];
-                let factor = row[2] / second[0];
-                row[0] -= factor * row[2];
-                // Fill between i−1 and i through i−2.
-                row[1] -= factor * self.rows[i - 1][1] * second[0];
-                row[2] = factor;
-                self.right[i] -= factor * self.right[i - 2];
-            }
-            if i >= 1 {
-                let first = self.rows[i - 1];
-                let factor = row[1] / first[0];
-                row[0] -= factor * row[1];
-                row[1] = factor;
-                self.right[i] -= factor * self.right[i - 1];
-            }
-            self.rows[i] = row;
-        }
-        for i in (0..n).rev() {
-            let mut value = self.right[i] / self.rows[i][0];
-            if i + 1 < n {
-                value -= self.rows[i + 1][1] * self.right[i + 1];
-            }
-            if i + 2 < n {
-                value -= self.rows[i + 2][2] * self.right[i + 2];
-            }
-            self.right[i] = value;
-        }
-        self.right
     }
 }

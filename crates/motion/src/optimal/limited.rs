@@ -12,7 +12,7 @@ use super::track::Track;
 use crate::moves::Move;
 
 /// Across a piece z = x^(3/4) changes by at most about this share.
-const FINE: f64 = 0.1;
+const FINE: f64 = 0.15;
 
 /// No piece is cut shorter, mm.
 const LEAST_MM: f64 = 1e-4;

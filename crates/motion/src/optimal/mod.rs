@@ -10,12 +10,16 @@
 
 mod cells;
 mod choice;
+mod condition;
 mod jerk;
+mod join;
 mod kernel;
 mod limited;
+mod newton;
 mod pieces;
 mod planner;
 mod reach;
+mod rests;
 mod scurve;
 mod speeds;
 mod timed;
@@ -35,6 +39,7 @@ use kernel::Kernel;
 use limited::Limited;
 use planner::Stream;
 use reach::Bounds;
+use rests::Rests;
 use track::Track;
 use widths::widest;
 
@@ -51,57 +56,81 @@ impl Model for Optimal<'_> {
         let Some(jerk) = self.dynamics.jerk_mm_s3 else {
             return Stream::whole(self.dynamics, moves);
         };
-        if moves.is_empty() {
-            return Plan::default();
+        let mut made: Option<Timed> = None;
+        let mut begun = 0;
+        for end in rests::of(self.dynamics, &moves) {
+            let mut run = self.run(&moves[begun..end], &jerk);
+            match &mut made {
+                None => made = Some(run),
+                Some(made) => {
+                    run.delay(made.duration_s());
+                    made.join(run, begun);
+                }
+            }
+            begun = end;
         }
-        let track = Track::of(&moves, self.dynamics.tolerance_mm);
-        let timed = match track.dims {
-            3 => self.limited::<3>(track, &moves, &jerk),
-            _ => self.limited::<AXES>(track, &moves, &jerk),
-        };
-        Plan { moves, law: Law::Timed(Box::new(timed)) }
+        match made {
+            None => Plan::default(),
+            Some(made) => Plan { moves, law: Law::Timed(Box::new(made)) },
+        }
     }
 }
 
-/// Plans a stack with all that the axes can do while it is read; with a limit of jerk, when it is
-/// complete.
+/// Plans a stack with all that the axes can do while it is read. With a limit of jerk a piece of plan
+/// ends where the machine must stand.
 #[derive(Clone, Debug)]
-pub struct OptimalPlanner {
-    dynamics: Dynamics,
-    stream: Stream,
-    /// Moves that wait for the end of the stack, where jerk is limited.
-    moves: Vec<Move>,
+pub struct OptimalPlanner(Reading);
+
+#[derive(Clone, Debug)]
+enum Reading {
+    Free(Box<Stream>),
+    Limited(Box<Rests>),
 }
 
 impl OptimalPlanner {
     /// For a stack that begins under these limits.
     pub fn new(dynamics: &Dynamics) -> Self {
-        Self { dynamics: *dynamics, stream: Stream::new(dynamics), moves: Vec::new() }
+        Self(match dynamics.jerk_mm_s3 {
+            None => Reading::Free(Box::new(Stream::new(dynamics))),
+            Some(_) => Reading::Limited(Box::new(Rests::new(dynamics))),
+        })
     }
 }
 
 impl Planner for OptimalPlanner {
     fn push(&mut self, made: Move) {
-        match self.dynamics.jerk_mm_s3 {
-            None => self.stream.push(made),
-            Some(_) => self.moves.push(made),
+        match &mut self.0 {
+            Reading::Free(stream) => stream.push(made),
+            Reading::Limited(rests) => rests.push(made),
         }
     }
 
     fn take(&mut self) -> Option<Plan> {
-        self.stream.take()
+        match &mut self.0 {
+            Reading::Free(stream) => stream.take(),
+            Reading::Limited(rests) => rests.take(),
+        }
     }
 
     fn finish(&mut self) -> Option<Plan> {
-        let moves = std::mem::take(&mut self.moves);
-        if moves.is_empty() {
-            return self.stream.finish();
+        match &mut self.0 {
+            Reading::Free(stream) => stream.finish(),
+            Reading::Limited(rests) => rests.finish(),
         }
-        Some(Optimal { dynamics: &self.dynamics }.plan(moves))
     }
 }
 
 impl Optimal<'_> {
+    /// Moves from rest to rest, with a limit of jerk. By itself, so that its plan does not depend on
+    /// what is before and after.
+    fn run(&self, moves: &[Move], jerk: &Axes) -> Timed {
+        let track = Track::of(moves, self.dynamics.tolerance_mm);
+        match track.dims {
+            3 => self.limited::<3>(track, moves, jerk),
+            _ => self.limited::<AXES>(track, moves, jerk),
+        }
+    }
+
     fn limited<const N: usize>(&self, track: Track, moves: &[Move], jerk: &Axes) -> Timed {
         let dynamics = *self.dynamics;
         let kernel = Kernel::Triangle;

@@ -33,6 +33,8 @@ pub(crate) struct Part<const N: usize> {
     pub accel: [[Row; 4]; N],
     /// The same of its derivative by s.
     pub gain: [[Row; 3]; N],
+    /// Which axes move.
+    pub moves: [bool; N],
 }
 
 /// Coefficients of x₀, x₁ and x₂.
@@ -71,7 +73,9 @@ impl<const N: usize> Piece<N> {
         };
         let accel = std::array::from_fn(|k| axis(k).accel(&x));
         let gain = std::array::from_fn(|k| axis(k).gain(&x));
-        self.parts.push(Part { ordinates: x.ordinates, accel, gain });
+        let still = |k: usize| frame.slope[k] == 0.0 && middle[k] == 0.0 && end.slope[k] == 0.0;
+        let moves = std::array::from_fn(|k| !still(k));
+        self.parts.push(Part { ordinates: x.ordinates, accel, gain, moves });
     }
 }
 

@@ -115,6 +115,11 @@ impl Timed {
         a.t_s + within.min(b.t_s - a.t_s)
     }
 
+    /// Everything happens later by so much.
+    pub fn delay(&mut self, t_s: f64) {
+        self.nodes.iter_mut().for_each(|node| node.t_s += t_s);
+    }
+
     /// When the first node is passed; not zero for a later piece of a stack.
     fn start_s(&self) -> f64 {
         self.nodes.first().map_or(0.0, |n| n.t_s)

@@ -29,7 +29,7 @@ pub(crate) struct Track {
     /// Axes that are stored: 3 when only X, Y and Z move, else all.
     pub dims: usize,
     /// Coordinates of the vertices, `dims` each.
-    coords: Vec<f64>,
+    pub coords: Vec<f64>,
     /// Where the axes stand that are not stored.
     rest: Axes,
     /// Length from the start to each vertex, mm.

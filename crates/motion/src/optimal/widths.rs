@@ -88,7 +88,7 @@ impl<const N: usize> Smoothing<N> {
     /// Goes on with vertices that are new; `ended` when there will be no more. Gives for how many
     /// vertices the widest bumps are final.
     pub fn advance(&mut self, track: &Track, moves: &[Move], ended: bool) -> usize {
-        self.turn(track, moves, ended);
+        self.look(track, moves, ended);
         let known = self.turns.len();
         let behind = |n: usize| if ended { n } else { n.saturating_sub(REACH) };
         let alone = behind(known).max(self.done.alone);
@@ -149,8 +149,13 @@ impl<const N: usize> Smoothing<N> {
         self.stop = self.stop.saturating_sub(vertices);
     }
 
-    /// Turns of the vertices whose next vertex is known.
-    fn turn(&mut self, track: &Track, moves: &[Move], ended: bool) {
+    /// For how many vertices it is known whether the machine stands there.
+    pub const fn looked_at(&self) -> usize {
+        self.turns.len()
+    }
+
+    /// Finds the turns of the vertices whose next vertex is known.
+    pub fn look(&mut self, track: &Track, moves: &[Move], ended: bool) {
         let known = if ended { track.len() } else { track.len().saturating_sub(1) };
         for j in self.turns.len()..known {
             let direction = if j + 1 < track.len() { track.direction(j) } else { [0.0; N] };
@@ -214,6 +219,9 @@ impl<const N: usize> Smoothing<N> {
     /// On a curve of even chords, narrows a bump so that it begins and ends where others do: at a
     /// vertex or in the middle between two. The sum of all then has the same curvature everywhere.
     fn even(&self, j: usize, at: &[f64], c: f64) -> f64 {
+        if self.kernel != Kernel::Box {
+            return c;
+        }
         let (before, after) = (at[j] - at[j - 1], at[j + 1] - at[j]);
         let short = before.min(after);
         if before.max(after) > UNEVEN * short || c < 0.5 * short || self.turns[j] > CURVE {
