@@ -31,6 +31,8 @@ pub struct Comparing {
     pub start: Axes,
     /// What happens while tools are changed is each machine's own.
     pub own_tool_changes: bool,
+    /// How far places may lie apart, mm or degrees.
+    pub same_mm: f64,
     /// Arcs beside which other axes turn are chords in the second program.
     pub chords: bool,
 }
@@ -82,6 +84,7 @@ struct Motions<I> {
     here: Axes,
     /// Motions of tool changes are left out.
     own: bool,
+    same_mm: f64,
     changing: bool,
     /// A tool was changed since the last motion.
     changed: bool,
@@ -92,7 +95,7 @@ struct Motions<I> {
 impl<'a, I: Iterator<Item = &'a Sourced>> Motions<I> {
     const fn new(commands: I, how: Comparing) -> Self {
         let (here, own) = (how.start, how.own_tool_changes);
-        Self { commands, here, own, changing: false, changed: false, last: 0 }
+        Self { commands, here, own, same_mm: how.same_mm, changing: false, changed: false, last: 0 }
     }
 
     /// The next motion: its line, where it begins, what it is.
@@ -109,7 +112,8 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Motions<I> {
                 }
                 _ => continue,
             };
-            let still = matches!(motion, Motion::Line(_)) && near(self.here, motion.to());
+            let still = matches!(motion, Motion::Line(_))
+                && near_within(self.here, motion.to(), self.same_mm);
             if still {
                 continue;
             }
@@ -143,6 +147,14 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
         next.map(|(_, from, motion)| (from, motion))
     }
 
+    fn close(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() <= self.how.same_mm
+    }
+
+    fn near(&self, a: Axes, b: Axes) -> bool {
+        near_within(a, b, self.how.same_mm)
+    }
+
     fn follow(&mut self, motion: &Motion) -> Result<(), String> {
         let from = std::mem::replace(&mut self.here, motion.to());
         match motion {
@@ -155,7 +167,7 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
         loop {
             let next = self.next();
             let began = next.map_or(self.second.here, |(began, _)| began);
-            if self.raised && near(began, line.to) {
+            if self.raised && self.near(began, line.to) {
                 // The change of tools has lifted it there already.
                 (self.kept, self.raised) = (next, false);
                 return Ok(());
@@ -164,20 +176,20 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
                 return Err(format!("no line to {}", place(line.to)));
             };
             if self.raised {
-                let lifts = (0..6).all(|i| i == 2 || close(began.0[i], other.to.0[i]));
-                let comes_down = lifts && close(other.to.0[2], from.0[2]);
-                if comes_down && !near(line.to, other.to) {
+                let lifts = (0..6).all(|i| i == 2 || self.close(began.0[i], other.to.0[i]));
+                let comes_down = lifts && self.close(other.to.0[2], from.0[2]);
+                if comes_down && !self.near(line.to, other.to) {
                     self.raised = false;
                     continue;
                 }
-                let beside = (0..6).all(|i| i == 2 || close(line.to.0[i], other.to.0[i]));
+                let beside = (0..6).all(|i| i == 2 || self.close(line.to.0[i], other.to.0[i]));
                 if beside && line.kind == MoveKind::Jog && other.kind == MoveKind::Jog {
-                    self.raised = !close(line.to.0[2], other.to.0[2]);
+                    self.raised = !self.close(line.to.0[2], other.to.0[2]);
                     return Ok(());
                 }
             }
-            self.raised &= !close(line.to.0[2], other.to.0[2]);
-            if !near(line.to, other.to) {
+            self.raised &= !self.close(line.to.0[2], other.to.0[2]);
+            if !self.near(line.to, other.to) {
                 return Err(format!("{} became {}", place(line.to), place(other.to)));
             }
             if line.kind != other.kind {
@@ -188,9 +200,9 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
     }
 
     fn arc(&mut self, arc: &Arc, from: Axes) -> Result<(), String> {
-        let circle = Circle::new(arc, from);
+        let circle = Circle::new(arc, from, self.how.same_mm);
         let short = circle.chord < SHORT_MM && arc.sweep_rad.abs() < 2.0;
-        if short && near(from, arc.to) {
+        if short && self.near(from, arc.to) {
             return Ok(());
         }
         let mut left = arc.sweep_rad.abs();
@@ -203,18 +215,18 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
                     circle.holds(&other, began)?;
                     left -= other.sweep_rad * arc.sweep_rad.signum();
                 }
-                Motion::Line(line) if short && near(line.to, arc.to) => return Ok(()),
+                Motion::Line(line) if short && self.near(line.to, arc.to) => return Ok(()),
                 Motion::Line(line) if self.raised => {
                     self.raised = false;
-                    let lifts = (0..6).all(|i| i == 2 || close(began.0[i], line.to.0[i]));
-                    if !lifts || !close(line.to.0[2], from.0[2]) {
+                    let lifts = (0..6).all(|i| i == 2 || self.close(began.0[i], line.to.0[i]));
+                    if !lifts || !self.close(line.to.0[2], from.0[2]) {
                         return Err("another way behind a change of tools".into());
                     }
                     continue;
                 }
                 Motion::Line(line) if self.how.chords => {
                     circle.near(line.to, CHORD_MM)?;
-                    if near(line.to, arc.to) {
+                    if self.near(line.to, arc.to) {
                         return Ok(());
                     }
                     continue;
@@ -238,11 +250,11 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
         if left < -circle.angle_slack() || !near_within(to, arc.to, circle.slack) {
             return Err(format!("an arc to {} became one to {}", place(arc.to), place(to)));
         }
-        if !near(to, arc.to) {
+        if !self.near(to, arc.to) {
             // A line brings it to the end that is named.
             self.kept = self.next();
             if let Some((_, Motion::Line(line))) = self.kept
-                && near(line.to, arc.to)
+                && self.near(line.to, arc.to)
             {
                 self.kept = None;
             }
@@ -261,14 +273,14 @@ struct Circle {
 }
 
 impl Circle {
-    fn new(arc: &Arc, from: Axes) -> Self {
+    fn new(arc: &Arc, from: Axes, same_mm: f64) -> Self {
         let radius = |p: Axes| (p.0[0] - arc.centre[0]).hypot(p.0[1] - arc.centre[1]);
         let (r1, r2) = (radius(from), radius(arc.to));
         let chord = (from.0[0] - arc.to.0[0]).hypot(from.0[1] - arc.to.0[1]);
         Self {
             centre: arc.centre,
             radius: (r1 + r2) / 2.0,
-            slack: SAME_MM + (r1 - r2).abs(),
+            slack: same_mm + (r1 - r2).abs(),
             chord,
         }
     }
@@ -300,14 +312,6 @@ impl Circle {
         }
         Ok(())
     }
-}
-
-fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SAME_MM
-}
-
-fn near(a: Axes, b: Axes) -> bool {
-    near_within(a, b, SAME_MM)
 }
 
 fn near_within(a: Axes, b: Axes, slack: f64) -> bool {

@@ -20,12 +20,15 @@ mod compare;
 mod follow;
 mod host;
 mod item;
+mod kept;
 mod languages;
 mod resolved;
 mod start;
+mod times;
 
 pub use compare::{Comparing, Difference, SAME_MM, same_motion};
 pub use item::{Item, Passage};
+pub use times::cutting_s;
 
 use kerf_diag::Diagnostic;
 use kerf_gcode::Dialect;
@@ -83,6 +86,8 @@ pub struct Conversion {
     pub sbp: kerf_sbp::Options,
     /// Variables set before the start.
     pub variables: kerf_sbp::Variables,
+    /// Keep variables, conditions and subroutines where both languages can say them.
+    pub keep_variables: bool,
     /// The outputs of mist and flood coolant; 0 for none.
     pub coolant_outputs: [u8; 2],
     /// Comments in the first lines.

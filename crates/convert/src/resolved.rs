@@ -1,9 +1,11 @@
 //! A program as everything it does, written in another language.
 
-use crate::compare::{Comparing, same_motion};
+use crate::compare::{Comparing, SAME_MM, same_motion};
 use crate::follow::follow;
 use crate::item::{Item, Passage};
+use crate::kept::{self, KEPT_MM, Unkept};
 use crate::start::{ODD, says_its_places};
+use crate::times::{cutting_s, switched};
 use crate::{Conversion, Converted, Hosts, Language, Source};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_gcode::{Writer, Writing};
@@ -11,6 +13,10 @@ use kerf_program::settings::{AxisUnit, LinearUnit};
 use kerf_program::{At, Axes, Axis, Lost, Printer, Settings, Status, Written};
 use kerf_sbp::{Printing, SbpPrinter};
 use std::sync::Arc;
+
+/// Cutting times of a program that keeps its variables may differ by this share: speeds of shallow
+/// slopes, and the seven digits of variables.
+const SAME_SHARE: f64 = 0.006;
 
 /// Converts by following the program.
 pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {
@@ -27,16 +33,50 @@ pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> C
     }
     let unit = passage.at_motion.as_ref().map_or(how.settings.linear_unit, |(unit, _)| *unit);
     let settings = settings_for(how, &passage, unit);
+    if how.keep_variables {
+        match keep(source, &passage, how, &settings, start, hosts) {
+            Ok(text) => return Converted { text: Some(text), diagnostics },
+            Err(unkept) => diagnostics.push(unkept),
+        }
+    }
     let written = write(&passage, how, &settings, unit, start);
     diagnostics.extend(written.lost.iter().map(|lost| told(lost, &passage, how.to)));
     if written.lost.iter().any(|lost| lost.is_motion) {
         return Converted { text: None, diagnostics };
     }
-    if let Err(difference) = read_back(&passage, &written, how, &settings, start, hosts) {
+    let how = &Conversion { keep_variables: false, ..how.clone() };
+    if let Err(difference) = read_back(&passage, &written.text, how, &settings, start, hosts) {
         diagnostics.push(difference);
         return Converted { text: None, diagnostics };
     }
     Converted { text: Some(written.text), diagnostics }
+}
+
+/// Converts tree to tree, if that gives the same motion, speeds and switching.
+fn keep(
+    source: &Source<'_>,
+    passage: &Passage,
+    how: &Conversion,
+    settings: &Settings,
+    start: Axes,
+    hosts: Hosts<'_, '_>,
+) -> Result<String, Diagnostic> {
+    let unkept = |unkept: Unkept| {
+        let place = Place::line(source.name.clone(), unkept.line);
+        Diagnostic::new(Code::NotKept, place, format!("variables are not kept: {}", unkept.what))
+            .hint("the file was written as the moves it makes")
+    };
+    let keeping = Conversion { settings: settings.clone(), ..how.clone() };
+    let text = kept::convert(source, &keeping).map_err(unkept)?;
+    let found = read_back(passage, &text, how, settings, start, hosts).map_err(|difference| {
+        unkept(Unkept { line: difference.place.line, what: difference.message })
+    })?;
+    let [first, second] = [cutting_s(passage, &how.settings), cutting_s(&found, settings)];
+    if (first - second).abs() > SAME_SHARE * first + 1e-6 || switched(passage) != switched(&found) {
+        let what = "its speeds or switches would not be the same".into();
+        return Err(unkept(Unkept { line: 1, what }));
+    }
+    Ok(text)
 }
 
 /// What the program does, and where it was followed from.
@@ -207,14 +247,14 @@ fn told(lost: &Lost, passage: &Passage, to: Language) -> Diagnostic {
 /// Reads what was written, follows it and compares.
 fn read_back(
     passage: &Passage,
-    written: &Written,
+    text: &str,
     how: &Conversion,
     settings: &Settings,
     start: Axes,
     hosts: Hosts<'_, '_>,
-) -> Result<(), Diagnostic> {
+) -> Result<Passage, Diagnostic> {
     let name: Arc<str> = Arc::from("converted file");
-    let again = Source { name, bytes: written.text.as_bytes(), language: how.to };
+    let again = Source { name, bytes: text.as_bytes(), language: how.to };
     // A turning axis has its unit already, so that naming it does not move it.
     let reading = Conversion {
         settings: Settings { axis_count: 3, ..settings.clone() },
@@ -239,10 +279,12 @@ fn read_back(
     let comparing = Comparing {
         start,
         own_tool_changes: how.to == Language::OpenSbp,
+        same_mm: if how.keep_variables { KEPT_MM } else { SAME_MM },
         chords: how.to == Language::OpenSbp,
     };
     same_motion(passage.commands(), found.commands(), comparing).map_err(|difference| {
         let line = difference.line;
         differs(difference.at, format!("{} (line {line} of the converted file)", difference.what))
-    })
+    })?;
+    Ok(found)
 }

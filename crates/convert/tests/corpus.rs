@@ -6,11 +6,11 @@
 
 mod support;
 
-use kerf_convert::Language;
+use kerf_convert::{Language, cutting_s};
 use kerf_diag::Code;
 use kerf_program::settings::LinearUnit;
 use std::path::Path;
-use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, corpus, cutting_s, followed, plain};
+use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, corpus, followed, plain};
 
 /// Feeds may differ by this share: what VS leaves on shallow slopes.
 const SAME_SHARE: f64 = 0.006;

@@ -1,7 +1,8 @@
 //! Conversions kept as files that a person can read.
 //!
 //! Each source in `golden` has beside it what it is converted to, for every target that its first line
-//! names (`'to: linuxcnc grbl` or `(to: sbp)`), with what was told at the end. When a conversion
+//! names (`'to: linuxcnc grbl` or `(to: sbp)`; `linuxcnc-kept` keeps variables), with what was told at
+//! the end. When a conversion
 //! changes for a reason, `KERF_BLESS=1 cargo test -p kerf-convert --test golden` writes the new one;
 //! read the difference before keeping it.
 
@@ -9,7 +10,7 @@
 
 mod support;
 
-use kerf_convert::Language;
+use kerf_convert::{Conversion, Language};
 use kerf_program::settings::LinearUnit;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -46,7 +47,9 @@ fn conversion(source: &Path, target: &str) -> String {
     let text = fs::read_to_string(source).unwrap();
     let from = if source.extension().unwrap() == "sbp" { SBP } else { LINUXCNC };
     let name = source.file_name().unwrap().to_string_lossy().into_owned();
-    let how = plain(from, language(target), LinearUnit::Inch);
+    let (target, kept) = target.strip_suffix("-kept").map_or((target, false), |t| (t, true));
+    let how =
+        Conversion { keep_variables: kept, ..plain(from, language(target), LinearUnit::Inch) };
     let made = converted(&name, text.as_bytes(), &how, folder());
     let mut out = made.text.unwrap_or_else(|| "nothing was written\n".into());
     for d in made.diagnostics {

@@ -8,7 +8,7 @@ mod quiet;
 use kerf_convert::{Conversion, Converted, Language, Passage, Source, convert, passage};
 use kerf_gcode::Dialect;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Axes, Axis, Command, Feed, MoveKind, Settings};
+use kerf_program::{Axes, Settings};
 use std::path::PathBuf;
 
 pub const LINUXCNC: Language = Language::Gcode(Dialect::LinuxCnc);
@@ -26,6 +26,7 @@ pub fn plain(from: Language, to: Language, unit: LinearUnit) -> Conversion {
         settings,
         sbp: kerf_sbp::Options { max_lines: 1_000_000, ..kerf_sbp::Options::default() },
         variables: kerf_sbp::Variables::default(),
+        keep_variables: false,
         coolant_outputs: [0, 0],
         title: String::new(),
     }
@@ -44,47 +45,6 @@ pub fn followed(name: &str, bytes: &[u8], how: &Conversion, folder: PathBuf) -> 
         follow(&mut quiet::Quiet(folder.clone()))
     };
     passage(&source, how, &mut hosts, Axes::default())
-}
-
-/// How long its cuts take at their feeds, seconds, without ramps; changes of tools left out.
-pub fn cutting_s(passage: &Passage, settings: &Settings) -> f64 {
-    let (mut here, mut speeds, mut total, mut changing) =
-        (passage.start, settings.speeds, 0.0, false);
-    for sourced in passage.commands() {
-        let (kind, to, feed, xy) = match &sourced.command {
-            Command::Line(l) => {
-                (l.kind, l.to, l.feed, (l.to.0[0] - here.0[0]).hypot(l.to.0[1] - here.0[1]))
-            }
-            Command::Arc(a) => {
-                let radius = (a.centre[0] - here.0[0]).hypot(a.centre[1] - here.0[1]);
-                (a.kind, a.to, a.feed, radius * a.sweep_rad.abs())
-            }
-            Command::Settings(settings) => {
-                speeds = settings.speeds;
-                continue;
-            }
-            Command::ToolChange { begin } => {
-                changing = *begin;
-                continue;
-            }
-            _ => continue,
-        };
-        let delta = to.minus(std::mem::replace(&mut here, to));
-        if kind == MoveKind::Jog || changing {
-            continue;
-        }
-        let space = xy.hypot(delta[Axis::Z]);
-        let turned = delta[Axis::A].hypot(delta[Axis::B]).hypot(delta[Axis::C]);
-        total += match feed {
-            Feed::Path(speed) => (if space > 0.0 { space } else { turned }) / speed,
-            Feed::Time(seconds) => seconds,
-            Feed::Axis => Axis::ALL[2..]
-                .iter()
-                .map(|a| delta[*a].abs() / speeds.cut.of(*a))
-                .fold(xy / speeds.cut.xy, f64::max),
-        };
-    }
-    total
 }
 
 /// Real files of a kind, by name; nothing where they are not beside the checkout. They are looked for

@@ -38,6 +38,9 @@ pub struct ConvertArgs {
     /// The controller that the G-code was written for
     #[arg(long, value_enum, default_value = "generic", value_name = "CONTROLLER")]
     from: Controller,
+    /// Keeps variables, loops, conditions and subroutines where both languages can say them (LinuxCNC)
+    #[arg(long)]
+    keep_variables: bool,
     /// The output that switches mist coolant (M7); 0 for none
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=12))]
     mist_output: u8,
@@ -133,6 +136,7 @@ fn conversion(args: &ConvertArgs, from: Language, to: Language) -> Result<Conver
         title: title(args, to, &settings),
         settings,
         variables,
+        keep_variables: args.keep_variables,
         coolant_outputs: [args.mist_output, args.flood_output],
     })
 }

@@ -1,0 +1,152 @@
+//! O-words as labels and jumps.
+
+use super::Unkept;
+use super::gcode_expressions::Words;
+use super::gcode_lines::Keeper;
+use kerf_gcode::Expr;
+use kerf_gcode::tree::{Flow, Keyword, Label};
+
+impl Keeper<'_> {
+    /// Writes an O-word.
+    pub(super) fn flow(&mut self, line: u32, flow: &Flow) -> Result<(), Unkept> {
+        let Some(label) = &flow.label else {
+            return Err(Unkept::new(line, "an O-word whose label is computed"));
+        };
+        let name = name_of(label);
+        match flow.keyword {
+            Keyword::Sub => self.begin_sub(line, name),
+            Keyword::Endsub => {
+                self.line("RETURN");
+                self.sub = None;
+                Ok(())
+            }
+            Keyword::Return if flow.values.is_empty() => {
+                self.line("RETURN");
+                Ok(())
+            }
+            Keyword::Call => self.call(line, &name, &flow.values),
+            Keyword::While => {
+                let label = self.scoped(&name);
+                self.line(&format!("AGAIN_{label}:"));
+                self.leave(line, flow, false, &format!("DONE_{label}"))
+            }
+            Keyword::Endwhile => {
+                let label = self.scoped(&name);
+                self.line(&format!("GOTO AGAIN_{label}"));
+                self.line(&format!("DONE_{label}:"));
+                Ok(())
+            }
+            Keyword::Do => {
+                let label = self.scoped(&name);
+                self.line(&format!("AGAIN_{label}:"));
+                Ok(())
+            }
+            Keyword::DoWhile => {
+                let label = self.scoped(&name);
+                self.leave(line, flow, true, &format!("AGAIN_{label}"))?;
+                self.line(&format!("DONE_{label}:"));
+                Ok(())
+            }
+            Keyword::Repeat => {
+                let label = self.scoped(&name);
+                let count = self.words(line).value(first(flow))?;
+                self.line(&format!("&turns_{label} = {count}"));
+                self.line(&format!("AGAIN_{label}:"));
+                self.line(&format!("IF &turns_{label} < 1 THEN GOTO DONE_{label}"));
+                self.line(&format!("&turns_{label} = &turns_{label} - 1"));
+                Ok(())
+            }
+            Keyword::Endrepeat => {
+                let label = self.scoped(&name);
+                self.line(&format!("GOTO AGAIN_{label}"));
+                self.line(&format!("DONE_{label}:"));
+                Ok(())
+            }
+            Keyword::Break => {
+                let label = self.scoped(&name);
+                self.line(&format!("GOTO DONE_{label}"));
+                Ok(())
+            }
+            Keyword::If => {
+                let label = self.scoped(&name);
+                self.branches.push((label.clone(), 1));
+                self.leave(line, flow, false, &format!("ELSE_{label}_1"))
+            }
+            Keyword::Elseif | Keyword::Else => self.other_branch(line, flow),
+            Keyword::Endif => {
+                let Some((label, branch)) = self.branches.pop() else { return Ok(()) };
+                if branch > 0 {
+                    self.line(&format!("ELSE_{label}_{branch}:"));
+                }
+                self.line(&format!("ENDIF_{label}:"));
+                Ok(())
+            }
+            _ => Err(Unkept::new(line, "this O-word")),
+        }
+    }
+
+    /// A jump to a label where the condition holds, or where it does not.
+    fn leave(&mut self, line: u32, flow: &Flow, holds: bool, label: &str) -> Result<(), Unkept> {
+        let condition = self.words(line).condition(first(flow), holds)?;
+        self.line(&format!("IF {condition} THEN GOTO {label}"));
+        Ok(())
+    }
+
+    fn other_branch(&mut self, line: u32, flow: &Flow) -> Result<(), Unkept> {
+        let Some((label, branch)) = self.branches.pop() else { return Ok(()) };
+        self.line(&format!("GOTO ENDIF_{label}"));
+        self.line(&format!("ELSE_{label}_{branch}:"));
+        let next = if flow.keyword == Keyword::Else { 0 } else { branch + 1 };
+        self.branches.push((label.clone(), next));
+        if next > 0 {
+            self.leave(line, flow, false, &format!("ELSE_{label}_{next}"))?;
+        }
+        Ok(())
+    }
+
+    fn begin_sub(&mut self, line: u32, name: String) -> Result<(), Unkept> {
+        if self.sub.is_some() {
+            return Err(Unkept::new(line, "a subroutine within another"));
+        }
+        self.line(&format!("SUB_{name}:"));
+        self.sub = Some(format!("s_{name}"));
+        Ok(())
+    }
+
+    /// The values of a call are the first parameters of the subroutine, the rest are zero.
+    fn call(&mut self, line: u32, name: &str, values: &[Expr]) -> Result<(), Unkept> {
+        if self.sub.as_deref() == Some(&format!("s_{name}")) {
+            return Err(Unkept::new(line, "a subroutine that calls itself"));
+        }
+        for (i, value) in values.iter().enumerate() {
+            let value = self.words(line).alone(value)?;
+            self.line(&format!("&s_{name}_p{} = {value}", i + 1));
+        }
+        self.line(&format!("GOSUB SUB_{name}"));
+        Ok(())
+    }
+
+    /// Labels of O-words are a subroutine's own.
+    fn scoped(&self, name: &str) -> String {
+        self.sub.as_ref().map_or_else(|| name.to_string(), |sub| format!("{sub}_{name}"))
+    }
+
+    pub(super) fn words(&self, line: u32) -> Words<'_> {
+        Words { program: self.program, line, sub: self.sub.as_deref() }
+    }
+}
+
+fn name_of(label: &Label) -> String {
+    match label {
+        Label::Number(n) => n.to_string(),
+        Label::Name(name) => {
+            name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
+        }
+    }
+}
+
+/// The condition or count of an O-word; the reader has checked that it is there.
+fn first(flow: &Flow) -> &Expr {
+    const ZERO: &Expr = &Expr::Number(0.0);
+    flow.values.first().unwrap_or(ZERO)
+}

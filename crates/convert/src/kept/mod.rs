@@ -1,0 +1,53 @@
+//! Tree to tree: variables, conditions, loops and subroutines stay what they are.
+//!
+//! OpenSBP has labels and jumps, G-code has O-words, and numbers are single precision on one side and
+//! double on the other. So not every program can be kept. What cannot is refused with its line, and
+//! the whole program is written as the moves it makes instead. What could be kept is followed and
+//! compared with the source, as every conversion is, within [`KEPT_MM`].
+
+mod gcode_expressions;
+mod gcode_flow;
+mod gcode_lines;
+mod jumps;
+mod sbp_expressions;
+mod sbp_lines;
+
+use crate::{Conversion, Language, Source};
+use kerf_gcode::Dialect;
+
+/// How far a kept program may lie from its source, mm: variables of OpenSBP have seven digits.
+pub const KEPT_MM: f64 = 2e-4;
+
+/// A construct that the other language cannot say.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unkept {
+    /// Its line, from 1.
+    pub line: u32,
+    /// What it is, as part of a sentence.
+    pub what: String,
+}
+
+impl Unkept {
+    fn new(line: u32, what: impl Into<String>) -> Self {
+        Self { line, what: what.into() }
+    }
+}
+
+/// Converts tree to tree.
+///
+/// # Errors
+/// The first construct that cannot be kept.
+pub fn convert(source: &Source<'_>, how: &Conversion) -> Result<String, Unkept> {
+    match (source.language, how.to) {
+        (Language::OpenSbp, Language::Gcode(Dialect::LinuxCnc)) => {
+            sbp_lines::to_gcode(&kerf_sbp::read(source.name.clone(), source.bytes), how)
+        }
+        (Language::Gcode(_), Language::OpenSbp) => {
+            gcode_lines::to_sbp(&kerf_gcode::read(source.name.clone(), source.bytes), how)
+        }
+        (_, Language::Gcode(dialect)) => {
+            Err(Unkept::new(1, format!("{} has no variables", dialect.name())))
+        }
+        (Language::OpenSbp, Language::OpenSbp) => Err(Unkept::new(1, "it is OpenSBP already")),
+    }
+}
