@@ -11,6 +11,7 @@ mod gcode_lines;
 mod jumps;
 mod sbp_expressions;
 mod sbp_lines;
+mod sbp_moves;
 
 use crate::{Conversion, Language, Source};
 use kerf_gcode::Dialect;
