@@ -56,6 +56,7 @@ impl Words<'_> {
             ExprNode::Persistent(_) => return self.unkept("a value that survives ($)"),
             ExprNode::Unary(UnaryOp::Not, _) => return self.unkept("NOT as a number"),
             ExprNode::Call(function, None) => return self.unkept(function.name()),
+            ExprNode::Member(_) => return self.unkept("a value within a value"),
         })
     }
 
