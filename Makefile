@@ -4,6 +4,7 @@ SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c
 CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
+FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
 .PHONY: help run bench test properties check fuzz format conformance book figures prepare
@@ -52,6 +53,12 @@ figures: prepare ## draw the figures of the book anew
 
 run: prepare ## run the first example on the simulated machine and draw its path
 	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
+
+figures: prepare ## draw the pictures of the README from the examples
+	$(CARGO) build --locked --package kerf
+	for part in $(FIGURES); do \
+	  target/debug/kerf preview $$part -o docs/figures/$$(basename $$part .sbp).svg; \
+	done
 
 bench: prepare ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
 	$(CARGO) build --release --locked --package kerf --package kerf-bench

@@ -168,3 +168,11 @@ fn sbp_file_fs_mask() {
     assert_eq!(listed("FS,,*.*"), names);
     assert_eq!(listed("FS,,proj??.sbp"), ["proj12.sbp"]);
 }
+
+#[test]
+fn sbp_cmd_sp_space() {
+    // A console can tell what the space bar means: stop while a file runs, another view when not.
+    let told = watch(&[("a.sbp", "SP\nMX,1\n")], RunOptions::default(), f64::INFINITY);
+    assert!(told.contains(&"3:a.sbp 3".into()), "runs, and only draws: {told:?}");
+    assert_eq!(told.last().unwrap(), "2:", "idle, still in preview");
+}

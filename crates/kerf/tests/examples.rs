@@ -26,6 +26,23 @@ fn examples_are_free_of_warnings() {
     }
 }
 
+/// The pictures that README and book show are those that `make figures` draws.
+#[test]
+fn figures_are_fresh() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let scratch = tempfile::tempdir().unwrap();
+    for (folder, name) in [("03-coaster", "coaster")] {
+        let drawn = scratch.path().join("drawn.svg");
+        let part = format!("examples/{folder}/{name}.sbp");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_kerf"));
+        command.current_dir(&root).env("KERF_DATA", scratch.path()).args(["preview", &part, "-o"]);
+        assert!(command.arg(&drawn).status().unwrap().success(), "{part}");
+        let figure = root.join(format!("docs/figures/{name}.svg"));
+        let same = std::fs::read(&drawn).unwrap() == std::fs::read(&figure).unwrap_or_default();
+        assert!(same, "docs/figures/{name}.svg is stale: run make figures");
+    }
+}
+
 fn example_folders() -> Vec<PathBuf> {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let entries = std::fs::read_dir(examples).expect("the folder of examples");

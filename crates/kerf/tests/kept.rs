@@ -197,3 +197,14 @@ fn sbp_cmd_si_gcode() {
     send(&shop, &["X1"]).exits(0);
     assert_eq!(prints(&shop, "%(1);\" \";%(2)"), "3 2");
 }
+
+#[test]
+fn sbp_cmd_si_replay() {
+    let shop = Shop::new(&[]);
+    shop.kerf("send --again").exits(1).complains("nothing was sent before");
+    send(&shop, &["SR", "MX,1"]).exits(0);
+    shop.kerf("send --again --quiet").exits(0);
+    shop.kerf("send --again --quiet").exits(0);
+    assert_eq!(prints(&shop, "%(1)"), "3");
+    assert_eq!(shop.read("temp_code.sbp"), "SR\nMX,1\n", "they can be read and edited");
+}

@@ -24,8 +24,11 @@ const FILE: &str = "temp_code.sbp";
 )]
 pub struct SendArgs {
     /// The lines
-    #[arg(required = true, value_name = "LINE", allow_hyphen_values = false)]
+    #[arg(required_unless_present = "again", value_name = "LINE", allow_hyphen_values = false)]
     lines: Vec<String>,
+    /// Carries out the lines sent last, once more
+    #[arg(long, conflicts_with = "lines")]
+    again: bool,
     #[command(flatten)]
     machine: MachineArgs,
     #[command(flatten)]
@@ -34,9 +37,13 @@ pub struct SendArgs {
 
 pub fn run(args: &SendArgs) -> Result<Exit> {
     args.machine.check()?;
-    let text = args.lines.join("\n") + "\n";
-    let program = kerf_sbp::read_typed(FILE.into(), &text);
     let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
+    let text = if args.again {
+        shelf.text(FILE).with_context(|| format!("nothing was sent before: there is no {FILE}"))?
+    } else {
+        args.lines.join("\n") + "\n"
+    };
+    let program = kerf_sbp::read_typed(FILE.into(), &text);
     if !program.has_errors() {
         shelf.put(FILE, text.as_bytes()).with_context(|| format!("cannot write {FILE}"))?;
     }

@@ -80,6 +80,20 @@ fn outcome(rig: &Rig) -> (Vec<Sourced>, String) {
     (rig.out.clone(), saved(&rig.interpreter))
 }
 
+/// The centre of the last CG belongs to the state: the next one may leave it out.
+#[test]
+fn restoring_keeps_the_centre_of_an_arc() {
+    let text = "CG,,2,-2,0,-2 ⏎ M2,0,0 ⏎ CG,,2,-2";
+    let (mut plain, mut rig) = (Rig::new(text, &FILES), Rig::new(text, &FILES));
+    plain.finish();
+    while rig.done.is_none() {
+        rig.step();
+        rig.interpreter = restored(&saved(&rig.interpreter));
+        rig.come_to_rest();
+    }
+    assert_eq!((rig.out, rig.done), (plain.out, plain.done));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
