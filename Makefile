@@ -7,10 +7,10 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run bench test properties check fuzz format conformance book figures prepare
+.PHONY: help run bench bench-geometry test properties check fuzz format conformance book figures prepare
 
 help: ## list these targets
-	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 test: prepare ## run every test, once
 	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
@@ -61,8 +61,12 @@ figures: prepare ## draw the pictures of the README from the examples
 	done
 
 bench: prepare ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
-	$(CARGO) build --release --locked --package kerf --package kerf-bench
+	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
+
+bench-geometry: ## offsets beside those of other programs; GEOS=N compares N shapes of each hard family with GEOS
+	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry
+	target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS))
 
 prepare: ## install what building and testing need
 	@.ci/prepare

@@ -33,7 +33,7 @@ impl Indexed {
         let square = limit * limit;
         !self.tree.search(
             |b| b.distance_squared(place) < square,
-            |k| self.segments[k].distance(place) >= limit,
+            |k| !self.segments[k].is_nearer(place, limit),
         )
     }
 

@@ -199,3 +199,9 @@ fn the_result_does_not_depend_on_start_direction_or_place() {
         same(&shape.similar(&Transform2::scaled(p(5., 5.), 25.4, 25.4)), by * 25.4, 1.0, 25.4);
     });
 }
+
+#[test]
+fn contours_that_cross_are_named() {
+    let found = offset_region(&[sq100(), Polyarc::circle(p(100., 50.), 10.0)], -2.0);
+    assert!(matches!(found, Err(GeomError::Crosses { first: 0, second: 1, .. })), "{found:?}");
+}

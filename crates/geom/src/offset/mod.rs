@@ -11,10 +11,12 @@
 //! 2. [`slices`]: the raw curve is cut wherever it crosses itself; slices too near to the source go.
 //! 3. [`crate::stitch`]: what is left is joined into rings.
 //! 4. [`validate`]: an independent check of the result against its definition, that knows nothing of
-//!    steps 1 to 3. Only what passes is returned.
+//!    steps 1 to 3. Only what passes is returned; what fails is tried again where its coincidences fall
+//!    differently.
 //!
 //! A wrong offset is never returned: what cannot be proved right is an error that names the place.
 
+mod clearance;
 mod raw;
 mod rings;
 mod slices;
@@ -25,7 +27,7 @@ pub use validate::CHECK_MM;
 
 pub(crate) use raw::parallel;
 
-use crate::{GeomError, Point2, Polyarc, tol};
+use crate::{BoxTree, GeomError, Point2, Polyarc, Transform2, tol};
 use source::Source;
 
 /// What a segment of an offset is parallel to.
@@ -154,8 +156,48 @@ impl Prepared {
     fn proved(&self, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
         let source = Source::new(&self.contours);
         let found = attempt(&source, distance);
-        validate::validate(&source, distance, &found)?;
-        Ok(found)
+        let Err(why) = validate::validate(&source, distance, &found) else { return Ok(found) };
+        self.crossing().map_or(Ok(()), Err)?;
+        for (turn_rad, longer) in SECOND_ATTEMPTS {
+            let found = self.attempt_turned(distance + longer, turn_rad);
+            if validate::validate(&source, distance, &found).is_ok() {
+                return Ok(found);
+            }
+        }
+        Err(self.error_at_source(why))
+    }
+
+    /// The offset of the turned contours, turned back.
+    fn attempt_turned(&self, distance: f64, turn_rad: f64) -> Vec<OffsetPath> {
+        let turn = Transform2::turned(Point2::default(), turn_rad);
+        let back = Transform2::turned(Point2::default(), -turn_rad);
+        let turned: Vec<Polyarc> = self.contours.iter().map(|c| c.similar(&turn)).collect();
+        let mut found = attempt(&Source::new(&turned), distance);
+        found.iter_mut().for_each(|offset| offset.path = offset.path.similar(&back));
+        found
+    }
+
+    /// Where a contour crosses itself or another, if one does: what has no inside has no offset.
+    fn crossing(&self) -> Option<GeomError> {
+        let back = self.middle - Point2::default();
+        let boxes = BoxTree::new(self.contours.iter().map(Polyarc::bounds));
+        let mut pairs: Vec<(usize, usize)> = (0..self.contours.len()).map(|k| (k, k)).collect();
+        boxes.own_pairs(|a, b| pairs.push((a, b)));
+        pairs.into_iter().find_map(|(first, second)| {
+            let (a, b) = (&self.contours[first], &self.contours[second]);
+            let found = if first == second { a.self_crossings() } else { a.crossings(b) };
+            let at = found.first()?.first.at + back;
+            Some(GeomError::Crosses { first, second, at })
+        })
+    }
+
+    /// An error with its place where the source is.
+    fn error_at_source(&self, error: GeomError) -> GeomError {
+        let back = self.middle - Point2::default();
+        match error {
+            GeomError::Unproved { why, at } => GeomError::Unproved { why, at: at + back },
+            other => other,
+        }
     }
 
     /// Back to where the source is, with the source's numbers.
@@ -167,6 +209,10 @@ impl Prepared {
         }
     }
 }
+
+/// What is tried when the first attempt fails its check: the shape turned by some angle, which makes other
+/// roundings of coincident curves, and in the end an offset that differs by less than the check can see.
+const SECOND_ATTEMPTS: [(f64, f64); 4] = [(0.7, 0.0), (2.9, 0.0), (1.3, 2e-7), (0.3, -2e-7)];
 
 /// Steps 1 to 3.
 fn attempt(source: &Source, distance: f64) -> Vec<OffsetPath> {

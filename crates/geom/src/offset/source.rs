@@ -1,6 +1,7 @@
 //! The contours that are offset, and how far places are from them.
 
-use crate::{Indexed, Point2, Polyarc, Segment};
+use crate::segment::square;
+use crate::{Bounds2, Indexed, Point2, Polyarc, Segment};
 
 /// All segments of all contours with an index.
 pub(super) struct Source<'a> {
@@ -24,6 +25,18 @@ impl<'a> Source<'a> {
     /// The segments of all contours, numbered through.
     pub fn segments(&self) -> &[Segment] {
         &self.indexed.segments
+    }
+
+    /// The segments that may lie nearer than `limit` to something within bounds.
+    pub fn near(&self, bounds: &Bounds2, limit: f64, found: &mut Vec<Segment>) {
+        let (middle, half) = (bounds.centre(), square(bounds.size()).sqrt() * 0.5);
+        let area = bounds.grown(limit);
+        self.indexed.tree.meeting(&area, |k| {
+            let segment = self.indexed.segments[k];
+            if segment.is_nearer(middle, limit + half) {
+                found.push(segment);
+            }
+        });
     }
 
     /// Whether some segment lies nearer to a place than `limit`.

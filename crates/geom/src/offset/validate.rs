@@ -7,8 +7,10 @@
 //! - *Complete*: the parallel of each source segment and the arc of each corner is walked; where it has
 //!   room on its far side it must belong to the result.
 
+use super::clearance::{places, too_near};
 use super::source::Source;
 use super::{OffsetPath, Origin, raw};
+use crate::segment::square;
 use crate::{BoxTree, GeomError, Point2, Segment, Vec2};
 use std::cell::OnceCell;
 
@@ -20,120 +22,143 @@ pub const CHECK_MM: f64 = 1e-6;
 /// tool has no room: its offset may come or go.
 const ROOM_MM: f64 = 1e-5;
 
-/// Checks places on each segment at least this densely, as a share of the distance.
-const SPACING: f64 = 0.25;
-/// But not more of them on one segment.
-const MOST_PLACES: usize = 64;
-
 type Checked = Result<(), GeomError>;
 
 /// Whether `found` is the offset of the source.
 pub(super) fn validate(source: &Source, distance: f64, found: &[OffsetPath]) -> Checked {
-    for offset in found {
-        for (segment, origin) in offset.path.segments().zip(&offset.origins) {
-            follows_origin(source, distance, &segment, origin)?;
-            nowhere_nearer(source, distance, &segment)?;
-        }
+    let segments: Vec<Segment> = found.iter().flat_map(|f| f.path.segments()).collect();
+    let origins = found.iter().flat_map(|f| &f.origins);
+    for (segment, origin) in segments.iter().zip(origins) {
+        follows_origin(source, distance, segment, origin)?;
     }
-    complete(source, distance, found)
+    if let Some(at) = too_near(source, distance, &segments) {
+        return unproved("nearer to another part of the source", at);
+    }
+    complete(source, distance, &Coverage::new(source, found, segments))
 }
 
 fn unproved(why: &'static str, at: Point2) -> Checked {
     Err(GeomError::Unproved { why, at })
 }
 
-/// Start, middle and end at the distance from what the segment says it is parallel to, to the right.
+/// At the distance from what the segment says it is parallel to, on the right side, in its direction.
 fn follows_origin(source: &Source, distance: f64, segment: &Segment, origin: &Origin) -> Checked {
     let of = &source.segments()[source.first[origin.contour] + origin.element];
-    for share in [0.0, 0.5, 1.0] {
-        let at = segment.at(share);
+    let short = segment.start().distance(segment.end()) <= 100.0 * CHECK_MM;
+    for at in [segment.start(), segment.at(0.5), segment.end()] {
         if !at.x.is_finite() || !at.y.is_finite() {
             return unproved("a place that is no number", at);
         }
-        let foot = if origin.corner { of.start() } else { of.nearest(at).at };
-        let out = at - foot;
-        if (out.length() - distance.abs()).abs() > CHECK_MM {
+        let off = if origin.corner {
+            square(at - of.start()).sqrt() - distance.abs()
+        } else {
+            right_of(of, at) - distance
+        };
+        if off.abs() > CHECK_MM {
             return unproved("not at its distance", at);
         }
-        let right = -segment.direction(share).left() * distance.signum();
-        // Right of travel: the way from the foot is the normal, up to what short segments blur.
-        if out.dot(right) < 0.9 * distance.abs() && segment.length() > 100.0 * CHECK_MM {
-            return unproved("on the wrong side", at);
-        }
     }
-    Ok(())
+    // Lines are at their distance between their ends as well, arcs when they turn about the same centre:
+    // that is what the middle shows. It remains that travel goes the way of the source.
+    let (middle, along) = (segment.at(0.5), segment.direction(0.5));
+    let forward = if origin.corner {
+        (middle - of.start()).cross(along) * distance > 0.0
+    } else {
+        of.direction(of.nearest(middle).share).dot(along) > 0.9
+    };
+    if forward || short { Ok(()) } else { unproved("on the wrong side", segment.at(0.5)) }
 }
 
-fn places(length: f64, distance: f64) -> usize {
-    (length / (distance.abs() * SPACING)).ceil().clamp(1.0, MOST_PLACES as f64) as usize
-}
-
-fn nowhere_nearer(source: &Source, distance: f64, segment: &Segment) -> Checked {
-    let count = places(segment.length(), distance);
-    let limit = distance.abs() - CHECK_MM;
-    for k in 0..count {
-        let at = segment.at((k as f64 + 0.5) / count as f64);
-        if source.is_nearer(at, limit) {
-            return unproved("nearer to another part of the source", at);
+/// How far a place lies to the right of a segment's line or circle, if its foot lies on the segment; else
+/// not a number, which is no distance at all.
+fn right_of(of: &Segment, place: Point2) -> f64 {
+    match *of {
+        Segment::Line { start, end } => {
+            let (along, to) = (end - start, place - start);
+            let long = square(along).sqrt();
+            let reach = to.dot(along) / long;
+            let beside = reach >= -CHECK_MM && reach <= long + CHECK_MM;
+            if beside { to.cross(along) / long } else { f64::NAN }
+        }
+        Segment::Arc { centre, radius, sweep_rad, .. } => {
+            // The foot may miss the end by rounding.
+            let near =
+                |end: Point2| (end - centre).cross(place - centre).abs() <= CHECK_MM * radius;
+            let beside = of.faces(place) || near(of.start()) || near(of.end());
+            let off = square(place - centre).sqrt() - radius;
+            if beside { off * sweep_rad.signum() } else { f64::NAN }
         }
     }
-    if source.is_nearer(segment.end(), limit) {
-        return unproved("nearer to another part of the source", segment.end());
-    }
-    Ok(())
 }
 
 /// The segments of the result that belong to each element of the source.
 struct Coverage {
-    /// Sorted by element: number, whether a corner, segment.
-    list: Vec<(usize, bool, Segment)>,
+    segments: Vec<Segment>,
+    /// Numbers into `segments` by element: those of element e and of the corner at its start are
+    /// `order[first[2e]..first[2e + 1]]` and `order[first[2e + 1]..first[2e + 2]]`.
+    order: Vec<usize>,
+    first: Vec<usize>,
     /// All of them by place; rarely needed.
     index: OnceCell<BoxTree>,
 }
 
 impl Coverage {
-    fn new(source: &Source, found: &[OffsetPath]) -> Self {
-        let mut list = Vec::with_capacity(found.iter().map(|f| f.origins.len()).sum());
-        for offset in found {
-            let named = offset.path.segments().zip(&offset.origins);
-            list.extend(named.map(|(s, o)| (source.first[o.contour] + o.element, o.corner, s)));
+    fn new(source: &Source, found: &[OffsetPath], segments: Vec<Segment>) -> Self {
+        let of = |o: &Origin| 2 * (source.first[o.contour] + o.element) + usize::from(o.corner);
+        let elements: Vec<usize> = found.iter().flat_map(|f| f.origins.iter().map(of)).collect();
+        let mut first = vec![0; 2 * source.segments().len() + 1];
+        elements.iter().for_each(|e| first[e + 1] += 1);
+        (1..first.len()).for_each(|e| first[e] += first[e - 1]);
+        let mut next = first.clone();
+        let mut order = vec![0; elements.len()];
+        for (number, &element) in elements.iter().enumerate() {
+            order[next[element]] = number;
+            next[element] += 1;
         }
-        list.sort_by_key(|a| (a.0, a.1));
-        Self { list, index: OnceCell::new() }
+        Self { segments, order, first, index: OnceCell::new() }
     }
 
     /// Whether a place lies on the result, whatever element it came from, or so near that what lies
     /// between has no room. At corners that all but do not bend a parallel goes on beyond its end.
     fn is_near(&self, place: Point2) -> bool {
-        let boxes = || BoxTree::new(self.list.iter().map(|c| c.2.bounds()));
+        let boxes = || BoxTree::new(self.segments.iter().map(Segment::bounds));
         let index = self.index.get_or_init(boxes);
-        let distance = |k: usize| self.list[k].2.distance(place);
+        let distance = |k: usize| self.segments[k].distance(place);
         index.nearest(place, ROOM_MM, distance).is_some()
     }
 
+    fn own(&self, element: usize, corner: bool) -> impl Iterator<Item = &Segment> {
+        let at = 2 * element + usize::from(corner);
+        self.order[self.first[at]..self.first[at + 1]].iter().map(|&k| &self.segments[k])
+    }
+
     fn covers(&self, element: usize, corner: bool, place: Point2) -> bool {
-        let from = self.list.partition_point(|c| (c.0, c.1) < (element, corner));
-        let own = self.list[from..].iter().take_while(|c| (c.0, c.1) == (element, corner));
-        own.into_iter().any(|(_, _, s)| s.distance(place) <= CHECK_MM)
+        self.own(element, corner).any(|s| s.distance(place) <= CHECK_MM)
+    }
+
+    /// Whether one segment of the result is the whole of a raw curve.
+    fn covers_all(&self, element: usize, corner: bool, curve: &Segment) -> bool {
+        let near = |a: Point2, b: Point2| square(a - b) <= CHECK_MM * CHECK_MM;
+        let whole = |s: &Segment| near(s.start(), curve.start()) && near(s.end(), curve.end());
+        self.own(element, corner).any(whole)
     }
 }
 
-fn complete(source: &Source, distance: f64, found: &[OffsetPath]) -> Checked {
-    let coverage = Coverage::new(source, found);
+fn complete(source: &Source, distance: f64, coverage: &Coverage) -> Checked {
     for (contour, first) in source.contours.iter().zip(&source.first) {
         let count = contour.segment_count();
         for k in 0..count {
             let segment = &source.segments()[first + k];
             if let Some(parallel) = raw::parallel(segment, distance) {
                 let out = |share| -segment.direction(share).left() * distance.signum();
-                present(source, distance, &coverage, (first + k, false), &parallel, out)?;
+                present(source, distance, coverage, (first + k, false), &parallel, out)?;
             }
             let before = if k > 0 { Some(k - 1) } else { contour.closed.then_some(count - 1) };
             let before = before.map(|b| &source.segments()[first + b]);
             if let Some(arc) = before.and_then(|b| raw::corner(b, segment, distance)) {
                 let centre = segment.start();
                 let out = |share| (arc.at(share) - centre) / distance.abs();
-                present(source, distance, &coverage, (first + k, true), &arc, out)?;
+                present(source, distance, coverage, (first + k, true), &arc, out)?;
             }
         }
     }
@@ -149,6 +174,9 @@ fn present(
     curve: &Segment,
     out: impl Fn(f64) -> Vec2,
 ) -> Checked {
+    if coverage.covers_all(element, corner, curve) {
+        return Ok(());
+    }
     let count = places(curve.length(), distance);
     for k in 0..count {
         let share = (k as f64 + 0.5) / count as f64;

@@ -1,6 +1,6 @@
 //! Where two segments meet.
 
-use super::Segment;
+use super::{Segment, square};
 use crate::{Point2, Vec2, tol};
 
 /// A place that two segments share.
@@ -33,7 +33,7 @@ impl std::ops::Deref for Contacts {
 
 impl Contacts {
     fn push(&mut self, contact: Contact) {
-        let near = |c: &Contact| c.at.distance(contact.at) < tol::CONTACT_MM;
+        let near = |c: &Contact| square(c.at - contact.at) < tol::CONTACT_MM * tol::CONTACT_MM;
         if self.count < self.list.len() && !self.iter().any(near) {
             self.list[self.count] = contact;
             self.count += 1;
@@ -79,7 +79,7 @@ fn line_line(a: &Segment, b: &Segment) -> Contacts {
     let mut found = Contacts::default();
     let (p, u) = (a.start(), a.end() - a.start());
     let (q, v) = (b.start(), b.end() - b.start());
-    let (long_u, long_v) = (u.length(), v.length());
+    let (long_u, long_v) = (square(u).sqrt(), square(v).sqrt());
     if long_u == 0.0 || long_v == 0.0 {
         return point_on(a, b);
     }
@@ -145,7 +145,12 @@ fn ends_on_each_other(a: &Segment, b: &Segment) -> Contacts {
 fn line_arc(line: &Segment, arc: &Segment) -> Contacts {
     let mut found = Contacts::default();
     let Segment::Arc { centre, radius, .. } = *arc else { return found };
-    let Some(along) = (line.end() - line.start()).normalized() else { return point_on(line, arc) };
+    let way = line.end() - line.start();
+    let long = square(way).sqrt();
+    if long == 0.0 {
+        return point_on(line, arc);
+    }
+    let along = way / long;
     let to_centre = centre - line.start();
     let foot = line.start() + along * to_centre.dot(along);
     let miss = along.cross(to_centre).abs();
@@ -171,7 +176,7 @@ fn arc_arc(a: &Segment, b: &Segment) -> Contacts {
         return found;
     };
     let between = cb - ca;
-    let apart = between.length();
+    let apart = square(between).sqrt();
     if apart <= tol::CONTACT_MM && (ra - rb).abs() <= tol::CONTACT_MM {
         return ends_on_each_other(a, b);
     }

@@ -13,6 +13,7 @@ mod nearest;
 
 pub use meet::{Contact, Contacts};
 pub use nearest::Foot;
+pub(crate) use nearest::square;
 
 use crate::{Arc2, Point2, Vec2, tol};
 use serde::{Deserialize, Serialize};
@@ -54,7 +55,7 @@ impl Segment {
     /// h·(1 − b²) / 2b to the left of the middle of the chord.
     pub fn bulged(start: Point2, end: Point2, bulge: f64) -> Self {
         let chord = end - start;
-        let half = chord.length() * 0.5;
+        let half = square(chord).sqrt() * 0.5;
         if (bulge * half).abs() < tol::FLAT_MM {
             return Self::Line { start, end };
         }
@@ -89,7 +90,7 @@ impl Segment {
     /// Length of the path.
     pub fn length(&self) -> f64 {
         match *self {
-            Self::Line { start, end } => start.distance(end),
+            Self::Line { start, end } => square(end - start).sqrt(),
             Self::Arc { radius, sweep_rad, .. } => radius * sweep_rad.abs(),
         }
     }

@@ -1,4 +1,6 @@
-//! Families of shapes that are hard to offset, each shape made from a seed.
+//! Families of shapes that are hard to offset, each shape made from a seed, and the shapes of the
+//! benchmarks.
+#![allow(dead_code)]
 
 use kerf_geom::{Point2, Polyarc, Vec2, Vertex};
 
@@ -180,4 +182,30 @@ pub fn comb(seed: u64) -> Case {
     places.push(Point2::new(-5.0, 5.0));
     places.push(Point2::new(0.0, 5.0));
     (Polyarc::lines(places, true), signed(&mut dice, distance))
+}
+
+/// Fifty teeth: rise, tip arc, fall, root arc.
+pub fn gear() -> Polyarc {
+    let teeth = 50;
+    let step = std::f64::consts::TAU / f64::from(teeth * 4);
+    let at = |radius: f64, turn: f64| Point2::default() + Vec2::from_angle(turn * step) * radius;
+    let bulge = (step * 0.25).tan();
+    let tooth = |k: i32| {
+        let t = f64::from(k * 4);
+        let v = |radius, turn, bulge| Vertex { at: at(radius, turn), bulge };
+        [v(90.0, t, 0.0), v(100.0, t + 1.0, bulge), v(100.0, t + 2.0, 0.0), v(90.0, t + 3.0, bulge)]
+    };
+    Polyarc::closed((0..teeth).flat_map(tooth).collect())
+}
+
+/// Ten thousand places on seven lobes.
+pub fn smooth_10_000() -> Polyarc {
+    round(10_000, |t| 100.0 * (1.0 + 0.15 * (7.0 * t).cos() + 0.04 * (23.0 * t + 1.0).sin()))
+}
+
+/// A circle with ten thousand vertices, every one off by up to half a millimetre.
+pub fn noisy_10_000() -> Polyarc {
+    let mut dice = Dice::new(7);
+    let radii: Vec<f64> = (0..10_000).map(|_| 100.0 + dice.between(-0.5, 0.5)).collect();
+    round(10_000, |t| radii[((t * 10_000.0 / std::f64::consts::TAU).round() as usize) % 10_000])
 }

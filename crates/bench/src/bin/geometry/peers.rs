@@ -1,0 +1,87 @@
+//! The same offset by Kerf and by others. Polygon libraries get arcs and round joins at a micrometre.
+
+use crate::{Outcome, flattened};
+use cavalier_contours::polyline::{
+    CoincidentSegmentBehavior, PlineCreation, PlineOffsetOptions, PlineSource, PlineSourceMut,
+    Polyline,
+};
+use clipper2_rust::{EndType, JoinType, PathsD, PointD};
+use i_overlay::mesh::float::outline::offset::OutlineOffset;
+use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
+use kerf_geom::Polyarc;
+
+/// Offsets contours one by one, positive outwards, and sums what comes out.
+type Offset = fn(&[Polyarc], f64) -> Outcome;
+
+pub const ALL: &[(&str, Offset)] = &[
+    ("Kerf, checked", kerf),
+    ("cavalier_contours, tuned", |c, d| cavalier(c, d, true)),
+    ("cavalier_contours, defaults", |c, d| cavalier(c, d, false)),
+    ("clipper2-rust", clipper),
+    ("i_overlay", overlay),
+];
+
+const CHORD_MM: f64 = 0.001;
+
+fn kerf(contours: &[Polyarc], distance: f64) -> Outcome {
+    let mut outcome = Outcome::default();
+    for contour in contours {
+        let Ok(found) = kerf_geom::offset(contour, distance) else { return Outcome::default() };
+        for ring in found {
+            outcome.add(ring.path.vertices.len(), ring.path.signed_area());
+        }
+    }
+    outcome
+}
+
+fn cavalier(contours: &[Polyarc], distance: f64, tuned: bool) -> Outcome {
+    let mut outcome = Outcome::default();
+    let mut options: PlineOffsetOptions<f64> = PlineOffsetOptions::new();
+    if tuned {
+        options.coincident_segment_behavior = CoincidentSegmentBehavior::Discard;
+        options.pos_equal_eps = 1e-8;
+        options.offset_dist_eps = 1e-6;
+    }
+    for contour in contours {
+        let mut line = Polyline::with_capacity(contour.vertices.len(), true);
+        contour.vertices.iter().for_each(|v| line.add(v.at.x, v.at.y, v.bulge));
+        // There, positive is left of travel.
+        for ring in line.parallel_offset_opt(-distance, &options) {
+            outcome.add(ring.vertex_count(), if ring.is_closed() { ring.area() } else { 0.0 });
+        }
+    }
+    outcome
+}
+
+fn clipper(contours: &[Polyarc], distance: f64) -> Outcome {
+    let mut outcome = Outcome::default();
+    for contour in contours {
+        let path =
+            flattened(contour, CHORD_MM).iter().map(|p| PointD { x: p[0], y: p[1] }).collect();
+        let paths: PathsD = vec![path];
+        let (join, end) = (JoinType::Round, EndType::Polygon);
+        for ring in clipper2_rust::inflate_paths_d(&paths, distance, join, end, 2.0, 6, CHORD_MM) {
+            let places: Vec<[f64; 2]> = ring.iter().map(|p| [p.x, p.y]).collect();
+            outcome.add(places.len(), area(&places));
+        }
+    }
+    outcome
+}
+
+fn overlay(contours: &[Polyarc], distance: f64) -> Outcome {
+    let mut outcome = Outcome::default();
+    let step = 2.0 * (2.0 * CHORD_MM / distance.abs()).sqrt();
+    let style = OutlineStyle::new(distance).line_join(LineJoin::Round(step));
+    for contour in contours {
+        for ring in flattened(contour, CHORD_MM).outline(&style).into_iter().flatten() {
+            outcome.add(ring.len(), area(&ring));
+        }
+    }
+    outcome
+}
+
+/// Signed area of a polygon.
+fn area(places: &[[f64; 2]]) -> f64 {
+    let next = places.iter().cycle().skip(1);
+    places.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() * 0.5
+}
