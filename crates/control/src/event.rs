@@ -228,8 +228,20 @@ pub enum Event {
         /// When the machine stood.
         t: f64,
     },
-    /// The run goes on after the operator stopped it.
+    /// The operator holds the machine, which stands.
+    Hold {
+        /// When it stood.
+        t: f64,
+    },
+    /// The operator lets the machine go on.
     Resume {
+        /// When.
+        t: f64,
+    },
+    /// The operator changed the feed override.
+    Override {
+        /// Cuts run at so much of the speed asked for, percent.
+        percent: f64,
         /// When.
         t: f64,
     },

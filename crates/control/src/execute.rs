@@ -1,23 +1,14 @@
-//! Running one stack of moves on the machine.
+//! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
+use crate::pace::Wish;
 use crate::runner::{Over, Runner};
-use crate::session::LimitPolicy;
 use crate::sink::Made;
-use crate::stack::Stack;
-use kerf_diag::{Code, Diagnostic, Place};
-use kerf_motion::{Model, Move, Optimal, Path, Plan, Profiler, plan_stack};
-use kerf_program::{
-    Answer, At, Axes, Axis, Button, Command, Interpreter, Question, QuestionKind, RampModel,
-    Settings, Sourced, Status,
-};
+use crate::stack::Running;
+use kerf_motion::{Move, Path, Plan, Stop, planner};
+use kerf_program::{Axis, Interpreter};
 use kerf_sbp::SPINDLE_STATUS;
-use kerf_sim::{Halt, HaltCause, Violation};
-use std::iter::Peekable;
-use std::vec::IntoIter;
-
-/// What is told when the interlock forbids motion or a spindle.
-const ENCLOSURE_OPEN: &str = "enclosure open";
+use kerf_sim::{Halt, HaltCause};
 
 /// Why a stack did not run to its end.
 #[derive(Debug)]
@@ -28,173 +19,176 @@ pub(crate) enum Halted {
     Over(Over),
 }
 
-/// Where a stack stopped.
-struct Stopped {
-    /// Index of the move in which the machine stands.
-    index: usize,
-    /// What was not made.
-    rest: Vec<Move>,
-    halt: Option<Halt>,
+/// What changes a plan on the way.
+#[derive(Clone, Copy, Debug)]
+enum Turn {
+    /// An input stops motion.
+    Input(Halt),
+    /// The operator wants something.
+    Operator(Wish),
 }
 
-type Marks = Peekable<IntoIter<(usize, Sourced)>>;
-
 impl<I: Interpreter> Runner<'_, I> {
-    /// Runs a stack; `None` when all of it was made.
-    pub(crate) fn execute(&mut self, mut stack: Stack) -> Option<Halted> {
-        loop {
-            if let Err(over) = self.check(&stack.moves) {
-                return Some(Halted::Over(over));
-            }
-            let count = stack.moves.len();
-            let mut marks = std::mem::take(&mut stack.marks).into_iter().peekable();
-            let moves = std::mem::take(&mut stack.moves);
-            let stopped = match self.make(moves, &mut marks) {
-                Ok(()) => return None,
-                Err(stopped) => stopped,
-            };
-            let number = stack.numbers.get(stopped.index).copied();
-            let nudged = match self.answer_halt(stopped.halt, number) {
-                Ok(nudged) => nudged,
-                Err(halted) => return Some(halted),
-            };
-            stack = stack.after(count - stopped.rest.len(), stopped.rest, marks);
-            stack.moves.iter_mut().for_each(|made| made.shift(nudged));
-        }
-    }
-
-    /// Nothing moves that would leave the table, or while a stop input is active.
-    fn check(&mut self, moves: &[Move]) -> Result<(), Over> {
-        let Some(first) = moves.first() else { return Ok(()) };
-        if self.lists_limits() {
-            self.list_violations(moves);
-        } else if let Some(violation) = self.world.machine.first_outside(moves) {
-            self.ask_about_limit(moves, &violation)?;
-        }
-        match self.world.machine.stop_input() {
-            None => Ok(()),
-            Some(input) => {
-                let message = match self.world.machine.open_enclosure() {
-                    Some(_) => ENCLOSURE_OPEN.into(),
-                    None => format!("stop input {input} is active: nothing may move"),
-                };
-                Err(self.over(Status::Stopped, Code::InputStop, first.at, message))
-            }
-        }
-    }
-
-    /// Nothing is asked about what is only drawn.
-    fn lists_limits(&self) -> bool {
-        self.limits == LimitPolicy::List || self.world.machine.draws()
-    }
-
-    fn list_violations(&mut self, moves: &[Move]) {
-        for made in moves {
-            let alone = std::slice::from_ref(made);
-            if let Some(violation) = self.world.machine.first_outside(alone) {
-                let message = self.limit_message(&violation);
-                let place = Place::line(self.world.file(made.at), made.at.line);
-                let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
-                self.world.tell_diagnostic(diagnostic);
-            }
-        }
-    }
-
-    fn ask_about_limit(&mut self, moves: &[Move], violation: &Violation) -> Result<(), Over> {
-        let at = moves.get(violation.move_index).map_or(At::default(), |m| m.at);
-        let message = self.limit_message(violation);
-        let question = limit_question(message.clone());
-        if self.ask(&question, at)? == Answer::Button(Button::Continue) {
-            self.world.machine.override_limits();
-            return Ok(());
-        }
-        Err(self.over(Status::Limit, Code::OutsideLimits, at, message))
-    }
-
-    fn limit_message(&self, violation: &Violation) -> String {
-        let scale = self.world.scale(violation.axis);
-        let [reached, limit] =
-            [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
-        let letter = violation.axis.letter();
-        format!(
-            "{letter} would reach {reached}, the table limit is {limit} (table base coordinates)"
-        )
-    }
-
-    /// Ends the run when a spindle would start in an open enclosure.
-    pub(crate) fn spindle_refused(&self, sourced: &Sourced) -> Option<Over> {
-        let starts = matches!(sourced.command, Command::Output { number: 1 | 2, on: true });
-        let open = starts && self.world.machine.open_enclosure().is_some();
-        let message = ENCLOSURE_OPEN.into();
-        open.then(|| self.over(Status::Stopped, Code::InputStop, sourced.at, message))
-    }
-
-    fn over(&self, status: Status, code: Code, at: At, message: String) -> Over {
-        let place = Place::line(self.world.file(at), at.line);
-        let diagnostic = Diagnostic::new(code, place, message);
-        Over { status, diagnostic: Some(Box::new(diagnostic)) }
-    }
-
-    /// Plans and makes moves until they are made or something stops them.
-    fn make(&mut self, moves: Vec<Move>, marks: &mut Marks) -> Result<(), Stopped> {
+    /// The moves that were read begin to move.
+    pub(crate) fn begin(&mut self) -> Result<(), Over> {
+        let moves = std::mem::take(&mut self.stack.waiting);
+        self.check(&moves)?;
         if moves.is_empty() {
-            self.carry_out_marks(marks, usize::MAX);
             return Ok(());
         }
+        let t0_s = self.set_off();
+        let mut planner = planner(self.world.machine.settings());
+        for made in moves {
+            planner.push(made.at_feed(self.feed));
+        }
+        self.stack.running = Some(Running { planner, t0_s });
+        Ok(())
+    }
+
+    /// The warning comes first; gives the moment at which motion starts.
+    fn set_off(&mut self) -> f64 {
         let before_s = self.world.now();
         let t0_s = self.world.machine.begin_motion();
         self.world.tally.waited(t0_s - before_s);
         self.world.tell_log();
-        let plan = plan(moves, self.world.machine.settings());
-        let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &self.watched());
-        let stopped = match halt {
-            None => self.follow_plan(plan, t0_s, marks),
-            Some(halt) => {
-                let (plan, stopped) = cut(plan, halt.t_s - t0_s, halt.ramped);
-                let operator = self.follow_plan(plan, t0_s, marks);
-                operator.or(Some(Stopped { halt: Some(halt), ..stopped }))
+        t0_s
+    }
+
+    /// Makes what is planned for good of the stack that moves; all of it when it is complete.
+    pub(crate) fn run_on(&mut self, complete: bool) -> Option<Halted> {
+        while let Some(running) = &mut self.stack.running {
+            let planner = &mut running.planner;
+            let piece = if complete { planner.finish() } else { planner.take() };
+            let halted = self.run_piece(piece?);
+            if halted.is_some() {
+                self.stack.running = None;
+                return halted;
             }
-        };
-        self.world.machine.rest();
-        self.world.tell_log();
-        match stopped {
-            Some(stopped) => Err(stopped),
-            None => {
-                self.carry_out_marks(marks, usize::MAX);
-                Ok(())
-            }
+        }
+        None
+    }
+
+    /// Everything of the stack was made: the machine stands.
+    pub(crate) fn come_to_rest(&mut self) {
+        if self.stack.running.take().is_some() {
+            self.world.machine.rest();
+            self.world.tell_log();
+        }
+        for sourced in self.stack.clear() {
+            self.world.perform(sourced.command);
         }
     }
 
     /// Makes moves that nothing stops.
-    pub(crate) fn make_unasked(&mut self, moves: Vec<Move>) {
+    pub(crate) fn make_unasked(&mut self, moves: impl IntoIterator<Item = Move>) {
         let t0_s = self.world.now();
-        let plan = plan(moves, self.world.machine.settings());
-        for index in 0..plan.moves().len() {
-            self.make_one(&plan, index, t0_s);
+        let mut planner = planner(self.world.machine.settings());
+        moves.into_iter().for_each(|made| planner.push(made));
+        while let Some(plan) = planner.finish() {
+            (0..plan.moves().len()).for_each(|index| self.make_one(&plan, index, t0_s));
         }
     }
 
-    /// Makes a plan, move by move; the operator may stop it.
-    fn follow_plan(&mut self, mut plan: Plan, t0_s: f64, marks: &mut Marks) -> Option<Stopped> {
-        let mut stopped = None;
+    /// Makes a piece of plan; what is left of the stack goes on after it, unless something halts it.
+    fn run_piece(&mut self, piece: Plan) -> Option<Halted> {
+        let turned = self.follow_plan(piece);
+        let number = match &turned {
+            Some((stop, _)) if stop.share < 1.0 => self.stack.next_number(),
+            _ => self.stack.last_number,
+        };
+        match turned {
+            None => {
+                if let Some(number) = number {
+                    self.interpreter.carried_out(number);
+                }
+                None
+            }
+            Some((stop, Turn::Operator(Wish::Feed(share)))) => {
+                self.override_feed(share);
+                self.go_on_at(|t0_s| t0_s + stop.end_s);
+                None
+            }
+            Some((_, why)) => {
+                self.world.machine.rest();
+                self.world.tell_log();
+                self.answer_halt(why, number).and_then(|()| self.set_off_again()).err()
+            }
+        }
+    }
+
+    /// What is left of the stack goes on from a stand.
+    fn set_off_again(&mut self) -> Result<(), Halted> {
+        if self.stack.running.is_some() {
+            self.stop_inputs_rest(self.last_move).map_err(Halted::Over)?;
+            let t0_s = self.set_off();
+            self.go_on_at(|_| t0_s);
+        }
+        Ok(())
+    }
+
+    fn go_on_at(&mut self, moment: impl FnOnce(f64) -> f64) {
+        if let Some(running) = &mut self.stack.running {
+            running.t0_s = moment(running.t0_s);
+        }
+    }
+
+    /// Follows a piece of plan, move by move, to its end or to where it is left for another.
+    fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn)> {
+        let t0_s = self.stack.running.as_ref()?.t0_s;
+        let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &self.watched());
+        let mut turned: Option<(Stop, Turn)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
-            self.carry_out_marks(marks, index);
+            self.carry_out_marks();
             let (begin_s, end_s) = plan.span_s(index);
             let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
-            if stopped.is_none()
-                && let Some(t_s) = self.pace.pass(self.world.now(), end_s)
-            {
-                let (rest, why) = cut(plan, (t_s - t0_s).max(0.0), true);
-                plan = rest;
-                stopped = Some(why);
-                continue;
+            match &turned {
+                Some((_, turn)) => self.pass_on(turn, end_s),
+                None => {
+                    if let Some((t_s, turn)) = self.turn_before(halt, end_s) {
+                        let (made, stop) = self.replan(plan, (t_s - t0_s).max(0.0), turn)?;
+                        (plan, turned) = (made, Some((stop, turn)));
+                        continue;
+                    }
+                }
             }
             self.make_one(&plan, index, t0_s);
+            if turned.as_ref().is_none_or(|(stop, _)| index < stop.whole()) {
+                self.stack.made_one();
+            }
             index += 1;
         }
-        stopped
+        turned
+    }
+
+    /// Lets time pass up to a moment, unless an input or the operator wants something before.
+    fn turn_before(&mut self, halt: Option<Halt>, end_s: f64) -> Option<(f64, Turn)> {
+        let now = self.world.now();
+        let halt = halt.filter(|halt| halt.t_s <= end_s);
+        let until_s = halt.map_or(end_s, |halt| halt.t_s.max(now));
+        match self.ask_pace(now, until_s) {
+            Some((t_s, wish)) => Some((t_s, Turn::Operator(wish))),
+            None => halt.map(|halt| (halt.t_s, Turn::Input(halt))),
+        }
+    }
+
+    /// The piece as it is made when it is left, and where that is.
+    fn replan(&mut self, piece: Plan, t_s: f64, turn: Turn) -> Option<(Plan, Stop)> {
+        let planner = &mut self.stack.running.as_mut()?.planner;
+        match turn {
+            Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped),
+            Turn::Operator(Wish::Stop | Wish::Hold) => planner.stop(piece, t_s, true),
+            Turn::Operator(Wish::Feed(share)) => planner.feed(piece, t_s, share),
+        }
+    }
+
+    /// Lets time pass while the machine ramps down; what the operator wants meanwhile comes next.
+    fn pass_on(&mut self, turn: &Turn, end_s: f64) {
+        if !matches!(turn, Turn::Operator(Wish::Stop))
+            && let Some(wish) = self.pace.pass(self.world.now(), end_s)
+        {
+            self.postpone(wish);
+        }
     }
 
     /// When a part of a plan that started at `t0_s` begins and ends. What is only drawn takes no time.
@@ -241,76 +235,37 @@ impl<I: Interpreter> Runner<'_, I> {
         })
     }
 
-    /// Carries out what is marked before a move of this index or an earlier one.
-    fn carry_out_marks(&mut self, marks: &mut Marks, index: usize) {
-        while let Some((_, sourced)) = marks.next_if(|(before, _)| *before <= index) {
+    /// Carries out what is marked before the next move.
+    fn carry_out_marks(&mut self) {
+        while let Some(sourced) = self.stack.due() {
             self.world.perform(sourced.command);
         }
     }
 
-    /// What follows when motion was stopped: it goes on with the rest, shifted by so much, or not.
-    fn answer_halt(&mut self, halt: Option<Halt>, number: Option<u64>) -> Result<Axes, Halted> {
-        let t = self.world.now();
-        let Some(halt) = halt else { return self.hold().map_err(Halted::Over) };
+    /// What follows when motion was stopped, unless it goes on.
+    fn answer_halt(&mut self, why: Turn, number: Option<u64>) -> Result<(), Halted> {
+        let halt = match why {
+            Turn::Operator(wish) => return self.stands(wish).map_err(Halted::Over),
+            Turn::Input(halt) => halt,
+        };
         let (by, n) = match halt.cause {
             HaltCause::Watch(index) => ("watch", self.watched().get(index).map_or(0, |w| w.input)),
             HaltCause::Limit(n) => ("limit", n),
             HaltCause::Stop(n) => ("stop", n),
         };
-        self.world.tell(&Event::Stop { by, n, t });
+        self.world.tell(&Event::Stop { by, n, t: self.world.now() });
         match halt.cause {
             HaltCause::Watch(index) => Err(Halted::Watch { index, number }),
-            HaltCause::Limit(n) => {
-                self.limit_input(n).map(|()| Axes::default()).map_err(Halted::Over)
-            }
+            HaltCause::Limit(n) => self.limit_input(n).map_err(Halted::Over),
             HaltCause::Stop(n) => {
                 self.world.machine.stopped(true);
                 self.world.shelf.stored.set(SPINDLE_STATUS, Some("0"));
                 self.world.tell_log();
-                let message = match self.world.machine.open_enclosure() {
-                    Some(_) => ENCLOSURE_OPEN.into(),
-                    None => format!("stopped by stop input {n}"),
-                };
-                Err(Halted::Over(self.over(
-                    Status::Stopped,
-                    Code::InputStop,
-                    self.last_move,
-                    message,
-                )))
+                let message = format!("stopped by stop input {n}");
+                Err(Halted::Over(self.stop_input(self.last_move, message)))
             }
         }
     }
-
-    fn limit_input(&mut self, n: u8) -> Result<(), Over> {
-        let at = self.last_move;
-        let message = format!("stopped by limit input {n}");
-        let question = limit_question(message.clone());
-        if self.ask(&question, at)? == Answer::Button(Button::Continue) {
-            self.world.machine.override_limits();
-            return Ok(());
-        }
-        Err(self.over(Status::Limit, Code::InputStop, at, message))
-    }
-}
-
-/// Plans a stack with the model of motion in force.
-fn plan(moves: Vec<Move>, settings: &Settings) -> Plan {
-    let dynamics = &settings.axis_dynamics();
-    match settings.model() {
-        RampModel::Shopbot => plan_stack(moves, &settings.ramps),
-        RampModel::Profiler => Profiler { dynamics, smoothing: &settings.smoothing }.plan(moves),
-        RampModel::Optimal => Optimal { dynamics }.plan(moves),
-    }
-}
-
-/// The part of a plan that is made when it is stopped at a time, and what is left.
-fn cut(plan: Plan, t_s: f64, ramped: bool) -> (Plan, Stopped) {
-    let Some(stop) = plan.stop(t_s, ramped) else {
-        return (plan, Stopped { index: 0, rest: Vec::new(), halt: None });
-    };
-    let index = stop.move_index;
-    let (plan, rest) = plan.cut(&stop);
-    (plan, Stopped { index, rest, halt: None })
 }
 
 /// The axis in whose unit the speed of a move is told.
@@ -318,17 +273,4 @@ fn leading_axis(made: &Move) -> Axis {
     let moves = |axis: &Axis| made.from[*axis] != made.to[*axis];
     let arc = matches!(made.path, Path::Arc { .. });
     if arc { Axis::X } else { Axis::ALL.into_iter().find(moves).unwrap_or(Axis::X) }
-}
-
-fn limit_question(text: String) -> Question {
-    Question {
-        kind: QuestionKind::Limit,
-        text,
-        title: "Limits".into(),
-        buttons: vec![Button::Continue, Button::End],
-        default: 1,
-        prefill: String::new(),
-        icon: 48,
-        until: None,
-    }
 }

@@ -19,9 +19,8 @@ use kerf_program::{
 };
 
 impl<I: Interpreter> Runner<'_, I> {
-    /// The operator stopped the machine, which stands. Tells by how much the workpiece was nudged
-    /// when the run goes on: moves that were taken out of the stack have to be shifted by it.
-    pub(crate) fn hold(&mut self) -> Result<Axes, Over> {
+    /// The operator stopped the machine, which stands; unless the run goes on.
+    pub(crate) fn hold(&mut self) -> Result<(), Over> {
         self.pace.heard();
         self.world.machine.stopped(false);
         self.world.tell_log();
@@ -41,7 +40,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.shift(nudged);
         self.mover.set_position(ahead.plus(nudged));
         self.tell_standing(0);
-        Ok(nudged)
+        Ok(())
     }
 
     /// Does what the operator says until the run goes on; the sum of all nudges.
@@ -99,7 +98,8 @@ impl<I: Interpreter> Runner<'_, I> {
         if by == Axes::default() {
             return;
         }
-        self.stack.moves.iter_mut().for_each(|made| made.shift(by));
+        self.stack.stand_back();
+        self.stack.waiting.iter_mut().for_each(|made| made.shift(by));
         self.interpreter.nudge(by);
         self.nudged = Some(self.nudged.unwrap_or_default().plus(by));
     }
@@ -120,7 +120,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.mover.set_position(self.world.machine.position());
         let line = Line { kind, to, feed: Feed::Axis };
         if let Some(made) = self.mover.line(self.last_move, &line) {
-            self.make_unasked(vec![made]);
+            self.make_unasked([made]);
         }
     }
 }

@@ -1,23 +1,24 @@
 //! The loop of a run: interpreter, planner and machine, one after the other.
 //!
 //! ```text
-//!  Interpreter::run ──► commands ──► Mover ──► stack of moves ──► plan ──► machine, events
+//!  Interpreter::run ──► commands ──► Mover ──► stack ──► planner ──► plan ──► machine, events
 //!        ▲                  │ (not motion)                            │
 //!        └── World: answers ┴──────────► carried out                  └─ input: interrupt
 //! ```
 
 use crate::execute::Halted;
 use crate::session::LimitPolicy;
-use crate::stack::Stack;
+use crate::stack::{READ_AHEAD, Stack};
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{Pace, flag};
+use crate::{Pace, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::{Move, Mover};
 use kerf_program::{
     At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step,
 };
 use kerf_sim::Watched;
+use std::collections::VecDeque;
 
 /// Lines that are executed before their commands are looked at.
 const LINES: u64 = 4096;
@@ -31,7 +32,11 @@ pub(crate) struct Runner<'a, I> {
     pub world: World<'a>,
     pub pace: &'a mut dyn Pace,
     pub mover: Mover,
-    pub(crate) stack: Stack,
+    pub stack: Stack,
+    /// The operator's override: share of the speed asked for at which cuts run.
+    pub feed: f32,
+    /// What the operator wants and has not got yet.
+    pub wishes: VecDeque<(f64, Wish)>,
     /// How far the workpiece was nudged since the commands at hand were given.
     pub nudged: Option<Axes>,
     out: Vec<Sourced>,
@@ -83,6 +88,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             pace,
             mover,
             stack,
+            feed: 1.0,
+            wishes: VecDeque::new(),
             out,
             lines,
             limits,
@@ -176,6 +183,10 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// The run is over: what was read and not made is dropped, what ended it is told.
     fn ended(&mut self, over: Over) -> Over {
+        if self.stack.running.is_some() {
+            // What moves cannot be dropped: it comes to rest behind the last move that was read.
+            drop(self.flush());
+        }
         self.trail.goes_on(self.interpreter.call_stack());
         match over.status {
             Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut self.out)),
@@ -192,12 +203,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     /// Forgets moves that were not made. What does not belong to them is carried out: files that
     /// were closed, settings given back, what a person should know.
     fn drop_motion(&mut self, status: Status) {
-        let stack = std::mem::take(&mut self.stack);
-        if let (Status::Failed, Some(first)) = (status, stack.moves.first()) {
-            self.note_dropped(first.at, stack.moves.len());
+        let waiting = std::mem::take(&mut self.stack.waiting);
+        if let (Status::Failed, Some(first)) = (status, waiting.first()) {
+            self.note_dropped(first.at, waiting.len());
         }
-        let marks = stack.marks.into_iter().map(|(_, sourced)| sourced);
-        for sourced in marks.chain(std::mem::take(&mut self.out)) {
+        for sourced in self.stack.clear().chain(std::mem::take(&mut self.out)) {
             if outlives_motion(&sourced.command) {
                 self.world.perform(sourced.command);
             }
@@ -253,13 +263,17 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             Command::Arc(arc) => self.mover.arc(sourced.at, arc),
             _ => return self.take_other(sourced),
         };
-        let Some(mut made) = made else { return Flow::On };
+        let Some(made) = made else { return Flow::On };
+        self.take_move(made, number)
+    }
+
+    /// A move joins the stack; a jog is a stack of its own.
+    fn take_move(&mut self, mut made: Move, number: u64) -> Flow {
         let jog = made.kind == MoveKind::Jog;
-        if jog && !self.stack.is_empty() {
-            match self.flush_before(|by| made.shift(by)) {
-                Flow::On => {}
-                flow => return flow,
-            }
+        let apart = jog && !self.stack.is_empty() || self.leaves_table(&made);
+        let flow = if apart { self.flush_before(|by| made.shift(by)) } else { Flow::On };
+        if !matches!(flow, Flow::On) {
+            return flow;
         }
         if !jog && self.is_full() {
             match self.reload(&mut made, number) {
@@ -268,20 +282,33 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
         }
         self.stack_up(made, number);
-        if jog { self.flush() } else { Flow::On }
+        if jog { self.flush() } else { self.run_ahead() }
+    }
+
+    /// Makes what is planned for good, once enough was read.
+    fn run_ahead(&mut self) -> Flow {
+        if self.stack.running.is_none() {
+            if self.stack.waiting.len() < READ_AHEAD {
+                return Flow::On;
+            }
+            if let Err(over) = self.begin() {
+                return Flow::Over(over);
+            }
+        }
+        match self.run_on(false) {
+            None => Flow::On,
+            Some(halted) => self.halted(halted),
+        }
     }
 
     fn stack_up(&mut self, made: Move, number: u64) {
-        self.stack.moves.push(made);
-        if self.watching {
-            self.stack.numbers.push(number);
-        }
+        self.stack.push(made.at_feed(self.feed), self.watching.then_some(number));
     }
 
     /// Whether the stack takes no more moves.
     fn is_full(&self) -> bool {
         let limit = self.world.machine.settings().stack_limit;
-        limit.is_some_and(|limit| self.stack.moves.len() >= limit as usize)
+        limit.is_some_and(|limit| self.stack.len() >= u64::from(limit))
     }
 
     /// Makes a full stack, pulls up to Safe-Z and comes back, so that the next move begins another
@@ -315,7 +342,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             self.mover.settings(settings);
         }
         if self.joins(&sourced.command) {
-            if self.stack.moves.is_empty() {
+            if self.stack.is_empty() {
                 if let Some(over) = self.spindle_refused(&sourced) {
                     return Flow::Over(over);
                 }
@@ -354,22 +381,24 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
     }
 
-    /// Runs the stack that was read.
+    /// The stack is complete: runs what is left of it.
     pub(crate) fn flush(&mut self) -> Flow {
         if self.stack.is_empty() {
             return Flow::On;
         }
-        let last = self.stack.numbers.last().copied();
-        let stack = std::mem::take(&mut self.stack);
-        let halted = self.execute(stack);
-        match halted {
-            None => {
-                if let Some(number) = last {
-                    self.interpreter.carried_out(number);
-                }
-                Flow::On
+        loop {
+            if !self.stack.waiting.is_empty()
+                && let Err(over) = self.begin()
+            {
+                return Flow::Over(over);
             }
-            Some(halted) => self.halted(halted),
+            if let Some(halted) = self.run_on(true) {
+                return self.halted(halted);
+            }
+            if self.stack.waiting.is_empty() {
+                self.come_to_rest();
+                return Flow::On;
+            }
         }
     }
 
@@ -397,7 +426,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         let position = self.world.machine.position();
         let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
         self.interpreter.interrupt(&watch, motion, position);
-        self.stack = Stack::default();
+        drop(self.stack.clear());
         self.mover.set_position(position);
         self.mover.settings(self.interpreter.settings());
         Flow::Interrupted

@@ -1,43 +1,96 @@
-//! The stack of moves that is being read: nothing of it moves until it is complete.
+//! The stack of moves that is being read.
 //!
-//! Commands that belong to a stack without being motion (switching an output on, a change of speed, a
-//! comment) are kept as marks: they are carried out between two moves while the machine moves on.
+//! Nothing of a stack moves before it was read to its end or, in a long one, so far ahead
+//! ([`READ_AHEAD`]); from then on it is planned and made while it is read. Commands that belong to a
+//! stack without being motion (switching an output on, a change of speed, a comment) are kept as
+//! marks: they are carried out between two moves while the machine moves on.
 
-use kerf_motion::Move;
+use kerf_motion::{Move, Replanner};
 use kerf_program::Sourced;
+use std::collections::VecDeque;
+
+/// A stack of so many moves begins to move although it was not read to its end: the manual's rule
+/// that an error keeps the whole stack from moving cannot hold for ten million lines. Memory and the
+/// time to the first motion grow with it.
+pub(crate) const READ_AHEAD: usize = 1 << 14;
 
 /// Moves that are run as one, and what is done between them.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Stack {
-    pub moves: Vec<Move>,
-    /// Number of each motion command of `moves`; kept only while something may interrupt.
-    pub numbers: Vec<u64>,
-    /// What is done before the move of this index starts, in order.
-    pub marks: Vec<(usize, Sourced)>,
+    /// Moves that were read before anything began.
+    pub waiting: Vec<Move>,
+    /// The planner that has the moves since the stack began to move.
+    pub running: Option<Running>,
+    /// Number of each motion command that was read and not made; kept only while something may
+    /// interrupt.
+    numbers: VecDeque<u64>,
+    /// Number of the last motion command that was made.
+    pub last_number: Option<u64>,
+    /// How many moves were read, and made.
+    read: u64,
+    made: u64,
+    /// What is done before a move starts: how many are read before it.
+    marks: VecDeque<(u64, Sourced)>,
+}
+
+/// A stack that moves.
+pub(crate) struct Running {
+    pub planner: Box<dyn Replanner>,
+    /// When its plan begins, seconds of machine time.
+    pub t0_s: f64,
 }
 
 impl Stack {
     pub fn is_empty(&self) -> bool {
-        self.moves.is_empty() && self.marks.is_empty()
+        self.waiting.is_empty() && self.running.is_none() && self.marks.is_empty()
+    }
+
+    /// How many moves were read.
+    pub const fn len(&self) -> u64 {
+        self.read
+    }
+
+    /// Adds a move, with the number of its command when something may interrupt.
+    pub fn push(&mut self, made: Move, number: Option<u64>) {
+        self.read += 1;
+        self.numbers.extend(number);
+        match &mut self.running {
+            Some(running) => running.planner.push(made),
+            None => self.waiting.push(made),
+        }
     }
 
     /// Adds a command that does not end motion.
     pub fn mark(&mut self, sourced: Sourced) {
-        self.marks.push((self.moves.len(), sourced));
+        self.marks.push_back((self.read, sourced));
     }
 
-    /// What is left when so many moves were made: the rest of them, and the marks that were not
-    /// carried out.
-    pub fn after(
-        mut self,
-        made: usize,
-        rest: Vec<Move>,
-        marks: impl Iterator<Item = (usize, Sourced)>,
-    ) -> Self {
-        self.moves = rest;
-        self.numbers.drain(..made.min(self.numbers.len()));
-        self.marks =
-            marks.map(|(before, sourced)| (before.saturating_sub(made), sourced)).collect();
-        self
+    /// The next command that is due before the next move.
+    pub fn due(&mut self) -> Option<Sourced> {
+        let due = self.marks.front().is_some_and(|(before, _)| *before <= self.made);
+        if due { self.marks.pop_front().map(|(_, sourced)| sourced) } else { None }
+    }
+
+    /// A move was made to its end.
+    pub fn made_one(&mut self) {
+        self.made += 1;
+        self.last_number = self.numbers.pop_front();
+    }
+
+    /// Number of the motion command that is made next, or of which a part is left.
+    pub fn next_number(&self) -> Option<u64> {
+        self.numbers.front().copied()
+    }
+
+    /// What is left of a stack that stands has to be checked and planned anew.
+    pub fn stand_back(&mut self) {
+        if let Some(mut running) = self.running.take() {
+            self.waiting = running.planner.withdraw();
+        }
+    }
+
+    /// Everything that is left of the marks; the stack is empty after that.
+    pub fn clear(&mut self) -> impl Iterator<Item = Sourced> + use<> {
+        std::mem::take(self).marks.into_iter().map(|(_, sourced)| sourced)
     }
 }

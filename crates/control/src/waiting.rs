@@ -1,8 +1,9 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
 use crate::runner::{Flow, Over, Runner};
-use crate::{Event, flag};
+use crate::{Event, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_motion::Move;
 use kerf_program::{Answer, At, Button, Interpreter, Question, Status};
 use kerf_sim::HaltCause;
 
@@ -17,20 +18,26 @@ impl<I: Interpreter> Runner<'_, I> {
             _ => None,
         });
         let end_s = halt.map_or(until_s, |(t_s, _)| t_s);
-        let begin_s = self.world.now();
-        let stopped = self.pace.pass(begin_s, end_s);
-        let end_s = stopped.unwrap_or(end_s).max(begin_s);
-        self.world.machine.advance(end_s);
-        self.world.tally.waited(end_s - begin_s);
-        self.world.tell_log();
-        match (stopped, halt) {
-            (Some(_), _) => match self.hold() {
-                Ok(_) => self.pass_until(self.world.now() + until_s - end_s),
+        let wish = self.ask_pace(self.world.now(), end_s);
+        self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
+        let stood_s = self.world.now();
+        match (wish, halt) {
+            (Some((_, wish)), _) => match self.stands(wish) {
+                Ok(()) => self.pass_until(until_s + self.world.now() - stood_s),
                 Err(over) => Flow::Over(over),
             },
             (None, Some((_, index))) => self.interrupt(index, None),
             (None, None) => Flow::On,
         }
+    }
+
+    /// Time passes and nothing moves.
+    fn stand_until(&mut self, end_s: f64) {
+        let begin_s = self.world.now();
+        let end_s = end_s.max(begin_s);
+        self.world.machine.advance(end_s);
+        self.world.tally.waited(end_s - begin_s);
+        self.world.tell_log();
     }
 
     pub(crate) fn wait(&mut self, seconds: f64) -> Flow {
@@ -43,13 +50,69 @@ impl<I: Interpreter> Runner<'_, I> {
         self.pass_until(t + seconds.max(0.0))
     }
 
-    /// The operator may stop a program that computes and does not move.
+    /// What the operator wants before a moment; what was postponed comes first.
+    pub(crate) fn ask_pace(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+        match self.wishes.pop_front() {
+            Some((t_s, wish)) => Some((t_s.clamp(from_s, to_s.max(from_s)), wish)),
+            None => self.pace.pass(from_s, to_s),
+        }
+    }
+
+    /// Keeps a wish that cannot be fulfilled now.
+    pub(crate) fn postpone(&mut self, wish: (f64, Wish)) {
+        if !self.wishes.iter().any(|(_, other)| *other == wish.1) {
+            self.wishes.push_back(wish);
+        }
+    }
+
+    /// The operator may want something of a program that computes and does not move.
     pub(crate) fn heed_operator(&mut self) -> Flow {
         let now = self.world.now();
-        match self.pace.pass(now, now) {
-            Some(_) => self.hold().map_or_else(Flow::Over, |_| Flow::On),
-            None => Flow::On,
+        let Some((_, wish)) = self.ask_pace(now, now) else { return Flow::On };
+        if self.stack.running.is_some() {
+            // What moves heeds it on the way. A program that only computes would not get there.
+            self.wishes.push_front((now, wish));
+            return if wish == Wish::Stop { self.flush() } else { Flow::On };
         }
+        self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
+    }
+
+    /// What follows on a wish when the machine stands.
+    pub(crate) fn stands(&mut self, wish: Wish) -> Result<(), Over> {
+        match wish {
+            Wish::Stop => self.hold(),
+            Wish::Hold => self.pause(),
+            Wish::Feed(share) => {
+                self.override_feed(share);
+                Ok(())
+            }
+        }
+    }
+
+    /// From here on cuts run at this share of the speed asked for.
+    pub(crate) fn override_feed(&mut self, share: f32) {
+        let (least, most) = Move::FEEDS;
+        self.feed = if share.is_nan() { 1.0 } else { share.clamp(least, most) };
+        let percent = (f64::from(self.feed) * 1e3).round() / 10.0;
+        self.world.tell(&Event::Override { percent, t: self.world.now() });
+    }
+
+    /// The machine stands where it is, and stays so until the operator resumes.
+    fn pause(&mut self) -> Result<(), Over> {
+        self.world.machine.stopped(false);
+        self.world.tell_log();
+        let t = self.world.now();
+        self.world.tell(&Event::Hold { t });
+        self.tell_standing(flag::PAUSED);
+        let Some(resumed_s) = self.pace.resumes(t) else {
+            return Err(Over { status: Status::Stopped, diagnostic: None });
+        };
+        self.stand_until(resumed_s);
+        self.world.machine.resumed();
+        self.world.tell_log();
+        self.world.tell(&Event::Resume { t: self.world.now() });
+        self.tell_standing(0);
+        Ok(())
     }
 
     /// Answers the question that is open: an input does, or the operator.

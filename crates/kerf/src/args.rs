@@ -2,6 +2,7 @@
 
 use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
+use kerf_control::{Script, Wish};
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
@@ -26,9 +27,6 @@ pub struct RunArgs {
     /// Pushes an axis of the simulated machine by hand, so far, at a time in seconds; may be repeated
     #[arg(long, value_name = "AXIS@T=BY", value_parser = parse::hand_move)]
     pub hand_move: Vec<Push>,
-    /// Stops the machine, as the operator would, at a time in seconds
-    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
-    pub stop_at: Option<f64>,
     /// Which reading of the language: sb3, fabmo or strict; of G-code generic, linuxcnc or grbl
     #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
     pub dialect: Dialects,
@@ -47,6 +45,36 @@ pub struct RunArgs {
     pub file: FileArgs,
     #[command(flatten)]
     pub motion: MotionArgs,
+    #[command(flatten)]
+    pub operator: OperatorArgs,
+}
+
+/// What the operator does while the program runs.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "The operator, at times in seconds of machine time")]
+pub struct OperatorArgs {
+    /// Stops the machine; the run is over
+    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    pub stop_at: Option<f64>,
+    /// Holds the machine, which ramps down and stands; may be repeated
+    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    pub hold_at: Vec<f64>,
+    /// Lets a held machine go on, one time for each hold; a hold without one ends the run
+    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    pub resume_at: Vec<f64>,
+    /// From a time on cuts run at so much of their feed, 10 to 200 percent; may be repeated
+    #[arg(long = "override", value_name = "PERCENT@SECONDS", value_parser = parse::feed_override)]
+    pub feed: Vec<(f64, f32)>,
+}
+
+impl OperatorArgs {
+    /// All of it in order of time.
+    pub fn script(&self) -> Script {
+        let stops = self.stop_at.iter().map(|at_s| (*at_s, Wish::Stop));
+        let holds = self.hold_at.iter().map(|at_s| (*at_s, Wish::Hold));
+        let feeds = self.feed.iter().map(|(at_s, share)| (*at_s, Wish::Feed(*share)));
+        Script::new(stops.chain(holds).chain(feeds).collect(), self.resume_at.clone())
+    }
 }
 
 /// Where things lie.

@@ -1,8 +1,8 @@
 //! The person at the terminal: answers, Ctrl-C, and the time of the world.
 
 use anyhow::{Context, Result};
-use kerf_control::Pace;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
+use kerf_control::{Pace, Script, Wish};
 use kerf_program::{Question, QuestionKind};
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -115,10 +115,11 @@ pub enum Clock {
 /// How long a nap is while machine time passes: what Ctrl-C may wait.
 const NAP: Duration = Duration::from_millis(10);
 
-/// Machine time against the time of the world; Ctrl-C stops the machine.
+/// Machine time against the time of the world; Ctrl-C stops the machine, the script says what else
+/// the operator does.
 pub struct RealPace {
     clock: Clock,
-    stop_at_s: f64,
+    script: Script,
     pressed: Pressed,
     /// The moment of the world at which machine time was last seen, and that machine time.
     seen: Option<(Instant, f64)>,
@@ -126,17 +127,20 @@ pub struct RealPace {
 
 impl RealPace {
     /// Listens to Ctrl-C from now on.
-    pub fn new(clock: Clock, stop_at_s: Option<f64>) -> Result<Self> {
+    pub fn new(clock: Clock, script: Script) -> Result<Self> {
         let pressed = Arc::new(AtomicBool::new(false));
         let flag = pressed.clone();
         ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
             .context("cannot listen to Ctrl-C")?;
-        Ok(Self { clock, stop_at_s: stop_at_s.unwrap_or(f64::INFINITY), pressed, seen: None })
+        Ok(Self { clock, script, pressed, seen: None })
     }
 
     /// Sleeps until the moment of the world at which a machine time is reached; earlier, and with
     /// the machine time, when Ctrl-C is pressed.
     fn sleep(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
+        if self.clock == Clock::Fast {
+            return self.pressed.load(Ordering::Relaxed).then_some(from_s);
+        }
         let (since, since_s) = *self.seen.get_or_insert_with(|| (Instant::now(), from_s));
         loop {
             let now_s = since_s + since.elapsed().as_secs_f64();
@@ -153,23 +157,23 @@ impl RealPace {
 }
 
 impl Pace for RealPace {
-    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
-        let end_s = to_s.min(self.stop_at_s.max(from_s));
-        if self.pressed.load(Ordering::Relaxed) {
-            return Some(from_s);
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+        let wish = self.script.pass(from_s, to_s);
+        let end_s = wish.map_or(to_s, |(at_s, _)| at_s);
+        let stopped = self.sleep(from_s, end_s).map(|at_s| (at_s, Wish::Stop));
+        stopped.or(wish)
+    }
+
+    fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        let at_s = self.script.resumes(held_s)?;
+        match self.sleep(held_s, at_s) {
+            Some(_) => None,
+            None => Some(at_s),
         }
-        if self.clock == Clock::Real
-            && end_s > from_s
-            && let Some(stopped_s) = self.sleep(from_s, end_s)
-        {
-            return Some(stopped_s);
-        }
-        (to_s >= self.stop_at_s).then_some(end_s)
     }
 
     fn heard(&mut self) {
         self.pressed.store(false, Ordering::Relaxed);
-        self.stop_at_s = f64::INFINITY;
         self.seen = None;
     }
 }

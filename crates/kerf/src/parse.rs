@@ -97,6 +97,19 @@ pub fn hand_move(text: &str) -> Result<Push, String> {
     Ok(Push { axis, at_s, by: number(by.trim())? })
 }
 
+/// `PERCENT@SECONDS`: a time and a share.
+pub fn feed_override(text: &str) -> Result<(f64, f32), String> {
+    let (percent, at) = text.split_once('@').ok_or("give PERCENT@SECONDS, as 50@3.5")?;
+    let percent = percent.trim().trim_end_matches('%').parse().ok();
+    let percent = percent.filter(|p: &f32| (10.0..=200.0).contains(p));
+    let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
+    match (percent, at_s) {
+        (None, _) => Err("a feed is overridden by 10 to 200 percent".into()),
+        (_, None) => Err("the time is a number of seconds, 0 or more".into()),
+        (Some(percent), Some(at_s)) => Ok((at_s, percent / 100.0)),
+    }
+}
+
 /// `NAME=VALUE`; a leading `&` is left out, a value that reads as a number is one.
 pub fn variable(text: &str) -> Result<(String, Value), String> {
     let (name, value) = text.split_once('=').ok_or("give NAME=VALUE, as depth=0.25")?;

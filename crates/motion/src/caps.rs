@@ -64,6 +64,17 @@ impl Caps {
         }
     }
 
+    /// The last of some moves that were made: those whose bends count for what comes.
+    pub fn reach_back<'m>(ramps: &Ramps, made: &'m [Move]) -> &'m [Move] {
+        let mut left_mm = ramps.min_distance_mm.max(0.0) + FULL_CURVE_MM;
+        let near = made.iter().rev().take(BLOCK).take_while(|m| {
+            let near = left_mm > 0.0;
+            left_mm -= m.length_mm;
+            near
+        });
+        &made[made.len() - near.count()..]
+    }
+
     /// Goes along the moves that are new: collects bends, limits changes of speed and long arcs, and
     /// what directions change where enough is known.
     pub fn walk(&mut self, ahead: &mut Ahead) {
@@ -244,8 +255,8 @@ impl Caps {
 /// The caps of a move by itself: it starts and ends at ramp speed.
 fn alone(m: &Move) -> Profile {
     let small = matches!(m.path, Path::Arc { small: true, .. });
-    let ramp = m.speed_mm_s.min(m.ramp_mm_s);
-    let v_peak = if small { ramp } else { m.speed_mm_s };
+    let ramp = m.top_mm_s().min(m.ramp_mm_s);
+    let v_peak = if small { ramp } else { m.top_mm_s() };
     Profile { start_s: 0.0, v_entry: ramp, v_peak, v_exit: ramp }
 }
 

@@ -29,6 +29,11 @@ pub(crate) struct Fit {
 }
 
 impl Fit {
+    /// Begins at a speed and a time; without a speed as fast as the caps allow.
+    pub const fn running(v: Option<f64>, t_s: f64) -> Self {
+        Self { passed: 0, v, t_s }
+    }
+
     /// The next piece of plan, from so many moves that have their caps for good; `complete` when they
     /// are all of the stack.
     pub fn take(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) -> Option<Plan> {

@@ -127,6 +127,7 @@ impl Mover {
             speed_mm_s: within(length_mm / time_s, MIN_SPEED_MM_S, MAX_SPEED_MM_S) / slower,
             ramp_mm_s: extent.along(length_mm, &pace.ramp) / slower,
             accel_mm_s2: extent.along(length_mm, &pace.accel) / (slower * slower),
+            feed: 1.0,
         })
     }
 }

@@ -81,9 +81,30 @@ pub struct Move {
     pub ramp_mm_s: f64,
     /// Acceleration of the ramps, along the reference length.
     pub accel_mm_s2: f64,
+    /// The operator's override: share of the speed asked for that is run, 1 for all of it.
+    pub(crate) feed: f32,
 }
 
 impl Move {
+    /// The highest speed, along the reference length: what is asked for, as the operator overrides it.
+    pub fn top_mm_s(&self) -> f64 {
+        self.speed_mm_s * f64::from(self.feed)
+    }
+
+    /// The same move under another override, a share of the speed asked for within
+    /// [`Move::FEEDS`]. Jogs are not overridden.
+    #[must_use]
+    pub fn at_feed(mut self, share: f32) -> Self {
+        if self.kind == MoveKind::Cut {
+            let (least, most) = Self::FEEDS;
+            self.feed = if share.is_nan() { 1.0 } else { share.clamp(least, most) };
+        }
+        self
+    }
+
+    /// The least and the greatest override.
+    pub const FEEDS: (f32, f32) = (0.1, 2.0);
+
     /// Position after a share 0 … 1 of the path; exactly `from` and `to` at the ends.
     pub fn position(&self, share: f64) -> Axes {
         if share <= 0.0 {

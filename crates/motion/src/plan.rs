@@ -3,9 +3,10 @@
 use crate::moves::Move;
 use crate::optimal::Timed;
 use crate::ramped::Ramped;
-use kerf_program::Axes;
+use kerf_program::{Axes, MoveKind};
 
-/// A planned stack. Starts and ends at rest.
+/// A planned stack, which starts and ends at rest; or a piece of one, whose times are told from the
+/// start of the stack (see [`Planner`](crate::Planner)).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plan {
     pub(crate) moves: Vec<Move>,
@@ -65,7 +66,27 @@ pub struct Span<'a> {
 }
 
 impl Plan {
-    /// Time of the whole stack, seconds.
+    /// Adds the next piece of the same stack; gives back the moves of one that is not made of ramps.
+    pub(crate) fn join(&mut self, mut next: Self) -> Vec<Move> {
+        if let (Law::Ramped(law), Law::Ramped(other)) = (&mut self.law, &mut next.law) {
+            law.profiles.append(&mut other.profiles);
+            law.duration_s = other.duration_s;
+            self.moves.append(&mut next.moves);
+        }
+        next.moves
+    }
+
+    /// The time, from one on, at which another feed can begin, and the speed then: a jog is made to
+    /// its end first.
+    pub(crate) fn overridable(&self, t_s: f64) -> (f64, f64) {
+        let here = self.at(t_s);
+        match self.moves.get(here.move_index) {
+            Some(jog) if jog.kind == MoveKind::Jog => (self.span_s(here.move_index).1, 0.0),
+            _ => (t_s, here.path_speed_mm_s),
+        }
+    }
+
+    /// Time of the whole stack, seconds; of a piece of plan, the time at its end.
     pub fn duration_s(&self) -> f64 {
         match &self.law {
             Law::Ramped(law) => law.duration_s,

@@ -10,7 +10,9 @@ use crate::moves::Move;
 use crate::optimal::OptimalPlanner;
 use crate::plan::Plan;
 use crate::profiler::ProfilerPlanner;
-use crate::shopbot::ShopBotPlanner;
+use crate::retimed::Retimed;
+use crate::stop::Stop;
+use crate::window::ShopBotPlanner;
 use kerf_program::{RampModel, Settings};
 
 /// Plans one stack of moves, which starts and ends at rest, while it is read.
@@ -29,12 +31,36 @@ pub trait Planner {
     fn finish(&mut self) -> Option<Plan>;
 }
 
+/// A planner whose plan can be left for another on the way.
+pub trait Replanner: Planner {
+    /// The machine is stopped at a time inside the piece that came out last: ramped along the path,
+    /// or at once. Gives the piece as it is made now, which ends where the machine stands and may
+    /// run on into moves that had not come out, and the stop.
+    ///
+    /// What is left of the stack stays: it comes out as another stack, which begins there at time 0.
+    /// `None` only for a piece without moves.
+    fn stop(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)>;
+
+    /// From a time inside the piece that came out last cuts run at another share of the speed asked
+    /// for ([`Move::at_feed`]). Gives the piece as it is made up to there, and where that is.
+    ///
+    /// What is left of the stack stays: it comes out as another stack, which goes on there at the
+    /// present speed, at time 0. Moves that are pushed later have their own share.
+    fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)>;
+
+    /// Gives back what is left of a stack after a stop: somebody moved the workpiece, and it has to be
+    /// planned elsewhere.
+    fn withdraw(&mut self) -> Vec<Move>;
+}
+
 /// The planner of the model of motion in force, for a stack that begins under these settings.
-pub fn planner(settings: &Settings) -> Box<dyn Planner> {
+pub fn planner(settings: &Settings) -> Box<dyn Replanner> {
     let dynamics = settings.axis_dynamics();
     match settings.model() {
         RampModel::Shopbot => Box::new(ShopBotPlanner::new(&settings.ramps)),
-        RampModel::Profiler => Box::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)),
-        RampModel::Optimal => Box::new(OptimalPlanner::new(&dynamics)),
+        RampModel::Profiler => {
+            Box::new(Retimed::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)))
+        }
+        RampModel::Optimal => Box::new(Retimed::new(OptimalPlanner::new(&dynamics))),
     }
 }

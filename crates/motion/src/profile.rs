@@ -62,6 +62,11 @@ impl Phases {
         self.rise_s + self.cruise_s + self.fall_s
     }
 
+    /// Ways on which speed rises, and stays.
+    pub const fn ways_mm(&self) -> [f64; 2] {
+        [self.rise_mm, self.cruise_mm]
+    }
+
     /// Whether speed rises at a time since the start of the move.
     pub fn rises_at(&self, s: f64) -> bool {
         s < self.rise_s

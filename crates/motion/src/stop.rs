@@ -46,6 +46,13 @@ struct Braking {
     profile: Profile,
 }
 
+impl Stop {
+    /// How many moves of the plan are made to their end.
+    pub fn whole(&self) -> usize {
+        self.move_index + usize::from(self.share >= 1.0)
+    }
+}
+
 impl Plan {
     /// A stop that begins at a time: ramped along the path, or at once. `None` only for a plan
     /// without moves.

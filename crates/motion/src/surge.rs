@@ -36,6 +36,11 @@ impl Runs {
         Self { next: 0, first: 0, gain: 0.0, corner_before: false, enough }
     }
 
+    /// The first run began before the first move: it is no short one.
+    pub const fn begin_long(&mut self) {
+        self.gain = self.enough;
+    }
+
     /// Goes on over the moves whose caps are settled; `complete` when they are all of the stack. Gives
     /// how many moves have their caps for good.
     pub fn hold_short(&mut self, ahead: &mut Ahead, settled: usize, complete: bool) -> usize {

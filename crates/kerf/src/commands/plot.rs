@@ -7,7 +7,7 @@ use crate::report::Diagnostics;
 use crate::{parse, setup};
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
-use kerf_control::{Company, StopAt};
+use kerf_control::Company;
 use kerf_preview::plot::{Plot, Sides};
 use kerf_program::Axis;
 use std::fs;
@@ -83,7 +83,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     let mut curves = Curves::new(title, args.axes.as_deref().unwrap_or_default(), window);
     curves.plot.note = format!("ramps {}", job.session.memory.settings.model().word());
     let mut sink = (Diagnostics::default(), curves);
-    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
     let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
     write(&sink.1.plot, format, args)?;

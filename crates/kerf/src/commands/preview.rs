@@ -7,7 +7,7 @@ use crate::report::Diagnostics;
 use crate::setup;
 use anyhow::Result;
 use clap::Args;
-use kerf_control::{Company, StopAt};
+use kerf_control::Company;
 use std::path::PathBuf;
 
 /// Draws the tool path of a part file
@@ -30,7 +30,7 @@ pub fn run(args: &PreviewArgs) -> Result<Exit> {
     let format = Format::of(&args.output)?;
     let mut job = setup::job(&args.file, &args.run, true)?;
     let mut sink = (Diagnostics::default(), Picture::new(&args.file));
-    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
     let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
     let scene = sink.1.finish(&summary, &job.session);

@@ -74,7 +74,7 @@ pub fn on_machine(mut job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -
     let mut sink = (talk, (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
-    let mut pace = RealPace::new(clock, run.stop_at)?;
+    let mut pace = RealPace::new(clock, run.operator.script())?;
     let mut operator = Person::new(job.answers, person, &pace);
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };

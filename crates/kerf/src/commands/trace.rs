@@ -5,8 +5,8 @@ use crate::exit::Exit;
 use crate::setup;
 use anyhow::{Context, Result};
 use clap::Args;
+use kerf_control::Company;
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, StopAt};
 use std::io::{self, BufWriter};
 use std::path::PathBuf;
 
@@ -30,7 +30,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, true)?;
     job.options.tell_variables = args.vars;
     let mut sink = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
-    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
     let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
     match sink.finish() {

@@ -246,7 +246,7 @@ impl<'a, const N: usize> Cells<'a, N> {
     fn feed_changes(&self, vertex: usize) -> bool {
         let of = |segment: usize| &self.moves[self.track.owner[segment] as usize];
         let (a, b) = (of(vertex - 1), of(vertex));
-        a.basis != b.basis || a.speed_mm_s != b.speed_mm_s
+        a.basis != b.basis || a.top_mm_s() != b.top_mm_s()
     }
 
     /// Where the interval that begins here ends.
@@ -311,5 +311,5 @@ pub(crate) fn feed_cap<const N: usize>(m: &Move, slope: &[f64; N]) -> f64 {
         Basis::Rotary => k > 2,
     };
     let square: f64 = (0..N).filter(|k| counts(*k)).map(|k| slope[k] * slope[k]).sum();
-    if square > 0.0 { m.speed_mm_s * m.speed_mm_s / square } else { f64::INFINITY }
+    if square > 0.0 { m.top_mm_s() * m.top_mm_s() / square } else { f64::INFINITY }
 }

@@ -11,7 +11,7 @@ use crate::setup::{self, Job};
 use anyhow::{Result, bail};
 use clap::Args;
 use controller::ControllerArgs;
-use kerf_control::{Company, Sink, StopAt, Summary, Tally, ToolPathTime, json};
+use kerf_control::{Company, Sink, Summary, Tally, ToolPathTime, json};
 use kerf_motion::controllers::Controller;
 use kerf_program::RampModel;
 use serde::Serialize;
@@ -88,7 +88,7 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
 }
 
 fn follow(job: &mut Job, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
-    let mut pace = StopAt(args.run.stop_at.unwrap_or(f64::INFINITY));
+    let mut pace = args.run.operator.script();
     let company = Company { sink, operator: &mut job.answers, pace: &mut pace };
     let (program, options) = (std::mem::take(&mut job.program), job.options.clone());
     job.session.run(program, options, &mut job.shelf, company)
