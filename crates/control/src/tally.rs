@@ -39,11 +39,27 @@ pub struct ToolPathTime {
     pub name: Arc<str>,
     /// The tool, empty when unknown.
     pub tool: Arc<str>,
-    /// How long it takes, tool changes included.
+    /// How long it takes, waiting and tool changes included.
     pub seconds: f64,
+    /// Of that, cutting.
+    pub cut: f64,
+    /// Jogging.
+    pub jog: f64,
+    /// Waiting.
+    pub wait: f64,
+    /// Tool changes.
+    pub tool_change: f64,
     /// How many moves and arcs were made before it.
     #[serde(skip)]
     pub first_move: u64,
+}
+
+impl ToolPathTime {
+    /// Whether a start says of this part what is known: files repeat it after a tool change.
+    fn goes_on(&self, start: &ToolPathStart) -> bool {
+        let named = start.name.as_ref().is_some_and(|name| !name.is_empty() && *name == self.name);
+        named && start.tool.as_ref().is_none_or(|tool| *tool == self.tool)
+    }
 }
 
 impl Tally {
@@ -63,25 +79,28 @@ impl Tally {
         match made.kind {
             MoveKind::Cut => {
                 self.cut_mm += length_mm;
-                self.spend(seconds, |t| &mut t.cut_s);
+                self.spend(seconds, |t| &mut t.cut_s, |path| &mut path.cut);
                 self.grow(made, frame);
             }
             MoveKind::Jog => {
                 self.jog_mm += length_mm;
-                self.spend(seconds, |t| &mut t.jog_s);
+                self.spend(seconds, |t| &mut t.jog_s, |path| &mut path.jog);
             }
         }
     }
 
     /// Time passed without motion.
     pub fn waited(&mut self, seconds: f64) {
-        self.spend(seconds, |t| &mut t.wait_s);
+        self.spend(seconds, |t| &mut t.wait_s, |path| &mut path.wait);
     }
 
     /// A tool path begins. A start that only names the tool, or only the path, belongs to the part
-    /// that has nothing but the other.
+    /// that has nothing but the other; one that names the same again goes on with it.
     pub fn begins(&mut self, start: &ToolPathStart) {
         let (name, tool) = (start.name.clone(), start.tool.clone());
+        if self.toolpaths.last().is_some_and(|last| last.goes_on(start)) {
+            return;
+        }
         match self.toolpaths.last_mut() {
             Some(last) if last.seconds == 0.0 && (last.name.is_empty() || name.is_none()) => {
                 last.name = name.unwrap_or_else(|| last.name.clone());
@@ -90,8 +109,8 @@ impl Tally {
             _ => self.toolpaths.push(ToolPathTime {
                 name: name.unwrap_or_default(),
                 tool: tool.unwrap_or_default(),
-                seconds: 0.0,
                 first_move: self.moves + self.arcs,
+                ..ToolPathTime::default()
             }),
         }
     }
@@ -101,11 +120,17 @@ impl Tally {
         self.changing = begin;
     }
 
-    fn spend(&mut self, seconds: f64, kind: impl FnOnce(&mut Self) -> &mut f64) {
-        let sum = if self.changing { &mut self.tool_change_s } else { kind(self) };
-        *sum += seconds;
+    fn spend(
+        &mut self,
+        seconds: f64,
+        kind: impl FnOnce(&mut Self) -> &mut f64,
+        of_path: impl FnOnce(&mut ToolPathTime) -> &mut f64,
+    ) {
+        let changing = self.changing;
+        *(if changing { &mut self.tool_change_s } else { kind(self) }) += seconds;
         if let Some(path) = self.toolpaths.last_mut() {
             path.seconds += seconds;
+            *(if changing { &mut path.tool_change } else { of_path(path) }) += seconds;
         }
     }
 
@@ -188,6 +213,28 @@ mod tests {
         assert_eq!((tally.wait_s, tally.tool_change_s), (5.0, 2.0));
         let first = &tally.toolpaths[0];
         assert_eq!((&*first.name, &*first.tool, first.seconds), ("Pocket", "End mill", 6.0));
+        assert_eq!((first.wait, first.tool_change), (4.0, 2.0));
         assert_eq!(tally.toolpaths.len(), 2);
+    }
+
+    #[test]
+    fn a_tool_path_that_is_named_again_goes_on() {
+        let mut tally = Tally::default();
+        let start = |name: &str, tool: Option<&str>| ToolPathStart {
+            name: Some(Arc::from(name)),
+            tool: tool.map(Arc::from),
+        };
+        for (next, count) in [
+            (start("Pocket", Some("End mill")), 1),
+            (start("Pocket", Some("End mill")), 1),
+            (start("Pocket", None), 1),
+            (start("Pocket", Some("Ball nose")), 2),
+            (start("Outline", Some("Ball nose")), 3),
+        ] {
+            tally.begins(&next);
+            tally.waited(1.0);
+            assert_eq!(tally.toolpaths.len(), count, "{next:?}");
+        }
+        assert_eq!(tally.toolpaths[0].wait, 3.0);
     }
 }

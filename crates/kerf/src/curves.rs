@@ -5,10 +5,11 @@
 //! acceleration step, it is the step over a millisecond.
 
 use kerf_control::{Event, Made, Sink};
-use kerf_motion::State;
+use kerf_motion::{Move, State};
 use kerf_preview::Unit;
 use kerf_preview::plot::{Doing, Moment, Plot, Rates};
-use kerf_program::{AXES, Axes, Axis};
+use kerf_program::settings::AxisUnit;
+use kerf_program::{AXES, Axes, Axis, Settings};
 
 /// Time between two questions, seconds.
 const STEP_S: f64 = 0.001;
@@ -24,6 +25,8 @@ pub struct Curves {
     pub plot: Plot,
     /// From when to when, seconds.
     window: [f64; 2],
+    /// Axes whose numbers are degrees, whatever the unit of length.
+    degrees: [bool; AXES],
     begun: bool,
     /// Where the last move ended: seconds, and mm along the path.
     at: [f64; 2],
@@ -41,11 +44,16 @@ struct Push {
 }
 
 impl Curves {
-    /// Nothing yet; shows a stretch of time.
-    pub fn new(title: String, axes: &[Axis], window: [f64; 2]) -> Self {
-        let plot = Plot::new(title, axes);
+    /// Nothing yet; shows a stretch of time of a machine with these settings.
+    pub fn new(title: String, axes: &[Axis], window: [f64; 2], settings: &Settings) -> Self {
+        let mut plot = Plot::new(title, axes);
+        plot.note = format!("ramps {}", settings.model().word());
+        let degrees = Axis::ALL.map(|axis| settings.axis_unit(axis) == AxisUnit::Degrees);
+        for axis in axes.iter().filter(|axis| degrees[axis.index()]) {
+            plot.note += &format!(" · {} in degrees", axis.letter());
+        }
         let (last, jerk) = Default::default();
-        Self { plot, window, begun: false, at: [0.0; 2], last, jerk }
+        Self { plot, window, degrees, begun: false, at: [0.0; 2], last, jerk }
     }
 
     fn shows(&self, t_s: f64) -> bool {
@@ -123,7 +131,22 @@ impl Curves {
         }
         let share = if state.move_index == span.index { state.share } else { 1.0 };
         let at = [t_s, self.at[1] + share * span.made.length_mm];
-        self.push(&moment(at, span.made.speed_mm_s, &state, &accel, &self.jerk));
+        let mut moment = moment(at, span.made.speed_mm_s, &state, &accel, &self.jerk);
+        self.keep_degrees(&mut moment, span.made);
+        self.push(&moment);
+    }
+
+    /// Degrees are drawn as they are where lengths are drawn in inches.
+    fn keep_degrees(&self, moment: &mut Moment, made: &Move) {
+        let mm = self.plot.unit.mm;
+        for (rates, _) in moment.axes.iter_mut().zip(self.degrees).filter(|(_, degrees)| *degrees) {
+            *rates = rates.map(|v| v * mm);
+        }
+        let turns = |k: usize| made.from.0[k] == made.to.0[k] || self.degrees[k];
+        if (0..AXES).all(turns) {
+            moment.path = moment.path.map(|v| v * mm);
+            moment.programmed *= mm;
+        }
     }
 
     /// Where a window begins inside a plan, what was before it is asked.

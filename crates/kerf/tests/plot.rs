@@ -98,3 +98,10 @@ fn mistakes_are_told_and_nothing_is_written() {
     assert!(output.status.success());
     check(std::str::from_utf8(&written.unwrap()).unwrap(), &["nothing moves"]);
 }
+
+#[test]
+fn degrees_stay_degrees_beside_inches() {
+    // A quarter of a turn at 10 degrees a second, B; the lengths are inches.
+    let svg = svg("VD,,5\nVS,,,,10\nMX,1\nMB,90\n", "--axes xb");
+    assert!(svg.contains("at most 10.00 in/s") && svg.contains("B in degrees"), "{svg}");
+}

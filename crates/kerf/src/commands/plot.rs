@@ -80,8 +80,8 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     }
     let mut job = setup::job(&args.file, &args.run, true)?;
     let title = args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let mut curves = Curves::new(title, args.axes.as_deref().unwrap_or_default(), window);
-    curves.plot.note = format!("ramps {}", job.session.memory.settings.model().word());
+    let (axes, settings) = (args.axes.as_deref(), &job.session.memory.settings);
+    let curves = Curves::new(title, axes.unwrap_or_default(), window, settings);
     let mut sink = (Diagnostics::default(), curves);
     let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };

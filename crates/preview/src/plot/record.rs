@@ -132,9 +132,11 @@ impl Plot {
         }
     }
 
-    /// A tool path begins. One that begins where the last did names it more closely.
+    /// A tool path begins. One that begins where the last did names it more closely, and one of
+    /// the same name goes on with it.
     pub fn toolpath(&mut self, at: Place, name: String) {
         match self.toolpaths.last_mut() {
+            Some((_, last)) if *last == name => {}
             Some((place, last)) if *place == at => *last = format!("{last} · {name}"),
             _ => self.toolpaths.push((at, name)),
         }

@@ -128,8 +128,19 @@ fn text(times: &Times<'_>) -> String {
         text += "\n";
     }
     for path in times.toolpaths {
-        let tool = if path.tool.is_empty() { String::new() } else { format!("  ({})", path.tool) };
-        text += &format!("{:>12}  {}{tool}\n", out::duration(path.seconds), path.name);
+        text += &toolpath_line(path);
     }
     text
+}
+
+/// Time, name and tool, and how much of the time is none of cutting and jogging.
+fn toolpath_line(path: &ToolPathTime) -> String {
+    let tool = if path.tool.is_empty() { String::new() } else { format!("  ({})", path.tool) };
+    let parts = [("waiting", path.wait), ("tool changes", path.tool_change)];
+    let told = |(name, seconds): (&str, f64)| {
+        (seconds >= 0.05).then(|| format!("{name} {}", out::duration(seconds)))
+    };
+    let of_that = parts.into_iter().filter_map(told).collect::<Vec<_>>().join(", ");
+    let of_that = if of_that.is_empty() { of_that } else { format!("; {of_that}") };
+    format!("{:>12}  {}{tool}{of_that}\n", out::duration(path.seconds), path.name)
 }
