@@ -105,6 +105,7 @@ impl Tally {
             Some(last) if last.seconds == 0.0 && (last.name.is_empty() || name.is_none()) => {
                 last.name = name.unwrap_or_else(|| last.name.clone());
                 last.tool = tool.unwrap_or_else(|| last.tool.clone());
+                self.join_same();
             }
             _ => self.toolpaths.push(ToolPathTime {
                 name: name.unwrap_or_default(),
@@ -112,6 +113,16 @@ impl Tally {
                 first_move: self.moves + self.arcs,
                 ..ToolPathTime::default()
             }),
+        }
+    }
+
+    /// A part that turns out to be the one before goes on with it.
+    fn join_same(&mut self) {
+        if let [.., before, last] = &self.toolpaths[..]
+            && !last.name.is_empty()
+            && (&before.name, &before.tool) == (&last.name, &last.tool)
+        {
+            self.toolpaths.pop();
         }
     }
 
@@ -236,5 +247,12 @@ mod tests {
             assert_eq!(tally.toolpaths.len(), count, "{next:?}");
         }
         assert_eq!(tally.toolpaths[0].wait, 3.0);
+        // Said piece by piece, as some files do.
+        let nothing = ToolPathStart { name: None, tool: None };
+        let tool = ToolPathStart { name: None, tool: Some("Ball nose".into()) };
+        for next in [&nothing, &start("Outline", None), &tool] {
+            tally.begins(next);
+        }
+        assert_eq!(tally.toolpaths.len(), 3);
     }
 }
