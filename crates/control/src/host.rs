@@ -1,8 +1,10 @@
 //! What a program asks, answered by the world it runs in.
 
+use crate::conversion;
 use crate::world::World;
 use kerf_program::{
-    AXES, Answer, FileMode, FileRequest, Host, HostError, Question, ShellCall, SourceFile,
+    AXES, Answer, FileConversion, FileMode, FileRequest, Host, HostError, Question, ShellCall,
+    SourceFile,
 };
 use std::task::Poll;
 
@@ -76,6 +78,16 @@ impl Host for World<'_> {
 
     fn store(&mut self, key: &str, value: Option<&str>) {
         self.shelf.stored.set(key, value);
+    }
+
+    fn convert(
+        &mut self,
+        name: &str,
+        kind: Option<&str>,
+        overwrite: bool,
+    ) -> Result<FileConversion, HostError> {
+        let settings = self.machine.settings().clone();
+        conversion::convert(self.shelf, &settings, name, kind, overwrite)
     }
 
     fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>> {

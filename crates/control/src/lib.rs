@@ -17,6 +17,7 @@
 pub mod answers;
 mod check;
 pub mod config;
+mod conversion;
 mod desk;
 pub mod event;
 mod execute;

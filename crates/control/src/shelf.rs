@@ -146,6 +146,11 @@ impl Shelf {
         Some(String::from_utf8_lossy(&bytes).into_owned())
     }
 
+    /// Whether there is such a file in the part folder.
+    pub fn has(&self, name: &str) -> bool {
+        self.folders.find(&*self.disk, Folder::Parts, name, Purpose::Read).is_ok()
+    }
+
     /// Puts a file into the part folder, whole or not at all.
     ///
     /// # Errors

@@ -63,3 +63,42 @@ fn variables_are_kept_where_both_languages_can() {
     let inp = shop.kerf("convert inp.sbp inp.nc --keep-variables");
     inp.complains("inp.sbp:1").complains("variables are not kept");
 }
+
+#[test]
+fn sbp_conv_fc() {
+    let shop = Shop::new(&[("prog.nc", PROG), ("a.sbp", "FC,prog.nc\nFP,prog.sbp\n")]);
+    let did = shop.kerf("run a.sbp");
+    did.exits(0).says("1 arc");
+    let text = shop.read("prog.sbp");
+    assert!(text.contains("CG,,3,0,1,0,T,1\n"), "{text}");
+    // An existing part file is written over only where somebody says so.
+    shop.write("prog.sbp", b"MX,9\n");
+    shop.kerf("run a.sbp").exits(0).says("Write over it? → No");
+    assert_eq!(shop.read("prog.sbp"), "MX,9\n");
+    shop.write("yes.txt", b"Yes\n");
+    shop.kerf("run a.sbp --answers yes.txt").exits(0);
+    assert_eq!(shop.read("prog.sbp"), text);
+    // A preview writes nothing.
+    std::fs::remove_file(shop.file("prog.sbp")).unwrap();
+    shop.kerf("trace a.sbp").exits(0);
+    assert!(!shop.file("prog.sbp").exists());
+}
+
+#[test]
+fn sbp_conv_fc_unknown() {
+    let shop = Shop::new(&[
+        ("part.xyz", PROG),
+        ("a.sbp", "FC,part.xyz\n"),
+        ("gcode.txt", "G-code\n"),
+        ("dxf.txt", "DXF\n"),
+    ]);
+    let did = shop.kerf("run a.sbp --answers gcode.txt");
+    did.exits(0).says("What is part.xyz? DXF, HPGL, G-code or bitmap");
+    assert!(shop.read("part.sbp").contains("CG,,3,0,1,0,T,1\n"));
+    std::fs::remove_file(shop.file("part.sbp")).unwrap();
+    shop.kerf("run a.sbp --answers dxf.txt").exits(1).complains("not converted yet");
+    assert!(!shop.file("part.sbp").exists());
+    // Headless by an option.
+    shop.kerf("convert part.xyz part.sbp --type nc").exits(0);
+    assert!(shop.read("part.sbp").contains("CG,,3,0,1,0,T,1\n"));
+}

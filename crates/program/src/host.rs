@@ -188,6 +188,17 @@ pub enum HostError {
 /// before it starts (SetSpindleStatus).
 pub const SPINDLE_STATUS: &str = "SpindleStatus";
 
+/// What became of a request to convert a file (FC).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FileConversion {
+    /// It was written here.
+    Made(String),
+    /// There is a file of this name already, and nothing was written.
+    Exists(String),
+    /// The name does not say what the file is.
+    Unknown,
+}
+
 /// What an interpreter asks of the world.
 ///
 /// Every method that may have to wait returns [`Poll`]; on `Pending` the interpreter's step has no
@@ -246,6 +257,17 @@ pub trait Host {
 
     /// Keeps a value under a key; `None` removes it.
     fn store(&mut self, key: &str, value: Option<&str>);
+
+    /// Converts a file of the part folder to a part file beside it (FC). `kind` says what it is, where
+    /// its name does not: an extension as `nc` or `dxf`.
+    fn convert(
+        &mut self,
+        name: &str,
+        _kind: Option<&str>,
+        _overwrite: bool,
+    ) -> Result<FileConversion, HostError> {
+        Err(HostError::Disabled(format!("{name}: files are not converted here")))
+    }
 
     /// Starts an external program.
     fn shell(&mut self, call: &ShellCall) -> Poll<Result<(), HostError>>;

@@ -32,8 +32,8 @@ pub use command::{
 pub use dynamics::Dynamics;
 pub use frame::Frame;
 pub use host::{
-    Answer, Button, FileMode, FileRequest, Folder, Host, HostError, Question, QuestionKind,
-    SPINDLE_STATUS, ShellCall, SourceFile,
+    Answer, Button, FileConversion, FileMode, FileRequest, Folder, Host, HostError, Question,
+    QuestionKind, SPINDLE_STATUS, ShellCall, SourceFile,
 };
 pub use interpreter::{Interpreter, Status, Step, Watch};
 pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};

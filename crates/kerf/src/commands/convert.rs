@@ -32,6 +32,9 @@ pub struct ConvertArgs {
     /// The file to write
     #[arg(value_name = "OUT")]
     target: PathBuf,
+    /// What IN is, where its name does not say it: an extension, as nc or sbp
+    #[arg(long = "type", value_name = "EXTENSION")]
+    kind: Option<String>,
     /// The controller that the G-code is written for
     #[arg(long, value_enum, default_value = "linuxcnc", value_name = "CONTROLLER")]
     to: Controller,
@@ -76,7 +79,10 @@ impl Controller {
 }
 
 pub fn run(args: &ConvertArgs) -> Result<Exit> {
-    let from = language(&args.source, args.from)?;
+    let from = match &args.kind {
+        Some(kind) => language(&args.source.with_extension(kind), args.from)?,
+        None => language(&args.source, args.from)?,
+    };
     let to = language(&args.target, args.to)?;
     let bytes = setup::read_bytes(&args.source)?;
     if args.target.exists() && !args.force {

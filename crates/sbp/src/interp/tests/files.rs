@@ -167,8 +167,9 @@ fn a_mask_alone_keeps_the_folder() {
 }
 
 #[test]
-fn conversion_is_not_the_part_files_business() {
-    run("FC,a.dxf").fails_at(1, "cannot convert");
+fn conversion_is_the_business_of_whoever_has_the_files() {
+    run("FC,a.dxf").fails_at(1, "not converted here");
+    run("FC").fails_at(1, "file name expected");
 }
 
 #[test]
