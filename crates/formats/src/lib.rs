@@ -7,6 +7,7 @@
 pub mod dxf;
 mod finding;
 pub mod rsg;
+pub mod svg;
 
 pub use finding::{Finding, Weight};
 

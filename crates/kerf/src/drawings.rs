@@ -4,7 +4,7 @@ use crate::exit::Usage;
 use anyhow::{Context, Result, bail};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_drawing::{Drawing, Group, Shape};
-use kerf_formats::{Imported, Weight, dxf, rsg};
+use kerf_formats::{Imported, Weight, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
@@ -47,7 +47,8 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     let mut read = match extension.as_str() {
         "dxf" => dxf::read(&bytes, &options),
         "rsg" | "rsm" => rsg::read(&bytes),
-        _ => bail!(Usage(format!("{}: a drawing is .dxf, .rsg or .rsm", file.display()))),
+        "svg" => svg::read(&bytes),
+        _ => bail!(Usage(format!("{}: a drawing is .dxf, .svg, .rsg or .rsm", file.display()))),
     };
     tell(file, &read);
     if reading.layers {
@@ -139,23 +140,26 @@ fn name(file: &Path) -> String {
 
 /// Whether a file is a drawing or a job made of one.
 pub fn is_drawing(file: &Path) -> bool {
-    matches!(extension(file).as_str(), "dxf" | "rsg" | "rsm")
+    matches!(extension(file).as_str(), "dxf" | "svg" | "rsg" | "rsm")
 }
 
 /// Writes a drawing, whole or not at all.
 pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
-    let text = match extension(file).as_str() {
+    let extension = extension(file);
+    let text = match extension.as_str() {
         "rsg" => rsg::write(drawing),
-        "dxf" => {
+        "dxf" | "svg" => {
             if loses(drawing) {
                 eprintln!(
                     "{}: groups and arrays will not be saved; .rsg keeps them",
                     file.display()
                 );
             }
-            dxf::write(drawing)
+            if extension == "dxf" { dxf::write(drawing) } else { svg::write(drawing) }
         }
-        _ => bail!(Usage(format!("{}: a drawing is written as .rsg or .dxf", file.display()))),
+        _ => {
+            bail!(Usage(format!("{}: a drawing is written as .rsg, .dxf or .svg", file.display())))
+        }
     };
     RealDisk
         .write(file, text.as_bytes())

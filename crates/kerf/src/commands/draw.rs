@@ -16,12 +16,12 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = help())]
 pub struct DrawArgs {
-    /// The drawings: .dxf or .rsg; none begins an empty one
+    /// The drawings: .dxf, .svg or .rsg; none begins an empty one
     files: Vec<PathBuf>,
     /// What to do, clauses divided by semicolons
     #[arg(long = "do", value_name = "OP; OP; …")]
     operations: Option<String>,
-    /// The drawing to write: .rsg or .dxf
+    /// The drawing to write: .rsg, .dxf or .svg
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Prints the shapes as JSON, one a line
