@@ -7,7 +7,7 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run bench bench-geometry test properties check fuzz format conformance book figures prepare
+.PHONY: help run bench bench-geometry test properties check fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -60,7 +60,7 @@ figures: prepare ## draw the pictures of the README from the examples
 	  target/debug/kerf preview $$part -o docs/figures/$$(basename $$part .sbp).svg; \
 	done
 
-bench: prepare ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
+bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
 	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
 

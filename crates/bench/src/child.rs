@@ -8,7 +8,8 @@ use crate::figure::{Figure, Goal, RUNS, Spread};
 use crate::inputs::Input;
 use crate::usage::{self, Usage};
 use anyhow::{Context, Result, ensure};
-use std::path::Path;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 use std::{env, fs};
@@ -17,10 +18,13 @@ use std::{env, fs};
 pub const PARENT: &str = "--parent-of";
 
 /// What a process took.
-struct Taken {
-    seconds: f64,
-    cpu_s: f64,
-    peak: f64,
+pub struct Taken {
+    /// By the clock on the wall.
+    pub seconds: f64,
+    /// Of the processor.
+    pub cpu_s: f64,
+    /// Memory, bytes.
+    pub peak: f64,
 }
 
 /// The commands on an input.
@@ -40,7 +44,10 @@ pub fn figures(input: &Input) -> Result<Vec<Figure>> {
     for (stage, command, arguments) in commands {
         let goal =
             (stage == "kerf time" && input.name == "m3-1m").then_some(Goal::Within(0.5, 300e6));
-        let taken = (0..=RUNS).map(|_| run(command, &arguments, folder.path()));
+        let mut words = vec![OsStr::new(command)];
+        words.extend(arguments.iter().map(|path| path.as_os_str()));
+        let kerf = own()?.with_file_name("kerf");
+        let taken = (0..=RUNS).map(|_| run(&kerf, &words, folder.path()));
         let taken = taken.skip(1).collect::<Result<Vec<_>>>()?;
         let spread = |f: fn(&Taken) -> f64| Spread::of(taken.iter().map(f).collect());
         figures.push(Figure {
@@ -57,13 +64,17 @@ pub fn figures(input: &Input) -> Result<Vec<Figure>> {
     Ok(figures)
 }
 
-fn run(command: &str, arguments: &[&Path], data: &Path) -> Result<Taken> {
-    let own = env::current_exe().context("where is this program?")?;
-    let kerf = own.with_file_name("kerf");
-    let mut parent = Command::new(&own);
-    parent.arg(PARENT).arg(kerf).arg(command).args(arguments).env("KERF_DATA", data);
+fn own() -> Result<PathBuf> {
+    env::current_exe().context("where is this program?")
+}
+
+/// Runs a program whose data and home lie in a folder.
+pub fn run(program: &Path, arguments: &[&OsStr], data: &Path) -> Result<Taken> {
+    let mut parent = Command::new(own()?);
+    parent.arg(PARENT).arg(program).args(arguments).current_dir(data);
+    parent.env("KERF_DATA", data).env("HOME", data);
     let output = parent.stderr(Stdio::inherit()).output()?;
-    ensure!(output.status.success(), "kerf {command} failed");
+    ensure!(output.status.success(), "{} failed", program.display());
     let text = String::from_utf8_lossy(&output.stdout);
     let mut numbers = text.split_whitespace().map(str::parse);
     let mut next = || numbers.next().context("the process told too little")?.context("no number");

@@ -5,6 +5,7 @@
 
 mod child;
 mod figure;
+mod gcode;
 mod inputs;
 mod record;
 mod stages;
@@ -30,6 +31,9 @@ fn main() -> Result<()> {
         figures.extend(stages::figures(&input)?);
         figures.extend(child::figures(&input)?);
     }
+    let (more, compared) = gcode::figures(word)?;
+    about.extend(more);
+    figures.extend(compared);
     let section = record::section(&about, &figures);
     println!("{section}");
     if recorded {

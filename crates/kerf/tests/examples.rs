@@ -65,13 +65,15 @@ fn difference(folder: &Path) -> Option<String> {
 fn trace(folder: &Path) -> Vec<Value> {
     let name = folder.file_name().unwrap().to_string_lossy();
     let (_, name) = name.split_once('-').expect("NN-name");
+    let part = ["sbp", "nc"].map(|ending| format!("{name}.{ending}"));
+    let part = part.into_iter().find(|part| folder.join(part).is_file()).expect("a part file");
     let options = std::fs::read_to_string(folder.join("options.txt")).unwrap_or_default();
     let data = tempfile::tempdir().unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_kerf"))
         .current_dir(folder)
         .env("KERF_DATA", data.path())
         .arg("trace")
-        .arg(format!("{name}.sbp"))
+        .arg(part)
         .args(options.split_whitespace())
         .output()
         .expect("kerf runs");

@@ -27,7 +27,7 @@ fn check_folder(tree: &Tree, name: &str) -> Vec<Finding> {
             findings.push(Finding::file(&folder, format!("{needed} is missing")));
         }
     }
-    if tree.matching(&folder, ".sbp").next().is_none() {
+    if [".sbp", ".nc"].iter().all(|ending| tree.matching(&folder, ending).next().is_none()) {
         findings.push(Finding::file(&folder, "there is no part file"));
     }
     findings
