@@ -2,6 +2,7 @@
 
 use super::source::Source;
 use super::validate::CHECK_MM;
+use crate::segment::square;
 use crate::{Bounds2, Point2, Segment};
 
 /// Places on each segment are looked at this densely, as a share of the distance. Between two of them a
@@ -9,6 +10,9 @@ use crate::{Bounds2, Point2, Segment};
 const SPACING: f64 = 0.5;
 /// But not more places than this on one segment.
 const MOST_PLACES: usize = 64;
+/// A segment shorter than this share of the distance is looked at in its middle only: a corner between
+/// two such places is 0.1 % of the distance too near at most, and its neighbours' places show it.
+const SHORT: f64 = 0.1;
 /// So many neighbours are asked about together, as long as they keep within a share of the distance.
 const MOST_TOGETHER: usize = 8;
 const TOGETHER: f64 = 0.25;
@@ -54,9 +58,13 @@ fn split_group(segments: &[Segment], size: f64) -> Option<(&[Segment], &[Segment
 }
 
 fn near_one(segment: &Segment, limit: f64, distance: f64, near: &[Segment]) -> Option<Point2> {
+    let too_near = |at: &Point2| near.iter().any(|s| s.is_nearer(*at, limit));
+    // A segment this short has no room for anything between its middle and those of its neighbours.
+    if square(segment.end() - segment.start()) < (SHORT * distance).powi(2) {
+        return Some(segment.at(0.5)).filter(too_near);
+    }
     let count = places(segment.length(), distance);
     let inner = (0..count).map(|k| segment.at((k as f64 + 0.5) / count as f64));
-    let too_near = |at: &Point2| near.iter().any(|s| s.is_nearer(*at, limit));
     let place = inner.chain([segment.end()]).find(too_near);
     place.or_else(|| near.iter().map(Segment::start).find(|at| segment.is_nearer(*at, limit)))
 }

@@ -220,10 +220,12 @@ fn attempt(source: &Source, distance: f64) -> Vec<OffsetPath> {
     for (number, contour) in source.contours.iter().enumerate() {
         raw::append(number, contour, distance, &mut pieces);
     }
-    if slices::is_crowded(&pieces) {
+    let mut tree = slices::index(&pieces);
+    if slices::is_crowded(&tree) {
         slices::drop_buried(&mut pieces, source, distance);
+        tree = slices::index(&pieces);
     }
     let caps = raw::caps(source.contours, distance);
-    let slices = slices::valid_slices(&pieces, &caps, source, distance);
+    let slices = slices::valid_slices(&pieces, &tree, &caps, source, distance);
     rings::rings(source, distance, &pieces, &slices)
 }

@@ -5,7 +5,7 @@ use super::slices::Slice;
 use super::source::Source;
 use super::{OffsetPath, Origin};
 use crate::stitch::{Strand, Turn, stitch};
-use crate::{Point2, Polyarc, Segment, Vec2, tol};
+use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
 
 /// How far along a strand is looked for the way it goes, as a share of the offset: tangent curves
 /// have parted by then, and neighbouring corners are not yet reached.
@@ -102,11 +102,21 @@ fn parts_of(pieces: &[Piece], slices: &[Slice], way: &[usize]) -> Vec<Part> {
 /// A path of parts that are worth something, or nothing.
 fn path(mut parts: Vec<Part>, closed: bool) -> Option<OffsetPath> {
     parts.retain(|(s, _)| s.length() > tol::SAME_PLACE_MM);
-    let segments: Vec<Segment> = parts.iter().map(|p| p.0).collect();
-    let path = Polyarc::from_segments(&segments, closed);
-    let thin = closed && path.signed_area().abs() <= path.length() * THIN_MM;
+    if parts.is_empty() || (closed && is_thin(&parts)) {
+        return None;
+    }
+    let path = Polyarc::from_parts(parts.iter().map(|p| &p.0), closed);
     let origins = parts.iter().map(|p| p.1).collect();
-    (!parts.is_empty() && !thin).then_some(OffsetPath { path, origins })
+    Some(OffsetPath { path, origins })
+}
+
+/// Whether a ring encloses no more than a strip along itself, as where it goes there and back.
+fn is_thin(parts: &[Part]) -> bool {
+    let origin = parts[0].0.start();
+    let twice = |s: &Segment| (s.start() - origin).cross(s.end() - origin) + s.twice_cap_area();
+    let area: f64 = parts.iter().map(|p| twice(&p.0)).sum::<f64>() * 0.5;
+    let length: f64 = parts.iter().map(|p| p.0.length()).sum();
+    area.abs() <= length * THIN_MM
 }
 
 /// The ring from the place nearest to the parallel of its source's start.
@@ -115,13 +125,23 @@ pub(super) fn started_like_source(source: &Source, distance: f64, ring: OffsetPa
     let first = source.segments()[source.first[contour]];
     let wanted = raw::parallel(&first, distance)
         .map_or_else(|| first.start() - first.direction(0.0).left() * distance, |p| p.start());
+    // Usually the very place is a vertex of the ring.
+    let here = |v: &Vertex| v.at.distance(wanted) <= tol::SAME_PLACE_MM;
+    if let Some(vertex) = ring.path.vertices.iter().position(here) {
+        return turned(ring.path, ring.origins, vertex);
+    }
     let Some((place, _)) = ring.path.nearest(wanted) else { return ring };
     let before = ring.path.vertices.len();
-    let (mut path, vertex) = ring.path.with_vertex_at(&place);
+    let (path, vertex) = ring.path.with_vertex_at(&place);
     let mut origins = ring.origins;
     if path.vertices.len() > before {
         origins.insert(vertex, origins[vertex - 1]);
     }
+    turned(path, origins, vertex)
+}
+
+/// The ring from one of its vertices.
+fn turned(mut path: Polyarc, mut origins: Vec<Origin>, vertex: usize) -> OffsetPath {
     path.vertices.rotate_left(vertex);
     origins.rotate_left(vertex);
     OffsetPath { path, origins }

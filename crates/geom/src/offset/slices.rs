@@ -48,29 +48,27 @@ pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f6
     }
 }
 
-/// How many pairs of boxes there are, counted no farther than `limit`.
-pub(super) fn is_crowded(pieces: &[Piece]) -> bool {
-    let index = index(pieces);
-    let mut pairs = 0usize;
-    // A quick look at a part of the path tells enough.
-    let step = pieces.len() / 256 + 1;
-    let mut asked = 0usize;
-    for k in (0..pieces.len()).step_by(step) {
+/// Whether pieces crowd together, so that most of them must be buried. A quick look at a part of the path
+/// tells enough.
+pub(super) fn is_crowded(tree: &BoxTree) -> bool {
+    let step = tree.len() / 256 + 1;
+    let (mut asked, mut pairs) = (0usize, 0usize);
+    for k in (0..tree.len()).step_by(step) {
         asked += 1;
-        index.meeting(index.leaf(k), |_| pairs += 1);
+        tree.meeting(tree.leaf(k), |_| pairs += 1);
     }
     pairs > asked * 8
 }
 
-fn index(pieces: &[Piece]) -> BoxTree {
+/// The boxes of the pieces.
+pub(super) fn index(pieces: &[Piece]) -> BoxTree {
     let margin = tol::CONTACT_MM;
     BoxTree::new(pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }))
 }
 
 /// All cuts, sorted by piece and share. `extra` are curves that cut but are not cut.
-fn cuts(pieces: &[Piece], extra: &[Segment]) -> Cuts {
+fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Cuts {
     let mut cuts = Cuts::new();
-    let tree = index(pieces);
     tree.own_pairs(|a, b| {
         let contacts = pieces[a].segment.meet(&pieces[b].segment);
         for c in contacts.iter() {
@@ -107,11 +105,12 @@ fn at_start(segment: &Segment, share: f64) -> bool {
 /// The slices that are at their distance from the source.
 pub(super) fn valid_slices(
     pieces: &[Piece],
+    tree: &BoxTree,
     extra: &[Segment],
     source: &Source,
     distance: f64,
 ) -> Vec<Slice> {
-    let cuts = cuts(pieces, extra);
+    let cuts = cuts(pieces, tree, extra);
     let mut slices = Vec::new();
     for parts in sliced(pieces, &cuts) {
         let probe = probe(pieces, &parts);

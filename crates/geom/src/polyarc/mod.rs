@@ -99,8 +99,15 @@ impl Polyarc {
     /// A polyarc through segments that follow each other. Only their starts and curves are kept, and
     /// the end of the last when it stays open.
     pub fn from_segments(segments: &[Segment], closed: bool) -> Self {
-        let mut vertices: Vec<Vertex> =
-            segments.iter().map(|s| Vertex { at: s.start(), bulge: s.bulge() }).collect();
+        Self::from_parts(segments.iter(), closed)
+    }
+
+    pub(crate) fn from_parts<'a>(
+        segments: impl DoubleEndedIterator<Item = &'a Segment> + ExactSizeIterator + Clone,
+        closed: bool,
+    ) -> Self {
+        let mut vertices = Vec::with_capacity(segments.len() + 1);
+        vertices.extend(segments.clone().map(|s| Vertex { at: s.start(), bulge: s.bulge() }));
         if let (false, Some(last)) = (closed, segments.last()) {
             vertices.push(Vertex { at: last.end(), bulge: 0.0 });
         }

@@ -114,14 +114,14 @@ impl Segment {
     /// Unit direction of travel after a share of the path; null for a segment without length.
     pub fn direction(&self, share: f64) -> Vec2 {
         match *self {
-            Self::Line { start, end } => (end - start).normalized().unwrap_or_default(),
+            Self::Line { start, end } => unit(end - start),
             Self::Arc { start, end, centre, sweep_rad, .. } => {
                 let radial = match share {
                     s if s <= 0.0 => start - centre,
                     s if s >= 1.0 => end - centre,
                     s => (start - centre).rotated(sweep_rad * s),
                 };
-                radial.left().normalized().unwrap_or_default() * sweep_rad.signum()
+                unit(radial.left()) * sweep_rad.signum()
             }
         }
     }
@@ -200,6 +200,12 @@ impl Segment {
             }
         }
     }
+}
+
+/// The unit vector along another; null for the null vector.
+fn unit(v: Vec2) -> Vec2 {
+    let long = square(v).sqrt();
+    if long > 0.0 { v / long } else { Vec2::default() }
 }
 
 /// x − sin x without the loss of digits for small angles.

@@ -12,7 +12,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 const SCRIPT: &str = include_str!("geos.py");
 
 /// Chords of the comparison, far below what is looked for.
-const CHORD_MM: f64 = 1e-5;
+const CHORD_MM: f64 = 5e-5;
 
 /// A running Python.
 struct Geos {
