@@ -158,8 +158,12 @@ impl BoxTree {
 
     /// Calls `visit` with every pair of boxes, one of each tree, that meet.
     pub fn pairs(&self, other: &Self, mut visit: impl FnMut(usize, usize)) {
+        let mut go_on = |a, b| {
+            visit(a, b);
+            true
+        };
         if !self.is_empty() && !other.is_empty() {
-            self.pairs_in((self.top(), 0), other, (other.top(), 0), &mut visit);
+            self.pairs_in((self.top(), 0), other, (other.top(), 0), &mut go_on);
         }
     }
 
@@ -168,43 +172,52 @@ impl BoxTree {
         mine: (usize, usize),
         other: &Self,
         theirs: (usize, usize),
-        visit: &mut impl FnMut(usize, usize),
-    ) {
+        visit: &mut impl FnMut(usize, usize) -> bool,
+    ) -> bool {
         if !self.at(mine.0, mine.1).meets(other.at(theirs.0, theirs.1)) {
-            return;
+            return true;
         }
         if mine.0 == 0 && theirs.0 == 0 {
-            visit(mine.1, theirs.1);
+            visit(mine.1, theirs.1)
         } else if mine.0 >= theirs.0 {
-            for child in self.children(mine.0, mine.1) {
-                self.pairs_in((mine.0 - 1, child), other, theirs, visit);
-            }
+            let mut children = self.children(mine.0, mine.1);
+            children.all(|child| self.pairs_in((mine.0 - 1, child), other, theirs, visit))
         } else {
-            for child in other.children(theirs.0, theirs.1) {
-                self.pairs_in(mine, other, (theirs.0 - 1, child), visit);
-            }
+            let mut children = other.children(theirs.0, theirs.1);
+            children.all(|child| self.pairs_in(mine, other, (theirs.0 - 1, child), visit))
         }
     }
 
     /// Calls `visit` with every pair of different boxes of this tree that meet, the lower number
     /// first, each pair once.
     pub fn own_pairs(&self, mut visit: impl FnMut(usize, usize)) {
-        if !self.is_empty() {
-            self.own_pairs_in(self.top(), 0, &mut visit);
-        }
+        self.own_pairs_while(|a, b| {
+            visit(a, b);
+            true
+        });
     }
 
-    fn own_pairs_in(&self, level: usize, number: usize, visit: &mut impl FnMut(usize, usize)) {
+    /// As [`BoxTree::own_pairs`], until `visit` returns false; whether it never did.
+    pub fn own_pairs_while(&self, mut visit: impl FnMut(usize, usize) -> bool) -> bool {
+        self.is_empty() || self.own_pairs_in(self.top(), 0, &mut visit)
+    }
+
+    fn own_pairs_in(
+        &self,
+        level: usize,
+        number: usize,
+        visit: &mut impl FnMut(usize, usize) -> bool,
+    ) -> bool {
         if level == 0 {
-            return;
+            return true;
         }
         let children = self.children(level, number);
-        for first in children.clone() {
-            self.own_pairs_in(level - 1, first, visit);
-            for second in first + 1..children.end {
-                self.pairs_in((level - 1, first), self, (level - 1, second), visit);
-            }
-        }
+        children.clone().all(|first| {
+            self.own_pairs_in(level - 1, first, visit)
+                && (first + 1..children.end).all(|second| {
+                    self.pairs_in((level - 1, first), self, (level - 1, second), visit)
+                })
+        })
     }
 }
 

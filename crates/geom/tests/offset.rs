@@ -205,3 +205,13 @@ fn contours_that_cross_are_named() {
     let found = offset_region(&[sq100(), Polyarc::circle(p(100., 50.), 10.0)], -2.0);
     assert!(matches!(found, Err(GeomError::Crosses { first: 0, second: 1, .. })), "{found:?}");
 }
+
+#[test]
+fn a_tangle_is_refused_and_a_long_contour_is_not() {
+    let mut dice = families::Dice::new(1);
+    let tangle =
+        Polyarc::lines((0..3000).map(|_| p(dice.between(0., 99.), dice.between(0., 99.))), true);
+    assert!(matches!(offset(&tangle, 1.0), Err(GeomError::Crosses { first: 0, second: 0, .. })));
+    let long = families::round(60_000, |t| 500.0 + 20.0 * (9.0 * t).cos());
+    assert_eq!(offset(&long, 3.0).map(|f| f.len()), Ok(1));
+}

@@ -155,12 +155,15 @@ impl Prepared {
     /// The first attempt that passes the check.
     fn proved(&self, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
         let source = Source::new(&self.contours);
-        let found = attempt(&source, distance);
-        let Err(why) = validate::validate(&source, distance, &found) else { return Ok(found) };
+        let tangle = GeomError::Unproved { why: "a tangle of crossings", at: Point2::default() };
+        let checked =
+            |found: Vec<OffsetPath>| validate::validate(&source, distance, &found).map(|()| found);
+        let first = attempt(&source, distance).ok_or(tangle).and_then(checked);
+        let Err(why) = first else { return first };
         self.crossing().map_or(Ok(()), Err)?;
         for (turn_rad, longer) in SECOND_ATTEMPTS {
             let found = self.attempt_turned(distance + longer, turn_rad);
-            if validate::validate(&source, distance, &found).is_ok() {
+            if let Some(Ok(found)) = found.map(checked) {
                 return Ok(found);
             }
         }
@@ -168,13 +171,13 @@ impl Prepared {
     }
 
     /// The offset of the turned contours, turned back.
-    fn attempt_turned(&self, distance: f64, turn_rad: f64) -> Vec<OffsetPath> {
+    fn attempt_turned(&self, distance: f64, turn_rad: f64) -> Option<Vec<OffsetPath>> {
         let turn = Transform2::turned(Point2::default(), turn_rad);
         let back = Transform2::turned(Point2::default(), -turn_rad);
         let turned: Vec<Polyarc> = self.contours.iter().map(|c| c.similar(&turn)).collect();
-        let mut found = attempt(&Source::new(&turned), distance);
+        let mut found = attempt(&Source::new(&turned), distance)?;
         found.iter_mut().for_each(|offset| offset.path = offset.path.similar(&back));
-        found
+        Some(found)
     }
 
     /// Where a contour crosses itself or another, if one does: what has no inside has no offset.
@@ -185,8 +188,9 @@ impl Prepared {
         boxes.own_pairs(|a, b| pairs.push((a, b)));
         pairs.into_iter().find_map(|(first, second)| {
             let (a, b) = (&self.contours[first], &self.contours[second]);
-            let found = if first == second { a.self_crossings() } else { a.crossings(b) };
-            let at = found.first()?.first.at + back;
+            let found =
+                if first == second { a.crosses_itself() } else { a.crossings(b).first().copied() };
+            let at = found?.first.at + back;
             Some(GeomError::Crosses { first, second, at })
         })
     }
@@ -214,8 +218,8 @@ impl Prepared {
 /// roundings of coincident curves, and in the end an offset that differs by less than the check can see.
 const SECOND_ATTEMPTS: [(f64, f64); 4] = [(0.7, 0.0), (2.9, 0.0), (1.3, 2e-7), (0.3, -2e-7)];
 
-/// Steps 1 to 3.
-fn attempt(source: &Source, distance: f64) -> Vec<OffsetPath> {
+/// Steps 1 to 3; nothing when the raw offset is a tangle.
+fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
     let mut pieces = Vec::new();
     for (number, contour) in source.contours.iter().enumerate() {
         raw::append(number, contour, distance, &mut pieces);
@@ -226,6 +230,6 @@ fn attempt(source: &Source, distance: f64) -> Vec<OffsetPath> {
         tree = slices::index(&pieces);
     }
     let caps = raw::caps(source.contours, distance);
-    let slices = slices::valid_slices(&pieces, &tree, &caps, source, distance);
-    rings::rings(source, distance, &pieces, &slices)
+    let slices = slices::valid_slices(&pieces, &tree, &caps, source, distance)?;
+    Some(rings::rings(source, distance, &pieces, &slices))
 }

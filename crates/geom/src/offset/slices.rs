@@ -66,10 +66,15 @@ pub(super) fn index(pieces: &[Piece]) -> BoxTree {
     BoxTree::new(pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }))
 }
 
-/// All cuts, sorted by piece and share. `extra` are curves that cut but are not cut.
-fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Cuts {
+/// More cuts than this for each piece come only from a source that crosses itself all over.
+const MOST_CUTS_EACH: usize = 200;
+
+/// All cuts, sorted by piece and share; nothing when there are too many. `extra` are curves that cut but
+/// are not cut.
+fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
     let mut cuts = Cuts::new();
-    tree.own_pairs(|a, b| {
+    let most = MOST_CUTS_EACH * (pieces.len() + 100);
+    let all = tree.own_pairs_while(|a, b| {
         let contacts = pieces[a].segment.meet(&pieces[b].segment);
         for c in contacts.iter() {
             let joint = |from: usize, to: usize, end: f64, start: f64| {
@@ -84,14 +89,18 @@ fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Cuts {
                 cuts.push((b, c.on_second));
             }
         }
+        cuts.len() < most
     });
+    if !all {
+        return None;
+    }
     for cutter in extra {
         tree.meeting(&cutter.bounds().grown(tol::CONTACT_MM), |k| {
             cuts.extend(pieces[k].segment.meet(cutter).iter().map(|c| (k, c.on_first)));
         });
     }
     cuts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    cuts
+    Some(cuts)
 }
 
 fn at_end(segment: &Segment, share: f64) -> bool {
@@ -102,15 +111,15 @@ fn at_start(segment: &Segment, share: f64) -> bool {
     share * segment.length() <= tol::SAME_PLACE_MM
 }
 
-/// The slices that are at their distance from the source.
+/// The slices that are at their distance from the source; nothing when there are too many cuts.
 pub(super) fn valid_slices(
     pieces: &[Piece],
     tree: &BoxTree,
     extra: &[Segment],
     source: &Source,
     distance: f64,
-) -> Vec<Slice> {
-    let cuts = cuts(pieces, tree, extra);
+) -> Option<Vec<Slice>> {
+    let cuts = cuts(pieces, tree, extra)?;
     let mut slices = Vec::new();
     for parts in sliced(pieces, &cuts) {
         let probe = probe(pieces, &parts);
@@ -120,7 +129,7 @@ pub(super) fn valid_slices(
         let sure = !source.is_nearer(probe, distance.abs() - SURE_MM);
         slices.push(Slice { parts, sure });
     }
-    slices
+    Some(slices)
 }
 
 /// The middle of the longest part.

@@ -136,6 +136,13 @@ impl Coverage {
         self.own(element, corner).any(|s| s.distance(place) <= CHECK_MM)
     }
 
+    /// Between which shares of a raw curve the first segment of the result that belongs to it lies. That it
+    /// lies on the curve has been checked.
+    fn shares(&self, element: usize, corner: bool, curve: &Segment) -> [f64; 2] {
+        let mut own = self.own(element, corner);
+        own.next().map_or([1.0, 0.0], |s| [curve.share_of(s.start()), curve.share_of(s.end())])
+    }
+
     /// Whether one segment of the result is the whole of a raw curve.
     fn covers_all(&self, element: usize, corner: bool, curve: &Segment) -> bool {
         let near = |a: Point2, b: Point2| square(a - b) <= CHECK_MM * CHECK_MM;
@@ -178,8 +185,12 @@ fn present(
         return Ok(());
     }
     let count = places(curve.length(), distance);
+    let [from, to] = coverage.shares(element, corner, curve);
     for k in 0..count {
         let share = (k as f64 + 0.5) / count as f64;
+        if from <= share && share <= to {
+            continue;
+        }
         let at = curve.at(share);
         if coverage.covers(element, corner, at) {
             continue;

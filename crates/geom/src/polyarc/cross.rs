@@ -43,6 +43,18 @@ impl Polyarc {
         in_order(found, (count, count))
     }
 
+    /// One of the places where the polyarc crosses or touches itself; it does not look for the others.
+    pub fn crosses_itself(&self) -> Option<Crossing> {
+        let mine = Listed::new(self);
+        let (count, mut found) = (mine.segments.len(), Vec::new());
+        mine.index.own_pairs_while(|a, b| {
+            add_contacts(&mine.segments, a, &mine.segments, b, &mut found);
+            found.retain(|c| !self.is_joint(c, count));
+            found.is_empty()
+        });
+        found.pop()
+    }
+
     /// Whether a crossing is only the joint between a segment and the next.
     fn is_joint(&self, c: &Crossing, count: usize) -> bool {
         let near = |place: &Place, segment: usize, end: bool| {
