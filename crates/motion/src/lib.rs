@@ -39,9 +39,12 @@
 
 mod ahead;
 mod caps;
+mod chain;
+mod clock;
 pub mod controllers;
 mod corner;
 mod course;
+mod ease;
 mod fit;
 mod mover;
 mod moves;

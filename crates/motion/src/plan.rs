@@ -1,9 +1,12 @@
 //! A planned stack of moves: where every axis is at time t, how fast, and in which move.
 
+use crate::chain::{Clocked, plain_clock};
+use crate::clock::Clock;
 use crate::moves::Move;
 use crate::optimal::Timed;
 use crate::ramped::Ramped;
-use kerf_program::{Axes, MoveKind};
+use kerf_program::{Axes, Dynamics, MoveKind};
+use std::sync::Arc;
 
 /// A planned stack, which starts and ends at rest; or a piece of one, whose times are told from the
 /// start of the stack (see [`Planner`](crate::Planner)).
@@ -20,6 +23,8 @@ pub(crate) enum Law {
     Ramped(Ramped),
     /// Along a smoothed path.
     Timed(Box<Timed>),
+    /// Pieces of plan by another clock.
+    Clocked(Box<Clocked>),
 }
 
 impl Default for Law {
@@ -66,14 +71,46 @@ pub struct Span<'a> {
 }
 
 impl Plan {
-    /// Adds the next piece of the same stack; gives back the moves of one that is not made of ramps.
-    pub(crate) fn join(&mut self, mut next: Self) -> Vec<Move> {
+    /// Adds the next piece of the same stack.
+    pub(crate) fn join(&mut self, mut next: Self) {
         if let (Law::Ramped(law), Law::Ramped(other)) = (&mut self.law, &mut next.law) {
             law.profiles.append(&mut other.profiles);
             law.duration_s = other.duration_s;
-            self.moves.append(&mut next.moves);
+        } else {
+            let clock = self.clock().unwrap_or_else(plain_clock);
+            *self = std::mem::take(self).by(clock.clone());
+            next = next.by(clock);
+            if let (Law::Clocked(law), Law::Clocked(other)) = (&mut self.law, &mut next.law) {
+                law.pieces.append(&mut other.pieces);
+            }
         }
-        next.moves
+        self.moves.append(&mut next.moves);
+    }
+
+    /// The same plan by a clock; one that has a clock keeps it, and one made of ramps has none.
+    pub(crate) fn by(self, clock: Arc<Clock>) -> Self {
+        if !matches!(self.law, Law::Timed(_)) {
+            return self;
+        }
+        let moves = self.moves.clone();
+        Self { moves, law: Law::Clocked(Box::new(Clocked::plain(self, clock))) }
+    }
+
+    /// The clock of a plan that has one.
+    pub(crate) fn clock(&self) -> Option<Arc<Clock>> {
+        match &self.law {
+            Law::Clocked(law) => Some(law.clock.clone()),
+            _ => None,
+        }
+    }
+
+    /// What the axes can do, when it was planned with that.
+    pub(crate) fn dynamics(&self) -> Option<Dynamics> {
+        match &self.law {
+            Law::Ramped(_) => None,
+            Law::Timed(law) => Some(law.dynamics),
+            Law::Clocked(law) => law.dynamics(),
+        }
     }
 
     /// The time, from one on, at which another feed can begin, and the speed then: a jog is made to
@@ -91,6 +128,7 @@ impl Plan {
         match &self.law {
             Law::Ramped(law) => law.duration_s,
             Law::Timed(law) => law.duration_s(),
+            Law::Clocked(law) => law.duration_s(),
         }
     }
 
@@ -112,6 +150,7 @@ impl Plan {
         match &self.law {
             Law::Ramped(law) => law.profiles[index].start_s,
             Law::Timed(law) => law.time_at(law.start_mm(index)),
+            Law::Clocked(law) => law.start_s(index),
         }
     }
 
@@ -124,6 +163,7 @@ impl Plan {
         match &self.law {
             Law::Ramped(law) => Some(law.index_at(t_s)),
             Law::Timed(law) => Some(law.share(law.along(t_s).at_mm).0),
+            Law::Clocked(law) => Some(law.at(t_s).move_index),
         }
     }
 
@@ -137,6 +177,7 @@ impl Plan {
         match &self.law {
             Law::Ramped(law) => law.at(t_s, &self.moves),
             Law::Timed(law) => law.at(t_s, &self.moves),
+            Law::Clocked(law) => law.at(t_s),
         }
     }
 
@@ -149,6 +190,7 @@ impl Plan {
                 let (a, b) = (law.start_mm(index), law.start_mm(index + 1));
                 law.time_at(a + share.clamp(0.0, 1.0) * (b - a))
             }
+            Law::Clocked(law) => law.time_at_share(index, share.clamp(0.0, 1.0)),
         }
     }
 
@@ -167,6 +209,7 @@ impl Plan {
         let [v_entry, v_peak, v_exit] = match &self.law {
             Law::Ramped(law) => law.speeds(index),
             Law::Timed(law) => law.speeds(index, made),
+            Law::Clocked(law) => law.speeds(index),
         };
         Span { index, made, t0_s, t1_s, v_entry, v_peak, v_exit }
     }

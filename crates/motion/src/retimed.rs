@@ -1,23 +1,97 @@
 //! Leaving any plan for another on the way, whatever model it comes from.
+//!
+//! What has been planned is kept, path and all, and run by another clock ([`clock`](crate::clock)): to
+//! a stand, from there up to the plan again, or from the present speed to that of a plan with
+//! another feed, once both go through the same place in the same direction.
 
+use crate::chain::{Clocked, plain_clock};
+use crate::clock::{Clock, Tick};
+use crate::ease::Easing;
 use crate::moves::Move;
-use crate::plan::Plan;
+use crate::plan::{Law, Plan, State};
 use crate::planner::{Planner, Replanner};
 use crate::stop::Stop;
+use kerf_program::Axes;
+use std::sync::Arc;
+
+/// So many moves that were made are kept: a new plan begins so far behind, to be up to speed.
+const BEHIND: usize = 512;
+
+/// The plan with another feed is looked for at moments so far apart, seconds, and at so many.
+const LOOK_S: f64 = 1e-3;
+const LOOKS: u32 = 1000;
+
+/// Places and directions that differ by less are the same, mm and share of the speed.
+const SAME: f64 = 1e-6;
 
 /// A planner of any model that can be stopped and overridden.
 #[derive(Clone, Debug)]
 pub struct Retimed<P> {
     planner: P,
+    /// What comes out next, before what the planner gives.
+    ready: Option<Plan>,
+    /// The clock for what the planner gives.
+    clock: Option<Arc<Clock>>,
+    /// The last moves that came out before the piece that came out last.
+    behind: Vec<Move>,
+    /// The moves of that.
+    last: Vec<Move>,
+}
+
+/// Where one plan is left for another.
+struct Splice {
+    /// When, in the plan that is left, seconds.
+    t_s: f64,
+    /// The move in the other plan, and how much of it lies before.
+    begin: (usize, f64),
+    /// The clock of the other from there on.
+    clock: Clock,
 }
 
 impl<P: Planner> Retimed<P> {
     /// Around a planner.
     pub const fn new(planner: P) -> Self {
-        Self { planner }
+        Self { planner, ready: None, clock: None, behind: Vec::new(), last: Vec::new() }
     }
 
-    /// Leaves a plan with a ramp; what is left is planned anew with its override changed.
+    /// The next piece; when the planner has none, what it would give if the stack were complete.
+    fn next(&mut self) -> Option<Plan> {
+        if self.ready.is_some() {
+            return self.ready.take();
+        }
+        if let Some(piece) = self.planner.take() {
+            return Some(self.by_clock(piece));
+        }
+        let last = self.planner.finish().map(|piece| self.by_clock(piece))?;
+        // What is pushed from now on is another stack for the planner.
+        self.clock = Some(Arc::new(Clock::plain(last.duration_s(), 0.0)));
+        Some(last)
+    }
+
+    fn by_clock(&self, piece: Plan) -> Plan {
+        match &self.clock {
+            Some(clock) => piece.by(clock.clone()),
+            None => piece,
+        }
+    }
+
+    /// Remembers what comes out, of plans that can be run by another clock.
+    fn out(&mut self, piece: Option<Plan>) -> Option<Plan> {
+        let (moves, goes_on) = match &piece.as_ref()?.law {
+            Law::Ramped(_) => (Vec::new(), false),
+            Law::Clocked(law) => (law.planned_moves().collect(), law.begin != (0, 0.0)),
+            Law::Timed(_) => (piece.as_ref()?.moves.clone(), false),
+        };
+        // What was left in the middle comes out with all of its moves.
+        if !goes_on {
+            self.behind.append(&mut self.last);
+        }
+        self.behind.drain(..self.behind.len().saturating_sub(BEHIND));
+        self.last = moves;
+        piece
+    }
+
+    /// Leaves a plan made of ramps; what is left is planned anew.
     fn leave(
         &mut self,
         mut piece: Plan,
@@ -25,15 +99,127 @@ impl<P: Planner> Retimed<P> {
         ramped: bool,
         change: impl Fn(Move) -> Move,
     ) -> Option<(Plan, Stop)> {
-        let mut later = Vec::new();
-        while let Some(next) = self.planner.finish() {
-            later.extend(piece.join(next));
+        while let Some(next) = self.next() {
+            piece.join(next);
         }
         let stop = piece.stop(t_s, ramped)?;
         let (made, rest) = piece.cut(&stop);
-        rest.into_iter().chain(later).for_each(|m| self.planner.push(change(m)));
+        self.begin_anew(rest.into_iter().map(change));
         Some((made, stop))
     }
+
+    /// Another stack, from a stand.
+    fn begin_anew(&mut self, moves: impl Iterator<Item = Move>) {
+        (self.ready, self.clock) = (None, None);
+        moves.for_each(|m| self.planner.push(m));
+    }
+
+    /// Stops a plan that can be run by another clock; the rest keeps its path.
+    fn stop_clock(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
+        let mut all = piece.by(plain_clock());
+        let mut stop = all.stop(t_s, ramped)?;
+        // Near the end of what is known the machine could not stand in time.
+        while stop.end_s >= all.duration_s() {
+            let Some(next) = self.next() else { break };
+            all.join(next);
+            stop = all.stop(t_s, ramped)?;
+        }
+        let left = all.left(&stop);
+        let (made, moves) = all.cut(&stop);
+        self.go_on(left.map(|law| Plan { moves, law: Law::Clocked(Box::new(law)) }));
+        Some((made, stop))
+    }
+
+    /// What comes out next, from time 0 on; what the planner gives follows it, by the same clock.
+    fn go_on(&mut self, left: Option<Plan>) {
+        let left = left.filter(|plan| !plan.moves.is_empty());
+        let end_s = left.as_ref().map_or(0.0, Plan::duration_s);
+        self.clock = match &self.clock {
+            Some(clock) if clock.restarts() => Some(Arc::new(Clock::plain(end_s, 0.0))),
+            _ => left.as_ref().and_then(Plan::clock),
+        };
+        self.ready = left;
+    }
+
+    /// Goes on at the present speed with another feed, where both plans are at the same place.
+    fn feed_clock(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
+        let mut all = piece.by(plain_clock());
+        while let Some(next) = self.next() {
+            all.join(next);
+        }
+        let Law::Clocked(law) = &all.law else { return None };
+        let behind = self.behind.len();
+        let planned = self.behind.iter().copied().chain(law.planned_moves());
+        let planned: Vec<Move> = planned.map(|m| m.at_feed(share)).collect();
+        self.begin_anew(planned.into_iter());
+        let mut fresh = self.next()?.by(plain_clock());
+        while let Some(next) = self.next() {
+            fresh.join(next);
+        }
+        let Law::Clocked(other) = &fresh.law else { return None };
+        let Some((splice, slowed)) = splice(law, other, behind, t_s) else {
+            return self.leave(all, t_s, true, |m| m.at_feed(share));
+        };
+        let left =
+            Clocked { begin: splice.begin, clock: Arc::new(splice.clock), ..(**other).clone() };
+        all.law = Law::Clocked(Box::new(slowed));
+        let stop = all.stop(splice.t_s, false)?;
+        let (made, rest) = all.cut(&stop);
+        // The other plan has them all.
+        (self.behind, self.last) = (Vec::new(), Vec::new());
+        let moves = rest.into_iter().map(|m| m.at_feed(share)).collect();
+        self.go_on(Some(Plan { moves, law: Law::Clocked(Box::new(left)) }));
+        Some((made, stop))
+    }
+}
+
+/// Where one plan is left for another whose moves begin so many earlier: at once, or where it has
+/// slowed to the speed of the other; and the plan as it runs until then.
+fn splice(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<(Splice, Clocked)> {
+    if let Some(splice) = splice_at(from, to, behind, t_s) {
+        return Some((splice, from.clone()));
+    }
+    let slowed = from.stopped(t_s, true);
+    let steps = ((slowed.duration_s() - t_s) / LOOK_S) as u32;
+    let moments = (1..steps.min(LOOKS)).map(|k| t_s + f64::from(k) * LOOK_S);
+    let splice = moments.into_iter().find_map(|t_s| splice_at(&slowed, to, behind, t_s))?;
+    Some((splice, slowed))
+}
+
+/// The same at a moment; `None` where the other plan is slower, or elsewhere.
+fn splice_at(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<Splice> {
+    let tick = from.clock.at(t_s);
+    let old = from.planned(tick.plan_s);
+    let begin = (old.move_index + behind, old.share);
+    let plan_s = to.planned_at(begin.0, begin.1)?;
+    let new = to.planned(plan_s);
+    let (v, w) = (speed(&old) * tick.rate, speed(&new));
+    let rate = v / w;
+    if !(v > 0.0 && rate <= 1.0 + SAME && same_course(&old, &new)) {
+        return None;
+    }
+    // The acceleration along the path goes on as well.
+    let along = |state: &State| dot(&state.acceleration, &new.velocity) / (w * w);
+    let accel = along(&old) * tick.rate * tick.rate + tick.gain * v / (tick.rate * w);
+    let gain = accel - along(&new) * rate * rate;
+    let joins = Tick { t_s: 0.0, plan_s, rate: rate.min(1.0), gain, push: 0.0 };
+    let ticks = Easing::new(to, to.dynamics()?).join(joins)?;
+    Some(Splice { t_s, begin, clock: Clock::of(ticks) })
+}
+
+fn speed(state: &State) -> f64 {
+    dot(&state.velocity, &state.velocity).sqrt()
+}
+
+fn dot(a: &Axes, b: &Axes) -> f64 {
+    a.zip(*b, |a, b| a * b).0.iter().sum()
+}
+
+/// Whether two plans are at the same place and go in the same direction.
+fn same_course(a: &State, b: &State) -> bool {
+    let near = |d: Axes| d.0.iter().all(|d| d.abs() <= SAME);
+    let (v, w) = (speed(a), speed(b));
+    near(a.position.minus(b.position)) && near(a.velocity.zip(b.velocity, |x, y| x / v - y / w))
 }
 
 impl<P: Planner> Planner for Retimed<P> {
@@ -42,25 +228,40 @@ impl<P: Planner> Planner for Retimed<P> {
     }
 
     fn take(&mut self) -> Option<Plan> {
-        self.planner.take()
+        let piece = match self.ready.take() {
+            None => self.planner.take().map(|piece| self.by_clock(piece)),
+            ready => ready,
+        };
+        self.out(piece)
     }
 
     fn finish(&mut self) -> Option<Plan> {
-        self.planner.finish()
+        if self.ready.is_some() {
+            return self.take();
+        }
+        let piece = self.planner.finish().map(|piece| self.by_clock(piece));
+        (self.clock, self.behind) = (None, Vec::new());
+        piece
     }
 }
 
 impl<P: Planner> Replanner for Retimed<P> {
     fn stop(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
-        self.leave(piece, t_s, ramped, |m| m)
+        match piece.law {
+            Law::Ramped(_) => self.leave(piece, t_s, ramped, |m| m),
+            _ => self.stop_clock(piece, t_s, ramped),
+        }
     }
 
     fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        self.leave(piece, t_s, true, |m| m.at_feed(share))
+        match piece.law {
+            Law::Ramped(_) => self.leave(piece, t_s, true, |m| m.at_feed(share)),
+            _ => self.feed_clock(piece, t_s, share),
+        }
     }
 
     fn withdraw(&mut self) -> Vec<Move> {
-        let rest = std::iter::from_fn(|| self.planner.finish());
-        rest.flat_map(|plan| plan.moves().to_vec()).collect()
+        let left = std::iter::from_fn(|| self.finish());
+        left.flat_map(|plan| plan.moves).collect()
     }
 }

@@ -1,13 +1,13 @@
 //! Stopping inside a plan, and what is left of it.
 //!
-//! With the ramps of VR a ramped stop slows along the path at the ramp's acceleration until ramp speed is reached, where
-//! the machine stands; it may run on into later moves. As the plan itself never slows more steeply,
-//! the stop never runs faster than the plan would have. On a smoothed path it slows as steeply as
-//! the axes' accelerations allow, down to rest; a limit of jerk does not hold for a stop.
+//! With ramps a ramped stop slows along the path at the ramp's acceleration until ramp speed is reached,
+//! where the machine stands; it may run on into later moves. As the plan itself never slows more
+//! steeply, the stop never runs faster than the plan would have. A plan on a smoothed path is slowed by
+//! its clock ([`ease`](crate::ease)), within the limits of every axis.
 
+use crate::chain::{Clocked, plain_clock};
 use crate::moves::Move;
-use crate::optimal::{Node, Push, Timed};
-use crate::plan::{Law, Plan};
+use crate::plan::{Law, Plan, State};
 use crate::profile::Profile;
 use crate::ramped::Ramped;
 use kerf_program::Axes;
@@ -34,8 +34,8 @@ enum Braked {
     /// Profiles of the moves from the one in which the stop began to the one in which it stands;
     /// the last only over its share.
     Ramped(Vec<Profile>),
-    /// Nodes from the time at which the stop began.
-    Timed(Vec<Node>),
+    /// The plan by the clock that slows it.
+    Clocked(Box<Clocked>),
 }
 
 /// How far the braking has come: in which move, how far into it, how fast.
@@ -63,7 +63,8 @@ impl Plan {
         }
         Some(match &self.law {
             Law::Ramped(law) => law.stop(begin_s, ramped, &self.moves),
-            Law::Timed(law) => law.stop(begin_s, ramped, &self.moves),
+            Law::Timed(_) => return self.clone().by(plain_clock()).stop(t_s, ramped),
+            Law::Clocked(law) => law.stop(begin_s, ramped),
         })
     }
 
@@ -89,42 +90,31 @@ impl Plan {
             (Law::Ramped(law), Braked::Ramped(profiles)) => {
                 law.cut(stop, profiles, self.moves.len());
             }
-            (Law::Timed(law), Braked::Timed(nodes)) => law.cut(stop, nodes),
+            (law, Braked::Clocked(slowed)) => *law = Law::Clocked(slowed.clone()),
             _ => {}
         }
         (self, rest)
     }
 }
 
-impl Timed {
-    fn stop(&self, begin_s: f64, ramped: bool, moves: &[Move]) -> Stop {
-        let mut nodes = self.brake(begin_s, moves);
-        if !ramped {
-            nodes.truncate(1);
-        }
-        let stands = nodes[nodes.len() - 1];
-        let (move_index, share) = self.share(stands.at_mm);
-        Stop {
-            begin_s,
-            end_s: stands.t_s,
-            position: self.geometry(stands.at_mm)[0],
-            move_index,
-            share,
-            law: Braked::Timed(nodes),
-        }
+impl Plan {
+    /// What is left after a stop, from a stand on along the same path; `None` for a plan of ramps.
+    pub(crate) fn left(&self, stop: &Stop) -> Option<Clocked> {
+        let Braked::Clocked(slowed) = &stop.law else { return None };
+        let whole = stop.share >= 1.0;
+        let (index, share) =
+            if whole { (stop.move_index + 1, 0.0) } else { (stop.move_index, stop.share) };
+        Some(slowed.left(index, share, slowed.started()))
     }
+}
 
-    fn cut(&mut self, stop: &Stop, nodes: &[Node]) {
-        let made = self.nodes.partition_point(|n| n.t_s < stop.begin_s);
-        self.nodes.truncate(made);
-        self.nodes.extend(nodes);
-        if !self.pushes.is_empty() {
-            self.pushes.truncate(made);
-            let gain = |pair: &[Node]| (pair[1].v - pair[0].v) / (pair[1].t_s - pair[0].t_s);
-            let even = |accel| Push { accel, jerk: Some(0.0) };
-            self.pushes.extend(nodes.windows(2).map(|pair| even(gain(pair))));
-            self.pushes.push(even(0.0));
-        }
+impl Clocked {
+    fn stop(&self, t_s: f64, ramped: bool) -> Stop {
+        let slowed = self.stopped(t_s, ramped);
+        let (begin_s, end_s) = (slowed.slows_from(t_s), slowed.duration_s());
+        let State { position, move_index, share, .. } = slowed.at(end_s);
+        let law = Braked::Clocked(Box::new(slowed));
+        Stop { begin_s, end_s, position, move_index, share, law }
     }
 }
 

@@ -113,34 +113,6 @@ impl<'a, const N: usize> Cells<'a, N> {
         cells
     }
 
-    /// From a place inside a run to the end of the run.
-    pub fn from(
-        track: &'a Track,
-        widths: &'a [f64],
-        kernel: Kernel,
-        moves: &'a [Move],
-        at_mm: f64,
-    ) -> Self {
-        let segment = track.segment(at_mm);
-        let still = |vertex: &usize| widths[*vertex] == 0.0;
-        let first = (0..=segment).rev().find(still).unwrap_or(0);
-        let last = (segment + 1..track.len()).find(still).unwrap_or(track.len() - 1);
-        let mut cells = Self::new(track, widths, kernel, moves, [first, last]);
-        cells.at_mm = at_mm;
-        cells.segment = segment;
-        let ends = |vertex: &usize| track.at_mm[*vertex] + widths[*vertex].abs() <= at_mm;
-        let begins = |vertex: &usize| track.at_mm[*vertex] - widths[*vertex].abs() > at_mm;
-        let ended = (first + 1..=segment).rev().find(ends).map_or(first + 1, |j| j + 1);
-        let begun = (segment + 1..last).find(begins).unwrap_or(last);
-        cells.next = std::array::from_fn(|which| {
-            let passed = |j: &usize| track.at_mm[*j] + PLACES[which] * widths[*j].abs() > at_mm;
-            let j = (ended..begun).find(passed).unwrap_or(begun);
-            cells.corner_from(which, j)
-        });
-        cells.frame = cells.fresh();
-        cells
-    }
-
     fn active(&self) -> bool {
         self.next[0] > self.next[END]
     }

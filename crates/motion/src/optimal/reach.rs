@@ -24,9 +24,6 @@ pub(crate) const MOST_PARTS: u32 = 32;
 /// Coefficients this small are zero, 1/mm.
 const NO_SHARE: f64 = 1e-12;
 
-/// Halvings in search of the place where the machine stands; leaves less than rounding does.
-const HALVINGS: u32 = 40;
-
 /// Limits are kept with this much to spare, so that rounding never exceeds them.
 const SPARE: f64 = 1.0 - 1e-9;
 
@@ -247,54 +244,6 @@ impl<const N: usize> Gate<N> {
             }
         }
         high.max(0.0)
-    }
-}
-
-impl<const N: usize> Gate<N> {
-    /// Slows as steeply as can be from y₀: the way made, which ends inside the cell when the
-    /// machine stands there, and the squared speed at its end (infinite when this grid finds none).
-    pub fn slow(&self, entry: f64, bounds: &Bounds<N>) -> (f64, f64) {
-        let exit = self.slowest(entry, bounds);
-        if exit > 0.0 {
-            return (self.h, exit);
-        }
-        if let Some(accel) = self.straight() {
-            return ((entry / (2.0 * accel)).min(self.h), 0.0);
-        }
-        if !self.stands(entry, bounds) {
-            return (self.h, f64::INFINITY);
-        }
-        let (mut low, mut high) = (0.0, self.h);
-        for _ in 0..HALVINGS {
-            let h = 0.5 * (low + high);
-            let stands = Self { h, ..*self }.stands(entry, bounds);
-            if stands { high = h } else { low = h }
-        }
-        (high, 0.0)
-    }
-
-    /// Whether y₁ = 0 can be reached from y₀.
-    fn stands(&self, entry: f64, bounds: &Bounds<N>) -> bool {
-        (0..N)
-            .all(|k| self.rows(k).iter().all(|(alpha, _)| (alpha * entry).abs() <= bounds.accel[k]))
-    }
-
-    /// The least y₁ that can be reached from y₀; not above zero when the machine can stand before.
-    fn slowest(&self, entry: f64, bounds: &Bounds<N>) -> f64 {
-        if let Some(accel) = self.straight() {
-            return entry - 2.0 * accel * self.h;
-        }
-        let mut low = f64::NEG_INFINITY;
-        for k in 0..N {
-            let a = bounds.accel[k];
-            for (alpha, beta) in self.rows(k) {
-                let size = beta.abs();
-                if size > NO_SHARE {
-                    low = low.max((-a - alpha * beta.signum() * entry) / size);
-                }
-            }
-        }
-        low
     }
 }
 

@@ -1,9 +1,7 @@
 //! A smoothed path with its times: where every axis is at time t.
 
-use super::cells::Cells;
 use super::kernel::Kernel;
-use super::reach::{Bounds, Gate};
-use super::speeds::{Node, step};
+use super::speeds::Node;
 use super::track::{Track, norm};
 use crate::moves::Move;
 use crate::plan::State;
@@ -11,9 +9,6 @@ use kerf_program::{AXES, Axes, Dynamics};
 
 /// Halvings in search of a time.
 const HALVINGS: u32 = 50;
-
-/// A squared speed at which the machine stands, mm²/s²: what is left of it is no distance.
-const STANDS: f64 = 1e-8;
 
 /// How the motion goes on after a node where jerk is limited.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,38 +215,6 @@ impl Timed {
             j += 1;
         }
         out.map(Axes)
-    }
-
-    /// Nodes of the steepest braking from a time on, the first at that time.
-    pub fn brake(&self, t_s: f64, moves: &[Move]) -> Vec<Node> {
-        match self.track.dims {
-            3 => self.brake_in::<3>(t_s, moves),
-            _ => self.brake_in::<AXES>(t_s, moves),
-        }
-    }
-
-    fn brake_in<const N: usize>(&self, t_s: f64, moves: &[Move]) -> Vec<Node> {
-        let along = self.along(t_s);
-        let bounds = Bounds::<N>::of(&self.dynamics);
-        let mut nodes = vec![Node { at_mm: along.at_mm, v: along.v, t_s }];
-        let cells = Cells::<N>::from(&self.track, &self.widths, self.kernel, moves, along.at_mm);
-        let mut y = along.v * along.v;
-        for cell in cells {
-            let gate = Gate::new(&cell, &bounds, moves);
-            let parts = gate.parts(y, 0.0);
-            for part in (0..parts).map(|k| gate.part(k, parts)) {
-                if y <= 0.0 {
-                    return nodes;
-                }
-                let (way, exit) = part.slow(y, &bounds);
-                // The plan itself shows that no more than its own speed is needed.
-                let planned = self.v_at(part.at_mm + way);
-                y = exit.min(planned * planned);
-                y = if y < STANDS { 0.0 } else { y };
-                step(&mut nodes, part.at_mm + way, y.sqrt());
-            }
-        }
-        nodes
     }
 }
 

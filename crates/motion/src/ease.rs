@@ -1,0 +1,208 @@
+//! How fast the clock of a plan may be slowed down to a stand, and started again, so that no axis
+//! exceeds its acceleration and jerk.
+//!
+//! Any motion along the path that is slower than one within the limits leaves room: with the rate r
+//! the plan's accelerations count r² as much. So a rate may always stay as it is, and without a limit
+//! of jerk it may, step by step, change as much as the axes allow; nothing that is reached so can
+//! be a dead end. A limit of jerk is kept by changing the rate smoothly, over the shortest time for
+//! which all limits hold, which sampling shows.
+
+use crate::chain::Clocked;
+use crate::clock::Tick;
+use crate::plan::State;
+use kerf_program::{AXES, Dynamics};
+
+/// The rate is chosen, and limits are looked at, so often, seconds.
+const STEP_S: f64 = 1e-3;
+
+/// The rate changes at most so fast, 1/s: where the plan itself hardly moves, no axis limits it.
+const MOST_GAIN: f64 = 200.0;
+
+/// Slower axes do not limit the change, mm/s.
+const STILL_MM_S: f64 = 1e-9;
+
+/// By how much limits may be exceeded: a plan at its limits could never be left otherwise.
+const ACCEL_SLACK: f64 = 1.002;
+const JERK_SLACK: f64 = 1.02;
+
+/// Parts of constant third derivative of a smooth change.
+const PARTS: usize = 24;
+
+/// By how much a longer time is tried when a limit does not hold, and how often.
+const LONGER: f64 = 1.15;
+const TRIALS: u32 = 48;
+
+/// No change of the rate takes more steps.
+const MOST_STEPS: usize = 100_000;
+
+/// A plan whose rate is changed.
+pub(crate) struct Easing<'a> {
+    plan: &'a Clocked,
+    dynamics: Dynamics,
+    end_s: f64,
+}
+
+impl<'a> Easing<'a> {
+    /// Of a plan within limits.
+    pub fn new(plan: &'a Clocked, dynamics: Dynamics) -> Self {
+        let end_s = plan.pieces.last().map_or(0.0, |piece| piece.duration_s());
+        Self { plan, dynamics, end_s }
+    }
+
+    /// From a moment on down to a stand; the last tick is where the machine stands, unless the plan
+    /// ends before.
+    pub fn stand(&self, from: Tick) -> Vec<Tick> {
+        match self.dynamics.jerk_mm_s3 {
+            None => self.steps(from, 0.0),
+            Some(jerk) => self.smooth(from, 0.0, &jerk.0),
+        }
+    }
+
+    /// From a stand up to the rate of the plan.
+    pub fn start(&self, plan_s: f64) -> Vec<Tick> {
+        let from = Tick { plan_s, ..Tick::default() };
+        match self.dynamics.jerk_mm_s3 {
+            None => self.steps(from, 1.0),
+            Some(jerk) => self.smooth(from, 1.0, &jerk.0),
+        }
+    }
+
+    /// From a lower rate to that of the plan; `None` when a limit of jerk does not let it.
+    pub fn join(&self, from: Tick) -> Option<Vec<Tick>> {
+        let ticks = match self.dynamics.jerk_mm_s3 {
+            None => self.steps(from, 1.0),
+            Some(jerk) => self.smooth(from, 1.0, &jerk.0),
+        };
+        ticks.last().is_some_and(|last| last.rate == 1.0).then_some(ticks)
+    }
+
+    /// Changes the rate as fast as the accelerations allow.
+    fn steps(&self, from: Tick, goal: f64) -> Vec<Tick> {
+        let mut ticks = Vec::new();
+        let mut tick = from.turned(0.0, 0.0);
+        while tick.rate != goal && tick.plan_s < self.end_s && ticks.len() < MOST_STEPS {
+            let gain = self.gain(&tick, goal > tick.rate);
+            tick = tick.turned(gain, 0.0);
+            ticks.push(tick);
+            let needs_s = (goal - tick.rate) / gain;
+            let arrives = gain != 0.0 && (0.0..=STEP_S).contains(&needs_s);
+            tick = tick.after(if arrives { needs_s } else { STEP_S });
+            if arrives {
+                tick.rate = goal;
+            }
+        }
+        ticks.push(self.ended(tick, goal));
+        ticks
+    }
+
+    /// The last tick: the goal, or the end of the plan, which is at rest.
+    fn ended(&self, tick: Tick, goal: f64) -> Tick {
+        let plan_s = tick.plan_s.min(self.end_s);
+        let rate = if plan_s < self.end_s { goal } else { 1.0 };
+        Tick { plan_s, rate, gain: 0.0, push: 0.0, ..tick }
+    }
+
+    /// The greatest change of the rate over a step, up or down.
+    fn gain(&self, tick: &Tick, up: bool) -> f64 {
+        let here = self.plan.planned(tick.plan_s);
+        let next = self.plan.planned(tick.plan_s + tick.rate * STEP_S);
+        let mut gain = 0.0;
+        // The rate at the end of the step depends on what is sought.
+        for _ in 0..2 {
+            let after = (tick.rate + gain * STEP_S).max(0.0);
+            let [a, b] = [self.room(&here, tick.rate), self.room(&next, after)];
+            let [c, d] = [self.room(&here, after), self.room(&next, tick.rate)];
+            let low = a.0.max(b.0).max(c.0).max(d.0).max(-MOST_GAIN);
+            let high = a.1.min(b.1).min(c.1).min(d.1).min(MOST_GAIN);
+            gain = if up { high.max(0.0) } else { low.min(0.0) };
+        }
+        gain
+    }
+
+    /// The changes of the rate that keep every axis within its acceleration.
+    fn room(&self, state: &State, rate: f64) -> (f64, f64) {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for k in 0..AXES {
+            let (v, a) = (state.velocity.0[k], state.acceleration.0[k] * rate * rate);
+            if v.abs() > STILL_MM_S {
+                let most = self.dynamics.accel_mm_s2.0[k] * ACCEL_SLACK;
+                let (one, other) = ((-most - a) / v, (most - a) / v);
+                low = low.max(one.min(other));
+                high = high.min(one.max(other));
+            }
+        }
+        (low, high)
+    }
+
+    /// Changes the rate smoothly, in the shortest time for which the limits hold; when none is found
+    /// it stays.
+    fn smooth(&self, from: Tick, goal: f64, jerk: &[f64; AXES]) -> Vec<Tick> {
+        let state = self.plan.planned(from.plan_s);
+        let mut takes_s = self.at_least(&state, jerk).max(2.0 * STEP_S);
+        for _ in 0..TRIALS {
+            let ticks = smooth(from, goal, takes_s);
+            if self.holds(&ticks, jerk) {
+                return ticks;
+            }
+            takes_s *= LONGER;
+        }
+        vec![from.turned(0.0, 0.0)]
+    }
+
+    /// No change from here is quicker, seconds: half of the peaks that it would have.
+    fn at_least(&self, state: &State, jerk: &[f64; AXES]) -> f64 {
+        let axes = state.velocity.0.iter().zip(&self.dynamics.accel_mm_s2.0).zip(jerk);
+        axes.map(|((v, a), j)| (v.abs() / a).max((v.abs() / j).sqrt())).fold(0.0, f64::max)
+    }
+
+    /// Whether no axis exceeds its acceleration and jerk, by sampling.
+    fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES]) -> bool {
+        let (Some(first), Some(last)) = (ticks.first(), ticks.last()) else { return true };
+        let steps = ((last.t_s - first.t_s) / STEP_S).ceil().max(1.0) as usize;
+        let h = (last.t_s - first.t_s) / steps as f64;
+        let accel = |tick: &Tick| {
+            let state = self.plan.planned(tick.plan_s);
+            let (v, a, square) = (state.velocity.0, state.acceleration.0, tick.rate * tick.rate);
+            std::array::from_fn::<f64, AXES, _>(|k| a[k] * square + v[k] * tick.gain)
+        };
+        let mut before = accel(first);
+        let mut k = 0;
+        (1..=steps).all(|i| {
+            let t_s = first.t_s + i as f64 * h;
+            while k + 1 < ticks.len() && ticks[k + 1].t_s <= t_s {
+                k += 1;
+            }
+            let now = accel(&ticks[k].after(t_s - ticks[k].t_s));
+            let fits = (0..AXES).all(|k| {
+                now[k].abs() <= self.dynamics.accel_mm_s2.0[k] * ACCEL_SLACK
+                    && (now[k] - before[k]).abs() <= jerk[k] * JERK_SLACK * h
+            });
+            before = now;
+            fits
+        })
+    }
+}
+
+/// A smooth change of the rate over a time. Its second derivative begins and ends at nothing, but for
+/// what brings a change that goes on already to an end.
+fn smooth(from: Tick, goal: f64, takes_s: f64) -> Vec<Tick> {
+    let h = takes_s / PARTS as f64;
+    let shape = |k: usize| {
+        let x = (k as f64 + 0.5) / PARTS as f64;
+        x * (1.0 - x) * (1.0 - 2.0 * x)
+    };
+    // What the parts bring about by themselves, so that the goal is met.
+    let unit: f64 = (0..PARTS).map(|k| shape(k) * (PARTS as f64 - k as f64 - 0.5) * h * h).sum();
+    let scale = (goal - from.rate) / unit;
+    // g·t·(1 − x)² begins with the change g, ends without one, and comes back to nothing.
+    let calm = |k: usize| (6.0 * (k as f64 + 0.5) / PARTS as f64 - 4.0) * from.gain / takes_s;
+    let mut tick = from;
+    let mut ticks = Vec::with_capacity(PARTS + 1);
+    for k in 0..PARTS {
+        tick.push = scale * shape(k) + calm(k);
+        ticks.push(tick);
+        tick = tick.after(h);
+    }
+    ticks.push(Tick { rate: goal, gain: 0.0, push: 0.0, ..tick });
+    ticks
+}

@@ -1,0 +1,189 @@
+//! Plans of the `optimal` model that are left on the way: stops, holds and overrides of the feed.
+#![allow(clippy::unwrap_used)]
+
+use kerf_motion::{Model, Move, Mover, Optimal, OptimalPlanner, Plan, Planner, Replanner, Retimed};
+use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
+use proptest::prelude::*;
+
+const STEP_S: f64 = 1e-3;
+
+fn dynamics(jerk: Option<f64>) -> Dynamics {
+    Dynamics {
+        speed_mm_s: Axes::splat(200.0),
+        accel_mm_s2: Axes::splat(500.0),
+        jerk_mm_s3: jerk.map(Axes::splat),
+        tolerance_mm: 0.02,
+    }
+}
+
+/// A wavy path with a corner now and then, at 100 mm/s.
+fn path(seed: u64, count: usize) -> Vec<Move> {
+    let mut seed = seed;
+    let mut random = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 40) as f64 / (1u64 << 24) as f64
+    };
+    let mut settings = Settings::default();
+    settings.speeds.cut.xy = 100.0;
+    settings.speeds.cut.z = 100.0;
+    let mut mover = Mover::new(Axes::default(), &settings);
+    let mut heading = 0.0f64;
+    let mut moves = Vec::new();
+    while moves.len() < count {
+        heading += if random() < 0.05 { 2.0 } else { 0.3 } * (random() - 0.5);
+        let way = if random() < 0.2 { 20.0 } else { 1.0 } * (0.2 + random());
+        let dz = 0.3 * (random() - 0.5);
+        let to = mover.position().plus(Axes::xyz(way * heading.cos(), way * heading.sin(), dz));
+        let line = Line { kind: MoveKind::Cut, to, feed: Feed::Axis };
+        moves.extend(mover.line(At::default(), &line));
+    }
+    moves
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Turn {
+    Hold,
+    Feed(f32),
+}
+
+/// Runs a stack through moments, each told since the last one.
+fn run(moves: &[Move], dynamics: &Dynamics, turns: &[(f64, Turn)]) -> Vec<Plan> {
+    let mut planner = Retimed::new(OptimalPlanner::new(dynamics));
+    moves.iter().for_each(|m| planner.push(*m));
+    let (mut pieces, mut done_s, mut turns) = (Vec::new(), 0.0, turns.iter().peekable());
+    while let Some(piece) = planner.take().or_else(|| planner.finish()) {
+        let (begin_s, end_s) = (piece.span_s(0).0, piece.duration_s());
+        let Some((t_s, turn)) = turns.next_if(|(t_s, _)| done_s + t_s < end_s) else {
+            pieces.push(piece);
+            continue;
+        };
+        let at_s = begin_s.max(done_s + t_s);
+        let (made, stop) = match turn {
+            Turn::Hold => planner.stop(piece, at_s, true),
+            Turn::Feed(share) => planner.feed(piece, at_s, *share),
+        }
+        .unwrap();
+        assert!(stop.begin_s >= at_s - 1e-9 && stop.end_s >= stop.begin_s, "{stop:?}");
+        pieces.push(made);
+        done_s = 0.0;
+    }
+    pieces
+}
+
+/// Samples of position, velocity and acceleration, a step apart, over all pieces.
+fn samples(pieces: &[Plan]) -> Vec<[Axes; 3]> {
+    let mut all = Vec::new();
+    for plan in pieces {
+        let (from, to) = (plan.span_s(0).0, plan.duration_s());
+        let steps = ((to - from) / STEP_S).floor() as usize;
+        for k in 0..=steps {
+            let state = plan.at(from + k as f64 * STEP_S);
+            all.push([state.position, state.velocity, state.acceleration]);
+        }
+    }
+    all
+}
+
+fn most(axes: Axes) -> f64 {
+    axes.0.iter().fold(0.0, |most, v| v.abs().max(most))
+}
+
+fn check(moves: &[Move], jerk: Option<f64>, turns: &[(f64, Turn)]) {
+    let dynamics = dynamics(jerk);
+    let pieces = run(moves, &dynamics, turns);
+    let all = samples(&pieces);
+    for (i, [_, velocity, acceleration]) in all.iter().enumerate() {
+        assert!(most(*velocity) <= 200.0 * 1.001, "{velocity:?} at {i}");
+        assert!(most(*acceleration) <= 500.0 * 1.02, "{acceleration:?} at {i} of {turns:?}");
+    }
+    for (i, pair) in all.windows(2).enumerate() {
+        let way = most(pair[1][0].minus(pair[0][0]));
+        assert!(way <= 200.0 * STEP_S * 1.01 + 1e-6, "a jump of {way} mm at {i} of {turns:?}");
+        let gain = most(pair[1][1].minus(pair[0][1]));
+        assert!(gain <= 500.0 * STEP_S * 1.05 + 1e-3, "a jump of {gain} mm/s at {i} of {turns:?}");
+        let push = most(pair[1][2].minus(pair[0][2]));
+        let limit = jerk.map_or(f64::INFINITY, |jerk| jerk * STEP_S * 1.05 + 0.5);
+        assert!(push <= limit, "a jump of {push} mm/s² at {i} of {turns:?}");
+    }
+    let end = all.last().unwrap()[0].minus(moves.last().unwrap().to);
+    assert!(most(end) < 0.2, "{end:?}");
+    let (way, made): (f64, f64) = (
+        moves.iter().map(|m| m.length_mm).sum(),
+        pieces.iter().flat_map(Plan::moves).map(|m| m.length_mm).sum(),
+    );
+    assert!((way - made).abs() < 1e-6 * way, "{made} of {way} mm");
+}
+
+fn turns() -> impl Strategy<Value = Vec<(f64, Turn)>> {
+    let turn = prop_oneof![Just(Turn::Hold), (0.2f32..1.9).prop_map(Turn::Feed)];
+    prop::collection::vec((0.0..3.0f64, turn), 1..4)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn without_a_limit_of_jerk_every_limit_holds_and_nothing_jumps(
+        seed in any::<u64>(), turns in turns()
+    ) {
+        check(&path(seed, 150), None, &turns);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 6, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn with_a_limit_of_jerk_as_well(seed in any::<u64>(), turns in turns()) {
+        check(&path(seed, 60), Some(10_000.0), &turns);
+    }
+}
+
+#[test]
+fn a_hold_takes_no_longer_than_the_axes_need() {
+    let moves = path(1, 1).into_iter().map(|mut m| {
+        (m.from, m.to, m.length_mm) = (Axes::default(), Axes::xyz(400.0, 0.0, 0.0), 400.0);
+        m
+    });
+    let moves: Vec<Move> = moves.collect();
+    let mut planner = Retimed::new(OptimalPlanner::new(&dynamics(None)));
+    moves.iter().for_each(|m| planner.push(*m));
+    let piece = planner.finish().unwrap();
+    let (_, stop) = planner.stop(piece, 2.0, true).unwrap();
+    assert!((stop.end_s - stop.begin_s - 0.2).abs() < 5e-3, "{stop:?}");
+}
+
+#[test]
+fn half_the_feed_takes_twice_the_time_and_more_feed_less() {
+    let moves = path(3, 150);
+    for jerk in [None, Some(20_000.0)] {
+        let seconds = |turns: &[(f64, Turn)]| -> f64 {
+            let pieces = run(&moves, &dynamics(jerk), turns);
+            pieces.iter().map(|plan| plan.duration_s() - plan.span_s(0).0).sum()
+        };
+        let plain = seconds(&[]);
+        let [slow, same, fast] = [0.2, 1.0, 1.9].map(|share| seconds(&[(0.3, Turn::Feed(share))]));
+        assert!(slow > 2.0 * plain && fast < plain, "{slow} {plain} {fast}");
+        assert!((same - plain).abs() < 0.02 * plain, "{same} {plain}");
+    }
+}
+
+#[test]
+fn the_path_after_a_hold_is_the_path_without() {
+    let moves = path(5, 150);
+    let dynamics = dynamics(None);
+    let plain = Optimal { dynamics: &dynamics }.plan(moves.clone());
+    let line: Vec<Axes> = (0..=(plain.duration_s() * 2e4) as usize)
+        .map(|k| plain.at(k as f64 / 2e4).position)
+        .collect();
+    let held = run(&moves, &dynamics, &[(0.7, Turn::Hold), (0.31, Turn::Hold), (0.5, Turn::Hold)]);
+    let mut near = 0;
+    for [place, ..] in samples(&held) {
+        let off = |k: usize| most(line[k].minus(place));
+        // The nearest place lies behind the last one.
+        while near + 1 < line.len() && off(near + 1) <= off(near) {
+            near += 1;
+        }
+        assert!(off(near) < 0.006, "{place:?} is off by {}", off(near));
+    }
+}
