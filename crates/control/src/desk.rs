@@ -51,6 +51,18 @@ impl Host for Desk<'_> {
         self.shelf.enter(folder)
     }
 
+    fn set_file_mask(&mut self, mask: &str) {
+        self.shelf.set_mask(Some(mask));
+    }
+
+    fn file_mask(&mut self) -> String {
+        self.shelf.mask().to_owned()
+    }
+
+    fn full_path(&mut self, name: &str) -> String {
+        self.shelf.full_path(name)
+    }
+
     fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
         self.shelf.open(number, path, mode)
     }

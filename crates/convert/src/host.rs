@@ -111,6 +111,18 @@ impl Host for Paper<'_> {
         self.behind.set_part_folder(folder)
     }
 
+    fn set_file_mask(&mut self, mask: &str) {
+        self.behind.set_file_mask(mask);
+    }
+
+    fn file_mask(&mut self) -> String {
+        self.behind.file_mask()
+    }
+
+    fn full_path(&mut self, name: &str) -> String {
+        self.behind.full_path(name)
+    }
+
     fn open(&mut self, number: u8, path: &str, mode: FileMode) -> Result<String, HostError> {
         self.behind.open(number, path, mode)
     }
