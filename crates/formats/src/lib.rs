@@ -6,6 +6,7 @@
 
 pub mod dxf;
 mod finding;
+pub mod motion;
 pub mod rsg;
 pub mod svg;
 

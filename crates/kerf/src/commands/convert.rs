@@ -3,7 +3,7 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
-use crate::{date, out, setup};
+use crate::{date, drawings, out, setup};
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::Desk;
@@ -13,6 +13,7 @@ use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_gcode::Dialect;
 use kerf_program::Settings;
 use kerf_sbp::Variables;
+use kerf_toolpath::Heights;
 use std::path::{Path, PathBuf};
 
 /// Converts part files to G-code and G-code to part files
@@ -79,15 +80,16 @@ impl Controller {
 }
 
 pub fn run(args: &ConvertArgs) -> Result<Exit> {
+    if drawings::is_drawing(&args.source) {
+        return drawing(args);
+    }
     let from = match &args.kind {
         Some(kind) => language(&args.source.with_extension(kind), args.from)?,
         None => language(&args.source, args.from)?,
     };
     let to = language(&args.target, args.to)?;
     let bytes = setup::read_bytes(&args.source)?;
-    if args.target.exists() && !args.force {
-        bail!(Usage(format!("{} is there already; --force writes over it", args.target.display())));
-    }
+    refuse_to_overwrite(args)?;
     let source =
         Source { name: args.source.display().to_string().into(), bytes: &bytes, language: from };
     let converted = {
@@ -110,6 +112,32 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
     let shown = Diagnostics::default();
     converted.diagnostics.iter().for_each(|d| shown.show(d));
     let Some(text) = converted.text else { return Ok(Exit::Failed) };
+    keep(args, &text)
+}
+
+/// Writes the tool paths of a drawing as a program.
+fn drawing(args: &ConvertArgs) -> Result<Exit> {
+    let to = language(&args.target, args.to)?;
+    refuse_to_overwrite(args)?;
+    let (job, heights) = (drawings::job(&args.source)?, Heights::default());
+    let written = match to {
+        Language::OpenSbp => drawings::part_program(&args.source, &job, &heights)?,
+        Language::Gcode(_) => drawings::gcode_program(&args.source, &job, &heights)?,
+    };
+    for lost in &written.lost {
+        eprintln!("{}: warning: not written: {}", args.target.display(), lost.what);
+    }
+    keep(args, &written.text)
+}
+
+fn refuse_to_overwrite(args: &ConvertArgs) -> Result<()> {
+    if args.target.exists() && !args.force {
+        bail!(Usage(format!("{} is there already; --force writes over it", args.target.display())));
+    }
+    Ok(())
+}
+
+fn keep(args: &ConvertArgs, text: &str) -> Result<Exit> {
     RealDisk
         .write(&args.target, text.as_bytes())
         .with_context(|| format!("cannot write {}", args.target.display()))?;
@@ -120,8 +148,8 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
 fn language(file: &Path, controller: Controller) -> Result<Language> {
     let name = file.display().to_string();
     let Some(language) = Language::of_file(&name, controller.dialect()) else {
-        let known = ".sbp, .nc, .tap, .ngc and .gcode are converted";
-        bail!(Usage(format!("{name}: {known}; drawings and pictures are not there yet")));
+        let known = ".sbp, .nc, .tap, .ngc and .gcode and drawings as .dxf, .svg, .rsg and .rsm are converted";
+        bail!(Usage(format!("{name}: {known}; pictures and plotter files are not there yet")));
     };
     Ok(language)
 }

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = help())]
 pub struct DrawArgs {
-    /// The drawings: .dxf, .svg or .rsg; none begins an empty one
+    /// The drawings: .dxf, .svg or .rsg, or programs, .nc or .sbp, as they cut; none begins an empty one
     files: Vec<PathBuf>,
     /// What to do, clauses divided by semicolons
     #[arg(long = "do", value_name = "OP; OP; …")]

@@ -1,5 +1,7 @@
 //! Drawings from files and into files, by extension.
 
+pub mod programs;
+
 use crate::exit::Usage;
 use anyhow::{Context, Result, bail};
 use kerf_control::files::{Disk, RealDisk};
@@ -48,7 +50,11 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
         "dxf" => dxf::read(&bytes, &options),
         "rsg" | "rsm" => rsg::read(&bytes),
         "svg" => svg::read(&bytes),
-        _ => bail!(Usage(format!("{}: a drawing is .dxf, .svg, .rsg or .rsm", file.display()))),
+        _ if programs::is_program(file) => programs::read(file, &bytes)?,
+        _ => bail!(Usage(format!(
+            "{}: a drawing is .dxf, .svg, .rsg or .rsm, or a program: .nc or .sbp",
+            file.display()
+        ))),
     };
     tell(file, &read);
     if reading.layers {
