@@ -54,11 +54,11 @@ pub fn follow<I: Language>(mut interpreter: I, behind: &mut dyn Host) -> Passage
         let mut seen = seen.into_iter();
         for sourced in std::mem::take(&mut out) {
             host.carry_out(&sourced.command);
-            let changes = matches!(sourced.command, Command::ToolChange { begin: true });
-            follower.command(&interpreter, sourced);
-            if changes {
+            if matches!(sourced.command, Command::ToolChange { begin: false }) {
+                // What is asked while a tool is changed belongs to the change.
                 seen.by_ref().for_each(|seen| follower.seen(seen, at));
             }
+            follower.command(&interpreter, sourced);
         }
         // A line that asks does it last, but for a change of tools.
         seen.for_each(|seen| follower.seen(seen, at));
