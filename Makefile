@@ -68,5 +68,8 @@ bench-geometry: ## offsets beside those of other programs; GEOS=N compares N sha
 	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry
 	target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS))
 
+peers: ## install the other programs that `make bench` compares with
+	@.ci/peers
+
 prepare: ## install what building and testing need
 	@.ci/prepare

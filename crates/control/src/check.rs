@@ -10,7 +10,7 @@ use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
-use kerf_sbp::NamedFile;
+use kerf_sbp::{Language, NamedFile};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -30,12 +30,18 @@ pub fn check(
     let mut findings = Findings::default();
     let good = !program.has_errors();
     findings.follow(&program, session.memory.settings.linear_unit, shelf);
-    let summary = good.then(|| {
+    let gcode = program.language() == Language::Gcode;
+    let summary = (good || gcode).then(|| {
         let mut session = session.clone();
         let company = Company { sink: &mut findings, operator, pace: &mut () };
-        let options = RunOptions { limits: LimitPolicy::List, ..options };
+        let mut options = RunOptions { limits: LimitPolicy::List, ..options };
+        // What of a block of G-code is wrong shows only when it is carried out: the next ones are
+        // tried all the same.
+        options.gcode.keep_going = true;
+        options.program.allow_errors |= gcode;
         session.run(program, options, shelf, company)
     });
+    let summary = summary.filter(|_| !findings.list.iter().any(Diagnostic::is_error));
     Checked { diagnostics: findings.sorted(), summary }
 }
 
@@ -153,7 +159,7 @@ mod tests {
     fn check_text(files: &[(&str, &str)], expected: &[&str]) {
         let disk = MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes())));
         let (name, text) = files[0];
-        let program = kerf_sbp::read(name.into(), text.as_bytes());
+        let program = kerf_part::read(name.into(), text.as_bytes());
         let mut shelf = Shelf::in_memory(disk);
         let found = check(&Session::default(), program, RunOptions::default(), &mut shelf, &mut ());
         let found: Vec<String> = found
@@ -178,6 +184,16 @@ mod tests {
     fn a_dry_run_finds_what_reading_cannot() {
         check_text(&[("a.sbp", "&a=0\nMX,1/&a\n")], &["a.sbp:2 R003 Error"]);
         check_text(&[("a.sbp", "FP,none.sbp")], &["a.sbp:1 F001 Error"]);
+    }
+
+    #[test]
+    fn every_bad_block_of_g_code_is_told() {
+        let text = "G20 G1 X1 F60\nG777\nG2 X5 Y0 I1 J0\nG1 X1 X2\n#1=[1/0]\nG2 X1\n";
+        let found = [2, 3, 4, 5, 6].map(|line| format!("a.nc:{line} "));
+        let codes = ["G002", "R018", "G006", "R003", "G008"];
+        let expected: Vec<String> =
+            found.iter().zip(codes).map(|(at, code)| format!("{at}{code} Error")).collect();
+        check_text(&[("a.nc", text)], &expected.iter().map(String::as_str).collect::<Vec<_>>());
     }
 
     #[test]
