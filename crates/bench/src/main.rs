@@ -8,6 +8,7 @@ mod figure;
 mod gcode;
 mod inputs;
 mod record;
+mod replan;
 mod stages;
 mod still;
 mod table;
@@ -34,6 +35,9 @@ fn main() -> Result<()> {
     let (more, compared) = gcode::figures(word)?;
     about.extend(more);
     figures.extend(compared);
+    let (more, measured) = replan::figures(word)?;
+    about.extend(more);
+    figures.extend(measured);
     let section = record::section(&about, &figures);
     println!("{section}");
     if recorded {

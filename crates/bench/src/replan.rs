@@ -1,0 +1,122 @@
+//! How long a new plan takes when the operator stops, holds or overrides a machine that moves: at any
+//! point of a raster of short segments, until the next piece of plan is there.
+
+use crate::figure::{Figure, Goal, Spread};
+use anyhow::Result;
+use kerf_motion::{Move, Mover, Plan, Replanner, planner};
+use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, RampModel, Settings};
+use std::time::Instant;
+
+const NAME: &str = "raster3d-5k";
+
+/// Segments of half a millimetre.
+const SEGMENTS: u32 = 5000;
+
+/// Moments of a run that are tried; fewer under a limit of jerk, where planning takes seconds.
+const MOMENTS: u32 = 16;
+const MOMENTS_WITH_JERK: u32 = 3;
+
+/// Runs over all of them.
+const RUNS: u32 = 3;
+
+/// A new plan has to be there within this, seconds.
+const READY_S: f64 = 5e-3;
+
+/// What is measured, and the figures; nothing when another input was asked for.
+pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {
+    if !NAME.contains(word) {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    eprintln!("{NAME} …");
+    let about = format!(
+        "- `{NAME}`: 5,000 segments of 0.5 mm of a 3D raster, planned anew at {MOMENTS} moments; the slowest counts\n"
+    );
+    let mut figures = Vec::new();
+    let [shopbot, optimal] = [RampModel::Shopbot, RampModel::Optimal];
+    for (stop, feed, settings) in [
+        ("stop, shopbot", "override, shopbot", machine(shopbot, None)),
+        ("stop, optimal", "override, optimal", machine(optimal, None)),
+        ("stop, with jerk", "override, with jerk", machine(optimal, Some(10_000.0))),
+    ] {
+        let moves = raster(&settings);
+        figures.push(figure(stop, &moves, &settings, &stops));
+        figures.push(figure(feed, &moves, &settings, &overrides));
+    }
+    Ok((vec![about], figures))
+}
+
+/// What changes a piece of plan at a time.
+type Change<'a> = &'a dyn Fn(&mut dyn Replanner, Plan, f64);
+
+fn stops(planner: &mut dyn Replanner, piece: Plan, t_s: f64) {
+    drop(planner.stop(piece, t_s, true));
+}
+
+fn overrides(planner: &mut dyn Replanner, piece: Plan, t_s: f64) {
+    drop(planner.feed(piece, t_s, 0.5));
+}
+
+/// A router at 100 mm/s, with 500 mm/s² an axis.
+fn machine(model: RampModel, jerk: Option<f64>) -> Settings {
+    let mut settings = Settings::default();
+    (settings.speeds.cut.xy, settings.speeds.cut.z) = (100.0, 100.0);
+    settings.ramp_model = Some(model);
+    settings.dynamics = Some(Dynamics {
+        speed_mm_s: Axes::splat(200.0),
+        accel_mm_s2: Axes::splat(500.0),
+        jerk_mm_s3: jerk.map(Axes::splat),
+        tolerance_mm: 0.01,
+    });
+    settings
+}
+
+/// Rows of 100 segments over a hilly surface.
+fn raster(settings: &Settings) -> Vec<Move> {
+    let mut mover = Mover::new(Axes::default(), settings);
+    let place = |k: u32| {
+        let (row, column) = (k / 100, k % 100);
+        let along = f64::from(if row.is_multiple_of(2) { column } else { 99 - column });
+        let (x, y) = (0.5 * along, 0.5 * f64::from(row));
+        Axes::xyz(x, y, 3.0 * (x * 0.2).sin() * (y * 0.15).cos())
+    };
+    let line = |to| Line { kind: MoveKind::Cut, to, feed: Feed::Axis };
+    (1..=SEGMENTS).filter_map(|k| mover.line(At::default(), &line(place(k)))).collect()
+}
+
+/// The slowest of all moments, in each of some runs.
+fn figure(stage: &'static str, moves: &[Move], settings: &Settings, change: Change<'_>) -> Figure {
+    let end_s: f64 = pieces(moves, settings).last().map_or(0.0, Plan::duration_s);
+    let jerk = settings.axis_dynamics().jerk_mm_s3;
+    let count = jerk.map_or(MOMENTS, |_| MOMENTS_WITH_JERK);
+    let slowest = |_| {
+        let moments = (0..count).map(|k| end_s * (f64::from(k) + 0.5) / f64::from(count));
+        moments.map(|t_s| takes_s(moves, settings, t_s, change)).fold(0.0, f64::max)
+    };
+    let wall_s = Spread::of((0..RUNS).map(slowest).collect());
+    let goal = Some(Goal::Within(READY_S, f64::INFINITY));
+    let (count, unit) = (u64::from(count), "re-plans");
+    Figure { input: NAME, stage, count, unit, cpu_s: wall_s, wall_s, peak: None, goal }
+}
+
+fn pieces(moves: &[Move], settings: &Settings) -> Vec<Plan> {
+    let mut planner = reading(moves, settings);
+    std::iter::from_fn(|| planner.take().or_else(|| planner.finish())).collect()
+}
+
+fn reading(moves: &[Move], settings: &Settings) -> Box<dyn Replanner> {
+    let mut planner = planner(settings);
+    moves.iter().for_each(|made| planner.push(*made));
+    planner
+}
+
+/// How long a change at a moment takes, until the next piece of plan is there.
+fn takes_s(moves: &[Move], settings: &Settings, t_s: f64, change: Change<'_>) -> f64 {
+    let mut planner = reading(moves, settings);
+    let piece = std::iter::from_fn(|| planner.take().or_else(|| planner.finish()))
+        .find(|piece| piece.duration_s() > t_s);
+    let Some(piece) = piece else { return 0.0 };
+    let start = Instant::now();
+    change(planner.as_mut(), piece, t_s);
+    std::hint::black_box(planner.take().or_else(|| planner.finish()));
+    start.elapsed().as_secs_f64()
+}
