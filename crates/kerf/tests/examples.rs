@@ -26,12 +26,15 @@ fn examples_are_free_of_warnings() {
     }
 }
 
+/// Folder of the example and name of the picture.
+const FIGURES: &[(&str, &str)] = &[("03-coaster", "coaster")];
+
 /// The pictures that README and book show are those that `make figures` draws.
 #[test]
 fn figures_are_fresh() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let scratch = tempfile::tempdir().unwrap();
-    for (folder, name) in [("03-coaster", "coaster")] {
+    for (folder, name) in FIGURES {
         let drawn = scratch.path().join("drawn.svg");
         let part = format!("examples/{folder}/{name}.sbp");
         let mut command = Command::new(env!("CARGO_BIN_EXE_kerf"));
