@@ -11,10 +11,10 @@ use super::widths::{REACH, Smoothing, back};
 use crate::moves::Move;
 
 /// Vertices for which is decided together.
-const BLOCK: usize = 64;
+const BLOCK: usize = 32;
 
 /// The narrow bumps are taken up when they are faster by more than this share.
-const BETTER: f64 = 0.015;
+const BETTER: f64 = 0.018;
 
 /// A bump that ends at a place, but for rounding, counts there.
 const BESIDE: f64 = 1.0 + 1e-6;

@@ -16,7 +16,7 @@ const CROSSINGS: u32 = 40;
 
 /// A cell is cut where the acceleration of an axis that is at its limit at one end would be below it
 /// by more than this share at the other.
-const COARSE: f64 = 1e-2;
+const COARSE: f64 = 3e-3;
 
 /// No cell is cut into more parts.
 pub(crate) const MOST_PARTS: u32 = 32;
