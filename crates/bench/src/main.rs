@@ -7,6 +7,7 @@ mod child;
 mod figure;
 mod gcode;
 mod inputs;
+mod machine;
 mod record;
 mod replan;
 mod stages;
@@ -21,6 +22,11 @@ fn main() -> Result<()> {
     let mut arguments = env::args_os().skip(1).peekable();
     if arguments.next_if(|word| word == child::PARENT).is_some() {
         return child::parent(arguments);
+    }
+    if arguments.next_if(|word| word == machine::RASTER).is_some() {
+        let moves = arguments.next().and_then(|count| count.to_str()?.parse().ok());
+        machine::plan_raster(moves.unwrap_or_default());
+        return Ok(());
     }
     let words: Vec<String> = arguments.map(|word| word.to_string_lossy().into_owned()).collect();
     let recorded = words.iter().any(|word| word == "--record");
@@ -38,7 +44,15 @@ fn main() -> Result<()> {
     let (more, measured) = replan::figures(word)?;
     about.extend(more);
     figures.extend(measured);
-    let section = record::section(&about, &figures);
+    let motion = "raster".contains(word);
+    if motion {
+        eprintln!("motion …");
+        figures.extend(machine::figures()?);
+    }
+    let mut section = record::section(&about, &figures);
+    if motion {
+        section += &machine::references()?;
+    }
     println!("{section}");
     if recorded {
         record::record(&section)?;

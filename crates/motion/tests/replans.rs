@@ -3,8 +3,8 @@
 
 mod walk;
 
-use kerf_motion::{Move, Plan, Planner, Replanner, ShopBotPlanner, Span, plan_stack};
-use kerf_program::{MoveKind, Settings};
+use kerf_motion::{Move, Plan, Planner, Replanner, ShopBotPlanner, Span, plan_stack, planner};
+use kerf_program::{Axes, Dynamics, MoveKind, Settings};
 use proptest::prelude::*;
 use std::iter;
 use walk::moves;
@@ -141,4 +141,36 @@ fn half_the_feed_takes_twice_the_time_on_a_long_line() {
     assert!((made.seconds() - expected).abs() < 1.0, "{} {expected}", made.seconds());
     let faster = run(&[line], &[(5.0, Turn::Feed(2.0))]);
     assert!(faster.spans().last().unwrap().v_peak > 1.99 * v);
+}
+
+/// On a smoothed path a piece ends in motion: a stop near its end brakes into the next one.
+#[test]
+fn a_stop_of_the_fastest_motion_runs_on_beyond_its_piece() {
+    let dynamics = Dynamics {
+        speed_mm_s: Axes::splat(150.0),
+        accel_mm_s2: Axes::splat(700.0),
+        jerk_mm_s3: None,
+        tolerance_mm: 0.05,
+    };
+    let settings = Settings { dynamics: Some(dynamics), ..Settings::default() };
+    let moves = moves(4000, 5);
+    for early_s in [0.0, 1e-3, 0.02, 0.5] {
+        let mut planner = planner(&settings);
+        moves.iter().for_each(|m| planner.push(*m));
+        let piece = planner.take().unwrap();
+        let t_s = piece.duration_s() - early_s;
+        let before = piece.at(t_s - 1e-9);
+        let (made, stop) = planner.stop(piece, t_s, true).unwrap();
+        let after = made.at(t_s + 1e-9);
+        let gap = |a: Axes, b: Axes| a.minus(b).0.into_iter().map(f64::abs).fold(0.0, f64::max);
+        assert!(gap(before.position, after.position) < 1e-5);
+        assert!(gap(before.velocity, after.velocity) < 1e-3, "{early_s}");
+        let last = made.at(stop.end_s - 1e-6);
+        assert!(gap(last.velocity, Axes::default()) < 1e-2, "{:?}", last.velocity);
+        assert!(gap(last.position, stop.position) < 1e-6);
+        let rest: Vec<Plan> = iter::from_fn(|| planner.finish()).collect();
+        let (first, last) = (&rest[0], &rest[rest.len() - 1]);
+        assert!(gap(first.at(0.0).position, stop.position) < 1e-9);
+        assert!(gap(last.at(last.duration_s()).position, moves[moves.len() - 1].to) < 1e-9);
+    }
 }
