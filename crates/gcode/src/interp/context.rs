@@ -71,9 +71,17 @@ impl Context<'_> {
 
     /// Asks the operator.
     pub(super) fn ask(&mut self, question: &Question) -> Result<Answer, Stop> {
+        if let Some(answer) = self.core.asked.get(self.core.taken).cloned() {
+            self.core.taken += 1;
+            return Ok(answer);
+        }
         self.settle()?;
         match self.host.ask(question) {
-            Poll::Ready(answer) => Ok(answer),
+            Poll::Ready(answer) => {
+                self.core.asked.push(answer.clone());
+                self.core.taken += 1;
+                Ok(answer)
+            }
             Poll::Pending => Err(Stop::Waiting),
         }
     }

@@ -6,7 +6,7 @@ use super::state::Modal;
 use super::{Dialect, Options, Session, State};
 use crate::Program;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{AXES, Axes, Frame, Settings, Turn};
+use kerf_program::{AXES, Answer, Axes, Frame, Settings, Turn};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -51,6 +51,12 @@ pub(super) struct Core {
     /// A tool change has begun: the spindle was stopped, the operator is asked next.
     #[serde(default)]
     pub(super) changing: bool,
+    /// Answers given in the present block, which begins again for each question; how many of them the
+    /// present attempt has taken.
+    #[serde(default)]
+    pub(super) asked: Vec<Answer>,
+    #[serde(default)]
+    pub(super) taken: usize,
     /// Motion commands given so far.
     pub(super) motions: u64,
     /// Everything given so far has been carried out.
@@ -135,6 +141,8 @@ impl Core {
             beside: None,
             probing: None,
             changing: false,
+            asked: Vec::new(),
+            taken: 0,
             motions: 0,
             settled: true,
             lines,

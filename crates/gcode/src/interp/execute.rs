@@ -25,9 +25,12 @@ impl Context<'_> {
         // A block that stops the program is repeated as a whole when the host has no answer yet.
         self.settle()?;
         let saved = self.core.clone();
+        self.core.taken = 0;
         let outcome = self.carry_out(g);
+        let asked = std::mem::take(&mut self.core.asked);
         if matches!(outcome, Err(Stop::Waiting)) {
             *self.core = saved;
+            self.core.asked = asked;
         }
         outcome
     }
