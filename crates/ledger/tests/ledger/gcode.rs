@@ -123,3 +123,10 @@ fn a_probe_move_ends_where_its_input_changes() {
     run.stands_at([0.0, 0.0, 1.0]);
     gcode("G20 ⏎ G38.2 Z-2 F60").run().fails(2, "G018");
 }
+
+#[test]
+fn a_block_that_asks_twice_comes_to_its_end() {
+    let run = gcode("G20 ⏎ M66 P1 L3 M0 ⏎ G0 X1").answers(&["OK", "OK"]).run();
+    run.ends_at([1.0]);
+    assert_eq!(run.events("ask").count(), 2, "{run}");
+}
