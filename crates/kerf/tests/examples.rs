@@ -63,12 +63,12 @@ fn difference(folder: &Path) -> Option<String> {
     (did != expected).then(|| format!("{name}: expected\n{expected}--- did\n{did}"))
 }
 
-/// The trace of an example: the part file named after the folder, with the options of
+/// The trace of an example: the part file or drawing named after the folder, with the options of
 /// `options.txt` if there are any.
 fn trace(folder: &Path) -> Vec<Value> {
     let name = folder.file_name().unwrap().to_string_lossy();
     let (_, name) = name.split_once('-').expect("NN-name");
-    let part = ["sbp", "nc"].map(|ending| format!("{name}.{ending}"));
+    let part = ["sbp", "nc", "rsg"].map(|ending| format!("{name}.{ending}"));
     let part = part.into_iter().find(|part| folder.join(part).is_file()).expect("a part file");
     let options = std::fs::read_to_string(folder.join("options.txt")).unwrap_or_default();
     let data = tempfile::tempdir().unwrap();
