@@ -43,22 +43,19 @@ conformance: ## enter new tests into the score and write its page
 book: ## write the generated pages of the user's book
 	$(CARGO) xtask book
 
-figures: prepare ## draw the figures of the book anew
+run: prepare ## run the first example on the simulated machine and draw its path
+	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
+
+figures: prepare ## draw the pictures of README and book anew
 	$(CARGO) build --release --locked --package kerf
+	for part in $(FIGURES); do \
+	  target/release/kerf preview $$part -o docs/figures/$$(basename $$part .sbp).svg; \
+	done
 	for model in shopbot profiler "optimal --jerk 10000"; do \
 	  target/release/kerf plot docs/figures/corners.sbp --units mm --over time \
 	    --ramps $$model -o docs/figures/speed-$${model%% *}.svg; \
 	done
 	target/release/kerf preview docs/figures/corners.sbp --units mm -o docs/figures/corners.svg
-
-run: prepare ## run the first example on the simulated machine and draw its path
-	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
-
-figures: prepare ## draw the pictures of the README from the examples
-	$(CARGO) build --locked --package kerf
-	for part in $(FIGURES); do \
-	  target/debug/kerf preview $$part -o docs/figures/$$(basename $$part .sbp).svg; \
-	done
 
 bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
 	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench

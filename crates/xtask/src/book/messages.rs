@@ -22,6 +22,7 @@ const ROOMS: &[(&str, &str)] = &[
     ("W", "What `kerf check` warns of"),
     ("G", "G-code"),
     ("R", "Running a program"),
+    ("C", "Converting a program"),
     ("F", "Files"),
     ("M", "The machine"),
 ];

@@ -27,8 +27,9 @@ fn check_folder(tree: &Tree, name: &str) -> Vec<Finding> {
             findings.push(Finding::file(&folder, format!("{needed} is missing")));
         }
     }
-    if [".sbp", ".nc"].iter().all(|ending| tree.matching(&folder, ending).next().is_none()) {
-        findings.push(Finding::file(&folder, "there is no part file"));
+    if [".sbp", ".nc", ".rsg"].iter().all(|ending| tree.matching(&folder, ending).next().is_none())
+    {
+        findings.push(Finding::file(&folder, "there is no part file and no drawing"));
     }
     findings
 }
