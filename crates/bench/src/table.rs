@@ -35,6 +35,7 @@ fn goal(figure: &Figure) -> String {
     let asked = match figure.goal {
         None => return String::new(),
         Some(Goal::Rate(least)) => format!("≥ {} M/s", least / 1e6),
+        Some(Goal::Within(seconds, f64::INFINITY)) => format!("< {}", ms(seconds)),
         Some(Goal::Within(seconds, bytes)) => format!("< {}, < {}", ms(seconds), megabytes(bytes)),
     };
     format!("{asked}: {}", if figure.meets() == Some(true) { "met" } else { "missed" })
