@@ -9,6 +9,7 @@ mod finding;
 pub mod motion;
 pub mod rsg;
 pub mod svg;
+mod tidy;
 
 pub use finding::{Finding, Weight};
 

@@ -244,6 +244,19 @@ fn what_is_broken_is_told_and_left_out() {
 }
 
 #[test]
+fn what_nobody_can_see_is_not_drawn() {
+    let doubled = only("0 LWPOLYLINE/90 4/70 0/10 0/20 0/10 0/20 1e-9/10 5/20 0/10 9/20 9");
+    assert_eq!(doubled.path.vertices.len(), 3);
+    let back = only("0 LWPOLYLINE/90 4/70 0/10 0/20 0/10 5/20 0/10 5/20 5/10 0/20 1e-9");
+    assert!(back.is_closed() && back.path.vertices.len() == 3);
+    let knots = "40 0/40 0/40 1/40 1";
+    broken(
+        &format!("0 SPLINE/71 1/{knots}/10 3/20 3/10 3/20 3"),
+        "SPLINE without length: left out",
+    );
+}
+
+#[test]
 fn no_bytes_make_it_panic() {
     let whole =
         file(&format!("{LINE}/{}", polyline(1, &[(0.0, 0.0, 0.0, 1.0), (9.0, 0.0, 0.0, 1.0)])));

@@ -215,3 +215,18 @@ fn a_tangle_is_refused_and_a_long_contour_is_not() {
     let long = families::round(60_000, |t| 500.0 + 20.0 * (9.0 * t).cos());
     assert_eq!(offset(&long, 3.0).map(|f| f.len()), Ok(1));
 }
+
+/// A bulge of 1e16, from a file with a lost decimal point, once made an index run out of bounds.
+#[test]
+fn an_arc_beyond_all_measure_is_refused() {
+    let vertices = vec![
+        Vertex::new(589.1370623826678, -37.6585330599637, 1.025323138724303),
+        Vertex::new(597.1953327068323, -43.06858987324453, -0.4901580498436283),
+        Vertex::new(660.0108620937224, -42.67188959682464, 9970403605774508.0),
+        Vertex::new(669.3437423157253, -34.9232741844898, 0.5506414842831164),
+    ];
+    let shape = Polyarc::closed(vertices);
+    for distance in [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0] {
+        assert!(offset(&shape, distance).is_err(), "{distance}");
+    }
+}

@@ -267,9 +267,19 @@ impl<'f, 'a> Import<'f, 'a> {
         &mut self,
         entity: &Entity<'f, 'a>,
         place: &Place<'a>,
-        places: Vec<Vec3>,
+        mut places: Vec<Vec3>,
         closed: bool,
     ) {
+        places.dedup();
+        let returns = places.len() > 2 && places.first() == places.last();
+        if returns {
+            places.pop();
+        }
+        if places.len() < 2 {
+            let text = format!("{} without length: left out", entity.shown());
+            return self.findings.warn("length", entity.line, text);
+        }
+        let closed = closed || returns;
         let heights = places.iter().map(|p| p.z).collect();
         let path = Polyarc::lines(places.into_iter().map(Vec3::flat), closed);
         self.add(entity, place, Shape::with_heights(path, heights));
@@ -277,6 +287,12 @@ impl<'f, 'a> Import<'f, 'a> {
 
     /// Adds a shape to the drawing and to its layer.
     pub fn add(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>, shape: Shape) {
+        let is_point = entity.name == b"POINT";
+        let tidied = if is_point { Some(shape) } else { crate::tidy::tidied(shape) };
+        let Some(shape) = tidied else {
+            let text = format!("{} without length: left out", entity.shown());
+            return self.findings.warn("length", entity.line, text);
+        };
         if let Err(error) = shape.path.check() {
             let text = format!("{}: {error}: left out", entity.shown());
             self.findings.warn("place", entity.line, text);

@@ -82,7 +82,7 @@ pub(super) fn old<'f, 'a>(
     let closed = flags & flag::CLOSED != 0;
     if flags & flag::IN_SPACE != 0 {
         let world = places.into_iter().map(|(at, _)| place.map.apply(at)).collect();
-        return in_space(import, entity, place, world, closed);
+        return import.in_space(entity, place, world, closed);
     }
     let height = entity.real_or(30, 0.0, &mut import.findings);
     let vertices = places.into_iter().map(|(at, bulge)| Vertex { at: at.flat(), bulge }).collect();
@@ -95,24 +95,6 @@ fn told_broken(import: &mut Import, entity: &Entity) {
     import.findings.warn("broken", entity.line, text);
 }
 
-fn in_space<'f, 'a>(
-    import: &mut Import<'f, 'a>,
-    entity: &Entity<'f, 'a>,
-    place: &Place<'a>,
-    mut world: Vec<Vec3>,
-    closed: bool,
-) {
-    world.dedup();
-    let returns = world.len() > 2 && world.first() == world.last();
-    if returns {
-        world.pop();
-    }
-    if world.len() < 2 {
-        return too_short(import, entity);
-    }
-    import.in_space(entity, place, world, closed || returns);
-}
-
 fn add<'f, 'a>(
     import: &mut Import<'f, 'a>,
     entity: &Entity<'f, 'a>,
@@ -121,22 +103,11 @@ fn add<'f, 'a>(
     closed: bool,
     height: f64,
 ) {
-    let path = closed_by_its_end(Polyarc { vertices, closed }.tidied());
+    let path = Polyarc { vertices, closed }.tidied();
     if path.segment_count() == 0 {
         return too_short(import, entity);
     }
     import.flat(entity, place, &path, height);
-}
-
-/// An open path whose end is its start is closed: both are the same to a machine, and only closed
-/// shapes have an inside.
-fn closed_by_its_end(path: Polyarc) -> Polyarc {
-    let ends = path.start().zip(path.vertices.last().map(|last| last.at));
-    let meets = ends.is_some_and(|(start, end)| start == end);
-    if path.closed || !meets || path.vertices.len() < 3 {
-        return path;
-    }
-    Polyarc { closed: true, ..path }.tidied()
 }
 
 fn too_short(import: &mut Import, entity: &Entity) {

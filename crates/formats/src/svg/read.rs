@@ -166,12 +166,16 @@ impl<'a> Reading<'a> {
             let line = self.line(node);
             return self.findings.warn("place", line, format!("{error}: left out"));
         }
+        let Some(shape) = crate::tidy::tidied(Shape::flat(path)) else {
+            let line = self.line(node);
+            return self.findings.warn("length", line, "a path without length: left out");
+        };
         let (number, layer) = (self.shapes.len(), place.layer.unwrap_or("0"));
         match self.layers.iter_mut().find(|(name, _)| name == layer) {
             Some((_, shapes)) => shapes.push(number),
             None => self.layers.push((layer.to_owned(), vec![number])),
         }
-        self.shapes.push(Shape::flat(path));
+        self.shapes.push(shape);
     }
 }
 

@@ -80,6 +80,14 @@ mod tests {
     }
 
     #[test]
+    fn an_ellipse_beyond_all_tables_comes_to_an_end() {
+        let (major, minor) = (Vec2::new(1e15, 0.0), Vec2::new(0.0, 1e14));
+        let far =
+            Ellipse { centre: Point2::new(1e16, 0.0), major, minor, from_rad: 0.0, to_rad: TAU };
+        assert!(far.polyarc(1e-3).vertices.len() < 100_000);
+    }
+
+    #[test]
     fn a_half_ellipse_is_open() {
         let path = ellipse(TAU / 2.0).polyarc(0.01);
         assert!(!path.closed);

@@ -27,6 +27,9 @@ type Checked = Result<(), GeomError>;
 /// Whether `found` is the offset of the source.
 pub(super) fn validate(source: &Source, distance: f64, found: &[OffsetPath]) -> Checked {
     let segments: Vec<Segment> = found.iter().flat_map(|f| f.path.segments()).collect();
+    if let Some(odd) = found.iter().find(|f| f.origins.len() != f.path.segment_count()) {
+        return unproved("a piece without extent", odd.path.start().unwrap_or_default());
+    }
     let origins = found.iter().flat_map(|f| &f.origins);
     for (segment, origin) in segments.iter().zip(origins) {
         follows_origin(source, distance, segment, origin)?;

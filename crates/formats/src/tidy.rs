@@ -1,0 +1,24 @@
+//! What every reader makes of a shape, so that a drawing that is written and read again is the same.
+
+use kerf_drawing::Shape;
+use kerf_geom::{Polyarc, tol};
+
+/// The shape without segments that nobody can see; nothing when none is left. An open path whose end is
+/// its start is closed: both are the same to a machine, and only closed shapes have an inside. Shapes
+/// with heights stay as they are. Not for places to drill, which have no segment.
+pub fn tidied(shape: Shape) -> Option<Shape> {
+    if shape.z_mm.is_some() {
+        return Some(shape);
+    }
+    let path = closed_by_its_end(shape.path.tidied());
+    (path.segment_count() > 0).then_some(Shape { path, ..shape })
+}
+
+fn closed_by_its_end(path: Polyarc) -> Polyarc {
+    let ends = path.start().zip(path.vertices.last().map(|last| last.at));
+    let meets = ends.is_some_and(|(start, end)| start.distance(end) <= tol::SAME_PLACE_MM);
+    if path.closed || !meets || path.vertices.len() < 3 {
+        return path;
+    }
+    Polyarc { closed: true, ..path }.tidied()
+}
