@@ -77,7 +77,7 @@ pub fn offset(source: &Polyarc, distance: f64) -> Result<Vec<OffsetPath>, GeomEr
 /// # Errors
 /// As [`offset`]; contours must not cross each other.
 pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
-    if !distance.is_finite() {
+    if !distance.is_finite() || distance.abs() > tol::FARTHEST_MM {
         return Err(GeomError::NotPositive { what: "the size of an offset" });
     }
     contours.iter().try_for_each(Polyarc::check)?;

@@ -4,7 +4,8 @@ use super::{Polyarc, Vertex};
 use crate::{GeomError, tol};
 
 impl Polyarc {
-    /// Whether every number is finite and within [`tol::FARTHEST_MM`].
+    /// Whether every number is finite and every place, the tops of arcs too, within
+    /// [`tol::FARTHEST_MM`].
     ///
     /// # Errors
     /// Names the first vertex that is not.
@@ -17,7 +18,13 @@ impl Polyarc {
                 return Err(GeomError::TooFar { vertex });
             }
         }
-        Ok(())
+        let rises = |vertex: &usize| {
+            let from = self.vertices[*vertex];
+            let to = self.vertices[(vertex + 1) % self.vertices.len()];
+            0.5 * from.bulge.abs() * from.at.distance(to.at) > tol::FARTHEST_MM
+        };
+        let far = (0..self.segment_count()).find(rises);
+        far.map_or(Ok(()), |vertex| Err(GeomError::TooFar { vertex }))
     }
 
     /// The same path without segments shorter than [`tol::SAME_PLACE_MM`]. A closed polyarc that
