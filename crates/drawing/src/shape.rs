@@ -1,7 +1,7 @@
 //! One shape of a drawing: a path, perhaps with heights, in a group.
 
 use crate::Group;
-use kerf_geom::{Point2, Polyarc, Transform2};
+use kerf_geom::{Place, Point2, Polyarc, Transform2};
 use serde::{Deserialize, Serialize};
 
 /// A shape: what is cut in one go.
@@ -76,6 +76,13 @@ impl Shape {
     /// Height of a vertex above ZSurface, millimetres; 0 for a flat shape.
     pub fn height_mm(&self, vertex: usize) -> f64 {
         self.z_mm.as_ref().and_then(|z| z.get(vertex)).copied().unwrap_or_default()
+    }
+
+    /// Height at a place of its path, in proportion to the length between two vertices.
+    pub fn height_at(&self, place: &Place) -> f64 {
+        let next = (place.segment + 1) % self.path.vertices.len().max(1);
+        let (from, to) = (self.height_mm(place.segment), self.height_mm(next));
+        from + (to - from) * place.share
     }
 
     /// Moved, turned, scaled or mirrored in the plane. Heights stay.

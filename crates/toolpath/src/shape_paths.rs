@@ -5,7 +5,7 @@ use crate::lead::{Side, lead_in, lead_out, with_leads};
 use crate::tag::without_tag;
 use crate::warning::Warning;
 use kerf_drawing::{GroupSettings, Kind, Shape};
-use kerf_geom::{GeomError, Place, Polyarc, offset, parallel_path};
+use kerf_geom::{GeomError, Polyarc, offset, parallel_path};
 use serde::{Deserialize, Serialize};
 
 /// Which cut of a shape a path is.
@@ -119,12 +119,7 @@ fn offset_paths(shape: &Shape, distance: f64) -> Result<Vec<Base>, GeomError> {
 
 /// The height of each vertex: that of the nearest place of the shape (Profiler notes, 45).
 fn heights_beside(shape: &Shape, path: &Polyarc) -> Vec<f64> {
-    let height = |place: Place| {
-        let next = (place.segment + 1) % shape.path.vertices.len();
-        let (from, to) = (shape.height_mm(place.segment), shape.height_mm(next));
-        from + (to - from) * place.share
-    };
-    let nearest = |at| shape.path.nearest(at).map_or(0.0, |(place, _)| height(place));
+    let nearest = |at| shape.path.nearest(at).map_or(0.0, |(place, _)| shape.height_at(&place));
     path.vertices.iter().map(|vertex| nearest(vertex.at)).collect()
 }
 

@@ -249,9 +249,7 @@ fn pro_toolpath_offset_3d() {
     let height = |x: f64, y: f64| {
         let (place, far) = shape.path.nearest(Point2::new(x, y)).unwrap();
         near(far, 0.0, 1e-9);
-        let next = (place.segment + 1) % shape.path.vertices.len();
-        let (from, to) = (shape.height_mm(place.segment), shape.height_mm(next));
-        from + (to - from) * place.share
+        shape.height_at(&place)
     };
     near(height(105.0, 50.0), -10.0, 1e-9);
     near(height(50.0, -5.0), -5.0, 1e-9);

@@ -2,7 +2,7 @@
 
 use super::OpError;
 use crate::{Editor, Nesting, Shape};
-use kerf_geom::{Place, Point2, Polyarc, Segment};
+use kerf_geom::{Point2, Polyarc, Segment};
 use std::sync::Arc;
 
 pub(super) fn reverse(draft: &mut Editor) -> Result<(), OpError> {
@@ -57,20 +57,13 @@ fn started_at(shape: &Shape, at: Point2) -> Shape {
     let mut z_mm = plain.z_mm.clone();
     if let Some(z) = &mut z_mm {
         if inserted {
-            z.insert(vertex, height_at(&plain, &place));
+            z.insert(vertex, plain.height_at(&place));
         }
         z.rotate_left(vertex);
     }
     let mut path = split;
     path.vertices.rotate_left(vertex);
     Shape { path, z_mm, start_inserted: inserted, ..plain }
-}
-
-/// Height at a place between two vertices, in proportion to the length.
-fn height_at(shape: &Shape, place: &Place) -> f64 {
-    let next = (place.segment + 1) % shape.path.vertices.len();
-    let (from, to) = (shape.height_mm(place.segment), shape.height_mm(next));
-    from + (to - from) * place.share
 }
 
 fn without_inserted_start(shape: &Shape) -> Shape {
