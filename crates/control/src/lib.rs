@@ -34,6 +34,7 @@ mod runner;
 mod session;
 pub mod settings_file;
 mod shelf;
+mod shelf_host;
 mod sink;
 mod stack;
 mod standing;

@@ -196,3 +196,32 @@ fn drawings_and_jobs_are_previewed_timed_and_run() {
     let arcs = trace.lines().filter(|line| line.contains("\"e\":\"arc\"")).count();
     assert_eq!(arcs, 3, "the lead and two halves of the circle");
 }
+
+/// What ezdxf, a reader of DXF that is not ours, finds in files: errors it would mend, and entities.
+const AUDIT: &str = "
+import sys, ezdxf
+for name in sys.argv[1:]:
+    drawing = ezdxf.readfile(name)
+    audit = drawing.audit()
+    print(len(audit.errors) + len(audit.fixes), len(drawing.modelspace()))
+";
+
+/// Runs where python3 has ezdxf; elsewhere it says that it is skipped.
+#[test]
+fn other_programs_read_what_is_written() {
+    let has = Command::new("python3").args(["-c", "import ezdxf"]).output();
+    if !has.is_ok_and(|python| python.status.success()) {
+        eprintln!("skipped: ezdxf is not installed");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let script = "circle 50,50 25; line 0,0,0.3 10,1 20,5 close; point 3,4; select 1; group red; \
+        array block 2x3 gap 5,5; comment birch";
+    kerf(folder.path(), &["draw", "--do", script, "-o", "a.rsg"]);
+    kerf(folder.path(), &["draw", "a.rsg", "-o", "a.dxf"]);
+    kerf(folder.path(), &["toolpath", "a.rsg"]);
+    let mut python = Command::new("python3");
+    python.current_dir(folder.path()).args(["-c", AUDIT, "a.rsg", "a.dxf", "a.rsm"]);
+    let told = String::from_utf8(python.output().unwrap().stdout).unwrap();
+    assert_eq!(told, "0 3\n0 3\n0 18\n");
+}

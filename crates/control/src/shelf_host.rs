@@ -1,0 +1,78 @@
+//! What every host answers in the same way: files, folders and values that survive are those of its shelf.
+
+/// The methods of `Host` that go to the field `shelf`.
+macro_rules! answered_by_the_shelf {
+    () => {
+        fn source(
+            &mut self,
+            request: &kerf_program::FileRequest,
+        ) -> Result<kerf_program::SourceFile, kerf_program::HostError> {
+            self.shelf.source(request)
+        }
+
+        fn set_part_folder(
+            &mut self,
+            folder: Option<&str>,
+        ) -> Result<String, kerf_program::HostError> {
+            self.shelf.enter(folder)
+        }
+
+        fn set_file_mask(&mut self, mask: &str) {
+            self.shelf.set_mask(Some(mask));
+        }
+
+        fn file_mask(&mut self) -> String {
+            self.shelf.mask().to_owned()
+        }
+
+        fn full_path(&mut self, name: &str) -> String {
+            self.shelf.full_path(name)
+        }
+
+        fn open(
+            &mut self,
+            number: u8,
+            path: &str,
+            mode: kerf_program::FileMode,
+        ) -> Result<String, kerf_program::HostError> {
+            self.shelf.open(number, path, mode)
+        }
+
+        fn write(&mut self, number: u8, text: &str) -> Result<(), kerf_program::HostError> {
+            self.shelf.write(number, text)
+        }
+
+        fn read_line(&mut self, number: u8) -> Result<String, kerf_program::HostError> {
+            self.shelf.read_line(number)
+        }
+
+        fn close(&mut self, number: u8) -> Result<(), kerf_program::HostError> {
+            self.shelf.close(number)
+        }
+
+        fn stored(&mut self, key: &str) -> Option<String> {
+            self.shelf.stored.get(key).map(str::to_owned)
+        }
+
+        fn store(&mut self, key: &str, value: Option<&str>) {
+            self.shelf.stored.set(key, value);
+        }
+
+        fn shell(
+            &mut self,
+            call: &kerf_program::ShellCall,
+        ) -> std::task::Poll<Result<(), kerf_program::HostError>> {
+            std::task::Poll::Ready(self.shelf.shell(call))
+        }
+
+        fn user_path(&mut self) -> String {
+            self.shelf.user_path()
+        }
+
+        fn app_path(&mut self) -> String {
+            self.shelf.app_path()
+        }
+    };
+}
+
+pub(crate) use answered_by_the_shelf;
