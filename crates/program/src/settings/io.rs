@@ -1,0 +1,76 @@
+//! Modes of inputs and outputs, torch height, laser and heater (VN, SO 4, VH).
+
+use serde::{Deserialize, Serialize};
+
+/// Inputs and outputs a machine has.
+pub const SWITCHES: usize = 12;
+
+/// Modes of inputs and outputs (VN, SO 4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct IoModes {
+    /// Limit inputs stop motion.
+    pub limits_active: bool,
+    /// Input 4 is a normally open stop.
+    pub input4_normally_open: bool,
+    /// 0 none, 1 torch, 2 laser, 3 analog 1, 4 analog 2, 5 both.
+    pub analog: u8,
+    /// 0 standard, 1 NO limit, 2 NC limit, 3 NO stop, 4 NC stop; index 0 is input 1.
+    pub inputs: [u8; SWITCHES],
+    /// 0 … 5 as VN lists them; index 0 is output 1.
+    pub outputs: [u8; SWITCHES],
+    /// Mode of output 4, −1 … −4.
+    pub output4: i8,
+    /// Input that is ON while the enclosure is open; from the machine's configuration.
+    #[serde(default)]
+    pub interlock: Option<u8>,
+}
+
+impl Default for IoModes {
+    fn default() -> Self {
+        Self {
+            limits_active: true,
+            input4_normally_open: false,
+            analog: 0,
+            inputs: [0; SWITCHES],
+            outputs: [0; SWITCHES],
+            output4: -1,
+            interlock: None,
+        }
+    }
+}
+
+/// Torch height, laser and heater (VH).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Height {
+    /// On or off.
+    pub on: bool,
+    /// Share of the XY speed used for Z.
+    pub rate: f64,
+    /// PWM at rest, percent.
+    pub low_percent: f64,
+    /// PWM at full speed, percent.
+    pub high_percent: f64,
+    /// Pulse frequency, kHz.
+    pub frequency_khz: f64,
+    /// Low cycle time, 1 … 10.
+    pub low_cycle: f64,
+    /// Set temperature.
+    pub temperature: f64,
+}
+
+impl Default for Height {
+    fn default() -> Self {
+        Self {
+            on: false,
+            rate: 0.25,
+            low_percent: 0.0,
+            high_percent: 0.0,
+            frequency_khz: 5.4,
+            low_cycle: 3.0,
+            temperature: 0.0,
+        }
+    }
+}
+
+/// [`IoModes::analog`] for torch height (notes A-100).
+pub(super) const TORCH: u8 = 1;
