@@ -12,7 +12,8 @@ const USAGE: &str = "usage: cargo xtask COMMAND
   conformance mark   sets the rows whose tests exist to done
   conformance page   writes docs/conformance.md
   conformance sync   adds rows of the ledgers that are missing
-  book               writes the generated pages of docs/book";
+  book               writes the generated pages of docs/book
+  wire               writes the TypeScript of the messages between server and console";
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -39,6 +40,7 @@ fn run(words: &[&str]) -> Result<Vec<Finding>> {
         ["conformance", "mark"] => written(conformance::mark(&tree)?),
         ["conformance", "page"] => written(pages::write(&tree, conformance::PAGE)?),
         ["book"] => written(pages::write(&tree, "docs/book/")?),
+        ["wire"] => written(pages::write(&tree, pages::WIRE)?),
         ["conformance", "sync"] => written(conformance::sync(&tree)?),
         _ => bail!("{USAGE}"),
     })

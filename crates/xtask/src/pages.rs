@@ -13,10 +13,14 @@ struct Page {
     command: &'static str,
 }
 
+/// The messages between server and console, for the console.
+pub const WIRE: &str = "console/src/wire/messages.ts";
+
 const PAGES: &[Page] = &[
     Page { path: conformance::PAGE, text: conformance::page, command: "make conformance" },
     Page { path: "docs/book/messages.md", text: book::messages, command: "make book" },
     Page { path: "docs/book/commands.md", text: book::commands, command: "make book" },
+    Page { path: WIRE, text: |_| Ok(kerf_wire::typescript()), command: "cargo xtask wire" },
 ];
 
 /// Pages that differ from what would be written now.
@@ -41,7 +45,9 @@ pub fn write(tree: &Tree, below: &str) -> Result<String> {
     let mut written = Vec::new();
     for page in PAGES.iter().filter(|page| page.path.starts_with(below)) {
         let text = (page.text)(tree)?;
-        std::fs::write(tree.root().join(page.path), text).context(page.path)?;
+        let path = tree.root().join(page.path);
+        path.parent().map_or(Ok(()), std::fs::create_dir_all).context(page.path)?;
+        std::fs::write(path, text).context(page.path)?;
         written.push(format!("{}: written", page.path));
     }
     Ok(written.join("\n"))

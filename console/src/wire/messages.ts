@@ -1,0 +1,572 @@
+// Made from crates/wire by `cargo xtask wire`; changes are lost.
+
+/** What is to be done. Those that move the machine carry the number of the lease. */
+export type Act = { "do": "stop" } | { "do": "hold" } | { "do": "resume",
+/** Number of the lease. */
+lease: number, } | { "do": "answer",
+/** Which question. */
+question: number,
+/** The word of a button, or what was entered. */
+answer: string, } | { "do": "takeLease",
+/** Takes it from whoever has it; not while the machine moves by a jog. */
+force: boolean, } | { "do": "giveLease",
+/** Number of the lease. */
+lease: number, } | { "do": "arm",
+/** Number of the lease. */
+lease: number, } | { "do": "disarm" } | { "do": "open",
+/** Its name below the part folder. */
+name: string, } | { "do": "close" } | { "do": "run",
+/** Number of the lease. */
+lease: number,
+/** Its hash: what was previewed is what runs. */
+hash: string,
+/** Go through it line by line. */
+step: boolean, } | { "do": "command",
+/** Number of the lease. */
+lease: number,
+/** The line; several are a program. */
+line: string, } | { "do": "jogStart",
+/** Number of the lease. */
+lease: number,
+/** Grows with every jog of a page; one that comes behind its own stop is dropped. */
+seq: number,
+/** Direction of each axis: -1, 0, 1 or between. */
+direction: [number, number, number, number, number, number],
+/** Mm or degrees; motion ends there. Without it, at the table limits. */
+distance: number | null,
+/** Share of the jog speed, 0 … 1. */
+speed: number, } | { "do": "jogRenew",
+/** Number of the lease. */
+lease: number,
+/** Of the jog. */
+seq: number, } | { "do": "jogStop",
+/** Of the jog. */
+seq: number, } | { "do": "nudge",
+/** Number of the lease. */
+lease: number,
+/** Letter of the axis. */
+axis: string,
+/** How far. */
+distance: number, } | { "do": "override",
+/** Number of the lease. */
+lease: number,
+/** Percent of the speed asked for, 10 … 200. */
+feed: number, } | { "do": "clearPrinted" } | { "do": "acknowledge" } | { "do": "draw",
+/** What. */
+op: Op, } | { "do": "ping" };
+
+/** A question that a job waits for. It belongs to the job: any page may answer. */
+export type Asked = {
+/** Its number; an answer names it, so that none goes to another question. */
+number: number,
+/** `input`, `msgbox`, `pause`, `spindle`, `limit`, `keypad`, `editor`, `speed`, `hold`, `step`. */
+kind: string,
+/** The text. */
+text: string,
+/** The title. */
+title: string,
+/** The words on its buttons. */
+buttons: Array<string>,
+/** The button that ENTER presses: its place in the list. */
+default: number,
+/** What stands in the entry field. */
+prefill: string,
+/** Whether it has an entry field. */
+entry: boolean,
+/** 0 none, 16 critical, 32 question, 48 warning, 64 information. */
+icon: number,
+/** The file that asks. */
+file: string,
+/** Its line. */
+line: number,
+/** What the machine was doing. */
+was: State, };
+
+/** What a person reads an axis in. */
+export type AxisUnits = {
+/** Its letter. */
+letter: string,
+/** `in`, `mm` or `deg`. */
+unit: string,
+/** Internal units (mm or degrees) in one of them. */
+scale: number,
+/** Whether the machine has it. */
+used: boolean, };
+
+/** A file that a run is in. */
+export type Call = {
+/** The file. */
+file: string,
+/** The line that is read next. */
+line: number, };
+
+/** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, };
+
+/** What a text that is being edited is like. */
+export type Checked = {
+/** What is wrong with it. */
+findings: Array<Finding>, };
+
+/** A page that is connected. */
+export type Client = {
+/** Its number. */
+client: number,
+/** What it may do. */
+role: Role,
+/** Name of the device. */
+device: string, };
+
+/** A command of OpenSBP: what its fill-in sheet is made of. */
+export type CommandEntry = {
+/** Its two letters. */
+letters: string,
+/** Its name, as a menu shows it. */
+name: string,
+/** The menu it belongs to: `move`, `jog`, `cut`, `file`, `settings`, `values`, `zero`, `record`, `tools`, `utilities`, `help`. */
+group: string,
+/** What it does. */
+doc: string,
+/** Whether it moves the machine. */
+moves: boolean,
+/** Its parameters, in order. */
+parameters: Array<Parameter>, };
+
+/** A word that could stand here. */
+export type Completion = {
+/** The word. */
+label: string,
+/** `command`, `statement`, `function`, `variable`, `label`, `value`, `code`. */
+kind: string,
+/** A few words beside it. */
+detail: string,
+/** What it does. */
+doc: string, };
+
+/** The path at a level of detail. */
+export type Detail = {
+/** How far it is from the true path at most, mm. */
+tolerance: number,
+/** Segments. */
+segments: number,
+/** Pieces they come in. */
+pieces: number, };
+
+/** What a page shows of the drawing. Its shapes come over HTTP: `/api/drawing/shapes`. */
+export type DrawingState = {
+/** The file it came from or was saved in last. */
+name: string | null,
+/** Grows with every change of the shapes. */
+revision: number,
+/** How many shapes. */
+shapes: number,
+/** The shapes that operations act on: numbers from 1. */
+selection: Array<number>,
+/** Whether there is something to take back. */
+canUndo: boolean,
+/** Whether there is something to make again. */
+canRedo: boolean,
+/** Whether it differs from its file. */
+changed: boolean,
+/** How many shapes are on the clipboard. */
+clipboard: number,
+/** What the last operation, or reading the file, had to tell. */
+notes: Array<string>, };
+
+/** A file of the part folder. */
+export type FileInfo = {
+/** Its name below the part folder, `/` between folders. */
+name: string,
+/** Whether it is a folder. */
+folder: boolean,
+/** Bytes. */
+bytes: number,
+/** When it was changed: seconds since 1970. */
+changed: number,
+/** What its head tells about the job. */
+header: string | null, };
+
+/** Something a person should know about a file. */
+export type Finding = {
+/** How bad. */
+level: Level,
+/** Its code. */
+code: string,
+/** The file. */
+file: string,
+/** Line, from 1; 0 for the whole file. */
+line: number,
+/** Column in characters, from 1. */
+column: number,
+/** Characters. */
+length: number,
+/** What is wrong. */
+message: string,
+/** How to mend it. */
+hint: string, };
+
+/** Which parameter of a command is being written. */
+export type Hint = {
+/** The command's letters. */
+letters: string,
+/** Its name. */
+name: string,
+/** Names of its parameters. */
+parameters: Array<string>,
+/** The place of the one that is being written. */
+at: number,
+/** What is told of it. */
+doc: string, };
+
+/** What is known of the word at a place. */
+export type Hover = {
+/** The text. */
+text: string,
+/** First column of the word, from 1. */
+from: number,
+/** The column behind it. */
+to: number, };
+
+/** All inputs and outputs. */
+export type Io = {
+/** Inputs 1 … 12. */
+inputs: Array<Lamp>,
+/** Outputs 1 … 12. */
+outputs: Array<Lamp>, };
+
+/** What runs. */
+export type Job = {
+/** Number of the run since the server began. */
+run: number,
+/** The part file; empty for a command that somebody typed. */
+file: string,
+/** Its hash, when it is a file. */
+hash: string | null,
+/** The command line, when somebody typed it. */
+command: string | null,
+/** Planned time, seconds; 0 when it is not known. */
+seconds: number,
+/** The open files, outermost first, with the line that is read. */
+calls: Array<Call>,
+/** How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
+ended: string | null,
+/** What ended it, when it was an error. */
+error: Finding | null, };
+
+/** An input or output. */
+export type Lamp = {
+/** Its number, from 1. */
+number: number,
+/** Whether it is on. */
+on: boolean,
+/** What it is for, when something is known. */
+label: string, };
+
+/** Who drives: one at a time. Every command that moves the machine carries the number. */
+export type Lease = {
+/** Grows with every lease; a command with an old number is refused. */
+number: number,
+/** Who has it. */
+client: number,
+/** Name of the device. */
+device: string, };
+
+/** How bad a finding is. */
+export type Level = "error" | "warning" | "note";
+
+/** The state of the machine. */
+export type Machine = {
+/** What it is doing. */
+state: State,
+/** What running a file means. */
+mode: Mode,
+/** Whether it may be moved: not after a start, a lost link, an alarm, until somebody arms it. */
+armed: boolean,
+/** Why it is disarmed, held or in alarm, for a person. */
+why: string | null,
+/** Its name. */
+name: string, };
+
+/** A line of the message area. */
+export type Message = {
+/** How it is meant. */
+tone: Tone,
+/** The text. */
+text: string,
+/** The run it belongs to; 0 when to none. */
+run: number, };
+
+/** What running a file means. */
+export type Mode = "preview" | "simulated" | "cut";
+
+/** Where the machine is. Sent about 25 times a second while it moves. */
+export type Motion = {
+/** Where the axes are. */
+at: Positions,
+/** Speed along the path, mm a second. */
+speed: number,
+/** Machine time since the run began, seconds. */
+t: number,
+/** Whether it is a cut; a jog otherwise. */
+cutting: boolean,
+/** Line of the part file that makes the move; 0 when none does. */
+line: number,
+/** Moves of the job made so far: segments of the preview before this are done. */
+made: number,
+/** How far the job is, 0 … 1 of its planned time. */
+progress: number,
+/** Planned time that is left at the present override, seconds. */
+remaining: number, };
+
+/** A change of the drawing. */
+export type Op = { "op": "new" } | { "op": "open",
+/** Its name below the part folder. */
+name: string, } | { "op": "save",
+/** Its name below the part folder; `.rsg`, `.dxf` or `.svg`. */
+name: string, } | { "op": "do",
+/** The clauses. */
+clauses: string, } | { "op": "undo" } | { "op": "redo" } | { "op": "program",
+/** Name of the program below the part folder: `.sbp` or `.nc`. */
+name: string, };
+
+/** The file that is open, to be looked at and run. */
+export type Opened = {
+/** Its name below the part folder. */
+name: string,
+/** What it is run by: SHA-256 of its bytes, in hexadecimal digits. */
+hash: string,
+/** Lines. */
+lines: number,
+/** What its head tells about the job. */
+header: string | null,
+/** The preview, which is made when it is opened. */
+preview: PreviewState,
+/** Planned time, seconds; 0 until the preview is there. */
+seconds: number,
+/** What is wrong with it or worth knowing. */
+findings: Array<Finding>, };
+
+/** The operator's overrides. */
+export type Overrides = {
+/** Cuts run at so much of the speed asked for, percent, 10 … 200. */
+feed: number, };
+
+/** A parameter. */
+export type Parameter = {
+/** Its name. */
+name: string,
+/** What may be written. */
+kind: ParameterKind,
+/** `in`, `mm`, `in/s`, `deg` … or nothing. */
+unit: string,
+/** Whether it has to be given. */
+required: boolean,
+/** What it means when left blank, as it would be written; nothing when the present value stays. */
+default: string | null,
+/** The present value, for one that shows a setting. */
+present: string | null,
+/** The values it accepts, in words; empty for any. */
+bound: string,
+/** Least value, included. */
+least: number | null,
+/** Greatest value, included. */
+most: number | null,
+/** What it is for. */
+doc: string, };
+
+/** What may be written for a parameter. */
+export type ParameterKind = { "is": "number" } | { "is": "whole" } | { "is": "choice",
+/** As they are written. */
+words: Array<string>, } | { "is": "numberOrOff" } | { "is": "text" } | { "is": "file" } | { "is": "axis" } | { "is": "obsolete" };
+
+/** A place in every frame: mm or degrees, X Y Z A B C. */
+export type Positions = {
+/** Working location: what the location display shows. */
+working: [number, number, number, number, number, number],
+/** Table base coordinates. */
+base: [number, number, number, number, number, number],
+/** The machine's own frame, in which previews are drawn. */
+machine: [number, number, number, number, number, number], };
+
+/** What a page knows before it asks for pieces. */
+export type PreviewInfo = {
+/** What vertices are relative to: mm, machine frame. */
+origin: [number, number, number],
+/** Where the working zero was: mm, machine frame. */
+zero: [number, number, number],
+/** Corner of the table with the least X and Y: mm, machine frame. */
+table: [number, number],
+/** Size of the table, mm. */
+tableSize: [number, number],
+/** Distance of the lines of the grid, mm. */
+grid: number,
+/** Bounds of the cuts: least and greatest corner, mm, machine frame. */
+bounds: [[number, number, number], [number, number, number]] | null,
+/** Diameter of the cutter, mm. */
+cutter: number,
+/** Planned time, seconds. */
+seconds: number,
+/** Length of the cuts, mm. */
+cut: number,
+/** Length of the jogs, mm. */
+jog: number,
+/** Moves. */
+moves: number,
+/** From all of it to the coarsest. */
+details: Array<Detail>,
+/** The tool paths that the program names. */
+toolpaths: Array<ToolPathInfo>, };
+
+/** Whether a preview is there. */
+export type PreviewState = { "state": "working" } | { "state": "ready",
+/** Changes whenever the preview does. */
+key: string, } | { "state": "failed",
+/** Why. */
+why: string, };
+
+/** Why something was not done. */
+export type Problem = {
+/** The sort of reason, for programs. */
+why: Why,
+/** The reason and what helps, for people. */
+text: string, };
+
+/** The answer to a request. */
+export type Reply = {
+/** Of the request. */
+id: number,
+/** Why nothing was done; nothing when it was. */
+problem: Problem | null,
+/** What was noticed although it was done: warnings of a drawing operation. */
+notes: Array<string>, };
+
+/** A request: one JSON text a message. */
+export type Request = {
+/** Comes back in the reply. A page counts. */
+id: number,
+/** What is to be done. */
+act: Act, };
+
+/** What a device may do. Each may do what those before it may. */
+export type Role = "observer" | "operator" | "setter" | "owner";
+
+/** The shapes of a drawing, or tool paths made of them. */
+export type ShapeList = {
+/** The revision of the drawing. */
+revision: number,
+/** In the order in which they are cut. */
+shapes: Array<ShapePath>,
+/** What was noticed while tool paths were made. */
+notes: Array<string>, };
+
+/** A path of lines and arcs, mm. */
+export type ShapePath = {
+/** Number of the shape, from 1. */
+number: number,
+/** Its group: black, blue, green, cyan, red, magenta, brown, white. */
+group: string,
+/** Whether its end is its start. */
+closed: boolean,
+/** Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 is a line. */
+points: Array<number>,
+/** Height of each vertex, for a 3D shape. */
+z: Array<number> | null,
+/** Whether the machine halts before it. */
+pause: boolean, };
+
+/** Everything a page shows, at one moment. */
+export type Snapshot = {
+/** Version of the messages. */
+version: number,
+/** Version of Kerf. */
+kerf: string,
+/** Whether only drawings are worked on here. */
+drawingOnly: boolean,
+/** The machine. */
+machine: Machine,
+/** Where it is. */
+motion: Motion,
+/** What a person reads lengths in. */
+units: Units,
+/** Speeds in force. */
+speeds: Speeds,
+/** Inputs and outputs. */
+io: Io,
+/** The file that is open. */
+opened: Opened | null,
+/** What runs, or ran last. */
+job: Job | null,
+/** The question that is open. */
+asked: Asked | null,
+/** The operator's overrides. */
+overrides: Overrides,
+/** The print window, oldest line first. */
+printed: Array<string>,
+/** Messages, oldest first. */
+messages: Array<Message>,
+/** Who drives. */
+lease: Lease | null,
+/** Who is connected. */
+clients: Array<Client>,
+/** The drawing that is open. */
+drawing: DrawingState | null,
+/** Grows when files of the part folder change. */
+files: number, };
+
+/** Speeds, mm or degrees a second. */
+export type Speeds = {
+/** Cutting: X and Y together, then Z, A, B, C. */
+cut: [number, number, number, number, number],
+/** Jogging. */
+jog: [number, number, number, number, number],
+/** Spindle, revolutions a minute. */
+rpm: number, };
+
+/** What the machine is doing. */
+export type State = "idle" | "running" | "jogging" | "held" | "asking" | "stopped" | "alarm";
+
+/** What comes over the socket to the page: one JSON text a message. */
+export type ToPage = { "tell": "snapshot",
+/** Who the page is. */
+who: Who,
+/** Everything. */
+snapshot: Snapshot, } | { "tell": "changes",
+/** At least one. */
+changes: Array<Change>, } | { "tell": "reply" } & Reply;
+
+/** How a message is meant. */
+export type Tone = "note" | "program" | "warning" | "error";
+
+/** A tool path that the program names. */
+export type ToolPathInfo = {
+/** Its name. */
+name: string,
+/** The tool. */
+tool: string,
+/** Planned time, seconds. */
+seconds: number,
+/** Its first move. */
+firstMove: number, };
+
+/** What a person reads lengths in. */
+export type Units = {
+/** `in` or `mm`. */
+linear: string,
+/** Millimetres in one of them. */
+mm: number,
+/** Each axis. */
+axes: Array<AxisUnits>,
+/** Whether the numbers of moves are places (SA) or distances (SR). */
+absolute: boolean, };
+
+/** Who a page is. */
+export type Who = {
+/** Its number, as long as it is connected. */
+client: number,
+/** What it may do. */
+role: Role,
+/** Name of the device; empty for a page on the machine itself. */
+device: string, };
+
+/** The sort of reason. */
+export type Why = "malformed" | "role" | "lease" | "disarmed" | "state" | "file" | "changed" | "mistake" | "late" | "server";

@@ -1,0 +1,132 @@
+//! What a page asks for.
+
+use crate::{AXES, Op};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// A request: one JSON text a message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Request {
+    /// Comes back in the reply. A page counts.
+    pub id: u32,
+    /// What is to be done.
+    pub act: Act,
+}
+
+/// What is to be done. Those that move the machine carry the number of the lease.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "do", deny_unknown_fields)]
+pub enum Act {
+    /// Ramps down, lifts the tool, asks whether to go on; a question that is open ends its job. Always
+    /// allowed, to everybody.
+    Stop,
+    /// Ramps down and stands. Always allowed, to everybody.
+    Hold,
+    /// Goes on after a hold.
+    Resume {
+        /// Number of the lease.
+        lease: u32,
+    },
+    /// Answers the question of this number.
+    Answer {
+        /// Which question.
+        question: u32,
+        /// The word of a button, or what was entered.
+        answer: String,
+    },
+    /// Becomes the driver. With `force` also from somebody else who stands still.
+    TakeLease {
+        /// Takes it from whoever has it; not while the machine moves by a jog.
+        force: bool,
+    },
+    /// Is the driver no longer.
+    GiveLease {
+        /// Number of the lease.
+        lease: u32,
+    },
+    /// Allows motion.
+    Arm {
+        /// Number of the lease.
+        lease: u32,
+    },
+    /// Forbids motion; what moves is stopped.
+    Disarm,
+    /// Opens a file of the part folder: reads it and makes its preview.
+    Open {
+        /// Its name below the part folder.
+        name: String,
+    },
+    /// Closes it.
+    Close,
+    /// Runs the open file, as it was previewed.
+    Run {
+        /// Number of the lease.
+        lease: u32,
+        /// Its hash: what was previewed is what runs.
+        hash: String,
+        /// Go through it line by line.
+        #[serde(default)]
+        step: bool,
+    },
+    /// Carries out a line of OpenSBP.
+    Command {
+        /// Number of the lease.
+        lease: u32,
+        /// The line; several are a program.
+        line: String,
+    },
+    /// Begins to move for as long as it is renewed.
+    JogStart {
+        /// Number of the lease.
+        lease: u32,
+        /// Grows with every jog of a page; one that comes behind its own stop is dropped.
+        seq: u32,
+        /// Direction of each axis: -1, 0, 1 or between.
+        direction: [f64; AXES],
+        /// Mm or degrees; motion ends there. Without it, at the table limits.
+        distance: Option<f64>,
+        /// Share of the jog speed, 0 … 1.
+        speed: f64,
+    },
+    /// Keeps a jog moving: every 50 to 100 ms. After 250 ms without one the machine ramps down.
+    JogRenew {
+        /// Number of the lease.
+        lease: u32,
+        /// Of the jog.
+        seq: u32,
+    },
+    /// Ends a jog.
+    JogStop {
+        /// Of the jog.
+        seq: u32,
+    },
+    /// Small shift of the workpiece (MN), mm or degrees.
+    Nudge {
+        /// Number of the lease.
+        lease: u32,
+        /// Letter of the axis.
+        axis: char,
+        /// How far.
+        distance: f64,
+    },
+    /// Changes the operator's overrides.
+    Override {
+        /// Number of the lease.
+        lease: u32,
+        /// Percent of the speed asked for, 10 … 200.
+        feed: f64,
+    },
+    /// Empties the print window.
+    ClearPrinted,
+    /// Takes note of an alarm: the machine is idle and disarmed afterwards.
+    Acknowledge,
+    /// Makes a change of the drawing.
+    Draw {
+        /// What.
+        op: Op,
+    },
+    /// Answers only; tells whether the link works and how long it takes.
+    Ping,
+}

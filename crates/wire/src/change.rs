@@ -1,0 +1,86 @@
+//! What the server tells without being asked.
+
+use crate::{
+    Asked, Client, DrawingState, Io, Job, Lease, Machine, Message, Motion, Opened, Overrides,
+    Reply, Snapshot, Speeds, Units, Who,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "change")]
+#[allow(missing_docs)]
+pub enum Change {
+    Machine {
+        machine: Machine,
+    },
+    Motion {
+        motion: Motion,
+    },
+    Units {
+        units: Units,
+    },
+    Speeds {
+        speeds: Speeds,
+    },
+    Io {
+        io: Io,
+    },
+    Opened {
+        opened: Option<Opened>,
+    },
+    Job {
+        job: Option<Job>,
+    },
+    Asked {
+        asked: Option<Asked>,
+    },
+    Overrides {
+        overrides: Overrides,
+    },
+    /// Lines are added to the print window.
+    Printed {
+        lines: Vec<String>,
+    },
+    /// The print window is emptied.
+    ClearPrinted,
+    /// Messages are added.
+    Messages {
+        messages: Vec<Message>,
+    },
+    Lease {
+        lease: Option<Lease>,
+    },
+    Clients {
+        clients: Vec<Client>,
+    },
+    Drawing {
+        drawing: Option<DrawingState>,
+    },
+    /// Files of the part folder changed.
+    Files {
+        files: u32,
+    },
+}
+
+/// What comes over the socket to the page: one JSON text a message.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "tell")]
+pub enum ToPage {
+    /// The first message, and again whenever the page missed changes.
+    Snapshot {
+        /// Who the page is.
+        who: Who,
+        /// Everything.
+        snapshot: Box<Snapshot>,
+    },
+    /// What changed, in order.
+    Changes {
+        /// At least one.
+        changes: Vec<Change>,
+    },
+    /// The answer to a request of this page.
+    Reply(Reply),
+}

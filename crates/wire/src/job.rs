@@ -1,0 +1,166 @@
+//! Files and jobs as a page shows them.
+
+use crate::{Finding, State};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// A file of the part folder.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct FileInfo {
+    /// Its name below the part folder, `/` between folders.
+    pub name: String,
+    /// Whether it is a folder.
+    pub folder: bool,
+    /// Bytes.
+    #[ts(type = "number")]
+    pub bytes: u64,
+    /// When it was changed: seconds since 1970.
+    #[ts(type = "number")]
+    pub changed: u64,
+    /// What its head tells about the job.
+    pub header: Option<String>,
+}
+
+/// The file that is open, to be looked at and run.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Opened {
+    /// Its name below the part folder.
+    pub name: String,
+    /// What it is run by: SHA-256 of its bytes, in hexadecimal digits.
+    pub hash: String,
+    /// Lines.
+    pub lines: u32,
+    /// What its head tells about the job.
+    pub header: Option<String>,
+    /// The preview, which is made when it is opened.
+    pub preview: PreviewState,
+    /// Planned time, seconds; 0 until the preview is there.
+    pub seconds: f64,
+    /// What is wrong with it or worth knowing.
+    pub findings: Vec<Finding>,
+}
+
+/// Whether a preview is there.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "state")]
+pub enum PreviewState {
+    /// It is being made.
+    #[default]
+    Working,
+    /// It can be asked for with this key: `/api/preview/KEY`.
+    Ready {
+        /// Changes whenever the preview does.
+        key: String,
+    },
+    /// The program does not run.
+    Failed {
+        /// Why.
+        why: String,
+    },
+}
+
+/// What runs.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Job {
+    /// Number of the run since the server began.
+    pub run: u32,
+    /// The part file; empty for a command that somebody typed.
+    pub file: String,
+    /// Its hash, when it is a file.
+    pub hash: Option<String>,
+    /// The command line, when somebody typed it.
+    pub command: Option<String>,
+    /// Planned time, seconds; 0 when it is not known.
+    pub seconds: f64,
+    /// The open files, outermost first, with the line that is read.
+    pub calls: Vec<Call>,
+    /// How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs.
+    pub ended: Option<String>,
+    /// What ended it, when it was an error.
+    pub error: Option<Finding>,
+}
+
+/// A file that a run is in.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Call {
+    /// The file.
+    pub file: String,
+    /// The line that is read next.
+    pub line: u32,
+}
+
+/// A question that a job waits for. It belongs to the job: any page may answer.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Asked {
+    /// Its number; an answer names it, so that none goes to another question.
+    pub number: u32,
+    /// `input`, `msgbox`, `pause`, `spindle`, `limit`, `keypad`, `editor`, `speed`, `hold`, `step`.
+    pub kind: String,
+    /// The text.
+    pub text: String,
+    /// The title.
+    pub title: String,
+    /// The words on its buttons.
+    pub buttons: Vec<String>,
+    /// The button that ENTER presses: its place in the list.
+    pub default: u32,
+    /// What stands in the entry field.
+    pub prefill: String,
+    /// Whether it has an entry field.
+    pub entry: bool,
+    /// 0 none, 16 critical, 32 question, 48 warning, 64 information.
+    pub icon: u32,
+    /// The file that asks.
+    pub file: String,
+    /// Its line.
+    pub line: u32,
+    /// What the machine was doing.
+    pub was: State,
+}
+
+/// How a message is meant.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum Tone {
+    /// Something that happened.
+    #[default]
+    Note,
+    /// A comment of the program for the operator.
+    Program,
+    /// Something to look at.
+    Warning,
+    /// Something went wrong.
+    Error,
+}
+
+/// A line of the message area.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Message {
+    /// How it is meant.
+    pub tone: Tone,
+    /// The text.
+    pub text: String,
+    /// The run it belongs to; 0 when to none.
+    pub run: u32,
+}
+
+/// The operator's overrides.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Overrides {
+    /// Cuts run at so much of the speed asked for, percent, 10 … 200.
+    pub feed: f64,
+}
+
+impl Default for Overrides {
+    fn default() -> Self {
+        Self { feed: 100.0 }
+    }
+}

@@ -1,0 +1,159 @@
+//! What an editor of part files and a fill-in sheet ask.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// How bad a finding is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum Level {
+    /// The program cannot run.
+    Error,
+    /// A person should look.
+    Warning,
+    /// Worth knowing.
+    Note,
+}
+
+/// Something a person should know about a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Finding {
+    /// How bad.
+    pub level: Level,
+    /// Its code.
+    pub code: String,
+    /// The file.
+    pub file: String,
+    /// Line, from 1; 0 for the whole file.
+    pub line: u32,
+    /// Column in characters, from 1.
+    pub column: u32,
+    /// Characters.
+    pub length: u32,
+    /// What is wrong.
+    pub message: String,
+    /// How to mend it.
+    pub hint: String,
+}
+
+/// What a text that is being edited is like.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Checked {
+    /// What is wrong with it.
+    pub findings: Vec<Finding>,
+}
+
+/// A word that could stand here.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Completion {
+    /// The word.
+    pub label: String,
+    /// `command`, `statement`, `function`, `variable`, `label`, `value`, `code`.
+    pub kind: String,
+    /// A few words beside it.
+    pub detail: String,
+    /// What it does.
+    pub doc: String,
+}
+
+/// What is known of the word at a place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Hover {
+    /// The text.
+    pub text: String,
+    /// First column of the word, from 1.
+    pub from: u32,
+    /// The column behind it.
+    pub to: u32,
+}
+
+/// Which parameter of a command is being written.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Hint {
+    /// The command's letters.
+    pub letters: String,
+    /// Its name.
+    pub name: String,
+    /// Names of its parameters.
+    pub parameters: Vec<String>,
+    /// The place of the one that is being written.
+    pub at: u32,
+    /// What is told of it.
+    pub doc: String,
+}
+
+/// A command of OpenSBP: what its fill-in sheet is made of.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct CommandEntry {
+    /// Its two letters.
+    pub letters: String,
+    /// Its name, as a menu shows it.
+    pub name: String,
+    /// The menu it belongs to: `move`, `jog`, `cut`, `file`, `settings`, `values`, `zero`, `record`,
+    /// `tools`, `utilities`, `help`.
+    pub group: String,
+    /// What it does.
+    pub doc: String,
+    /// Whether it moves the machine.
+    pub moves: bool,
+    /// Its parameters, in order.
+    pub parameters: Vec<Parameter>,
+}
+
+/// A parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// What may be written.
+    pub kind: ParameterKind,
+    /// `in`, `mm`, `in/s`, `deg` … or nothing.
+    pub unit: String,
+    /// Whether it has to be given.
+    pub required: bool,
+    /// What it means when left blank, as it would be written; nothing when the present value stays.
+    pub default: Option<String>,
+    /// The present value, for one that shows a setting.
+    pub present: Option<String>,
+    /// The values it accepts, in words; empty for any.
+    pub bound: String,
+    /// Least value, included.
+    pub least: Option<f64>,
+    /// Greatest value, included.
+    pub most: Option<f64>,
+    /// What it is for.
+    pub doc: String,
+}
+
+/// What may be written for a parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "is")]
+pub enum ParameterKind {
+    /// A number.
+    Number,
+    /// A whole number.
+    Whole,
+    /// One of these.
+    Choice {
+        /// As they are written.
+        words: Vec<String>,
+    },
+    /// A number, or OFF.
+    NumberOrOff,
+    /// Text.
+    Text,
+    /// A file.
+    File,
+    /// The letter of an axis.
+    Axis,
+    /// Accepted and ignored.
+    Obsolete,
+}

@@ -1,0 +1,53 @@
+//! What server and console say to each other.
+//!
+//! ```text
+//!  server ── Snapshot, then Change, Change … ──► page       one WebSocket, /ws
+//!         ◄── Request { id, act } ──────────────
+//!         ─── Reply { id, … } ──────────────────►
+//! ```
+//!
+//! - The server owns all state. A page that connects gets a [`Snapshot`], then [`Change`]s; each
+//!   replaces a section of the snapshot or adds to one ([`Snapshot::apply`] says how, and the page
+//!   does the same). A page that missed some gets a new snapshot.
+//! - A page asks with a [`Request`]; the [`Reply`] carries its id. Scripts send the same [`Act`]s
+//!   over HTTP.
+//! - Places are millimetres or degrees, speeds millimetres or degrees a second, times seconds.
+//!   [`Units`] says what a person reads instead.
+//! - The tool path comes in binary pieces over HTTP ([`preview`]).
+//!
+//! The TypeScript of these types is in `console/src/wire`; `cargo xtask wire` writes it, and a test
+//! says when it is old.
+
+mod act;
+mod change;
+mod drawing;
+mod job;
+mod language;
+mod machine;
+mod people;
+pub mod preview;
+mod reply;
+mod snapshot;
+mod typescript;
+
+pub use act::{Act, Request};
+pub use change::{Change, ToPage};
+pub use drawing::{DrawingState, Op, ShapeList, ShapePath};
+pub use job::{Asked, Call, FileInfo, Job, Message, Opened, Overrides, PreviewState, Tone};
+pub use language::{
+    Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, Parameter, ParameterKind,
+};
+pub use machine::{AxisUnits, Io, Lamp, Machine, Mode, Motion, Positions, Speeds, State, Units};
+pub use people::{Client, Lease, Role, Who};
+pub use reply::{Problem, Reply, Why};
+pub use snapshot::Snapshot;
+pub use typescript::typescript;
+
+/// Inputs, and outputs, of a machine.
+pub const LAMPS: usize = 12;
+
+/// Axes: X Y Z A B C.
+pub const AXES: usize = 6;
+
+/// Version of the messages: a page of another version loads itself anew.
+pub const VERSION: u32 = 1;

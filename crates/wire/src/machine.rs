@@ -1,0 +1,165 @@
+//! The machine as a page shows it.
+
+use crate::{AXES, LAMPS};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// What the machine is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum State {
+    /// It stands and waits for a command.
+    #[default]
+    Idle,
+    /// It runs a part file or a command.
+    Running,
+    /// It moves for as long as somebody holds a key.
+    Jogging,
+    /// It ramped down in the middle of a job and stands.
+    Held,
+    /// A job asks something.
+    Asking,
+    /// The operator stopped a job, which waits: resume or quit.
+    Stopped,
+    /// Something ended a job that a person has to look at before anything moves again.
+    Alarm,
+}
+
+/// What running a file means.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum Mode {
+    /// Files are only drawn.
+    Preview,
+    /// The machine is simulated.
+    #[default]
+    Simulated,
+    /// A real machine moves.
+    Cut,
+}
+
+/// The state of the machine.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Machine {
+    /// What it is doing.
+    pub state: State,
+    /// What running a file means.
+    pub mode: Mode,
+    /// Whether it may be moved: not after a start, a lost link, an alarm, until somebody arms it.
+    pub armed: bool,
+    /// Why it is disarmed, held or in alarm, for a person.
+    pub why: Option<String>,
+    /// Its name.
+    pub name: String,
+}
+
+/// Where the machine is. Sent about 25 times a second while it moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Motion {
+    /// Where the axes are.
+    pub at: Positions,
+    /// Speed along the path, mm a second.
+    pub speed: f64,
+    /// Machine time since the run began, seconds.
+    pub t: f64,
+    /// Whether it is a cut; a jog otherwise.
+    pub cutting: bool,
+    /// Line of the part file that makes the move; 0 when none does.
+    pub line: u32,
+    /// Moves of the job made so far: segments of the preview before this are done.
+    pub made: u32,
+    /// How far the job is, 0 … 1 of its planned time.
+    pub progress: f64,
+    /// Planned time that is left at the present override, seconds.
+    pub remaining: f64,
+}
+
+/// A place in every frame: mm or degrees, X Y Z A B C.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Positions {
+    /// Working location: what the location display shows.
+    pub working: [f64; AXES],
+    /// Table base coordinates.
+    pub base: [f64; AXES],
+    /// The machine's own frame, in which previews are drawn.
+    pub machine: [f64; AXES],
+}
+
+/// What a person reads lengths in.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Units {
+    /// `in` or `mm`.
+    pub linear: String,
+    /// Millimetres in one of them.
+    pub mm: f64,
+    /// Each axis.
+    pub axes: Vec<AxisUnits>,
+    /// Whether the numbers of moves are places (SA) or distances (SR).
+    pub absolute: bool,
+}
+
+impl Default for Units {
+    fn default() -> Self {
+        Self { linear: "in".into(), mm: 25.4, axes: Vec::new(), absolute: true }
+    }
+}
+
+/// What a person reads an axis in.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct AxisUnits {
+    /// Its letter.
+    pub letter: char,
+    /// `in`, `mm` or `deg`.
+    pub unit: String,
+    /// Internal units (mm or degrees) in one of them.
+    pub scale: f64,
+    /// Whether the machine has it.
+    pub used: bool,
+}
+
+/// Speeds, mm or degrees a second.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Speeds {
+    /// Cutting: X and Y together, then Z, A, B, C.
+    pub cut: [f64; 5],
+    /// Jogging.
+    pub jog: [f64; 5],
+    /// Spindle, revolutions a minute.
+    pub rpm: f64,
+}
+
+/// An input or output.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Lamp {
+    /// Its number, from 1.
+    pub number: u8,
+    /// Whether it is on.
+    pub on: bool,
+    /// What it is for, when something is known.
+    pub label: String,
+}
+
+/// All inputs and outputs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Io {
+    /// Inputs 1 … 12.
+    pub inputs: Vec<Lamp>,
+    /// Outputs 1 … 12.
+    pub outputs: Vec<Lamp>,
+}
+
+impl Default for Io {
+    fn default() -> Self {
+        let lamps = || (1..=LAMPS as u8).map(|number| Lamp { number, ..Lamp::default() }).collect();
+        Self { inputs: lamps(), outputs: lamps() }
+    }
+}

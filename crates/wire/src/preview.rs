@@ -1,0 +1,86 @@
+//! The tool path in binary pieces.
+//!
+//! `GET /api/preview/KEY` gives a [`PreviewInfo`]. Each of its [`Detail`]s is the whole path, coarser
+//! than the one before; `GET /api/preview/KEY/LEVEL/PIECE` gives a piece of it, little-endian:
+//!
+//! ```text
+//!  u32 segments (n)   u32 reserved: 0
+//!  f32 × 3 × (n + 1)  vertices, mm from the origin of the preview, in the machine's frame
+//!  f32 × n            when each segment is over, seconds of planned time
+//!  u32 × n            line of the part file that makes it
+//!  u32 × n            which move it belongs to: what `Motion.made` counts
+//!  u8  × n            kind: 0 jog, 1 cut, 2 nothing is made (the path goes on elsewhere)
+//! ```
+//!
+//! The first vertex of a piece is the last of the one before.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// A jog.
+pub const JOG: u8 = 0;
+/// A cut.
+pub const CUT: u8 = 1;
+/// No move: the path goes on elsewhere.
+pub const GAP: u8 = 2;
+/// Most segments in a piece.
+pub const PIECE: usize = 1 << 16;
+
+/// What a page knows before it asks for pieces.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct PreviewInfo {
+    /// What vertices are relative to: mm, machine frame.
+    pub origin: [f64; 3],
+    /// Where the working zero was: mm, machine frame.
+    pub zero: [f64; 3],
+    /// Corner of the table with the least X and Y: mm, machine frame.
+    pub table: [f64; 2],
+    /// Size of the table, mm.
+    pub table_size: [f64; 2],
+    /// Distance of the lines of the grid, mm.
+    pub grid: f64,
+    /// Bounds of the cuts: least and greatest corner, mm, machine frame.
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// Diameter of the cutter, mm.
+    pub cutter: f64,
+    /// Planned time, seconds.
+    pub seconds: f64,
+    /// Length of the cuts, mm.
+    pub cut: f64,
+    /// Length of the jogs, mm.
+    pub jog: f64,
+    /// Moves.
+    pub moves: u32,
+    /// From all of it to the coarsest.
+    pub details: Vec<Detail>,
+    /// The tool paths that the program names.
+    pub toolpaths: Vec<ToolPathInfo>,
+}
+
+/// The path at a level of detail.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Detail {
+    /// How far it is from the true path at most, mm.
+    pub tolerance: f64,
+    /// Segments.
+    pub segments: u32,
+    /// Pieces they come in.
+    pub pieces: u32,
+}
+
+/// A tool path that the program names.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct ToolPathInfo {
+    /// Its name.
+    pub name: String,
+    /// The tool.
+    pub tool: String,
+    /// Planned time, seconds.
+    pub seconds: f64,
+    /// Its first move.
+    pub first_move: u32,
+}

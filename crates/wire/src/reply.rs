@@ -1,0 +1,53 @@
+//! Answers to requests.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// The answer to a request.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Reply {
+    /// Of the request.
+    pub id: u32,
+    /// Why nothing was done; nothing when it was.
+    pub problem: Option<Problem>,
+    /// What was noticed although it was done: warnings of a drawing operation.
+    pub notes: Vec<String>,
+}
+
+/// Why something was not done.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Problem {
+    /// The sort of reason, for programs.
+    pub why: Why,
+    /// The reason and what helps, for people.
+    pub text: String,
+}
+
+/// The sort of reason.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum Why {
+    /// The request makes no sense.
+    Malformed,
+    /// The role of the device does not allow it.
+    Role,
+    /// Somebody else drives, or nobody.
+    Lease,
+    /// The machine is not armed.
+    Disarmed,
+    /// Not in the state the machine is in.
+    State,
+    /// The file is not there, or may not be used.
+    File,
+    /// The file is not the one that was previewed.
+    Changed,
+    /// The program or the operation has mistakes.
+    Mistake,
+    /// It came too late to count.
+    Late,
+    /// Something went wrong in the server.
+    Server,
+}

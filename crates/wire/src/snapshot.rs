@@ -1,0 +1,128 @@
+//! Everything a page shows, at one moment.
+
+use crate::{
+    Asked, Change, Client, DrawingState, Io, Job, Lease, Machine, Message, Motion, Opened,
+    Overrides, Speeds, Units, VERSION,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// Lines of the print window that are kept.
+const PRINTED: usize = 1000;
+/// Messages that are kept.
+const MESSAGES: usize = 200;
+
+/// Everything a page shows, at one moment.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Snapshot {
+    /// Version of the messages.
+    pub version: u32,
+    /// Version of Kerf.
+    pub kerf: String,
+    /// Whether only drawings are worked on here.
+    pub drawing_only: bool,
+    /// The machine.
+    pub machine: Machine,
+    /// Where it is.
+    pub motion: Motion,
+    /// What a person reads lengths in.
+    pub units: Units,
+    /// Speeds in force.
+    pub speeds: Speeds,
+    /// Inputs and outputs.
+    pub io: Io,
+    /// The file that is open.
+    pub opened: Option<Opened>,
+    /// What runs, or ran last.
+    pub job: Option<Job>,
+    /// The question that is open.
+    pub asked: Option<Asked>,
+    /// The operator's overrides.
+    pub overrides: Overrides,
+    /// The print window, oldest line first.
+    pub printed: Vec<String>,
+    /// Messages, oldest first.
+    pub messages: Vec<Message>,
+    /// Who drives.
+    pub lease: Option<Lease>,
+    /// Who is connected.
+    pub clients: Vec<Client>,
+    /// The drawing that is open.
+    pub drawing: Option<DrawingState>,
+    /// Grows when files of the part folder change.
+    pub files: u32,
+}
+
+impl Default for Snapshot {
+    fn default() -> Self {
+        Self {
+            version: VERSION,
+            kerf: String::new(),
+            drawing_only: false,
+            machine: Machine::default(),
+            motion: Motion::default(),
+            units: Units::default(),
+            speeds: Speeds::default(),
+            io: Io::default(),
+            opened: None,
+            job: None,
+            asked: None,
+            overrides: Overrides::default(),
+            printed: Vec::new(),
+            messages: Vec::new(),
+            lease: None,
+            clients: Vec::new(),
+            drawing: None,
+            files: 0,
+        }
+    }
+}
+
+impl Snapshot {
+    /// Takes a change over, as every page does.
+    pub fn apply(&mut self, change: Change) {
+        match change {
+            Change::Machine { machine } => self.machine = machine,
+            Change::Motion { motion } => self.motion = motion,
+            Change::Units { units } => self.units = units,
+            Change::Speeds { speeds } => self.speeds = speeds,
+            Change::Io { io } => self.io = io,
+            Change::Opened { opened } => self.opened = opened,
+            Change::Job { job } => self.job = job,
+            Change::Asked { asked } => self.asked = asked,
+            Change::Overrides { overrides } => self.overrides = overrides,
+            Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),
+            Change::ClearPrinted => self.printed.clear(),
+            Change::Messages { messages } => keep_last(&mut self.messages, messages, MESSAGES),
+            Change::Lease { lease } => self.lease = lease,
+            Change::Clients { clients } => self.clients = clients,
+            Change::Drawing { drawing } => self.drawing = drawing,
+            Change::Files { files } => self.files = files,
+        }
+    }
+}
+
+/// Adds to a list that does not grow for ever.
+fn keep_last<T>(list: &mut Vec<T>, more: Vec<T>, most: usize) {
+    list.extend(more);
+    list.drain(..list.len().saturating_sub(most));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_print_window_keeps_its_last_lines() {
+        let mut snapshot = Snapshot::default();
+        for n in 0..PRINTED + 5 {
+            snapshot.apply(Change::Printed { lines: vec![n.to_string()] });
+        }
+        assert_eq!(snapshot.printed.len(), PRINTED);
+        assert_eq!(snapshot.printed.first().map(String::as_str), Some("5"));
+        snapshot.apply(Change::ClearPrinted);
+        assert!(snapshot.printed.is_empty());
+    }
+}

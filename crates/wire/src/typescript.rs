@@ -1,0 +1,80 @@
+//! The types as TypeScript.
+
+use crate::preview::PreviewInfo;
+use crate::{Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Request, ShapeList, ToPage};
+use std::collections::BTreeMap;
+use ts_rs::{Config, TS, TypeVisitor};
+
+/// Declarations by name.
+struct Declared {
+    config: Config,
+    texts: BTreeMap<String, String>,
+}
+
+impl TypeVisitor for Declared {
+    fn visit<T: TS + 'static + ?Sized>(&mut self) {
+        // Types of the standard library are written where they are used.
+        if T::output_path().is_none() {
+            return T::visit_dependencies(self);
+        }
+        let name = T::ident(&self.config);
+        if self.texts.contains_key(&name) {
+            return;
+        }
+        let docs = T::docs().unwrap_or_default();
+        let text = format!("{docs}export {}\n", T::decl(&self.config));
+        self.texts.insert(name, text);
+        T::visit_dependencies(self);
+    }
+}
+
+/// The module with every type of this crate.
+pub fn typescript() -> String {
+    let mut declared = Declared { config: Config::new(), texts: BTreeMap::new() };
+    declared.visit::<ToPage>();
+    declared.visit::<Request>();
+    declared.visit::<PreviewInfo>();
+    declared.visit::<ShapeList>();
+    declared.visit::<Checked>();
+    declared.visit::<Completion>();
+    declared.visit::<Hover>();
+    declared.visit::<Hint>();
+    declared.visit::<CommandEntry>();
+    declared.visit::<FileInfo>();
+    let head = "// Made from crates/wire by `cargo xtask wire`; changes are lost.\n";
+    let texts: Vec<String> = declared.texts.into_values().collect();
+    format!("{head}\n{}", on_lines(&texts.join("\n")))
+}
+
+/// Each comment on a line of its own instead of three or more.
+fn on_lines(text: &str) -> String {
+    let (mut out, mut comment) = (String::new(), None::<Vec<&str>>);
+    for line in text.lines().map(str::trim_end) {
+        match (&mut comment, line.trim_start()) {
+            (None, "/**") => comment = Some(Vec::new()),
+            (None, _) => out += &format!("{line}\n"),
+            (Some(words), "*/") => {
+                out += &format!("/** {} */\n", words.join(" "));
+                comment = None;
+            }
+            (Some(words), said) => words.push(said.trim_start_matches('*').trim()),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_type_that_is_used_is_declared_once() {
+        let text = typescript();
+        for name in
+            ["Snapshot", "Change", "Request", "Act", "Reply", "Why", "Motion", "Op", "Finding"]
+        {
+            assert_eq!(text.matches(&format!("export type {name} =")).count(), 1, "{name}");
+        }
+        assert!(!text.contains("bigint"));
+    }
+}
