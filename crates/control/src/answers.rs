@@ -6,8 +6,7 @@
 //! begin with `#` are notes.
 
 use crate::nudge::Nudge;
-use kerf_program::{Answer, Button, Question, QuestionKind};
-use kerf_sbp::GoTo;
+use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 
 /// Whoever answers questions.

@@ -205,6 +205,26 @@ impl Gathered {
         self.given &= !(1 << slot(letter));
     }
 
+    /// Only the codes of some groups, with the words they use, and some letters.
+    pub(crate) fn only(&self, groups: &[usize], letters: &[u8]) -> Self {
+        let mut kept = Self::default();
+        for group in groups {
+            kept.g[*group] = self.g[*group];
+        }
+        let used = match (kept.g[codes::PATH], kept.g[codes::TOOL_LENGTH]) {
+            (Some(_), _) => b"PQ".as_slice(),
+            (_, Some(430)) => b"H",
+            (_, Some(431)) => b"XYZABC",
+            _ => b"",
+        };
+        for letter in letters.iter().chain(used) {
+            if let Some(value) = self.get(*letter) {
+                kept.set(*letter, value);
+            }
+        }
+        kept
+    }
+
     /// The letters that have a value.
     pub(crate) const fn given(&self) -> u32 {
         self.given

@@ -6,6 +6,7 @@
 //!            Interpreter::step ──► program::Command …      asks everything through program::Host
 //!                                        │
 //!                                      write ──► G-code
+//!  text ──format──► the same program, tidy
 //! ```
 //!
 //! - [`read`] never fails and never stops at the first mistake.
@@ -18,6 +19,7 @@
 mod checks;
 pub mod codes;
 mod expr;
+mod format;
 mod gathered;
 mod interp;
 mod reader;
@@ -27,6 +29,7 @@ pub mod tree;
 mod writer;
 
 pub use expr::{Expr, Function, Operator};
+pub use format::format;
 pub use interp::{
     CoordinateSystem, Dialect, FeedMode, Interpreter, Modal, Options, Plane, Rates, Session, Side,
     State, Tool,

@@ -243,6 +243,30 @@ pub enum Keyword {
     Program,
 }
 
+impl Keyword {
+    /// As it is written; nothing for the name of a program.
+    pub const fn written(self) -> &'static str {
+        match self {
+            Self::Sub => "sub",
+            Self::Endsub => "endsub",
+            Self::Call => "call",
+            Self::Return => "return",
+            Self::While | Self::DoWhile => "while",
+            Self::Endwhile => "endwhile",
+            Self::Do => "do",
+            Self::If => "if",
+            Self::Elseif => "elseif",
+            Self::Else => "else",
+            Self::Endif => "endif",
+            Self::Repeat => "repeat",
+            Self::Endrepeat => "endrepeat",
+            Self::Break => "break",
+            Self::Continue => "continue",
+            Self::Program => "",
+        }
+    }
+}
+
 impl Program {
     /// The text of a line, counted from 1, without its line end.
     pub fn line_text(&self, line: u32) -> &str {
@@ -269,6 +293,17 @@ impl Program {
             column: chars(0..start) + 1,
             length: chars(start..end),
         }
+    }
+
+    /// Whether a line (from 1) lies between the first and the last of a subroutine.
+    pub fn is_in_subroutine(&self, line: u32) -> bool {
+        let end_of = |first: u32| {
+            let Node::Block(index) = self.lines.get(first as usize - 1)?.node else { return None };
+            let extra = self.extra_of(self.blocks.get(index as usize)?)?;
+            extra.flow.as_ref().filter(|f| f.keyword == Keyword::Sub).map(|f| f.target)
+        };
+        let holds = |first: &u32| *first < line && end_of(*first).is_some_and(|end| line <= end);
+        self.subs.values().any(holds)
     }
 
     /// True when something is wrong with the file.

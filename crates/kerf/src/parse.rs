@@ -1,8 +1,9 @@
 //! Values of options.
 
+use kerf_program::GoTo;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
-use kerf_sbp::{Dialect, GoTo, Value};
+use kerf_sbp::{Dialect, Value};
 use kerf_sim::{Change, Push};
 
 /// Letters of axes, as `xyz`.

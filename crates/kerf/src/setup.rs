@@ -11,8 +11,8 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
 use kerf_part::Program;
-use kerf_program::{Axes, Dynamics, RampModel, Settings};
-use kerf_sbp::{Dialect, FileParameters, GoTo, Language};
+use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
+use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
 use kerf_toolpath::Heights;
 use std::io::{self, Read};
@@ -186,9 +186,6 @@ pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOpt
 fn from_line(args: &FileArgs, program: &Program, shelf: &Shelf) -> Result<Option<GoTo>> {
     let Some(words) = &args.from_line else { return Ok(None) };
     let name = program.name();
-    if program.language() == Language::Gcode {
-        bail!(Usage("--from-line is not there yet for G-code".into()));
-    }
     let (last, lines) = (shelf.last_line(name), program.line_count());
     match GoTo::read(words, last) {
         None => bail!(Usage(format!("no run of {name} that ended early is in its log"))),

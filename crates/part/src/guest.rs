@@ -19,6 +19,8 @@ pub(crate) struct Guest {
     lines: u64,
     /// OpenSBP ran since: the machine may be elsewhere.
     pub(crate) stale: bool,
+    /// The operator was asked before its first line.
+    stepped: bool,
     /// It has given motion that an armed handler may interrupt.
     unsettled: bool,
 }
@@ -31,8 +33,9 @@ impl Guest {
         file: u32,
     ) -> Self {
         let (motions, lines) = (interpreter.motions(), interpreter.lines());
-        let files = vec![file];
-        Self { interpreter, due, depth, files, motions, lines, stale: false, unsettled: true }
+        let (files, stepped) = (vec![file], interpreter.is_stepped());
+        let (stale, unsettled) = (false, true);
+        Self { interpreter, due, depth, files, motions, lines, stale, stepped, unsettled }
     }
 
     /// Runs some lines. While an input may interrupt (`watched`) the machine makes each line before
@@ -102,6 +105,7 @@ impl Guest {
             motions: self.motions(),
             lines: self.lines(),
             ended: self.interpreter.is_over(),
+            runs_on: self.stepped && !self.interpreter.is_stepped(),
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::Program;
 use crate::files::Files;
 use crate::guest::Guest;
 use crate::library::Library;
-use kerf_diag::Diagnostic;
+use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::settings::Mode;
 use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Status, Step, Watch};
 use kerf_sbp::{GcodeDone, GcodeDue, Variables};
@@ -145,12 +145,27 @@ impl Interpreter {
         if self.told.insert(file) {
             self.tell_faults(&program, due, At { file: here, ..at }, out)?;
         }
+        self.tell_of_tabs(due, here, out);
         let interpreter = match due {
             GcodeDue::File(_) => self.file_interpreter(program),
             GcodeDue::Line(at) => self.line_interpreter(program, at),
         };
         self.guests.push(Guest::new(interpreter, due, self.sbp.depth(), here));
         Ok(())
+    }
+
+    /// Tabs are left in OpenSBP only: nobody shall find that out at the machine.
+    fn tell_of_tabs(&self, due: GcodeDue, file: u32, out: &mut Vec<Sourced>) {
+        if !matches!(due, GcodeDue::File(_)) || !self.sbp.file_place().tabs {
+            return;
+        }
+        let name = self.files.name(file).unwrap_or_default();
+        let message = "tabs are not left in G-code: this file is cut through";
+        let diagnostic = Diagnostic::new(Code::NotSupported, Place::line(name, 1), message)
+            .hint("kerf convert makes a part file of it, which FP runs with tabs")
+            .severity(Severity::Warning);
+        let command = kerf_program::Command::Diagnostic(Box::new(diagnostic));
+        out.push(Sourced { at: At { file, line: 1 }, command });
     }
 
     /// Tells what is wrong with G-code that was just read; an error ends the run, unless a single
@@ -189,6 +204,8 @@ impl Interpreter {
                 let options = kerf_gcode::Options {
                     unit_known: true,
                     keep_modes: self.options.typed,
+                    stepped: false,
+                    from: None,
                     ..self.gcode_options()
                 };
                 kerf_gcode::Interpreter::new(program, self.gcode_session(), options)
@@ -219,6 +236,8 @@ impl Interpreter {
             ask_spindle: self.sbp.settings().ask_spindle,
             proportion: place.proportion,
             temporary_zero_mm: place.zero_mm,
+            stepped: place.stepped,
+            from: place.from,
             ..self.gcode.clone()
         }
     }

@@ -16,6 +16,7 @@ mod axes;
 mod command;
 mod dynamics;
 mod frame;
+mod go_to;
 mod host;
 mod interpreter;
 mod printer;
@@ -31,6 +32,7 @@ pub use command::{
 };
 pub use dynamics::Dynamics;
 pub use frame::Frame;
+pub use go_to::GoTo;
 pub use host::{
     Answer, Button, FileConversion, FileMode, FileRequest, Folder, Host, HostError, Question,
     QuestionKind, SPINDLE_STATUS, ShellCall, SourceFile,

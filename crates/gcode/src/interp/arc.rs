@@ -3,6 +3,7 @@
 //! In XY an arc stays an arc. In the other planes, and where FP stretches X and Y differently, it is
 //! given as chords that lie within the tolerance.
 
+use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::Plane;
 use crate::gathered::Gathered;
@@ -151,7 +152,9 @@ impl Context<'_> {
 
     /// The arc in the two axes of its plane, in the file's proportions.
     fn flat(&self, words: &ArcWords, to: Axes, [u, v, w]: [usize; 3]) -> Result<Flat, Stop> {
-        if words.offsets[w].is_some() {
+        // Many posts write I, J and K to every arc; a zero moves nothing.
+        let strict = self.core.options.dialect == Dialect::LinuxCnc;
+        if words.offsets[w].is_some_and(|o| o != 0.0 || strict) {
             let letter = b"IJK"[w] as char;
             let message = format!("{letter} does not lie in the plane of this arc");
             return Err(self.fail(

@@ -75,13 +75,17 @@ impl Context<'_> {
             self.core.taken += 1;
             return Ok(answer);
         }
+        let answer = self.ask_at_once(question)?;
+        self.core.asked.push(answer.clone());
+        self.core.taken += 1;
+        Ok(answer)
+    }
+
+    /// Asks the operator outside a block: the answer is not kept for another attempt.
+    pub(super) fn ask_at_once(&mut self, question: &Question) -> Result<Answer, Stop> {
         self.settle()?;
         match self.host.ask(question) {
-            Poll::Ready(answer) => {
-                self.core.asked.push(answer.clone());
-                self.core.taken += 1;
-                Ok(answer)
-            }
+            Poll::Ready(answer) => Ok(answer),
             Poll::Pending => Err(Stop::Waiting),
         }
     }

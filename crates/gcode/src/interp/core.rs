@@ -3,6 +3,7 @@
 use super::compensation::Compensator;
 use super::probe::Probe;
 use super::state::Modal;
+use super::stepping::Stepping;
 use super::{Dialect, Options, Session, State};
 use crate::Program;
 use kerf_program::settings::LinearUnit;
@@ -68,6 +69,9 @@ pub(super) struct Core {
     pub(super) only: Option<u32>,
     /// What is told only once was told.
     pub(super) told: Told,
+    /// How the lines are gone through.
+    #[serde(default)]
+    pub(super) stepping: Stepping,
 }
 
 /// What is told only once.
@@ -76,6 +80,8 @@ pub(super) struct Told {
     pub(super) units: bool,
     pub(super) feed: bool,
     pub(super) console: bool,
+    /// A line with a mistake was passed: which motion is in force is not known until one is named.
+    pub(super) motion_lost: bool,
 }
 
 /// An open file or subroutine.
@@ -119,7 +125,7 @@ pub(super) const LOCALS: usize = 30;
 
 impl Core {
     pub(super) fn new(program: Arc<Program>, session: Session, options: Options) -> Self {
-        let lines = options.lines_before;
+        let (lines, stepping) = (options.lines_before, Stepping::new(options.stepped));
         let mut core = Self {
             options,
             programs: vec![program],
@@ -148,6 +154,7 @@ impl Core {
             lines,
             only: None,
             told: Told::default(),
+            stepping,
         };
         core.begin_modes();
         core.adopt_frame();

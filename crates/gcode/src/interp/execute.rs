@@ -92,6 +92,10 @@ impl Context<'_> {
         let (message, hint) = if matches!(letter, 'U' | 'V' | 'W') {
             (format!("there is no axis {letter}"), "axes are X Y Z A B C")
         } else if axes && "XYZABC@^".contains(letter) {
+            if self.core.told.motion_lost {
+                // The mistake before, which was told, may have named it.
+                return Ok(());
+            }
             let what = format!("{letter} without a motion");
             (what, "no motion is in force here; write G0 or G1 before it")
         } else {

@@ -138,6 +138,7 @@ fn holds(core: &Core) -> bool {
     core.started
         && !core.over
         && core.only.is_none()
+        && core.stepping.is_off()
         && core.told.units | modal.unit_said
         && core.turned.is_none()
         && core.compensator.is_none()

@@ -36,6 +36,7 @@ mod session;
 mod spline;
 mod state;
 mod step;
+mod stepping;
 mod stops;
 #[cfg(test)]
 mod tests;
@@ -174,6 +175,11 @@ impl Interpreter {
     /// Modes, offsets, parameters and tools in force.
     pub fn state(&self) -> &State {
         &self.core.state
+    }
+
+    /// Whether the operator is still asked before each line.
+    pub const fn is_stepped(&self) -> bool {
+        self.core.stepping.asks
     }
 
     /// The parameters of the program by name, in order: numbered ones above zero, named ones.

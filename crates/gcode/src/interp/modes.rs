@@ -227,15 +227,15 @@ impl Context<'_> {
         if options.dialect == Dialect::Grbl || options.keep_modes || options.unit_known {
             return;
         }
-        let (name, code) = match self.core.state.modal.unit {
-            LinearUnit::Inch => ("inches", "G20"),
-            LinearUnit::Mm => ("millimetres", "G21"),
+        let (name, code, other) = match self.core.state.modal.unit {
+            LinearUnit::Inch => ("inches", "G20", "G21 if its numbers are millimetres"),
+            LinearUnit::Mm => ("millimetres", "G21", "G20 if its numbers are inches"),
         };
         let message = format!("the file does not say its unit; it is read in {name}");
         self.warn(
             Code::UnitsNeverSaid,
             message,
-            format!("write {code} at its beginning if that is right"),
+            format!("write {code} at its beginning if that is right, {other}"),
         );
     }
 }

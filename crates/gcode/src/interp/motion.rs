@@ -23,12 +23,13 @@ impl Context<'_> {
         if self.core.nurbs.is_some() && !matches!(motion, 52 | 53) {
             return Err(self.fail(Code::MissingWord, "G5.2 without G5.3", "G5.3 ends the curve"));
         }
-        if motion != 800 {
-            self.doubt_unit();
-        }
+        self.core.told.motion_lost = false;
         self.core.state.modal.motion = (motion != 800).then_some(motion);
         let place = letters(b"@^") | AXIS_WORDS;
         let goes = g.has_any(place) && !g.axes_taken();
+        if goes || matches!(motion, 20 | 30) {
+            self.doubt_unit();
+        }
         let outcome = self.make_motion(g, motion, goes, spline_end);
         if self.core.options.keep_going && goes && matches!(outcome, Err(Stop::Failed(_))) {
             // What follows is read as if the move had been made, so that one mistake is told once.

@@ -1,7 +1,7 @@
 //! What a run starts from and what stays after it.
 
 use super::state::State;
-use kerf_program::{Axes, Frame, Settings};
+use kerf_program::{Axes, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
 
 /// Which controller's reading of the language holds where they differ.
@@ -80,6 +80,12 @@ pub struct Options {
     pub proportion: [f64; 3],
     /// Working location that is zero for the file, mm (FP).
     pub temporary_zero_mm: [f64; 3],
+    /// The operator is asked before each line (FG).
+    #[serde(default)]
+    pub stepped: bool,
+    /// Where the program begins; at its first line when nothing is given.
+    #[serde(default)]
+    pub from: Option<GoTo>,
 }
 
 impl Default for Options {
@@ -102,6 +108,8 @@ impl Default for Options {
             tolerance_mm: 0.005,
             proportion: [1.0; 3],
             temporary_zero_mm: [0.0; 3],
+            stepped: false,
+            from: None,
         }
     }
 }

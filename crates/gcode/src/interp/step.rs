@@ -16,7 +16,8 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
         core.calls.push(Call::new(0, 0, CallKind::Main));
         let mut c = Context { core, host, out, at: At::default(), span: Span::default() };
         c.relocate();
-        return Step::Ran;
+        let outcome = c.begin_at();
+        return finish(&mut c, outcome, 0);
     }
     if core.only_is_done() && !core.over {
         return Step::Done(Status::Ok, None);
@@ -46,6 +47,7 @@ fn finish(c: &mut Context<'_>, outcome: Result<(), Stop>, given: usize) -> Step 
             Step::Waiting
         }
         Err(Stop::Failed(diagnostic)) if c.core.options.keep_going => {
+            c.core.told.motion_lost = true;
             c.emit(Command::Diagnostic(diagnostic));
             Step::Ran
         }
@@ -92,12 +94,17 @@ impl Context<'_> {
             return Err(Stop::Finished(Status::Ok));
         }
         let Some(node) = node else { return self.end_of_file() };
+        if self.steps_over(program, node)? {
+            return Ok(());
+        }
         self.core.lines += 1;
         self.go_on_at(self.at.line);
         let outcome = self.node(program, node);
         if matches!(outcome, Err(Stop::Waiting | Stop::Again)) {
             self.core.lines -= 1;
             self.go_on_at(self.at.line - 1);
+        } else {
+            self.core.line_ran();
         }
         outcome
     }
@@ -155,7 +162,11 @@ impl Context<'_> {
     }
 
     /// The words of a block with the values of now.
-    fn gather(&mut self, program: &Arc<Program>, block: &Block) -> Result<Gathered, Stop> {
+    pub(super) fn gather(
+        &mut self,
+        program: &Arc<Program>,
+        block: &Block,
+    ) -> Result<Gathered, Stop> {
         let words = program.words_of(block);
         if !block.computed {
             let value = |w: &crate::tree::Word| match w.value {
@@ -229,6 +240,7 @@ impl Context<'_> {
     /// A line that the reader refused.
     pub(super) fn bad(&mut self, program: &Program) -> Result<(), Stop> {
         if self.core.options.keep_going {
+            self.core.told.motion_lost = true;
             return Ok(());
         }
         let line = self.at.line;

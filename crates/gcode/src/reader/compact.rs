@@ -38,7 +38,7 @@ impl Compact {
                     continue;
                 }
                 b';' => {
-                    self.tell(&text[at + 1..]);
+                    self.tell(text[at + 1..].trim_end());
                     break;
                 }
                 _ if is_blank(byte) || byte == b'\r' => {}

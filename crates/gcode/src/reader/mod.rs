@@ -55,6 +55,6 @@ fn refused(name: Arc<str>, line: u32, message: &str) -> Program {
 }
 
 /// True for what separates words: blanks, tabs and the control characters old editors left behind.
-const fn is_blank(byte: u8) -> bool {
+pub(crate) const fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0x0B | 0x0C | 0x1A)
 }

@@ -5,12 +5,12 @@ use crate::parse::{self, Dialects};
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use kerf_control::files::{Disk, RealDisk};
-use kerf_sbp::Dialect;
+use kerf_sbp::{Dialect, Language};
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Formats part files: capitals, commas, blanks; names, numbers and comments stay
+/// Formats part files of both languages: capitals, commas, blanks; names, numbers and comments stay
 ///
 /// Files are rewritten in place, whole or not at all. Lines that cannot be read stay as they are.
 #[derive(Args)]
@@ -42,7 +42,7 @@ pub fn run(args: &FmtArgs) -> Result<Exit> {
 fn one(file: &Path, args: &FmtArgs) -> Result<bool> {
     let stream = file == Path::new("-");
     let bytes = if stream { read_stream()? } else { read_file(file)? };
-    let formatted = format(&bytes, args.dialect.sbp);
+    let formatted = format(file, &bytes, args.dialect.sbp);
     let changes = formatted != bytes;
     if args.check {
         if changes {
@@ -59,14 +59,19 @@ fn one(file: &Path, args: &FmtArgs) -> Result<bool> {
 }
 
 /// Old files are not UTF-8: each byte stands for a character then, and comes back as it was.
-fn format(bytes: &[u8], dialect: Dialect) -> Vec<u8> {
+fn format(file: &Path, bytes: &[u8], dialect: Dialect) -> Vec<u8> {
+    let name = file.to_string_lossy();
+    let language = kerf_sbp::read_part_as(name.as_ref().into(), bytes, dialect).language;
+    let formatted = |text: &str| match language {
+        Language::Gcode => kerf_gcode::format(text),
+        _ => kerf_sbp::format_as(text, dialect),
+    };
     if let Ok(text) = std::str::from_utf8(bytes) {
-        return kerf_sbp::format_as(text, dialect).into_bytes();
+        return formatted(text).into_bytes();
     }
     let text: String = bytes.iter().map(|b| char::from(*b)).collect();
-    let formatted: Option<Vec<u8>> =
-        kerf_sbp::format_as(&text, dialect).chars().map(|c| u8::try_from(c).ok()).collect();
-    formatted.unwrap_or_else(|| bytes.to_vec())
+    let back: Option<Vec<u8>> = formatted(&text).chars().map(|c| u8::try_from(c).ok()).collect();
+    back.unwrap_or_else(|| bytes.to_vec())
 }
 
 fn read_stream() -> Result<Vec<u8>> {

@@ -2,12 +2,12 @@
 
 use super::cutting::Origin;
 use super::watch::Handler;
-use super::{BeforePreview, FileParameters, GoTo, Options, Session, Variables};
+use super::{BeforePreview, FileParameters, Options, Session, Variables};
 use crate::tree::Span;
 use crate::{Program, Value};
 use kerf_cut::Tabber;
 use kerf_diag::Place;
-use kerf_program::{AXES, At, Axes, Axis, AxisSet, Frame, Settings};
+use kerf_program::{AXES, At, Axes, Axis, AxisSet, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

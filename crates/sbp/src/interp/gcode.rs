@@ -11,7 +11,7 @@ use super::core::Level;
 use super::{Context, Core, Interpreter, Stop, lifecycle};
 use crate::tree::Language;
 use kerf_diag::Place;
-use kerf_program::{At, Axes, Axis, Frame, Host, Sourced};
+use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced};
 
 /// G-code that has to run before the program goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -29,6 +29,31 @@ pub struct FilePlace {
     pub proportion: [f64; 3],
     /// Working location that counts as zero in the file, mm.
     pub zero_mm: [f64; 3],
+    /// Tabs are wanted in it, this time.
+    pub tabs: bool,
+    /// The operator is asked before each line (FG).
+    pub stepped: bool,
+    /// Where the file begins, this time.
+    pub from: Option<GoTo>,
+}
+
+impl Default for FilePlace {
+    fn default() -> Self {
+        Self { proportion: [1.0; 3], zero_mm: [0.0; 3], tabs: false, stepped: false, from: None }
+    }
+}
+
+impl FilePlace {
+    fn of(level: &Level) -> Self {
+        let first = level.repetitions_left + 1 >= level.parameters.repetitions;
+        Self {
+            proportion: level.proportion,
+            zero_mm: level.offset,
+            tabs: level.tabs_hold(),
+            stepped: level.stepped,
+            from: level.parameters.from.filter(|_| first),
+        }
+    }
 }
 
 /// What G-code left behind.
@@ -44,6 +69,8 @@ pub struct GcodeDone {
     pub lines: u64,
     /// It ended the file that its line stands in (M2, M30).
     pub ended: bool,
+    /// The operator let a file that was stepped through run on.
+    pub runs_on: bool,
 }
 
 impl Core {
@@ -79,6 +106,9 @@ impl Core {
         self.motions += done.motions;
         self.lines += if matches!(due, GcodeDue::File(_)) { done.lines } else { 0 };
         self.gcode_line = None;
+        if done.runs_on {
+            self.levels.iter_mut().for_each(|level| level.stepped = false);
+        }
         if let (GcodeDue::File(_), Some(level)) = (due, self.levels.last_mut()) {
             level.next = 1;
         }
@@ -121,11 +151,7 @@ impl Interpreter {
 
     /// How the innermost file places what is in it.
     pub fn file_place(&self) -> FilePlace {
-        let level = self.core.level();
-        level.map_or(FilePlace { proportion: [1.0; 3], zero_mm: [0.0; 3] }, |l| FilePlace {
-            proportion: l.proportion,
-            zero_mm: l.offset,
-        })
+        self.core.level().map(FilePlace::of).unwrap_or_default()
     }
 
     /// How many files are open within each other.

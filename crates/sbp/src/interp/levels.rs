@@ -117,7 +117,8 @@ impl Context<'_> {
             tabs: tabs || parameters.tabs,
             purpose: Purpose::Run,
         };
-        if let Some(to) = parameters.from {
+        // G-code is taken up by whoever runs it.
+        if let Some(to) = parameters.from.filter(|_| !self.core.is_gcode(&level)) {
             level.go_to(to);
         }
         self.core.levels.push(level);

@@ -52,7 +52,6 @@ pub use gcode::{FilePlace, GcodeDone, GcodeDue};
 pub use kerf_program::{Status, Step, Watch};
 pub use registry::{POSITION_LOST, SPINDLE_STATUS, USER_VALUE};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
-pub use stepping::GoTo;
 pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;
 

@@ -1,7 +1,7 @@
 //! What a run starts from and what stays after it.
 
-use super::{GoTo, Variables};
-use kerf_program::{Axes, AxisSet, Frame, Settings};
+use super::Variables;
+use kerf_program::{Axes, AxisSet, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

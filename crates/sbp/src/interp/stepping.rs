@@ -13,35 +13,7 @@ use super::{Context, Core, Step, Stop, lifecycle};
 use crate::table::{CommandSpec, Group};
 use crate::tree::{Node, Program, Span, Statement};
 use kerf_diag::Code;
-use kerf_program::{Answer, At, Button, Host, Question, QuestionKind, Sourced};
-use serde::{Deserialize, Serialize};
-
-/// The line at which a file goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct GoTo {
-    /// Counted from 1.
-    pub line: u32,
-    /// Settings and assignments of the lines before it are carried out on the way.
-    pub settings: bool,
-}
-
-impl GoTo {
-    /// Reads `120`, `120 settings`, or `last` for the line executed last, when that is known.
-    pub fn read(words: &str, last: Option<u32>) -> Option<Self> {
-        let mut words = words.split_whitespace();
-        let first = words.next()?;
-        let line = match first.parse() {
-            Ok(line) => Some(line).filter(|n| *n > 0)?,
-            Err(_) => last.filter(|_| first.eq_ignore_ascii_case("last"))?,
-        };
-        let settings = match words.next() {
-            None => false,
-            Some(word) if word.eq_ignore_ascii_case("settings") => true,
-            Some(_) => return None,
-        };
-        words.next().is_none().then_some(Self { line, settings })
-    }
-}
+use kerf_program::{Answer, At, Button, GoTo, Host, Question, QuestionKind, Sourced};
 
 /// Whether the operator decides about the line that is next.
 pub(super) fn asks(core: &Core, node: Node) -> bool {
@@ -134,22 +106,6 @@ impl Context<'_> {
         }
         if let Some(level) = self.core.levels.last_mut() {
             level.go_to(to);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_is_named_by_number_or_as_the_last() {
-        let to = |line, settings| Some(GoTo { line, settings });
-        assert_eq!(GoTo::read("120", None), to(120, false));
-        assert_eq!(GoTo::read(" 120 Settings", None), to(120, true));
-        assert_eq!(GoTo::read("last", Some(57)), to(57, false));
-        for wrong in ["", "0", "-1", "last", "120 x", "120 settings 1"] {
-            assert_eq!(GoTo::read(wrong, None), None, "{wrong}");
         }
     }
 }

@@ -36,6 +36,9 @@ fn arcs_that_are_none() {
     fails("G2 X10", "G008 2:1 an arc without centre");
     fails("G2 X10 R5 I5", "G007 2:1 R together");
     fails("G2 X10 I5 K1", "G023 2:1 K does not lie");
+    let generic = Options { dialect: Dialect::Generic, ..Options::default() };
+    let ran = run_with("G21 F100⏎G2 X10 I5 K0.", FakeHost::default(), metric(), generic);
+    assert_eq!(ran.end(), "10,0,0");
     fails("G2 I5 P1.5", "R009 2:1");
     fails("G90.1 G2 X10 I5", "G008 2:1 half a centre");
 }

@@ -114,6 +114,18 @@ fn a_check_goes_on_behind_an_error() {
 }
 
 #[test]
+fn one_mistake_is_told_once() {
+    let options = Options { keep_going: true, ..Options::default() };
+    // The reader told the bad word; nothing is said of the lines that relied on its G0.
+    let ran = run_with("G21⏎G0 X⏎X2⏎Y3", FakeHost::default(), metric(), options.clone());
+    assert_eq!((ran.codes().as_str(), ran.path().as_str()), ("", ""));
+    let mut session = metric();
+    session.settings.axis_count = 3;
+    let ran = run_with("G21⏎G0 X1 A0⏎X2⏎Y3⏎G0 X1⏎Y2", FakeHost::default(), session, options);
+    assert_eq!((ran.codes().as_str(), ran.path().as_str()), ("R011", "J1,0,0 J1,2,0"));
+}
+
+#[test]
 fn a_step_that_waits_has_no_effect() {
     let text = "G21⏎G0 X1⏎M0⏎G91 M64 P1 G0 X1⏎M66 P0 L0⏎G0 X#5399⏎T2 M6⏎G38.3 X20 F100⏎M2";
     let calm = run(text);

@@ -1,0 +1,70 @@
+//! The command on G-code, as on part files.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod shop;
+
+use shop::Shop;
+
+const PART: &str = "\
+G21 G90 (all in mm)
+#1 = 4
+G1 F600
+X1
+X2
+O100 sub
+  X9
+O100 endsub
+X3
+X#1
+";
+
+fn shop() -> Shop {
+    Shop::new(&[("a.nc", PART), ("calls.sbp", "FG,a.nc\nMX,20\n"), ("box.nc", "G21\nG0X1\n")])
+}
+
+#[test]
+fn a_run_begins_at_a_line() {
+    let shop = shop();
+    let run = shop.kerf("run a.nc --units mm --from-line 9");
+    run.exits(1).complains("X without a motion");
+    let run = shop.command().args(["run", "a.nc", "--from-line", "9 settings"]).output().unwrap();
+    let said = String::from_utf8(run.stdout).unwrap();
+    assert!(said.contains("2 moves") && said.contains("X 0 … 0.157"), "{said}");
+    shop.kerf("run a.nc --from-line 99").exits(2).complains("has 10 lines");
+    shop.kerf("run a.nc --from-line 7").exits(1).complains("line 7 lies in a subroutine");
+}
+
+#[test]
+fn a_run_is_stepped_through() {
+    let shop = shop();
+    shop.write("answers", b"Step\n4 settings\nStep\nRun\n");
+    let run = shop.kerf("run a.nc --step --answers answers");
+    run.exits(0)
+        .says("? G21 G90 (all in mm) → Step\n? #1 = 4 → 4 settings\n? X1 → Step\n? X2 → Run\n")
+        .says("4 moves");
+    shop.write("answers", b"Step\nQuit\n");
+    shop.kerf("run a.nc --step --answers answers").exits(3);
+}
+
+#[test]
+fn a_part_file_steps_through_g_code() {
+    let shop = shop();
+    shop.write("answers", b"Step\n9 settings\nRun\n");
+    let run = shop.kerf("run calls.sbp --answers answers");
+    run.exits(0).says("? X3 → Run").says("3 moves");
+}
+
+#[test]
+fn tabs_in_g_code_are_spoken_of() {
+    let shop = shop();
+    shop.kerf("run box.nc --tabs").exits(0).complains("tabs are not left in G-code");
+}
+
+#[test]
+fn fmt_knows_g_code() {
+    let shop = shop();
+    assert_eq!(shop.kerf("fmt --check a.nc box.nc").exits(1).out(), "box.nc\n");
+    shop.kerf("fmt box.nc").exits(0);
+    assert_eq!(shop.read("box.nc"), "G21\nG0 X1\n");
+}
