@@ -13,6 +13,17 @@ use std::collections::{BTreeMap, VecDeque};
 pub trait Operator {
     /// Answers, or leaves it to the default. `line` is the line that asks.
     fn answer(&mut self, question: &Question, line: u32) -> Option<String>;
+
+    /// As [`Operator::answer`], for whoever shows which file asks. This is what a run asks.
+    fn answer_in(&mut self, question: &Question, _file: &str, line: u32) -> Option<String> {
+        self.answer(question, line)
+    }
+
+    /// Whether a question was left unanswered because the operator stopped the machine: then the run
+    /// is over, and the default does not count.
+    fn gives_up(&self) -> bool {
+        false
+    }
 }
 
 /// Answers written down beforehand.

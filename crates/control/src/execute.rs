@@ -1,7 +1,7 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
-use crate::pace::Wish;
+use crate::pace::{Doing, Going, Wish};
 use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
@@ -85,7 +85,12 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut planner = planner(self.world.machine.settings());
         moves.into_iter().for_each(|made| planner.push(made));
         while let Some(plan) = planner.finish() {
-            (0..plan.moves().len()).for_each(|index| self.make_one(&plan, index, t0_s));
+            for index in 0..plan.moves().len() {
+                let [_, end_s] = self.moments(t0_s, plan.span_s(index).into());
+                let going = Going { plan: &plan, index, t0_s };
+                self.pass_on(&Turn::Operator(Wish::Stop), end_s, going);
+                self.make_one(&plan, index, t0_s);
+            }
         }
     }
 
@@ -143,9 +148,10 @@ impl<I: Interpreter> Runner<'_, I> {
             let (begin_s, end_s) = plan.span_s(index);
             let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
             match &turned {
-                Some((_, turn)) => self.pass_on(turn, end_s),
+                Some((_, turn)) => self.pass_on(turn, end_s, Going { plan: &plan, index, t0_s }),
                 None => {
-                    if let Some((t_s, turn)) = self.turn_before(halt, end_s) {
+                    let going = Going { plan: &plan, index, t0_s };
+                    if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
                         let (made, stop) = self.replan(plan, (t_s - t0_s).max(0.0), turn)?;
                         (plan, turned) = (made, Some((stop, turn)));
                         continue;
@@ -162,11 +168,16 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Lets time pass up to a moment, unless an input or the operator wants something before.
-    fn turn_before(&mut self, halt: Option<Halt>, end_s: f64) -> Option<(f64, Turn)> {
+    fn turn_before(
+        &mut self,
+        halt: Option<Halt>,
+        end_s: f64,
+        going: Going<'_>,
+    ) -> Option<(f64, Turn)> {
         let now = self.world.now();
         let halt = halt.filter(|halt| halt.t_s <= end_s);
         let until_s = halt.map_or(end_s, |halt| halt.t_s.max(now));
-        match self.ask_pace(now, until_s) {
+        match self.ask_pace(now, until_s, Some(going)) {
             Some((t_s, wish)) => Some((t_s, Turn::Operator(wish))),
             None => halt.map(|halt| (halt.t_s, Turn::Input(halt))),
         }
@@ -177,16 +188,19 @@ impl<I: Interpreter> Runner<'_, I> {
         let planner = &mut self.stack.running.as_mut()?.planner;
         match turn {
             Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped),
-            Turn::Operator(Wish::Stop | Wish::Hold) => planner.stop(piece, t_s, true),
+            Turn::Operator(Wish::Stop | Wish::Hold | Wish::End) => planner.stop(piece, t_s, true),
             Turn::Operator(Wish::Feed(share)) => planner.feed(piece, t_s, share),
         }
     }
 
     /// Lets time pass while the machine ramps down; what the operator wants meanwhile comes next.
-    fn pass_on(&mut self, turn: &Turn, end_s: f64) {
-        if !matches!(turn, Turn::Operator(Wish::Stop))
-            && let Some(wish) = self.pace.pass(self.world.now(), end_s)
-        {
+    fn pass_on(&mut self, turn: &Turn, end_s: f64, going: Going<'_>) {
+        let doing = Doing { machine: &self.world.machine, going: Some(going) };
+        let wish = self.pace.watch(self.world.now(), end_s, &doing);
+        // A stop may be told until the machine stands.
+        let again =
+            |wish: &(f64, Wish)| wish.1 == Wish::Stop && matches!(turn, Turn::Operator(Wish::Stop));
+        if let Some(wish) = wish.filter(|wish| !again(wish)) {
             self.postpone(wish);
         }
     }

@@ -50,7 +50,7 @@ pub use check::{Checked, check};
 pub use desk::Desk;
 pub use event::Event;
 pub use nudge::{Nudge, Outside};
-pub use pace::{Pace, Script, StopAt, Wish};
+pub use pace::{Doing, Going, Pace, Script, StopAt, Wish};
 pub use part_log::Started;
 pub use parts::{Listing, PartFile};
 pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word};

@@ -1,5 +1,8 @@
 //! How machine time relates to the time of the world, and what the operator does meanwhile.
 
+use kerf_motion::{Move, Plan, State};
+use kerf_sim::Machine;
+
 /// What the operator wants of a machine that runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wish {
@@ -9,6 +12,41 @@ pub enum Wish {
     Hold,
     /// Cuts run at this share of the speed asked for, from 0.1 to 2 (feed override).
     Feed(f32),
+    /// The machine ramps down, and the run is over where it stands; nobody is asked. That is how a
+    /// movement ends that somebody held a key for.
+    End,
+}
+
+/// What the machine does while time passes.
+#[derive(Clone, Copy, Debug)]
+pub struct Doing<'a> {
+    /// The machine as it is before.
+    pub machine: &'a Machine,
+    /// The move that it is about to make; `None` while it stands.
+    pub going: Option<Going<'a>>,
+}
+
+/// A move that the machine is about to make.
+#[derive(Clone, Copy, Debug)]
+pub struct Going<'a> {
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// Which move of the plan.
+    pub index: usize,
+    /// When the plan begins, seconds of machine time.
+    pub t0_s: f64,
+}
+
+impl Going<'_> {
+    /// The move.
+    pub fn made(&self) -> Option<&Move> {
+        self.plan.moves().get(self.index)
+    }
+
+    /// Where every axis is at a moment of machine time, seconds, and how fast.
+    pub fn at(&self, t_s: f64) -> State {
+        self.plan.at(t_s - self.t0_s)
+    }
 }
 
 /// Says how far machine time may run, and what the operator wants.
@@ -17,6 +55,11 @@ pub trait Pace {
     /// the operator wants something before, returns the moment and what it is; asked again from
     /// there, it tells the next.
     fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)>;
+
+    /// As [`Pace::pass`], for whoever shows what the machine does meanwhile. This is what a run asks.
+    fn watch(&mut self, from_s: f64, to_s: f64, _: &Doing<'_>) -> Option<(f64, Wish)> {
+        self.pass(from_s, to_s)
+    }
 
     /// The machine stands because of the stop that `pass` told: it is asked what comes next, which
     /// takes no machine time, and does not stop for the same reason again.

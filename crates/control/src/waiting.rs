@@ -1,7 +1,8 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
 use crate::runner::{Flow, Over, Runner};
-use crate::{Event, Wish, flag};
+use crate::world::Unanswered;
+use crate::{Doing, Event, Going, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Move;
 use kerf_program::{Answer, At, Button, Interpreter, Question, Status};
@@ -18,7 +19,7 @@ impl<I: Interpreter> Runner<'_, I> {
             _ => None,
         });
         let end_s = halt.map_or(until_s, |(t_s, _)| t_s);
-        let wish = self.ask_pace(self.world.now(), end_s);
+        let wish = self.ask_pace(self.world.now(), end_s, None);
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         match (wish, halt) {
@@ -51,11 +52,17 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// What the operator wants before a moment; what was postponed comes first.
-    pub(crate) fn ask_pace(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
-        match self.wishes.pop_front() {
-            Some((t_s, wish)) => Some((t_s.clamp(from_s, to_s.max(from_s)), wish)),
-            None => self.pace.pass(from_s, to_s),
+    pub(crate) fn ask_pace(
+        &mut self,
+        from_s: f64,
+        to_s: f64,
+        going: Option<Going<'_>>,
+    ) -> Option<(f64, Wish)> {
+        if let Some((t_s, wish)) = self.wishes.pop_front() {
+            return Some((t_s.clamp(from_s, to_s.max(from_s)), wish));
         }
+        let doing = Doing { machine: &self.world.machine, going };
+        self.pace.watch(from_s, to_s, &doing)
     }
 
     /// Keeps a wish that cannot be fulfilled now.
@@ -68,11 +75,11 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The operator may want something of a program that computes and does not move.
     pub(crate) fn heed_operator(&mut self) -> Flow {
         let now = self.world.now();
-        let Some((_, wish)) = self.ask_pace(now, now) else { return Flow::On };
+        let Some((_, wish)) = self.ask_pace(now, now, None) else { return Flow::On };
         if self.stack.running.is_some() {
             // What moves heeds it on the way. A program that only computes would not get there.
             self.wishes.push_front((now, wish));
-            return if wish == Wish::Stop { self.flush() } else { Flow::On };
+            return if matches!(wish, Wish::Stop | Wish::End) { self.flush() } else { Flow::On };
         }
         self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
     }
@@ -86,6 +93,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.override_feed(share);
                 Ok(())
             }
+            Wish::End => Err(Over { status: Status::Ended, diagnostic: None }),
         }
     }
 
@@ -133,16 +141,20 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         match self.world.answer_open_question(at) {
             Ok(()) => Flow::On,
-            Err(message) => Flow::Over(self.unanswered(at, message)),
+            Err(why) => Flow::Over(self.unanswered(at, why)),
         }
     }
 
     /// A question of the machine, not of the program.
     pub(crate) fn ask(&mut self, question: &Question, at: At) -> Result<Answer, Over> {
-        self.world.ask_now(question, at).map_err(|message| self.unanswered(at, message))
+        self.world.ask_now(question, at).map_err(|why| self.unanswered(at, why))
     }
 
-    fn unanswered(&self, at: At, message: String) -> Over {
+    fn unanswered(&self, at: At, why: Unanswered) -> Over {
+        let message = match why {
+            Unanswered::Stopped => return Over { status: Status::Stopped, diagnostic: None },
+            Unanswered::NoButton(message) => message,
+        };
         let place = Place::line(self.world.file(at), at.line);
         let diagnostic = Diagnostic::new(Code::Terminated, place, message)
             .hint("the script of answers has to name a button of the box");

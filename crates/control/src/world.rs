@@ -20,6 +20,15 @@ use std::sync::Arc;
 /// without end must not eat the memory.
 const LONGEST_LINE: usize = 1_000_000;
 
+/// Why a question has no answer.
+#[derive(Debug)]
+pub(crate) enum Unanswered {
+    /// The operator stopped the machine instead.
+    Stopped,
+    /// The answer is no button of the box: what is told of it.
+    NoButton(String),
+}
+
 pub(crate) struct World<'a> {
     pub machine: Machine,
     pub tally: Tally,
@@ -287,8 +296,9 @@ impl<'a> World<'a> {
 
     /// Asks the operator, tells it, and keeps the answer for the program's next step.
     ///
-    /// `Err` when the script answers with a button that the box does not have.
-    pub fn answer_open_question(&mut self, at: At) -> Result<(), String> {
+    /// # Errors
+    /// The operator stops instead, or the script answers with a button that the box does not have.
+    pub fn answer_open_question(&mut self, at: At) -> Result<(), Unanswered> {
         if let Some(question) = self.question.take() {
             self.answer = Some(self.ask_now(&question, at)?);
         }
@@ -296,16 +306,24 @@ impl<'a> World<'a> {
     }
 
     /// Asks the operator and tells it.
-    pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, String> {
+    ///
+    /// # Errors
+    /// As [`World::answer_open_question`].
+    pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, Unanswered> {
         self.machine.warning_off();
         self.tell_log();
-        let given = self.operator.answer(question, at.line);
+        let given = self.operator.answer_in(question, &self.file(at), at.line);
+        if given.is_none() && self.operator.gives_up() {
+            return Err(Unanswered::Stopped);
+        }
         let scripted = given.is_some();
         let answer = match given {
             None => answers::unattended_answer(question),
             Some(words) => answers::meaning(question, &words).ok_or_else(|| {
                 let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
-                format!("the answer '{words}' is no button of this box ({})", buttons.join(", "))
+                let buttons = buttons.join(", ");
+                let message = format!("the answer '{words}' is no button of this box ({buttons})");
+                Unanswered::NoButton(message)
             })?,
         };
         self.told_question(question, &answer, scripted, at);
