@@ -1,7 +1,8 @@
 //! The one table of diagnostic codes.
 //!
 //! A code never changes its meaning and is never reused. Letters tell the room: `S` reading
-//! OpenSBP, `G` G-code, `R` running, `C` converting, `W` what `check` warns of, `F` files, `M` the machine.
+//! OpenSBP, `G` G-code, `R` running, `C` converting, `W` what `check` warns of, `F` files, `K` the configuration,
+//! `M` the machine.
 
 use crate::Severity;
 use serde::{Deserialize, Serialize};
@@ -228,6 +229,15 @@ codes! {
         "Every converted file is read back and followed, and its moves are compared with those of the source. They differed, so nothing was written. This is a fault of Kerf: please report it with the file.";
     NotKept "C004" Note "a construct that cannot be kept"
         "With --keep-variables the converted file keeps variables, conditions and subroutines where both languages can say them. This line has something that the other language cannot say, so the whole program was written as the moves it makes.";
+
+    NoConfiguration "K001" Error "not a configuration"
+        "The configuration of a machine is TOML: lines such as `axes = 4`, sections such as `[delays]`. `kerf machine show` prints a complete one.";
+    UnknownSetting "K002" Error "no such setting"
+        "A machine's configuration has no setting of this name. Names that are misspelt would have no effect, so they are refused. `kerf machine list` shows every setting with its unit, bounds and default.";
+    BadSetting "K003" Error "a setting does not accept this value"
+        "The value is of another type than the setting, or out of its bounds. `kerf machine list` shows what each setting accepts.";
+    Contradiction "K004" Error "settings contradict each other"
+        "Each value alone would do, but together they describe no machine: two axes on one motor, Z bottom above Z top, a laser pulse longer than its period. Nothing moves until one of them is changed.";
 }
 
 /// The explanation of a code, looked up without regard to case.

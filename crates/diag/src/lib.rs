@@ -7,9 +7,11 @@
 pub mod codes;
 mod diagnostic;
 mod render;
+mod suggest;
 mod text;
 
 pub use codes::{Code, Explanation, explain};
 pub use diagnostic::{Diagnostic, Place, Severity};
 pub use render::{Sources, render_text};
+pub use suggest::did_you_mean;
 pub use text::decode;

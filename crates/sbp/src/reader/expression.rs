@@ -344,7 +344,7 @@ impl Line<'_, '_> {
         let span = Span { start: start as u32, end: end as u32 };
         let message = format!("unknown function {}", word.to_uppercase());
         let names = Function::ALL.iter().map(|f| f.name());
-        let hint = super::suggest::did_you_mean(word, names)
+        let hint = super::did_you_mean(word, names)
             .unwrap_or_else(|| "see kerf explain S008 for the list".into());
         self.fault(Code::UnknownFunction, span, message, hint)
     }

@@ -1,8 +1,8 @@
 //! IF, jumps, ON INPUT, PAUSE and END.
 
+use super::did_you_mean;
 use super::file::is_label;
 use super::line::{Line, Read};
-use super::suggest::did_you_mean;
 use super::text::blank;
 use crate::expr::{Expr, ExprNode};
 use crate::tree::{Span, Statement, Target};

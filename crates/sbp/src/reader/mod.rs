@@ -30,12 +30,11 @@ pub(crate) mod properties;
 #[cfg(test)]
 pub(crate) mod shown;
 mod statements;
-mod suggest;
 mod text;
 
+pub(crate) use kerf_diag::did_you_mean;
 pub(crate) use language::read_language;
 pub use language::{is_gcode_name, read_part, read_part_as};
-pub(crate) use suggest::did_you_mean;
 pub(crate) use text::{blank, code_end};
 
 use crate::{Dialect, Program};

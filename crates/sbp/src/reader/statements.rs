@@ -1,8 +1,8 @@
 //! What kind of statement a line is.
 
+use super::did_you_mean;
 use super::file::is_label;
 use super::line::{Failed, Line, Read, is_name};
-use super::suggest::did_you_mean;
 use super::text::blank;
 use crate::table;
 use crate::tree::{Span, Statement};

@@ -1,7 +1,7 @@
 //! "Did you mean": the nearest known name.
 
 /// A hint with the nearest of some names, if one is near enough.
-pub(crate) fn did_you_mean<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
+pub fn did_you_mean<'a>(word: &str, names: impl Iterator<Item = &'a str>) -> Option<String> {
     let word = word.to_uppercase();
     let allowed = match word.chars().count() {
         0 | 1 => return None,

@@ -1,0 +1,88 @@
+//! The file and the table hold each other.
+
+#![allow(clippy::unwrap_used)]
+
+use super::{read, write};
+use crate::Configuration;
+use crate::table;
+use crate::value::Value;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+fn file() -> Arc<str> {
+    Arc::from("m.toml")
+}
+
+/// The first mistake in a text: line and message.
+fn check(text: &str, line: u32, part: &str) {
+    let found = read(&file(), text).unwrap_err();
+    let first = &found[0];
+    assert_eq!(first.place.line, line, "{text}: {found:?}");
+    assert!(first.message.contains(part), "{text}: {}", first.message);
+}
+
+#[test]
+fn keys_are_unique_and_every_section_is_written_once() {
+    let mut keys = BTreeSet::new();
+    let mut sections = Vec::new();
+    for setting in table::settings() {
+        assert!(keys.insert(setting.key), "{} twice", setting.key);
+        assert!(setting.doc.len() > 5 && !setting.doc.contains('\n'), "{}", setting.key);
+        if sections.last() != Some(&setting.section().0) {
+            sections.push(setting.section().0);
+        }
+    }
+    let once: BTreeSet<_> = sections.iter().collect();
+    assert_eq!(once.len(), sections.len(), "{sections:?}");
+}
+
+#[test]
+fn a_written_file_reads_back_the_same() {
+    let fresh = Configuration::default();
+    assert_eq!(read(&file(), &write(&fresh)), Ok(fresh));
+}
+
+/// Another value than the default that the bounds allow.
+fn other(value: &Value) -> Value {
+    match value {
+        Value::Flag(flag) => Value::Flag(!flag),
+        Value::Number(n) if *n >= 1.0 => Value::Number(n - 0.0),
+        Value::List(values) => Value::List(values.iter().map(other).collect()),
+        it => it.clone(),
+    }
+}
+
+#[test]
+fn every_setting_takes_its_default_and_refuses_a_date() {
+    for setting in table::settings() {
+        let mut c = Configuration::default();
+        setting.set(&mut c, &other(&setting.default())).unwrap();
+        assert!(
+            setting.set(&mut c, &Value::Text("1979-05-27 of old".into())).is_err()
+                || matches!(setting.default(), Value::Text(_) | Value::List(_)),
+            "{}",
+            setting.key
+        );
+    }
+}
+
+#[test]
+fn every_mistake_is_told_with_its_line() {
+    check("\nunit = 3", 2, "there is no setting unit");
+    check("units = \"cm\"", 1, "units must be in or mm, not \"cm\"");
+    check("axes = 7", 1, "axes must be 1 to 6, not 7");
+    check("[speeds.cut]\nxy = 0", 2, "speeds.cut.xy must be greater than 0, not 0");
+    check("speeds.cut = { xy = 0 }", 1, "speeds.cut.xy must be greater than 0");
+    check("[ramps]\ncut_rate_mm = inf", 2, "ramps.cut_rate_mm must be greater than 0, not inf");
+    check("[io]\ninterlock = 13", 2, "io.interlock must be 1 to 12, not 13");
+    check("[io]\ninputs = [5]", 2, "io.inputs must be 0 to 4, not [5]");
+    check("[io]\noutputs = [0,0,0,0,0,0,0,0,0,0,0,0,0]", 2, "a shorter list, of at most 12");
+    check("[steps]\nper_unit = [nan]", 2, "steps.per_unit must be greater than 0");
+    check("motion = \"fast\"", 1, "motion must be shopbot, profiler or optimal, or none");
+    check("stack_limit = 0", 1, "stack_limit must be 1 to 4294967295, not 0");
+    check("axes = ", 1, "");
+    check("axes = 1979-05-27", 1, "cannot be a date");
+    check("[delays]\nend_s = \"long\"", 2, "delays.end_s must be a number, not \"long\"");
+    let all = read(&file(), "unit = 1\naxes = 9\n[x]\ny = 1").unwrap_err();
+    assert_eq!(all.iter().map(|d| d.place.line).collect::<Vec<_>>(), [1, 2, 4]);
+}

@@ -1,0 +1,21 @@
+//! What a machine is.
+//!
+//! [`Configuration`] is the one model of a machine's settings: those of the V commands
+//! ([`kerf_program::Settings`]) and, beside them, what the Profiler tables list, an area a file in
+//! [`settings`]. The [`table`] names every one of them with unit, bounds and meaning; the
+//! configuration file ([`file`]), `kerf machine`, and every form are made from it, so that a new
+//! setting is a field and a row. What each row allows is checked when it is set; what several say
+//! together is checked by [`contradictions`] before anything moves.
+//!
+//! Lengths are millimetres, angles degrees, times seconds unless the name of a field ends in
+//! another unit.
+
+pub mod contradictions;
+pub mod file;
+pub mod settings;
+pub mod table;
+pub mod value;
+
+pub use settings::Configuration;
+pub use table::Setting;
+pub use value::Value;

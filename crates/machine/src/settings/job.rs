@@ -1,0 +1,28 @@
+//! How jobs are started, placed and repeated (Profiler reference, "Machining the Job").
+
+/// Settings of jobs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JobSettings {
+    /// Each Start takes the present position as job origin.
+    pub change_origin_at_start: bool,
+    /// How often a job is cut.
+    pub repeats: u32,
+    /// The input shared with W home starts jobs, or is the door that must be shut.
+    pub external_start: bool,
+    /// Two jigs with a start input each.
+    pub two_jigs: bool,
+    /// What lies left of this X from machine home is jig 1, mm.
+    pub divider_mm: f64,
+}
+
+impl Default for JobSettings {
+    fn default() -> Self {
+        Self {
+            change_origin_at_start: false,
+            repeats: 1,
+            external_start: false,
+            two_jigs: false,
+            divider_mm: 0.0,
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! What belongs nowhere else (Profiler reference, "Miscellaneous Configuration Options").
+
+/// Miscellaneous options of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Miscellaneous {
+    /// The first Start prepares and waits, the second cuts ("Do Double Job Start").
+    pub double_start: bool,
+    /// The `w` axis keeps the tool along the path ("Use Tangential Axis").
+    pub tangential: bool,
+    /// Live drawing: 0 never in motion, 10 always, n up to n tenths of the highest speed.
+    pub runtime_drawing: u8,
+}
+
+impl Default for Miscellaneous {
+    fn default() -> Self {
+        Self { double_start: false, tangential: false, runtime_drawing: 10 }
+    }
+}

@@ -1,0 +1,67 @@
+//! The settings of a machine, an area a file.
+
+pub mod axes;
+pub mod delays;
+pub mod estop;
+pub mod height;
+pub mod homing;
+pub mod intensity;
+pub mod io;
+pub mod job;
+pub mod laser;
+pub mod misc;
+pub mod motors;
+pub mod options;
+pub mod pause;
+pub mod plasma;
+pub mod simulated;
+pub mod speeds;
+mod words;
+pub mod zpos;
+
+pub(crate) use words::Words;
+use words::words;
+
+use kerf_program::Settings;
+
+/// Everything that is set of one machine.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Configuration {
+    /// What part files see: units, speeds, ramps, limits, modes of switches, steps, dynamics and the
+    /// smoothing of paths. The V commands are views of it.
+    pub program: Settings,
+    /// Lengths and soft bounds.
+    pub axes: axes::AxisSettings,
+    /// Which motor drives what, and how it is pulsed.
+    pub motors: motors::Motors,
+    /// Special heights of Z.
+    pub zpos: zpos::ZPositions,
+    /// Speeds of plunging and of moving by hand.
+    pub speeds: speeds::MachineSpeeds,
+    /// Waits in the cutting sequence.
+    pub delays: delays::Delays,
+    /// What pausing does.
+    pub pause: pause::Pause,
+    /// Levels of the inputs and the card they come from.
+    pub io: io::IoMap,
+    /// The intensity output.
+    pub intensity: intensity::Intensity,
+    /// Automatic height control.
+    pub height: height::HeightControl,
+    /// The plasma start sequence.
+    pub plasma: plasma::Plasma,
+    /// Laser and piercing.
+    pub laser: laser::Laser,
+    /// Homing of each axis.
+    pub homing: homing::Homing,
+    /// The emergency stop.
+    pub estop: estop::EmergencyStop,
+    /// What belongs nowhere else.
+    pub misc: misc::Miscellaneous,
+    /// How jobs are started, placed and repeated.
+    pub job: job::JobSettings,
+    /// Options of the program beside the machine.
+    pub options: options::Options,
+    /// Where the switches of the simulated machine sit.
+    pub simulated: simulated::Simulated,
+}

@@ -1,0 +1,90 @@
+//! Motors: which drives what, which way, and how it is pulsed (Profiler reference, "Motor
+//! Parameters", "Microstepping Drive Parameters").
+
+use super::words;
+use kerf_program::AXES;
+
+/// Motors a machine can have.
+pub const MOTORS: usize = 6;
+
+words! {
+    /// A motor, by the name on its step and direction terminals.
+    #[allow(missing_docs)]
+    Motor { X = "x", Y = "y", Z = "z", W = "w", Q = "q", R = "r" }
+}
+
+impl Motor {
+    /// All motors in order.
+    pub const ALL: [Self; MOTORS] = [Self::X, Self::Y, Self::Z, Self::W, Self::Q, Self::R];
+
+    /// Its place in lists of motors.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+}
+
+words! {
+    /// A motor that may drive any of the further axes; X, Y and Z drive their own.
+    #[allow(missing_docs)]
+    FreeMotor { W = "w", Q = "q", R = "r" }
+}
+
+impl From<FreeMotor> for Motor {
+    fn from(motor: FreeMotor) -> Self {
+        match motor {
+            FreeMotor::W => Self::W,
+            FreeMotor::Q => Self::Q,
+            FreeMotor::R => Self::R,
+        }
+    }
+}
+
+words! {
+    /// Which way a motor turns for a positive move.
+    Direction {
+        /// The direction bit is 1 for a positive move.
+        Forwards = "forwards",
+        /// The direction bit is 0 for a positive move.
+        Backwards = "backwards",
+    }
+}
+
+/// The motors of the machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motors {
+    /// Second motor of X; runs with it except while homing.
+    pub x2: Option<FreeMotor>,
+    /// Second motor of Y; runs with it except while homing.
+    pub y2: Option<FreeMotor>,
+    /// Motor of the second head, which is axis A of part files.
+    pub z2: Option<FreeMotor>,
+    /// Motor of axis A where it is no second head.
+    pub a: Option<FreeMotor>,
+    /// Motor of axis B.
+    pub b: Option<FreeMotor>,
+    /// Motor of the tangential or rotary axis `w`, axis C of part files.
+    pub w: Option<FreeMotor>,
+    /// Positive direction of each axis' motor: X, Y, Z, A, B, C (`w`).
+    pub direction: [Direction; AXES],
+    /// From a change of direction to the step, beside the output delay, nanoseconds; 0 outputs both
+    /// at once.
+    pub dir_delay_ns: u32,
+    /// Widens the step pulse, nanoseconds.
+    pub step_delay_ns: u32,
+}
+
+impl Default for Motors {
+    fn default() -> Self {
+        Self {
+            x2: None,
+            y2: None,
+            z2: None,
+            a: None,
+            b: None,
+            w: None,
+            direction: [Direction::Forwards; AXES],
+            dir_delay_ns: 0,
+            step_delay_ns: 0,
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Options of the program beside the machine (Profiler reference, "General Options",
+//! "Communication").
+
+/// Serial ports that can be named.
+pub const PORTS: usize = 4;
+
+/// General options.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Devices of the serial ports 1 … 4.
+    pub devices: [String; PORTS],
+    /// Serial port of the hand console, 1 … 4.
+    pub console_port: u8,
+    /// Its speed, baud; always 2400.
+    pub console_baud: u32,
+    /// Serial port of file sending, 1 … 4.
+    pub send_port: u8,
+    /// Salted hash of the password that changing settings needs; none without protection.
+    pub password: Option<String>,
+    /// Vertices of paths nearer to each other than this are left out, mm; 0 none.
+    pub filter_mm: f64,
+    /// Joining distance offered, mm.
+    pub join_mm: f64,
+    /// Radius within which the mouse selects, pixels.
+    pub pick_radius_px: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            devices: std::array::from_fn(|i| format!("/dev/ttyS{i}")),
+            console_port: 1,
+            console_baud: 2400,
+            send_port: 2,
+            password: None,
+            filter_mm: 0.0,
+            join_mm: 0.1,
+            pick_radius_px: 8.0,
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Units and bounds of settings.
+
+use crate::value::Value;
+
+/// What a number is measured in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Unit {
+    None,
+    Mm,
+    Degrees,
+    /// Millimetres, or degrees on a rotary axis.
+    AxisLength,
+    MmPerS,
+    MmPerS2,
+    /// mm/s, or degrees/s on a rotary axis.
+    AxisSpeed,
+    /// mm/s² or degrees/s².
+    AxisAccel,
+    /// mm/s³ or degrees/s³.
+    AxisJerk,
+    /// Steps for a millimetre or a degree.
+    StepsPerUnit,
+    Seconds,
+    Ms,
+    Us,
+    Ns,
+    Percent,
+    Hz,
+    KHz,
+    Baud,
+    Pixels,
+    Twips,
+}
+
+impl Unit {
+    /// How it is written behind a number; empty for numbers without unit.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Mm => "mm",
+            Self::Degrees => "deg",
+            Self::AxisLength => "mm or deg",
+            Self::MmPerS => "mm/s",
+            Self::MmPerS2 => "mm/s²",
+            Self::AxisSpeed => "mm/s or deg/s",
+            Self::AxisAccel => "mm/s² or deg/s²",
+            Self::AxisJerk => "mm/s³ or deg/s³",
+            Self::StepsPerUnit => "steps for a mm or degree",
+            Self::Seconds => "s",
+            Self::Ms => "ms",
+            Self::Us => "µs",
+            Self::Ns => "ns",
+            Self::Percent => "%",
+            Self::Hz => "Hz",
+            Self::KHz => "kHz",
+            Self::Baud => "baud",
+            Self::Pixels => "px",
+            Self::Twips => "twips",
+        }
+    }
+}
+
+/// What a setting accepts beside its type; of a list, each value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bounds {
+    /// Every finite number, every word of its choice.
+    Any,
+    /// Greater than 0.
+    Positive,
+    /// 0 or greater.
+    NotNegative,
+    /// From the first to the second.
+    Range(f64, f64),
+    /// Like [`Bounds::Positive`], and without end too.
+    PositiveOrInfinite,
+}
+
+impl Bounds {
+    /// Whether every number of a value fits; the error says what is accepted.
+    pub(super) fn check(self, value: &Value) -> Result<(), String> {
+        match value {
+            Value::Number(number) if !self.holds(*number) => Err(self.to_string()),
+            Value::List(values) => values.iter().try_for_each(|value| self.check(value)),
+            _ => Ok(()),
+        }
+    }
+
+    fn holds(self, number: f64) -> bool {
+        match self {
+            Self::Any => number.is_finite(),
+            Self::Positive => number.is_finite() && number > 0.0,
+            Self::NotNegative => number.is_finite() && number >= 0.0,
+            Self::Range(low, high) => (low..=high).contains(&number),
+            Self::PositiveOrInfinite => number > 0.0,
+        }
+    }
+}
+
+impl std::fmt::Display for Bounds {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Any => f.write_str("a finite number"),
+            Self::Positive => f.write_str("greater than 0"),
+            Self::NotNegative => f.write_str("0 or greater"),
+            Self::Range(low, high) => write!(f, "{low} to {high}"),
+            Self::PositiveOrInfinite => f.write_str("greater than 0, or inf"),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! The one table of settings: every setting of a machine with its key, unit, bounds and meaning.
+//!
+//! The configuration file, its reader, `kerf machine` and every form are made from it. Keys are
+//! dotted: what stands before the last dot is the section of the file.
+
+mod bounds;
+mod machine;
+mod plain;
+mod program;
+mod switches;
+mod tools;
+
+pub use bounds::{Bounds, Unit};
+
+use crate::settings::Configuration;
+use crate::value::Value;
+
+/// One setting.
+pub struct Setting {
+    /// Its name, dotted.
+    pub key: &'static str,
+    /// What numbers are measured in.
+    pub unit: Unit,
+    /// What it accepts beside its type.
+    pub bounds: Bounds,
+    /// What it is for.
+    pub doc: &'static str,
+    get: fn(&Configuration) -> Value,
+    put: fn(&mut Configuration, &Value) -> Result<(), String>,
+}
+
+/// Settings that belong together, with the section of the manual that tells of them.
+pub struct Area {
+    /// Its name, as people say it.
+    pub title: &'static str,
+    /// Manual and section.
+    pub manual: &'static str,
+    /// Its settings.
+    pub rows: &'static [Setting],
+}
+
+/// Why a value was refused: what the setting accepts.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{key} must be {wanted}, not {got}")]
+pub struct Refused {
+    /// The setting.
+    pub key: &'static str,
+    /// What it accepts.
+    pub wanted: String,
+    /// What was given.
+    pub got: Value,
+}
+
+/// Every area, in the order in which files are written and read.
+pub const AREAS: &[&[Area]] = &[program::AREAS, machine::AREAS, tools::AREAS, switches::AREAS];
+
+/// Every area.
+pub fn areas() -> impl Iterator<Item = &'static Area> {
+    AREAS.iter().copied().flatten()
+}
+
+/// Every setting.
+pub fn settings() -> impl Iterator<Item = &'static Setting> {
+    areas().flat_map(|area| area.rows)
+}
+
+/// The setting of a key.
+pub fn setting(key: &str) -> Option<&'static Setting> {
+    settings().find(|setting| setting.key.eq_ignore_ascii_case(key))
+}
+
+impl Setting {
+    /// Its value in a configuration.
+    pub fn get(&self, configuration: &Configuration) -> Value {
+        (self.get)(configuration)
+    }
+
+    /// Its value in a fresh configuration.
+    pub fn default(&self) -> Value {
+        self.get(&Configuration::default())
+    }
+
+    /// Sets it; the configuration stays as it was where the value is refused.
+    ///
+    /// # Errors
+    /// What the setting accepts, when the value is none of it.
+    pub fn set(&self, configuration: &mut Configuration, value: &Value) -> Result<(), Refused> {
+        let mut changed = configuration.clone();
+        let fits = self.bounds.check(value).and_then(|()| (self.put)(&mut changed, value));
+        match fits {
+            Ok(()) => *configuration = changed,
+            Err(wanted) => return Err(Refused { key: self.key, wanted, got: value.clone() }),
+        }
+        Ok(())
+    }
+
+    /// The section of the file it stands in, and its name there.
+    pub fn section(&self) -> (&'static str, &'static str) {
+        self.key.rsplit_once('.').unwrap_or(("", self.key))
+    }
+}
+
+/// A row: key, the field it is a view of, unit, bounds, meaning.
+macro_rules! row {
+    ($c:ident, $key:expr, $place:expr, $unit:ident, $bounds:expr, $doc:expr) => {
+        $crate::table::Setting {
+            key: $key,
+            unit: $crate::table::Unit::$unit,
+            bounds: $bounds,
+            doc: $doc,
+            get: |$c| $crate::table::plain::Plain::value(&$place),
+            put: |$c, value| $crate::table::plain::Plain::put(&mut $place, value),
+        }
+    };
+}
+use row;

@@ -1,0 +1,676 @@
+//! What part files see: the settings of the V commands and the models of motion.
+
+use super::Bounds::{Any, NotNegative, Positive, PositiveOrInfinite, Range};
+use super::plain::Plain;
+use super::{Area, Setting, Unit, row};
+use crate::settings::Configuration;
+use crate::value::Value;
+use kerf_program::{Axes, Dynamics};
+
+/// In the order of a file: units first, since lengths of rotary axes follow them.
+pub(super) const AREAS: &[Area] = &[
+    Area { title: "Units and axes", manual: "command reference, VU, VD", rows: GENERAL },
+    Area { title: "Speeds", manual: "command reference, VS", rows: SPEEDS },
+    Area { title: "Ramps", manual: "command reference, VR", rows: RAMPS },
+    Area { title: "Table limits", manual: "command reference, VL", rows: LIMITS },
+    Area { title: "Modes of switches", manual: "command reference, VN", rows: IO },
+    Area { title: "Steps", manual: "command reference, VU", rows: STEPS },
+    Area { title: "What the axes can do", manual: "Profiler, Axis Parameters", rows: DYNAMICS },
+    Area {
+        title: "Smoothing and cutting speed",
+        manual: "Profiler, Tool Path Smoothing",
+        rows: SMOOTHING,
+    },
+    Area { title: "Cutter", manual: "command reference, VC", rows: CUTTER },
+    Area { title: "Tabs", manual: "command reference, VB", rows: TABS },
+    Area { title: "Torch, laser and heater", manual: "command reference, VH", rows: TORCH },
+    Area { title: "Driver", manual: "command reference, VI", rows: DRIVER },
+    Area { title: "Preview", manual: "command reference, VP", rows: VIEW },
+    Area { title: "Display", manual: "command reference, VD", rows: DISPLAY },
+];
+
+const GENERAL: &[Setting] = &[
+    Setting {
+        key: "units",
+        unit: Unit::None,
+        bounds: Any,
+        doc: "What you read and write lengths in: in or mm. Numbers in this file stay millimetres.",
+        get: |c| c.program.linear_unit.value(),
+        put: |c, value| {
+            let mut unit = c.program.linear_unit;
+            unit.put(value)?;
+            c.program.use_linear_unit(unit);
+            Ok(())
+        },
+    },
+    row!(c, "axes", c.program.axis_count, None, Range(1.0, 6.0), "How many axes there are."),
+    row!(
+        c,
+        "rotary",
+        c.program.rotary_units,
+        None,
+        Any,
+        "What A, B and C are measured in: in, mm or deg."
+    ),
+    row!(
+        c,
+        "warning_s",
+        c.program.warning_s,
+        Seconds,
+        NotNegative,
+        "Warning before motion starts (SW)."
+    ),
+    row!(
+        c,
+        "ask_spindle",
+        c.program.ask_spindle,
+        None,
+        Any,
+        "Starting the spindle from a program asks the operator first."
+    ),
+    row!(
+        c,
+        "stack_limit",
+        c.program.stack_limit,
+        None,
+        Range(1.0, u32::MAX as f64),
+        "Moves read before the tool pulls up and the rest is read; none for no limit."
+    ),
+    row!(
+        c,
+        "motion",
+        c.program.ramp_model,
+        None,
+        Any,
+        "The model of motion: shopbot (ramps of VR), profiler (smoothed sections) or optimal; none for optimal where it is known what the axes can do, else shopbot."
+    ),
+];
+
+const SPEEDS: &[Setting] = &[
+    row!(
+        c,
+        "speeds.cut.xy",
+        c.program.speeds.cut.xy,
+        MmPerS,
+        Positive,
+        "Speed of moves in X and Y together."
+    ),
+    row!(c, "speeds.cut.z", c.program.speeds.cut.z, MmPerS, Positive, "Speed of moves in Z."),
+    row!(c, "speeds.cut.a", c.program.speeds.cut.a, AxisSpeed, Positive, "Speed of moves in A."),
+    row!(c, "speeds.cut.b", c.program.speeds.cut.b, AxisSpeed, Positive, "Speed of moves in B."),
+    row!(c, "speeds.cut.c", c.program.speeds.cut.c, AxisSpeed, Positive, "Speed of moves in C."),
+    row!(
+        c,
+        "speeds.jog.xy",
+        c.program.speeds.jog.xy,
+        MmPerS,
+        Positive,
+        "Speed of jogs in X and Y together."
+    ),
+    row!(c, "speeds.jog.z", c.program.speeds.jog.z, MmPerS, Positive, "Speed of jogs in Z."),
+    row!(c, "speeds.jog.a", c.program.speeds.jog.a, AxisSpeed, Positive, "Speed of jogs in A."),
+    row!(c, "speeds.jog.b", c.program.speeds.jog.b, AxisSpeed, Positive, "Speed of jogs in B."),
+    row!(c, "speeds.jog.c", c.program.speeds.jog.c, AxisSpeed, Positive, "Speed of jogs in C."),
+];
+
+const RAMPS: &[Setting] = &[
+    row!(
+        c,
+        "ramps.cut.xy",
+        c.program.ramps.cut.xy,
+        MmPerS,
+        NotNegative,
+        "Speed at which moves in X and Y begin and end."
+    ),
+    row!(c, "ramps.cut.z", c.program.ramps.cut.z, MmPerS, NotNegative, "The same in Z."),
+    row!(c, "ramps.cut.a", c.program.ramps.cut.a, AxisSpeed, NotNegative, "The same in A."),
+    row!(c, "ramps.cut.b", c.program.ramps.cut.b, AxisSpeed, NotNegative, "The same in B."),
+    row!(c, "ramps.cut.c", c.program.ramps.cut.c, AxisSpeed, NotNegative, "The same in C."),
+    row!(
+        c,
+        "ramps.jog.xy",
+        c.program.ramps.jog.xy,
+        MmPerS,
+        NotNegative,
+        "Speed at which jogs in X and Y begin and end."
+    ),
+    row!(c, "ramps.jog.z", c.program.ramps.jog.z, MmPerS, NotNegative, "The same in Z."),
+    row!(c, "ramps.jog.a", c.program.ramps.jog.a, AxisSpeed, NotNegative, "The same in A."),
+    row!(c, "ramps.jog.b", c.program.ramps.jog.b, AxisSpeed, NotNegative, "The same in B."),
+    row!(c, "ramps.jog.c", c.program.ramps.jog.c, AxisSpeed, NotNegative, "The same in C."),
+    row!(
+        c,
+        "ramps.cut_rate_mm",
+        c.program.ramps.cut_rate_mm,
+        Mm,
+        Positive,
+        "Way in which a move gains 2 in/s above its ramp speed."
+    ),
+    row!(c, "ramps.jog_rate_mm", c.program.ramps.jog_rate_mm, Mm, Positive, "The same for jogs."),
+    row!(
+        c,
+        "ramps.threshold_3d_percent",
+        c.program.ramps.threshold_3d_percent,
+        Percent,
+        NotNegative,
+        "How sharp a corner in 3D has to be to be ramped."
+    ),
+    row!(
+        c,
+        "ramps.min_distance_mm",
+        c.program.ramps.min_distance_mm,
+        Mm,
+        NotNegative,
+        "Path over which changes of direction are summed."
+    ),
+    row!(
+        c,
+        "ramps.slow_corner_percent",
+        c.program.ramps.slow_corner_percent,
+        Percent,
+        NotNegative,
+        "Speed at a corner that just counts, of the speed of the move."
+    ),
+    row!(
+        c,
+        "ramps.keypad_rate_mm",
+        c.program.ramps.keypad_rate_mm,
+        Mm,
+        Positive,
+        "Ramp rate in keypad mode."
+    ),
+    row!(
+        c,
+        "ramps.small_circle_mm",
+        c.program.ramps.small_circle_mm,
+        Mm,
+        NotNegative,
+        "Circles of a smaller diameter run at ramp speed."
+    ),
+];
+
+const LIMITS: &[Setting] = &[
+    row!(
+        c,
+        "limits.low",
+        c.program.limits.low,
+        AxisLength,
+        Any,
+        "Lowest location of X, Y, Z, A, B, C in base coordinates."
+    ),
+    row!(
+        c,
+        "limits.high",
+        c.program.limits.high,
+        AxisLength,
+        Any,
+        "Highest location of each axis."
+    ),
+    row!(
+        c,
+        "limits.check",
+        c.program.limits.check,
+        None,
+        Any,
+        "Whether moves that leave the limits are refused."
+    ),
+];
+
+const IO: &[Setting] = &[
+    row!(c, "io.limits_active", c.program.io.limits_active, None, Any, "Limit inputs stop motion."),
+    row!(
+        c,
+        "io.input4_normally_open",
+        c.program.io.input4_normally_open,
+        None,
+        Any,
+        "Input 4 is a normally open stop."
+    ),
+    row!(
+        c,
+        "io.analog",
+        c.program.io.analog,
+        None,
+        Range(0.0, 5.0),
+        "0 none, 1 torch, 2 laser, 3 analog 1, 4 analog 2, 5 both."
+    ),
+    row!(
+        c,
+        "io.inputs",
+        c.program.io.inputs,
+        None,
+        Range(0.0, 4.0),
+        "Mode of each input: 0 standard, 1 NO limit, 2 NC limit, 3 NO stop, 4 NC stop."
+    ),
+    row!(
+        c,
+        "io.outputs",
+        c.program.io.outputs,
+        None,
+        Range(0.0, 5.0),
+        "Mode of each output, as VN lists them."
+    ),
+    row!(c, "io.output4", c.program.io.output4, None, Range(-4.0, -1.0), "Mode of output 4."),
+    row!(
+        c,
+        "io.interlock",
+        c.program.io.interlock,
+        None,
+        Range(1.0, 12.0),
+        "The input that is ON while the enclosure is open."
+    ),
+];
+
+const STEPS: &[Setting] = &[
+    row!(
+        c,
+        "steps.per_unit",
+        c.program.resolution.steps_per_unit,
+        StepsPerUnit,
+        Positive,
+        "Steps of each axis."
+    ),
+    row!(
+        c,
+        "steps.multipliers",
+        c.program.resolution.multipliers,
+        None,
+        Range(1.0, 255.0),
+        "Resolution multipliers during jogs."
+    ),
+    row!(
+        c,
+        "steps.divider",
+        c.program.resolution.divider,
+        None,
+        Range(1.0, 100.0),
+        "Step interval divider."
+    ),
+    row!(
+        c,
+        "steps.no_shift",
+        c.program.resolution.no_shift,
+        None,
+        Any,
+        "Resolution shifting is disabled; jogs reach 16 in/s at most."
+    ),
+    row!(
+        c,
+        "steps.circle_mm",
+        c.program.resolution.circle_mm,
+        Mm,
+        Positive,
+        "Length of the segments of circles."
+    ),
+];
+
+/// `none` anywhere says that nothing is known; a value where nothing was known brings usual ones.
+macro_rules! dynamics_row {
+    ($key:literal, $d:ident, $place:expr, $unit:ident, $bounds:expr, $doc:literal) => {
+        Setting {
+            key: $key,
+            unit: Unit::$unit,
+            bounds: $bounds,
+            doc: $doc,
+            get: |c| c.program.dynamics.as_ref().map_or_else(Value::none, |$d| $place.value()),
+            put: |c, value| with_dynamics(c, value, |$d| $place.put(value)),
+        }
+    };
+}
+
+const DYNAMICS: &[Setting] = &[
+    dynamics_row!(
+        "dynamics.speed_mm_s",
+        d,
+        d.speed_mm_s,
+        AxisSpeed,
+        Positive,
+        "Highest speed of each axis: X, Y, Z, A, B, C (w). none when it is not known."
+    ),
+    dynamics_row!(
+        "dynamics.accel_mm_s2",
+        d,
+        d.accel_mm_s2,
+        AxisAccel,
+        Positive,
+        "Highest acceleration of each axis."
+    ),
+    Setting {
+        key: "dynamics.jerk_mm_s3",
+        unit: Unit::AxisJerk,
+        bounds: PositiveOrInfinite,
+        doc: "Highest jerk of each axis; none leaves it free.",
+        get: |c| {
+            c.program.dynamics.and_then(|d| d.jerk_mm_s3).map_or_else(Value::none, |j| j.value())
+        },
+        put: put_jerk,
+    },
+    dynamics_row!(
+        "dynamics.tolerance_mm",
+        d,
+        d.tolerance_mm,
+        Mm,
+        NotNegative,
+        "How far the path may leave the programmed one."
+    ),
+];
+
+fn with_dynamics(
+    c: &mut Configuration,
+    value: &Value,
+    put: impl FnOnce(&mut Dynamics) -> Result<(), String>,
+) -> Result<(), String> {
+    if value.is_none() {
+        c.program.dynamics = None;
+        return Ok(());
+    }
+    let mut dynamics = c.program.axis_dynamics();
+    put(&mut dynamics).map_err(|wanted| format!("{wanted}, or none"))?;
+    c.program.dynamics = Some(dynamics);
+    Ok(())
+}
+
+fn put_jerk(c: &mut Configuration, value: &Value) -> Result<(), String> {
+    if value.is_none() {
+        c.program.dynamics.iter_mut().for_each(|d| d.jerk_mm_s3 = None);
+        return Ok(());
+    }
+    with_dynamics(c, value, |d| {
+        let mut jerk = d.jerk_mm_s3.unwrap_or(Axes::splat(f64::INFINITY));
+        jerk.put(value)?;
+        d.jerk_mm_s3 = Some(jerk);
+        Ok(())
+    })
+}
+
+const SMOOTHING: &[Setting] = &[
+    row!(
+        c,
+        "smoothing.factor",
+        c.program.smoothing.factor,
+        None,
+        NotNegative,
+        "A smooth curve may leave the segments by so many tenths of a millimetre; 0 for no smoothing."
+    ),
+    row!(
+        c,
+        "smoothing.stop_angle_deg",
+        c.program.smoothing.stop_angle_deg,
+        Degrees,
+        Range(0.0, 180.0),
+        "Corners that turn by less are passed without slowing."
+    ),
+    row!(
+        c,
+        "smoothing.centripetal_percent",
+        c.program.smoothing.centripetal_percent,
+        Percent,
+        Range(1.0, 100.0),
+        "Acceleration in curves, of the lesser of X's and Y's."
+    ),
+    row!(
+        c,
+        "smoothing.cut_speed_mm_s",
+        c.program.smoothing.cut_speed_mm_s,
+        MmPerS,
+        Positive,
+        "The machine's highest cutting speed along X; none for that of the X axis."
+    ),
+    row!(
+        c,
+        "smoothing.y_factor",
+        c.program.smoothing.y_factor,
+        None,
+        Positive,
+        "The highest cutting speed along Y is so many times that along X."
+    ),
+];
+
+const CUTTER: &[Setting] = &[
+    row!(
+        c,
+        "cutter.diameter_mm",
+        c.program.cutter.diameter_mm,
+        Mm,
+        Positive,
+        "Diameter of the cutter."
+    ),
+    row!(
+        c,
+        "cutter.safe_z_mm",
+        c.program.cutter.safe_z_mm,
+        Mm,
+        Any,
+        "Height for MH, JH and travel; none when turned off."
+    ),
+    row!(
+        c,
+        "cutter.safe_a_mm",
+        c.program.cutter.safe_a_mm,
+        Mm,
+        Any,
+        "Height of the A axis for MH and JH."
+    ),
+    row!(
+        c,
+        "cutter.plunge",
+        c.program.cutter.plunge,
+        None,
+        Any,
+        "The sign of a plunge that goes down: minus or plus."
+    ),
+    row!(
+        c,
+        "cutter.pocket_overlap_percent",
+        c.program.cutter.pocket_overlap_percent,
+        Percent,
+        Range(0.0, 100.0),
+        "Overlap of pocket rings."
+    ),
+    row!(
+        c,
+        "cutter.trigger.on_at_mm",
+        c.program.cutter.trigger.on_at_mm,
+        Mm,
+        Any,
+        "The triggered output goes ON when this location is passed downwards."
+    ),
+    row!(
+        c,
+        "cutter.trigger.off_at_mm",
+        c.program.cutter.trigger.off_at_mm,
+        Mm,
+        Any,
+        "It goes OFF when this location is passed upwards."
+    ),
+    row!(
+        c,
+        "cutter.trigger.axis",
+        c.program.cutter.trigger.axis,
+        None,
+        Any,
+        "The axis that triggers: z or a."
+    ),
+    row!(
+        c,
+        "cutter.trigger.output",
+        c.program.cutter.trigger.output,
+        None,
+        Range(1.0, 12.0),
+        "The triggered output."
+    ),
+];
+
+const TABS: &[Setting] = &[
+    row!(c, "tabs.up_mm", c.program.tabs.up_mm, Mm, NotNegative, "Thickness of a tab."),
+    row!(c, "tabs.next_mm", c.program.tabs.next_mm, Mm, Positive, "Path between tabs."),
+    row!(c, "tabs.size_mm", c.program.tabs.size_mm, Mm, NotNegative, "Length of the flat top."),
+    row!(
+        c,
+        "tabs.lead_mm",
+        c.program.tabs.lead_mm,
+        Mm,
+        NotNegative,
+        "Length of each incline along the path."
+    ),
+    row!(
+        c,
+        "tabs.count",
+        c.program.tabs.count,
+        None,
+        Range(0.0, u32::MAX as f64),
+        "Insert so many, then stop."
+    ),
+    row!(
+        c,
+        "tabs.start_mm",
+        c.program.tabs.start_mm,
+        Mm,
+        NotNegative,
+        "Path to the first tab; none for next_mm."
+    ),
+];
+
+const TORCH: &[Setting] = &[
+    row!(c, "torch.on", c.program.height.on, None, Any, "On or off."),
+    row!(
+        c,
+        "torch.rate",
+        c.program.height.rate,
+        None,
+        NotNegative,
+        "Share of the XY speed used for Z."
+    ),
+    row!(
+        c,
+        "torch.low_percent",
+        c.program.height.low_percent,
+        Percent,
+        Range(0.0, 100.0),
+        "Pulse width at rest."
+    ),
+    row!(
+        c,
+        "torch.high_percent",
+        c.program.height.high_percent,
+        Percent,
+        Range(0.0, 100.0),
+        "Pulse width at full speed."
+    ),
+    row!(
+        c,
+        "torch.frequency_khz",
+        c.program.height.frequency_khz,
+        KHz,
+        Positive,
+        "Pulse frequency."
+    ),
+    row!(
+        c,
+        "torch.low_cycle",
+        c.program.height.low_cycle,
+        None,
+        Range(1.0, 10.0),
+        "Low cycle time."
+    ),
+    row!(
+        c,
+        "torch.temperature",
+        c.program.height.temperature,
+        None,
+        Any,
+        "Set temperature of the heater."
+    ),
+];
+
+const DRIVER: &[Setting] = &[
+    row!(c, "driver.port", c.program.driver.port, None, Range(1.0, 16.0), "Port slot."),
+    row!(
+        c,
+        "driver.channels",
+        c.program.driver.channels,
+        None,
+        Any,
+        "Axis of each driver channel: x, y, z, a, b, w (axis C)."
+    ),
+    row!(
+        c,
+        "driver.speed_code",
+        c.program.driver.speed_code,
+        None,
+        Range(2.0, 5.0),
+        "2 115.2, 3 230.4, 4 460.8, 5 921.6 kbaud."
+    ),
+    row!(c, "driver.enabled", c.program.driver.enabled, None, Any, "Steps and outputs are given."),
+];
+
+const VIEW: &[Setting] = &[
+    row!(c, "view.grid_mm", c.program.view.grid_mm, Mm, Positive, "Line spacing of the grid."),
+    row!(
+        c,
+        "view.table_mm",
+        c.program.view.table_mm,
+        Mm,
+        NotNegative,
+        "Size of the table: X, Y, Z."
+    ),
+    row!(c, "view.simulate", c.program.view.simulate, None, Any, "Animate cutting."),
+    row!(c, "view.draw_tool", c.program.view.draw_tool, None, Any, "Draw the cutter."),
+    row!(
+        c,
+        "view.start_actual",
+        c.program.view.start_actual,
+        None,
+        Any,
+        "Start at the tool's location, else at 0,0."
+    ),
+    row!(c, "view.show_jogs", c.program.view.show_jogs, None, Any, "Draw jogs."),
+];
+
+const DISPLAY: &[Setting] = &[
+    row!(c, "display.console", c.program.display.console, None, Any, "Show the control console."),
+    row!(
+        c,
+        "display.comments",
+        c.program.display.comments,
+        None,
+        Any,
+        "Show file comments in the message screen."
+    ),
+    row!(
+        c,
+        "display.keypad_fixed_mm",
+        c.program.display.keypad_fixed_mm,
+        Mm,
+        Positive,
+        "Distance of a tap on the keypad."
+    ),
+    row!(
+        c,
+        "display.keypad_remote",
+        c.program.display.keypad_remote,
+        None,
+        Range(0.0, 2.0),
+        "0 mouse, 1 pendant on inputs, 2 other."
+    ),
+    row!(c, "display.part_log", c.program.display.part_log, None, Any, "Write the part file log."),
+    row!(c, "display.system_log", c.program.display.system_log, None, Any, "Write the system log."),
+    row!(
+        c,
+        "display.message_twips",
+        c.program.display.message_twips,
+        Twips,
+        Any,
+        "Message screen: X, Y, width, height."
+    ),
+    row!(
+        c,
+        "display.keypad_auto_off",
+        c.program.display.keypad_auto_off,
+        None,
+        Any,
+        "Turn outputs off when the keypad closes."
+    ),
+    row!(c, "display.progress", c.program.display.progress, None, Any, "Show file progress."),
+    row!(c, "display.easy", c.program.display.easy, None, Any, "The EASY interface, else FULL."),
+];

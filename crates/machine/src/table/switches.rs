@@ -1,0 +1,179 @@
+//! Inputs, the emergency stop, jobs, and what else there is.
+
+use super::Bounds::{Any, NotNegative, Range};
+use super::{Area, Setting, row};
+
+pub(super) const AREAS: &[Area] = &[
+    Area { title: "Inputs", manual: "Profiler, Hardware Input and Output", rows: INPUTS },
+    Area { title: "Emergency stop", manual: "Profiler, Emergency Stopping", rows: ESTOP },
+    Area { title: "Jobs", manual: "Profiler, Machining the Job", rows: JOB },
+    Area {
+        title: "Miscellaneous",
+        manual: "Profiler, Miscellaneous Configuration Options",
+        rows: MISC,
+    },
+    Area {
+        title: "Options of the program",
+        manual: "Profiler, General Options, Communication",
+        rows: OPTIONS,
+    },
+];
+
+const INPUTS: &[Setting] = &[
+    row!(
+        c,
+        "ports.card",
+        c.io.card,
+        None,
+        Any,
+        "How inputs are wired: none, pci (active when grounded) or io (active when positive)."
+    ),
+    row!(
+        c,
+        "ports.invert_a",
+        c.io.invert_a,
+        None,
+        Any,
+        "Inputs A0 to A7 whose level is turned round."
+    ),
+    row!(
+        c,
+        "ports.invert_b",
+        c.io.invert_b,
+        None,
+        Any,
+        "Inputs B0 to B7 whose level is turned round."
+    ),
+];
+
+const ESTOP: &[Setting] = &[row!(
+    c,
+    "estop.active",
+    c.estop.active,
+    None,
+    Any,
+    "The level that stops: 1, or 0 so that a broken wire stops too."
+)];
+
+const JOB: &[Setting] = &[
+    row!(
+        c,
+        "job.change_origin_at_start",
+        c.job.change_origin_at_start,
+        None,
+        Any,
+        "Each Start takes the present position as job origin."
+    ),
+    row!(
+        c,
+        "job.repeats",
+        c.job.repeats,
+        None,
+        Range(1.0, u32::MAX as f64),
+        "How often a job is cut."
+    ),
+    row!(
+        c,
+        "job.external_start",
+        c.job.external_start,
+        None,
+        Any,
+        "The input shared with W home starts jobs, or is the door that must be shut."
+    ),
+    row!(c, "job.two_jigs", c.job.two_jigs, None, Any, "Two jigs with a start input each."),
+    row!(
+        c,
+        "job.divider_mm",
+        c.job.divider_mm,
+        Mm,
+        Any,
+        "What lies left of this X from machine home is jig 1."
+    ),
+];
+
+const MISC: &[Setting] = &[
+    row!(
+        c,
+        "misc.double_start",
+        c.misc.double_start,
+        None,
+        Any,
+        "The first Start prepares and waits, the second cuts."
+    ),
+    row!(
+        c,
+        "misc.tangential",
+        c.misc.tangential,
+        None,
+        Any,
+        "The w axis keeps the tool along the path."
+    ),
+    row!(
+        c,
+        "misc.runtime_drawing",
+        c.misc.runtime_drawing,
+        None,
+        Range(0.0, 10.0),
+        "Live drawing: 0 never in motion, 10 always, n up to n tenths of the highest speed."
+    ),
+];
+
+const OPTIONS: &[Setting] = &[
+    row!(c, "options.devices", c.options.devices, None, Any, "Devices of the serial ports 1 to 4."),
+    row!(
+        c,
+        "options.console_port",
+        c.options.console_port,
+        None,
+        Range(1.0, 4.0),
+        "Serial port of the hand console."
+    ),
+    row!(
+        c,
+        "options.console_baud",
+        c.options.console_baud,
+        Baud,
+        Range(2400.0, 2400.0),
+        "Its speed."
+    ),
+    row!(
+        c,
+        "options.send_port",
+        c.options.send_port,
+        None,
+        Range(1.0, 4.0),
+        "Serial port of file sending."
+    ),
+    row!(
+        c,
+        "options.password",
+        c.options.password,
+        None,
+        Any,
+        "Salted hash of the password that changing settings needs."
+    ),
+    row!(
+        c,
+        "options.filter_mm",
+        c.options.filter_mm,
+        Mm,
+        NotNegative,
+        "Vertices of paths nearer to each other than this are left out; 0 none."
+    ),
+    row!(
+        c,
+        "options.join_mm",
+        c.options.join_mm,
+        Mm,
+        NotNegative,
+        "Joining distance that is offered."
+    ),
+    row!(
+        c,
+        "options.pick_radius_px",
+        c.options.pick_radius_px,
+        Pixels,
+        Range(1.0, 50.0),
+        "Radius within which the mouse selects."
+    ),
+];
