@@ -1,0 +1,43 @@
+/**
+ * Everything a person can do, as data: menus, keys, the palette, the command line and tests share it.
+ *
+ * An action knows nothing of React and nothing of machines: it looks at a {@link World}, says whether
+ * it can be done now, and asks the server.
+ */
+
+import type { Link } from "../link/link";
+import type { Shown } from "../link/shown";
+import type { Screen } from "../app/screen";
+
+/** What actions look at and act on. */
+export interface World {
+  /** What the server last told. */
+  readonly shown: Shown;
+  /** Asks the server. */
+  readonly link: Link;
+  /** What this browser shows: route, theme, open sheets. */
+  readonly screen: Screen;
+}
+
+/** Where an action stands in menus. */
+export type Section = "machine" | "job" | "file" | "view" | "go" | "help";
+
+export interface Action {
+  readonly id: string;
+  readonly title: string;
+  readonly section: Section;
+  /** As `KeyboardEvent.key` with modifiers before it: `F10`, `Ctrl+K`. */
+  readonly keys?: readonly string[];
+  /** Also heard while somebody types into a field. */
+  readonly everywhere?: boolean;
+  /** Why it cannot be done now; nothing when it can. */
+  readonly refused?: (world: World) => string | undefined;
+  readonly run: (world: World) => void;
+}
+
+/** Does it unless it is refused; tells whether it did. */
+export function perform(action: Action, world: World): boolean {
+  if (action.refused?.(world) !== undefined) return false;
+  action.run(world);
+  return true;
+}

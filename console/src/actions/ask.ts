@@ -1,0 +1,34 @@
+/** Asks the server and tells the person what it refused. */
+
+import { leaseOf } from "../link/shown";
+import type { Act, Reply } from "../wire/wire";
+import type { World } from "./action";
+
+/** Asks; a refusal becomes a notice. Tells whether it was done. */
+export async function ask(world: World, act: Act): Promise<boolean> {
+  const { problem } = await world.link.ask(act);
+  if (problem) world.screen.tell(problem.text);
+  return problem === null;
+}
+
+/** An act of the driver: everything that carries the number of the lease. */
+type Driven = Extract<Act, { lease: number }>;
+type WithoutLease<A> = A extends Driven ? Omit<A, "lease"> : never;
+
+/** Asks as the driver; takes the lease before when nobody drives. */
+export async function drive(world: World, act: WithoutLease<Driven>): Promise<boolean> {
+  const lease = await leased(world);
+  return lease !== undefined && ask(world, { ...act, lease } as Driven);
+}
+
+/** The number of this page's lease; asks for one when nobody drives. */
+export async function leased(world: World): Promise<number | undefined> {
+  const held = leaseOf(world.link.shown.get());
+  if (held !== undefined) return held;
+  const { problem }: Reply = await world.link.ask({ do: "takeLease", force: false });
+  if (problem) {
+    world.screen.tell(problem.text);
+    return undefined;
+  }
+  return leaseOf(world.link.shown.get());
+}

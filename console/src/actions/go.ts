@@ -1,0 +1,67 @@
+/** Where to look: screens, sheets, themes, faces. */
+
+import { type Route, routes } from "../app/routes";
+import type { Sheet } from "../app/screen";
+import { themeNames, themes } from "../theme/theme";
+import type { Action } from "./action";
+
+const routeActions = routes.map(
+  ({ path, title }): Action => ({
+    id: `go.${title.toLowerCase()}`,
+    title: `Go to ${title}`,
+    section: "go",
+    run: ({ screen }) => screen.go(path satisfies Route),
+  }),
+);
+
+const sheetAction = (sheet: Sheet, title: string, keys: readonly string[]): Action => ({
+  id: `sheet.${sheet.kind}`,
+  title,
+  section: "go",
+  keys,
+  run: ({ screen }) => screen.open(sheet),
+});
+
+export const openFiles = sheetAction({ kind: "files" }, "Open a file", ["Ctrl+O"]);
+export const openKeypad = sheetAction({ kind: "keypad" }, "Keypad", ["k"]);
+export const openScratch = sheetAction({ kind: "scratch" }, "Scratch pad", ["i"]);
+export const openCalculator = sheetAction({ kind: "calculator" }, "Calculator", ["F10"]);
+export const openPalette: Action = {
+  ...sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]),
+  everywhere: true,
+};
+
+const themeActions = themes.map(
+  (theme): Action => ({
+    id: `theme.${theme}`,
+    title: `Theme: ${themeNames[theme]}`,
+    section: "view",
+    run: ({ screen }) => screen.wear(theme),
+  }),
+);
+
+const faceActions: readonly Action[] = [
+  {
+    id: "face.easy",
+    title: "Face: EASY, buttons only",
+    section: "view",
+    run: ({ screen }) => screen.face("easy"),
+  },
+  {
+    id: "face.full",
+    title: "Face: FULL, menus and command line",
+    section: "view",
+    run: ({ screen }) => screen.face("full"),
+  },
+];
+
+export const goActions: readonly Action[] = [
+  ...routeActions,
+  openFiles,
+  openKeypad,
+  openScratch,
+  openCalculator,
+  openPalette,
+  ...themeActions,
+  ...faceActions,
+];

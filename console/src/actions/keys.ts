@@ -1,0 +1,38 @@
+/** Which action a key means. */
+
+import type { Action } from "./action";
+
+/** The parts of a `KeyboardEvent` that tell which key it is. */
+export interface KeyPress {
+  readonly key: string;
+  readonly ctrlKey: boolean;
+  readonly altKey: boolean;
+  readonly metaKey: boolean;
+  readonly shiftKey: boolean;
+  readonly repeat: boolean;
+}
+
+/** `Ctrl+Shift+K`, `F10`, `i`: a letter alone is written small. */
+export function keyName(press: KeyPress): string {
+  const key = press.key === " " ? "Space" : press.key;
+  const letter = key.length === 1 ? key.toLowerCase() : key;
+  const shifted = press.shiftKey && (key.length > 1 || press.ctrlKey || press.metaKey);
+  const parts = [
+    press.ctrlKey || press.metaKey ? "Ctrl" : "",
+    press.altKey ? "Alt" : "",
+    shifted ? "Shift" : "",
+    press.ctrlKey || press.metaKey ? letter.toUpperCase() : letter,
+  ];
+  return parts.filter((part) => part !== "").join("+");
+}
+
+/** The action of a key. A held key means nothing: whatever it did is done already. */
+export function actionOfKey(
+  actions: readonly Action[],
+  press: KeyPress,
+  typing: boolean,
+): Action | undefined {
+  if (press.repeat) return undefined;
+  const name = keyName(press);
+  return actions.find((a) => a.keys?.includes(name) && (!typing || a.everywhere === true));
+}

@@ -1,0 +1,118 @@
+/** What the machine does: stop, hold, resume, arm, zero. */
+
+import type { Snapshot, State } from "../wire/wire";
+import type { Action, World } from "./action";
+import { ask, drive } from "./ask";
+
+const machineOf = ({ shown }: World) => shown.snapshot?.machine;
+
+/** Refused unless the machine is in one of these states. */
+export function unless(states: readonly State[], words: string) {
+  return (world: World): string | undefined => {
+    const machine = machineOf(world);
+    if (world.shown.status !== "open" || !machine) return "There is no link to the machine.";
+    return states.includes(machine.state) ? undefined : words;
+  };
+}
+
+const whenIdle = unless(["idle"], "The machine is busy.");
+
+/** Refused unless the machine stands, armed. */
+export function unlessReady(world: World): string | undefined {
+  return whenIdle(world) ?? (machineOf(world)?.armed ? undefined : "Arm the machine first.");
+}
+
+/** Never refused: a press of STOP is sent whatever the page believes. */
+export const stop: Action = {
+  id: "machine.stop",
+  title: "Stop",
+  section: "machine",
+  keys: ["Space"],
+  run: (world) => void ask(world, { do: "stop" }),
+};
+
+export const hold: Action = {
+  id: "machine.hold",
+  title: "Hold",
+  section: "machine",
+  keys: ["Ctrl+H"],
+  refused: unless(["running", "jogging"], "Nothing moves."),
+  run: (world) => void ask(world, { do: "hold" }),
+};
+
+export const resume: Action = {
+  id: "machine.resume",
+  title: "Resume",
+  section: "machine",
+  refused: unless(["held"], "Nothing is held."),
+  run: (world) => void drive(world, { do: "resume" }),
+};
+
+export const arm: Action = {
+  id: "machine.arm",
+  title: "Arm the machine",
+  section: "machine",
+  refused: (world) =>
+    whenIdle(world) ?? (machineOf(world)?.armed ? "It is armed." : undefined),
+  run: (world) => void drive(world, { do: "arm" }),
+};
+
+export const disarm: Action = {
+  id: "machine.disarm",
+  title: "Disarm the machine",
+  section: "machine",
+  refused: (world) => (machineOf(world)?.armed ? undefined : "It is not armed."),
+  run: (world) => void ask(world, { do: "disarm" }),
+};
+
+export const acknowledge: Action = {
+  id: "machine.acknowledge",
+  title: "Acknowledge the alarm",
+  section: "machine",
+  refused: unless(["alarm"], "There is no alarm."),
+  run: (world) => void ask(world, { do: "acknowledge" }),
+};
+
+export const takeControl: Action = {
+  id: "machine.take",
+  title: "Take control",
+  section: "machine",
+  refused: ({ shown }) =>
+    shown.snapshot?.lease?.client === shown.who?.client ? "You drive already." : undefined,
+  run: (world) => void ask(world, { do: "takeLease", force: true }),
+};
+
+/** A line of OpenSBP as an action. */
+export function command(id: string, title: string, line: string): Action {
+  return {
+    id,
+    title,
+    section: "machine",
+    refused: unlessReady,
+    run: (world) => void drive(world, { do: "command", line }),
+  };
+}
+
+export const zeroXY = command("machine.zero.xy", "Zero X and Y", "Z2");
+export const home = command("machine.home", "Go home", "JH");
+
+/** Zeroing of each axis, X to B. */
+export const zeroAxis: readonly Action[] = ["X", "Y", "Z", "A", "B"].map((letter) =>
+  command(`machine.zero.${letter.toLowerCase()}`, `Zero ${letter}`, `Z${letter}`),
+);
+
+/** What a machine that is disarmed, held or in alarm tells. */
+export const whyOf = (snapshot: Snapshot | null): string => snapshot?.machine.why ?? "";
+
+export const machineActions: readonly Action[] = [
+  stop,
+  hold,
+  resume,
+  arm,
+  disarm,
+  acknowledge,
+  takeControl,
+  home,
+  zeroXY,
+  ...zeroAxis,
+];

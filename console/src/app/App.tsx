@@ -1,0 +1,48 @@
+import { OperatorScreen } from "../operator/OperatorScreen";
+import "./app.css";
+import { type Hands, HandsContext, useScreen, useShown } from "./context";
+import { ComingScreen } from "./ComingScreen";
+import { Keys } from "./Keys";
+import { LostLink } from "./LostLink";
+import { Notices } from "./Notices";
+import { OpenSheet } from "./OpenSheet";
+import { QuestionDialog } from "../operator/QuestionDialog";
+import { TopStrip } from "./TopStrip";
+
+/** The strip with STOP, one screen, and what lies over it; the strip is never covered. */
+export function App({ hands }: { hands: Hands }) {
+  return (
+    <HandsContext value={hands}>
+      <Keys />
+      <TopStrip />
+      <Body />
+      <Notices />
+    </HandsContext>
+  );
+}
+
+function Body() {
+  const sheet = useScreen("sheet");
+  const asked = useShown((shown) => shown.snapshot?.asked);
+  const covered = sheet !== null || (asked !== null && asked !== undefined);
+  return (
+    <div className="body">
+      <main className="screen" inert={covered}>
+        <Route />
+      </main>
+      {sheet && <OpenSheet sheet={sheet} />}
+      {asked && <QuestionDialog key={asked.number} asked={asked} />}
+      <LostLink />
+    </div>
+  );
+}
+
+function Route() {
+  const route = useScreen("route");
+  switch (route) {
+    case "/":
+      return <OperatorScreen />;
+    default:
+      return <ComingScreen route={route} />;
+  }
+}

@@ -1,0 +1,21 @@
+import { Button } from "../ui/Button";
+import { useHands, useScreen } from "./context";
+import "./notices.css";
+
+/** What was just refused, and why. */
+export function Notices() {
+  const { screen } = useHands();
+  const notices = useScreen("notices");
+  return (
+    <div className="notices" role="status" aria-live="polite">
+      {notices.map(({ id, text }) => (
+        <div className="notice" key={id}>
+          <p>{text}</p>
+          <Button look="quiet" size="small" onPress={() => screen.dismiss(id)}>
+            Dismiss
+          </Button>
+        </div>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,12 @@
+import type { Sheet } from "./screen";
+import { FilePicker } from "../operator/FilePicker";
+
+/** The sheet that is open. */
+export function OpenSheet({ sheet }: { sheet: Sheet }) {
+  switch (sheet.kind) {
+    case "files":
+      return <FilePicker />;
+    default:
+      return null;
+  }
+}

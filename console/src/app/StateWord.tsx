@@ -1,0 +1,33 @@
+import type { State } from "../wire/wire";
+import { useShown } from "./context";
+import "./state-word.css";
+
+const words: Record<State, string> = {
+  idle: "Idle",
+  running: "Running",
+  jogging: "Jogging",
+  held: "Held",
+  asking: "Waiting for an answer",
+  stopped: "Stopped",
+  alarm: "Alarm",
+};
+
+/** What the machine is doing, and why it does not move. */
+export function StateWord() {
+  const status = useShown((shown) => shown.status);
+  const machine = useShown((shown) => shown.snapshot?.machine);
+  if (status !== "open" || !machine) return <Word tone="lost" word="No link" />;
+  const { state, armed, why } = machine;
+  const word = state === "idle" ? (armed ? "Ready" : "Disarmed") : words[state];
+  return <Word tone={state === "idle" && !armed ? "disarmed" : state} word={word} why={why} />;
+}
+
+function Word({ tone, word, why }: { tone: string; word: string; why?: string | null }) {
+  return (
+    <div className={`state state-${tone}`} role="status">
+      <span className="state-dot" aria-hidden="true" />
+      <strong>{word}</strong>
+      {why && <span className="state-why">{why}</span>}
+    </div>
+  );
+}

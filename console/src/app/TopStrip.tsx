@@ -1,0 +1,27 @@
+import { HoldButton } from "./HoldButton";
+import { LeaseChip } from "./LeaseChip";
+import { ModeChip } from "./ModeChip";
+import { Navigation } from "./Navigation";
+import { StateWord } from "./StateWord";
+import { StopButton } from "./StopButton";
+import "./top-strip.css";
+
+/**
+ * On every screen, above every dialog: what the machine is doing, hold, STOP.
+ *
+ * Libraries that hide the page behind an overlay leave a "top layer" alone.
+ */
+export function TopStrip() {
+  return (
+    <header className="strip" data-react-aria-top-layer="true">
+      <Navigation />
+      <ModeChip />
+      <StateWord />
+      <div className="strip-end">
+        <LeaseChip />
+        <HoldButton />
+        <StopButton />
+      </div>
+    </header>
+  );
+}

@@ -1,0 +1,17 @@
+/** The screens of the console and their addresses. */
+
+export const routes = [
+  { path: "/", title: "Operate" },
+  { path: "/edit", title: "Edit" },
+  { path: "/draw", title: "Draw" },
+  { path: "/settings", title: "Settings" },
+  { path: "/help", title: "Help" },
+] as const;
+
+export type Route = (typeof routes)[number]["path"];
+
+/** The route an address belongs to; unknown ones lead to the operator's screen. */
+export function routeOf(pathname: string): Route {
+  const [, first = ""] = pathname.split("/");
+  return routes.find((route) => route.path === `/${first}`)?.path ?? "/";
+}

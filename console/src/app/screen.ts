@@ -1,0 +1,91 @@
+/** What this browser shows and the server need not know: route, theme, face, open sheets. */
+
+import { createStore, type Store } from "./store";
+import { type Route, routeOf } from "./routes";
+import { type Theme, applyTheme, rememberedTheme } from "../theme/theme";
+
+/** What lies over the screen. Jobs' questions are not here: they belong to the server. */
+export type Sheet =
+  | { readonly kind: "files" }
+  | { readonly kind: "command"; readonly letters: string; readonly given: readonly string[] }
+  | { readonly kind: "keypad" }
+  | { readonly kind: "nudge" }
+  | { readonly kind: "calculator" }
+  | { readonly kind: "values" }
+  | { readonly kind: "recorder" }
+  | { readonly kind: "scratch" }
+  | { readonly kind: "palette" };
+
+export type Face = "easy" | "full";
+
+export interface ScreenState {
+  readonly route: Route;
+  readonly theme: Theme;
+  readonly face: Face;
+  readonly sheet: Sheet | null;
+  /** What the person has to know of what was just refused; the newest last. */
+  readonly notices: readonly Notice[];
+}
+
+export interface Notice {
+  readonly id: number;
+  readonly text: string;
+}
+
+export interface Screen extends Store<ScreenState> {
+  go(route: Route): void;
+  open(sheet: Sheet | null): void;
+  wear(theme: Theme): void;
+  face(face: Face): void;
+  /** Shows a notice for a while. */
+  tell(text: string): void;
+  dismiss(id: number): void;
+}
+
+/** How long a notice stays, milliseconds, and how many at once. */
+const noticeMs = 7000;
+const mostNotices = 3;
+
+const faceKey = "kerf.face";
+
+/** The state of this browser, kept in step with its address bar. */
+export function createScreen(): Screen {
+  const store = createStore<ScreenState>({
+    route: routeOf(location.pathname),
+    theme: rememberedTheme(),
+    face: localStorage.getItem(faceKey) === "full" ? "full" : "easy",
+    sheet: null,
+    notices: [],
+  });
+  let notices = 0;
+  applyTheme(store.get().theme);
+  addEventListener("popstate", () =>
+    store.update((now) => ({ ...now, route: routeOf(location.pathname) })),
+  );
+  return {
+    ...store,
+    go(route) {
+      if (route === store.get().route) return;
+      history.pushState(null, "", route);
+      store.update((now) => ({ ...now, route, sheet: null }));
+    },
+    open: (sheet) => store.update((now) => ({ ...now, sheet })),
+    wear(theme) {
+      applyTheme(theme);
+      store.update((now) => ({ ...now, theme }));
+    },
+    face(face) {
+      localStorage.setItem(faceKey, face);
+      store.update((now) => ({ ...now, face }));
+    },
+    tell(text) {
+      notices += 1;
+      const notice = { id: notices, text };
+      const dismissed = () => this.dismiss(notice.id);
+      store.update((now) => ({ ...now, notices: [...now.notices, notice].slice(-mostNotices) }));
+      setTimeout(dismissed, noticeMs);
+    },
+    dismiss: (id) =>
+      store.update((now) => ({ ...now, notices: now.notices.filter((n) => n.id !== id) })),
+  };
+}

@@ -1,0 +1,108 @@
+/**
+ * The one socket to the server: a snapshot, then changes; requests and their replies.
+ *
+ * A lost socket is opened anew; what was asked meanwhile is refused at once, never kept and sent
+ * later: a command that arrives late is worse than one that does not arrive.
+ */
+
+import type { Act, Reply, ToPage } from "../wire/wire";
+import { createStore, type Store } from "../app/store";
+import { fold } from "./fold";
+import { Requests } from "./requests";
+import { nothingShown, type Shown } from "./shown";
+
+export interface Link {
+  readonly shown: Store<Shown>;
+  /** Asks the server; a refusal is a reply with a problem, never an exception. */
+  ask(act: Act): Promise<Reply>;
+  close(): void;
+}
+
+const pingEveryMs = 1000;
+const firstRetryMs = 250;
+const lastRetryMs = 4000;
+
+class SocketLink implements Link {
+  readonly shown = createStore<Shown>(nothingShown);
+  readonly #address: string;
+  readonly #requests = new Requests();
+  #socket: WebSocket | undefined;
+  #retryMs = firstRetryMs;
+  #closed = false;
+  readonly #pings: ReturnType<typeof setInterval>;
+
+  constructor(address: string) {
+    this.#address = address;
+    this.#pings = setInterval(() => void this.#ping(), pingEveryMs);
+    this.#open();
+  }
+
+  ask(act: Act): Promise<Reply> {
+    const { request, reply } = this.#requests.make(act);
+    if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(request));
+    else this.#requests.lost();
+    return reply;
+  }
+
+  close(): void {
+    this.#closed = true;
+    clearInterval(this.#pings);
+    this.#socket?.close();
+  }
+
+  #open(): void {
+    const socket = new WebSocket(this.#address);
+    this.#socket = socket;
+    socket.addEventListener("message", ({ data }) => this.#hear(JSON.parse(String(data))));
+    socket.addEventListener("close", () => this.#lose());
+  }
+
+  #hear(told: ToPage): void {
+    switch (told.tell) {
+      case "snapshot":
+        this.#retryMs = firstRetryMs;
+        this.shown.update((now) => ({
+          ...now,
+          status: "open",
+          who: told.who,
+          snapshot: told.snapshot,
+        }));
+        break;
+      case "changes":
+        this.shown.update((now) =>
+          now.snapshot ? { ...now, snapshot: told.changes.reduce(fold, now.snapshot) } : now,
+        );
+        break;
+      case "reply":
+        this.#requests.answered(told);
+    }
+  }
+
+  #lose(): void {
+    this.#requests.lost();
+    this.shown.update((now) => ({
+      ...now,
+      status: now.snapshot ? "lost" : "opening",
+      roundTripMs: null,
+    }));
+    if (this.#closed) return;
+    setTimeout(() => this.#open(), this.#retryMs);
+    this.#retryMs = Math.min(this.#retryMs * 2, lastRetryMs);
+  }
+
+  async #ping(): Promise<void> {
+    if (this.#socket?.readyState !== WebSocket.OPEN) return;
+    const sent = performance.now();
+    const reply = await this.ask({ do: "ping" });
+    if (reply.problem) return;
+    const roundTripMs = performance.now() - sent;
+    this.shown.update((now) => ({ ...now, roundTripMs }));
+  }
+}
+
+/** Opens the link to a server. */
+export const openLink = (address: string): Link => new SocketLink(address);
+
+/** The address of the socket of the server this page came from. */
+export const socketAddress = ({ protocol, host }: Location): string =>
+  `${protocol === "https:" ? "wss" : "ws"}://${host}/ws`;

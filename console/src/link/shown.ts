@@ -1,0 +1,28 @@
+/** What the page knows of the server: the last snapshot and how the link is. */
+
+import type { Snapshot, Who } from "../wire/wire";
+
+/** `opening` before the first snapshot, `lost` when there was one and the socket is gone. */
+export type LinkStatus = "opening" | "open" | "lost";
+
+export interface Shown {
+  readonly status: LinkStatus;
+  readonly who: Who | null;
+  /** Nothing before the first one arrived; the last one while the link is lost. */
+  readonly snapshot: Snapshot | null;
+  /** How long the last ping took, milliseconds. */
+  readonly roundTripMs: number | null;
+}
+
+export const nothingShown: Shown = {
+  status: "opening",
+  who: null,
+  snapshot: null,
+  roundTripMs: null,
+};
+
+/** The number of the lease when this page drives. */
+export function leaseOf({ who, snapshot }: Shown): number | undefined {
+  const lease = snapshot?.lease;
+  return lease && who && lease.client === who.client ? lease.number : undefined;
+}

@@ -1,0 +1,20 @@
+import "@fontsource-variable/inter/wght.css";
+import "@fontsource-variable/jetbrains-mono/wght.css";
+import "./theme/tokens.css";
+import "./theme/base.css";
+import { StrictMode } from "react";
+import { createRoot } from "react-dom/client";
+import { App } from "./app/App";
+import { createScreen } from "./app/screen";
+import { openLink, socketAddress } from "./link/link";
+
+const hands = { link: openLink(socketAddress(location)), screen: createScreen() };
+
+const page = document.getElementById("page");
+if (page) {
+  createRoot(page).render(
+    <StrictMode>
+      <App hands={hands} />
+    </StrictMode>,
+  );
+}

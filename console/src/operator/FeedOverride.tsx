@@ -1,0 +1,39 @@
+import { useState } from "react";
+import { Label, Slider, SliderOutput, SliderThumb, SliderTrack } from "react-aria-components";
+import { drive } from "../actions/ask";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import "./feed-override.css";
+
+const usual = 100;
+
+/** The operator's share of the programmed speed. */
+export function FeedOverride() {
+  const hands = useHands();
+  const told = useSnapshot("overrides")?.feed ?? usual;
+  const [held, setHeld] = useState<number | null>(null);
+  const ask = (feed: number) => {
+    setHeld(null);
+    void drive(worldOf(hands), { do: "override", feed });
+  };
+  return (
+    <Slider
+      className="feed"
+      minValue={10}
+      maxValue={200}
+      step={5}
+      value={held ?? told}
+      onChange={setHeld}
+      onChangeEnd={ask}
+    >
+      <Label>Feed</Label>
+      <SliderOutput className="feed-value">{Math.round(held ?? told)} %</SliderOutput>
+      <SliderTrack className="feed-track">
+        <SliderThumb className="feed-thumb" />
+      </SliderTrack>
+      <Button size="small" isDisabled={told === usual} onPress={() => ask(usual)}>
+        100 %
+      </Button>
+    </Slider>
+  );
+}

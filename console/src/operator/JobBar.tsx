@@ -1,0 +1,72 @@
+import { useShown, useSnapshot } from "../app/context";
+import { acknowledge, arm } from "../actions/machine";
+import { start } from "../actions/job";
+import { durationText } from "../app/units";
+import { ActionButton } from "../ui/ActionButton";
+import { FeedOverride } from "./FeedOverride";
+import "./job-bar.css";
+
+/** How far the job is, how long it takes, and what starts it. */
+export function JobBar() {
+  return (
+    <section className="job panel" aria-label="Job">
+      <Progress />
+      <FeedOverride />
+      <StartButtons />
+    </section>
+  );
+}
+
+function Progress() {
+  const motion = useSnapshot("motion");
+  const opened = useSnapshot("opened");
+  const job = useSnapshot("job");
+  const runs = job !== null && job !== undefined && job.ended === null;
+  const part = runs ? (motion?.progress ?? 0) : job?.ended === "ok" ? 1 : 0;
+  const left = runs ? (motion?.remaining ?? 0) : (opened?.seconds ?? 0);
+  return (
+    <div className="job-progress">
+      <p className="job-name">
+        <strong>{opened?.name ?? job?.command ?? "No file open"}</strong>
+        <span>{outcome(job?.ended)}</span>
+      </p>
+      <progress value={part} max={1} aria-label="Progress" />
+      <p className="job-times">
+        <span>
+          <b>{Math.floor(part * 100)}</b> %
+        </span>
+        <span>
+          {runs ? "left " : "planned "}
+          <b className="job-left">{durationText(left)}</b>
+        </span>
+      </p>
+    </div>
+  );
+}
+
+const outcomes: Record<string, string> = {
+  ok: "finished",
+  ended: "ended by itself",
+  failed: "failed",
+  stopped: "stopped",
+  limit: "ended at a limit",
+};
+
+const outcome = (ended: string | null | undefined): string =>
+  ended ? (outcomes[ended] ?? ended) : "";
+
+/** One after the other in the same place: acknowledge, arm, start. */
+function StartButtons() {
+  const machine = useShown((shown) => shown.snapshot?.machine);
+  if (machine?.state === "alarm") {
+    return <ActionButton action={acknowledge} look="hold" size="large" className="job-start" />;
+  }
+  const disarmed = machine?.state === "idle" && !machine.armed;
+  return disarmed ? (
+    <ActionButton action={arm} look="primary" size="large" className="job-start">
+      Arm
+    </ActionButton>
+  ) : (
+    <ActionButton action={start} look="go" size="large" className="job-start" />
+  );
+}

@@ -1,0 +1,35 @@
+import { useScreen } from "../app/context";
+import { ToolPathPanel } from "../view/ToolPathPanel";
+import { EasyButtons } from "./EasyButtons";
+import { FullBar } from "./FullBar";
+import { JobBar } from "./JobBar";
+import { Lamps } from "./Lamps";
+import { ListingPanel } from "./ListingPanel";
+import { LocationDisplay } from "./LocationDisplay";
+import { StatusPanel } from "./StatusPanel";
+import { WordsPanel } from "./WordsPanel";
+import "./operator-screen.css";
+
+/** Everything needed while a machine runs, on one screen without scrolling. */
+export function OperatorScreen() {
+  const face = useScreen("face");
+  return (
+    <div className="operator">
+      <h1 className="hidden-text">Operate</h1>
+      <div className="operator-left">
+        <LocationDisplay />
+        <StatusPanel />
+        <Lamps />
+      </div>
+      <div className="operator-middle">
+        <ToolPathPanel />
+        <JobBar />
+      </div>
+      <div className="operator-right">
+        <ListingPanel />
+        <WordsPanel />
+      </div>
+      <div className="operator-foot">{face === "easy" ? <EasyButtons /> : <FullBar />}</div>
+    </div>
+  );
+}

@@ -1,0 +1,71 @@
+import { useState } from "react";
+import { ask } from "../actions/ask";
+import { useHands, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import type { Asked } from "../wire/wire";
+import "./question-dialog.css";
+
+const icons: Record<number, string> = { 16: "✖", 32: "?", 48: "!", 64: "i" };
+
+/**
+ * A question of the job. It belongs to the job and not to this page: any page may answer, and the
+ * dialog closes on all of them when the server says so.
+ */
+export function QuestionDialog({ asked }: { asked: Asked }) {
+  const [entry, setEntry] = useState(asked.prefill);
+  const hands = useHands();
+  const answer = (words: string) =>
+    void ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
+  const cancel = asked.buttons.find((word) => word.toLowerCase() === "cancel");
+  return (
+    <Sheet
+      title={asked.title || "The program asks"}
+      shape="question"
+      {...(cancel ? { onClose: () => answer(cancel) } : {})}
+      foot={<Answers asked={asked} entry={entry} answer={answer} />}
+    >
+      <form
+        className="question"
+        onSubmit={(event) => {
+          event.preventDefault();
+          answer(asked.entry ? entry : (asked.buttons[asked.default] ?? ""));
+        }}
+      >
+        {icons[asked.icon] && (
+          <span className={`question-icon question-icon-${asked.icon}`} aria-hidden="true">
+            {icons[asked.icon]}
+          </span>
+        )}
+        <p className="question-text">{asked.text}</p>
+        {asked.entry && <Field label="Answer" value={entry} onChange={setEntry} first />}
+      </form>
+      <p className="question-place">
+        {asked.file && `${asked.file}, line ${asked.line}`}
+      </p>
+    </Sheet>
+  );
+}
+
+interface AnswersProps {
+  asked: Asked;
+  entry: string;
+  answer: (words: string) => void;
+}
+
+/** The buttons of the question; a question without any has OK. */
+function Answers({ asked, entry, answer }: AnswersProps) {
+  const words = asked.buttons.length > 0 ? asked.buttons : ["OK"];
+  return words.map((word, n) => (
+    <Button
+      key={word}
+      size="large"
+      look={n === asked.default ? "primary" : "plain"}
+      autoFocus={n === asked.default && !asked.entry}
+      onPress={() => answer(asked.entry && n === asked.default ? entry : word)}
+    >
+      {word}
+    </Button>
+  ));
+}

@@ -1,0 +1,78 @@
+import { useState } from "react";
+import { clearPrinted } from "../actions/job";
+import { useSnapshot } from "../app/context";
+import { ActionButton } from "../ui/ActionButton";
+import { Choice } from "../ui/Choice";
+import { Panel } from "../ui/Panel";
+import { Tail } from "../ui/Tail";
+import "./words-panel.css";
+
+type Kind = "messages" | "printed" | "notes";
+
+const kinds: readonly { value: Kind; words: string }[] = [
+  { value: "messages", words: "Messages" },
+  { value: "printed", words: "Print" },
+  { value: "notes", words: "File" },
+];
+
+/** What the program and the machine say. */
+export function WordsPanel() {
+  const [kind, setKind] = useState<Kind>("messages");
+  return (
+    <Panel
+      title="Words"
+      className="words"
+      aside={<Choice label="What is shown" options={kinds} value={kind} onChange={setKind} />}
+    >
+      {kind === "messages" && <Messages />}
+      {kind === "printed" && <Printed />}
+      {kind === "notes" && <FileNotes />}
+    </Panel>
+  );
+}
+
+function Messages() {
+  const messages = useSnapshot("messages") ?? [];
+  return (
+    <Tail label="Messages" empty="Nothing to report." count={messages.length}>
+      {messages.map((message, n) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: messages have no name of their own
+        <p key={n} className={`word word-${message.tone}`}>
+          {message.text}
+        </p>
+      ))}
+    </Tail>
+  );
+}
+
+function Printed() {
+  const lines = useSnapshot("printed") ?? [];
+  return (
+    <>
+      <Tail label="Print window" empty="The program printed nothing." count={lines.length}>
+        <pre className="word-printed">{lines.join("\n")}</pre>
+      </Tail>
+      {lines.length > 0 && (
+        <ActionButton action={clearPrinted} look="quiet" size="small">
+          Empty
+        </ActionButton>
+      )}
+    </>
+  );
+}
+
+/** What the head of the file tells, and what is wrong with it. */
+function FileNotes() {
+  const opened = useSnapshot("opened");
+  if (!opened) return <p className="tail-empty">No file is open.</p>;
+  return (
+    <Tail label="About the file" empty="The file has no comments." count={opened.findings.length}>
+      {opened.header && <pre className="word-printed">{opened.header}</pre>}
+      {opened.findings.map((finding) => (
+        <p key={`${finding.code}${finding.line}${finding.column}`} className={`word word-${finding.level}`}>
+          Line {finding.line}: {finding.message} <em>{finding.hint}</em>
+        </p>
+      ))}
+    </Tail>
+  );
+}

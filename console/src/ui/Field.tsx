@@ -1,0 +1,52 @@
+import type { ReactNode } from "react";
+import {
+  FieldError,
+  Input,
+  Label,
+  Text,
+  TextField,
+  type TextFieldProps,
+} from "react-aria-components";
+import "./field.css";
+
+interface FieldProps extends Omit<TextFieldProps, "children"> {
+  label: string;
+  /** Stands behind the value: a unit. */
+  unit?: string;
+  hint?: ReactNode;
+  error?: string | undefined;
+  placeholder?: string;
+  /** Has the focus when its sheet opens. */
+  first?: boolean;
+}
+
+/** A labelled entry of one line. */
+export function Field({ label, unit, hint, error, placeholder, first, ...rest }: FieldProps) {
+  return (
+    <TextField {...rest} isInvalid={error !== undefined} className="field">
+      <Label className="field-label">
+        {label}
+        {rest.isRequired && (
+          <span className="field-required" title="has to be given">
+            *
+          </span>
+        )}
+      </Label>
+      <div className="field-box">
+        <Input
+          placeholder={placeholder}
+          data-first={first || undefined}
+          autoComplete="off"
+          spellCheck={false}
+        />
+        {unit && <span className="field-unit">{unit}</span>}
+      </div>
+      {hint && (
+        <Text slot="description" className="field-hint">
+          {hint}
+        </Text>
+      )}
+      <FieldError className="field-error">{error}</FieldError>
+    </TextField>
+  );
+}

@@ -1,0 +1,65 @@
+import { type KeyboardEvent, type ReactNode, useEffect, useId, useRef } from "react";
+import { Button } from "./Button";
+import "./sheet.css";
+
+interface SheetProps {
+  title: string;
+  /** Without it the sheet cannot be closed, only answered. */
+  onClose?: () => void;
+  /** `question` asks for an answer; `side` leaves the screen in sight. */
+  shape?: "middle" | "side" | "wide" | "question";
+  /** Stands below the contents and does not scroll. */
+  foot?: ReactNode;
+  children: ReactNode;
+}
+
+/**
+ * What lies over a screen. It covers the screen, never the strip with STOP: the screen behind is
+ * inert, so that Tab goes between the sheet and the strip only.
+ */
+export function Sheet({ title, onClose, shape = "middle", foot, children }: SheetProps) {
+  const name = useId();
+  const box = useFocusWithin();
+  const leave = (event: KeyboardEvent) => {
+    if (event.key !== "Escape" || !onClose || event.defaultPrevented) return;
+    event.stopPropagation();
+    onClose();
+  };
+  return (
+    <div className={`sheet-cover sheet-cover-${shape}`}>
+      <section
+        ref={box}
+        className={`sheet sheet-${shape}`}
+        role="dialog"
+        aria-labelledby={name}
+        tabIndex={-1}
+        onKeyDown={leave}
+      >
+        <header className="sheet-head">
+          <h2 id={name}>{title}</h2>
+          {onClose && (
+            <Button look="quiet" size="small" onPress={onClose} aria-label="Close">
+              ✕
+            </Button>
+          )}
+        </header>
+        <div className="sheet-body">{children}</div>
+        {foot && <footer className="sheet-foot">{foot}</footer>}
+      </section>
+    </div>
+  );
+}
+
+/** Moves the focus in when it opens, and back to where it was when it closes. */
+function useFocusWithin() {
+  const box = useRef<HTMLElement>(null);
+  useEffect(() => {
+    const before = document.activeElement;
+    const first = box.current?.querySelector<HTMLElement>("[data-first]");
+    if (!box.current?.contains(before)) (first ?? box.current)?.focus();
+    return () => {
+      if (before instanceof HTMLElement) setTimeout(() => before.focus());
+    };
+  }, []);
+  return box;
+}

@@ -1,0 +1,120 @@
+/**
+ * The picture of a tool path on a canvas.
+ *
+ * While it moves, the coarse path is drawn; when it stands, the whole of it, a piece a frame, so that
+ * no frame is long. Nothing is drawn when nothing changed.
+ */
+
+import { type Line, OrthographicCamera, Scene, WebGLRenderer } from "three";
+import type { Camera, Size } from "../camera";
+import type { ToolPath } from "../toolPath";
+import { type Palette, paletteOf } from "./palette";
+import { PathLines } from "./pathLines";
+import { PathMaterial } from "./pathMaterial";
+import { TableLines } from "./tableLines";
+
+/** How long the picture has to stand before all of it is drawn, milliseconds. */
+const stillMs = 160;
+/** Half the depth of what is seen, mm. */
+const farMm = 1e5;
+
+export class PathScene {
+  readonly #renderer: WebGLRenderer;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #eye = new OrthographicCamera();
+  readonly #ground = new Scene();
+  readonly #table = new TableLines();
+  readonly #material = new PathMaterial();
+  readonly #coarse = new PathLines(this.#material);
+  readonly #fine = new PathLines(this.#material);
+  /** Holds the one line that is being drawn. */
+  readonly #stage = new Scene();
+  #queue: readonly Line[] = [];
+  #frame = 0;
+  #still = 0;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.#canvas = canvas;
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.#renderer.autoClear = false;
+    this.#ground.add(this.#table.group);
+    this.paint();
+  }
+
+  /** Takes the colours of the theme over. */
+  paint(): Palette {
+    const palette = paletteOf(this.#canvas);
+    this.#renderer.setClearColor(palette.paper);
+    this.#table.paint(palette);
+    this.#material.paint(palette);
+    this.#moved();
+    return palette;
+  }
+
+  show(path: ToolPath | null): void {
+    this.#coarse.show(path?.coarse ?? []);
+    this.#fine.show(path?.fine ?? []);
+    if (path) {
+      this.#table.show(path.info);
+      const [low, high] = path.info.bounds ?? [];
+      const z = path.info.origin[2];
+      this.#material.heights = [(low?.[2] ?? 0) - z, (high?.[2] ?? 1) - z];
+    }
+    this.#moved();
+  }
+
+  /** Everything before this planned time is made. */
+  set now(seconds: number) {
+    this.#material.now = seconds;
+    this.#moved();
+  }
+
+  look(camera: Camera, size: Size): void {
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.#renderer.setSize(size.width, size.height, false);
+    const [x, y] = [(size.width * camera.mmPerPixel) / 2, (size.height * camera.mmPerPixel) / 2];
+    Object.assign(this.#eye, { left: -x, right: x, top: y, bottom: -y, near: -farMm, far: farMm });
+    this.#eye.position.set(...camera.target);
+    this.#eye.rotation.set(camera.tiltRad, 0, camera.yawRad, "ZXY");
+    this.#eye.updateProjectionMatrix();
+    this.#moved();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#still);
+    this.#coarse.clear();
+    this.#fine.clear();
+    this.#renderer.dispose();
+  }
+
+  /** Something is different: the swift picture at once, all of it when it stands. */
+  #moved(): void {
+    clearTimeout(this.#still);
+    const swift = this.#fine.lines.length <= 1;
+    this.#draw(swift ? this.#fine.lines : this.#coarse.lines);
+    if (!swift) this.#still = window.setTimeout(() => this.#draw(this.#fine.lines), stillMs);
+  }
+
+  #draw(lines: readonly Line[]): void {
+    this.#queue = lines;
+    cancelAnimationFrame(this.#frame);
+    this.#frame = requestAnimationFrame(() => {
+      this.#renderer.clear();
+      this.#renderer.render(this.#ground, this.#eye);
+      this.#next();
+    });
+  }
+
+  /** Draws one piece and asks for a frame for the rest. */
+  #next(): void {
+    const [line, ...rest] = this.#queue;
+    this.#queue = rest;
+    if (!line) return;
+    const home = line.parent;
+    this.#stage.add(line);
+    this.#renderer.render(this.#stage, this.#eye);
+    home?.add(line);
+    if (rest.length > 0) this.#frame = requestAnimationFrame(() => this.#next());
+  }
+}

@@ -1,0 +1,89 @@
+/** How a tool path is painted: what is made, what is still to be cut, jogs dashed, gaps not at all. */
+
+import { Color, GLSL3, RawShaderMaterial } from "three";
+import type { Palette } from "./palette";
+
+const vertexShader = `
+in vec3 position;
+in float kind;
+in float over;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
+// A segment has the kind and the time of the vertex that ends it.
+flat out float vKind;
+flat out float vOver;
+out float vHeight;
+void main() {
+  vKind = kind;
+  vOver = over;
+  vHeight = position.z;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+const fragmentShader = `
+precision highp float;
+uniform vec3 cutColour;
+uniform vec3 jogColour;
+uniform vec3 doneColour;
+uniform vec3 paper;
+uniform float now;
+uniform vec2 heights;
+flat in float vKind;
+flat in float vOver;
+in float vHeight;
+out vec4 colour;
+void main() {
+  if (vKind > 1.5) discard;
+  bool isJog = vKind < 0.5;
+  if (isJog && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0) > 5.0) discard;
+  float depth = clamp((heights.y - vHeight) / max(heights.y - heights.x, 1e-6), 0.0, 1.0);
+  vec3 ahead = isJog ? jogColour : mix(mix(paper, cutColour, 0.62), cutColour, depth);
+  bool made = vOver <= now;
+  colour = vec4(made ? (isJog ? mix(paper, jogColour, 0.45) : doneColour) : ahead, 1.0);
+}`;
+
+export class PathMaterial extends RawShaderMaterial {
+  constructor() {
+    super({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: {
+        cutColour: { value: new Color() },
+        jogColour: { value: new Color() },
+        doneColour: { value: new Color() },
+        paper: { value: new Color() },
+        now: { value: 0 },
+        heights: { value: [0, 1] },
+      },
+    });
+  }
+
+  /** Planned time up to which everything is made, seconds. */
+  set now(seconds: number) {
+    this.#uniform("now").value = seconds;
+  }
+
+  /** Least and greatest height of the cuts: deeper ones are stronger. */
+  set heights(range: readonly [number, number]) {
+    this.#uniform("heights").value = [...range];
+  }
+
+  paint(palette: Palette): void {
+    this.#uniform("cutColour").value = bare(palette.cut);
+    this.#uniform("jogColour").value = bare(palette.jog);
+    this.#uniform("doneColour").value = bare(palette.done);
+    this.#uniform("paper").value = bare(palette.paper);
+  }
+
+  #uniform(name: string): { value: unknown } {
+    const uniform = this.uniforms[name];
+    if (!uniform) throw new Error(`no uniform ${name}`);
+    return uniform;
+  }
+}
+
+/** A colour as it stands in the style sheet, not converted for lighting. */
+function bare(style: string): Color {
+  return new Color().setStyle(style).convertLinearToSRGB();
+}

@@ -1,0 +1,64 @@
+/**
+ * A tool path as it arrives: first coarse, so that there is a picture at once, then all of it.
+ *
+ * The coarse level stays: it is what is drawn while the picture moves and what places are looked up in.
+ */
+
+import { createStore, type Store } from "../app/store";
+import { getBytes, getJson } from "../link/http";
+import type { Detail, PreviewInfo } from "../wire/wire";
+import { type Piece, readPiece } from "./piece";
+
+/** Segments that are drawn many times a second on any computer. */
+const swift = 40_000;
+
+export interface ToolPath {
+  readonly info: PreviewInfo;
+  /** What is drawn while the picture moves. */
+  readonly coarse: readonly Piece[];
+  /** The whole path, piece by piece as it arrives; the coarse one when that is all there is. */
+  readonly fine: readonly Piece[];
+  readonly complete: boolean;
+}
+
+/** The finest level that is still swift; the coarsest when none is. */
+export function coarseLevel(details: readonly Detail[]): number {
+  const swiftOnes = details.findIndex(({ segments }) => segments <= swift);
+  return swiftOnes >= 0 ? swiftOnes : details.length - 1;
+}
+
+export interface Loading {
+  readonly path: Store<ToolPath | null>;
+  cancel(): void;
+}
+
+/** Loads the tool path of a preview. */
+export function loadToolPath(key: string): Loading {
+  const path = createStore<ToolPath | null>(null);
+  const abort = new AbortController();
+  load(key, path, abort.signal).catch((error: unknown) => {
+    if (!abort.signal.aborted) throw error;
+  });
+  return { path, cancel: () => abort.abort() };
+}
+
+async function load(key: string, path: Store<ToolPath | null>, signal: AbortSignal): Promise<void> {
+  const root = `/api/preview/${encodeURIComponent(key)}`;
+  const info = await getJson<PreviewInfo>(root, signal);
+  const level = coarseLevel(info.details);
+  const coarse: Piece[] = [];
+  for await (const piece of piecesOf(root, info, level, signal)) coarse.push(piece);
+  path.set({ info, coarse, fine: level === 0 ? coarse : [], complete: level === 0 });
+  if (level === 0) return;
+  for await (const piece of piecesOf(root, info, 0, signal)) {
+    path.update((now) => now && { ...now, fine: [...now.fine, piece] });
+  }
+  path.update((now) => now && { ...now, complete: true });
+}
+
+async function* piecesOf(root: string, info: PreviewInfo, level: number, signal: AbortSignal) {
+  const pieces = info.details[level]?.pieces ?? 0;
+  for (let n = 0; n < pieces; n += 1) {
+    yield readPiece(await getBytes(`${root}/${level}/${n}`, signal));
+  }
+}
