@@ -5,9 +5,9 @@
  * it can be done now, and asks the server.
  */
 
+import type { Screen } from "../app/screen";
 import type { Link } from "../link/link";
 import type { Shown } from "../link/shown";
-import type { Screen } from "../app/screen";
 
 /** What actions look at and act on. */
 export interface World {
@@ -33,6 +33,13 @@ export interface Action {
   /** Why it cannot be done now; nothing when it can. */
   readonly refused?: (world: World) => string | undefined;
   readonly run: (world: World) => void;
+}
+
+/** Does it, or tells the person why it cannot be done. */
+export function attempt(action: Action, world: World): void {
+  const why = action.refused?.(world);
+  if (why === undefined) action.run(world);
+  else world.screen.tell(why);
 }
 
 /** Does it unless it is refused; tells whether it did. */

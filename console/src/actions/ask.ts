@@ -1,7 +1,7 @@
 /** Asks the server and tells the person what it refused. */
 
 import { leaseOf } from "../link/shown";
-import type { Act, Reply } from "../wire/wire";
+import type { Act, Reply } from "../wire/messages";
 import type { World } from "./action";
 
 /** Asks; a refusal becomes a notice. Tells whether it was done. */

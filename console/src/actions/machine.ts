@@ -1,6 +1,6 @@
 /** What the machine does: stop, hold, resume, arm, zero. */
 
-import type { Snapshot, State } from "../wire/wire";
+import type { Snapshot, State } from "../wire/messages";
 import type { Action, World } from "./action";
 import { ask, drive } from "./ask";
 
@@ -52,8 +52,7 @@ export const arm: Action = {
   id: "machine.arm",
   title: "Arm the machine",
   section: "machine",
-  refused: (world) =>
-    whenIdle(world) ?? (machineOf(world)?.armed ? "It is armed." : undefined),
+  refused: (world) => whenIdle(world) ?? (machineOf(world)?.armed ? "It is armed." : undefined),
   run: (world) => void drive(world, { do: "arm" }),
 };
 

@@ -1,12 +1,12 @@
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
-import { type Hands, HandsContext, useScreen, useShown } from "./context";
+import { QuestionDialog } from "../operator/QuestionDialog";
 import { ComingScreen } from "./ComingScreen";
+import { type Hands, HandsContext, useScreen, useShown } from "./context";
 import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
-import { QuestionDialog } from "../operator/QuestionDialog";
 import { TopStrip } from "./TopStrip";
 
 /** The strip with STOP, one screen, and what lies over it; the strip is never covered. */

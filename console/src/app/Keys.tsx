@@ -11,7 +11,9 @@ const typingIn = (target: EventTarget | null): boolean =>
 
 /** Whether a key presses what has the focus. */
 const presses = (target: EventTarget | null, key: string): boolean =>
-  key === " " && target instanceof HTMLElement && target.closest("button, [role=button], a") !== null;
+  key === " " &&
+  target instanceof HTMLElement &&
+  target.closest("button, [role=button], a") !== null;
 
 /** Hears the keys of the whole page. */
 export function Keys() {

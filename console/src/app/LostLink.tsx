@@ -7,8 +7,8 @@ export function LostLink() {
   if (status !== "lost") return null;
   return (
     <div className="lost-link" role="alert">
-      <strong>No link to the machine.</strong> What is shown is old. A job goes on without this page;
-      use the stop button at the machine.
+      <strong>No link to the machine.</strong> What is shown is old. A job goes on without this
+      page; use the stop button at the machine.
     </div>
   );
 }

@@ -1,4 +1,4 @@
-import type { Mode } from "../wire/wire";
+import type { Mode } from "../wire/messages";
 import { useShown } from "./context";
 import "./mode-chip.css";
 

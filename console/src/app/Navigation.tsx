@@ -1,5 +1,5 @@
-import { routes } from "./routes";
 import { useHands, useScreen } from "./context";
+import { routes } from "./routes";
 import "./navigation.css";
 
 export function Navigation() {

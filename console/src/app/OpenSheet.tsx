@@ -1,5 +1,5 @@
-import type { Sheet } from "./screen";
 import { FilePicker } from "../operator/FilePicker";
+import type { Sheet } from "./screen";
 
 /** The sheet that is open. */
 export function OpenSheet({ sheet }: { sheet: Sheet }) {

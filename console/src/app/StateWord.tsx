@@ -1,4 +1,4 @@
-import type { State } from "../wire/wire";
+import type { State } from "../wire/messages";
 import { useShown } from "./context";
 import "./state-word.css";
 

@@ -5,7 +5,7 @@ import type { World } from "../actions/action";
 import type { Link } from "../link/link";
 import type { Shown } from "../link/shown";
 import { nothingShown } from "../link/shown";
-import type { Snapshot } from "../wire/wire";
+import type { Snapshot } from "../wire/messages";
 import type { Screen, ScreenState } from "./screen";
 
 export interface Hands {

@@ -1,8 +1,8 @@
 /** What this browser shows and the server need not know: route, theme, face, open sheets. */
 
-import { createStore, type Store } from "./store";
+import { applyTheme, rememberedTheme, type Theme } from "../theme/theme";
 import { type Route, routeOf } from "./routes";
-import { type Theme, applyTheme, rememberedTheme } from "../theme/theme";
+import { createStore, type Store } from "./store";
 
 /** What lies over the screen. Jobs' questions are not here: they belong to the server. */
 export type Sheet =

@@ -1,9 +1,14 @@
 import { describe, expect, it } from "vitest";
-import type { Units } from "../wire/wire";
+import type { Units } from "../wire/messages";
 import { durationText, lengthText, locationText, speedText, usedAxes } from "./units";
 
 const x = { letter: "X", unit: "in", scale: 25.4, used: true };
-const inches: Units = { linear: "in", mm: 25.4, axes: [x, { ...x, letter: "A", used: false }], absolute: true };
+const inches: Units = {
+  linear: "in",
+  mm: 25.4,
+  axes: [x, { ...x, letter: "A", used: false }],
+  absolute: true,
+};
 const millimetres: Units = { ...inches, linear: "mm", mm: 1 };
 
 describe("what a person reads", () => {
@@ -32,6 +37,5 @@ describe("what a person reads", () => {
     for (const [seconds, text] of cases) expect(durationText(seconds)).toBe(text);
   });
 
-  it("shows the axes there are", () =>
-    expect(usedAxes(inches).map(({ at }) => at)).toEqual([0]));
+  it("shows the axes there are", () => expect(usedAxes(inches).map(({ at }) => at)).toEqual([0]));
 });

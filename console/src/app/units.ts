@@ -4,7 +4,7 @@
  * Branded types keep the two apart: a number of the server is never shown without passing here.
  */
 
-import type { AxisUnits, Units } from "../wire/wire";
+import type { AxisUnits, Units } from "../wire/messages";
 
 /** Digits behind the point of a location, as the location display of the manual has them. */
 const decimals = 3;

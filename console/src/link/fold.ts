@@ -1,6 +1,6 @@
 /** Takes changes over into the snapshot, as `Snapshot::apply` of the server's wire crate does. */
 
-import type { Change, Snapshot } from "../wire/wire";
+import type { Change, Snapshot } from "../wire/messages";
 
 const mostPrinted = 1000;
 const mostMessages = 200;

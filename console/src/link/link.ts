@@ -5,8 +5,8 @@
  * later: a command that arrives late is worse than one that does not arrive.
  */
 
-import type { Act, Reply, ToPage } from "../wire/wire";
 import { createStore, type Store } from "../app/store";
+import type { Act, Reply, ToPage } from "../wire/messages";
 import { fold } from "./fold";
 import { Requests } from "./requests";
 import { nothingShown, type Shown } from "./shown";

@@ -1,6 +1,6 @@
 /** What the page knows of the server: the last snapshot and how the link is. */
 
-import type { Snapshot, Who } from "../wire/wire";
+import type { Snapshot, Who } from "../wire/messages";
 
 /** `opening` before the first snapshot, `lost` when there was one and the socket is gone. */
 export type LinkStatus = "opening" | "open" | "lost";

@@ -1,7 +1,7 @@
+import type { Action } from "../actions/action";
 import { openFiles, openKeypad } from "../actions/go";
 import { singleStep, start } from "../actions/job";
 import { home, zeroAxis, zeroXY } from "../actions/machine";
-import type { Action } from "../actions/action";
 import { ActionButton } from "../ui/ActionButton";
 import { FaceSwitch } from "./FaceSwitch";
 import "./easy-buttons.css";

@@ -1,6 +1,6 @@
-import { useShown, useSnapshot } from "../app/context";
-import { acknowledge, arm } from "../actions/machine";
 import { start } from "../actions/job";
+import { acknowledge, arm } from "../actions/machine";
+import { useShown, useSnapshot } from "../app/context";
 import { durationText } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { FeedOverride } from "./FeedOverride";

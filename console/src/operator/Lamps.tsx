@@ -1,6 +1,6 @@
 import { useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
-import type { Lamp } from "../wire/wire";
+import type { Lamp } from "../wire/messages";
 import "./lamps.css";
 
 /** The inputs and outputs of the machine. */

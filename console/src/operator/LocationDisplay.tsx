@@ -1,12 +1,11 @@
 import { useState } from "react";
-import { useSnapshot } from "../app/context";
-import { usedAxes } from "../app/units";
-import type { AxisUnits, Positions } from "../wire/wire";
 import { zeroAxis } from "../actions/machine";
-import { locationText } from "../app/units";
+import { useSnapshot } from "../app/context";
+import { locationText, usedAxes } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
+import type { AxisUnits, Positions } from "../wire/messages";
 import "./location-display.css";
 
 type Frame = "working" | "base";
@@ -38,6 +37,9 @@ export function LocationDisplay() {
   );
 }
 
+/** Characters of a location on a usual table: `-12.345`. */
+const usualLength = 7;
+
 interface AxisRowProps {
   axis: AxisUnits;
   at: number;
@@ -48,11 +50,16 @@ interface AxisRowProps {
 function AxisRow({ axis, at, positions, frame }: AxisRowProps) {
   const other = frame === "working" ? "base" : "working";
   const zero = zeroAxis[at];
+  const text = locationText(positions[frame][at] ?? 0, axis);
   return (
     <li className="location-axis">
       <span className="location-letter">{axis.letter}</span>
-      <output className="location-number" data-axis={axis.letter}>
-        {locationText(positions[frame][at] ?? 0, axis)}
+      <output
+        className="location-number"
+        data-axis={axis.letter}
+        style={{ "--long": Math.max(text.length, usualLength) }}
+      >
+        {text}
       </output>
       <span className="location-unit">{axis.unit}</span>
       <span className="location-other">

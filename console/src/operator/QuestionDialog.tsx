@@ -4,7 +4,7 @@ import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
-import type { Asked } from "../wire/wire";
+import type { Asked } from "../wire/messages";
 import "./question-dialog.css";
 
 const icons: Record<number, string> = { 16: "✖", 32: "?", 48: "!", 64: "i" };
@@ -41,9 +41,7 @@ export function QuestionDialog({ asked }: { asked: Asked }) {
         <p className="question-text">{asked.text}</p>
         {asked.entry && <Field label="Answer" value={entry} onChange={setEntry} first />}
       </form>
-      <p className="question-place">
-        {asked.file && `${asked.file}, line ${asked.line}`}
-      </p>
+      <p className="question-place">{asked.file && `${asked.file}, line ${asked.line}`}</p>
     </Sheet>
   );
 }

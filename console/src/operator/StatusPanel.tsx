@@ -1,9 +1,10 @@
+import { attempt } from "../actions/action";
 import { command } from "../actions/machine";
-import { useSnapshot } from "../app/context";
+import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { speedText } from "../app/units";
-import { ActionButton } from "../ui/ActionButton";
+import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
-import type { Speeds, Units } from "../wire/wire";
+import type { Speeds, Units } from "../wire/messages";
 import "./status-panel.css";
 
 const absolute = command("machine.absolute", "Absolute", "SA");
@@ -37,14 +38,26 @@ export function StatusPanel() {
   );
 }
 
+const distances = [
+  { value: "absolute", words: "Absolute", action: absolute },
+  { value: "relative", words: "Relative", action: relative },
+] as const;
+
+/** Whether numbers of moves are places or distances. */
 function DistanceMode({ absolute: on }: { absolute: boolean }) {
+  const hands = useHands();
+  const ready = useShown((shown) => shown.snapshot?.machine.state === "idle");
   return (
-    <span className="status-mode">
-      {on ? "Absolute" : "Relative"}
-      <ActionButton action={on ? relative : absolute} look="quiet" size="small">
-        {on ? "to relative" : "to absolute"}
-      </ActionButton>
-    </span>
+    <Choice
+      label="Distances"
+      options={distances}
+      value={on ? "absolute" : "relative"}
+      isDisabled={!ready}
+      onChange={(value) => {
+        const chosen = distances.find((distance) => distance.value === value);
+        if (chosen) attempt(chosen.action, worldOf(hands));
+      }}
+    />
   );
 }
 

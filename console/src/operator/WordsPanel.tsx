@@ -69,7 +69,10 @@ function FileNotes() {
     <Tail label="About the file" empty="The file has no comments." count={opened.findings.length}>
       {opened.header && <pre className="word-printed">{opened.header}</pre>}
       {opened.findings.map((finding) => (
-        <p key={`${finding.code}${finding.line}${finding.column}`} className={`word word-${finding.level}`}>
+        <p
+          key={`${finding.code}${finding.line}${finding.column}`}
+          className={`word word-${finding.level}`}
+        >
           Line {finding.line}: {finding.message} <em>{finding.hint}</em>
         </p>
       ))}

@@ -1,5 +1,5 @@
-import { useCallback } from "react";
 import type { ReactNode } from "react";
+import { useCallback } from "react";
 import { type Action, perform } from "../actions/action";
 import { useHands, useShown, worldOf } from "../app/context";
 import type { Shown } from "../link/shown";
@@ -16,11 +16,18 @@ export function ActionButton({ action, children, ...rest }: ActionButtonProps) {
   const hands = useHands();
   const { screen, link } = hands;
   const refused = useShown(
-    useCallback((shown: Shown) => action.refused?.({ shown, link, screen }), [action, link, screen]),
+    useCallback(
+      (shown: Shown) => action.refused?.({ shown, link, screen }),
+      [action, link, screen],
+    ),
   );
   return (
     <span className="action-place" title={refused}>
-      <Button {...rest} isDisabled={refused !== undefined} onPress={() => perform(action, worldOf(hands))}>
+      <Button
+        {...rest}
+        isDisabled={refused !== undefined}
+        onPress={() => perform(action, worldOf(hands))}
+      >
         {children ?? action.title}
       </Button>
     </span>

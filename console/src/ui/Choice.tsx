@@ -10,7 +10,13 @@ interface ChoiceProps<T extends string> {
 }
 
 /** One of a few, all in sight. */
-export function Choice<T extends string>({ label, options, value, onChange, isDisabled }: ChoiceProps<T>) {
+export function Choice<T extends string>({
+  label,
+  options,
+  value,
+  onChange,
+  isDisabled,
+}: ChoiceProps<T>) {
   return (
     <ToggleButtonGroup
       className="choice"

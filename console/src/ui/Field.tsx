@@ -34,7 +34,7 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
       </Label>
       <div className="field-box">
         <Input
-          placeholder={placeholder}
+          placeholder={placeholder ?? ""}
           data-first={first || undefined}
           autoComplete="off"
           spellCheck={false}

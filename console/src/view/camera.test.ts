@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { aspects, type Camera, fit, pan, project, turn, zoom } from "./camera";
+import { aspects, type Camera, fit as fitted, pan, project, turn, zoom } from "./camera";
 
 const size = { width: 400, height: 300 };
 const top: Camera = { target: [0, 0, 0], mmPerPixel: 0.5, ...aspects.top };
@@ -47,7 +47,7 @@ describe("the camera", () => {
   it("fits a box from every side", () => {
     const bounds = { min: [-10, 0, -5], max: [90, 40, 5] } as const;
     for (const aspect of Object.values(aspects)) {
-      const camera = fit({ ...top, ...aspect }, bounds, size);
+      const camera = fitted({ ...top, ...aspect }, bounds, size);
       for (const x of [-10, 90])
         for (const y of [0, 40]) {
           const at = project(camera, [x, y, 0], size);
@@ -60,7 +60,7 @@ describe("the camera", () => {
   });
 
   it("fits a single point", () => {
-    const here = fit(top, { min: [1, 2, 3], max: [1, 2, 3] }, size);
+    const here = fitted(top, { min: [1, 2, 3], max: [1, 2, 3] }, size);
     expect(here.target).toEqual([1, 2, 3]);
     expect(here.mmPerPixel).toBeGreaterThan(0);
   });

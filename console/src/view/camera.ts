@@ -44,7 +44,12 @@ const farthest = 1e3;
 /** What lies to the right and upwards in the picture, as directions in the machine. */
 export function axesOf(camera: Camera): { right: Vec3; up: Vec3 } {
   const { yawRad, tiltRad } = camera;
-  const [sy, cy, st, ct] = [Math.sin(yawRad), Math.cos(yawRad), Math.sin(tiltRad), Math.cos(tiltRad)];
+  const [sy, cy, st, ct] = [
+    Math.sin(yawRad),
+    Math.cos(yawRad),
+    Math.sin(tiltRad),
+    Math.cos(tiltRad),
+  ];
   return { right: [cy, sy, 0], up: [-sy * ct, cy * ct, st] };
 }
 

@@ -28,7 +28,12 @@ describe("a tool path in pieces", () => {
   });
 
   it("finds the first number that is large enough", () => {
-    for (const [wanted, found] of [[0, 0], [1, 0], [2, 1], [9, 4]] as const)
+    for (const [wanted, found] of [
+      [0, 0],
+      [1, 0],
+      [2, 1],
+      [9, 4],
+    ] as const)
       expect(firstAtLeast([1, 3, 3, 5], wanted)).toBe(found);
   });
 

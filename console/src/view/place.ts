@@ -1,7 +1,7 @@
 /** Finds places on a tool path: by planned time, by move. */
 
-import type { Piece } from "./piece";
 import type { Vec3 } from "./camera";
+import type { Piece } from "./piece";
 
 /** The first of ascending numbers that is at least `wanted`; the length when none is. */
 export function firstAtLeast(numbers: ArrayLike<number>, wanted: number): number {

@@ -6,7 +6,7 @@
 
 import { createStore, type Store } from "../app/store";
 import { getBytes, getJson } from "../link/http";
-import type { Detail, PreviewInfo } from "../wire/wire";
+import type { Detail, PreviewInfo } from "../wire/messages";
 import { type Piece, readPiece } from "./piece";
 
 /** Segments that are drawn many times a second on any computer. */

@@ -5,7 +5,14 @@
  * no frame is long. Nothing is drawn when nothing changed.
  */
 
-import { type Line, OrthographicCamera, Scene, WebGLRenderer } from "three";
+import {
+  type BufferGeometry,
+  type Line,
+  OrthographicCamera,
+  Scene,
+  Vector2,
+  WebGLRenderer,
+} from "three";
 import type { Camera, Size } from "../camera";
 import type { ToolPath } from "../toolPath";
 import { type Palette, paletteOf } from "./palette";
@@ -15,6 +22,8 @@ import { TableLines } from "./tableLines";
 
 /** How long the picture has to stand before all of it is drawn, milliseconds. */
 const stillMs = 160;
+/** Vertices up to which a path is drawn wide. */
+const wideUpTo = 60_000;
 /** Half the depth of what is seen, mm. */
 const farMm = 1e5;
 
@@ -27,8 +36,7 @@ export class PathScene {
   readonly #material = new PathMaterial();
   readonly #coarse = new PathLines(this.#material);
   readonly #fine = new PathLines(this.#material);
-  /** Holds the one line that is being drawn. */
-  readonly #stage = new Scene();
+  #vertices = 0;
   #queue: readonly Line[] = [];
   #frame = 0;
   #still = 0;
@@ -97,6 +105,7 @@ export class PathScene {
   }
 
   #draw(lines: readonly Line[]): void {
+    this.#vertices = lines.reduce((sum, { geometry }) => sum + verticesOf(geometry), 0);
     this.#queue = lines;
     cancelAnimationFrame(this.#frame);
     this.#frame = requestAnimationFrame(() => {
@@ -106,15 +115,32 @@ export class PathScene {
     });
   }
 
+  /** Paths that are not long are drawn two pixels wide. */
+  #paint(line: Line): void {
+    const { x, y } = this.#renderer.getDrawingBufferSize(new Vector2());
+    const wide = this.#vertices <= wideUpTo;
+    const shifts = wide
+      ? [
+          [0, 0],
+          [2 / x, 0],
+          [0, 2 / y],
+          [2 / x, 2 / y],
+        ]
+      : [[0, 0]];
+    for (const [across = 0, up = 0] of shifts) {
+      this.#material.shift = [across, up];
+      this.#renderer.render(line, this.#eye);
+    }
+  }
+
   /** Draws one piece and asks for a frame for the rest. */
   #next(): void {
     const [line, ...rest] = this.#queue;
     this.#queue = rest;
     if (!line) return;
-    const home = line.parent;
-    this.#stage.add(line);
-    this.#renderer.render(this.#stage, this.#eye);
-    home?.add(line);
+    this.#paint(line);
     if (rest.length > 0) this.#frame = requestAnimationFrame(() => this.#next());
   }
 }
+
+const verticesOf = (geometry: BufferGeometry): number => geometry.getAttribute("position").count;

@@ -9,6 +9,8 @@ in float kind;
 in float over;
 uniform mat4 modelViewMatrix;
 uniform mat4 projectionMatrix;
+// Lines are one pixel wide; drawn again beside itself, a path looks wider.
+uniform vec2 shift;
 // A segment has the kind and the time of the vertex that ends it.
 flat out float vKind;
 flat out float vOver;
@@ -18,6 +20,7 @@ void main() {
   vOver = over;
   vHeight = position.z;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position.xy += shift;
 }`;
 
 const fragmentShader = `
@@ -36,7 +39,8 @@ void main() {
   if (vKind > 1.5) discard;
   bool isJog = vKind < 0.5;
   if (isJog && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0) > 5.0) discard;
-  float depth = clamp((heights.y - vHeight) / max(heights.y - heights.x, 1e-6), 0.0, 1.0);
+  float range = heights.y - heights.x;
+  float depth = range > 1e-3 ? clamp((heights.y - vHeight) / range, 0.0, 1.0) : 1.0;
   vec3 ahead = isJog ? jogColour : mix(mix(paper, cutColour, 0.62), cutColour, depth);
   bool made = vOver <= now;
   colour = vec4(made ? (isJog ? mix(paper, jogColour, 0.45) : doneColour) : ahead, 1.0);
@@ -55,6 +59,7 @@ export class PathMaterial extends RawShaderMaterial {
         paper: { value: new Color() },
         now: { value: 0 },
         heights: { value: [0, 1] },
+        shift: { value: [0, 0] },
       },
     });
   }
@@ -67,6 +72,12 @@ export class PathMaterial extends RawShaderMaterial {
   /** Least and greatest height of the cuts: deeper ones are stronger. */
   set heights(range: readonly [number, number]) {
     this.#uniform("heights").value = [...range];
+  }
+
+  /** Moves what is drawn next in the picture, in shares of half its size. */
+  set shift(by: readonly [number, number]) {
+    this.#uniform("shift").value = [...by];
+    this.uniformsNeedUpdate = true;
   }
 
   paint(palette: Palette): void {

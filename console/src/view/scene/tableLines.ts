@@ -1,7 +1,14 @@
 /** The table with its grid, and the working axes. */
 
-import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments } from "three";
-import type { PreviewInfo } from "../../wire/wire";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+} from "three";
+import type { PreviewInfo } from "../../wire/messages";
 import type { Palette } from "./palette";
 
 /** Most lines of a grid in one direction; a finer grid is left out. */
@@ -40,14 +47,39 @@ function framePoints(info: PreviewInfo): number[] {
     info.zero[1] - info.origin[1],
     info.zero[2] - info.origin[2],
   ];
-  const edge = [x0, y0, z, x1, y0, z, x1, y0, z, x1, y1, z, x1, y1, z, x0, y1, z, x0, y1, z, x0, y0, z];
+  const edge = [
+    x0,
+    y0,
+    z,
+    x1,
+    y0,
+    z,
+    x1,
+    y0,
+    z,
+    x1,
+    y1,
+    z,
+    x1,
+    y1,
+    z,
+    x0,
+    y1,
+    z,
+    x0,
+    y1,
+    z,
+    x0,
+    y0,
+    z,
+  ];
   return [...edge, zx, y0, z, zx, y1, z, x0, zy, z, x1, zy, z];
 }
 
 export class TableLines {
   readonly group = new Group();
-  readonly #grid = new LineBasicMaterial();
-  readonly #frame = new LineBasicMaterial();
+  readonly #grid = new LineBasicMaterial({ depthWrite: false });
+  readonly #frame = new LineBasicMaterial({ depthWrite: false });
 
   show(info: PreviewInfo): void {
     for (const child of this.group.children) {

@@ -1,0 +1,85 @@
+import { useEffect, useState } from "react";
+import { ListBox, ListBoxItem } from "react-aria-components";
+import { ask } from "../actions/ask";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { getJson } from "../link/http";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import type { FileInfo } from "../wire/messages";
+import { inFolder, parentOf } from "./folder";
+import "./file-picker.css";
+
+/** Chooses a file of the part folder. */
+export function FilePicker() {
+  const hands = useHands();
+  const [folder, setFolder] = useState("");
+  const [mask, setMask] = useState("");
+  const files = useFiles();
+  const close = () => hands.screen.open(null);
+  const choose = async (file: FileInfo) => {
+    if (file.folder) setFolder(file.name);
+    else if (await ask(worldOf(hands), { do: "open", name: file.name })) close();
+  };
+  const shown = inFolder(files, folder, mask);
+  return (
+    <Sheet title={folder ? `Part folder / ${folder}` : "Part folder"} shape="wide" onClose={close}>
+      <div className="files-head">
+        <Field label="Mask" placeholder="*.sbp" value={mask} onChange={setMask} first />
+      </div>
+      <ListBox
+        aria-label="Files"
+        className="files"
+        selectionMode="single"
+        onAction={(key) => {
+          if (key === "..") return setFolder(parentOf(folder));
+          const file = files.find(({ name }) => name === key);
+          if (file) void choose(file);
+        }}
+        renderEmptyState={() => <p className="tail-empty">No file matches.</p>}
+      >
+        {folder && (
+          <ListBoxItem id=".." className="files-row" textValue="up">
+            ↑ Folder above
+          </ListBoxItem>
+        )}
+        {shown.map((file) => (
+          <FileRow key={file.name} file={file} />
+        ))}
+      </ListBox>
+    </Sheet>
+  );
+}
+
+function FileRow({ file }: { file: FileInfo }) {
+  const name = file.name.split("/").at(-1) ?? file.name;
+  return (
+    <ListBoxItem id={file.name} className="files-row" textValue={name}>
+      <span className="files-name">
+        {file.folder ? "▸ " : ""}
+        {name}
+      </span>
+      <span className="files-header">{file.header?.split("\n")[0]}</span>
+      <span className="files-size">{file.folder ? "" : sizeText(file.bytes)}</span>
+      <span className="files-date">{new Date(file.changed * 1000).toLocaleDateString()}</span>
+    </ListBoxItem>
+  );
+}
+
+const sizeText = (bytes: number): string =>
+  bytes < 1e3
+    ? `${bytes} B`
+    : bytes < 1e6
+      ? `${(bytes / 1e3).toFixed(0)} kB`
+      : `${(bytes / 1e6).toFixed(1)} MB`;
+
+/** The files of the part folder, read anew when they change. */
+function useFiles(): readonly FileInfo[] {
+  const changes = useSnapshot("files");
+  const { screen } = useHands();
+  const [files, setFiles] = useState<readonly FileInfo[]>([]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: reads again when files changed
+  useEffect(() => {
+    getJson<FileInfo[]>("/api/files").then(setFiles, (error: Error) => screen.tell(error.message));
+  }, [changes, screen]);
+  return files;
+}

@@ -1,0 +1,134 @@
+import { useEffect, useMemo, useRef } from "react";
+import { useSnapshot } from "../app/context";
+import { Button } from "../ui/Button";
+import { Choice } from "../ui/Choice";
+import { Panel } from "../ui/Panel";
+import type { Motion, PreviewInfo } from "../wire/messages";
+import type { Aspect, Bounds, Vec3 } from "./camera";
+import type { Marks } from "./overlay";
+import { timeOfMoves } from "./place";
+import { ToolPathView } from "./ToolPathView";
+import type { ToolPath } from "./toolPath";
+import { useCamera } from "./useCamera";
+import { useSize } from "./useSize";
+import { useToolPath } from "./useToolPath";
+import "./tool-path-panel.css";
+
+const aspectWords: readonly { value: Aspect; words: string }[] = [
+  { value: "top", words: "Top" },
+  { value: "front", words: "Front" },
+  { value: "side", words: "Side" },
+  { value: "solid", words: "3D" },
+];
+
+/** The open file's tool path with the machine in it. */
+export function ToolPathPanel() {
+  const opened = useSnapshot("opened");
+  const motion = useSnapshot("motion");
+  const units = useSnapshot("units");
+  const preview = opened?.preview;
+  const path = useToolPath(preview?.state === "ready" ? preview.key : undefined);
+  const box = useRef<HTMLDivElement>(null);
+  const size = useSize(box);
+  const { camera, aspect, look, zoomBy, handlers } = useCamera(size);
+  const bounds = useMemo(() => path && boundsOf(path.info), [path]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: fits a new path, not every change
+  useEffect(() => {
+    if (bounds && size.width > 0) look(aspect, bounds, size);
+  }, [path?.info, size.width > 0]);
+  const marks = useMemo(
+    () => marksOf(path, motion, units ?? { mm: 1, linear: "mm" }),
+    [path, motion, units],
+  );
+  return (
+    <Panel
+      title="Tool path"
+      className="path-panel"
+      aside={
+        <div className="path-tools">
+          <Choice
+            label="View"
+            options={aspectWords}
+            value={aspect}
+            onChange={(next) => bounds && look(next, bounds, size)}
+          />
+          <Button size="small" onPress={() => bounds && look(aspect, bounds, size)}>
+            Fit
+          </Button>
+        </div>
+      }
+    >
+      {/* biome-ignore lint/a11y/noStaticElementInteractions: the buttons above do the same by key */}
+      <div
+        ref={box}
+        className="path-box"
+        {...handlers}
+        onWheel={(event) => {
+          const at = event.currentTarget.getBoundingClientRect();
+          zoomBy(Math.exp(-event.deltaY / 500), event.clientX - at.left, event.clientY - at.top);
+        }}
+        onContextMenu={(event) => event.preventDefault()}
+      >
+        <ToolPathView
+          path={path}
+          camera={camera}
+          size={size}
+          now={path && motion ? timeOfMoves(path.coarse, motion.made) : 0}
+          marks={marks}
+        />
+        <PathWords path={path} opened={opened?.name} preview={preview} />
+      </div>
+    </Panel>
+  );
+}
+
+interface PathWordsProps {
+  path: ToolPath | null;
+  opened: string | undefined;
+  preview: { state: string; why?: string } | undefined;
+}
+
+/** What is said where there is no picture yet. */
+function PathWords({ path, opened, preview }: PathWordsProps) {
+  const words =
+    opened === undefined
+      ? "Choose a file to see its tool path."
+      : preview?.state === "failed"
+        ? preview.why
+        : path === null
+          ? "Reading…"
+          : undefined;
+  return words === undefined ? null : <p className="path-words">{words}</p>;
+}
+
+/** What is to be in the picture: the cuts, else the table. Relative to the preview's origin. */
+function boundsOf(info: PreviewInfo): Bounds {
+  const relative = (place: readonly number[]): Vec3 => [
+    (place[0] ?? 0) - info.origin[0],
+    (place[1] ?? 0) - info.origin[1],
+    (place[2] ?? 0) - info.origin[2],
+  ];
+  if (info.bounds) return { min: relative(info.bounds[0]), max: relative(info.bounds[1]) };
+  const [x, y] = info.table;
+  const z = info.zero[2];
+  return {
+    min: relative([x, y, z]),
+    max: relative([x + info.tableSize[0], y + info.tableSize[1], z]),
+  };
+}
+
+function marksOf(
+  path: ToolPath | null,
+  motion: Motion | undefined,
+  units: { mm: number; linear: string },
+): Marks {
+  const unit = { mm: units.mm, name: units.linear };
+  if (!path) return { tool: undefined, zero: undefined, cutter: 0, unit };
+  const { origin, zero, cutter } = path.info;
+  const from = (place: readonly number[]): Vec3 => [
+    (place[0] ?? 0) - origin[0],
+    (place[1] ?? 0) - origin[1],
+    (place[2] ?? 0) - origin[2],
+  ];
+  return { tool: motion && from(motion.at.machine), zero: from(zero), cutter, unit };
+}

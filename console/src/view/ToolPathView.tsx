@@ -1,0 +1,61 @@
+import { useEffect, useRef, useState } from "react";
+import { useScreen } from "../app/context";
+import type { Camera, Size } from "./camera";
+import { type Marks, paintMarks } from "./overlay";
+import { PathScene } from "./scene/PathScene";
+import type { Palette } from "./scene/palette";
+import type { ToolPath } from "./toolPath";
+import "./tool-path-view.css";
+
+interface ToolPathViewProps {
+  path: ToolPath | null;
+  camera: Camera;
+  size: Size;
+  /** Planned time up to which everything is made, seconds. */
+  now: number;
+  marks: Marks;
+}
+
+/** The picture: lines below, marks above. */
+export function ToolPathView({ path, camera, size, now, marks }: ToolPathViewProps) {
+  const lines = useRef<HTMLCanvasElement>(null);
+  const above = useRef<HTMLCanvasElement>(null);
+  const { scene, palette } = useScene(lines);
+  useEffect(() => scene?.show(path), [scene, path]);
+  useEffect(() => {
+    if (scene) scene.now = now;
+  }, [scene, now]);
+  useEffect(() => scene?.look(camera, size), [scene, camera, size]);
+  useEffect(() => {
+    if (above.current && palette) paintMarks(above.current, size, camera, marks, palette);
+  }, [palette, size, camera, marks]);
+  return (
+    <>
+      <canvas ref={lines} className="path-lines" role="img" aria-label={describe(path)} />
+      <canvas ref={above} className="path-marks" />
+    </>
+  );
+}
+
+/** The scene of a canvas, painted anew when the theme changes. */
+function useScene(canvas: React.RefObject<HTMLCanvasElement | null>) {
+  const theme = useScreen("theme");
+  const [scene, setScene] = useState<PathScene | null>(null);
+  const [palette, setPalette] = useState<Palette | null>(null);
+  useEffect(() => {
+    if (!canvas.current) return;
+    const made = new PathScene(canvas.current);
+    setScene(made);
+    return () => made.dispose();
+  }, [canvas]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme is what changes the colours
+  useEffect(() => setPalette(scene?.paint() ?? null), [scene, theme]);
+  return { scene, palette };
+}
+
+/** What somebody who does not see the picture is told of it. */
+function describe(path: ToolPath | null): string {
+  if (!path) return "No tool path";
+  const { moves, cut } = path.info;
+  return `Tool path of ${moves} moves, ${Math.round(cut)} millimetres of cuts`;
+}

@@ -1,0 +1,86 @@
+/** What the page fetches, without a server. */
+
+import type { PreviewInfo } from "../../src/wire/messages";
+
+const lines = `' First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.
+' Cutter 1/4 inch.
+
+IF %(25) = 1 THEN GOTO UNIT_ERROR
+SA
+MS, 1.5, 0.5
+JZ, 0.5
+SO, 1, 1
+PAUSE 2
+J2, 1, 1
+MZ, -0.125
+MY, 3
+MX, 5
+MY, 1
+MX, 1
+JZ, 0.5
+SO, 1, 0
+J2, 0, 0
+END
+
+UNIT_ERROR:
+PRINT "This file is written in inches."
+END`.split("\n");
+
+const inch = 25.4;
+const corners = [
+  [0, 0, 0.5],
+  [1, 1, 0.5],
+  [1, 1, -0.125],
+  [1, 3, -0.125],
+  [5, 3, -0.125],
+  [5, 1, -0.125],
+  [1, 1, -0.125],
+  [1, 1, 0.5],
+  [0, 0, 0.5],
+];
+
+const info: PreviewInfo = {
+  origin: [0, 0, 0],
+  zero: [0, 0, 0],
+  table: [0, 0],
+  tableSize: [8 * inch, 6 * inch],
+  grid: inch,
+  bounds: [
+    [inch, inch, -3.175],
+    [5 * inch, 3 * inch, -3.175],
+  ],
+  cutter: 6.35,
+  seconds: 31.4,
+  cut: 12 * inch,
+  jog: 4 * inch,
+  moves: corners.length - 1,
+  details: [{ tolerance: 0, segments: corners.length - 1, pieces: 1 }],
+  toolpaths: [],
+};
+
+function piece(): ArrayBuffer {
+  const n = corners.length - 1;
+  const bytes = new ArrayBuffer(8 + 12 * (n + 1) + 13 * n);
+  const view = new DataView(bytes);
+  view.setUint32(0, n, true);
+  corners.flat().forEach((value, k) => {
+    view.setFloat32(8 + 4 * k, value * inch, true);
+  });
+  const at = 8 + 12 * (n + 1);
+  for (let k = 0; k < n; k += 1) {
+    view.setFloat32(at + 4 * k, (k + 1) * 4, true);
+    view.setUint32(at + 4 * (n + k), k + 8, true);
+    view.setUint32(at + 4 * (2 * n + k), k, true);
+    view.setUint8(at + 12 * n + k, k === 0 || k > 5 ? 0 : 1);
+  }
+  return bytes;
+}
+
+/** Answers what the server would. */
+export async function answer(address: string): Promise<Response> {
+  const path = address.split("?")[0] ?? "";
+  if (path === "/api/preview/first") return Response.json(info);
+  if (path === "/api/preview/first/0/0") return new Response(piece());
+  if (path.endsWith("/lines")) return Response.json(lines);
+  return Response.json([]);
+}

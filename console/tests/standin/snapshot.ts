@@ -1,0 +1,66 @@
+/** A snapshot as the server sends it, for tests that need no server. */
+
+import type { AxisUnits, Lamp, Snapshot } from "../../src/wire/messages";
+
+const axis = (letter: string, used: boolean, unit = "in", scale = 25.4): AxisUnits => ({
+  letter,
+  unit,
+  scale,
+  used,
+});
+
+const lamps = (on: number[]): Lamp[] =>
+  Array.from({ length: 12 }, (_, n) => ({ number: n + 1, on: on.includes(n + 1), label: "" }));
+
+type Six = [number, number, number, number, number, number];
+const place = (x: number, y: number, z: number): Six => [x * 25.4, y * 25.4, z * 25.4, 0, 0, 0];
+
+export const firstSnapshot: Snapshot = {
+  version: 1,
+  kerf: "0.1.0",
+  drawingOnly: false,
+  machine: { state: "idle", mode: "simulated", armed: false, why: null, name: "Simulated machine" },
+  motion: {
+    at: { working: place(0, 0, 0.5), base: place(12, 8, 3.5), machine: place(0, 0, 0.5) },
+    speed: 0,
+    t: 0,
+    cutting: false,
+    line: 0,
+    made: 0,
+    progress: 0,
+    remaining: 0,
+  },
+  units: {
+    linear: "in",
+    mm: 25.4,
+    absolute: true,
+    axes: [
+      axis("X", true),
+      axis("Y", true),
+      axis("Z", true),
+      axis("A", false),
+      axis("B", false, "deg", 1),
+      axis("C", false, "deg", 1),
+    ],
+  },
+  speeds: { cut: [38.1, 12.7, 25.4, 25.4, 25.4], jog: [152.4, 50.8, 50.8, 50.8, 50.8], rpm: 0 },
+  io: { inputs: lamps([4]), outputs: lamps([]) },
+  opened: {
+    name: "first-cut.sbp",
+    hash: "abc",
+    lines: 24,
+    header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",
+    preview: { state: "ready", key: "first" },
+    seconds: 31.4,
+    findings: [],
+  },
+  job: null,
+  asked: null,
+  overrides: { feed: 100 },
+  printed: [],
+  messages: [{ tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0 }],
+  lease: null,
+  clients: [],
+  drawing: null,
+  files: 1,
+};
