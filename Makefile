@@ -7,12 +7,12 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help run bench bench-geometry test properties check fuzz format conformance book figures prepare peers
+.PHONY: help console console-check console-test run bench bench-geometry test properties check fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-test: prepare ## run every test, once
+test: prepare console-test ## run every test, once
 	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
 		/^test result:/ { passed += $$4; failed += $$6 } \
 		END { printf "all tests: %d passed, %d failed\n", passed, failed }'
@@ -21,7 +21,7 @@ properties: prepare ## try the properties on new random cases
 	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \
 	PROPTEST_RNG_SEED=$$seed PROPTEST_CASES=2000 $(CARGO) test --workspace --locked --no-fail-fast
 
-check: prepare ## formatting, lints and the project's own rules
+check: prepare console-check ## formatting, lints and the project's own rules
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
 	$(CARGO) xtask check
@@ -67,6 +67,19 @@ bench-geometry: ## offsets beside those of other programs; GEOS=N compares N sha
 
 peers: ## install the other programs that `make bench` compares with
 	@.ci/peers
+
+# The console: npm installs when the list of packages changes.
+console/node_modules/.package-lock.json: console/package-lock.json
+	cd console && npm ci --no-fund --no-audit --loglevel=error
+
+console-check: console/node_modules/.package-lock.json ## types and lints of the console
+	cd console && npm run --silent check
+
+console-test: console/node_modules/.package-lock.json ## tests of the console that need no browser
+	cd console && npm run --silent test
+
+console: console/node_modules/.package-lock.json ## build the console's page
+	cd console && npm run --silent build
 
 prepare: ## install what building and testing need
 	@.ci/prepare
