@@ -31,7 +31,8 @@ pub use editor::Editor;
 pub use group::Group;
 pub use nesting::Nesting;
 pub use op::{
-    Change, ClauseError, ENTRIES, Entry, How, OpError, Operation, Outcome, Sequencing, script,
+    Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Sequencing,
+    script,
 };
 pub use selection::Choice;
 pub use settings::{GroupSettings, Height, Lead, SettingsError};

@@ -1,7 +1,7 @@
 //! From an operation to the function that carries it out.
 
 use super::{OpError, Operation, Outcome};
-use super::{arrays, clipboard, copies, draw, edit, grouping, layout, outline, path};
+use super::{arrays, clear, clipboard, copies, draw, edit, grouping, layout, outline, path};
 use super::{sequence, vertices};
 use crate::Editor;
 
@@ -41,6 +41,7 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Group { group } => grouping::put(draft, *group)?,
         O::CopyToGroup { group } => grouping::copy(draft, *group)?,
         O::Set { group, changes } => grouping::set(draft, *group, changes)?,
+        O::Engrave(clearing) => outcome.warnings = clear::engrave(draft, clearing)?,
         O::Sequence { order } => outcome.warnings = sequence::order(draft, order)?,
         O::Array { level, array } => arrays::set(draft, *level, *array)?,
         O::JustifyLeft => layout::left(draft),

@@ -93,7 +93,8 @@ mod tests {
         line 0,0 10,0 10,10 close; reverse; directions auto; start 4 50,0; pause on; pause off; \
         group blue; copy-to red; set blue on=off traversal=on tool=2 cut=3 speed=3000 height=-2.5 \
         pass=4 offset=3 rough=0.5 double=on tag=2 lead-in=5,90 lead-out=0,0; \
-        set red speed=max height=thru pass=off; set red height=3d; sequence 3,1,2; \
+        set red speed=max height=thru pass=off; set red height=3d; \
+        engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0; sequence 3,1,2; \
         sequence groups red,black; sequence reverse; sequence auto -1000,0; sequence level 2,1; \
         array block 2x3 gap 10,20 start tl order row-snake; \
         array job 1x1 gap 0,0 start bl order column; justify left; justify surface; \

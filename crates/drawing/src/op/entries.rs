@@ -2,6 +2,7 @@
 //!
 //! The help of `kerf draw`, the reference page and the reader of clauses are made from this table.
 
+use super::clear;
 use super::words::{WordError, Words, number, pair};
 use super::{Change, How, Operation, Sequencing};
 use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
@@ -197,6 +198,13 @@ pub const ENTRIES: &[Entry] = &[
          offset=N rough=N tag=N lead-in=R,A lead-out=R,A",
         "changes how a group is cut; millimetres, mm/min, degrees",
         set,
+    ),
+    entry(
+        "engrave",
+        "engrave [all] tool=D [overlap=MM] [group=COLOUR]",
+        "adds paths that clear the areas of the selected or all shapes with a tool of that diameter, \
+         holes left out; the paths go to a group that cuts them as they are",
+        clear::read_engrave,
     ),
     entry(
         "sequence",

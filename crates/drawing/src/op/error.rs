@@ -56,6 +56,21 @@ pub enum OpError {
         /// What is wrong.
         source: SettingsError,
     },
+    /// A tool or an overlap that clears nothing.
+    #[error(transparent)]
+    Clearing(kerf_pocket::PocketError),
+    /// No group is free for new paths.
+    #[error("all eight groups have shapes: say with group= which one the paths belong to")]
+    NoFreeGroup,
+    /// A group that would not cut paths as they are.
+    #[error(
+        "group {group} has shapes and an offset, rough pass, double line, tag or lead: paths that clear \
+         an area need a group without; choose another one with group="
+    )]
+    NotAsDrawn {
+        /// The group.
+        group: crate::Group,
+    },
     /// A comment.
     #[error(transparent)]
     Comment(#[from] CommentError),

@@ -7,6 +7,7 @@
 mod act;
 mod arrays;
 mod clause;
+mod clear;
 mod clipboard;
 mod copies;
 mod draw;
@@ -23,6 +24,7 @@ mod words;
 mod write;
 
 pub use clause::{ClauseError, script};
+pub use clear::Clearing;
 pub use entries::{ENTRIES, Entry};
 pub use error::{OpError, Outcome};
 
@@ -245,6 +247,8 @@ pub enum Operation {
         /// What is changed, in order.
         changes: Vec<Change>,
     },
+    /// Adds paths that clear the areas of shapes, holes left out: rings from the wall inwards.
+    Engrave(Clearing),
     /// Changes the order in which shapes are cut.
     Sequence {
         /// The new order.

@@ -61,6 +61,7 @@ impl Display for Operation {
                 write!(f, "set {group}")?;
                 changes.iter().try_for_each(|change| write!(f, " {change}"))
             }
+            Self::Engrave(clearing) => write!(f, "engrave {clearing}"),
             Self::Sequence { order } => write!(f, "sequence {order}"),
             Self::Array { level, array } => levels(f, *level, array),
             Self::JustifyLeft => f.write_str("justify left"),

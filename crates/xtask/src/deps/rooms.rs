@@ -42,6 +42,8 @@ pub const ROOMS: &[Room] = &[
     at(2.0, Half::Machine, "kerf-gcode"),
     // Both languages meet here, and only here.
     at(2.5, Half::Machine, "kerf-part"),
+    // Between `geom` and `drawing`, as `cut` lies between `program` and `sbp`.
+    at(1.5, Half::Drawing, "kerf-pocket"),
     at(2.0, Half::Drawing, "kerf-drawing"),
     at(2.5, Half::Drawing, "kerf-formats"),
     at(3.0, Half::Drawing, "kerf-toolpath"),

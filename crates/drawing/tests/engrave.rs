@@ -1,0 +1,177 @@
+//! Rows of the Profiler ledger about engraving, and what a person may get wrong with it.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+#[path = "../../pocket/tests/check/mod.rs"]
+mod check;
+
+use check::look;
+use kerf_drawing::{Editor, Group, Shape, script};
+use kerf_geom::{Bounds2, Point2, Polyarc};
+use std::f64::consts::PI;
+
+const PLATE: &str = "line 0,0 100,0 100,60 0,60 close";
+const ENGRAVE: &str = "engrave all tool=5 overlap=0.1";
+
+fn run(editor: &mut Editor, text: &str) -> Vec<String> {
+    let ops = script(text).unwrap();
+    let outcomes = ops.iter().map(|(n, op)| editor.apply(op).map_err(|e| format!("{n}: {e}")));
+    outcomes.flat_map(|outcome| outcome.unwrap().warnings).collect()
+}
+
+fn after(text: &str) -> Editor {
+    let mut editor = Editor::default();
+    assert_eq!(run(&mut editor, text), Vec::<String>::new());
+    editor
+}
+
+/// The paths that an engraving of shapes adds.
+fn engraved(shapes: &str, engrave: &str) -> Vec<Polyarc> {
+    let before = after(shapes).drawing.shapes.len();
+    let editor = after(&format!("{shapes}; {engrave}"));
+    editor.drawing.shapes[before..].iter().map(|shape| shape.path.clone()).collect()
+}
+
+fn refused(before: &str, text: &str) -> String {
+    let mut editor = after(before);
+    let was = editor.clone();
+    let error = editor.apply(&script(text).unwrap()[0].1).unwrap_err().to_string();
+    assert_eq!(editor, was, "{text} left something behind");
+    error
+}
+
+/// The closed loops that a path goes round, in its order: as soon as it comes back to a place it was
+/// at, what lies between is a loop or a way there and back.
+fn rings(path: &Polyarc) -> Vec<Polyarc> {
+    let mut way: Vec<kerf_geom::Vertex> = Vec::new();
+    let mut found = Vec::new();
+    for vertex in &path.vertices {
+        let at = way.iter().position(|v| v.at.distance(vertex.at) < 1e-6);
+        if let Some(at) = at {
+            let ring = Polyarc::closed(way.split_off(at));
+            if ring.signed_area().abs() > 1e-3 {
+                found.push(ring);
+            }
+        }
+        way.push(*vertex);
+    }
+    found
+}
+
+fn plate() -> Polyarc {
+    Polyarc::rectangle(Point2::new(0.0, 0.0), Point2::new(100.0, 60.0))
+}
+
+#[test]
+fn pro_engrave_all() {
+    let editor = after(&format!("{PLATE}; set green offset=3; {ENGRAVE} group=green"));
+    let shapes = &editor.drawing.shapes;
+    assert_eq!(shapes[0].path, plate());
+    assert!(shapes.len() > 1 && shapes[1..].iter().all(|s| s.group == Group::Green));
+    let inside = Bounds2::of(Point2::new(2.499, 2.499), Point2::new(97.501, 57.501));
+    assert!(shapes[1..].iter().all(|s| inside.holds_box(&s.path.bounds())));
+    assert_eq!(editor.drawing.settings(Group::Green).offset_mm, 0.0);
+}
+
+#[test]
+fn pro_engrave_selected() {
+    let two = format!("{PLATE}; line 200,0 300,0 300,60 200,60 close");
+    let paths = engraved(&two, "select 1; engrave tool=5 overlap=0.1");
+    assert_eq!(paths.iter().map(|path| rings(path).len()).collect::<Vec<_>>(), [6]);
+    assert!(paths.iter().all(|path| path.bounds().max.x < 100.0));
+    assert!(refused(PLATE, "engrave tool=5").contains("no shapes selected"));
+}
+
+#[test]
+fn pro_engrave_tool_overlap() {
+    let mut insets: Vec<f64> =
+        engraved(PLATE, ENGRAVE).iter().flat_map(rings).map(|ring| ring.bounds().min.x).collect();
+    insets.sort_by(f64::total_cmp);
+    let expected = [2.5, 7.4, 12.3, 17.2, 22.1, 27.0];
+    assert_eq!(insets.len(), expected.len());
+    assert!(insets.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-3), "{insets:?}");
+}
+
+/// What a tool leaves in four square corners.
+fn corners(radius: f64) -> f64 {
+    4.0 * radius * radius * (1.0 - PI / 4.0)
+}
+
+#[test]
+fn pro_engrave_coverage() {
+    let (region, paths) = ([plate()], engraved(PLATE, ENGRAVE));
+    let seen = look(&region, &paths, 2.5, 400);
+    assert!(seen.uncut_mm2 < 0.05 && seen.out_mm < 1e-3, "{seen:?}");
+    // What can be reached is all but the corners; 0.25 mm are between the places that are looked at.
+    assert!((seen.reached_mm2 - (6000.0 - corners(2.5))).abs() < 4.0, "{seen:?}");
+    let rings: Vec<Polyarc> = paths.iter().flat_map(rings).collect();
+    let without = look(&region, &rings, 2.5, 400);
+    // Twenty cusps of 0.945 and the strip in the middle.
+    assert!((without.uncut_mm2 - (20.0 * 0.945 + 41.0)).abs() < 1.5, "{without:?}");
+}
+
+#[test]
+fn pro_engrave_holes() {
+    let shapes = "line 0,0 100,0 100,100 0,100 close; line 30,30 30,70 70,70 70,30 close";
+    let paths = engraved(shapes, ENGRAVE);
+    let drawing = after(shapes).drawing;
+    for path in &paths {
+        for k in 0..5000 {
+            let at = path.place_after(path.length() * f64::from(k) / 5000.0).unwrap().at;
+            let near = |shape: &Shape| shape.path.nearest(at).unwrap().1;
+            assert!(drawing.shapes.iter().all(|shape| near(shape) >= 2.499), "{at:?}");
+            assert_eq!(drawing.shapes[1].path.winding(at), 0);
+        }
+    }
+    let region: Vec<Polyarc> = drawing.shapes.iter().map(|shape| shape.path.clone()).collect();
+    assert!(look(&region, &paths, 2.5, 300).uncut_mm2 < 0.05);
+}
+
+#[test]
+fn pro_engrave_directions() {
+    let wrong = "line 0,0 0,60 100,60 100,0 close";
+    let told = refused(wrong, ENGRAVE);
+    assert!(told.starts_with("shape 1: directions not set"), "{told}");
+    assert_eq!(engraved(wrong, &format!("directions auto; {ENGRAVE}")).len(), 1);
+    let hole = refused(&format!("{PLATE}; circle 50,30 10"), ENGRAVE);
+    assert!(hole.starts_with("shape 2: directions not set: a hole must run clockwise"), "{hole}");
+}
+
+#[test]
+fn pro_engrave_reversal() {
+    let shapes = "line 0,0 100,0 100,100 0,100 close; line 30,30 30,70 70,70 70,30 close";
+    let editor = after(&format!("{shapes}; {ENGRAVE}"));
+    let area = |n: usize| editor.drawing.shapes[n].path.signed_area();
+    assert_eq!((area(0), area(1)), (10_000.0, -1600.0));
+    let rings: Vec<Polyarc> = engraved(shapes, ENGRAVE).iter().flat_map(rings).collect();
+    let wide = |ring: &Polyarc| ring.bounds().size().x;
+    let outermost = rings.iter().max_by(|a, b| wide(a).total_cmp(&wide(b))).unwrap();
+    assert!(outermost.signed_area() < 0.0 && wide(outermost) > 94.0);
+    let round_hole = rings.iter().find(|ring| (wide(ring) - 45.0).abs() < 1e-2).unwrap();
+    assert!(round_hole.signed_area() > 0.0);
+}
+
+#[test]
+fn what_bounds_no_area_is_told() {
+    let mut editor = after(&format!("{PLATE}; line 10,10 20,20; point 5,5; circle 200,0 1"));
+    let told = run(&mut editor, "engrave all tool=5 overlap=0.1 group=red");
+    let left_out = "only closed flat shapes bound an area; it is left out";
+    let expected = [
+        format!("shape 2: {left_out}"),
+        format!("shape 3: {left_out}"),
+        "shape 4: a tool of 5 mm does not fit into it".into(),
+    ];
+    assert_eq!(told, expected);
+}
+
+#[test]
+fn what_cannot_be_engraved_is_refused() {
+    let crossing = refused(&format!("{PLATE}; circle 100,30 10"), ENGRAVE);
+    assert_eq!(crossing, "shape 1: it crosses shape 2: no area is told from the other");
+    assert!(refused(PLATE, "engrave all tool=5 overlap=5").contains("the overlap is 5 mm"));
+    let used = refused(&format!("{PLATE}; set black offset=3"), &format!("{ENGRAVE} group=black"));
+    assert!(used.starts_with("group black has shapes and an offset"), "{used}");
+    assert!(
+        script("engrave all").unwrap_err().to_string().contains("diameter of the tool is missing")
+    );
+}

@@ -1,0 +1,68 @@
+//! What rings leave uncut.
+//!
+//! ```text
+//!  ─────────────────  ring k
+//!    ╲·············   more than the radius inside ring k ...
+//!     ╲ ╭─────────    ... and not covered by ring k + 1: the cusp in its corner
+//!      ╲╯
+//!       ┌─────────    ring k + 1
+//! ```
+//!
+//! What lies within the radius of ring k is covered by it. What lies further inside, but outside ring
+//! k + 1, can only be covered by ring k + 1; what lies inside ring k + 1 is the next level's business. So
+//! this finds all there is.
+
+use crate::Cutter;
+use crate::levels::{Levels, depth, inset};
+use kerf_geom::{Combine, GeomError, Polyarc, combine, offset_region};
+
+/// Uncut pieces smaller than this are left, square millimetres (Profiler notes, 3.5); with tools so small
+/// that it would be much, those smaller than a thousandth of the square of the diameter.
+pub const SMALLEST_MM2: f64 = 0.01;
+
+/// What ring k + 1 covers is taken to reach this much further, millimetres, so that with an overlap of
+/// nothing the edges of what is compared do not fall together.
+const TOUCHING_MM: f64 = 1e-4;
+
+/// The pieces that the rings do not cover, as contours. A stroke along a contour covers its piece: no
+/// place of it is farther than the radius from its edge.
+pub(crate) fn pieces(
+    region: &[Polyarc],
+    cutter: &Cutter,
+    levels: &Levels,
+) -> Result<Vec<Polyarc>, GeomError> {
+    let mut found = Vec::new();
+    // With a step below the radius there is nothing between what one ring and the next one cover.
+    if cutter.step_mm() > cutter.radius_mm() {
+        for level in 0..levels.rings.len() {
+            found.extend(after(region, cutter, levels, level)?);
+        }
+    }
+    let smallest = SMALLEST_MM2.min(1e-3 * cutter.diameter_mm().powi(2));
+    found.retain(|piece| piece.signed_area().abs() >= smallest);
+    Ok(found)
+}
+
+/// What the rings of a level leave to the next one and that does not cover. If the difference cannot be
+/// computed, the edge of all that is left is followed: too long a way, but nothing remains.
+fn after(
+    region: &[Polyarc],
+    cutter: &Cutter,
+    levels: &Levels,
+    level: usize,
+) -> Result<Vec<Polyarc>, GeomError> {
+    let left = inset(region, depth(cutter, level) + cutter.radius_mm())?;
+    let next = levels.rings.get(level + 1).filter(|_| !left.is_empty());
+    let uncovered = next.map(|next| uncovered(&left, next, cutter));
+    Ok(uncovered.and_then(Result::ok).unwrap_or(left))
+}
+
+fn uncovered(
+    left: &[Polyarc],
+    rings: &[Polyarc],
+    cutter: &Cutter,
+) -> Result<Vec<Polyarc>, GeomError> {
+    let covered = offset_region(rings, cutter.radius_mm() + TOUCHING_MM)?;
+    let covered: Vec<Polyarc> = covered.into_iter().map(|found| found.path).collect();
+    combine(left, &covered, Combine::Difference)
+}

@@ -1,0 +1,192 @@
+//! One path round all rings of an island.
+//!
+//! A ring is followed from where the tool comes to it all the way round; at each link on the way the tool
+//! goes over to what hangs on it and comes back the same way, over what is already cut. What hangs near
+//! the end of a ring comes last, and from the last one of all there is no way back.
+
+use crate::cutter::Way;
+use crate::inside::Inside;
+use crate::islands::Island;
+use crate::tree::{Link, links};
+use kerf_geom::{Place, Point2, Polyarc, Segment, tol};
+
+/// A link from the end of a ring may be so much longer than the shortest one: it saves the way back.
+const LONGER: f64 = 1.5;
+
+/// The paths of an island: one, or more where links are missing.
+pub(crate) fn paths(island: &Island, inside: &Inside, way: Way) -> Vec<Polyarc> {
+    let nodes: Vec<Polyarc> = island.rings.iter().map(|ring| directed(ring, way)).collect();
+    let nodes: Vec<Polyarc> = nodes.into_iter().chain(island.strokes.iter().cloned()).collect();
+    let directed = Island { rings: nodes[..island.rings.len()].to_vec(), ..island.clone() };
+    let tree = Tree::of(nodes, &links(&directed, inside), inside);
+    let paths = tree.roots.iter().map(|(root, entry)| tree.walk(*root, *entry));
+    let turned = |path: Polyarc| if way.outward { path.reversed() } else { path };
+    paths.map(turned).collect()
+}
+
+/// Rings come with the material on their right when their outermost runs counter-clockwise. A path that
+/// is turned round in the end is made the other way.
+fn directed(ring: &Polyarc, way: Way) -> Polyarc {
+    if way.climb == way.outward { ring.reversed() } else { ring.clone() }
+}
+
+/// What hangs on a node: where the link begins, what it leads to, and where it arrives.
+#[derive(Clone, Copy)]
+struct Branch {
+    from: Place,
+    node: usize,
+    to: Place,
+}
+
+struct Tree {
+    nodes: Vec<Polyarc>,
+    branches: Vec<Vec<Branch>>,
+    /// Nodes with which paths begin, and where on them.
+    roots: Vec<(usize, Place)>,
+    /// How many nodes hang below each one, one below the other.
+    height: Vec<usize>,
+}
+
+/// What is still to be done, the next thing last.
+enum Task {
+    Visit { node: usize, entry: Place, last: bool },
+    Follow(Polyarc),
+    Go { from: Point2, to: Point2 },
+}
+
+impl Tree {
+    /// The tree of links, hung up at its first node. What has no link to it begins a tree of its own.
+    fn of(nodes: Vec<Polyarc>, links: &[Link], inside: &Inside) -> Self {
+        let count = nodes.len();
+        let mut ends: Vec<Vec<Branch>> = vec![Vec::new(); count];
+        for Link { from, to } in links {
+            ends[from.node].push(Branch { from: from.place, node: to.node, to: to.place });
+            ends[to.node].push(Branch { from: to.place, node: from.node, to: from.place });
+        }
+        let branches = vec![Vec::new(); count];
+        let mut tree = Self { nodes, branches, roots: Vec::new(), height: vec![0; count] };
+        let mut seen = vec![false; count];
+        for root in 0..count {
+            if !seen[root] {
+                tree.hang(root, &ends, &mut seen, inside);
+            }
+        }
+        tree
+    }
+
+    fn hang(&mut self, root: usize, ends: &[Vec<Branch>], seen: &mut [bool], inside: &Inside) {
+        let Some(at) = self.nodes[root].start() else { return };
+        let entry = Place { segment: 0, share: 0.0, at };
+        self.roots.push((root, entry));
+        seen[root] = true;
+        let mut order = vec![(root, entry)];
+        let mut next = 0;
+        while let Some(&(node, entry)) = order.get(next) {
+            next += 1;
+            for branch in &ends[node] {
+                if !seen[branch.node] {
+                    seen[branch.node] = true;
+                    let branch = self.nearer_to(entry, branch, inside);
+                    self.branches[node].push(branch);
+                    order.push((branch.node, branch.to));
+                }
+            }
+        }
+        for (node, _) in order.iter().rev() {
+            let below = self.branches[*node].iter().map(|branch| self.height[branch.node] + 1);
+            self.height[*node] = below.max().unwrap_or_default();
+        }
+    }
+
+    /// The same branch from where the node ends, if the link does not become much longer.
+    fn nearer_to(&self, entry: Place, branch: &Branch, inside: &Inside) -> Branch {
+        let to = self.nodes[branch.node].nearest(entry.at).map(|(to, _)| to);
+        let long = LONGER * branch.from.at.distance(branch.to.at);
+        let fits = |to: &Place| to.at.distance(entry.at) <= long && inside.joins(entry.at, to.at);
+        let is_ring = self.nodes[branch.node].closed;
+        let near = to.filter(|to| is_ring && fits(to));
+        near.map_or(*branch, |to| Branch { from: entry, to, ..*branch })
+    }
+
+    /// The path round everything that hangs on a root.
+    fn walk(&self, root: usize, entry: Place) -> Polyarc {
+        let mut path = Vec::new();
+        let mut tasks = vec![Task::Visit { node: root, entry, last: true }];
+        while let Some(task) = tasks.pop() {
+            match task {
+                Task::Visit { node, entry, last } => {
+                    let todo = self.visit(node, entry, last);
+                    tasks.extend(todo.into_iter().rev());
+                }
+                Task::Follow(part) => path.extend(part.segments()),
+                Task::Go { from, to } => path.push(Segment::line(from, to)),
+            }
+        }
+        path.retain(|segment: &Segment| segment.length() > tol::SAME_PLACE_MM);
+        if path.is_empty() {
+            return Polyarc::lines([entry.at], false);
+        }
+        Polyarc::from_segments(&path, false)
+    }
+
+    fn visit(&self, node: usize, entry: Place, last: bool) -> Vec<Task> {
+        let path = &self.nodes[node];
+        if path.closed { self.round(node, entry, last) } else { there_and_back(path, entry, last) }
+    }
+
+    /// Round a ring, with its branches on the way; those at its end come after it, the highest last.
+    fn round(&self, node: usize, entry: Place, last: bool) -> Vec<Task> {
+        let ring = self.nodes[node].started_at(&entry);
+        let mut stops: Vec<(f64, Place, &Branch)> = Vec::new();
+        let mut at_end = Vec::new();
+        for branch in &self.branches[node] {
+            let Some((place, _)) = ring.nearest(branch.from.at) else { continue };
+            let along = ring.length_to(&place);
+            let near_end = branch.from.at.distance(entry.at) <= tol::SAME_PLACE_MM;
+            if near_end { at_end.push(branch) } else { stops.push((along, place, branch)) }
+        }
+        stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+        at_end.sort_by_key(|branch| self.height[branch.node]);
+        let mut tasks = Vec::new();
+        let mut from = Place { segment: 0, share: 0.0, at: entry.at };
+        for (_, place, branch) in stops {
+            tasks.push(Task::Follow(part(&ring, &from, &place)));
+            tasks.extend(there(branch, false));
+            from = place;
+        }
+        let end = Place { segment: ring.segment_count() - 1, share: 1.0, at: entry.at };
+        tasks.push(Task::Follow(part(&ring, &from, &end)));
+        let count = at_end.len();
+        for (n, branch) in at_end.into_iter().enumerate() {
+            tasks.extend(there(branch, last && n + 1 == count));
+        }
+        tasks
+    }
+}
+
+/// Over to a branch, and back unless it is the last one.
+fn there(branch: &Branch, last: bool) -> Vec<Task> {
+    let (from, to) = (branch.from.at, branch.to.at);
+    let mut tasks = vec![Task::Go { from, to }];
+    tasks.push(Task::Visit { node: branch.node, entry: branch.to, last });
+    if !last {
+        tasks.push(Task::Go { from: to, to: from });
+    }
+    tasks
+}
+
+/// Along a stroke from the end where it is entered, and back unless it is the last thing.
+fn there_and_back(stroke: &Polyarc, entry: Place, last: bool) -> Vec<Task> {
+    let from_start =
+        stroke.start().is_none_or(|start| start.distance(entry.at) <= tol::SAME_PLACE_MM);
+    let there = if from_start { stroke.clone() } else { stroke.reversed() };
+    let back = (!last).then(|| Task::Follow(there.reversed()));
+    std::iter::once(Task::Follow(there)).chain(back).collect()
+}
+
+fn part(ring: &Polyarc, from: &Place, to: &Place) -> Polyarc {
+    if (to.segment, to.share) <= (from.segment, from.share) {
+        return Polyarc::default();
+    }
+    ring.between(from, to)
+}
