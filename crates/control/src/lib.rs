@@ -16,7 +16,6 @@
 
 pub mod answers;
 mod check;
-pub mod config;
 mod conversion;
 mod desk;
 pub mod event;

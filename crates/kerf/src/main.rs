@@ -11,6 +11,7 @@ mod date;
 mod drawings;
 mod estimate;
 mod exit;
+mod machine_file;
 mod memory;
 mod operator;
 mod out;

@@ -4,12 +4,16 @@ use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
 use crate::drawings;
 use crate::exit::Usage;
+use crate::machine_file::MachineFile;
 use crate::memory::Memory;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
+use kerf_diag::Diagnostic;
+use kerf_machine::Configuration;
+use kerf_machine::profile::profile;
 use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters};
@@ -149,11 +153,42 @@ fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
     dynamics
 }
 
+/// The machine: that of `--config`, a file or the name of a ready-made one; else that of the data
+/// folder; else the usual one.
+pub fn machine(config: Option<&Path>, data: &DataArgs) -> Result<Configuration> {
+    let Some(config) = config else {
+        let kept = MachineFile::of_data(data)?;
+        return read_machine(kept.name(), &kept.text()?);
+    };
+    match config.to_str().and_then(profile) {
+        Some(ready) if !config.exists() => read_machine(ready.name.into(), ready.text),
+        _ => read_machine(config.display().to_string(), &read_text(config)?),
+    }
+}
+
+fn read_machine(name: String, text: &str) -> Result<Configuration> {
+    let read = kerf_machine::file::read(&name.into(), text);
+    read.map_err(|found| Usage(told(&found).trim_end().into()).into())
+}
+
+/// Mistakes of a configuration, a line each.
+pub fn told(found: &[Diagnostic]) -> String {
+    let line = |it: &Diagnostic| {
+        let (place, code) = (&it.place, it.code);
+        format!(
+            "{}:{}:{}: {} [{code}] {}\n",
+            place.file, place.line, place.column, it.message, it.hint
+        )
+    };
+    found.iter().map(line).collect()
+}
+
 /// Settings at the start: those of a configuration, or the present ones.
 pub fn settings(place: &PlaceArgs, present: Settings) -> Result<Settings> {
-    let Some(file) = &place.config else { return Ok(present) };
-    let settings = kerf_control::config::settings(&read_text(file)?);
-    settings.map_err(|e| Usage(format!("{}: {e}", file.display())).into())
+    match place.config.as_deref() {
+        Some(config) => Ok(machine(Some(config), &place.data)?.program),
+        None => Ok(present),
+    }
 }
 
 /// How the program is run.

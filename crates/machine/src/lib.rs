@@ -12,6 +12,7 @@
 
 pub mod contradictions;
 pub mod file;
+pub mod profile;
 pub mod settings;
 pub mod table;
 pub mod value;

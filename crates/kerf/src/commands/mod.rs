@@ -5,6 +5,7 @@ mod convert;
 mod draw;
 mod explain;
 mod fmt;
+mod machine;
 mod parts;
 mod plot;
 mod preview;
@@ -43,6 +44,7 @@ pub enum Command {
     Sysvars(sysvars::SysvarsArgs),
     Samples(samples::SamplesArgs),
     Parts(parts::PartsArgs),
+    Machine(machine::MachineArgs),
 }
 
 /// Does it.
@@ -61,6 +63,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Toolpath(args) => toolpath::run(&args),
         Command::Samples(args) => samples::run(&args),
         Command::Parts(args) => parts::run(&args),
+        Command::Machine(args) => machine::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),
         Command::Wavlength(args) => wavlength::run(&args),

@@ -4,10 +4,12 @@
 //! its line: a key that is not known, a value of the wrong type or out of bounds, settings that
 //! contradict each other.
 
+mod edit;
 mod entries;
 mod read;
 mod write;
 
+pub use edit::edit;
 pub use read::{read, read_over};
 pub use write::{write, write_setting};
 

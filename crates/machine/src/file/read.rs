@@ -85,7 +85,7 @@ fn unknown(source: &Source<'_>, entry: &Entry) -> Option<Diagnostic> {
 
 /// A contradiction, told at the first of its settings that the file names.
 fn tell(source: &Source<'_>, entries: &[Entry], it: Contradiction) -> Diagnostic {
-    let named = entries.iter().find(|entry| it.keys.contains(&entry.key.as_str()));
+    let named = it.keys.iter().find_map(|key| entries.iter().find(|entry| entry.key == *key));
     let place = match named {
         Some(entry) => source.place(&entry.key_span),
         None => Place::line(source.file.clone(), 1),

@@ -86,3 +86,55 @@ fn every_mistake_is_told_with_its_line() {
     let all = read(&file(), "unit = 1\naxes = 9\n[x]\ny = 1").unwrap_err();
     assert_eq!(all.iter().map(|d| d.place.line).collect::<Vec<_>>(), [1, 2, 4]);
 }
+
+#[test]
+fn the_example_of_the_book_is_a_configuration() {
+    let page = include_str!("../../../../docs/book/machine.md");
+    let example = page.split("```toml").nth(1).unwrap().split("```").next().unwrap();
+    let s = read(&file(), example).unwrap().program;
+    assert_eq!((s.axis_count, s.warning_s, s.io.outputs[2]), (4, 2.0, 3));
+    assert!(s.dynamics.is_some());
+}
+
+#[test]
+fn what_is_named_is_set_and_the_rest_keeps_its_default() {
+    let text = "units = \"mm\"\naxes = 4\n[speeds.cut]\nxy = 30.0\n[limits]\nlow = [-1, -2]\n\
+        check = true\n[io]\ninputs = [0, 2]\noutput4 = -4\ninterlock = 12\n[steps]\nper_unit = [40]";
+    let (s, d) = (read(&file(), text).unwrap().program, Configuration::default().program);
+    assert_eq!((s.axis_count, s.speeds.cut.xy, s.speeds.cut.z), (4, 30.0, d.speeds.cut.z));
+    assert_eq!((s.limits.low.0[1], s.limits.low.0[2]), (-2.0, d.limits.low.0[2]));
+    assert_eq!((s.limits.check, s.io.inputs[1], s.io.output4), (true, 2, -4));
+    assert_eq!((s.resolution.steps_per_unit.0[0], s.io.interlock), (40.0, Some(12)));
+}
+
+#[test]
+#[allow(non_snake_case)] // a row and its variant
+fn pro_smoothing_default__negative_refused() {
+    assert_eq!(Configuration::default().program.smoothing.factor, 0.6);
+    check("smoothing.factor = -0.1", 1, "smoothing.factor must be 0 or greater, not -0.1");
+}
+
+#[test]
+#[allow(non_snake_case)]
+fn pro_smoothing_stop_default__bounds() {
+    assert_eq!(Configuration::default().program.smoothing.stop_angle_deg, 1.0);
+    for angle in ["-0.1", "181"] {
+        check(&format!("smoothing.stop_angle_deg = {angle}"), 1, "stop_angle_deg must be 0 to 180");
+    }
+}
+
+#[test]
+fn pro_smoothing_saved() {
+    let text = "[smoothing]\nfactor = 0.8\nstop_angle_deg = 2.0";
+    let first = read(&file(), text).unwrap();
+    let s = read(&file(), &write(&first)).unwrap().program.smoothing;
+    assert_eq!((s.factor, s.stop_angle_deg, s.centripetal_percent), (0.8, 2.0, 100.0));
+}
+
+#[test]
+#[allow(non_snake_case)]
+fn pro_speeds_centripetal__bounds() {
+    for percent in ["0", "101"] {
+        check(&format!("smoothing.centripetal_percent = {percent}"), 1, "percent must be 1 to 100");
+    }
+}

@@ -37,10 +37,8 @@ fn write_area(
 /// One setting: its meaning as a comment, then the line that sets it.
 pub fn write_setting(setting: &Setting, configuration: &Configuration) -> String {
     let (_, name) = setting.section();
-    let notes = [setting.unit_note(), setting.bounds_note(), default_note(setting)];
-    let notes: Vec<_> = notes.into_iter().filter(|note| !note.is_empty()).collect();
     let value = setting.get(configuration);
-    format!("# {} [{}]\n{name} = {value}\n", setting.doc, notes.join("; "))
+    format!("# {} [{}]\n{name} = {value}\n", setting.doc, setting.notes())
 }
 
 /// A long list is not repeated as default.
@@ -52,6 +50,12 @@ fn default_note(setting: &Setting) -> String {
 }
 
 impl Setting {
+    /// Unit, bounds and default in a few words.
+    pub fn notes(&self) -> String {
+        let notes = [self.unit_note(), self.bounds_note(), default_note(self)];
+        notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join("; ")
+    }
+
     fn unit_note(&self) -> String {
         match self.unit {
             Unit::None => String::new(),

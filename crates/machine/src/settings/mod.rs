@@ -65,3 +65,11 @@ pub struct Configuration {
     /// Where the switches of the simulated machine sit.
     pub simulated: simulated::Simulated,
 }
+
+impl Configuration {
+    /// How long a step output is on: one output delay of the machine and what the step delay adds,
+    /// nanoseconds ("Microstepping Drive Parameters").
+    pub const fn step_pulse_ns(&self) -> u32 {
+        self.simulated.output_delay_ns.saturating_add(self.motors.step_delay_ns)
+    }
+}

@@ -2,7 +2,7 @@
 //! Parameters", "Microstepping Drive Parameters").
 
 use super::words;
-use kerf_program::AXES;
+use kerf_program::{AXES, Axis};
 
 /// Motors a machine can have.
 pub const MOTORS: usize = 6;
@@ -71,6 +71,59 @@ pub struct Motors {
     pub dir_delay_ns: u32,
     /// Widens the step pulse, nanoseconds.
     pub step_delay_ns: u32,
+}
+
+impl Motors {
+    /// The motors beside X, Y and Z, each with the key of its setting.
+    pub const fn further(&self) -> [(&'static str, Option<FreeMotor>); 6] {
+        [
+            ("motors.x2", self.x2),
+            ("motors.y2", self.y2),
+            ("motors.z2", self.z2),
+            ("motors.a", self.a),
+            ("motors.b", self.b),
+            ("motors.w", self.w),
+        ]
+    }
+
+    /// The motors of an axis, its own first.
+    pub fn of_axis(&self, axis: Axis) -> Vec<Motor> {
+        Motor::ALL.into_iter().filter(|motor| self.axis_of(*motor) == Some(axis)).collect()
+    }
+
+    /// What the Profiler tables call an axis: A is `z2` where it is the second head, C is `w`.
+    pub const fn axis_name(&self, axis: Axis) -> &'static str {
+        match axis {
+            Axis::X => "x",
+            Axis::Y => "y",
+            Axis::Z => "z",
+            Axis::A if self.z2.is_some() => "z2",
+            Axis::A => "a",
+            Axis::B => "b",
+            Axis::C => "w",
+        }
+    }
+
+    /// The axis that a motor drives, if it drives one.
+    pub fn axis_of(&self, motor: Motor) -> Option<Axis> {
+        let further = [
+            (self.x2, Axis::X),
+            (self.y2, Axis::Y),
+            (self.z2, Axis::A),
+            (self.a, Axis::A),
+            (self.b, Axis::B),
+            (self.w, Axis::C),
+        ];
+        match motor {
+            Motor::X => Some(Axis::X),
+            Motor::Y => Some(Axis::Y),
+            Motor::Z => Some(Axis::Z),
+            free => {
+                let drives = |given: Option<FreeMotor>| given.map(Motor::from) == Some(free);
+                further.into_iter().find(|(given, _)| drives(*given)).map(|(_, axis)| axis)
+            }
+        }
+    }
 }
 
 impl Default for Motors {

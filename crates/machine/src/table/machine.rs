@@ -1,7 +1,8 @@
 //! Axes, motors, homing, heights and speeds.
 
 use super::Bounds::{Any, NotNegative, Positive, Range};
-use super::{Area, Setting, row};
+use super::{Area, Setting, Unit, row};
+use crate::value::Value;
 
 pub(super) const AREAS: &[Area] = &[
     Area { title: "Axes", manual: "Profiler, Axis Parameters", rows: AXES },
@@ -39,7 +40,27 @@ const AXES: &[Setting] = &[
     ),
 ];
 
+/// X, Y and Z have motors of their own; the rows only say so.
+macro_rules! fixed {
+    ($key:literal, $letter:literal) => {
+        Setting {
+            key: $key,
+            unit: Unit::None,
+            bounds: Any,
+            doc: concat!("The motor of this axis, always ", $letter, "."),
+            get: |_| Value::Text($letter.into()),
+            put: |_, value| match value {
+                Value::Text(word) if word.eq_ignore_ascii_case($letter) => Ok(()),
+                _ => Err(concat!($letter, ", which cannot be changed").into()),
+            },
+        }
+    };
+}
+
 const MOTORS: &[Setting] = &[
+    fixed!("motors.x", "x"),
+    fixed!("motors.y", "y"),
+    fixed!("motors.z", "z"),
     row!(c, "motors.x2", c.motors.x2, None, Any, "Second motor of X: w, q or r."),
     row!(c, "motors.y2", c.motors.y2, None, Any, "Second motor of Y: w, q or r."),
     row!(

@@ -1,0 +1,214 @@
+//! `kerf machine`: the configuration of a machine.
+
+use crate::args::DataArgs;
+use crate::exit::{Exit, Usage};
+use crate::machine_file::MachineFile;
+use crate::{out, setup};
+use anyhow::{Result, bail};
+use clap::{Args, Subcommand};
+use kerf_machine::contradictions::contradictions;
+use kerf_machine::profile::{PROFILES, profile};
+use kerf_machine::table::{self, Setting};
+use kerf_machine::{Configuration, Value, file};
+use kerf_program::Axis;
+use std::path::PathBuf;
+
+/// Shows and changes what a machine is like: axes, motors, heights, delays, inputs and the rest
+///
+/// The machine is the one of --config (a file, or the name of a ready-made one), else the one in the
+/// data folder.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  kerf machine profiles\n  kerf machine use router-96x48\n  \
+    kerf machine set delays.router_start_s 2\n  kerf machine list homing\n  \
+    kerf machine show > mine.toml\n  kerf machine check mine.toml")]
+pub struct MachineArgs {
+    #[command(subcommand)]
+    action: Action,
+    #[command(flatten)]
+    which: Which,
+}
+
+/// Which machine.
+#[derive(Args, Clone, Debug)]
+pub struct Which {
+    /// Configuration: a file, or the name of a ready-made machine
+    #[arg(long, value_name = "FILE", global = true)]
+    config: Option<PathBuf>,
+    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
+    #[arg(long, value_name = "DIR", global = true)]
+    data: Option<PathBuf>,
+}
+
+impl Which {
+    fn folder(&self) -> DataArgs {
+        DataArgs { folder: self.data.clone() }
+    }
+
+    /// The machine.
+    pub fn machine(&self) -> Result<Configuration> {
+        setup::machine(self.config.as_deref(), &self.folder())
+    }
+
+    /// The file that changes go to.
+    fn file(&self) -> Result<MachineFile> {
+        MachineFile::of(self.config.as_deref(), &self.folder())
+    }
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Prints the whole configuration as a commented file
+    Show,
+    /// Lists settings with value, unit, bounds and default; all, or those with a word in their key
+    List {
+        /// A word
+        word: Option<String>,
+    },
+    /// Prints the value of a setting
+    Get {
+        /// Its key
+        key: String,
+    },
+    /// Changes a setting
+    Set {
+        /// Its key
+        key: String,
+        /// The value; a list is separated by commas
+        #[arg(allow_hyphen_values = true)]
+        value: String,
+    },
+    /// Checks configuration files; prints every mistake
+    Check {
+        /// The files
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+    },
+    /// Lists the ready-made machines, or prints the file of one
+    Profiles {
+        /// Its name
+        name: Option<String>,
+    },
+    /// Makes a ready-made machine the one of the data folder
+    Use {
+        /// Its name
+        name: String,
+    },
+    /// Lists the axes with their motors, lengths, speeds and switches
+    Axes,
+}
+
+pub fn run(args: &MachineArgs) -> Result<Exit> {
+    match &args.action {
+        Action::Check { files } => return check(files),
+        Action::Profiles { name } => profiles(name.as_deref())?,
+        Action::Show => out::print(&file::write(&args.which.machine()?)),
+        Action::List { word } => list(word.as_deref(), &args.which.machine()?)?,
+        Action::Get { key } => {
+            let value = known(key)?.get(&args.which.machine()?);
+            out::print(&format!("{value}\n"));
+        }
+        Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
+        Action::Use { name } => MachineFile::of_data(&args.which.folder())?.write(named(name)?)?,
+        Action::Axes => out::print(&axes(&args.which.machine()?)),
+    }
+    Ok(Exit::Good)
+}
+
+fn known(key: &str) -> Result<&'static Setting> {
+    let Some(setting) = table::setting(key) else {
+        let keys = table::settings().map(|setting| setting.key);
+        let hint = kerf_diag::did_you_mean(key, keys)
+            .unwrap_or_else(|| "kerf machine list shows every setting".into());
+        bail!(Usage(format!("there is no setting {key}; {hint}")));
+    };
+    Ok(setting)
+}
+
+fn named(name: &str) -> Result<&'static str> {
+    match profile(name) {
+        Some(profile) => Ok(profile.text),
+        None => {
+            bail!(Usage(format!("no ready-made machine is called {name}: kerf machine profiles")))
+        }
+    }
+}
+
+fn set(which: &Which, setting: &Setting, value: &Value) -> Result<()> {
+    let kept = which.file()?;
+    let mut configuration = which.machine()?;
+    setting.set(&mut configuration, value).map_err(|refused| Usage(refused.to_string()))?;
+    if let Some(crossed) = contradictions(&configuration).first() {
+        bail!(Usage(format!("{}; {}", crossed.message, crossed.hint)));
+    }
+    kept.write(&file::edit(&kept.text()?, setting, &configuration))
+}
+
+fn list(word: Option<&str>, configuration: &Configuration) -> Result<()> {
+    let fits = |setting: &&Setting| word.is_none_or(|word| setting.key.contains(word));
+    let mut lines = String::new();
+    for area in table::areas() {
+        let mut rows = area.rows.iter().filter(fits).peekable();
+        if rows.peek().is_some() {
+            lines.push_str(&format!("# {} ({})\n", area.title, area.manual));
+        }
+        for setting in rows {
+            let (value, notes) = (setting.get(configuration), setting.notes());
+            lines.push_str(&format!("{} = {value}  [{notes}] {}\n", setting.key, setting.doc));
+        }
+    }
+    if lines.is_empty() {
+        bail!(Usage(format!("no setting has {} in its key", word.unwrap_or_default())));
+    }
+    out::print(&lines);
+    Ok(())
+}
+
+fn check(files: &[PathBuf]) -> Result<Exit> {
+    let mut worst = Exit::Good;
+    for path in files {
+        let text = setup::read_text(path)?;
+        let name = path.display().to_string().into();
+        if let Err(found) = file::read(&name, &text) {
+            out::print(&setup::told(&found));
+            worst = Exit::Failed;
+        }
+    }
+    Ok(worst)
+}
+
+fn profiles(name: Option<&str>) -> Result<()> {
+    if let Some(name) = name {
+        out::print(named(name)?);
+        return Ok(());
+    }
+    for profile in PROFILES {
+        out::print(&format!("{:<16} {}\n", profile.name, profile.about()));
+    }
+    Ok(())
+}
+
+/// A line for each axis that a motor drives.
+fn axes(c: &Configuration) -> String {
+    let dynamics = c.program.axis_dynamics();
+    let mut lines =
+        String::from("axis motors   steps/unit     length  max speed  max accel  home\n");
+    for axis in Axis::ALL {
+        let motors = c.motors.of_axis(axis);
+        if motors.is_empty() {
+            continue;
+        }
+        let words: Vec<_> = motors.iter().map(|motor| motor.word().to_uppercase()).collect();
+        let switch = c.homing.of(axis);
+        let home = if switch.fitted { switch.end.word() } else { "none" };
+        lines.push_str(&format!(
+            "{:<4} {:<8} {:>10.4} {:>10.3} {:>10.3} {:>10.3}  {home}\n",
+            c.motors.axis_name(axis),
+            words.join(" "),
+            c.program.resolution.steps_per_unit[axis],
+            c.axes.length[axis],
+            dynamics.speed_mm_s[axis],
+            dynamics.accel_mm_s2[axis],
+        ));
+    }
+    lines
+}

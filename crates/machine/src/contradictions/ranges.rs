@@ -1,0 +1,58 @@
+//! Places in order, ports apart.
+
+use super::Contradiction;
+use crate::Configuration;
+use kerf_program::Axis;
+
+type Found = Vec<Contradiction>;
+
+/// The table has its low end below its high end.
+pub(super) fn limits(c: &Configuration, found: &mut Found) {
+    let limits = &c.program.limits;
+    if let Some(axis) = Axis::ALL.into_iter().find(|axis| limits.low[*axis] > limits.high[*axis]) {
+        found.push(Contradiction::new(
+            &["limits.low", "limits.high"],
+            format!("limits.low is above limits.high for axis {}", axis.letter()),
+            "The low end of an axis is at most its high end.",
+        ));
+    }
+}
+
+/// Top ≥ surface ≥ bottom, and the bottom within reach ("Special Z Axis Positions").
+pub(super) fn heights(c: &Configuration, found: &mut Found) {
+    let z = &c.zpos;
+    let ordered = [
+        ("zpos.surface_mm", z.surface_mm, "zpos.top_mm", z.top_mm),
+        ("zpos.bottom_mm", z.bottom_mm, "zpos.surface_mm", z.surface_mm),
+    ];
+    for (low_key, low, high_key, high) in ordered {
+        if low > high {
+            let message = format!("{low_key} ({low}) is above {high_key} ({high})");
+            let hint = "Z top is the highest, Z bottom the lowest of the three.";
+            found.push(Contradiction::new(&[low_key, high_key], message, hint));
+        }
+    }
+    let length = c.axes.length[Axis::Z];
+    if c.axes.limit_movement && length > 0.0 && z.bottom_mm < -length {
+        let message =
+            format!("zpos.bottom_mm ({}) is below the travel of Z ({length})", z.bottom_mm);
+        let hint = "The tool goes down from home by the third value of axis.length at most.";
+        found.push(Contradiction::new(&["zpos.bottom_mm", "axis.length"], message, hint));
+    }
+}
+
+/// Hand console, file sending and height readings do not share a port ("Communication").
+pub(super) fn ports(c: &Configuration, found: &mut Found) {
+    let ports = [
+        ("options.console_port", c.options.console_port),
+        ("options.send_port", c.options.send_port),
+        ("height.port", c.height.port),
+    ];
+    for (i, (key, port)) in ports.iter().enumerate() {
+        if let Some((other, _)) = ports[..i].iter().find(|(_, earlier)| earlier == port) {
+            let message = format!("{other} and {key} are the same serial port, {port}");
+            let hint = "Each of the three has a port of its own.";
+            found.push(Contradiction::new(&[key, other], message, hint));
+        }
+    }
+}

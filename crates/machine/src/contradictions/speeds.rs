@@ -1,0 +1,80 @@
+//! Nothing is faster than the axis that does it.
+
+use super::Contradiction;
+use crate::Configuration;
+use kerf_program::Axis;
+use kerf_program::settings::AxisUnit;
+
+type Found = Vec<Contradiction>;
+
+/// One value and the axis' own that it may not exceed.
+struct Share {
+    key: &'static str,
+    value: f64,
+    axis: Axis,
+    most: f64,
+    unit: &'static str,
+}
+
+impl Share {
+    fn check(&self, of: &'static str, found: &mut Found) {
+        // The last bits of a conversion from mm/min are no excess.
+        if self.value > self.most * (1.0 + 1e-9) {
+            let Self { key, value, axis, most, unit } = self;
+            let message = format!("{key} is {value} {unit}, axis {} reaches {most}", axis.letter());
+            let hint = "Lower it, or raise what the axis can do (dynamics).";
+            found.push(Contradiction::new(&[key, of], message, hint));
+        }
+    }
+}
+
+const SPEED: &str = "dynamics.speed_mm_s";
+const ACCEL: &str = "dynamics.accel_mm_s2";
+
+/// Cutting and plunging ("Maximum Machine Cutting Speeds").
+pub(super) fn cutting(c: &Configuration, found: &mut Found) {
+    let most = c.program.axis_dynamics().speed_mm_s;
+    let cut = c.program.smoothing.cut_speed_mm_s.unwrap_or(0.0);
+    let shares = [
+        ("smoothing.cut_speed_mm_s", cut, Axis::X),
+        ("plunge.speed_mm_s", c.speeds.plunge_mm_s, Axis::Z),
+    ];
+    for (key, value, axis) in shares {
+        Share { key, value, axis, most: most[axis], unit: "mm/s" }.check(SPEED, found);
+    }
+}
+
+/// Height control ("Automatic Height Control"), where it is on.
+pub(super) fn height(c: &Configuration, found: &mut Found) {
+    if !c.height.on {
+        return;
+    }
+    let (dynamics, axis) = (c.program.axis_dynamics(), Axis::Z);
+    let (key, value) = ("height.speed_mm_s", c.height.speed_mm_s);
+    Share { key, value, axis, most: dynamics.speed_mm_s[axis], unit: "mm/s" }.check(SPEED, found);
+    let (key, value) = ("height.accel_mm_s2", c.height.accel_mm_s2);
+    Share { key, value, axis, most: dynamics.accel_mm_s2[axis], unit: "mm/s²" }.check(ACCEL, found);
+}
+
+const HOMING: [[&str; 2]; 6] = [
+    ["homing.x.fast", "homing.x.slow"],
+    ["homing.y.fast", "homing.y.slow"],
+    ["homing.z.fast", "homing.z.slow"],
+    ["homing.a.fast", "homing.a.slow"],
+    ["homing.b.fast", "homing.b.slow"],
+    ["homing.w.fast", "homing.w.slow"],
+];
+
+/// The search for home, of axes that have a switch.
+pub(super) fn homing(c: &Configuration, found: &mut Found) {
+    let most = c.program.axis_dynamics().speed_mm_s;
+    for (axis, [fast, slow]) in Axis::ALL.into_iter().zip(HOMING) {
+        let switch = c.homing.of(axis);
+        let unit = if c.program.axis_unit(axis) == AxisUnit::Degrees { "deg/s" } else { "mm/s" };
+        for (key, value) in [(fast, switch.fast), (slow, switch.slow)] {
+            if switch.fitted {
+                Share { key, value, axis, most: most[axis], unit }.check(SPEED, found);
+            }
+        }
+    }
+}

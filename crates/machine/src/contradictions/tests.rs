@@ -1,0 +1,154 @@
+//! Every contradiction is refused by the names of its settings.
+
+#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
+
+use crate::file;
+use std::sync::Arc;
+
+/// What SIM of the notes can do.
+const SIM: &str = "dynamics.speed_mm_s = [200, 200, 50, 50, 180, 180]\n\
+    dynamics.accel_mm_s2 = [1000, 1000, 500, 500, 720, 720]\n\
+    steps.per_unit = [250, 250, 250, 250, 100, 100]\n";
+
+fn refusals(settings: &str) -> Vec<String> {
+    let text = format!("{SIM}{settings}");
+    let found = file::read(&Arc::from("m.toml"), &text).err().unwrap_or_default();
+    found.into_iter().map(|it| format!("{}:{}", i64::from(it.place.line) - 3, it.message)).collect()
+}
+
+fn refused(settings: &str, part: &str) {
+    let found = refusals(settings);
+    assert!(found.iter().any(|it| it.contains(part)), "{settings}: {found:?}");
+}
+
+fn accepted(settings: &str) {
+    assert_eq!(refusals(settings), Vec::<String>::new(), "{settings}");
+}
+
+#[test]
+fn pro_motors_unique() {
+    refused(
+        "motors.x2 = \"q\"\nmotors.y2 = \"q\"",
+        "2:motor Q drives two axes: motors.x2 and motors.y2",
+    );
+    accepted("motors.x2 = \"q\"\nmotors.y2 = \"r\"\nmotors.w = \"w\"");
+    refused("motors.x2 = \"q\"\nmotors.y2 = \"r\"\nmotors.w = \"w\"\nmotors.z2 = \"q\"", "motor Q");
+}
+
+#[test]
+fn pro_axes_stepdelay__longer_than_the_period() {
+    accepted("motors.step_delay_ns = 18_900");
+    refused("motors.step_delay_ns = 19_000", "1:a step pulse takes 20000 ns");
+}
+
+#[test]
+fn pro_zpos_order() {
+    refused("zpos.top_mm = -25", "1:zpos.surface_mm (-20) is above zpos.top_mm (-25)");
+    refused("zpos.bottom_mm = -5", "1:zpos.bottom_mm (-5) is above zpos.surface_mm (-20)");
+    accepted("zpos.top_mm = -20\nzpos.bottom_mm = -20");
+}
+
+#[test]
+fn pro_io_ina1() {
+    refused("homing.w.fitted = true\nplasma.use = true", "2:input A1 (WHOME) is the W home switch");
+    refused("plasma.use = true\njob.external_start = true", "(plasma.use) and the external start");
+    accepted("plasma.use = true");
+}
+
+#[test]
+fn pro_plasma_tooclose_input__w_homing_refused() {
+    refused("plasma.use = true\nhoming.at_job_start = [\"w\"]", "input A1 (WHOME) is homing W");
+}
+
+#[test]
+fn pro_job_ext_now() {
+    refused("job.external_start = true\nhoming.w.fitted = true", "input A1 (WHOME)");
+    refused("job.external_start = true\nhoming.at_program_start = \"w\"", "input A1 (WHOME)");
+}
+
+#[test]
+fn pro_job_ext_nojigs() {
+    refused(
+        "job.external_start = true\njob.two_jigs = true",
+        "job.external_start and job.two_jigs",
+    );
+    accepted("job.external_start = true");
+}
+
+#[test]
+fn pro_plasma_use__and_piercing() {
+    refused("plasma.use = true\nlaser.pierce.use = true", "plasma.use and laser.pierce.use");
+}
+
+#[test]
+fn pro_intensity_clip_none() {
+    let laser = "laser.use = true\nlaser.type = \"pwm\"\nlaser.cut_hz = 200_000\n";
+    refused(&format!("{laser}laser.min_pulse_us = 6"), "3:no valid laser pulse width");
+    refused(
+        &format!("{laser}laser.min_pulse_us = 3\nlaser.max_pulse_us = 2"),
+        "no valid laser pulse",
+    );
+    accepted(&format!("{laser}laser.min_pulse_us = 1\nlaser.max_pulse_us = 5"));
+}
+
+#[test]
+fn pro_misc_laser_on__needs_a_type() {
+    refused("laser.use = true", "laser.use is true, but laser.type is none");
+    accepted("laser.use = true\nlaser.type = \"cw\"");
+}
+
+#[test]
+fn pro_homing_speeds__above_the_axis() {
+    let fitted = "homing.x.fitted = true\n";
+    accepted(&format!("{fitted}homing.x.fast = 200"));
+    refused(
+        &format!("{fitted}homing.x.fast = 201"),
+        "homing.x.fast is 201 mm/s, axis X reaches 200",
+    );
+    refused("homing.w.fitted = true\nhoming.w.slow = 181", "homing.w.slow is 181 deg/s");
+}
+
+#[test]
+fn pro_speeds_cut() {
+    accepted("smoothing.cut_speed_mm_s = 200");
+    // 12001 mm/min
+    refused("smoothing.cut_speed_mm_s = 200.017", "smoothing.cut_speed_mm_s is 200.017 mm/s");
+}
+
+#[test]
+fn pro_speeds_plunge_max() {
+    accepted("plunge.speed_mm_s = 50");
+    refused("plunge.speed_mm_s = 50.017", "plunge.speed_mm_s is 50.017 mm/s, axis Z reaches 50");
+}
+
+#[test]
+fn pro_height_maxspeed__above_the_axis() {
+    accepted("height.on = true\nheight.speed_mm_s = 50");
+    refused("height.on = true\nheight.speed_mm_s = 51", "height.speed_mm_s is 51 mm/s");
+}
+
+#[test]
+fn pro_height_maxacc__above_the_axis() {
+    accepted("height.on = true\nheight.accel_mm_s2 = 500");
+    refused("height.on = true\nheight.accel_mm_s2 = 501", "height.accel_mm_s2 is 501 mm/s²");
+}
+
+#[test]
+fn pro_options_con_port() {
+    refused("options.send_port = 1", "options.console_port and options.send_port are the same");
+    refused("height.port = 2", "options.send_port and height.port are the same serial port, 2");
+    refused("options.console_port = 5", "options.console_port must be 1 to 4, not 5");
+}
+
+#[test]
+fn limits_are_in_order() {
+    refused("limits.low = [9e9]", "1:limits.low is above limits.high for axis X");
+}
+
+#[test]
+fn the_rest_of_what_motors_are_asked() {
+    refused("misc.tangential = true", "misc.tangential is true, but motors.w is none");
+    refused("homing.separate_x = true", "homing.separate_x is true, but motors.x2 is none");
+    refused("motors.a = \"q\"\nmotors.z2 = \"w\"", "axis A has two motors");
+    refused("rotary = [\"deg\"]\nmotors.z2 = \"w\"", "the second head (motors.z2) is axis A");
+}

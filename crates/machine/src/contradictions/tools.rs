@@ -1,0 +1,87 @@
+//! Inputs that can serve one purpose only, and what tools can do.
+
+use super::Contradiction;
+use crate::Configuration;
+use crate::settings::axes::W;
+use crate::settings::intensity::LEVELS;
+use crate::settings::laser::LaserType;
+
+type Found = Vec<Contradiction>;
+
+/// Bit 1 of input port A is the W home switch, Too-Close of a plasma, or the external start.
+pub(super) fn shared_input(c: &Configuration, found: &mut Found) {
+    let homes_w = c.homing.of(W).fitted;
+    let homes_w_alone = c.homing.at_program_start.contains(W) || c.homing.at_job_start.contains(W);
+    let uses = [
+        ("homing.w.fitted", homes_w, "the W home switch"),
+        ("homing.at_job_start", homes_w_alone && !homes_w, "homing W"),
+        ("plasma.use", c.plasma.use_sequence, "Too-Close of the plasma start"),
+        ("job.external_start", c.job.external_start, "the external start"),
+    ];
+    let used: Vec<_> = uses.into_iter().filter(|(_, used, _)| *used).collect();
+    let [(first_key, _, first), rest @ ..] = used.as_slice() else { return };
+    for (key, _, what) in rest {
+        let message = format!("input A1 (WHOME) is {first} ({first_key}) and {what} ({key})");
+        let hint = "The input serves one purpose: turn the others off.";
+        found.push(Contradiction::new(&[key, first_key], message, hint));
+    }
+}
+
+/// With the external start there is one jig ("Machining the Job").
+pub(super) fn jigs(c: &Configuration, found: &mut Found) {
+    if c.job.external_start && c.job.two_jigs {
+        found.push(Contradiction::new(
+            &["job.two_jigs", "job.external_start"],
+            "job.external_start and job.two_jigs cannot both be used",
+            "Jigs have start inputs of their own.",
+        ));
+    }
+}
+
+/// A torch is started one way, a laser another.
+pub(super) fn start_sequences(c: &Configuration, found: &mut Found) {
+    if c.plasma.use_sequence && c.laser.pierce.use_sequence {
+        found.push(Contradiction::new(
+            &["laser.pierce.use", "plasma.use"],
+            "plasma.use and laser.pierce.use are both true",
+            "A shape begins with one of the two sequences.",
+        ));
+    }
+}
+
+/// A laser has a kind, and a pulsed one a pulse that fits ("Intensity Output Example").
+pub(super) fn laser(c: &Configuration, found: &mut Found) {
+    if !c.laser.use_laser {
+        return;
+    }
+    match c.laser.kind {
+        None => found.push(Contradiction::new(
+            &["laser.use", "laser.type"],
+            "laser.use is true, but laser.type is none",
+            "Tell the kind of laser: cw or pwm.",
+        )),
+        Some(LaserType::Pulsed) => {
+            pulse(c, "laser.cut_hz", c.laser.cut_hz, found);
+            if c.laser.pierce.use_sequence {
+                pulse(c, "laser.pierce.hz", c.laser.pierce.hz, found);
+            }
+        }
+        Some(LaserType::Continuous) => {}
+    }
+}
+
+/// Some intensity must give a pulse within its limits.
+fn pulse(c: &Configuration, key: &'static str, hz: f64, found: &mut Found) {
+    let period_us = 1e6 / hz;
+    let (min, max) = (c.laser.min_pulse_us, c.laser.max_pulse_us);
+    let level = |us: f64| (us / period_us * (LEVELS - 1) as f64).trunc();
+    if level(min) > level(max) || level(min) > (LEVELS - 1) as f64 || min > max {
+        let message = format!(
+            "no valid laser pulse width: at {hz} Hz ({key}) the period is {period_us} µs, the pulse \
+             {min} µs at least (laser.min_pulse_us) and {max} µs at most (laser.max_pulse_us)"
+        );
+        let hint = "Lower the frequency, or let pulses be shorter.";
+        let keys = [key, "laser.min_pulse_us", "laser.max_pulse_us"];
+        found.push(Contradiction::new(&keys, message, hint));
+    }
+}
