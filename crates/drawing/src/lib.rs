@@ -24,6 +24,7 @@ mod op;
 mod selection;
 mod settings;
 mod shape;
+mod travel;
 
 pub use array::{ArrayLevel, Arrays, Corner, Level, Order};
 pub use drawing::{CommentError, Drawing, MAX_COMMENT_LENGTH, MAX_COMMENTS, bounds_of};
@@ -37,3 +38,4 @@ pub use op::{
 pub use selection::Choice;
 pub use settings::{GroupSettings, Height, Lead, SettingsError};
 pub use shape::{Kind, Shape};
+pub use travel::{EXACT_STOPS, Rapids, Search, Travelled, travelled};

@@ -96,6 +96,8 @@ mod tests {
         set red speed=max height=thru pass=off; set red height=3d; \
         engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0; sequence 3,1,2; \
         sequence groups red,black; sequence reverse; sequence auto -1000,0; sequence level 2,1; \
+        sequence travel from 0,-5 starts speed=200 accel=0 lift=2 tool-change=30 tries=9; \
+        sequence travel from 0,0 speed=150 accel=500 lift=1 tool-change=60; \
         array block 2x3 gap 10,20 start tl order row-snake; \
         array job 1x1 gap 0,0 start bl order column; justify left; justify surface; \
         justify bottom -10; rotate90; mirror-drawing; origin 10,5; origin cad; clip; \

@@ -5,7 +5,7 @@
 use super::clear;
 use super::words::{WordError, Words, number, pair};
 use super::{Change, How, Operation, Sequencing};
-use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
+use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
 
 /// An operation as a person writes it.
@@ -209,8 +209,10 @@ pub const ENTRIES: &[Entry] = &[
     entry(
         "sequence",
         "sequence 3,1,2 | sequence groups COLOUR,… | sequence reverse | sequence auto X,Y | \
-         sequence level 3,1,2",
-        "changes the order in which shapes are cut",
+         sequence level 3,1,2 | sequence travel [from X,Y] [starts] [speed=MM/S] [accel=MM/S2] \
+         [lift=S] [tool-change=S] [tries=N]",
+        "changes the order in which shapes are cut; travel seeks the least time between the cuts, and with \
+         starts also where closed shapes begin",
         sequence,
     ),
     entry(
@@ -453,6 +455,7 @@ fn sequence(w: &mut Words) -> Read {
         () if w.takes("reverse") => Sequencing::Reverse,
         () if w.takes("auto") => Sequencing::Auto(w.point("the place to begin near")?),
         () if w.takes("level") => Sequencing::Level(numbers(w)?),
+        () if w.takes("travel") => Sequencing::Travel(search(w)?),
         () if w.takes("groups") => Sequencing::Groups(w.read(
             "the groups",
             "a list of groups such as red,black",
@@ -461,6 +464,34 @@ fn sequence(w: &mut Words) -> Read {
         () => Sequencing::Full(numbers(w)?),
     };
     Ok(Operation::Sequence { order })
+}
+
+fn search(w: &mut Words) -> Result<Search, WordError> {
+    let mut search = Search::default();
+    if w.takes("from") {
+        search.from = w.point("where the head comes from")?;
+    }
+    search.starts = w.takes("starts");
+    while w.peek().is_some() {
+        search = w.read("a setting of the search", SEARCH, |word| search_word(search, word))?;
+    }
+    Ok(search)
+}
+
+const SEARCH: &str = "starts, speed=MM/S, accel=MM/S2, lift=S, tool-change=S or tries=N";
+
+fn search_word(mut search: Search, word: &str) -> Option<Search> {
+    let (key, value) = word.split_once('=')?;
+    let rapids = &mut search.rapids;
+    match key.to_ascii_lowercase().as_str() {
+        "speed" => rapids.speed_mm_s = number(value)?,
+        "accel" => rapids.accel_mm_s2 = number(value)?,
+        "lift" => rapids.lift_s = number(value)?,
+        "tool-change" => rapids.tool_change_s = number(value)?,
+        "tries" => search.tries = Some(value.parse().ok()?),
+        _ => return None,
+    }
+    Some(search)
 }
 
 fn array(w: &mut Words) -> Read {

@@ -8,6 +8,8 @@ use thiserror::Error;
 pub struct Outcome {
     /// What the user should look at, a sentence each.
     pub warnings: Vec<String>,
+    /// What the user may like to know, a sentence each.
+    pub notes: Vec<String>,
 }
 
 /// Why an operation was not carried out. The drawing is as it was.

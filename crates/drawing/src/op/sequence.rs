@@ -1,6 +1,7 @@
 //! The order in which shapes are cut (Profiler reference, "Sequencing").
 
-use super::OpError;
+use super::{OpError, Outcome, path};
+use crate::travel::{self, Search, travelled};
 use crate::{Drawing, Editor, Group, Nesting, Shape};
 use kerf_geom::Point2;
 use serde::{Deserialize, Serialize};
@@ -20,11 +21,15 @@ pub enum Sequencing {
     Auto(Point2),
     /// Shapes that lie side by side within one shape, in this order; what lies in them goes along.
     Level(Vec<usize>),
+    /// What lies inside first; else with the least time between the cuts.
+    Travel(Search),
 }
 
-pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Vec<String>, OpError> {
+pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Outcome, OpError> {
     let drawing = &draft.drawing;
+    let mut notes = Vec::new();
     let order = match sequencing {
+        Sequencing::Travel(search) => by_travel(draft, search, &mut notes)?,
         Sequencing::Full(numbers) => named_first(draft, numbers)?,
         Sequencing::Groups(groups) => by_group(drawing, groups),
         Sequencing::Reverse => (0..drawing.shapes.len()).rev().collect(),
@@ -32,7 +37,26 @@ pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Vec<S
         Sequencing::Level(numbers) => within_level(draft, numbers)?,
     };
     reorder(draft, &order);
-    Ok(outer_before_inner(&draft.drawing.shapes))
+    Ok(Outcome { warnings: outer_before_inner(&draft.drawing.shapes), notes })
+}
+
+/// The trip with the least time between the cuts, then what is not cut. It is told what it saves.
+fn by_travel(
+    draft: &mut Editor,
+    search: &Search,
+    notes: &mut Vec<String>,
+) -> Result<Vec<usize>, OpError> {
+    search.check()?;
+    let before = travelled(&draft.drawing, search.from, &search.rapids);
+    let trip = travel::trip(&draft.drawing, search);
+    for (shape, start) in &trip.starts {
+        path::start(draft, shape + 1, *start)?;
+    }
+    let order = named_first(draft, &trip.order.iter().map(|n| n + 1).collect::<Vec<_>>())?;
+    let shapes = order.iter().map(|n| draft.drawing.shapes[*n].clone()).collect();
+    let after = travelled(&draft.drawing.with_shapes(shapes), search.from, &search.rapids);
+    notes.push(format!("travel {before}, now {after}"));
+    Ok(order)
 }
 
 fn reorder(draft: &mut Editor, order: &[usize]) {

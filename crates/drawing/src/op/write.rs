@@ -1,7 +1,7 @@
 //! Operations in the words that [`super::script`] reads.
 
 use super::{Change, How, Operation, Sequencing};
-use crate::{ArrayLevel, Choice, Height, Level};
+use crate::{ArrayLevel, Choice, Height, Level, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
 use std::fmt::{Display, Formatter, Result, Write};
 
@@ -174,8 +174,17 @@ impl Display for Sequencing {
                 f.write_str("level ")?;
                 list(f, numbers)
             }
+            Self::Travel(search) => travel(f, search),
         }
     }
+}
+
+fn travel(f: &mut Formatter<'_>, search: &Search) -> Result {
+    let Search { from, starts, rapids, tries } = search;
+    write!(f, "travel from {}{}", P(*from), if *starts { " starts" } else { "" })?;
+    write!(f, " speed={} accel={}", rapids.speed_mm_s, rapids.accel_mm_s2)?;
+    write!(f, " lift={} tool-change={}", rapids.lift_s, rapids.tool_change_s)?;
+    tries.map_or(Ok(()), |tries| write!(f, " tries={tries}"))
 }
 
 impl Display for Change {

@@ -72,8 +72,8 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
 fn carry_out(editor: &mut Editor, text: &str) -> Result<()> {
     for (number, operation) in script(text)? {
         let outcome = editor.apply(&operation).map_err(|error| told(number, &operation, &error))?;
-        for warning in outcome.warnings {
-            eprintln!("clause {number} `{operation}`: {warning}");
+        for told in outcome.warnings.iter().chain(&outcome.notes) {
+            eprintln!("clause {number} `{operation}`: {told}");
         }
     }
     Ok(())
