@@ -7,7 +7,7 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help console console-check console-test run bench bench-geometry test properties check fuzz format conformance book figures prepare peers
+.PHONY: help console console-check console-test run bench bench-geometry test properties check soak fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -25,6 +25,10 @@ check: prepare console-check ## formatting, lints and the project's own rules
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
 	$(CARGO) xtask check
+
+soak: prepare ## kill the process KILLS (1000) times and take the runs up again
+	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
+	  $(CARGO) test --locked --package kerf --test killed -- --nocapture
 
 fuzz: ## throw bytes at everything that reads them, FUZZ_SECONDS (60) for each target
 	@for target in $$(sed -n 's/^path = "fuzz_targets\/\(.*\)\.rs"/\1/p' fuzz/Cargo.toml); do \

@@ -1,7 +1,7 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
-use crate::pace::{Doing, Going, Wish};
+use crate::pace::{Going, Wish};
 use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
@@ -31,6 +31,7 @@ enum Turn {
 impl<I: Interpreter> Runner<'_, I> {
     /// The moves that were read begin to move.
     pub(crate) fn begin(&mut self) -> Result<(), Over> {
+        self.take_up();
         let moves = std::mem::take(&mut self.stack.waiting);
         self.check(&moves)?;
         if moves.is_empty() {
@@ -48,6 +49,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The warning comes first; gives the moment at which motion starts.
     fn set_off(&mut self) -> f64 {
         let before_s = self.world.now();
+        self.world.shelf.tape.moves(true, self.world.placed());
         let t0_s = self.world.machine.begin_motion();
         self.world.tally.waited(t0_s - before_s);
         self.world.tell_log();
@@ -71,16 +73,23 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Everything of the stack was made: the machine stands.
     pub(crate) fn come_to_rest(&mut self) {
         if self.stack.running.take().is_some() {
-            self.world.machine.rest();
-            self.world.tell_log();
+            self.stand();
         }
         for sourced in self.stack.clear() {
             self.world.perform(sourced.command);
         }
     }
 
+    /// The machine stands.
+    pub(crate) fn stand(&mut self) {
+        self.world.machine.rest();
+        self.world.tell_log();
+        self.world.shelf.tape.moves(false, self.world.placed());
+    }
+
     /// Makes moves that nothing stops.
     pub(crate) fn make_unasked(&mut self, moves: impl IntoIterator<Item = Move>) {
+        self.world.shelf.tape.moves(true, self.world.placed());
         let t0_s = self.world.now();
         let mut planner = planner(self.world.machine.settings());
         moves.into_iter().for_each(|made| planner.push(made));
@@ -92,6 +101,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.make_one(&plan, index, t0_s);
             }
         }
+        self.world.shelf.tape.moves(false, self.world.placed());
     }
 
     /// Makes a piece of plan; what is left of the stack goes on after it, unless something halts it.
@@ -114,8 +124,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 None
             }
             Some((_, why)) => {
-                self.world.machine.rest();
-                self.world.tell_log();
+                self.stand();
                 self.answer_halt(why, number).and_then(|()| self.set_off_again()).err()
             }
         }
@@ -144,6 +153,10 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut turned: Option<(Stop, Turn)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
+            if turned.is_none() && self.is_taken_up() {
+                self.stand_back(&plan.moves()[index..]);
+                return None;
+            }
             self.carry_out_marks();
             let (begin_s, end_s) = plan.span_s(index);
             let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
@@ -195,8 +208,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Lets time pass while the machine ramps down; what the operator wants meanwhile comes next.
     fn pass_on(&mut self, turn: &Turn, end_s: f64, going: Going<'_>) {
-        let doing = Doing { machine: &self.world.machine, going: Some(going) };
-        let wish = self.pace.watch(self.world.now(), end_s, &doing);
+        let wish = self.pass(self.world.now(), end_s, Some(going));
         // A stop may be told until the machine stands.
         let again =
             |wish: &(f64, Wish)| wish.1 == Wish::Stop && matches!(turn, Turn::Operator(Wish::Stop));
@@ -224,6 +236,8 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tally.made(span.made, end_s - begin_s, frame);
         self.world.machine.make(t0_s, plan, &span);
         self.world.tell_log();
+        let (file, place) = (self.world.file(span.made.at), self.world.placed());
+        self.world.shelf.tape.made(&file, span.made.at.line, place);
     }
 
     fn move_event(&self, made: &Move, t0: f64, t1: f64) -> Event {
@@ -273,7 +287,7 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Limit(n) => self.limit_input(n).map_err(Halted::Over),
             HaltCause::Stop(n) => {
                 self.world.machine.stopped(true);
-                self.world.shelf.stored.set(SPINDLE_STATUS, Some("0"));
+                self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
                 self.world.tell_log();
                 let message = format!("stopped by stop input {n}");
                 Err(Halted::Over(self.stop_input(self.last_move, message)))

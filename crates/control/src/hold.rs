@@ -105,7 +105,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Lifts the tool to safe Z when it is lower (command reference, stopping).
-    fn lift(&mut self) {
+    pub(crate) fn lift(&mut self) {
         let mut to = self.world.machine.position();
         let Some(safe_mm) = self.world.machine.settings().cutter.safe_z_mm else { return };
         let safe = self.world.machine.frame().working_zero[Axis::Z] + safe_mm;
@@ -116,7 +116,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Goes to a place, machine frame, beside the program.
-    fn go(&mut self, kind: MoveKind, to: Axes) {
+    pub(crate) fn go(&mut self, kind: MoveKind, to: Axes) {
         self.mover.set_position(self.world.machine.position());
         let line = Line { kind, to, feed: Feed::Axis };
         if let Some(made) = self.mover.line(self.last_move, &line) {

@@ -1,6 +1,5 @@
 //! What a program asks, answered by the world it runs in.
 
-use crate::conversion;
 use crate::world::World;
 use kerf_program::{AXES, Answer, FileConversion, Host, HostError, Question};
 use std::task::Poll;
@@ -42,7 +41,7 @@ impl Host for World<'_> {
         overwrite: bool,
     ) -> Result<FileConversion, HostError> {
         let settings = self.machine.settings().clone();
-        conversion::convert(self.shelf, &settings, name, kind, overwrite)
+        self.shelf.convert(&settings, name, kind, overwrite)
     }
 
     fn machine_position(&mut self) -> [f64; AXES] {

@@ -2,9 +2,10 @@
 
 use kerf_motion::{Move, Plan, State};
 use kerf_sim::Machine;
+use serde::{Deserialize, Serialize};
 
 /// What the operator wants of a machine that runs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Wish {
     /// The machine ramps down and lifts the tool; the operator is asked whether the run goes on.
     Stop,
@@ -59,6 +60,11 @@ pub trait Pace {
     /// As [`Pace::pass`], for whoever shows what the machine does meanwhile. This is what a run asks.
     fn watch(&mut self, from_s: f64, to_s: f64, _: &Doing<'_>) -> Option<(f64, Wish)> {
         self.pass(from_s, to_s)
+    }
+
+    /// Whether a second of machine time takes a second.
+    fn is_real(&self) -> bool {
+        false
     }
 
     /// The machine stands because of the stop that `pass` told: it is asked what comes next, which

@@ -12,9 +12,10 @@ use kerf_diag::Diagnostic;
 use kerf_program::Status;
 use kerf_program::settings::Mode;
 use kerf_sbp::{FileParameters, Options, format_number};
+use serde::{Deserialize, Serialize};
 
 /// When a run starts, as a person reads it: the clock belongs to the caller.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Started {
     /// `14:03:05`
     pub time: String,

@@ -7,12 +7,13 @@
 //! ```
 
 use crate::execute::Halted;
+use crate::journal::Placed;
 use crate::session::LimitPolicy;
 use crate::stack::{READ_AHEAD, Stack};
 use crate::trail::Trail;
 use crate::world::World;
 use crate::{Pace, Wish, flag};
-use kerf_diag::{Code, Diagnostic, Place};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_motion::{Move, Mover};
 use kerf_program::{
     At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step,
@@ -21,7 +22,7 @@ use kerf_sim::Watched;
 use std::collections::VecDeque;
 
 /// Lines that are executed before their commands are looked at.
-const LINES: u64 = 4096;
+pub(crate) const LINES: u64 = 4096;
 
 /// What comes back of a state that is saved, or why nothing does.
 pub(crate) type Restore<I> = fn(&I) -> Result<I, String>;
@@ -50,6 +51,8 @@ pub(crate) struct Runner<'a, I> {
     pub last_move: At,
     /// Where the program was, for the log.
     pub trail: Trail,
+    /// The run is taken up: where the machine stands meanwhile.
+    pub reentry: Option<Placed>,
 }
 
 /// Whether a run goes on.
@@ -71,7 +74,7 @@ pub(crate) struct Over {
 }
 
 impl<'a, I: Interpreter> Runner<'a, I> {
-    /// Ready to run; looks at commands after so many lines, 0 for the usual.
+    /// Ready to run; looks at commands after so many lines.
     pub fn new(
         interpreter: I,
         world: World<'a>,
@@ -81,7 +84,6 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     ) -> Self {
         let mover = Mover::new(world.machine.position(), interpreter.settings());
         let (stack, out) = (Stack::default(), Vec::new());
-        let lines = if lines == 0 { LINES } else { lines };
         Self {
             interpreter,
             world,
@@ -98,6 +100,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             restore: None,
             last_move: At::default(),
             trail: Trail::default(),
+            reentry: None,
         }
     }
 
@@ -127,9 +130,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
         }
         self.nudged = None;
-        // Whoever looks where the run stands sees every line.
-        let lines = if self.world.tells_standing() { 1 } else { self.lines };
-        let step = self.interpreter.run(&mut self.world, &mut self.out, lines);
+        self.wake();
+        let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
         self.learn_files();
         self.trail.goes_on(self.interpreter.call_stack());
         self.tell_standing(0);
@@ -141,10 +143,25 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             Flow::On | Flow::Interrupted => self.heed_operator(),
             flow => flow,
         };
+        if let Some(over) = self.keeps_record() {
+            return Some(self.ended(over));
+        }
         match flow {
             Flow::On | Flow::Interrupted => None,
             Flow::Over(over) => Some(self.ended(over)),
         }
+    }
+
+    /// Tells when the journal cannot be written; ends a run that is not the one on the tape.
+    fn keeps_record(&mut self) -> Option<Over> {
+        if let Some(trouble) = self.world.shelf.new_trouble() {
+            let place = Place::line(self.world.file(self.last_move), self.last_move.line);
+            let message = format!("the run goes on, but is not on record: {trouble}");
+            let diagnostic = Diagnostic::new(Code::Journal, place, message);
+            self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
+        }
+        let unfit = self.world.shelf.tape.unfit()?.to_owned();
+        Some(self.lost(&unfit))
     }
 
     pub(crate) fn tell_standing(&mut self, flags: u8) {

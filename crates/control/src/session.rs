@@ -2,9 +2,10 @@
 
 use crate::answers::Operator;
 use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
+use crate::journal::Placed;
 use crate::nudge::{Nudge, Outside};
 use crate::part_log::{PartLog, Started};
-use crate::runner::Runner;
+use crate::runner::{LINES, Runner};
 use crate::shelf::Shelf;
 use crate::tally::Tally;
 use crate::trail::Trail;
@@ -17,11 +18,12 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, AxisSet, Interpreter as _};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, SystemVariable, Value};
 use kerf_sim::{Change, Inputs, Machine, Push};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// How a program is run.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct RunOptions {
     /// How the language is read.
     pub program: kerf_sbp::Options,
@@ -45,8 +47,20 @@ pub struct RunOptions {
     pub restore: bool,
 }
 
+impl RunOptions {
+    /// After how many lines commands are looked at; whoever looks where the run stands sees every
+    /// line.
+    pub(crate) fn lines_for(&self, sink: &dyn Sink) -> u64 {
+        match self.lines_at_once {
+            0 if sink.looks_at_standing() => 1,
+            0 => LINES,
+            lines => lines,
+        }
+    }
+}
+
 /// What happens when a move would leave the table limits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LimitPolicy {
     /// The operator is asked whether to go on; the default ends the run.
     #[default]
@@ -107,7 +121,20 @@ impl Session {
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Summary {
-        let program = program.into();
+        let mut options = options;
+        options.lines_at_once = options.lines_for(&*company.sink);
+        self.go(program.into(), options, shelf, company, None)
+    }
+
+    /// Runs a program; one that is taken up by a machine that stands at a place.
+    pub(crate) fn go(
+        &mut self,
+        program: Program,
+        options: RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+        stands: Option<Placed>,
+    ) -> Summary {
         let Company { sink, operator, pace } = company;
         sink.event(&self.start_event(&program, &options));
         for diagnostic in &program.diagnostics {
@@ -128,12 +155,14 @@ impl Session {
         };
         let mut world = World::new(machine, shelf, sink, operator);
         world.previews = options.program.preview;
+        world.silent = stands.is_some();
         let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
         let interpreter = Interpreter::new(program, memory, read);
         let mut runner =
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
         runner.trail = Trail::new(depth);
+        runner.reentry = stands;
         let over = runner.run();
         if let Some(log) = log {
             runner.write_log(&log, &over);
@@ -244,7 +273,12 @@ fn conclude(
     over: crate::runner::Over,
     variables: bool,
 ) -> (Summary, kerf_part::Session, Machine) {
+    let stands = runner.reentry.map(|_| runner.stands_at());
     let Runner { interpreter, mut world, .. } = runner;
+    if let Some(stands) = stands {
+        // It never moved.
+        world.machine.restart(stands.position);
+    }
     let summary = Summary {
         status: over.status,
         seconds: world.now(),

@@ -1,12 +1,17 @@
 //! Everything of a run that lies on a disk: part files, custom cuts, files that programs read and
 //! write, stored values, external programs.
 
-use crate::files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
-use crate::gcode_file::GCODE_FILE;
-use crate::part_log;
-use crate::settings_file::SETTINGS_FILE;
+use crate::files::{
+    self, Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name,
+};
+use crate::journal::{Journal, Kind, Tape};
 use crate::stored::Stored;
-use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
+use crate::{conversion, part_log};
+use kerf_program::{
+    FileConversion, FileMode, FileRequest, Folder, HostError, Settings, ShellCall, SourceFile,
+};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -31,10 +36,14 @@ pub struct Shelf {
     shell: Shell,
     /// Which files lists show, when somebody chose.
     mask: Option<String>,
+    /// What the world tells the run under way.
+    pub(crate) tape: Tape,
+    /// Keys that were set while the tape played: they may not be in the journal yet.
+    replayed: BTreeSet<String>,
 }
 
 /// What SHELL does.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Shell {
     /// It is refused.
     #[default]
@@ -49,7 +58,8 @@ impl Shelf {
     /// Programs change these files.
     pub fn new(disk: Box<dyn Disk>, folders: Folders, stored: Stored, data: PathBuf) -> Self {
         let (open, shell) = (OpenFiles::default(), Shell::Refused);
-        Self { disk, folders, open, stored, data, shell, mask: None }
+        let (tape, replayed) = (Tape::default(), BTreeSet::new());
+        Self { disk, folders, open, stored, data, shell, mask: None, tape, replayed }
     }
 
     /// Programs see these files; what they write stays in a scratch space.
@@ -75,54 +85,71 @@ impl Shelf {
         self
     }
 
-    /// Puts values that changed into their file.
-    pub fn save(&mut self) -> std::io::Result<()> {
-        self.stored.save(&mut *self.disk)
+    /// The journal of the machine; `None` when nothing is kept.
+    pub const fn journal(&self) -> Option<&Journal> {
+        self.stored.journal()
     }
 
-    /// The text of the settings file; `None` when there is none yet.
-    ///
-    /// # Errors
-    /// Whatever the disk says.
-    pub fn settings_text(&self) -> std::io::Result<Option<String>> {
-        self.data_text(SETTINGS_FILE)
+    /// Where its files are.
+    pub(crate) const fn folders(&self) -> &Folders {
+        &self.folders
     }
 
-    /// Writes the settings file, whole or not at all.
-    ///
-    /// # Errors
-    /// Whatever the disk says.
-    pub fn keep_settings(&mut self, text: &str) -> std::io::Result<()> {
-        self.keep_data(SETTINGS_FILE, text)
+    /// What SHELL does.
+    pub(crate) const fn shell_allowed(&self) -> Shell {
+        self.shell
     }
 
-    /// The text of the file of what G-code remembers; `None` when there is none yet.
-    ///
-    /// # Errors
-    /// Whatever the disk says.
-    pub fn gcode_text(&self) -> std::io::Result<Option<String>> {
-        self.data_text(GCODE_FILE)
+    /// Looks for files where a run did that was cut short.
+    pub(crate) fn as_it_was(&mut self, folders: &Folders, shell: Shell) {
+        (self.folders, self.shell) = (folders.clone(), shell);
     }
 
-    /// Writes the file of what G-code remembers, whole or not at all.
-    ///
-    /// # Errors
-    /// Whatever the disk says.
-    pub fn keep_gcode(&mut self, text: &str) -> std::io::Result<()> {
-        self.keep_data(GCODE_FILE, text)
-    }
-
-    fn data_text(&self, name: &str) -> std::io::Result<Option<String>> {
-        let path = self.data.join(name);
-        if !self.disk.is_file(&path) {
-            return Ok(None);
+    /// A value that survives, as it is now.
+    pub(crate) fn value(&mut self, key: &str) -> Option<String> {
+        let stored = &self.stored;
+        if let Some(now) = self.tape.hear_rarely(Kind::Value, || stored.news(key)) {
+            self.stored.learn(key, now.as_deref());
         }
-        Ok(Some(String::from_utf8_lossy(&self.disk.read(&path)?).into_owned()))
+        self.stored.get(key).map(str::to_owned)
     }
 
-    fn keep_data(&mut self, name: &str, text: &str) -> std::io::Result<()> {
-        self.disk.make_folder(&self.data)?;
-        self.disk.write(&self.data.join(name), text.as_bytes())
+    /// Keeps a value.
+    pub(crate) fn set_value(&mut self, key: &str, value: Option<&str>) {
+        if self.tape.plays() {
+            self.stored.learn(key, value);
+            self.replayed.insert(key.to_owned());
+            return;
+        }
+        self.stored.set(key, value);
+    }
+
+    /// Converts a file of the part folder to a part file beside it (FC).
+    pub(crate) fn convert(
+        &mut self,
+        settings: &Settings,
+        name: &str,
+        kind: Option<&str>,
+        overwrite: bool,
+    ) -> Result<FileConversion, HostError> {
+        // What it reads and writes is one step.
+        let mut tape = std::mem::take(&mut self.tape);
+        let convert = || conversion::convert(self, settings, name, kind, overwrite);
+        let told = tape.change(Kind::Convert, convert);
+        self.tape = tape;
+        told
+    }
+
+    /// The tape is over: values that were set meanwhile are in the journal from now on.
+    pub(crate) fn goes_live(&mut self) {
+        for key in std::mem::take(&mut self.replayed) {
+            self.stored.keep(&key);
+        }
+    }
+
+    /// Why the journal cannot be written, when that was not told yet.
+    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+        self.tape.new_trouble().or_else(|| self.stored.new_trouble())
     }
 
     /// Adds to the log of a part file, which lies beside it. A file that comes with the program has
@@ -132,7 +159,10 @@ impl Shelf {
             return Ok(());
         }
         let text = self.log_of(file).unwrap_or_default() + entry;
-        self.disk.write(&Path::new(file).with_extension(LOG), text.as_bytes())
+        let disk = &mut self.disk;
+        let mut write = || disk.write(&Path::new(file).with_extension(LOG), text.as_bytes());
+        let written = self.tape.change(Kind::Log, || write().map_err(|error| error.to_string()));
+        written.map_err(std::io::Error::other)
     }
 
     /// The line of a part file that was executed last, when its last run ended early.
@@ -201,19 +231,10 @@ impl Shelf {
     }
 
     pub(crate) fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        let found = self.folders.find(&*self.disk, request.folder, &request.name, Purpose::Read);
-        let path = match found {
-            Ok(path) => path,
-            Err(error @ HostError::NotFound(_)) => {
-                return shipped(request).ok_or(error);
-            }
-            Err(error) => return Err(error),
-        };
-        let bytes = self.disk.read(&path).map_err(|e| cannot("read", &path, &e))?;
-        if bytes.len() > MOST_BYTES {
-            return Err(HostError::Refused(format!("{} is too large", path.display())));
-        }
-        Ok(SourceFile { name: path.display().to_string().into(), bytes: bytes.into() })
+        let (disk, folders) = (&*self.disk, &self.folders);
+        let (name, bytes) =
+            self.tape.hear_file(Kind::Source, || program_file(disk, folders, request))?;
+        Ok(SourceFile { name: name.into(), bytes: bytes.into() })
     }
 
     pub(crate) fn enter(&mut self, folder: Option<&str>) -> Result<String, HostError> {
@@ -228,9 +249,14 @@ impl Shelf {
         mode: FileMode,
     ) -> Result<String, HostError> {
         let purpose = if mode == FileMode::Input { Purpose::Read } else { Purpose::Write };
-        let path = self.folders.find(&*self.disk, Folder::Parts, name, purpose)?;
-        self.open.open(&*self.disk, number, path.clone(), mode)?;
-        Ok(path.display().to_string())
+        let (disk, folders) = (&*self.disk, &self.folders);
+        let (path, bytes) = self.tape.hear_file(Kind::Open, || {
+            let path = folders.find(disk, Folder::Parts, name, purpose)?;
+            let bytes = files::to_open(disk, &path, mode)?;
+            Ok((path.display().to_string(), bytes))
+        })?;
+        self.open.open(number, PathBuf::from(&path), mode, &bytes);
+        Ok(path)
     }
 
     pub(crate) fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
@@ -242,24 +268,15 @@ impl Shelf {
     }
 
     pub(crate) fn close(&mut self, number: u8) -> Result<(), HostError> {
-        self.open.close(&mut *self.disk, number)
+        let Some((path, text)) = self.open.take(number) else { return Ok(()) };
+        let disk = &mut self.disk;
+        let write = || disk.write(&path, text.as_bytes()).map_err(|e| cannot("write", &path, &e));
+        self.tape.change(Kind::Close, write)
     }
 
-    pub(crate) fn shell(&self, call: &ShellCall) -> Result<(), HostError> {
-        match self.shell {
-            Shell::Started => {}
-            Shell::Skipped => return Ok(()),
-            Shell::Refused => {
-                let what = "external programs are disabled; --allow-shell lets a run start them";
-                return Err(HostError::Disabled(what.into()));
-            }
-        }
-        let mut command = shell_command(&call.line);
-        let folder = self.disk.real_path(self.folders.parts());
-        command.current_dir(folder).stdin(Stdio::null());
-        let started =
-            if call.wait { command.status().map(drop) } else { command.spawn().map(drop) };
-        started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
+    pub(crate) fn shell(&mut self, call: &ShellCall) -> Result<(), HostError> {
+        let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
+        self.tape.change(Kind::Shell, || start(shell, &folder, call))
     }
 
     /// Folder of the user's data.
@@ -273,6 +290,40 @@ impl Shelf {
     }
 }
 
+/// Starts an external program.
+fn start(shell: Shell, folder: &Path, call: &ShellCall) -> Result<(), HostError> {
+    match shell {
+        Shell::Started => {}
+        Shell::Skipped => return Ok(()),
+        Shell::Refused => {
+            let what = "external programs are disabled; --allow-shell lets a run start them";
+            return Err(HostError::Disabled(what.into()));
+        }
+    }
+    let mut command = shell_command(&call.line);
+    command.current_dir(folder).stdin(Stdio::null());
+    let started = if call.wait { command.status().map(drop) } else { command.spawn().map(drop) };
+    started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
+}
+
+/// A file that a program runs: from the folders, else one that comes with Kerf.
+fn program_file(
+    disk: &dyn Disk,
+    folders: &Folders,
+    request: &FileRequest,
+) -> Result<(String, Vec<u8>), HostError> {
+    let path = match folders.find(disk, request.folder, &request.name, Purpose::Read) {
+        Ok(path) => path,
+        Err(error @ HostError::NotFound(_)) => return shipped(request).ok_or(error),
+        Err(error) => return Err(error),
+    };
+    let bytes = disk.read(&path).map_err(|e| cannot("read", &path, &e))?;
+    if bytes.len() > MOST_BYTES {
+        return Err(HostError::Refused(format!("{} is too large", path.display())));
+    }
+    Ok((path.display().to_string(), bytes))
+}
+
 impl std::fmt::Debug for Shelf {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Shelf").field("folders", &self.folders).finish_non_exhaustive()
@@ -280,14 +331,14 @@ impl std::fmt::Debug for Shelf {
 }
 
 /// A custom cut that comes with the program.
-fn shipped(request: &FileRequest) -> Option<SourceFile> {
+fn shipped(request: &FileRequest) -> Option<(String, Vec<u8>)> {
     let name = match request.folder {
         Folder::Custom => Some(request.name.as_str()),
         Folder::Parts => None,
     };
     let name = name.map(str::to_owned).or_else(|| custom_name(&request.name))?;
     let file = Shipped::find(&name)?;
-    Some(SourceFile { name: file.name.into(), bytes: file.text.as_bytes().into() })
+    Some((file.name.into(), file.text.into()))
 }
 
 fn cannot(what: &str, path: &Path, error: &std::io::Error) -> HostError {

@@ -51,11 +51,11 @@ macro_rules! answered_by_the_shelf {
         }
 
         fn stored(&mut self, key: &str) -> Option<String> {
-            self.shelf.stored.get(key).map(str::to_owned)
+            self.shelf.value(key)
         }
 
         fn store(&mut self, key: &str, value: Option<&str>) {
-            self.shelf.stored.set(key, value);
+            self.shelf.set_value(key, value);
         }
 
         fn shell(

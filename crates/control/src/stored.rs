@@ -1,34 +1,33 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
 //! keep under a key.
 
-use crate::files::Disk;
+use crate::journal::{Journal, JournalError};
 use std::collections::BTreeMap;
-use std::io;
-use std::path::{Path, PathBuf};
 
-/// Values by key, and the file they are kept in.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// Values by key, and the journal that keeps them. Other programs may set them meanwhile.
+#[derive(Clone, Debug, Default)]
 pub struct Stored {
+    /// As they are known here.
     values: BTreeMap<String, String>,
     /// `None` keeps them in memory only.
-    file: Option<PathBuf>,
-    changed: bool,
+    journal: Option<Journal>,
+    /// Why a value could not be kept.
+    trouble: Option<String>,
 }
 
 impl Stored {
     /// Values that end with the process.
-    pub fn in_memory(values: BTreeMap<String, String>) -> Self {
-        Self { values, file: None, changed: false }
+    pub const fn in_memory(values: BTreeMap<String, String>) -> Self {
+        Self { values, journal: None, trouble: None }
     }
 
-    /// Values kept in a file; a missing file is an empty one.
-    pub fn read(disk: &dyn Disk, file: &Path) -> io::Result<Self> {
-        let values = if disk.is_file(file) {
-            serde_json::from_slice(&disk.read(file)?)?
-        } else {
-            BTreeMap::new()
-        };
-        Ok(Self { values, file: Some(file.to_owned()), changed: false })
+    /// The values of a journal.
+    ///
+    /// # Errors
+    /// As it cannot be read.
+    pub fn of(journal: Journal) -> Result<Self, JournalError> {
+        let values = journal.values()?.into_iter().collect();
+        Ok(Self { values, journal: Some(journal), trouble: None })
     }
 
     /// The same values in memory only, for a preview.
@@ -37,54 +36,58 @@ impl Stored {
         Self::in_memory(self.values.clone())
     }
 
-    /// The value of a key.
+    /// The journal that keeps them.
+    pub const fn journal(&self) -> Option<&Journal> {
+        self.journal.as_ref()
+    }
+
+    /// The value of a key, as it is known here.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.values.get(key).map(String::as_str)
     }
 
+    /// What somebody else made of a value, if anybody did.
+    pub(crate) fn news(&self, key: &str) -> Option<Option<String>> {
+        let now = self.journal.as_ref()?.value(key).ok()?;
+        (now.as_deref() != self.get(key)).then_some(now)
+    }
+
     /// Gives a key a value; `None` removes it.
     pub fn set(&mut self, key: &str, value: Option<&str>) {
+        if self.learn(key, value) {
+            self.keep(key);
+        }
+    }
+
+    /// Knows a value from now on, without keeping it; whether it is a new one.
+    pub(crate) fn learn(&mut self, key: &str, value: Option<&str>) -> bool {
         let before = match value {
             Some(value) => self.values.insert(key.to_owned(), value.to_owned()),
             None => self.values.remove(key),
         };
-        self.changed |= before.as_deref() != value;
+        before.as_deref() != value
+    }
+
+    /// Puts the value of a key into the journal.
+    pub(crate) fn keep(&mut self, key: &str) {
+        let kept = self.journal.as_ref().map(|journal| journal.set_value(key, self.get(key)));
+        if let Some(Err(error)) = kept {
+            self.trouble = Some(error.to_string());
+        }
+    }
+
+    /// Why a value could not be kept; told once.
+    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+        self.trouble.take()
+    }
+
+    /// Knows these values from now on, without keeping them.
+    pub(crate) fn begin_from(&mut self, values: BTreeMap<String, String>) {
+        self.values = values;
     }
 
     /// Keys and values in order.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.values.iter().map(|(k, v)| (k.as_str(), v.as_str()))
-    }
-
-    /// Puts what changed into the file.
-    pub fn save(&mut self, disk: &mut dyn Disk) -> io::Result<()> {
-        if let (true, Some(file)) = (self.changed, &self.file) {
-            disk.make_folder(file.parent().unwrap_or(Path::new("")))?;
-            disk.write(file, &serde_json::to_vec_pretty(&self.values)?)?;
-            self.changed = false;
-        }
-        Ok(())
-    }
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-    use crate::files::MemoryDisk;
-
-    #[test]
-    fn values_come_back_and_a_copy_leaves_them_alone() {
-        let mut disk = MemoryDisk::default();
-        let mut stored = Stored::read(&disk, Path::new("values.json")).unwrap();
-        stored.set("uValue", Some("hello"));
-        stored.set("gone", Some("x"));
-        stored.set("gone", None);
-        stored.save(&mut disk).unwrap();
-        let mut copy = Stored::read(&disk, Path::new("values.json")).unwrap().copy();
-        copy.set("uValue", None);
-        copy.save(&mut disk).unwrap();
-        let again = Stored::read(&disk, Path::new("values.json")).unwrap();
-        assert_eq!(again.iter().collect::<Vec<_>>(), [("uValue", "hello")]);
     }
 }

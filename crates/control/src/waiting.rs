@@ -1,5 +1,6 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
+use crate::journal::Kind;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
@@ -11,6 +12,7 @@ use kerf_sim::HaltCause;
 impl<I: Interpreter> Runner<'_, I> {
     /// Lets time pass until a moment, unless something stops the program before.
     pub(crate) fn pass_until(&mut self, until_s: f64) -> Flow {
+        self.wake();
         let watches = self.watched();
         let halt = self.world.machine.first_halt(until_s, &watches);
         // Nothing moves: limit and stop inputs have nothing to stop.
@@ -61,8 +63,26 @@ impl<I: Interpreter> Runner<'_, I> {
         if let Some((t_s, wish)) = self.wishes.pop_front() {
             return Some((t_s.clamp(from_s, to_s.max(from_s)), wish));
         }
+        self.pass(from_s, to_s, going)
+    }
+
+    /// Lets machine time pass; what was made before it is on record.
+    pub(crate) fn pass(
+        &mut self,
+        from_s: f64,
+        to_s: f64,
+        going: Option<Going<'_>>,
+    ) -> Option<(f64, Wish)> {
+        let (pace, tape) = (&mut self.pace, &mut self.world.shelf.tape);
+        if to_s > from_s && pace.is_real() {
+            tape.write();
+        }
         let doing = Doing { machine: &self.world.machine, going };
-        self.pace.watch(from_s, to_s, &doing)
+        let wish = tape.hear_rarely(Kind::Wish, || pace.watch(from_s, to_s, &doing));
+        if wish.is_some() {
+            tape.write();
+        }
+        wish
     }
 
     /// Keeps a wish that cannot be fulfilled now.
@@ -112,7 +132,9 @@ impl<I: Interpreter> Runner<'_, I> {
         let t = self.world.now();
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
-        let Some(resumed_s) = self.pace.resumes(t) else {
+        let pace = &mut self.pace;
+        let resumed = self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t));
+        let Some(resumed_s) = resumed else {
             return Err(Over { status: Status::Stopped, diagnostic: None });
         };
         self.stand_until(resumed_s);
@@ -125,6 +147,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Answers the question that is open: an input does, or the operator.
     pub(crate) fn answer(&mut self) -> Flow {
+        self.wake();
         self.tell_standing(flag::PAUSED);
         self.trail.asks(self.interpreter.call_stack());
         let at = self.asking_line();

@@ -5,6 +5,7 @@
 
 use crate::answers::{self, Operator};
 use crate::event::{AskEvent, Event, Partial, Place};
+use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
 use crate::sink::Made;
 use crate::{OpenFile, Sink, Standing, Tally, flag};
@@ -49,6 +50,8 @@ pub(crate) struct World<'a> {
     told: BTreeSet<(Code, SourcePlace, String)>,
     /// The run is a preview.
     pub previews: bool,
+    /// Nothing is told: what happens has happened before.
+    pub silent: bool,
 }
 
 impl<'a> World<'a> {
@@ -73,28 +76,28 @@ impl<'a> World<'a> {
             answer: None,
             told: BTreeSet::new(),
             previews: false,
+            silent: false,
         }
     }
 
     /// Tells an event.
     pub fn tell(&mut self, event: &Event) {
-        self.sink.event(event);
+        if !self.silent {
+            self.sink.event(event);
+        }
     }
 
     /// Tells that a move is made, and by which plan.
     pub fn tell_made(&mut self, made: &Made<'_>) {
-        self.sink.made(made);
-    }
-
-    /// Whether anybody looks at where the run stands.
-    pub fn tells_standing(&self) -> bool {
-        self.sink.looks_at_standing()
+        if !self.silent {
+            self.sink.made(made);
+        }
     }
 
     /// Tells where the run stands, when anybody looks: its flags besides those of running and
     /// previewing, and the lines that are read next.
     pub fn tell_standing(&mut self, flags: u8, lines: &dyn Fn() -> Vec<At>) {
-        if !self.sink.looks_at_standing() {
+        if self.silent || !self.sink.looks_at_standing() {
             return;
         }
         let open = |at: At| OpenFile { file: self.file(at), line: at.line };
@@ -106,15 +109,20 @@ impl<'a> World<'a> {
 
     /// Whether anybody looks at moves and arcs.
     pub fn tells_motion(&self) -> bool {
-        self.sink.looks_at_motion()
+        !self.silent && self.sink.looks_at_motion()
     }
 
     /// Tells something a person should know.
     pub fn tell_diagnostic(&mut self, diagnostic: Diagnostic) {
         let what = (diagnostic.code, diagnostic.place.clone(), diagnostic.message.clone());
         if self.told.insert(what) {
-            self.sink.event(&Event::Diag(Box::new(diagnostic)));
+            self.tell(&Event::Diag(Box::new(diagnostic)));
         }
+    }
+
+    /// Where the machine is.
+    pub fn placed(&self) -> Placed {
+        Placed { position: self.machine.position(), frame: *self.machine.frame() }
     }
 
     /// Machine time, seconds.
@@ -160,7 +168,7 @@ impl<'a> World<'a> {
         let happenings: Vec<Happening> = self.machine.log().take().collect();
         for happening in happenings {
             let event = self.happened(&happening);
-            self.sink.event(&event);
+            self.tell(&event);
         }
     }
 
@@ -210,25 +218,25 @@ impl<'a> World<'a> {
             Command::MotorsOff => self.machine.motors_off(),
             Command::WarningOff => self.machine.warning_off(),
             Command::Print { text, newline } => self.print(&text, newline),
-            Command::Message { text } => self.sink.event(&Event::Message { text, t }),
+            Command::Message { text } => self.tell(&Event::Message { text, t }),
             Command::Diagnostic(diagnostic) => self.tell_diagnostic(*diagnostic),
-            Command::File { op, path } => self.sink.event(&Event::File { op, path, t }),
-            Command::Sound { path } => self.sink.event(&Event::Sound { path, t }),
+            Command::File { op, path } => self.tell(&Event::File { op, path, t }),
+            Command::Sound { path } => self.tell(&Event::Sound { path, t }),
             Command::ToolPath(start) => {
                 self.tally.begins(&start);
-                self.sink.event(&Event::ToolPath { name: start.name, tool: start.tool, t });
+                self.tell(&Event::ToolPath { name: start.name, tool: start.tool, t });
             }
             Command::ToolChange { begin } => {
                 self.tally.changing(begin);
-                self.sink.event(&Event::ToolChange { begin, t });
+                self.tell(&Event::ToolChange { begin, t });
             }
-            Command::ClearPreview => self.sink.event(&Event::Clear { t }),
+            Command::ClearPreview => self.tell(&Event::Clear { t }),
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {
-                self.sink.event(&Event::Turn { turn, t, n: number });
+                self.tell(&Event::Turn { turn, t, n: number });
             }
             Command::Coolant { mist, flood } => {
-                self.sink.event(&Event::Coolant { mist, flood, t });
+                self.tell(&Event::Coolant { mist, flood, t });
             }
             // It has no overrides; the planner follows the path by its own options.
             Command::PathControl(_) | Command::Overrides { .. } => {}
@@ -245,11 +253,11 @@ impl<'a> World<'a> {
         self.tell_log();
         let (units, t) = (self.units(), self.now());
         if units != before {
-            self.sink.event(&Event::Units { units, t });
+            self.tell(&Event::Units { units, t });
         }
         if self.machine.draws() != drew {
             let mode = if drew { "move" } else { "preview" };
-            self.sink.event(&Event::Mode { mode, t });
+            self.tell(&Event::Mode { mode, t });
         }
     }
 
@@ -260,14 +268,14 @@ impl<'a> World<'a> {
         let place = self.machine.position();
         let set = self.partial(frame.working(place), working);
         let base = self.partial(frame.base(place), base);
-        self.sink.event(&Event::Location { set, base, t: self.now() });
+        self.tell(&Event::Location { set, base, t: self.now() });
     }
 
     /// Tells the table base coordinates of axes after a nudge.
     pub fn tell_base(&mut self, axes: AxisSet) {
         let base = self.machine.frame().base(self.machine.position());
         let base = self.partial(base, axes);
-        self.sink.event(&Event::Location { set: Partial::new(), base, t: self.now() });
+        self.tell(&Event::Location { set: Partial::new(), base, t: self.now() });
     }
 
     fn partial(&self, internal: Axes, axes: AxisSet) -> Partial {
@@ -284,7 +292,7 @@ impl<'a> World<'a> {
 
     fn end_line(&mut self) {
         let text = Arc::from(std::mem::take(&mut self.printed));
-        self.sink.event(&Event::Print { text, t: self.now() });
+        self.tell(&Event::Print { text, t: self.now() });
     }
 
     /// The run is over: what was printed without a line end is told.
@@ -312,8 +320,13 @@ impl<'a> World<'a> {
     pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, Unanswered> {
         self.machine.warning_off();
         self.tell_log();
-        let given = self.operator.answer_in(question, &self.file(at), at.line);
-        if given.is_none() && self.operator.gives_up() {
+        let (file, operator) = (self.file(at), &mut self.operator);
+        let (given, gives_up) = self.shelf.tape.change(Kind::Answer, || {
+            let given = operator.answer_in(question, &file, at.line);
+            let gives_up = given.is_none() && operator.gives_up();
+            (given, gives_up)
+        });
+        if gives_up {
             return Err(Unanswered::Stopped);
         }
         let scripted = given.is_some();
@@ -351,6 +364,6 @@ impl<'a> World<'a> {
             file: self.file(at),
             line: at.line,
         });
-        self.sink.event(&event);
+        self.tell(&event);
     }
 }

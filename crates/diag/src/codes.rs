@@ -227,6 +227,8 @@ codes! {
         "The program moves by distances, or begins to cut, before it has said where the tool is. Places in the converted file are counted as if the tool had stood at zero. Put it there before the converted file runs, or begin the program with a jog to a place.";
     ConversionDiffers "C003" Error "the converted file would move otherwise"
         "Every converted file is read back and followed, and its moves are compared with those of the source. They differed, so nothing was written. This is a fault of Kerf: please report it with the file.";
+    Journal "J001" Warning "the run is not on record"
+        "The journal in the data folder cannot be written, because the disk is full or the folder may not be changed. The run goes on: stopping in the middle of a cut would spoil the work. Should the power fail now, it could be taken up only from where the journal ended. Make room; as soon as the journal can be written again, it is.";
     NotKept "C004" Note "a construct that cannot be kept"
         "With --keep-variables the converted file keeps variables, conditions and subroutines where both languages can say them. This line has something that the other language cannot say, so the whole program was written as the moves it makes.";
 

@@ -1,103 +1,56 @@
-//! What the machine remembers between commands: the settings file of the data folder.
+//! What the machine remembers between commands: the journal of the data folder.
 //!
 //! `run` and `send` go on where the last one ended; everything that only looks starts from inches
 //! and zeros, so that its answer depends on nothing but the file. `--start` chooses otherwise.
 
 use crate::args::{PlaceArgs, Start};
-use anyhow::{Context, Result, anyhow};
-use kerf_control::gcode_file::{self, GCODE_FILE};
-use kerf_control::settings_file::{self, Restored, SETTINGS_FILE};
+use anyhow::Result;
+use kerf_control::journal::{CutShort, Journal, Whereabouts};
 use kerf_control::{Session, Shelf};
-use kerf_diag::Diagnostic;
-use kerf_program::{Axis, Settings};
-use kerf_sbp::POSITION_LOST;
-use std::sync::Arc;
+use std::path::Path;
 
-/// How a command begins, and what it leaves.
-pub struct Memory {
-    /// It goes on from the settings file.
-    kept: bool,
-    /// The settings in the file, where options of this command replace them.
-    replaced: Option<Settings>,
+/// Whether a command goes on from the journal; one that only looks usually does not.
+pub fn is_kept(place: &PlaceArgs, looks: bool) -> bool {
+    let usual = if looks { Start::Fresh } else { Start::Kept };
+    place.start.unwrap_or(usual) == Start::Kept
 }
 
-impl Memory {
-    /// Puts what is remembered into a session, for a command that usually only `previews`.
-    /// Settings that options give hold for this command only; units are such an option too.
-    pub fn recall(
-        place: &PlaceArgs,
-        units_given: bool,
-        previews: bool,
-        shelf: &mut Shelf,
-        session: &mut Session,
-    ) -> Result<Self> {
-        let usual = if previews { Start::Fresh } else { Start::Kept };
-        let kept = place.start.unwrap_or(usual) == Start::Kept;
-        let text = if kept { shelf.settings_text().context("settings file")? } else { None };
-        if let Some(text) = text {
-            let Restored { memory, unverified } =
-                settings_file::read(&text).map_err(|error| mend(&error))?;
-            if unverified && !previews {
-                doubt_position(shelf);
-            }
-            session.memory = memory;
-        }
-        let text = if kept { shelf.gcode_text().context("what G-code remembers")? } else { None };
-        if let Some(text) = text {
-            session.gcode = gcode_file::read(&text).map_err(|error| mend(&error))?;
-        }
-        let given = place.config.is_some() || units_given;
-        let replaced = given.then(|| session.memory.settings.clone());
-        Ok(Self { kept, replaced })
+/// The journal of a data folder. Who only looks leaves no trace of it; who runs makes one, and is
+/// told when it had to be rescued.
+pub fn journal(data: &Path, looks: bool) -> Result<Option<Journal>> {
+    if looks {
+        return Ok(Journal::look(data)?);
     }
-
-    /// Whether a run leaves anything.
-    pub const fn keeps(&self) -> bool {
-        self.kept
-    }
-
-    /// A run begins: should it never end, the next one knows.
-    pub fn begin(&self, shelf: &mut Shelf, session: &Session) -> Result<()> {
-        self.write(shelf, session, true)
-    }
-
-    /// A run is over.
-    pub fn end(&self, shelf: &mut Shelf, session: &Session) -> Result<()> {
-        shelf.save().context("cannot keep the stored values")?;
-        self.write(shelf, session, false)
-    }
-
-    fn write(&self, shelf: &mut Shelf, session: &Session, under_way: bool) -> Result<()> {
-        if !self.kept {
-            return Ok(());
-        }
-        let mut memory = session.memory.clone();
-        if let Some(settings) = &self.replaced {
-            memory.settings = settings.clone();
-            memory.before_preview.iter_mut().for_each(|b| b.settings = Arc::new(settings.clone()));
-        }
-        let text = settings_file::write(&memory, under_way);
-        shelf.keep_settings(&text).with_context(|| format!("cannot keep {SETTINGS_FILE}"))?;
-        match gcode_file::write(&session.gcode) {
-            Some(text) => {
-                shelf.keep_gcode(&text).with_context(|| format!("cannot keep {GCODE_FILE}"))
-            }
-            None => Ok(()),
-        }
-    }
+    let (journal, told) = Journal::open(data)?;
+    told.iter().for_each(|line| eprintln!("kerf: {line}"));
+    Ok(Some(journal))
 }
 
-/// What to do about a file that cannot be read.
-fn mend(error: &Diagnostic) -> anyhow::Error {
-    let (place, message) = (&error.place, &error.message);
-    anyhow!("{} line {}: {message}; mend it, or remove it", place.file, place.line)
+/// The machine as its journal remembers it.
+pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Session> {
+    let (session, whereabouts) = Session::recall(journal, shelf)?;
+    if !looks {
+        if whereabouts == Whereabouts::Moving {
+            eprintln!(
+                "kerf: the machine was moving when Kerf ended; its locations are not verified"
+            );
+        }
+        if let Some(cut) = journal.cut_short()? {
+            eprintln!("kerf: {}; kerf run --resume takes it up", told(&cut));
+        }
+    }
+    Ok(session)
 }
 
-/// The machine may stand elsewhere than the file says.
-fn doubt_position(shelf: &mut Shelf) {
-    let letters: String = Axis::ALL.into_iter().map(Axis::letter).collect();
-    shelf.stored.set(POSITION_LOST, Some(&letters));
-    eprintln!(
-        "kerf: the last run never came to its end; locations are those before it and not verified"
-    );
+/// Which run was cut short, and where.
+pub fn told(cut: &CutShort) -> String {
+    match cut.last_move() {
+        (_, 0) => format!("the run of {} was cut short before its first move", cut.file()),
+        (file, line) if file == cut.file() => {
+            format!("the run of {file} was cut short behind line {line}")
+        }
+        (file, line) => {
+            format!("the run of {} was cut short behind line {line} of {file}", cut.file())
+        }
+    }
 }

@@ -164,6 +164,10 @@ impl Pace for RealPace {
         stopped.or(wish)
     }
 
+    fn is_real(&self) -> bool {
+        self.clock == Clock::Real
+    }
+
     fn resumes(&mut self, held_s: f64) -> Option<f64> {
         let at_s = self.script.resumes(held_s)?;
         match self.sleep(held_s, at_s) {

@@ -2,7 +2,6 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use kerf_control::{Event, Sink};
-use kerf_part::Program;
 
 /// Moves between two looks at the bar.
 const MOVES_A_LOOK: u64 = 256;
@@ -14,9 +13,9 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A bar for a program.
-    pub fn new(program: &Program) -> Self {
-        let bar = ProgressBar::new(program.line_count() as u64);
+    /// A bar for a program of so many lines.
+    pub fn new(lines: usize) -> Self {
+        let bar = ProgressBar::new(lines as u64);
         let style = ProgressStyle::with_template("{bar:40} line {pos}/{len}  {msg}");
         Self {
             bar: bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())),

@@ -5,7 +5,7 @@ use crate::clock;
 use crate::drawings;
 use crate::exit::Usage;
 use crate::machine_file::MachineFile;
-use crate::memory::Memory;
+use crate::memory;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
@@ -30,7 +30,10 @@ pub struct Job {
     pub options: RunOptions,
     pub shelf: Shelf,
     pub answers: Answers,
-    pub memory: Memory,
+    /// What it leaves is kept.
+    pub kept: bool,
+    /// The settings that stay, where options replace them for this run.
+    pub replaced: Option<Settings>,
 }
 
 /// Reads the part file and prepares its run.
@@ -48,18 +51,15 @@ pub fn job_of(
     preview: bool,
 ) -> Result<Job> {
     let program = program.into();
-    let mut session = Session::default();
-    let memory =
-        Memory::recall(&args.place, args.units.is_some(), preview, &mut shelf, &mut session)?;
+    let (mut session, kept) = session(&args.place, preview, &mut shelf)?;
+    let given = args.place.config.is_some() || args.units.is_some();
+    let replaced = given.then(|| session.memory.settings.clone());
     let mut settings = settings(&args.place, session.memory.settings.clone())?;
     if let Some(unit) = args.units {
         settings.use_linear_unit(unit);
     }
     choose_model(&args.motion, &mut settings)?;
-    let answers = match &args.answers {
-        Some(path) => Answers::read(&read_text(path)?),
-        None => Answers::default(),
-    };
+    let answers = answers(args)?;
     for (name, value) in &args.set {
         session.memory.variables.set(name, value.clone());
     }
@@ -67,9 +67,30 @@ pub fn job_of(
     options.program.file.from = from_line(&args.file, &program, &shelf)?;
     let in_mm = |push: &Push| Push { by: push.by * settings.axis_scale(push.axis), ..*push };
     options.pushes = args.hand_move.iter().map(in_mm).collect();
-    options.started = memory.keeps().then(clock::started);
+    options.started = kept.then(clock::started);
     session.memory.settings = settings;
-    Ok(Job { program, session, options, shelf, answers, memory })
+    Ok(Job { program, session, options, shelf, answers, kept, replaced })
+}
+
+/// The script of answers.
+pub fn answers(args: &RunArgs) -> Result<Answers> {
+    Ok(match &args.answers {
+        Some(path) => Answers::read(&read_text(path)?),
+        None => Answers::default(),
+    })
+}
+
+/// The machine as it was left, or a new one; whether what a run leaves is kept.
+pub fn session(place: &PlaceArgs, looks: bool, shelf: &mut Shelf) -> Result<(Session, bool)> {
+    if !memory::is_kept(place, looks) {
+        return Ok((Session::default(), false));
+    }
+    let journal = match shelf.journal() {
+        Some(journal) => Some(journal.clone()),
+        None => memory::journal(&data_folder(&place.data)?, true)?,
+    };
+    let session = journal.map(|journal| memory::recall(&journal, shelf, looks)).transpose()?;
+    Ok((session.unwrap_or_default(), true))
 }
 
 /// Reads a part file; the name shown is the one the user gave.
@@ -237,7 +258,7 @@ pub fn shelf(parts: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
     let parts = place.parts.clone().unwrap_or_else(|| parts.into());
     let custom = place.custom.clone().unwrap_or_else(|| data.join("custom"));
     let folders = Folders::new(parts, vec![custom], place.allow_path.clone());
-    let stored = stored(&data)?;
+    let stored = stored(&data, place, preview)?;
     let shelf = if preview {
         let shell = if place.allow_shell { Shell::Skipped } else { Shell::Refused };
         Shelf::preview(RealDisk, folders, &stored, data).with_shell(shell)
@@ -248,10 +269,17 @@ pub fn shelf(parts: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
     Ok(shelf)
 }
 
-/// The values that survive.
-pub fn stored(data: &Path) -> Result<Stored> {
-    let file = data.join("stored.json");
-    Stored::read(&RealDisk, &file).with_context(|| format!("stored values in {}", file.display()))
+/// The values that survive. A run that leaves nothing else goes on where they cannot be kept.
+fn stored(data: &Path, place: &PlaceArgs, looks: bool) -> Result<Stored> {
+    let opened = memory::journal(data, looks);
+    let journal = match opened {
+        Err(error) if !memory::is_kept(place, looks) => {
+            eprintln!("kerf: values are not kept: {error:#}");
+            None
+        }
+        opened => opened?,
+    };
+    Ok(journal.map(Stored::of).transpose()?.unwrap_or_default())
 }
 
 /// Where values that survive lie.

@@ -71,7 +71,7 @@ fn what_a_preview_writes_stays_away_from_the_disk() {
         std::fs::create_dir_all(shop.file("data")).unwrap();
         shop.kerf(command).exits(0);
         assert_eq!(shop.names(), ["a.sbp"], "{command}");
-        assert!(!shop.file("data/stored.json").exists(), "{command}");
+        assert!(!shop.file("data/journal.db").exists(), "{command}");
     }
     let print = shop.kerf("trace a.sbp").all("print");
     assert_eq!(print[0]["text"], "x");

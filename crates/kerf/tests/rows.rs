@@ -76,7 +76,7 @@ fn sbp_io_getapppath() {
     let shop = Shop::new(&[("a.sbp", "GetAppPath, &p\nPRINT &p\n")]);
     let told = shop.kerf("run a.sbp --quiet").exits(0).out();
     assert_eq!(told, shop.kerf("registry get uAppPath").exits(0).out());
-    assert!(std::path::Path::new(told.trim_end()).join("settings.sbd").is_file(), "{told}");
+    assert!(std::path::Path::new(told.trim_end()).join("journal.db").is_file(), "{told}");
 }
 
 #[test]

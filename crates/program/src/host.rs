@@ -189,7 +189,7 @@ pub enum HostError {
 pub const SPINDLE_STATUS: &str = "SpindleStatus";
 
 /// What became of a request to convert a file (FC).
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FileConversion {
     /// It was written here.
     Made(String),

@@ -4,9 +4,10 @@
 //! simulation knows: the controller goes on believing that the axis is where it was.
 
 use kerf_program::{Axes, Axis};
+use serde::{Deserialize, Serialize};
 
 /// An axis is pushed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Push {
     /// The axis.
     pub axis: Axis,

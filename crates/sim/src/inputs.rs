@@ -1,9 +1,10 @@
 //! The twelve input switches and the script that moves them.
 
 use kerf_program::settings::{IoModes, SWITCHES};
+use serde::{Deserialize, Serialize};
 
 /// An input changes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Change {
     /// Its number, 1 … 12.
     pub input: u8,

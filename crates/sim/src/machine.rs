@@ -289,6 +289,21 @@ impl Machine {
         self.by_mode(Occasion::Resume, OutputReason::Mode);
     }
 
+    /// The power was off: nothing is on, and it stands somewhere. Tells which outputs were on; the one
+    /// that follows motion and those that the trigger switches come back by themselves.
+    pub fn restart(&mut self, position: Axes) -> Vec<u8> {
+        self.position = position;
+        self.motors.say(self.true_position());
+        (self.light, self.pwm_percent) = (false, 0.0);
+        let outputs = std::mem::take(&mut self.outputs);
+        let trigger = &self.settings.cutter.trigger;
+        let by_itself = |n: u8| {
+            n == MOTION_OUTPUT && self.settings.io.output4 != -4
+                || trigger.active && n == trigger.output
+        };
+        (1..=SWITCHES as u8).filter(|n| outputs.is_on(*n) && !by_itself(*n)).collect()
+    }
+
     /// Limits do not stop motion any more, until the file ends.
     pub const fn override_limits(&mut self) {
         self.overridden = true;

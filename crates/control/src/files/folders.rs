@@ -5,6 +5,7 @@
 
 use super::Disk;
 use kerf_program::{Folder, HostError};
+use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
 /// What Windows installations call the folder of part files.
@@ -14,7 +15,7 @@ const WINDOWS_PARTS: &str = "sbparts";
 const CUSTOM: &str = "custom";
 
 /// The folders that programs may name files in.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Folders {
     /// Where part files are at the start.
     start: PathBuf,
@@ -41,6 +42,19 @@ impl Folders {
     /// Part files lie in `parts`, custom cuts in `custom`; files may also be in `allowed`.
     pub fn new(parts: PathBuf, custom: Vec<PathBuf>, allowed: Vec<PathBuf>) -> Self {
         Self { start: parts.clone(), parts, custom, allowed }
+    }
+
+    /// The same, wherever the process is.
+    #[must_use]
+    pub(crate) fn rooted(&self) -> Self {
+        let absolute = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
+        let all = |paths: &[PathBuf]| paths.iter().map(absolute).collect();
+        Self {
+            start: absolute(&self.start),
+            parts: absolute(&self.parts),
+            custom: all(&self.custom),
+            allowed: all(&self.allowed),
+        }
     }
 
     /// The current part folder.

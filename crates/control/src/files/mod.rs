@@ -20,7 +20,7 @@ mod shipped;
 pub use disk::Disk;
 pub use folders::{Folders, Purpose, custom_name};
 pub use memory::MemoryDisk;
-pub use open::OpenFiles;
+pub use open::{OpenFiles, to_open};
 pub use real::RealDisk;
 pub use scratch::Scratch;
 pub use shipped::{MACHINES, SAMPLES, SHIPPED, Shipped};

@@ -4,7 +4,7 @@ use super::Disk;
 use kerf_program::{FileMode, HostError};
 use std::collections::BTreeMap;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// At most this much may be written into one file, bytes: a loop that writes must not eat the memory.
 const MOST_BYTES: usize = 256 << 20;
@@ -23,29 +23,10 @@ struct OpenFile {
 }
 
 impl OpenFiles {
-    /// Opens a file under a number.
-    pub fn open(
-        &mut self,
-        disk: &dyn Disk,
-        number: u8,
-        path: PathBuf,
-        mode: FileMode,
-    ) -> Result<(), HostError> {
-        let read = |disk: &dyn Disk| {
-            let bytes = disk.read(&path).map_err(|e| refused("read", &path, &e))?;
-            Ok(String::from_utf8_lossy(&bytes).into_owned())
-        };
-        let text = match mode {
-            FileMode::Input => read(disk)?,
-            FileMode::Append if disk.is_file(&path) => read(disk)?,
-            // Tells at once when the file cannot be written.
-            FileMode::Output | FileMode::Append => {
-                disk.may_write(&path).map_err(|e| refused("write", &path, &e))?;
-                String::new()
-            }
-        };
+    /// Opens a file that holds these bytes under a number.
+    pub fn open(&mut self, number: u8, path: PathBuf, mode: FileMode, bytes: &[u8]) {
+        let text = String::from_utf8_lossy(bytes).into_owned();
         self.0.insert(number, OpenFile { path, mode, text, next: 0 });
-        Ok(())
     }
 
     /// Appends text to a file that is open for writing.
@@ -76,13 +57,10 @@ impl OpenFiles {
         Ok(line.trim_end_matches(['\r', '\n']).to_owned())
     }
 
-    /// Closes a file; what was written is in place then.
-    pub fn close(&mut self, disk: &mut dyn Disk, number: u8) -> Result<(), HostError> {
-        let Some(file) = self.0.remove(&number) else { return Ok(()) };
-        if file.mode == FileMode::Input {
-            return Ok(());
-        }
-        disk.write(&file.path, file.text.as_bytes()).map_err(|e| refused("write", &file.path, &e))
+    /// Closes a file; of one that was written, where its text belongs.
+    pub fn take(&mut self, number: u8) -> Option<(PathBuf, String)> {
+        let file = self.0.remove(&number)?;
+        (file.mode != FileMode::Input).then_some((file.path, file.text))
     }
 
     fn file(&mut self, number: u8) -> Result<&mut OpenFile, HostError> {
@@ -91,7 +69,17 @@ impl OpenFiles {
     }
 }
 
-fn refused(what: &str, path: &std::path::Path, error: &io::Error) -> HostError {
+/// What a file holds that is opened.
+pub fn to_open(disk: &dyn Disk, path: &Path, mode: FileMode) -> Result<Vec<u8>, HostError> {
+    if mode == FileMode::Input || mode == FileMode::Append && disk.is_file(path) {
+        return disk.read(path).map_err(|e| refused("read", path, &e));
+    }
+    // Tells at once when the file cannot be written.
+    disk.may_write(path).map_err(|e| refused("write", path, &e))?;
+    Ok(Vec::new())
+}
+
+fn refused(what: &str, path: &Path, error: &io::Error) -> HostError {
     HostError::Refused(format!("cannot {what} {}: {error}", path.display()))
 }
 
@@ -100,29 +88,24 @@ mod tests {
     use super::super::MemoryDisk;
     use super::*;
 
-    fn text(disk: &MemoryDisk, path: &str) -> String {
-        String::from_utf8(disk.read(path.as_ref()).unwrap_or_default()).unwrap_or_default()
-    }
-
     #[test]
-    fn written_text_is_in_place_after_closing() {
-        let mut disk = MemoryDisk::new([("a.txt", b"old\n".as_slice())]);
+    fn written_text_goes_to_the_disk_when_the_file_is_closed() {
+        let disk = MemoryDisk::new([("a.txt", b"old\n".as_slice())]);
         let mut files = OpenFiles::default();
-        assert_eq!(files.open(&disk, 1, "a.txt".into(), FileMode::Append), Ok(()));
+        let old = to_open(&disk, Path::new("a.txt"), FileMode::Append).unwrap_or_default();
+        files.open(1, "a.txt".into(), FileMode::Append, &old);
         assert_eq!(files.write(1, "new\n"), Ok(()));
-        assert_eq!(text(&disk, "a.txt"), "old\n");
-        assert_eq!(files.close(&mut disk, 1), Ok(()));
-        assert_eq!(text(&disk, "a.txt"), "old\nnew\n");
-        assert!(files.write(1, "x").is_err());
+        assert_eq!(files.take(1), Some(("a.txt".into(), "old\nnew\n".into())));
+        assert!(files.write(1, "x").is_err() && files.take(1).is_none());
     }
 
     #[test]
     fn lines_come_without_their_ends() {
-        let disk = MemoryDisk::new([("a.txt", b"1\r\n\n3".as_slice())]);
         let mut files = OpenFiles::default();
-        assert_eq!(files.open(&disk, 2, "a.txt".into(), FileMode::Input), Ok(()));
+        files.open(2, "a.txt".into(), FileMode::Input, b"1\r\n\n3");
         let mut next = || files.read_line(2);
         assert_eq!([next(), next(), next()], ["1", "", "3"].map(|l| Ok(l.to_owned())));
         assert_eq!(next(), Err(HostError::EndOfFile));
+        assert_eq!(files.take(2), None, "nothing was written");
     }
 }

@@ -2,10 +2,11 @@
 
 use crate::args::DataArgs;
 use crate::exit::Exit;
-use crate::{out, setup};
-use anyhow::{Context, Result};
+use crate::{memory, out, setup};
+use anyhow::Result;
 use clap::{Args, Subcommand};
 use kerf_control::files::{Disk, RealDisk};
+use kerf_control::journal::Journal;
 use std::path::Path;
 
 /// Shows and sets the values that survive runs: uValue, $variables, what other software leaves
@@ -50,17 +51,18 @@ const IDLE: &[&str] = &[
 
 pub fn run(args: &RegistryArgs) -> Result<Exit> {
     let data = setup::data_folder(&args.data)?;
-    let mut stored = setup::stored(&data)?;
     match &args.action {
         Action::Get { key: None } => {
-            let lines = stored.iter().map(|(key, value)| format!("{key}={value}\n"));
+            let values = journal(&data)?.map(|j| j.values()).transpose()?.unwrap_or_default();
+            let lines = values.iter().map(|(key, value)| format!("{key}={value}\n"));
             out::print(&lines.collect::<String>());
         }
         Action::Get { key: Some(key) } => {
             let key = last_part(key);
             let folder = || RealDisk.real_path(&data).display().to_string();
-            let value = match stored.get(key) {
-                Some(value) => value.to_owned(),
+            let kept = journal(&data)?.map(|j| j.value(key)).transpose()?.flatten();
+            let value = match kept {
+                Some(value) => value,
                 None if IDLE.contains(&key) => "0".into(),
                 None if key == "uAppPath" => folder(),
                 None if key == "uUsrPath" => {
@@ -74,11 +76,16 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
             out::print(&(value + "\n"));
         }
         Action::Set { key, value } => {
-            stored.set(last_part(key), value.as_deref());
-            stored.save(&mut RealDisk).context("cannot keep the stored values")?;
+            if let Some(journal) = memory::journal(&data, false)? {
+                journal.set_value(last_part(key), value.as_deref())?;
+            }
         }
     }
     Ok(Exit::Good)
+}
+
+fn journal(data: &Path) -> Result<Option<Journal>> {
+    memory::journal(data, true)
 }
 
 fn last_part(key: &str) -> &str {

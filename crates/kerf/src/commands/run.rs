@@ -2,18 +2,24 @@
 
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
-use kerf_control::{Company, Sink, Summary};
+use kerf_control::answers::Answers;
+use kerf_control::journal::{JournalError, Whereabouts};
+use kerf_control::json::JsonLines;
+use kerf_control::{Company, Session, Sink, Summary};
 use kerf_program::settings::LinearUnit;
-use std::io::{self, IsTerminal};
+use std::fs::File;
+use std::io::{self, IsTerminal, LineWriter};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Runs a part file on a machine: the simulated one
 ///
@@ -25,7 +31,12 @@ use std::path::{Path, PathBuf};
     end, 1 the program failed, 2 the command line was wrong,\n3 stopped by the operator or a limit")]
 pub struct RunCommand {
     /// The part file
-    file: PathBuf,
+    #[arg(required_unless_present = "resume")]
+    file: Option<PathBuf>,
+    /// Takes up the run that was cut short, because Kerf was killed or the power failed: the tool
+    /// lifts, the spindle starts, the tool goes over the place, plunges, and the cut goes on
+    #[arg(long, conflicts_with = "file")]
+    resume: bool,
     #[command(flatten)]
     machine: MachineArgs,
     #[command(flatten)]
@@ -44,6 +55,9 @@ pub struct MachineArgs {
     /// Draws the tool path as it was run: .svg, .png or .html
     #[arg(long, value_name = "OUT")]
     picture: Option<PathBuf>,
+    /// Writes everything that the run does to a file, an event a line, as `kerf trace` prints it
+    #[arg(long, value_name = "OUT")]
+    trace: Option<PathBuf>,
     /// No progress, no summary
     #[arg(short, long)]
     quiet: bool,
@@ -62,36 +76,101 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
     args.machine.check()?;
     let mut run = args.run.clone();
     run.place.start_run();
-    let job = setup::job(&args.file, &run, false)?;
-    on_machine(job, &args.machine, &run, Talk::default())
+    match &args.file {
+        Some(file) => {
+            let job = setup::job(file, &run, false)?;
+            on_machine(job, &args.machine, &run, Talk::default())
+        }
+        None => resume(&args.machine, &run),
+    }
+}
+
+/// Takes up the run that was cut short.
+fn resume(machine: &MachineArgs, run: &RunArgs) -> Result<Exit> {
+    let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
+    let nothing = || JournalError::NothingToResume { folder: shelf.app_path().into() };
+    let journal = shelf.journal().cloned().ok_or_else(nothing)?;
+    let cut = journal.cut_short()?.ok_or_else(nothing)?;
+    let (mut session, whereabouts) = Session::recall(&journal, &mut shelf)?;
+    if !machine.quiet {
+        eprintln!("kerf: {}", memory::told(&cut));
+    }
+    if whereabouts == Whereabouts::Moving {
+        eprintln!(
+            "kerf: the machine was moving when Kerf ended; unless it was zeroed since, it goes on from \
+             where it was believed to be"
+        );
+    }
+    let answers = setup::answers(run)?;
+    let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default() };
+    attended(machine, run, show, answers, |company| {
+        let summary = session.resume(&cut, &mut shelf, company)?;
+        Ok((summary, session))
+    })
 }
 
 /// Runs a job on the machine and keeps what stays.
-pub fn on_machine(mut job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
+pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
+    let Job { program, mut session, options, mut shelf, answers, kept, replaced } = job;
+    let show = Show { name: program.name().clone(), lines: program.line_count(), talk };
+    attended(args, run, show, answers, |company| {
+        let shelf = &mut shelf;
+        let summary = match kept {
+            true => session.run_on_record(program, options, replaced, shelf, company)?,
+            false => session.run(program, options, shelf, company),
+        };
+        Ok((summary, session))
+    })
+}
+
+/// What is shown of a run.
+struct Show {
+    name: Arc<str>,
+    /// Lines of the part file; 0 where nobody counts them.
+    lines: usize,
+    talk: Talk,
+}
+
+/// Something runs, with whoever sits at the terminal.
+fn attended(
+    args: &MachineArgs,
+    run: &RunArgs,
+    show: Show,
+    answers: Answers,
+    runs: impl FnOnce(Company<'_>) -> Result<(Summary, Session)>,
+) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
-    let picture = format.map(|_| Picture::new(Path::new(&**job.program.name())));
-    let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(&job.program));
-    let mut sink = (talk, (Diagnostics::default(), (picture, progress)));
+    let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
+    let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
+    let trace = args.trace.as_deref().map(trace).transpose()?;
+    let mut sink = ((show.talk, trace), (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
-    let mut operator = Person::new(job.answers, person, &pace);
+    let mut operator = Person::new(answers, person, &pace);
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
-    job.memory.begin(&mut job.shelf, &job.session)?;
-    let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
-    job.memory.end(&mut job.shelf, &job.session)?;
-    let (_, (_, (picture, progress))) = sink;
+    let (summary, session) = runs(company)?;
+    let ((_, trace), (_, (picture, progress))) = sink;
+    if let Some(trace) = trace {
+        trace.finish().context("cannot write the trace")?;
+    }
     if let Some(progress) = progress {
         progress.finish();
     }
     if let (Some(picture), Some(format), Some(path)) = (picture, format, &args.picture) {
-        picture::write(&picture.finish(&summary, &job.session), format, path)?;
+        picture::write(&picture.finish(&summary, &session), format, path)?;
     }
     if !args.quiet {
         out::print(&told(&summary));
     }
     Ok(summary.status.into())
+}
+
+/// A file that takes the trace of a run.
+fn trace(path: &Path) -> Result<JsonLines<LineWriter<File>>> {
+    let cannot = |e: io::Error| Usage(format!("cannot write {}: {e}", path.display()));
+    Ok(JsonLines::new(LineWriter::new(File::create(path).map_err(cannot)?)))
 }
 
 impl MachineArgs {

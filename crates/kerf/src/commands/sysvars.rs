@@ -1,12 +1,10 @@
 //! `kerf sysvars`: the system variables and what they read on the machine as it was left.
 
-use crate::args::PlaceArgs;
+use crate::args::{PlaceArgs, Start};
 use crate::exit::Exit;
-use crate::memory::Memory;
 use crate::{out, parse, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::Session;
 use kerf_program::settings::LinearUnit;
 use std::path::Path;
 
@@ -25,8 +23,8 @@ pub struct SysvarsArgs {
 
 pub fn run(args: &SysvarsArgs) -> Result<Exit> {
     let mut shelf = setup::shelf(Path::new(""), &args.place, true)?;
-    let mut session = Session::default();
-    Memory::recall(&args.place, args.units.is_some(), false, &mut shelf, &mut session)?;
+    let place = PlaceArgs { start: args.place.start.or(Some(Start::Kept)), ..args.place.clone() };
+    let (mut session, _) = setup::session(&place, true, &mut shelf)?;
     let mut settings = setup::settings(&args.place, session.memory.settings)?;
     if let Some(unit) = args.units {
         settings.use_linear_unit(unit);

@@ -1,0 +1,149 @@
+//! The SQLite file: how it is opened, what it says when something is wrong.
+
+use super::JournalError;
+use rusqlite::{Connection, ErrorCode, OpenFlags, ffi};
+use std::path::Path;
+use std::time::Duration;
+
+/// Version of the tables.
+const VERSION: i64 = 1;
+
+/// How long to wait for another process that writes.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+const TABLES: &str = "
+    CREATE TABLE fact    (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
+    CREATE TABLE value   (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
+    CREATE TABLE step    (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
+    CREATE TABLE content (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL);
+    CREATE TABLE history (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
+    PRAGMA user_version = 1;";
+
+/// How a database is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Access {
+    /// To change it.
+    Write,
+    /// Nothing is changed, not even in a folder that cannot be written.
+    Look,
+}
+
+/// What the database says, or what is wrong with a row of it.
+#[derive(Debug)]
+pub(super) enum Trouble {
+    /// SQLite says so.
+    Sql(rusqlite::Error),
+    /// A row or the whole does not fit its check number.
+    Damaged(String),
+    /// Its tables are of a later version.
+    Newer,
+}
+
+impl From<rusqlite::Error> for Trouble {
+    fn from(error: rusqlite::Error) -> Self {
+        Self::Sql(error)
+    }
+}
+
+impl Trouble {
+    /// The same of a file, in words for the user.
+    pub(super) fn at(self, file: &Path) -> JournalError {
+        let path = file.to_owned();
+        let error = match self {
+            Self::Damaged(what) => return JournalError::Damaged { path, what },
+            Self::Newer => return JournalError::Newer { path },
+            Self::Sql(error) => error,
+        };
+        let why = error.to_string();
+        let Some(failure) = error.sqlite_error() else { return JournalError::Other { path, why } };
+        match failure.code {
+            ErrorCode::DiskFull => JournalError::Full { path },
+            ErrorCode::SystemIoFailure if no_room(failure.extended_code) => {
+                JournalError::Full { path }
+            }
+            ErrorCode::ReadOnly | ErrorCode::CannotOpen | ErrorCode::PermissionDenied => {
+                JournalError::ReadOnly { path, why }
+            }
+            ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase => {
+                JournalError::Damaged { path, what: why }
+            }
+            _ => JournalError::Other { path, why },
+        }
+    }
+}
+
+/// A limit on the size of files looks like a failing write.
+const fn no_room(code: i32) -> bool {
+    matches!(
+        code,
+        ffi::SQLITE_IOERR_WRITE
+            | ffi::SQLITE_IOERR_FSYNC
+            | ffi::SQLITE_IOERR_TRUNCATE
+            | ffi::SQLITE_IOERR_SHMSIZE
+    )
+}
+
+/// Opens the file; with tables in it when it may be changed.
+pub(super) fn open(file: &Path, access: Access) -> Result<Connection, Trouble> {
+    let connection = match access {
+        Access::Write => Connection::open(file)?,
+        Access::Look => look(file)?,
+    };
+    connection.busy_timeout(PATIENCE)?;
+    if access == Access::Write {
+        connection.pragma_update(None, "journal_mode", "WAL")?;
+        synchronous(&connection, true)?;
+    }
+    sound(&connection)?;
+    match (connection.pragma_query_value(None, "user_version", |row| row.get(0))?, access) {
+        (0, Access::Write) => connection
+            .execute_batch(&format!("BEGIN IMMEDIATE; {TABLES} COMMIT;"))
+            .or_else(|error| made_meanwhile(&connection, error))?,
+        (VERSION, _) | (0, Access::Look) => {}
+        _ => return Err(Trouble::Newer),
+    }
+    Ok(connection)
+}
+
+/// Two processes that open a new file at once: one of them makes the tables.
+fn made_meanwhile(connection: &Connection, error: rusqlite::Error) -> Result<(), Trouble> {
+    let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
+    if !connection.is_autocommit() {
+        connection.execute_batch("ROLLBACK")?;
+    }
+    if version == VERSION { Ok(()) } else { Err(error.into()) }
+}
+
+/// Where the folder cannot be written, readers cannot tell each other of themselves: then the file
+/// is read as it is.
+fn look(file: &Path) -> Result<Connection, Trouble> {
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY;
+    let usual = Connection::open_with_flags(file, flags);
+    let readable =
+        |c: &Connection| c.query_row("SELECT count(*) FROM sqlite_schema", [], |_| Ok(()));
+    match usual.and_then(|connection| readable(&connection).map(|()| connection)) {
+        Err(error) if error.sqlite_error_code() == Some(ErrorCode::CannotOpen) => {
+            let name = file.to_string_lossy().replace('%', "%25").replace(['?', '#'], "%3f");
+            let uri = format!("file:{name}?immutable=1");
+            Ok(Connection::open_with_flags(uri, flags | OpenFlags::SQLITE_OPEN_URI)?)
+        }
+        opened => Ok(opened?),
+    }
+}
+
+/// Whether the pages of the file fit together.
+fn sound(connection: &Connection) -> Result<(), Trouble> {
+    let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
+    if found == "ok" { Ok(()) } else { Err(Trouble::Damaged(found)) }
+}
+
+/// Whether each commit waits for the disk.
+pub(super) fn synchronous(connection: &Connection, each: bool) -> Result<(), Trouble> {
+    Ok(connection.pragma_update(None, "synchronous", if each { "FULL" } else { "NORMAL" })?)
+}
+
+/// Writes a copy of the whole into a new file.
+pub(super) fn copy(connection: &Connection, to: &Path) -> Result<(), Trouble> {
+    connection.execute("VACUUM INTO ?1", [to.to_string_lossy()])?;
+    Ok(())
+}

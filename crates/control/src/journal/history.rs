@@ -1,0 +1,43 @@
+//! Runs that are over.
+
+use super::rows::Table;
+use super::{Journal, JournalError};
+use crate::Started;
+use serde::{Deserialize, Serialize};
+
+/// So many runs are remembered.
+const MOST: i64 = 1000;
+
+/// A run that is over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Past {
+    /// The part file.
+    pub file: String,
+    /// Hash of its bytes, in hexadecimal digits.
+    pub hash: String,
+    /// When it started, as a person reads it; nobody computes with it.
+    pub started: Option<Started>,
+    /// Machine time it took, seconds.
+    pub seconds: f64,
+    /// How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; `cut short` when the process died.
+    pub status: String,
+}
+
+impl Journal {
+    /// The runs that are over, oldest first.
+    ///
+    /// # Errors
+    /// As the file cannot be read.
+    pub fn history(&self) -> Result<Vec<Past>, JournalError> {
+        let rows = self.read(|rows| rows.all(Table::History))?;
+        let past = |(_, text): (String, String)| serde_json::from_str(&text).ok();
+        Ok(rows.into_iter().filter_map(past).collect())
+    }
+}
+
+/// Adds a run to the history, which forgets the oldest.
+pub(super) fn add(rows: &super::Rows<'_>, past: &Past) -> super::rows::Result<()> {
+    let number = rows.last(Table::History)? + 1;
+    rows.put(Table::History, number, &super::json(past)?)?;
+    rows.remove_up_to(Table::History, number - MOST)
+}

@@ -1,0 +1,118 @@
+//! How far a run is: written while it goes on, so that a kill at any instant loses at most the
+//! motion in flight.
+
+use super::rows::Table;
+use super::{Journal, JournalError, Placed, json};
+use serde::{Deserialize, Serialize};
+use std::time::{Duration, Instant};
+
+/// Name of the fact.
+pub(super) const PROGRESS: &str = "progress";
+
+/// Where machine time is not the time of the world, so much of the latter passes between two
+/// writings; a move takes a microsecond then and a writing twenty.
+pub(crate) const EVERY: Duration = Duration::from_millis(10);
+
+/// How far a run is.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Reached {
+    /// Moves made since it began.
+    pub made: u64,
+    /// The machine moves: it is on the way from `place`.
+    pub moving: bool,
+    /// Where the last move ended.
+    pub place: Placed,
+    /// The part file of the last move.
+    pub file: String,
+    /// Its line.
+    pub line: u32,
+}
+
+/// Writes how far a run is.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    journal: Journal,
+    /// What the world told and is not in the file yet: number and text.
+    steps: Vec<(i64, Vec<u8>)>,
+    /// Files that steps speak of.
+    contents: Vec<Vec<u8>>,
+    next_step: i64,
+    written: Option<Reached>,
+    last: Instant,
+    /// Why it cannot be written; the run goes on.
+    trouble: Option<JournalError>,
+    /// That was told.
+    told: bool,
+}
+
+impl Progress {
+    /// Of a run whose next step has this number.
+    pub(super) fn new(journal: Journal, next_step: i64) -> Self {
+        Self {
+            journal,
+            steps: Vec::new(),
+            contents: Vec::new(),
+            next_step,
+            written: None,
+            last: Instant::now(),
+            trouble: None,
+            told: false,
+        }
+    }
+
+    /// Adds something that the world told. It is in the file before what follows from it.
+    pub(crate) fn add_step(&mut self, step: Vec<u8>) {
+        self.steps.push((self.next_step, step));
+        self.next_step += 1;
+    }
+
+    /// Adds a file that a step speaks of; tells its name.
+    pub(crate) fn add_content(&mut self, bytes: &[u8]) -> String {
+        self.contents.push(bytes.to_vec());
+        super::contents::hash(bytes)
+    }
+
+    /// Writes, if it is time to.
+    pub(crate) fn pass(&mut self, reached: &Reached) {
+        if self.last.elapsed() >= EVERY {
+            self.write(reached);
+        }
+    }
+
+    /// Writes that the machine is about to move, unless the file says so already.
+    pub(crate) fn set_off(&mut self, reached: &Reached) {
+        if !self.written.as_ref().is_some_and(|written| written.moving) {
+            self.write(reached);
+        }
+    }
+
+    /// Writes now.
+    pub(crate) fn write(&mut self, reached: &Reached) {
+        if self.steps.is_empty() && self.written.as_ref() == Some(reached) {
+            return;
+        }
+        self.last = Instant::now();
+        let (steps, contents) = (&self.steps, &self.contents);
+        let written = self.journal.write(|rows| {
+            contents.iter().try_for_each(|bytes| rows.keep_content(bytes).map(drop))?;
+            steps.iter().try_for_each(|(n, step)| rows.put(Table::Step, n, step))?;
+            rows.put(Table::Fact, PROGRESS, &json(reached)?)
+        });
+        match written {
+            Ok(()) => {
+                self.steps.clear();
+                self.contents.clear();
+                self.written = Some(reached.clone());
+                (self.trouble, self.told) = (None, false);
+            }
+            Err(error) => self.trouble = Some(error),
+        }
+    }
+
+    /// Why the file cannot be written, when that was not told yet.
+    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+        let trouble = self.trouble.as_ref().filter(|_| !self.told)?.to_string();
+        self.told = true;
+        Some(trouble)
+    }
+}

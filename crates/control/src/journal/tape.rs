@@ -1,0 +1,289 @@
+//! What the world tells a run, kept so that it can be told again.
+//!
+//! A run is decided by its program, its settings, and what the world tells it on the way: answers,
+//! what the operator wants and when, files that are read, values that other programs set. Everything
+//! else is computed. So a run that was cut short is made again up to where it was, on the simulated
+//! machine and in silence, with the world's part played from the tape.
+//!
+//! ```text
+//!  recording:  world ──► run        and a step on the tape, in the file before what follows from it
+//!  playing:    tape  ──► run        as long as there is tape, or moves that were made before
+//! ```
+//!
+//! Each kind of question is counted. Most are on the tape whenever they were asked; those that are
+//! asked at every move and hardly ever have an answer only when they had ([`Tape::hear_rarely`]).
+
+use super::progress::{Progress, Reached};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, VecDeque};
+
+/// What the world is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Kind {
+    /// The operator answers a question.
+    Answer,
+    /// The operator wants something of a machine that runs.
+    Wish,
+    /// When the operator lets a held machine go on.
+    Resume,
+    /// A program file is read.
+    Source,
+    /// A file of the user is opened.
+    Open,
+    /// It is closed, what was written is in place.
+    Close,
+    /// A file is converted.
+    Convert,
+    /// A program is started.
+    Shell,
+    /// A log is written.
+    Log,
+    /// A value that somebody else set.
+    Value,
+    /// The run was taken up here: the number is that of the moves made.
+    Reentry,
+}
+
+/// One thing that the world told.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Step {
+    kind: Kind,
+    /// Which question of its kind this answers, counted from 1.
+    call: u64,
+    /// The answer.
+    told: serde_json::Value,
+}
+
+/// What the world tells one run.
+#[derive(Debug, Default)]
+pub(crate) struct Tape {
+    played: BTreeMap<Kind, VecDeque<Step>>,
+    calls: BTreeMap<Kind, u64>,
+    /// Moves that were made before.
+    made_before: u64,
+    /// Where the run is.
+    reached: Reached,
+    writing: Option<Progress>,
+    /// Nothing is written and the world is not asked: what happens has happened before.
+    silent: bool,
+    /// The tape does not fit the run.
+    unfit: Option<String>,
+    /// Files that steps speak of.
+    contents: BTreeMap<String, Vec<u8>>,
+}
+
+impl Tape {
+    /// Writes down what the world tells.
+    pub(super) fn recording(progress: Progress) -> Self {
+        Self { writing: Some(progress), ..Self::default() }
+    }
+
+    /// Plays the steps and goes on recording behind them.
+    pub(super) fn playing(
+        steps: Vec<Step>,
+        contents: BTreeMap<String, Vec<u8>>,
+        made_before: u64,
+        progress: Progress,
+    ) -> Self {
+        let mut tape = Self { made_before, contents, silent: true, ..Self::recording(progress) };
+        for step in steps {
+            tape.played.entry(step.kind).or_default().push_back(step);
+        }
+        tape
+    }
+
+    /// The world is silent: what happens has happened before.
+    pub(crate) fn plays(&self) -> bool {
+        let left = || self.played.values().any(|steps| !steps.is_empty());
+        self.silent && (self.reached.made < self.made_before || left())
+    }
+
+    /// From here on the world is heard; the machine stands there.
+    pub(crate) fn wake(&mut self, place: super::Placed) {
+        (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
+    }
+
+    /// Why the tape does not fit the run.
+    pub(crate) fn unfit(&self) -> Option<&str> {
+        self.unfit.as_deref()
+    }
+
+    /// Asks the world, or the tape.
+    pub(crate) fn hear<T: Serialize + DeserializeOwned>(
+        &mut self,
+        kind: Kind,
+        world: impl FnOnce() -> T,
+    ) -> T {
+        if let Some(told) = self.hear_again(kind) {
+            return told;
+        }
+        let told = world();
+        self.keep(kind, &told);
+        told
+    }
+
+    /// The same of something that changes the world: the tape is in the file before and after.
+    pub(crate) fn change<T: Serialize + DeserializeOwned>(
+        &mut self,
+        kind: Kind,
+        world: impl FnOnce() -> T,
+    ) -> T {
+        self.write();
+        let told = self.hear(kind, world);
+        self.write();
+        told
+    }
+
+    /// Asks the world for something that it hardly ever has.
+    pub(crate) fn hear_rarely<T: Serialize + DeserializeOwned>(
+        &mut self,
+        kind: Kind,
+        world: impl FnOnce() -> Option<T>,
+    ) -> Option<T> {
+        if self.writing.is_none() {
+            return world();
+        }
+        let call = self.calls.entry(kind).or_default();
+        *call += 1;
+        let call = *call;
+        let next = self.played.get(&kind).and_then(VecDeque::front);
+        if next.is_some_and(|step| step.call == call) {
+            return self.pop(kind);
+        }
+        if self.silent {
+            return None;
+        }
+        let told = world();
+        if let Some(told) = &told {
+            self.add(kind, call, told);
+        }
+        told
+    }
+
+    /// A file: its name and its bytes, which are kept once however often it is read.
+    pub(crate) fn hear_file<E: Serialize + DeserializeOwned>(
+        &mut self,
+        kind: Kind,
+        world: impl FnOnce() -> Result<(String, Vec<u8>), E>,
+    ) -> Result<(String, Vec<u8>), E> {
+        if let Some(told) = self.hear_again::<Result<(String, String), E>>(kind) {
+            return told.map(|(name, hash)| {
+                let bytes = self.contents.get(&hash).cloned();
+                if bytes.is_none() {
+                    self.unfit.get_or_insert(format!("the text of {name} was not kept"));
+                }
+                (name, bytes.unwrap_or_default())
+            });
+        }
+        let read = world();
+        if let Some(progress) = &mut self.writing {
+            let told = read.as_ref().map(|(name, bytes)| (name, progress.add_content(bytes)));
+            let told = serde_json::to_value(told);
+            self.keep(kind, &told.unwrap_or_default());
+        }
+        read
+    }
+
+    fn hear_again<T: DeserializeOwned>(&mut self, kind: Kind) -> Option<T> {
+        self.writing.as_ref()?;
+        *self.calls.entry(kind).or_default() += 1;
+        let next = self.played.get(&kind).and_then(VecDeque::front)?;
+        if next.call != self.calls[&kind] {
+            self.unfit.get_or_insert(format!("another {kind:?} was expected"));
+            return None;
+        }
+        self.pop(kind)
+    }
+
+    fn pop<T: DeserializeOwned>(&mut self, kind: Kind) -> Option<T> {
+        let step = self.played.get_mut(&kind)?.pop_front()?;
+        match serde_json::from_value(step.told) {
+            Ok(told) => Some(told),
+            Err(error) => {
+                self.unfit.get_or_insert(error.to_string());
+                None
+            }
+        }
+    }
+
+    fn keep(&mut self, kind: Kind, told: &impl Serialize) {
+        let call = self.calls.get(&kind).copied().unwrap_or_default();
+        self.add(kind, call, told);
+    }
+
+    fn add(&mut self, kind: Kind, call: u64, told: &impl Serialize) {
+        let Some(progress) = &mut self.writing else { return };
+        let step = serde_json::to_value(told).map(|told| Step { kind, call, told });
+        match step.and_then(|step| serde_json::to_vec(&step)) {
+            Ok(step) => progress.add_step(step),
+            Err(error) => drop(self.unfit.get_or_insert(error.to_string())),
+        }
+    }
+
+    /// Whether the run was taken up here before, and cut short again.
+    pub(crate) fn is_reentered(&self) -> bool {
+        let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
+        next.is_some_and(|step| step.call == self.reached.made)
+    }
+
+    /// Where the run was taken up when it had come so far, if it was.
+    pub(crate) fn reentered(&mut self) -> Option<super::Placed> {
+        if self.is_reentered() { self.pop(Kind::Reentry) } else { None }
+    }
+
+    /// The run is taken up, by a machine that stands at a place.
+    pub(crate) fn reenter(&mut self, from: &super::Placed) {
+        self.add(Kind::Reentry, self.reached.made, from);
+        self.reached.place = *from;
+        self.write();
+    }
+}
+
+/// How far the run is.
+impl Tape {
+    /// A move was made; the machine is there.
+    pub(crate) fn made(&mut self, file: &str, line: u32, place: super::Placed) {
+        if self.writing.is_none() {
+            return;
+        }
+        let reached = &mut self.reached;
+        (reached.made, reached.line, reached.place) = (reached.made + 1, line, place);
+        if reached.file != file {
+            file.clone_into(&mut reached.file);
+        }
+        if !self.silent
+            && let Some(progress) = &mut self.writing
+        {
+            progress.pass(&self.reached);
+        }
+    }
+
+    /// The machine sets off from a place, or stands there.
+    pub(crate) fn moves(&mut self, moving: bool, place: super::Placed) {
+        (self.reached.moving, self.reached.place) = (moving, place);
+        if self.silent {
+            return;
+        }
+        match &mut self.writing {
+            Some(progress) if moving => progress.set_off(&self.reached),
+            Some(progress) => progress.pass(&self.reached),
+            None => {}
+        }
+    }
+
+    /// Everything up to here has to be in the file.
+    pub(crate) fn write(&mut self) {
+        if !self.silent
+            && let Some(progress) = &mut self.writing
+        {
+            progress.write(&self.reached);
+        }
+    }
+
+    /// Why nothing can be written, when that was not told yet.
+    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+        self.writing.as_mut()?.new_trouble()
+    }
+}

@@ -1,0 +1,227 @@
+//! The run under way: everything needed to run it again up to where it is.
+
+use super::history::{self, Past};
+use super::progress::{PROGRESS, Progress, Reached};
+use super::remembered::remember;
+use super::rows::{self, Rows, Table};
+use super::tape::{Step, Tape};
+use super::{Journal, JournalError, json};
+use crate::files::Folders;
+use crate::{RunOptions, Session, Shell, Summary};
+use kerf_part::Program;
+use kerf_program::{Settings, Status};
+use kerf_sbp::Dialect;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+const RUN: &str = "run";
+
+/// How far the run under way came, while other commands are carried out.
+const REACHED: &str = "reached";
+
+/// What a run was begun from.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct RunUnderWay {
+    /// The version of Kerf: another may read the same part file otherwise.
+    pub version: String,
+    /// Name of the part file.
+    pub file: String,
+    /// Hash of its bytes.
+    hash: String,
+    dialect: Dialect,
+    session: kerf_part::Session,
+    /// Values that programs had kept.
+    pub(crate) values: BTreeMap<String, String>,
+    /// How it is run.
+    pub(crate) options: RunOptions,
+    /// The settings that stay, where options replace them for this run.
+    pub(crate) settings: Option<Settings>,
+    /// Where its files are.
+    pub(crate) folders: Folders,
+    /// What SHELL does.
+    pub(crate) shell: Shell,
+}
+
+/// A run that was cut short: the process died.
+#[derive(Clone, Debug)]
+pub struct CutShort {
+    /// What it was begun from.
+    pub run: RunUnderWay,
+    /// How far it came.
+    pub(crate) reached: Reached,
+}
+
+impl CutShort {
+    /// The part file.
+    pub fn file(&self) -> &str {
+        &self.run.file
+    }
+
+    /// Where the last move was that was made to its end: file and line.
+    pub fn last_move(&self) -> (&str, u32) {
+        (&self.reached.file, self.reached.line)
+    }
+
+    /// Whether the machine moved when it was cut short.
+    pub const fn moved(&self) -> bool {
+        self.reached.moving
+    }
+
+    /// The session as it was when the run began.
+    pub(crate) fn session(&self) -> Session {
+        let mut session = Session::new(self.run.session.sbp.clone());
+        session.gcode = self.run.session.gcode.clone();
+        session
+    }
+}
+
+impl RunUnderWay {
+    /// A run that is about to begin.
+    pub(crate) fn new(
+        session: &Session,
+        program: &Program,
+        options: &RunOptions,
+        settings: Option<Settings>,
+        shelf: &crate::Shelf,
+    ) -> Self {
+        let sbp = &program.sbp;
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            file: program.name().to_string(),
+            hash: super::contents::hash(sbp.text.as_bytes()),
+            dialect: sbp.dialect,
+            session: kerf_part::Session {
+                sbp: session.memory.clone(),
+                gcode: session.gcode.clone(),
+            },
+            values: shelf.stored.iter().map(|(k, v)| (k.to_owned(), v.to_owned())).collect(),
+            options: options.clone(),
+            settings,
+            folders: shelf.folders().rooted(),
+            shell: shelf.shell_allowed(),
+        }
+    }
+}
+
+impl Journal {
+    /// A run begins. It is on record before anything moves; typed lines cannot be taken up again.
+    pub(crate) fn begin(&self, run: &RunUnderWay, text: &str) -> Result<Tape, JournalError> {
+        let earlier = self.cut_short()?;
+        self.write(|rows| {
+            remember(rows, &run.remembered(), &run.session.gcode)?;
+            if run.options.program.typed {
+                // A run that was cut short can still be taken up after this.
+                if let Some(earlier) = &earlier {
+                    rows.put(Table::Fact, REACHED, &json(&earlier.reached)?)?;
+                }
+            } else {
+                forget(rows, earlier.as_ref())?;
+                rows.keep_content(text.as_bytes())?;
+                rows.put(Table::Fact, RUN, &json(run)?)?;
+            }
+            rows.set(Table::Fact, PROGRESS, None)
+        })?;
+        Ok(Tape::recording(Progress::new(self.clone(), 1)))
+    }
+
+    /// A run is over: what it left is kept.
+    pub(crate) fn end(
+        &self,
+        run: &RunUnderWay,
+        session: &Session,
+        summary: &Summary,
+    ) -> Result<(), JournalError> {
+        let mut memory = session.memory.clone();
+        if let Some(settings) = &run.settings {
+            memory.settings = settings.clone();
+            memory.before_preview.iter_mut().for_each(|b| b.settings = Arc::new(settings.clone()));
+        }
+        self.write(|rows| {
+            remember(rows, &memory, &session.gcode)?;
+            if !run.options.program.typed {
+                forget(rows, None)?;
+                history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
+            }
+            rows.set(Table::Fact, PROGRESS, None)
+        })
+    }
+
+    /// The run that was cut short; `None` when the last one came to its end.
+    ///
+    /// # Errors
+    /// As the file cannot be read.
+    pub fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
+        let [run, reached, progress] = self.read(|rows| {
+            let fact = |key| rows.text(Table::Fact, key);
+            Ok([fact(RUN)?, fact(REACHED)?, fact(PROGRESS)?])
+        })?;
+        let Some(run) = self.parsed(RUN, run)? else { return Ok(None) };
+        let reached = self.parsed(REACHED, reached.or(progress))?.unwrap_or_default();
+        Ok(Some(CutShort { run, reached }))
+    }
+
+    /// The program of a run that was cut short, and the tape of what the world told it.
+    pub(crate) fn take_up(&self, cut: &CutShort) -> Result<(Program, Tape), JournalError> {
+        let run = &cut.run;
+        let version = env!("CARGO_PKG_VERSION");
+        if run.version != version {
+            let why = format!("Kerf {} ran it, this is {version}", run.version);
+            return Err(JournalError::Unfit(why));
+        }
+        let (steps, contents, last) = self.read(|rows| {
+            let steps = rows.all(Table::Step)?;
+            Ok((steps, rows.contents()?, rows.last(Table::Step)?))
+        })?;
+        let lost = || JournalError::Unfit(format!("the text of {} was not kept", run.file));
+        let text = contents.get(&run.hash).ok_or_else(lost)?;
+        let program = kerf_part::read_as(run.file.as_str().into(), text.as_slice(), run.dialect);
+        let parse = |(_, text): (String, String)| serde_json::from_str::<Step>(&text);
+        let steps: Result<Vec<Step>, _> = steps.into_iter().map(parse).collect();
+        let steps = steps.map_err(|error| JournalError::Unfit(error.to_string()))?;
+        let progress = Progress::new(self.clone(), last + 1);
+        Ok((program, Tape::playing(steps, contents, cut.reached.made, progress)))
+    }
+}
+
+impl RunUnderWay {
+    /// What stays should the run never end.
+    fn remembered(&self) -> kerf_sbp::Session {
+        let mut memory = self.session.sbp.clone();
+        if let Some(settings) = &self.settings {
+            memory.settings = settings.clone();
+        }
+        memory
+    }
+
+    fn past(&self, status: &str, seconds: f64) -> Past {
+        Past {
+            file: self.file.clone(),
+            hash: self.hash.clone(),
+            started: self.options.started.clone(),
+            seconds,
+            status: status.into(),
+        }
+    }
+}
+
+/// Nothing is under way any more.
+fn forget(rows: &Rows<'_>, cut: Option<&CutShort>) -> rows::Result<()> {
+    if let Some(cut) = cut {
+        history::add(rows, &cut.run.past("cut short", 0.0))?;
+    }
+    rows.clear(Table::Step)?;
+    rows.clear(Table::Content)?;
+    rows.set(Table::Fact, RUN, None)?;
+    rows.set(Table::Fact, REACHED, None)
+}
+
+const fn status_word(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "ok",
+        Status::Ended => "ended",
+        Status::Failed => "failed",
+        Status::Stopped => "stopped",
+        Status::Limit => "limit",
+    }
+}

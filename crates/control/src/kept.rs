@@ -1,0 +1,106 @@
+//! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
+
+use crate::journal::{
+    CutShort, Journal, JournalError, Owner, Placed, RunUnderWay, Tape, Whereabouts,
+};
+use crate::session::{Company, RunOptions, Session, Summary};
+use crate::shelf::Shelf;
+use kerf_part::Program;
+use kerf_program::{Axis, Settings};
+use kerf_sbp::POSITION_LOST;
+
+impl Session {
+    /// What a journal remembers of the machine, a new machine where it remembers nothing; and whether
+    /// the machine is where that says. If not, the values of the shelf tell programs so.
+    ///
+    /// # Errors
+    /// As the journal cannot be read.
+    pub fn recall(
+        journal: &Journal,
+        shelf: &mut Shelf,
+    ) -> Result<(Self, Whereabouts), JournalError> {
+        let Some(remembered) = journal.remembered()? else {
+            return Ok((Self::default(), Whereabouts::Known));
+        };
+        if remembered.whereabouts == Whereabouts::Moving {
+            let letters: String = Axis::ALL.into_iter().map(Axis::letter).collect();
+            shelf.stored.learn(POSITION_LOST, Some(&letters));
+        }
+        let mut session = Self::new(remembered.memory);
+        session.gcode = remembered.gcode;
+        Ok((session, remembered.whereabouts))
+    }
+
+    /// Runs a program on record. `settings` are those that stay where options replace them for this
+    /// run. Without a journal it is a run like any other.
+    ///
+    /// # Errors
+    /// As the journal cannot be written: then nothing has run, or what it left is not kept.
+    pub fn run_on_record(
+        &mut self,
+        program: impl Into<Program>,
+        mut options: RunOptions,
+        settings: Option<Settings>,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Result<Summary, JournalError> {
+        let program = program.into();
+        let Some(journal) = shelf.journal().cloned() else {
+            return Ok(self.run(program, options, shelf, company));
+        };
+        let owner = journal.own()?;
+        options.lines_at_once = options.lines_for(&*company.sink);
+        let run = RunUnderWay::new(self, &program, &options, settings, shelf);
+        shelf.tape = journal.begin(&run, &program.sbp.text)?;
+        // A location that is in doubt is so for everybody from now on.
+        shelf.stored.keep(POSITION_LOST);
+        journal.each_commit_lasts(company.pace.is_real())?;
+        let summary = self.go(program, options, shelf, company, None);
+        self.over(&run, &summary, shelf, &owner)?;
+        Ok(summary)
+    }
+
+    /// Takes up a run that was cut short, with a machine that is where this session says.
+    ///
+    /// # Errors
+    /// As it cannot be taken up, or what it left is not kept.
+    pub fn resume(
+        &mut self,
+        cut: &CutShort,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Result<Summary, JournalError> {
+        let nothing = || JournalError::Unfit("nothing is kept".into());
+        let journal = shelf.journal().cloned().ok_or_else(nothing)?;
+        let owner = journal.own()?;
+        let (program, tape) = journal.take_up(cut)?;
+        let stands = Placed { position: self.memory.position, frame: self.memory.frame };
+        let run = &cut.run;
+        *self = cut.session();
+        shelf.as_it_was(&run.folders, run.shell);
+        shelf.stored.begin_from(run.values.clone());
+        shelf.tape = tape;
+        journal.each_commit_lasts(company.pace.is_real())?;
+        let summary = self.go(program, run.options.clone(), shelf, company, Some(stands));
+        self.over(run, &summary, shelf, &owner)?;
+        Ok(summary)
+    }
+
+    fn over(
+        &self,
+        run: &RunUnderWay,
+        summary: &Summary,
+        shelf: &mut Shelf,
+        _: &Owner,
+    ) -> Result<(), JournalError> {
+        let unfit = shelf.tape.unfit().map(str::to_owned);
+        shelf.tape = Tape::default();
+        let Some(journal) = shelf.journal() else { return Ok(()) };
+        if let Some(why) = unfit {
+            return Err(JournalError::Unfit(why));
+        }
+        journal.each_commit_lasts(true)?;
+        journal.end(run, self, summary)?;
+        journal.back_up()
+    }
+}
