@@ -1,0 +1,70 @@
+/** A fill-in sheet as values: what is entered, what is wrong with it, the line it makes. */
+
+import { evaluate } from "../app/expression";
+import type { CommandEntry, Parameter } from "../wire/messages";
+
+/** What is entered for each parameter, in the order of the part file; blank is not given. */
+export type Entries = readonly string[];
+
+/** What a new sheet shows: what was typed so far, else present settings, else defaults. */
+export function firstEntries(entry: CommandEntry, given: readonly string[]): Entries {
+  return entry.parameters.map((parameter, n) => given[n] || startOf(parameter));
+}
+
+const startOf = ({ default: usual, present }: Parameter): string => present ?? usual ?? "";
+
+/** Everything as it is when nothing is said. */
+export const resetEntries = (entry: CommandEntry): Entries => firstEntries(entry, []);
+
+export const withEntry = (entries: Entries, n: number, text: string): Entries =>
+  entries.map((old, k) => (k === n ? text : old));
+
+/** What is wrong with an entry; nothing when it may be sent. */
+export function mistakeIn(parameter: Parameter, text: string): string | undefined {
+  const written = text.trim();
+  if (written === "") return parameter.required ? "This has to be given." : undefined;
+  const { kind } = parameter;
+  const plain = kind.is === "number" || kind.is === "whole" || kind.is === "numberOrOff";
+  if (!plain) return undefined;
+  if (kind.is === "numberOrOff" && written.toUpperCase() === "OFF") return undefined;
+  // Variables are known to the server only.
+  if (/[&%]/.test(written)) return undefined;
+  const value = evaluate(written);
+  if (value === undefined) return "This is not a number.";
+  return outside(parameter, value);
+}
+
+function outside({ least, most, bound }: Parameter, value: number): string | undefined {
+  const low = least !== null && value < least;
+  const high = most !== null && value > most;
+  return low || high ? `Allowed: ${bound || rangeText(least, most)}.` : undefined;
+}
+
+/** `0 to 99`, `at least 0`, `at most 99`. */
+export function rangeText(least: number | null, most: number | null): string {
+  if (least !== null && most !== null) return `${least} to ${most}`;
+  if (least !== null) return `at least ${least}`;
+  return most !== null ? `at most ${most}` : "";
+}
+
+/** Mistakes by the place of their parameter. */
+export function mistakesIn(entry: CommandEntry, entries: Entries): ReadonlyMap<number, string> {
+  const found = entry.parameters.map((p, n) => [n, mistakeIn(p, entries[n] ?? "")] as const);
+  return new Map(found.filter((one): one is [number, string] => one[1] !== undefined));
+}
+
+/** The line as it would stand in a part file. What says only what is usual is left out at the end. */
+export function lineOf(entry: CommandEntry, entries: Entries): string {
+  const written = entries.map((text) => text.trim());
+  const usual = (n: number) => {
+    const parameter = entry.parameters[n];
+    return written[n] === "" || (parameter && written[n] === startOf(parameter));
+  };
+  let length = written.length;
+  while (length > 0 && usual(length - 1)) length -= 1;
+  return [entry.letters, ...written.slice(0, length).map(asWritten)].join(",");
+}
+
+/** Text with a comma in it stands in quotes. */
+const asWritten = (text: string): string =>
+  text.includes(",") && !text.startsWith('"') ? `"${text}"` : text;
