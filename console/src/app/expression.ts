@@ -12,7 +12,15 @@ export interface ExpressionUnit {
 const unitless: ExpressionUnit = { mm: 1 };
 
 /** Millimetres in the units that may be written. */
-const units: Record<string, number> = { mm: 1, cm: 10, m: 1000, in: 25.4, '"': 25.4, ft: 304.8, "'": 304.8 };
+const units: Record<string, number> = {
+  mm: 1,
+  cm: 10,
+  m: 1000,
+  in: 25.4,
+  '"': 25.4,
+  ft: 304.8,
+  "'": 304.8,
+};
 
 const degrees = Math.PI / 180;
 const functions: Record<string, (x: number) => number> = {

@@ -60,7 +60,8 @@ describe("the command line", () => {
   });
 
   it("recalls what was sent, each once", () => {
-    const line = ["MX,1", "MX,2", "MX,1"].reduce((s, text) => sent({ ...s, text }), emptyLine);
+    let line = emptyLine;
+    for (const text of ["MX,1", "MX,2", "MX,1"]) line = sent({ ...line, text });
     expect(line.history).toEqual(["MX,2", "MX,1"]);
     const up = recalled(line, -1);
     expect(up.text).toBe("MX,1");

@@ -1,6 +1,7 @@
 /** What the page fetches, without a server. */
 
 import type { PreviewInfo } from "../../src/wire/messages";
+import { commands } from "./commands";
 
 const lines = `' First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.
 ' Cutter 1/4 inch.
@@ -82,5 +83,6 @@ export async function answer(address: string): Promise<Response> {
   if (path === "/api/preview/first") return Response.json(info);
   if (path === "/api/preview/first/0/0") return new Response(piece());
   if (path.endsWith("/lines")) return Response.json(lines);
+  if (path === "/api/commands") return Response.json(commands);
   return Response.json([]);
 }

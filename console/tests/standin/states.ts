@@ -34,6 +34,7 @@ const running: Partial<Snapshot> = {
 };
 
 export const states: Record<string, Partial<Snapshot>> = {
+  ready: { machine: { ...machine, armed: true }, lease: { number: 1, client: 1, device: "" } },
   running,
   held: { ...running, machine: { ...machine, state: "held", armed: true } },
   asking: {

@@ -1,0 +1,106 @@
+import { type KeyboardEvent, useState } from "react";
+import { drive } from "../actions/ask";
+import { useHands, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import { Sheet } from "../ui/Sheet";
+import type { CommandEntry } from "../wire/messages";
+import "./command-sheet.css";
+import { ParameterField } from "./ParameterField";
+import { isShown, lastEntries, rememberEntries, setShown } from "./preferences";
+import { firstEntries, lineOf, mistakesIn, resetEntries, withEntry } from "./sheet";
+import { findCommand, useCommands } from "./table";
+
+/** The fill-in sheet of a command; settings in it are those of now. */
+export function CommandSheet({ letters, given }: { letters: string; given: readonly string[] }) {
+  const entry = findCommand(useCommands(true), letters);
+  return entry ? <FilledSheet key={letters} entry={entry} given={given} /> : null;
+}
+
+function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly string[] }) {
+  const hands = useHands();
+  const [entries, setEntries] = useState(() => firstEntries(entry, given));
+  const [tried, setTried] = useState(false);
+  const [shown, setShownHere] = useState(() => isShown(entry.letters));
+  const mistakes = mistakesIn(entry, entries);
+  const line = lineOf(entry, entries);
+  const close = () => hands.screen.open(null);
+  const reset = () => setEntries(resetEntries(entry));
+  const display = () => {
+    setShown(entry.letters, !shown);
+    setShownHere(!shown);
+  };
+  const run = async () => {
+    setTried(true);
+    if (mistakes.size > 0) return;
+    rememberEntries(entry.letters, entries);
+    if (await drive(worldOf(hands), { do: "command", line })) close();
+  };
+  const keys = (event: KeyboardEvent) => {
+    const does = event.altKey ? { r: reset, d: display }[event.key.toLowerCase()] : undefined;
+    if (!does) return;
+    event.preventDefault();
+    does();
+  };
+  return (
+    <Sheet
+      title={`${entry.letters} · ${entry.name}`}
+      shape={entry.parameters.length > 6 ? "wide" : "middle"}
+      onClose={close}
+      foot={
+        <>
+          <code className="sheet-line">{line}</code>
+          <Button onPress={() => void navigator.clipboard?.writeText(line)}>Copy as line</Button>
+          <Button onPress={run} look="primary">
+            OK
+          </Button>
+        </>
+      }
+    >
+      <p className="sheet-doc">{entry.doc}</p>
+      <div className="sheet-tools">
+        <Button size="small" onPress={reset} aria-keyshortcuts="Alt+R">
+          Reset <kbd>Alt R</kbd>
+        </Button>
+        <Recall letters={entry.letters} onRecall={setEntries} />
+        <Button size="small" onPress={display} aria-keyshortcuts="Alt+D" aria-pressed={shown}>
+          Display: {shown ? "on" : "off"} <kbd>Alt D</kbd>
+        </Button>
+      </div>
+      <form
+        className="sheet-fields"
+        onKeyDown={keys}
+        onSubmit={(event) => {
+          event.preventDefault();
+          void run();
+        }}
+      >
+        {entry.parameters.map((parameter, n) => (
+          <ParameterField
+            key={parameter.name}
+            parameter={parameter}
+            first={n === 0}
+            value={entries[n] ?? ""}
+            mistake={tried ? mistakes.get(n) : undefined}
+            onChange={(text) => setEntries((now) => withEntry(now, n, text))}
+          />
+        ))}
+        <button type="submit" hidden />
+      </form>
+    </Sheet>
+  );
+}
+
+interface RecallProps {
+  letters: string;
+  onRecall: (entries: readonly string[]) => void;
+}
+
+/** Brings back what was last entered for this command. */
+function Recall({ letters, onRecall }: RecallProps) {
+  const last = lastEntries(letters);
+  return (
+    <Button size="small" isDisabled={last === undefined} onPress={() => last && onRecall(last)}>
+      Recall last
+    </Button>
+  );
+}

@@ -1,0 +1,63 @@
+import { Choice } from "../ui/Choice";
+import { Field } from "../ui/Field";
+import { Pick } from "../ui/Pick";
+import type { Parameter } from "../wire/messages";
+import { rangeText } from "./sheet";
+
+interface ParameterFieldProps {
+  parameter: Parameter;
+  value: string;
+  mistake: string | undefined;
+  first: boolean;
+  onChange: (text: string) => void;
+}
+
+/** Most words that are all in sight at once. */
+const fewWords = 4;
+
+/** The field of one parameter, with what it means and what it may be. */
+export function ParameterField({
+  parameter,
+  value,
+  mistake,
+  first,
+  onChange,
+}: ParameterFieldProps) {
+  const { name, kind, doc } = parameter;
+  if (kind.is === "choice") {
+    const options = kind.words.map((word) => ({ value: word, words: word }));
+    const few = options.length <= fewWords && kind.words.join("").length < 20;
+    return (
+      <div className="parameter" title={doc}>
+        <span className="field-label">{name}</span>
+        {few ? (
+          <Choice label={name} options={options} value={value} onChange={onChange} />
+        ) : (
+          <Pick label={name} options={options} value={value} onChange={onChange} />
+        )}
+        <span className="field-hint">{facts(parameter)}</span>
+      </div>
+    );
+  }
+  return (
+    <div title={doc}>
+      <Field
+        label={name}
+        value={value}
+        onChange={onChange}
+        isRequired={parameter.required}
+        isDisabled={kind.is === "obsolete"}
+        unit={parameter.unit}
+        hint={facts(parameter)}
+        error={mistake}
+        first={first}
+      />
+    </div>
+  );
+}
+
+/** Default and range in few words. */
+function facts({ default: usual, bound, least, most }: Parameter): string {
+  const range = bound || rangeText(least, most);
+  return [usual !== null ? `default ${usual}` : "", range].filter((text) => text !== "").join(", ");
+}

@@ -1,0 +1,45 @@
+/** Carries a typed line out: what the page does itself, and what the machine does. */
+
+import type { World } from "../actions/action";
+import { drive } from "../actions/ask";
+import { evaluate, isExpression, resultText } from "../app/expression";
+import type { Sheet } from "../app/screen";
+import { argumentsOf, lettersOf } from "./line";
+
+/** Commands that open something on the page. */
+const opens: Record<string, Sheet> = {
+  SK: { kind: "keypad" },
+  MN: { kind: "nudge" },
+  FP: { kind: "files" },
+  UU: { kind: "calculator" },
+  SI: { kind: "scratch" },
+  UV: { kind: "values" },
+  UL: { kind: "values" },
+  UD: { kind: "values" },
+};
+
+/** Commands that lead to the editor. */
+const edits = ["FE", "FN", "FG"];
+
+export function execute(world: World, text: string): void {
+  const letters = lettersOf(text) ?? "";
+  const given = argumentsOf(text);
+  const sheet = given.length === 0 ? opens[letters] : undefined;
+  if (sheet) world.screen.open(sheet);
+  else if (edits.includes(letters)) world.screen.go("/edit");
+  else carryOut(world, text, given);
+}
+
+function carryOut(world: World, text: string, given: readonly string[]): void {
+  const result = calculated(given);
+  if (result) world.screen.tell(result);
+  void drive(world, { do: "command", line: text });
+}
+
+/** `12+11/16 = 12.6875` for each parameter that was calculated. */
+function calculated(given: readonly string[]): string {
+  const results = given
+    .filter(isExpression)
+    .map((text) => `${text} = ${resultText(evaluate(text) ?? 0)}`);
+  return results.join(", ");
+}

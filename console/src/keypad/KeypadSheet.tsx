@@ -1,0 +1,114 @@
+import { useEffect, useRef, useState } from "react";
+import { leased } from "../actions/ask";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { evaluate } from "../app/expression";
+import { Choice } from "../ui/Choice";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import { JogButtons } from "./JogButtons";
+import { KeypadHelp } from "./KeypadHelp";
+import "./keypad.css";
+import { directions, type Way, wayOfKey } from "./keys";
+import { Recorded } from "./Recorded";
+import { recorded } from "./record";
+import { useJog } from "./useJog";
+import { useMayMove } from "./useMayMove";
+
+type Manner = "hold" | "distance";
+
+const manners: readonly { value: Manner; words: string }[] = [
+  { value: "hold", words: "While held" },
+  { value: "distance", words: "Fixed distance" },
+];
+
+/** The keypad (SK): moves the tool for as long as a key or button is held. */
+export function KeypadSheet({ onClose }: { onClose: () => void }) {
+  const hands = useHands();
+  const jog = useJog();
+  const motion = useSnapshot("motion");
+  const units = useSnapshot("units");
+  const speeds = useSnapshot("speeds");
+  const [manner, setManner] = useState<Manner>("hold");
+  const [step, setStep] = useState("0.1");
+  const [places, setPlaces] = useState<readonly string[] | null>(null);
+  const may = useMayMove();
+  const onlySteps = may.onlySteps && manner === "hold";
+
+  const begin = (way: Way, fast: boolean) => {
+    if (may.refused || onlySteps || !speeds || !units) return;
+    const [cut, rapid] =
+      way === "raise" || way === "lower"
+        ? [speeds.cut[1], speeds.jog[1]]
+        : [speeds.cut[0], speeds.jog[0]];
+    const distance = manner === "distance" ? (evaluate(step, units) ?? 0) * units.mm : null;
+    jog.hold({ direction: directions[way], speed: fast ? 1 : Math.min(1, cut / rapid), distance });
+  };
+  const keep = (axes: number) =>
+    motion && units && setPlaces((now) => [...(now ?? []), recorded(axes, motion, units.axes)]);
+  const letter = (key: string): boolean => {
+    if (key.toLowerCase() === "d") setManner(manner === "hold" ? "distance" : "hold");
+    else if (key === "#") setPlaces((now) => now ?? []);
+    else if (places && /^[2-5]$/.test(key)) keep(Number(key));
+    else return false;
+    return true;
+  };
+  useJogKeys(begin, () => jog.release(), letter);
+  useEffect(() => void leased(worldOf(hands)), [hands]);
+
+  return (
+    <Sheet title="Keypad" shape="side" onClose={onClose}>
+      <div className="keypad">
+        {may.refused && (
+          <p className="keypad-refused" role="alert">
+            {may.refused}
+          </p>
+        )}
+        {onlySteps && (
+          <p className="keypad-refused" role="alert">
+            The link is slow: only fixed distances move.
+          </p>
+        )}
+        <div className="keypad-manner">
+          <Choice label="Motion" options={manners} value={manner} onChange={setManner} />
+          {manner === "distance" && (
+            <Field label="Distance" value={step} onChange={setStep} unit={units?.linear ?? ""} />
+          )}
+        </div>
+        <JogButtons
+          isDisabled={may.refused !== undefined || onlySteps}
+          onHold={begin}
+          onRelease={() => jog.release()}
+        />
+        <Recorded places={places} onChange={setPlaces} onKeep={keep} />
+        <KeypadHelp />
+      </div>
+    </Sheet>
+  );
+}
+
+/** Keys that are held. Letting any of them go, Ctrl and Alt too, lets go of the handle. */
+function useJogKeys(
+  begin: (way: Way, fast: boolean) => void,
+  release: () => void,
+  letter: (key: string) => boolean,
+) {
+  const latest = useRef({ begin, release, letter });
+  latest.current = { begin, release, letter };
+  useEffect(() => {
+    const down = (event: KeyboardEvent) => {
+      if (event.target instanceof HTMLInputElement) return;
+      const way = wayOfKey(event.key, event.altKey);
+      if (!way && !latest.current.letter(event.key)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      if (way && !event.repeat) latest.current.begin(way, event.ctrlKey);
+    };
+    const up = () => latest.current.release();
+    addEventListener("keydown", down, true);
+    addEventListener("keyup", up, true);
+    return () => {
+      removeEventListener("keydown", down, true);
+      removeEventListener("keyup", up, true);
+    };
+  }, []);
+}

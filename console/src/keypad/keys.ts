@@ -1,0 +1,68 @@
+/** What the keys of the keypad mean (SK). */
+
+/** Directions of X Y Z A B C: -1, 0, 1 or between. */
+export type Direction = readonly [number, number, number, number, number, number];
+
+const axis = (n: number, sign: number): Direction => {
+  const way = [0, 0, 0, 0, 0, 0];
+  way[n] = sign;
+  return way as unknown as Direction;
+};
+
+/** Both axes at the same speed as one alone. */
+const slant = Math.SQRT1_2;
+const diagonal = (x: number, y: number): Direction => [x * slant, y * slant, 0, 0, 0, 0];
+
+export const directions = {
+  left: axis(0, -1),
+  right: axis(0, 1),
+  down: axis(1, -1),
+  up: axis(1, 1),
+  lower: axis(2, -1),
+  raise: axis(2, 1),
+  accessoryDown: axis(3, -1),
+  accessoryUp: axis(3, 1),
+  rightUp: diagonal(1, 1),
+  leftUp: diagonal(-1, 1),
+  leftDown: diagonal(-1, -1),
+  rightDown: diagonal(1, -1),
+} as const;
+
+export type Way = keyof typeof directions;
+
+const plain: Record<string, Way> = {
+  ArrowLeft: "left",
+  ArrowRight: "right",
+  ArrowDown: "down",
+  ArrowUp: "up",
+  PageDown: "lower",
+  PageUp: "raise",
+  "/": "rightUp",
+  "\\": "leftUp",
+};
+
+/** With Alt: the accessory axis, and the diagonals reversed. */
+const withAlt: Record<string, Way> = {
+  PageDown: "accessoryDown",
+  PageUp: "accessoryUp",
+  "/": "leftDown",
+  "\\": "rightDown",
+};
+
+/** The way that a key moves; `ctrlKey` makes it fast and does not change the way. */
+export function wayOfKey(key: string, alt: boolean): Way | undefined {
+  return alt ? (withAlt[key] ?? plain[key]) : plain[key];
+}
+
+/** What the keys mean, for the list of the keypad. */
+export const keyHelp: readonly { readonly keys: string; readonly means: string }[] = [
+  { keys: "← →", means: "X" },
+  { keys: "↑ ↓", means: "Y" },
+  { keys: "PgUp PgDn", means: "Z" },
+  { keys: "Ctrl + key", means: "at jog speed" },
+  { keys: "Alt + PgUp PgDn", means: "accessory axis A" },
+  { keys: "/ and \\", means: "diagonals; with Alt the other way" },
+  { keys: "D", means: "fixed distance on and off" },
+  { keys: "#", means: "record places: then 2 … 5 keeps a J2 … J5, 0 ends" },
+  { keys: "Esc", means: "leave; a part file goes on" },
+];

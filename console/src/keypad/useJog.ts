@@ -1,0 +1,35 @@
+import { useEffect, useMemo } from "react";
+import { ask } from "../actions/ask";
+import { useHands, worldOf } from "../app/context";
+import { leaseOf } from "../link/shown";
+import { JogHand } from "./jog";
+
+/** The handle of this page, which lets go whenever nobody can be holding it. */
+export function useJog(): JogHand {
+  const hands = useHands();
+  const hand = useMemo(
+    () =>
+      new JogHand(
+        (act) => {
+          if (act.do === "jogStart") void ask(worldOf(hands), act);
+          else void hands.link.ask(act);
+        },
+        () => leaseOf(hands.link.shown.get()),
+      ),
+    [hands],
+  );
+  useEffect(() => {
+    const release = () => hand.release();
+    const hidden = () => document.hidden && hand.release();
+    addEventListener("blur", release);
+    addEventListener("pagehide", release);
+    document.addEventListener("visibilitychange", hidden);
+    return () => {
+      removeEventListener("blur", release);
+      removeEventListener("pagehide", release);
+      document.removeEventListener("visibilitychange", hidden);
+      hand.release();
+    };
+  }, [hand]);
+  return hand;
+}
