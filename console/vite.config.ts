@@ -6,7 +6,9 @@ const server = process.env.KERF_ADDRESS ?? "http://127.0.0.1:8710";
 
 export default defineConfig({
   plugins: [react()],
+  // The server puts a new number in its place whenever it hands the page out.
+  html: { cspNonce: "__KERF_NONCE__" },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 800 },
-  server: { proxy: { "/api": { target: server, ws: true } } },
+  server: { proxy: { "/api": { target: server }, "/ws": { target: server, ws: true } } },
   test: { include: ["src/**/*.test.ts"], environment: "node" },
 });

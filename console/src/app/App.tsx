@@ -1,3 +1,4 @@
+import { lazy, Suspense } from "react";
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
 import { QuestionDialog } from "../operator/QuestionDialog";
@@ -21,6 +22,11 @@ export function App({ hands }: { hands: Hands }) {
   );
 }
 
+/** The editor is large and fetched when it is wanted. */
+const EditScreen = lazy(async () => ({
+  default: (await import("../editor/EditScreen")).EditScreen,
+}));
+
 function Body() {
   const sheet = useScreen("sheet");
   const asked = useShown((shown) => shown.snapshot?.asked);
@@ -28,7 +34,9 @@ function Body() {
   return (
     <div className="body">
       <main className="screen" inert={covered}>
-        <Route />
+        <Suspense fallback={null}>
+          <Route />
+        </Suspense>
       </main>
       {sheet && <OpenSheet sheet={sheet} />}
       {asked && <QuestionDialog key={asked.number} asked={asked} />}
@@ -42,6 +50,8 @@ function Route() {
   switch (route) {
     case "/":
       return <OperatorScreen />;
+    case "/edit":
+      return <EditScreen />;
     default:
       return <ComingScreen route={route} />;
   }

@@ -1,13 +1,29 @@
 /** What comes over HTTP and not over the socket: files, tool paths, the table of commands. */
 
+import type { Problem } from "../wire/messages";
+
 /** A refusal of the server, in its own words. */
 export class Refused extends Error {}
 
-async function get(path: string, signal?: AbortSignal): Promise<Response> {
-  const response = await fetch(path, signal ? { signal } : {});
-  if (!response.ok) throw new Refused((await response.text()) || response.statusText);
+async function request(path: string, init: RequestInit): Promise<Response> {
+  const response = await fetch(path, init);
+  if (!response.ok) throw new Refused(await refusal(response));
   return response;
 }
+
+/** The words of a refusal: those of its problem when it has one. */
+async function refusal(response: Response): Promise<string> {
+  const text = await response.text();
+  try {
+    const problem = JSON.parse(text) as Partial<Problem>;
+    return problem.text ?? text;
+  } catch {
+    return text || response.statusText;
+  }
+}
+
+const get = (path: string, signal?: AbortSignal): Promise<Response> =>
+  request(path, signal ? { signal } : {});
 
 /** A JSON answer; its type is the one the wire crate gives this address. */
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
@@ -19,3 +35,24 @@ export const getBytes = async (path: string, signal?: AbortSignal): Promise<Arra
 
 export const getText = async (path: string, signal?: AbortSignal): Promise<string> =>
   (await get(path, signal)).text();
+
+/** Asks with a body; the answer is JSON. */
+export async function postJson<T>(path: string, body: unknown): Promise<T> {
+  const headers = { "content-type": "application/json" };
+  const response = await request(path, { method: "POST", headers, body: JSON.stringify(body) });
+  return response.json() as Promise<T>;
+}
+
+/** The address of a file of the part folder. */
+export const fileAddress = (name: string): string =>
+  `/api/files/${name.split("/").map(encodeURIComponent).join("/")}`;
+
+export const readFile = (name: string): Promise<string> => getText(fileAddress(name));
+
+export async function writeFile(name: string, text: string): Promise<void> {
+  await request(fileAddress(name), {
+    method: "PUT",
+    headers: { "content-type": "application/octet-stream" },
+    body: text,
+  });
+}

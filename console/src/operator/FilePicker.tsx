@@ -14,7 +14,7 @@ export function FilePicker() {
   const hands = useHands();
   const [folder, setFolder] = useState("");
   const [mask, setMask] = useState("");
-  const files = useFiles();
+  const files = useFiles(folder);
   const close = () => hands.screen.open(null);
   const choose = async (file: FileInfo) => {
     if (file.folder) setFolder(file.name);
@@ -72,14 +72,15 @@ const sizeText = (bytes: number): string =>
       ? `${(bytes / 1e3).toFixed(0)} kB`
       : `${(bytes / 1e6).toFixed(1)} MB`;
 
-/** The files of the part folder, read anew when they change. */
-function useFiles(): readonly FileInfo[] {
+/** The files of a folder, read anew when they change. */
+function useFiles(folder: string): readonly FileInfo[] {
   const changes = useSnapshot("files");
   const { screen } = useHands();
   const [files, setFiles] = useState<readonly FileInfo[]>([]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: reads again when files changed
   useEffect(() => {
-    getJson<FileInfo[]>("/api/files").then(setFiles, (error: Error) => screen.tell(error.message));
-  }, [changes, screen]);
+    const address = `/api/files?folder=${encodeURIComponent(folder)}`;
+    getJson<FileInfo[]>(address).then(setFiles, (error: Error) => screen.tell(error.message));
+  }, [changes, folder, screen]);
   return files;
 }

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "react";
 import { useSize } from "../view/useSize";
+import { lineAt } from "./lineIndex";
 import { useLines } from "./useLines";
 import "./listing.css";
 
@@ -30,7 +31,7 @@ export function Listing({ name, hash, lines, running }: ListingProps) {
   );
   const from = Math.max(1, first - spare);
   const to = Math.min(lines, first + sight + spare);
-  const texts = useLines(name, hash, from, to);
+  const index = useLines(name, hash);
   useEffect(() => {
     if (running > 0 && box.current) {
       box.current.scrollTop = ((running - sight / 2) * lineHeight) / scale;
@@ -57,7 +58,7 @@ export function Listing({ name, hash, lines, running }: ListingProps) {
               aria-current={n === running ? "step" : undefined}
             >
               <span className="listing-number">{n}</span>
-              {texts.get(n) ?? ""}
+              {index ? lineAt(index, n) : ""}
             </li>
           ))}
         </ol>

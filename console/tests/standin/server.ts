@@ -25,7 +25,20 @@ END
 
 UNIT_ERROR:
 PRINT "This file is written in inches."
-END`.split("\n");
+END`;
+
+const findings = [
+  {
+    level: "warning",
+    code: "W042",
+    file: "",
+    line: 9,
+    column: 1,
+    length: 5,
+    message: "The spindle may not be up to speed yet.",
+    hint: "Two seconds are short for most spindles.",
+  },
+];
 
 const inch = 25.4;
 const corners = [
@@ -82,7 +95,9 @@ export async function answer(address: string): Promise<Response> {
   const path = address.split("?")[0] ?? "";
   if (path === "/api/preview/first") return Response.json(info);
   if (path === "/api/preview/first/0/0") return new Response(piece());
-  if (path.endsWith("/lines")) return Response.json(lines);
+  if (path.startsWith("/api/files/")) return new Response(lines);
+  if (path === "/api/language/check") return Response.json({ findings });
+  if (path === "/api/language/complete") return Response.json([]);
   if (path === "/api/commands") return Response.json(commands);
   return Response.json([]);
 }

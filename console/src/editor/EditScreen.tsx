@@ -1,0 +1,79 @@
+import { useEffect, useState } from "react";
+import { ask } from "../actions/ask";
+import { openFiles } from "../actions/go";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { readFile, writeFile } from "../link/http";
+import { useRunningLine } from "../operator/useRunningLine";
+import { ActionButton } from "../ui/ActionButton";
+import { Button } from "../ui/Button";
+import type { Finding } from "../wire/messages";
+import { CodeEditor } from "./CodeEditor";
+import { DebugBar } from "./DebugBar";
+import { type EditedFile, edited, isChanged, newFile, opened, saved } from "./document";
+import "./edit-screen.css";
+import { FindingList } from "./FindingList";
+import { SaveAs } from "./SaveAs";
+
+/** The editor of part files (FE), and the debugger in it (FG). */
+export function EditScreen() {
+  const hands = useHands();
+  const open = useSnapshot("opened");
+  const running = useRunningLine();
+  const [file, setFile] = useState<EditedFile>(newFile);
+  const [findings, setFindings] = useState<readonly Finding[]>([]);
+  const [breakpoints, setBreakpoints] = useState<readonly number[]>([]);
+  const [naming, setNaming] = useState(false);
+
+  const name = open?.name;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: reads when another file is opened
+  useEffect(() => {
+    if (name === undefined || isChanged(file)) return;
+    readFile(name).then(
+      (text) => setFile(opened(name, text)),
+      (error: Error) => hands.screen.tell(error.message),
+    );
+  }, [name]);
+
+  const save = async (as: string | null) => {
+    if (as === null) return setNaming(true);
+    try {
+      await writeFile(as, file.text);
+      setFile((now) => saved(now, as));
+      setNaming(false);
+      await ask(worldOf(hands), { do: "open", name: as });
+    } catch (error) {
+      hands.screen.tell(String(error));
+    }
+  };
+  return (
+    <div className="edit">
+      <header className="edit-head">
+        <h1>
+          {file.name ?? "New file"}
+          {isChanged(file) && <span className="edit-changed"> · not saved</span>}
+        </h1>
+        <ActionButton action={openFiles}>Open…</ActionButton>
+        <Button onPress={() => setFile(newFile)} isDisabled={isChanged(file)}>
+          New
+        </Button>
+        <Button onPress={() => setNaming(true)}>Save as…</Button>
+        <Button look="primary" onPress={() => save(file.name)} isDisabled={!isChanged(file)}>
+          Save
+        </Button>
+      </header>
+      {naming && <SaveAs first={file.name ?? ""} onSave={save} onCancel={() => setNaming(false)} />}
+      <DebugBar breakpoints={breakpoints} changed={isChanged(file)} />
+      <CodeEditor
+        key={file.name}
+        name={file.name ?? "new.sbp"}
+        text={file.text}
+        running={running}
+        onChange={(text) => setFile((now) => edited(now, text))}
+        onFindings={setFindings}
+        onBreakpoints={setBreakpoints}
+        onSave={() => void save(file.name)}
+      />
+      <FindingList findings={findings} />
+    </div>
+  );
+}

@@ -1,0 +1,43 @@
+import { useState } from "react";
+import { Button } from "../ui/Button";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import { withEnding } from "./document";
+
+interface SaveAsProps {
+  first: string;
+  onSave: (name: string) => void;
+  onCancel: () => void;
+}
+
+/** Asks for the name of a file in the part folder. */
+export function SaveAs({ first, onSave, onCancel }: SaveAsProps) {
+  const [name, setName] = useState(first);
+  const save = () => name.trim() !== "" && onSave(withEnding(name.trim()));
+  return (
+    <Sheet
+      title="Save as"
+      onClose={onCancel}
+      foot={
+        <Button look="primary" isDisabled={name.trim() === ""} onPress={() => save()}>
+          Save
+        </Button>
+      }
+    >
+      <form
+        onSubmit={(event) => {
+          event.preventDefault();
+          save();
+        }}
+      >
+        <Field
+          label="Name in the part folder"
+          value={name}
+          onChange={setName}
+          placeholder="part.sbp"
+          first
+        />
+      </form>
+    </Sheet>
+  );
+}

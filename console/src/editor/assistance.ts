@@ -1,0 +1,92 @@
+/** Diagnostics, completion and hover of the editor, all from the server's one core. */
+
+import {
+  autocompletion,
+  type CompletionContext,
+  type CompletionResult,
+} from "@codemirror/autocomplete";
+import { type Diagnostic, linter } from "@codemirror/lint";
+import type { Extension, Text } from "@codemirror/state";
+import { type EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
+import type { Finding, Level } from "../wire/messages";
+import { type At, checkText, completionsAt, hoverAt } from "./language";
+
+/** How long a person has to pause before the text is checked, milliseconds. */
+const checkAfterMs = 350;
+
+const severities: Record<Level, Diagnostic["severity"]> = {
+  error: "error",
+  warning: "warning",
+  note: "info",
+};
+
+/** A finding as the editor marks it. */
+export function diagnosticOf(finding: Finding, text: Text): Diagnostic {
+  const line = text.line(Math.min(Math.max(finding.line, 1), text.lines));
+  const from = Math.min(line.from + Math.max(finding.column - 1, 0), line.to);
+  const to = finding.length > 0 ? Math.min(from + finding.length, line.to) : line.to;
+  const hint = finding.hint ? `\n${finding.hint}` : "";
+  return {
+    from,
+    to: Math.max(from, to),
+    severity: severities[finding.level],
+    source: finding.code,
+    message: finding.message + hint,
+  };
+}
+
+function placeIn(text: Text, position: number, name: string): At {
+  const line = text.lineAt(position);
+  return { name, text: text.toString(), line: line.number, column: position - line.from + 1 };
+}
+
+const checking = (name: string, told: (findings: readonly Finding[]) => void) =>
+  linter(
+    async (view) => {
+      const { findings } = await checkText(name, view.state.doc.toString());
+      const own = findings.filter((finding) => finding.file === "" || finding.file === name);
+      told(findings);
+      return own.map((finding) => diagnosticOf(finding, view.state.doc));
+    },
+    { delay: checkAfterMs },
+  );
+
+const completing = (name: string) => async (context: CompletionContext) => {
+  const word = context.matchBefore(/[&$%]?\w*/);
+  if (!word || (word.from === word.to && !context.explicit)) return null;
+  const offered = await completionsAt(placeIn(context.state.doc, context.pos, name));
+  const options = offered.map(({ label, kind, detail, doc }) => ({
+    label,
+    type: kind === "command" ? "function" : kind,
+    detail,
+    info: doc,
+  }));
+  return { from: word.from, options } satisfies CompletionResult;
+};
+
+const hovering = (name: string) =>
+  hoverTooltip(async (view: EditorView, position: number): Promise<Tooltip | null> => {
+    const { doc } = view.state;
+    const known = await hoverAt(placeIn(doc, position, name));
+    if (!known) return null;
+    const start = doc.lineAt(position).from - 1;
+    return {
+      pos: start + known.from,
+      end: start + known.to,
+      create: () => {
+        const dom = document.createElement("div");
+        dom.textContent = known.text;
+        return { dom };
+      },
+    };
+  });
+
+/** Everything the server helps with, for a file of this name. */
+export const assistance = (
+  name: string,
+  told: (findings: readonly Finding[]) => void,
+): Extension => [
+  checking(name, told),
+  autocompletion({ override: [completing(name)] }),
+  hovering(name),
+];
