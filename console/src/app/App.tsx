@@ -1,13 +1,16 @@
 import { lazy, Suspense } from "react";
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
+import { HelpScreen } from "../help/HelpScreen";
 import { QuestionDialog } from "../operator/QuestionDialog";
+import { SettingsScreen } from "../settings/SettingsScreen";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown } from "./context";
 import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
+import { PairScreen } from "./PairScreen";
 import { TopStrip } from "./TopStrip";
 
 /** The strip with STOP, one screen, and what lies over it; the strip is never covered. */
@@ -41,6 +44,7 @@ function Body() {
       {sheet && <OpenSheet sheet={sheet} />}
       {asked && <QuestionDialog key={asked.number} asked={asked} />}
       <LostLink />
+      <PairScreen />
     </div>
   );
 }
@@ -52,6 +56,10 @@ function Route() {
       return <OperatorScreen />;
     case "/edit":
       return <EditScreen />;
+    case "/settings":
+      return <SettingsScreen />;
+    case "/help":
+      return <HelpScreen />;
     default:
       return <ComingScreen route={route} />;
   }

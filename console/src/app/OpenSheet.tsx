@@ -1,6 +1,10 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { FilePicker } from "../operator/FilePicker";
+import { CalculatorSheet } from "../tools/CalculatorSheet";
+import { NudgeSheet } from "../tools/NudgeSheet";
+import { Palette } from "../tools/Palette";
+import { ScratchSheet } from "../tools/ScratchSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
 
@@ -15,6 +19,14 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <CommandSheet letters={sheet.letters} given={sheet.given} />;
     case "keypad":
       return <KeypadSheet onClose={close} />;
+    case "calculator":
+      return <CalculatorSheet onClose={close} />;
+    case "scratch":
+      return <ScratchSheet onClose={close} />;
+    case "nudge":
+      return <NudgeSheet onClose={close} />;
+    case "palette":
+      return <Palette onClose={close} />;
     default:
       return null;
   }

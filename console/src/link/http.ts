@@ -43,6 +43,10 @@ export async function postJson<T>(path: string, body: unknown): Promise<T> {
   return response.json() as Promise<T>;
 }
 
+export async function deleteAt(path: string): Promise<void> {
+  await request(path, { method: "DELETE" });
+}
+
 /** The address of a file of the part folder. */
 export const fileAddress = (name: string): string =>
   `/api/files/${name.split("/").map(encodeURIComponent).join("/")}`;

@@ -1,0 +1,101 @@
+import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
+import { inMenu, useCommands } from "../command/table";
+import { FaceSwitch } from "../operator/FaceSwitch";
+import { themeNames, themes } from "../theme/theme";
+import { Button } from "../ui/Button";
+import { Choice } from "../ui/Choice";
+import { Panel } from "../ui/Panel";
+import { Devices } from "./Devices";
+import "./settings.css";
+import { SheetsAppearChoice } from "./SheetsAppearChoice";
+
+/** How this browser shows things, who may connect, and the settings of the machine. */
+export function SettingsScreen() {
+  const owner = useShown((shown) => shown.who?.role === "owner");
+  return (
+    <div className="settings">
+      <h1>Settings</h1>
+      <div className="settings-columns">
+        <div className="settings-column">
+          <ThisBrowser />
+          {owner && <Devices />}
+          <About />
+        </div>
+        <MachineSettings />
+      </div>
+    </div>
+  );
+}
+
+function ThisBrowser() {
+  const { screen } = useHands();
+  const theme = useScreen("theme");
+  return (
+    <Panel title="This browser">
+      <dl className="settings-list">
+        <div>
+          <dt>Theme</dt>
+          <dd>
+            <Choice
+              label="Theme"
+              options={themes.map((value) => ({ value, words: themeNames[value] }))}
+              value={theme}
+              onChange={screen.wear}
+            />
+          </dd>
+        </div>
+        <div>
+          <dt>Face</dt>
+          <dd>
+            <FaceSwitch />
+          </dd>
+        </div>
+        <div>
+          <dt>Fill-in sheets appear</dt>
+          <dd>
+            <SheetsAppearChoice />
+          </dd>
+        </div>
+      </dl>
+    </Panel>
+  );
+}
+
+/** Each command that shows and changes settings has its sheet. */
+function MachineSettings() {
+  const { screen } = useHands();
+  const table = useCommands();
+  const entries = [...inMenu(table, "values"), ...inMenu(table, "settings")];
+  return (
+    <Panel title="Machine" className="settings-machine">
+      <ul className="settings-sheets">
+        {entries
+          .filter(({ parameters }) => parameters.length > 0)
+          .map(({ letters, name, doc }) => (
+            <li key={letters}>
+              <Button onPress={() => screen.open({ kind: "command", letters, given: [] })}>
+                {letters}
+              </Button>
+              <div>
+                <b>{name}</b>
+                <p>{doc}</p>
+              </div>
+            </li>
+          ))}
+      </ul>
+    </Panel>
+  );
+}
+
+function About() {
+  const kerf = useSnapshot("kerf");
+  const machine = useSnapshot("machine");
+  return (
+    <Panel title="About">
+      <p className="settings-about">
+        Kerf {kerf}, machine: {machine?.name}. This page is not a safety device: a machine needs an
+        emergency stop that is wired.
+      </p>
+    </Panel>
+  );
+}

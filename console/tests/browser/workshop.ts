@@ -1,0 +1,96 @@
+/** A real server on the simulated machine and a real browser, for tests. */
+
+import { type ChildProcess, spawn } from "node:child_process";
+import { copyFileSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { type Browser, chromium, type Page } from "playwright-core";
+
+const root = resolve(import.meta.dirname, "../../..");
+const kerf = process.env.KERF ?? join(root, "target/debug/kerf");
+
+export interface Workshop {
+  readonly address: string;
+  readonly parts: string;
+  readonly browser: Browser;
+  /** A page of this size; what went wrong on it is kept in `mistakes`. */
+  page(size?: { width: number; height: number }): Promise<Page>;
+  /** Errors of every page so far. */
+  readonly mistakes: string[];
+  close(): Promise<void>;
+}
+
+export interface WorkshopOptions {
+  /** Part files of the examples that are in the part folder: `01-first-cut/first-cut.sbp`. */
+  readonly parts?: readonly string[];
+  /** Opened at the start. */
+  readonly open?: string;
+  /** Seconds of machine time in a second. */
+  readonly rate?: number;
+}
+
+const chromiumFlags = [
+  "--headless",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/** Waits for the line that tells the address. */
+function addressOf(server: ChildProcess): Promise<string> {
+  return new Promise((resolve, reject) => {
+    let said = "";
+    const hear = (data: Buffer) => {
+      said += data.toString();
+      const found = /http:\/\/\S+/.exec(said)?.[0];
+      if (found) resolve(found);
+    };
+    server.stdout?.on("data", hear);
+    server.stderr?.on("data", hear);
+    server.on("exit", (code) => reject(new Error(`kerf serve ended with ${code}: ${said}`)));
+    server.on("error", reject);
+  });
+}
+
+export async function openWorkshop(options: WorkshopOptions = {}): Promise<Workshop> {
+  const folder = mkdtempSync(join(tmpdir(), "kerf-console-"));
+  for (const part of options.parts ?? []) {
+    copyFileSync(join(root, "examples", part), join(folder, part.split("/").at(-1) ?? part));
+  }
+  const file = options.open ? [options.open] : [];
+  const rate = String(options.rate ?? 1);
+  const places = ["--listen", "127.0.0.1:0", "--parts", folder, "--data", folder, "--rate", rate];
+  const server = spawn(kerf, ["serve", ...file, ...places]);
+  const address = await addressOf(server);
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: chromiumFlags,
+  });
+  const mistakes: string[] = [];
+  return {
+    address,
+    parts: folder,
+    browser,
+    mistakes,
+    async page(size = { width: 1280, height: 720 }) {
+      const page = await browser.newPage({ viewport: size });
+      page.on("pageerror", (error) => mistakes.push(error.message));
+      page.on("console", (message) => {
+        if (message.type() === "error") mistakes.push(message.text());
+      });
+      await page.goto(address);
+      return page;
+    },
+    async close() {
+      await browser.close();
+      server.kill();
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}
