@@ -61,6 +61,39 @@ fn tabs_in_g_code_are_spoken_of() {
     shop.kerf("run box.nc --tabs").exits(0).complains("tabs are not left in G-code");
 }
 
+/// A laser's raster: the power changes with each line, and the head does not stop.
+#[test]
+fn s_in_every_line_takes_no_time() {
+    use std::fmt::Write as _;
+    let mut texts = [String::from("G21 F3000\nM4 S1\n"), String::from("G21 F3000\nM4 S1\n")];
+    for i in 1..200 {
+        for (text, power) in texts.iter_mut().zip(["", " S"]) {
+            let power = if power.is_empty() { String::new() } else { format!("{power}{}", i % 50) };
+            writeln!(text, "G1 X{}{power}", f64::from(i) * 0.2).unwrap();
+        }
+    }
+    let shop = Shop::new(&[("plain.nc", &texts[0]), ("raster.nc", &texts[1])]);
+    for ramps in ["shopbot", "profiler", "optimal"] {
+        let [plain, raster] = ["plain", "raster"].map(|name| {
+            let did = shop.kerf(&format!("time {name}.nc --format json --ramps {ramps}"));
+            let told: serde_json::Value = serde_json::from_str(&did.exits(0).out()).unwrap();
+            told["total"].as_f64().unwrap()
+        });
+        assert!((plain - raster).abs() < 1e-6, "{ramps}: {plain} s, with S {raster} s");
+    }
+    let trace = shop.kerf("trace raster.nc").exits(0).out();
+    assert!(trace.lines().filter(|l| l.contains("\"spindle\"")).count() >= 196);
+}
+
+#[test]
+fn g_code_between_the_lines_may_compute() {
+    let shop =
+        Shop::new(&[("mixed.sbp", "#1=[2+1]\nG20 G1 X#1 F60\nMX,4\nG1 Y[#1*2]\nPRINT %(2)\n")]);
+    shop.kerf("run mixed.sbp").exits(0).says("6").says("3 moves");
+    shop.write("o.sbp", b"O1 call\n");
+    shop.kerf("check o.sbp").exits(1).says("a file of its own");
+}
+
 #[test]
 fn fmt_knows_g_code() {
     let shop = shop();

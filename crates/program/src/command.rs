@@ -299,7 +299,9 @@ impl Command {
             | Self::ToolChange { .. }
             | Self::ClearPreview
             | Self::PathControl(_)
-            | Self::Overrides { .. } => false,
+            | Self::Overrides { .. }
+            // S in the lines of a laser raster.
+            | Self::Spindle { .. } => false,
             _ => true,
         }
     }

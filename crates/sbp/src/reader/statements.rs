@@ -92,6 +92,7 @@ impl Line<'_, '_> {
             b'&' => return self.assignment(false),
             b'$' => return self.assignment(true),
             b'%' | b'(' | b';' => return self.percent_or_code(start),
+            b'#' if self.is_gcode_setting(start) => return Ok(self.gcode()),
             _ => {}
         }
         let end = self.word_end(start);
@@ -120,7 +121,7 @@ impl Line<'_, '_> {
         if self.is_gcode(start) {
             return Ok(self.gcode());
         }
-        Err(self.unknown(start, end))
+        Err(self.o_word(start).unwrap_or_else(|| self.unknown(start, end)))
     }
 
     fn keyword(&mut self, keyword: Keyword, start: usize, inner: bool) -> Read<Statement> {

@@ -138,6 +138,7 @@ pub(super) static TR: CommandSpec = CommandSpec::new(
      write it; the reference does not have it.",
     |c, a| {
         let number = a.whole(1).unwrap_or(1) as u8;
+        c.emit(Command::EndStack);
         c.emit(Command::Spindle { number, rpm: a.number_or(0, 0.0) });
         Ok(())
     },
