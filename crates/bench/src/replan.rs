@@ -2,10 +2,10 @@
 //! point of a raster of short segments, until the next piece of plan is there.
 
 use crate::figure::{Figure, Goal, Spread};
+use crate::usage;
 use anyhow::Result;
 use kerf_motion::{Move, Mover, Plan, Replanner, planner};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, RampModel, Settings};
-use std::time::Instant;
 
 const NAME: &str = "raster3d-5k";
 
@@ -17,7 +17,7 @@ const MOMENTS: u32 = 16;
 const MOMENTS_WITH_JERK: u32 = 3;
 
 /// Runs over all of them.
-const RUNS: u32 = 3;
+const RUNS: usize = 3;
 
 /// A new plan has to be there within this, seconds.
 const READY_S: f64 = 5e-3;
@@ -35,12 +35,13 @@ pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {
     let [shopbot, optimal] = [RampModel::Shopbot, RampModel::Optimal];
     for (stop, feed, settings) in [
         ("stop, shopbot", "override, shopbot", machine(shopbot, None)),
+        ("stop, profiler", "override, profiler", machine(RampModel::Profiler, None)),
         ("stop, optimal", "override, optimal", machine(optimal, None)),
         ("stop, with jerk", "override, with jerk", machine(optimal, Some(10_000.0))),
     ] {
         let moves = raster(&settings);
-        figures.push(figure(stop, &moves, &settings, &stops));
-        figures.push(figure(feed, &moves, &settings, &overrides));
+        figures.push(figure(stop, &moves, &settings, &stops)?);
+        figures.push(figure(feed, &moves, &settings, &overrides)?);
     }
     Ok((vec![about], figures))
 }
@@ -84,18 +85,26 @@ fn raster(settings: &Settings) -> Vec<Move> {
 }
 
 /// The slowest of all moments, in each of some runs.
-fn figure(stage: &'static str, moves: &[Move], settings: &Settings, change: Change<'_>) -> Figure {
+fn figure(
+    stage: &'static str,
+    moves: &[Move],
+    settings: &Settings,
+    change: Change<'_>,
+) -> Result<Figure> {
     let end_s: f64 = pieces(moves, settings).last().map_or(0.0, Plan::duration_s);
     let jerk = settings.axis_dynamics().jerk_mm_s3;
     let count = jerk.map_or(MOMENTS, |_| MOMENTS_WITH_JERK);
-    let slowest = |_| {
-        let moments = (0..count).map(|k| end_s * (f64::from(k) + 0.5) / f64::from(count));
-        moments.map(|t_s| takes_s(moves, settings, t_s, change)).fold(0.0, f64::max)
-    };
-    let wall_s = Spread::of((0..RUNS).map(slowest).collect());
+    let mut slowest = [0.0f64; RUNS];
+    for most_s in &mut slowest {
+        for k in 0..count {
+            let t_s = end_s * (f64::from(k) + 0.5) / f64::from(count);
+            *most_s = most_s.max(takes_s(moves, settings, t_s, change)?);
+        }
+    }
+    let wall_s = Spread::of(slowest.to_vec());
     let goal = Some(Goal::Within(READY_S, f64::INFINITY));
     let (count, unit) = (u64::from(count), "re-plans");
-    Figure { input: NAME, stage, count, unit, cpu_s: wall_s, wall_s, peak: None, goal }
+    Ok(Figure { input: NAME, stage, count, unit, cpu_s: wall_s, wall_s, peak: None, goal })
 }
 
 fn pieces(moves: &[Move], settings: &Settings) -> Vec<Plan> {
@@ -109,14 +118,15 @@ fn reading(moves: &[Move], settings: &Settings) -> Box<dyn Replanner> {
     planner
 }
 
-/// How long a change at a moment takes, until the next piece of plan is there.
-fn takes_s(moves: &[Move], settings: &Settings, t_s: f64, change: Change<'_>) -> f64 {
+/// How long a change at a moment takes, until the next piece of plan is there: processor time, so that
+/// other work beside it does not count.
+fn takes_s(moves: &[Move], settings: &Settings, t_s: f64, change: Change<'_>) -> Result<f64> {
     let mut planner = reading(moves, settings);
     let piece = std::iter::from_fn(|| planner.take().or_else(|| planner.finish()))
         .find(|piece| piece.duration_s() > t_s);
-    let Some(piece) = piece else { return 0.0 };
-    let start = Instant::now();
+    let Some(piece) = piece else { return Ok(0.0) };
+    let start = usage::own()?.cpu_s;
     change(planner.as_mut(), piece, t_s);
     std::hint::black_box(planner.take().or_else(|| planner.finish()));
-    start.elapsed().as_secs_f64()
+    Ok(usage::own()?.cpu_s - start)
 }

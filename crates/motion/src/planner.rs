@@ -29,6 +29,10 @@ pub trait Planner {
     /// The stack is complete: the last piece of its plan, which ends at rest; `None` when nothing is
     /// left. Moves pushed later belong to another stack, which begins at time 0.
     fn finish(&mut self) -> Option<Plan>;
+
+    /// Forgets the stack, and gives back the moves that did not come out: after a stop somebody moved
+    /// the workpiece, or they are planned otherwise.
+    fn withdraw(&mut self) -> Vec<Move>;
 }
 
 /// A planner whose plan can be left for another on the way.
@@ -47,10 +51,6 @@ pub trait Replanner: Planner {
     /// What is left of the stack stays: it comes out as another stack, which goes on there at the
     /// present speed, at time 0. Moves that are pushed later have their own share.
     fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)>;
-
-    /// Gives back what is left of a stack after a stop: somebody moved the workpiece, and it has to be
-    /// planned elsewhere.
-    fn withdraw(&mut self) -> Vec<Move>;
 }
 
 /// The planner of the model of motion in force, for a stack that begins under these settings.
@@ -58,9 +58,7 @@ pub fn planner(settings: &Settings) -> Box<dyn Replanner> {
     let dynamics = settings.axis_dynamics();
     match settings.model() {
         RampModel::Shopbot => Box::new(ShopBotPlanner::new(&settings.ramps)),
-        RampModel::Profiler => {
-            Box::new(Retimed::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)))
-        }
+        RampModel::Profiler => Box::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)),
         RampModel::Optimal => Box::new(Retimed::new(OptimalPlanner::new(&dynamics))),
     }
 }

@@ -12,10 +12,15 @@ use crate::plan::{Law, Plan, State};
 use crate::planner::{Planner, Replanner};
 use crate::stop::Stop;
 use kerf_program::Axes;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// So many moves that were made are kept: a new plan begins so far behind, to be up to speed.
 const BEHIND: usize = 512;
+
+/// So many moves of those that wait are planned together: what is not needed at once is planned when
+/// it is asked for.
+const AT_ONCE: usize = 128;
 
 /// The plan with another feed is looked for at moments so far apart, seconds, and at so many.
 const LOOK_S: f64 = 1e-3;
@@ -28,6 +33,8 @@ const SAME: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub struct Retimed<P> {
     planner: P,
+    /// Moves that the planner does not have yet.
+    waiting: VecDeque<Move>,
     /// What comes out next, before what the planner gives.
     ready: Option<Plan>,
     /// The clock for what the planner gives.
@@ -51,21 +58,43 @@ struct Splice {
 impl<P: Planner> Retimed<P> {
     /// Around a planner.
     pub const fn new(planner: P) -> Self {
-        Self { planner, ready: None, clock: None, behind: Vec::new(), last: Vec::new() }
+        Self {
+            planner,
+            waiting: VecDeque::new(),
+            ready: None,
+            clock: None,
+            behind: Vec::new(),
+            last: Vec::new(),
+        }
     }
 
     /// The next piece; when the planner has none, what it would give if the stack were complete.
     fn next(&mut self) -> Option<Plan> {
-        if self.ready.is_some() {
-            return self.ready.take();
-        }
-        if let Some(piece) = self.planner.take() {
-            return Some(self.by_clock(piece));
+        if let Some(piece) = self.known() {
+            return Some(piece);
         }
         let last = self.planner.finish().map(|piece| self.by_clock(piece))?;
         // What is pushed from now on is another stack for the planner.
         self.clock = Some(Arc::new(Clock::plain(last.duration_s(), 0.0)));
         Some(last)
+    }
+
+    /// The next piece that no later move can change. Moves that wait are given to the planner as far
+    /// as it takes to get one.
+    fn known(&mut self) -> Option<Plan> {
+        if self.ready.is_some() {
+            return self.ready.take();
+        }
+        loop {
+            if let Some(piece) = self.planner.take() {
+                return Some(self.by_clock(piece));
+            }
+            if self.waiting.is_empty() {
+                return None;
+            }
+            let count = self.waiting.len().min(AT_ONCE);
+            self.waiting.drain(..count).for_each(|m| self.planner.push(m));
+        }
     }
 
     fn by_clock(&self, piece: Plan) -> Plan {
@@ -91,24 +120,15 @@ impl<P: Planner> Retimed<P> {
         piece
     }
 
-    /// Leaves a plan made of ramps; what is left is planned anew.
-    fn leave(
-        &mut self,
-        mut piece: Plan,
-        t_s: f64,
-        ramped: bool,
-        change: impl Fn(Move) -> Move,
-    ) -> Option<(Plan, Stop)> {
-        while let Some(next) = self.next() {
-            piece.join(next);
-        }
-        let stop = piece.stop(t_s, ramped)?;
-        let (made, rest) = piece.cut(&stop);
-        self.begin_anew(rest.into_iter().map(change));
+    /// Stops, and plans what is left with another feed.
+    fn leave(&mut self, all: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
+        let stop = all.stop(t_s, true)?;
+        let (made, rest) = all.cut(&stop);
+        self.begin_anew(rest.into_iter().map(|m| m.at_feed(share)));
         Some((made, stop))
     }
 
-    /// Another stack, from a stand.
+    /// Another stack, from a stand, before all that waits.
     fn begin_anew(&mut self, moves: impl Iterator<Item = Move>) {
         (self.ready, self.clock) = (None, None);
         moves.for_each(|m| self.planner.push(m));
@@ -116,18 +136,23 @@ impl<P: Planner> Retimed<P> {
 
     /// Stops a plan that can be run by another clock; the rest keeps its path.
     fn stop_clock(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
+        let (all, stop) = self.until_stand(piece, t_s, ramped)?;
+        let left = all.left(&stop);
+        let (made, moves) = all.cut(&stop);
+        self.go_on(left.map(|law| Plan { moves, law: Law::Clocked(Box::new(law)) }));
+        Some((made, stop))
+    }
+
+    /// A piece and as many behind it as it takes to come to a stand, and where that is.
+    fn until_stand(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
         let mut all = piece.by(plain_clock());
         let mut stop = all.stop(t_s, ramped)?;
-        // Near the end of what is known the machine could not stand in time.
         while stop.end_s >= all.duration_s() {
             let Some(next) = self.next() else { break };
             all.join(next);
             stop = all.stop(t_s, ramped)?;
         }
-        let left = all.left(&stop);
-        let (made, moves) = all.cut(&stop);
-        self.go_on(left.map(|law| Plan { moves, law: Law::Clocked(Box::new(law)) }));
-        Some((made, stop))
+        Some((all, stop))
     }
 
     /// What comes out next, from time 0 on; what the planner gives follows it, by the same clock.
@@ -141,35 +166,57 @@ impl<P: Planner> Retimed<P> {
         self.ready = left;
     }
 
-    /// Goes on at the present speed with another feed, where both plans are at the same place.
+    /// Goes on at the present speed with another feed, where both plans are at the same place. Only
+    /// what lies before the place where the machine could stand is planned for that.
     fn feed_clock(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        let mut all = piece.by(plain_clock());
-        while let Some(next) = self.next() {
-            all.join(next);
-        }
+        let (mut all, stand) = self.until_stand(piece, t_s, true)?;
         let Law::Clocked(law) = &all.law else { return None };
+        self.wait_with(share);
         let behind = self.behind.len();
         let planned = self.behind.iter().copied().chain(law.planned_moves());
         let planned: Vec<Move> = planned.map(|m| m.at_feed(share)).collect();
-        self.begin_anew(planned.into_iter());
+        let count = (behind + law.begin.0 + stand.move_index + 1).min(planned.len());
+        planned[count..].iter().rev().for_each(|m| self.waiting.push_front(*m));
+        self.begin_anew(planned[..count].iter().copied());
         let mut fresh = self.next()?.by(plain_clock());
-        while let Some(next) = self.next() {
+        while fresh.moves.len() < count {
+            let Some(next) = self.next() else { break };
             fresh.join(next);
         }
         let Law::Clocked(other) = &fresh.law else { return None };
         let Some((splice, slowed)) = splice(law, other, behind, t_s) else {
-            return self.leave(all, t_s, true, |m| m.at_feed(share));
+            self.take_back(&fresh.moves, planned.len());
+            return self.leave(all, t_s, share);
         };
+        let (index, before) = splice.begin;
         let left =
             Clocked { begin: splice.begin, clock: Arc::new(splice.clock), ..(**other).clone() };
         all.law = Law::Clocked(Box::new(slowed));
         let stop = all.stop(splice.t_s, false)?;
-        let (made, rest) = all.cut(&stop);
-        // The other plan has them all.
+        let (made, _) = all.cut(&stop);
+        // The other plan has what is left.
         (self.behind, self.last) = (Vec::new(), Vec::new());
-        let moves = rest.into_iter().map(|m| m.at_feed(share)).collect();
+        let mut moves = fresh.moves.split_off(index);
+        if let Some(first) = moves.first_mut() {
+            *first = first.split(before).1;
+        }
         self.go_on(Some(Plan { moves, law: Law::Clocked(Box::new(left)) }));
         Some((made, stop))
+    }
+
+    /// Takes back from the planner what did not come out; it waits with another feed.
+    fn wait_with(&mut self, share: f32) {
+        let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
+        let left = ready.chain(self.planner.withdraw()).collect::<Vec<Move>>();
+        left.into_iter().rev().for_each(|m| self.waiting.push_front(m));
+        self.waiting.iter_mut().for_each(|m| *m = m.at_feed(share));
+    }
+
+    /// Takes back a plan that is not run: what lies beyond so many moves waits again.
+    fn take_back(&mut self, fresh: &[Move], beyond: usize) {
+        let left = [fresh, &self.planner.withdraw()].concat();
+        left.into_iter().rev().for_each(|m| self.waiting.push_front(m));
+        self.waiting.drain(..beyond.min(self.waiting.len()));
     }
 }
 
@@ -224,44 +271,41 @@ fn same_course(a: &State, b: &State) -> bool {
 
 impl<P: Planner> Planner for Retimed<P> {
     fn push(&mut self, made: Move) {
-        self.planner.push(made);
+        if self.waiting.is_empty() {
+            self.planner.push(made);
+        } else {
+            self.waiting.push_back(made);
+        }
     }
 
     fn take(&mut self) -> Option<Plan> {
-        let piece = match self.ready.take() {
-            None => self.planner.take().map(|piece| self.by_clock(piece)),
-            ready => ready,
-        };
+        let piece = self.known();
         self.out(piece)
     }
 
     fn finish(&mut self) -> Option<Plan> {
-        if self.ready.is_some() {
-            return self.take();
+        let piece = self.known();
+        if piece.is_some() {
+            return self.out(piece);
         }
         let piece = self.planner.finish().map(|piece| self.by_clock(piece));
         (self.clock, self.behind) = (None, Vec::new());
         piece
     }
+
+    fn withdraw(&mut self) -> Vec<Move> {
+        self.clock = None;
+        let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
+        ready.chain(self.planner.withdraw()).chain(self.waiting.drain(..)).collect()
+    }
 }
 
 impl<P: Planner> Replanner for Retimed<P> {
     fn stop(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
-        match piece.law {
-            Law::Ramped(_) => self.leave(piece, t_s, ramped, |m| m),
-            _ => self.stop_clock(piece, t_s, ramped),
-        }
+        self.stop_clock(piece, t_s, ramped)
     }
 
     fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        match piece.law {
-            Law::Ramped(_) => self.leave(piece, t_s, true, |m| m.at_feed(share)),
-            _ => self.feed_clock(piece, t_s, share),
-        }
-    }
-
-    fn withdraw(&mut self) -> Vec<Move> {
-        let left = std::iter::from_fn(|| self.finish());
-        left.flat_map(|plan| plan.moves).collect()
+        self.feed_clock(piece, t_s, share)
     }
 }

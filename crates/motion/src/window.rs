@@ -120,6 +120,10 @@ impl Planner for ShopBotPlanner {
         *self = Self::new(&self.ramps);
         plan
     }
+
+    fn withdraw(&mut self) -> Vec<Move> {
+        std::mem::replace(self, Self::new(&self.ramps)).ahead.moves
+    }
 }
 
 impl Replanner for ShopBotPlanner {
@@ -151,9 +155,5 @@ impl Replanner for ShopBotPlanner {
             }
         };
         Some((made, stop))
-    }
-
-    fn withdraw(&mut self) -> Vec<Move> {
-        std::mem::replace(self, Self::new(&self.ramps)).ahead.moves
     }
 }

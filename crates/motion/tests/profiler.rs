@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use kerf_motion::{Model, Move, Mover, Path, Plan, Profiler};
+use kerf_motion::{Model, Move, Mover, Path, Plan, Profiler, planner};
 use kerf_program::{
     Arc, At, Axes, Axis, Dynamics, Feed, Line, MoveKind, RampModel, Settings, Smoothing,
 };
@@ -392,4 +392,41 @@ fn the_model_in_force_is_the_one_named() {
     assert_eq!(settings.model(), RampModel::Optimal);
     settings.ramp_model = Some(RampModel::Profiler);
     assert_eq!(settings.model(), RampModel::Profiler);
+}
+
+/// An override on the way changes the speed by the ramps of the axes; the tool does not stop.
+#[test]
+fn an_override_keeps_moving() {
+    let mut settings = Settings { ramp_model: Some(RampModel::Profiler), ..Settings::default() };
+    settings.speeds.cut.xy = 100.0;
+    let dynamics = settings.axis_dynamics();
+    let mut mover = Mover::new(Axes::default(), &settings);
+    let place = |k: u32| {
+        let x = 2.0 * f64::from(k);
+        Axes::xyz(x, 8.0 * (x / 40.0).sin(), 0.0)
+    };
+    let line = |to| Line { kind: MoveKind::Cut, to, feed: Feed::Axis };
+    let moves: Vec<Move> =
+        (1..400).filter_map(|k| mover.line(At::default(), &line(place(k)))).collect();
+    for share in [0.3, 0.8, 1.5] {
+        let mut planner = planner(&settings);
+        moves.iter().for_each(|m| planner.push(*m));
+        let piece = planner.take().or_else(|| planner.finish()).unwrap();
+        let (made, stop) = planner.feed(piece, 2.0, share).unwrap();
+        assert!((stop.end_s - 2.0).abs() < 1e-9);
+        let mut speed = made.at(stop.end_s - 1e-9).path_speed_mm_s;
+        let next = planner.take().or_else(|| planner.finish()).unwrap();
+        let most = 1.5e-3 * dynamics.accel_mm_s2.0[0] + 1e-6;
+        // The piece that slows may be short; what follows is checked by the next one.
+        for k in 1..((next.duration_s() * 1e3) as u32).min(1000) {
+            let now = next.at(f64::from(k) * 1e-3).path_speed_mm_s;
+            assert!((now - speed).abs() < most, "{share}: {speed} to {now} mm/s");
+            speed = now;
+        }
+        let goal = 100.0 * f64::from(share);
+        assert!(speed > 0.4 * goal && speed < 1.1 * goal, "{share}: {speed} mm/s");
+        let left = std::iter::from_fn(|| planner.take().or_else(|| planner.finish())).last();
+        let end = left.as_ref().unwrap_or(&next).moves().last().unwrap().to;
+        assert_eq!(end, moves.last().unwrap().to);
+    }
 }

@@ -118,6 +118,13 @@ impl Planner for OptimalPlanner {
             Reading::Limited(rests) => rests.finish(),
         }
     }
+
+    fn withdraw(&mut self) -> Vec<Move> {
+        match &mut self.0 {
+            Reading::Free(stream) => stream.withdraw(),
+            Reading::Limited(rests) => rests.withdraw(),
+        }
+    }
 }
 
 impl Optimal<'_> {

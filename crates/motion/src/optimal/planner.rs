@@ -108,6 +108,13 @@ impl Stream {
         Some(piece)
     }
 
+    /// Forgets the stack; the moves that did not come out.
+    pub fn withdraw(&mut self) -> Vec<Move> {
+        let left = std::mem::take(&mut self.moves);
+        *self = Self::new(&self.dynamics);
+        left
+    }
+
     fn advance(&mut self, moves: usize, ended: bool) {
         for i in self.seen..moves {
             if !self.track.holds(&self.moves[i]) {

@@ -71,6 +71,13 @@ impl Rests {
         plan
     }
 
+    /// Forgets the stack; the moves that did not come out.
+    pub fn withdraw(&mut self) -> Vec<Move> {
+        let left = std::mem::take(&mut self.moves);
+        *self = Self::new(&self.dynamics);
+        left
+    }
+
     /// The plan of the first moves, after which the machine stands.
     fn piece(&mut self, count: usize) -> Option<Plan> {
         let rest = self.moves.split_off(count);

@@ -20,7 +20,7 @@ impl Limits<'_> {
     /// The greatest speed of a move along its reference length, mm/s.
     pub fn speed_mm_s(&self, m: &Move) -> f64 {
         let share = self.greatest_shares(m);
-        let v = slowest(&self.dynamics.speed_mm_s, &share).min(m.speed_mm_s);
+        let v = slowest(&self.dynamics.speed_mm_s, &share).min(m.top_mm_s());
         let v = v.min(self.centripetal_mm_s(m));
         if m.kind == MoveKind::Cut { v.min(self.directional_mm_s(m)) } else { v }
     }

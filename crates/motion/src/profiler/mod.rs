@@ -13,6 +13,7 @@
 //! The look-ahead then sees to it that the accelerations suffice. Ramps are linear in time.
 
 mod limits;
+mod replan;
 mod sections;
 pub(crate) mod spline;
 
@@ -26,6 +27,7 @@ use crate::shopbot::Model;
 use kerf_program::{Dynamics, Smoothing};
 use limits::Limits;
 use spline::{angle, unit};
+use std::collections::VecDeque;
 
 /// Directions that differ by less are the same, radians: rounding, not a corner.
 const SAME_RAD: f64 = 1e-5;
@@ -62,14 +64,21 @@ pub struct ProfilerPlanner {
     past: Vec<Move>,
     /// Moves that are not smoothed yet.
     read: Vec<Move>,
+    /// Moves that have their curves, before those, and no speeds yet.
+    curved: VecDeque<Move>,
     ahead: Ahead,
     fit: Fit,
     /// The next piece is looked for when so many moves are known.
     enough: usize,
+    /// A piece that is known already.
+    ready: Option<Plan>,
 }
 
 /// So many moves are read before a piece is looked for, to do the work in one go.
 const BLOCK: usize = 4096;
+
+/// After a stop or an override so many moves get their speeds together.
+const AT_ONCE: usize = 256;
 
 impl ProfilerPlanner {
     /// For a stack that is planned with these limits.
@@ -79,13 +88,24 @@ impl ProfilerPlanner {
             smoothing: *smoothing,
             past: Vec::new(),
             read: Vec::new(),
+            curved: VecDeque::new(),
             ahead: Ahead::default(),
             fit: Fit::default(),
             enough: BLOCK,
+            ready: None,
         }
     }
 
     fn piece(&mut self, complete: bool) -> Option<Plan> {
+        while !self.curved.is_empty() {
+            let count = self.curved.len().min(AT_ONCE);
+            let some: Vec<Move> = self.curved.drain(..count).collect();
+            some.into_iter().for_each(|made| self.cap(made));
+            let known = self.ahead.moves.len() - 1;
+            if let Some(plan) = self.fit.take(&mut self.ahead, known, false) {
+                return Some(plan);
+            }
+        }
         let open = if complete { 0 } else { sections::CONTEXT };
         for made in self.smoothed(open) {
             self.cap(made);
@@ -142,18 +162,36 @@ impl Planner for ProfilerPlanner {
     }
 
     fn take(&mut self) -> Option<Plan> {
-        if self.read.len() + self.ahead.moves.len() < self.enough {
+        if self.ready.is_some() {
+            return self.ready.take();
+        }
+        let known = self.read.len() + self.curved.len() + self.ahead.moves.len();
+        if known < self.enough {
             return None;
         }
         let plan = self.piece(false);
-        self.enough = BLOCK.max(2 * self.ahead.moves.len());
+        let known = self.curved.len() + self.ahead.moves.len();
+        self.enough = if known > self.ahead.moves.len() { 0 } else { BLOCK.max(2 * known) };
         plan
     }
 
     fn finish(&mut self) -> Option<Plan> {
+        if self.ready.is_some() {
+            return self.ready.take();
+        }
         let plan = self.piece(true);
-        *self = Self::new(&self.dynamics, &self.smoothing);
+        if self.curved.is_empty() && self.ahead.moves.is_empty() && self.read.is_empty() {
+            *self = Self::new(&self.dynamics, &self.smoothing);
+        }
         plan
+    }
+
+    fn withdraw(&mut self) -> Vec<Move> {
+        let ready = self.ready.take().into_iter().flat_map(|plan| plan.moves);
+        let left = ready.chain(self.ahead.moves.drain(..)).chain(self.curved.drain(..));
+        let left = left.chain(self.read.drain(..)).collect();
+        *self = Self::new(&self.dynamics, &self.smoothing);
+        left
     }
 }
 
