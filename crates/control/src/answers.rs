@@ -6,6 +6,7 @@
 //! begin with `#` are notes.
 
 use crate::nudge::Nudge;
+use kerf_machine::sequence::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -90,7 +91,7 @@ fn of_kind(text: &str) -> Option<(&'static str, &str)> {
     Some((kind, answer.trim()))
 }
 
-const KINDS: [QuestionKind; 10] = [
+const KINDS: [QuestionKind; 11] = [
     QuestionKind::Input,
     QuestionKind::Msgbox,
     QuestionKind::Pause,
@@ -101,6 +102,7 @@ const KINDS: [QuestionKind; 10] = [
     QuestionKind::Speed,
     QuestionKind::Hold,
     QuestionKind::Step,
+    QuestionKind::Paused,
 ];
 
 /// The word for a kind, as the trace writes it.
@@ -116,6 +118,7 @@ pub const fn kind_word(kind: QuestionKind) -> &'static str {
         QuestionKind::Speed => "speed",
         QuestionKind::Hold => "hold",
         QuestionKind::Step => "step",
+        QuestionKind::Paused => "paused",
     }
 }
 
@@ -137,6 +140,7 @@ pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
 fn command(question: &Question, words: &str) -> bool {
     match question.kind {
         QuestionKind::Hold => Nudge::read(words).is_some(),
+        QuestionKind::Paused => Word::read(words).is_some(),
         QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,
     }

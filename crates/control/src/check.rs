@@ -1,6 +1,7 @@
 //! Checking a part file without a machine: everything that can be said about it and the files it
 //! names, and what a dry run finds.
 
+use crate::Work;
 use crate::answers::Operator;
 use crate::event::Event;
 use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
@@ -21,13 +22,20 @@ use std::sync::Arc;
 /// taken are not explored.
 pub fn check(
     session: &Session,
-    program: impl Into<Program>,
+    work: impl Into<Work>,
     options: RunOptions,
     shelf: &mut Shelf,
     operator: &mut dyn Operator,
 ) -> Checked {
-    let program = program.into();
     let mut findings = Findings::default();
+    let program = match work.into() {
+        Work::Part(program) => *program,
+        job @ Work::Job(..) => {
+            let company = Company { sink: &mut findings, operator, pace: &mut () };
+            let summary = session.clone().run(job, options, shelf, company);
+            return findings.checked(Some(summary));
+        }
+    };
     let good = !program.has_errors();
     findings.follow(&program, session.memory.settings.linear_unit, shelf);
     let gcode = program.language() == Language::Gcode;
@@ -41,8 +49,7 @@ pub fn check(
         options.program.allow_errors |= gcode;
         session.run(program, options, shelf, company)
     });
-    let summary = summary.filter(|_| !findings.list.iter().any(Diagnostic::is_error));
-    Checked { diagnostics: findings.sorted(), summary }
+    findings.checked(summary)
 }
 
 /// What a check found.
@@ -64,6 +71,12 @@ struct Findings {
 }
 
 impl Findings {
+    /// What was found; a run with errors has no summary.
+    fn checked(self, summary: Option<Summary>) -> Checked {
+        let summary = summary.filter(|_| !self.list.iter().any(Diagnostic::is_error));
+        Checked { diagnostics: self.sorted(), summary }
+    }
+
     /// Reads a program, started on a machine in a unit, and everything it names.
     fn follow(&mut self, program: &Program, unit: LinearUnit, shelf: &mut Shelf) {
         let mut waiting: VecDeque<NamedFile> = self.read(program, Some(unit), shelf).into();

@@ -32,7 +32,7 @@ pub enum Event {
     Arc(ArcEvent),
     /// An output changed.
     Output {
-        /// Its number, 1 … 12.
+        /// Its number.
         n: u8,
         /// Its state from now on.
         on: bool,
@@ -40,13 +40,46 @@ pub enum Event {
         t: f64,
         /// What made it change.
         why: OutputReason,
+        /// What jobs call it.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        name: Option<&'static str>,
     },
     /// An input changed.
     Input {
-        /// Its number, 1 … 12.
+        /// Its number.
         n: u8,
         /// Its state from now on.
         on: bool,
+        /// When.
+        t: f64,
+        /// What jobs call it.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        name: Option<&'static str>,
+    },
+    /// The intensity output of a laser changed.
+    Intensity {
+        /// Its value, 0 … 127.
+        value: u8,
+        /// The byte of the port: the value in its upper seven bits, the burn bit below.
+        byte: u8,
+        /// When.
+        t: f64,
+    },
+    /// The pulse frequency of a laser was set.
+    #[serde(rename = "laser_hz")]
+    LaserHz {
+        /// Hz.
+        hz: f64,
+        /// When.
+        t: f64,
+    },
+    /// The machine entered a state: `running`, `paused`, `estop`, `idle` …
+    State {
+        /// Its name.
+        state: Arc<str>,
+        /// Why, when there is something to say.
+        #[serde(skip_serializing_if = "str::is_empty")]
+        why: Arc<str>,
         /// When.
         t: f64,
     },

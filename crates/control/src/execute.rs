@@ -6,7 +6,7 @@ use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
 use kerf_motion::{Move, Path, Plan, Stop, planner};
-use kerf_program::{Axis, Interpreter};
+use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
 use kerf_sbp::SPINDLE_STATUS;
 use kerf_sim::{Halt, HaltCause};
 
@@ -14,7 +14,9 @@ use kerf_sim::{Halt, HaltCause};
 #[derive(Debug)]
 pub(crate) enum Halted {
     /// A watched input; its index among the watches, and the motion that was interrupted.
-    Watch { index: usize, number: Option<u64> },
+    Watch { index: usize, at: kerf_program::Halted },
+    /// The machine was stopped, and the program says what follows.
+    Taken { by: StoppedBy, at: kerf_program::Halted },
     /// The run is over.
     Over(Over),
 }
@@ -108,7 +110,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn run_piece(&mut self, piece: Plan) -> Option<Halted> {
         let turned = self.follow_plan(piece);
         let number = match &turned {
-            Some((stop, _)) if stop.share < 1.0 => self.stack.next_number(),
+            Some((stop, ..)) if stop.share < 1.0 => self.stack.next_number(),
             _ => self.stack.last_number,
         };
         match turned {
@@ -118,14 +120,17 @@ impl<I: Interpreter> Runner<'_, I> {
                 }
                 None
             }
-            Some((stop, Turn::Operator(Wish::Feed(share)))) => {
+            Some((stop, Turn::Operator(Wish::Feed(share)), _)) => {
                 self.override_feed(share);
                 self.go_on_at(|t0_s| t0_s + stop.end_s);
                 None
             }
-            Some((_, why)) => {
+            Some((stop, why, began)) => {
                 self.stand();
-                self.answer_halt(why, number).and_then(|()| self.set_off_again()).err()
+                // A stop behind the last move leaves nothing to make.
+                let motion = if stop.share < 1.0 { number } else { self.stack.next_number() };
+                let at = kerf_program::Halted { motion, began, stands: stop.position };
+                self.answer_halt(why, number, &at).and_then(|()| self.set_off_again()).err()
             }
         }
     }
@@ -147,10 +152,13 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Follows a piece of plan, move by move, to its end or to where it is left for another.
-    fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn)> {
+    /// With it goes where the machine was when it was left.
+    fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn, Axes)> {
         let t0_s = self.stack.running.as_ref()?.t0_s;
-        let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &self.watched());
-        let mut turned: Option<(Stop, Turn)> = None;
+        let watched = self.watched(t0_s);
+        self.world.machine.foresee(&plan, t0_s);
+        let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
+        let mut turned: Option<(Stop, Turn, Axes)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
             if turned.is_none() && self.is_taken_up() {
@@ -161,18 +169,23 @@ impl<I: Interpreter> Runner<'_, I> {
             let (begin_s, end_s) = plan.span_s(index);
             let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
             match &turned {
-                Some((_, turn)) => self.pass_on(turn, end_s, Going { plan: &plan, index, t0_s }),
+                Some((_, turn, _)) => self.pass_on(turn, end_s, Going { plan: &plan, index, t0_s }),
                 None => {
                     let going = Going { plan: &plan, index, t0_s };
                     if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
+                        let began = plan.at((t_s - t0_s).max(0.0)).position;
                         let (made, stop) = self.replan(plan, (t_s - t0_s).max(0.0), turn)?;
-                        (plan, turned) = (made, Some((stop, turn)));
+                        if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
+                            self.drop_outputs(t_s, index);
+                        }
+                        self.world.machine.foresee(&made, t0_s);
+                        (plan, turned) = (made, Some((stop, turn, began)));
                         continue;
                     }
                 }
             }
             self.make_one(&plan, index, t0_s);
-            if turned.as_ref().is_none_or(|(stop, _)| index < stop.whole()) {
+            if turned.as_ref().is_none_or(|(stop, ..)| index < stop.whole()) {
                 self.stack.made_one();
             }
             index += 1;
@@ -270,20 +283,43 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
+    /// Outputs that do not wait until the machine stands.
+    pub(crate) fn drop_outputs(&mut self, t_s: f64, index: usize) {
+        if let Some(watch) = self.interpreter.watches().get(index) {
+            self.world.machine.drop_outputs(t_s, &watch.drops);
+        }
+    }
+
     /// What follows when motion was stopped, unless it goes on.
-    fn answer_halt(&mut self, why: Turn, number: Option<u64>) -> Result<(), Halted> {
+    fn answer_halt(
+        &mut self,
+        why: Turn,
+        number: Option<u64>,
+        at: &kerf_program::Halted,
+    ) -> Result<(), Halted> {
         let halt = match why {
+            Turn::Operator(_) if self.interpreter.takes_stops() => {
+                self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
+                return Err(Halted::Taken { by: StoppedBy::Operator, at: *at });
+            }
             Turn::Operator(wish) => return self.stands(wish).map_err(Halted::Over),
             Turn::Input(halt) => halt,
         };
         let (by, n) = match halt.cause {
-            HaltCause::Watch(index) => ("watch", self.watched().get(index).map_or(0, |w| w.input)),
+            HaltCause::Watch(index) => {
+                ("watch", self.watched(0.0).get(index).map_or(0, |w| w.input))
+            }
             HaltCause::Limit(n) => ("limit", n),
             HaltCause::Stop(n) => ("stop", n),
         };
         self.world.tell(&Event::Stop { by, n, t: self.world.now() });
         match halt.cause {
-            HaltCause::Watch(index) => Err(Halted::Watch { index, number }),
+            HaltCause::Watch(index) => {
+                Err(Halted::Watch { index, at: kerf_program::Halted { motion: number, ..*at } })
+            }
+            HaltCause::Stop(n) if self.interpreter.takes_stops() => {
+                Err(Halted::Taken { by: StoppedBy::Input(n), at: *at })
+            }
             HaltCause::Limit(n) => self.limit_input(n).map_err(Halted::Over),
             HaltCause::Stop(n) => {
                 self.world.machine.stopped(true);

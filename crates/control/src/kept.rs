@@ -1,11 +1,11 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
+use crate::Work;
 use crate::journal::{
     CutShort, Journal, JournalError, Owner, Placed, RunUnderWay, Tape, Whereabouts,
 };
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
-use kerf_part::Program;
 use kerf_program::{Axis, Settings};
 use kerf_sbp::POSITION_LOST;
 
@@ -38,17 +38,31 @@ impl Session {
     /// As the journal cannot be written: then nothing has run, or what it left is not kept.
     pub fn run_on_record(
         &mut self,
-        program: impl Into<Program>,
+        work: impl Into<Work>,
         mut options: RunOptions,
         settings: Option<Settings>,
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Result<Summary, JournalError> {
-        let program = program.into();
+        let work = work.into();
         let Some(journal) = shelf.journal().cloned() else {
-            return Ok(self.run(program, options, shelf, company));
+            return Ok(self.run(work, options, shelf, company));
         };
         let owner = journal.own()?;
+        let program = match work {
+            Work::Part(program) => *program,
+            job @ Work::Job(..) => {
+                // Its moves are not on record: until it is over nobody knows where the machine is.
+                let lost = shelf.stored.get(POSITION_LOST).map(str::to_owned);
+                shelf.stored.set(POSITION_LOST, Some("XYZABC"));
+                shelf.stored.keep(POSITION_LOST);
+                let summary = self.run(job, options, shelf, company);
+                shelf.stored.set(POSITION_LOST, lost.as_deref());
+                self.memory.settings = settings.unwrap_or_else(|| self.memory.settings.clone());
+                journal.remember(&self.memory, &self.gcode)?;
+                return Ok(summary);
+            }
+        };
         options.lines_at_once = options.lines_for(&*company.sink);
         let run = RunUnderWay::new(self, &program, &options, settings, shelf);
         shelf.tape = journal.begin(&run, &program.sbp.text)?;

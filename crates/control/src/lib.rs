@@ -45,6 +45,7 @@ mod tally;
 mod text;
 mod trail;
 mod waiting;
+mod work;
 mod world;
 
 pub use check::{Checked, check};
@@ -60,3 +61,4 @@ pub use sink::{Made, Sink};
 pub use standing::{OpenFile, Standing, flag};
 pub use tally::{Tally, ToolPathTime};
 pub use text::{Outcome, TextOptions, run_text};
+pub use work::Work;

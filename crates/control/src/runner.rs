@@ -16,7 +16,7 @@ use crate::{Pace, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_motion::{Move, Mover};
 use kerf_program::{
-    At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step,
+    At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step, StoppedBy,
 };
 use kerf_sim::Watched;
 use std::collections::VecDeque;
@@ -247,7 +247,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Takes over the commands given: motion goes onto the stack, the rest is carried out.
     fn feed(&mut self) -> Flow {
-        self.watching = !self.interpreter.watches().is_empty();
+        self.watching = self.interpreter.takes_stops() || !self.interpreter.watches().is_empty();
         let mut out = std::mem::take(&mut self.out);
         let motions = out.iter().filter(|s| s.command.is_motion()).count() as u64;
         let mut number = self.interpreter.motions() - motions;
@@ -432,30 +432,49 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     fn halted(&mut self, halted: Halted) -> Flow {
         match halted {
-            Halted::Watch { index, number } => self.interrupt(index, number),
+            Halted::Watch { index, at } => self.interrupt(index, &at),
+            Halted::Taken { by, at } => self.taken(by, &at),
             Halted::Over(over) => Flow::Over(over),
         }
     }
 
     /// A watched input stopped the machine: the program's handler comes next.
-    pub(crate) fn interrupt(&mut self, index: usize, motion: Option<u64>) -> Flow {
+    pub(crate) fn interrupt(&mut self, index: usize, at: &kerf_program::Halted) -> Flow {
         self.world.machine.land_torch();
         let position = self.world.machine.position();
         let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
-        self.interpreter.interrupt(&watch, motion, position);
-        drop(self.stack.clear());
-        self.mover.set_position(position);
-        self.mover.settings(self.interpreter.settings());
+        self.interpreter.fired(at);
+        self.interpreter.interrupt(&watch, at.motion, position);
+        self.begin_anew(position);
         Flow::Interrupted
     }
 
+    /// The machine was stopped, and the program says what follows.
+    pub(crate) fn taken(&mut self, by: StoppedBy, at: &kerf_program::Halted) -> Flow {
+        self.pace.heard();
+        self.world.machine.land_torch();
+        let stands = self.world.machine.position();
+        self.interpreter.stopped(by, &kerf_program::Halted { stands, ..*at });
+        self.begin_anew(stands);
+        Flow::Interrupted
+    }
+
+    /// Commands given so far are dropped.
+    fn begin_anew(&mut self, position: Axes) {
+        drop(self.stack.clear());
+        self.mover.set_position(position);
+        self.mover.settings(self.interpreter.settings());
+    }
+
     /// The inputs whose changes stop the machine for the program.
-    pub(crate) fn watched(&self) -> Vec<Watched> {
-        let watched = self.interpreter.watches();
-        watched
-            .into_iter()
-            .map(|w| Watched { input: w.input, on: w.on, ramped: w.ramped })
-            .collect()
+    pub(crate) fn watched(&self, begin_s: f64) -> Vec<Watched> {
+        let watched = self.interpreter.watches().into_iter().map(|w| Watched {
+            input: w.input,
+            on: w.on,
+            ramped: w.ramped,
+            level_from_s: w.level_after_s.map(|after_s| begin_s + after_s),
+        });
+        watched.collect()
     }
 }
 

@@ -10,10 +10,12 @@ use crate::shelf::Shelf;
 use crate::tally::Tally;
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{Pace, Sink};
+use crate::{Pace, Sink, Work};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
+use kerf_machine::{Configuration, Sequence};
 use kerf_part::{Interpreter, Program};
+use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, AxisSet, Interpreter as _};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, SystemVariable, Value};
@@ -113,17 +115,31 @@ impl Session {
         Self { memory, gcode: kerf_gcode::State::default(), machine: None }
     }
 
-    /// Runs a program to its end. A program with errors does not start unless that is allowed.
+    /// Runs a program or a job to its end.
     pub fn run(
         &mut self,
-        program: impl Into<Program>,
+        work: impl Into<Work>,
+        options: RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Summary {
+        match work.into() {
+            Work::Part(program) => self.run_part(*program, options, shelf, company),
+            Work::Job(job, machine) => self.run_job(job, &machine, options, shelf, company),
+        }
+    }
+
+    /// Runs a program to its end. A program with errors does not start unless that is allowed.
+    fn run_part(
+        &mut self,
+        program: Program,
         options: RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Summary {
         let mut options = options;
         options.lines_at_once = options.lines_for(&*company.sink);
-        self.go(program.into(), options, shelf, company, None)
+        self.go(program, options, shelf, company, None)
     }
 
     /// Runs a program; one that is taken up by a machine that stands at a place.
@@ -169,6 +185,38 @@ impl Session {
         }
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
+        summary
+    }
+
+    /// Runs a job to its end. Settings and frames of part files stay what they were; the machine is
+    /// left where the job leaves it.
+    fn run_job(
+        &mut self,
+        job: Arc<Job>,
+        machine: &Arc<Configuration>,
+        options: RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Summary {
+        let Company { sink, operator, pace } = company;
+        let preview = options.program.preview;
+        let mode = if preview { "preview" } else { "move" };
+        sink.event(&Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" });
+        let sequence = Sequence::new(job, machine.clone(), self.memory.position);
+        let settings =
+            std::mem::replace(&mut self.memory.settings, (**sequence.settings()).clone());
+        let frame = std::mem::take(&mut self.memory.frame);
+        let simulated = self.machine(options.inputs).pushed(options.pushes).doubting(lost(shelf));
+        (self.memory.settings, self.memory.frame) = (settings, frame);
+        let mut world = World::new(simulated, shelf, sink, operator);
+        world.previews = preview;
+        let mut runner = Runner::new(sequence, world, pace, options.limits, 0);
+        let over = runner.run();
+        let Runner { interpreter, mut world, .. } = runner;
+        let summary = summary(&interpreter, &mut world, over);
+        world.tell(&Event::End(end_event(&summary, &world.machine, None)));
+        self.memory.position = world.machine.position();
+        self.machine = Some(world.machine);
         summary
     }
 
@@ -268,6 +316,21 @@ pub const fn dialect_word(dialect: Dialect) -> &'static str {
     }
 }
 
+fn summary(
+    interpreter: &impl kerf_program::Interpreter,
+    world: &mut World<'_>,
+    over: crate::runner::Over,
+) -> Summary {
+    Summary {
+        status: over.status,
+        seconds: world.now(),
+        lines: interpreter.lines(),
+        tally: std::mem::take(&mut world.tally),
+        unit: interpreter.settings().linear_unit,
+        error: over.diagnostic,
+    }
+}
+
 fn conclude(
     runner: Runner<'_, Interpreter>,
     over: crate::runner::Over,
@@ -279,14 +342,7 @@ fn conclude(
         // It never moved.
         world.machine.restart(stands.position);
     }
-    let summary = Summary {
-        status: over.status,
-        seconds: world.now(),
-        lines: interpreter.lines(),
-        tally: std::mem::take(&mut world.tally),
-        unit: interpreter.settings().linear_unit,
-        error: over.diagnostic,
-    };
+    let summary = summary(&interpreter, &mut world, over);
     let variables = variables.then(|| variables_told(&interpreter));
     let end = end_event(&summary, &world.machine, variables);
     world.tell(&Event::End(end));

@@ -6,14 +6,14 @@ use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Move;
-use kerf_program::{Answer, At, Button, Interpreter, Question, Status};
+use kerf_program::{Answer, At, Button, Halted, Interpreter, Question, Status, StoppedBy};
 use kerf_sim::HaltCause;
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Lets time pass until a moment, unless something stops the program before.
     pub(crate) fn pass_until(&mut self, until_s: f64) -> Flow {
         self.wake();
-        let watches = self.watched();
+        let watches = self.watched(self.world.now());
         let halt = self.world.machine.first_halt(until_s, &watches);
         // Nothing moves: limit and stop inputs have nothing to stop.
         let halt = halt.and_then(|h| match h.cause {
@@ -25,13 +25,31 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         match (wish, halt) {
+            (Some((_, wish)), _) if self.is_taken(wish) => {
+                self.taken(StoppedBy::Operator, &self.stood())
+            }
             (Some((_, wish)), _) => match self.stands(wish) {
                 Ok(()) => self.pass_until(until_s + self.world.now() - stood_s),
                 Err(over) => Flow::Over(over),
             },
-            (None, Some((_, index))) => self.interrupt(index, None),
+            (None, Some((_, index))) => {
+                self.drop_outputs(self.world.now(), index);
+                self.world.tell_log();
+                self.interrupt(index, &self.stood())
+            }
             (None, None) => Flow::On,
         }
+    }
+
+    /// Whether the program says what follows on a wish.
+    fn is_taken(&self, wish: Wish) -> bool {
+        self.interpreter.takes_stops() && matches!(wish, Wish::Stop | Wish::Hold)
+    }
+
+    /// Where the machine stands, with nothing left to make.
+    fn stood(&self) -> Halted {
+        let position = self.world.machine.position();
+        Halted { motion: None, began: position, stands: position }
     }
 
     /// Time passes and nothing moves.
@@ -100,6 +118,9 @@ impl<I: Interpreter> Runner<'_, I> {
             // What moves heeds it on the way. A program that only computes would not get there.
             self.wishes.push_front((now, wish));
             return if matches!(wish, Wish::Stop | Wish::End) { self.flush() } else { Flow::On };
+        }
+        if self.is_taken(wish) {
+            return self.taken(StoppedBy::Operator, &self.stood());
         }
         self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
     }

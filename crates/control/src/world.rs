@@ -10,6 +10,7 @@ use crate::shelf::Shelf;
 use crate::sink::Made;
 use crate::{OpenFile, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
+use kerf_machine::lines::{Input, Output};
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Command, Frame, Independent, OutputReason, Question, Settings,
 };
@@ -175,8 +176,20 @@ impl<'a> World<'a> {
     fn happened(&self, happening: &Happening) -> Event {
         let t = happening.t_s;
         match happening.what {
-            What::Input { number, on } => Event::Input { n: number, on, t },
-            What::Output { number, on, why } => Event::Output { n: number, on, t, why },
+            What::Input { number, on } => {
+                Event::Input { n: number, on, t, name: Input::of_number(number).map(Input::name) }
+            }
+            What::Intensity { value, burn } => {
+                Event::Intensity { value, byte: 2 * value + u8::from(burn), t }
+            }
+            What::LaserFrequency(hz) => Event::LaserHz { hz, t },
+            What::Output { number, on, why } => Event::Output {
+                n: number,
+                on,
+                t,
+                why,
+                name: Output::of_number(number).map(Output::name),
+            },
             What::Pwm { channel, percent, frequency_khz } => {
                 Event::Pwm { channel, percent, t, khz: frequency_khz }
             }
@@ -231,6 +244,10 @@ impl<'a> World<'a> {
                 self.tell(&Event::ToolChange { begin, t });
             }
             Command::ClearPreview => self.tell(&Event::Clear { t }),
+            Command::State { name, why } => self.tell(&Event::State { state: name, why, t }),
+            Command::Beam(beam) => self.machine.beam(beam),
+            Command::LaserFrequency { hz } => self.machine.laser_frequency(hz),
+            Command::HeightControl(law) => self.machine.height_control(law.as_deref().copied()),
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {
                 self.tell(&Event::Turn { turn, t, n: number });

@@ -10,7 +10,7 @@ use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
-use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell};
+use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell, Work};
 use kerf_diag::Diagnostic;
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
@@ -18,14 +18,14 @@ use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
-use kerf_toolpath::Heights;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::{env, fs};
 
 /// Everything a run needs besides a sink.
 pub struct Job {
-    pub program: Program,
+    pub work: Work,
     pub session: Session,
     pub options: RunOptions,
     pub shelf: Shelf,
@@ -38,19 +38,26 @@ pub struct Job {
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
-    let program = read_program(file, args.dialect.sbp)?;
     let parts = file.parent().unwrap_or(Path::new(""));
-    job_of(program, shelf(parts, &args.place, preview)?, args, preview)
+    let work = if drawings::is_drawing(file) {
+        let name = file.display().to_string().into();
+        let job = drawings::job(file)?.neutral(name);
+        let machine = machine(args.place.config.as_deref(), &args.place.data)?;
+        Work::Job(Arc::new(job), Arc::new(machine))
+    } else {
+        read_program(file, args.dialect.sbp)?.into()
+    };
+    job_of(work, shelf(parts, &args.place, preview)?, args, preview)
 }
 
-/// Prepares the run of a program.
+/// Prepares the run of a program or a job.
 pub fn job_of(
-    program: impl Into<Program>,
+    work: impl Into<Work>,
     mut shelf: Shelf,
     args: &RunArgs,
     preview: bool,
 ) -> Result<Job> {
-    let program = program.into();
+    let mut work = work.into();
     let (mut session, kept) = session(&args.place, preview, &mut shelf)?;
     let given = args.place.config.is_some() || args.units.is_some();
     let replaced = given.then(|| session.memory.settings.clone());
@@ -64,12 +71,18 @@ pub fn job_of(
         session.memory.variables.set(name, value.clone());
     }
     let mut options = run_options(args, &settings, preview);
-    options.program.file.from = from_line(&args.file, &program, &shelf)?;
+    match &mut work {
+        Work::Part(program) => {
+            options.program.file.from = from_line(&args.file, program, &shelf)?;
+        }
+        // A job takes what the options say of motion from the settings, the rest from the machine.
+        Work::Job(_, machine) => Arc::make_mut(machine).program = settings.clone(),
+    }
     let in_mm = |push: &Push| Push { by: push.by * settings.axis_scale(push.axis), ..*push };
     options.pushes = args.hand_move.iter().map(in_mm).collect();
     options.started = kept.then(clock::started);
     session.memory.settings = settings;
-    Ok(Job { program, session, options, shelf, answers, kept, replaced })
+    Ok(Job { work, session, options, shelf, answers, kept, replaced })
 }
 
 /// The script of answers.
@@ -94,11 +107,7 @@ pub fn session(place: &PlaceArgs, looks: bool, shelf: &mut Shelf) -> Result<(Ses
 }
 
 /// Reads a part file; the name shown is the one the user gave.
-pub fn read_program(file: &Path, dialect: Dialect) -> Result<Program> {
-    if drawings::is_drawing(file) {
-        let written = drawings::part_program(file, &drawings::job(file)?, &Heights::default())?;
-        return Ok(kerf_part::read(file.display().to_string().into(), written.text.into_bytes()));
-    }
+fn read_program(file: &Path, dialect: Dialect) -> Result<Program> {
     let bytes = read_bytes(file)?;
     Ok(kerf_part::read_as(file.display().to_string().into(), bytes, dialect))
 }

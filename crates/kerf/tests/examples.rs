@@ -107,7 +107,10 @@ fn told(event: &Value) -> Option<String> {
         "ask" => Some(format!("ask {text} -> {}", event["answer"].as_str()?)),
         "output" if event["why"] == "program" => {
             let state = if event["on"] == true { "on" } else { "off" };
-            Some(format!("output {} {state}", event["n"]))
+            // Jobs switch lines that have names.
+            let name =
+                event["name"].as_str().map_or(format!("output {}", event["n"]), str::to_owned);
+            Some(format!("{name} {state}"))
         }
         "stop" => Some(format!("stopped by {} {}", event["by"].as_str()?, event["n"])),
         _ => None,

@@ -12,11 +12,16 @@
 
 pub mod contradictions;
 pub mod file;
+pub mod lines;
 pub mod profile;
+pub mod sequence;
 pub mod settings;
+pub mod state;
 pub mod table;
 pub mod value;
 
+pub use sequence::Sequence;
 pub use settings::Configuration;
+pub use state::State;
 pub use table::Setting;
 pub use value::Value;

@@ -1,6 +1,6 @@
 //! The canonical commands.
 
-use crate::{Axes, Axis, AxisSet, Frame, Settings};
+use crate::{Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Settings};
 use kerf_diag::Diagnostic;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc as Shared;
@@ -187,7 +187,7 @@ pub enum Command {
         /// Seconds.
         seconds: f64,
     },
-    /// Switch an output, 1 … 12. Switching on belongs to the stack, switching off ends it.
+    /// Switch an output. Switching on belongs to the stack, switching off ends it.
     Output {
         /// Number of the output.
         number: u8,
@@ -200,6 +200,22 @@ pub enum Command {
         channel: u8,
         /// Duty, 0 … 100.
         percent: f64,
+    },
+    /// The intensity output of a laser from here on.
+    Beam(Beam),
+    /// The pulse frequency of a laser.
+    LaserFrequency {
+        /// Hz.
+        hz: f64,
+    },
+    /// From here on Z follows the sheet while a cut moves, or does not.
+    HeightControl(Option<Shared<HeightLaw>>),
+    /// The machine enters a state that people should know about (`running`, `paused` …).
+    State {
+        /// Its name.
+        name: Shared<str>,
+        /// Why, when there is something to say.
+        why: Shared<str>,
     },
     /// Speed of a spindle (TR); `on` as far as known.
     Spindle {
@@ -297,6 +313,7 @@ impl Command {
             | Self::Sound { .. }
             | Self::ToolPath(_)
             | Self::ToolChange { .. }
+            | Self::State { .. }
             | Self::ClearPreview
             | Self::PathControl(_)
             | Self::Overrides { .. }

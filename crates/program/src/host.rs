@@ -52,6 +52,8 @@ pub enum QuestionKind {
     Hold,
     /// FG: the next line of a file that is stepped through.
     Step,
+    /// A job is paused: it goes on, is changed, or is given up.
+    Paused,
 }
 
 /// A button of a question.

@@ -36,14 +36,56 @@ pub enum Step {
 }
 
 /// A change of an input that a program waits for (ON INPUT, a probe).
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
-    /// Input, 1 … 12.
+    /// Number of the input.
     pub input: u8,
     /// Fires when the input changes to this state.
     pub on: bool,
     /// Motion ramps down first, else it stops at once.
     pub ramped: bool,
+    /// So many seconds after the motion or wait began the state alone fires, and nothing does
+    /// before; without this every change to the state fires, at any time.
+    #[serde(default)]
+    pub level_after_s: Option<f64>,
+    /// Outputs that go off, and the intensity with them, the moment it fires; the others wait until
+    /// the machine stands.
+    #[serde(default)]
+    pub drops: Vec<u8>,
+}
+
+impl Watch {
+    /// Waits for a change.
+    pub const fn change(input: u8, on: bool, ramped: bool) -> Self {
+        Self { input, on, ramped, level_after_s: None, drops: Vec::new() }
+    }
+
+    /// Waits for a state, from so many seconds after the beginning on.
+    pub const fn level(input: u8, on: bool, after_s: f64) -> Self {
+        Self { input, on, ramped: true, level_after_s: Some(after_s), drops: Vec::new() }
+    }
+}
+
+/// Where motion was when something stopped it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Halted {
+    /// The number (as [`Interpreter::motions`] counts) of the motion command that was interrupted, or
+    /// of the first one not yet begun; it and all later ones were dropped. `None` when none was left
+    /// to do.
+    pub motion: Option<u64>,
+    /// Where the machine was when the stop began, machine frame.
+    pub began: Axes,
+    /// Where it stands, machine frame.
+    pub stands: Axes,
+}
+
+/// Who stopped a machine whose program takes stops itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StoppedBy {
+    /// The operator: key Stop.
+    Operator,
+    /// An input that stops motion; its number.
+    Input(u8),
 }
 
 /// A program being run.
@@ -61,6 +103,20 @@ pub trait Interpreter: Send {
     /// interrupted, or of the first one not yet begun; it and all later ones were dropped. `None`
     /// when none was left to do. `position` is where the machine stopped, machine frame.
     fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes);
+
+    /// Whether it carries out stops itself (see [`Interpreter::stopped`]); else whoever runs it holds
+    /// the machine and lets it go on.
+    fn takes_stops(&self) -> bool {
+        false
+    }
+
+    /// Tells that a motion or a wait was stopped in the middle and the rest dropped. Only for those
+    /// that take stops; what they do about it are the next commands.
+    fn stopped(&mut self, _by: StoppedBy, _halted: &Halted) {}
+
+    /// Tells where the machine was when a watched input fired, before the
+    /// [`interrupt`](Self::interrupt) that follows.
+    fn fired(&mut self, _halted: &Halted) {}
 
     /// Tells that the machine, stopped in the middle, was nudged by so much, machine frame: the working
     /// zero and every place that the program knows lie elsewhere, what it calls them stays.

@@ -13,12 +13,15 @@
 //! whose answers are [`std::task::Poll`]; on `Pending` the step has no effect and is repeated later.
 
 mod axes;
+mod beam;
 mod command;
 mod dynamics;
 mod frame;
 mod go_to;
+mod height;
 mod host;
 mod interpreter;
+pub mod job;
 mod printer;
 pub mod settings;
 mod shift;
@@ -26,6 +29,7 @@ mod smoothing;
 mod tool_change;
 
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
+pub use beam::{Beam, IntensityLaw, LEVELS};
 pub use command::{
     Arc, At, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason, PathControl,
     Sourced, ToolPathStart, Turn,
@@ -33,11 +37,12 @@ pub use command::{
 pub use dynamics::Dynamics;
 pub use frame::Frame;
 pub use go_to::GoTo;
+pub use height::{Gauge, HeightLaw};
 pub use host::{
     Answer, Button, FileConversion, FileMode, FileRequest, Folder, Host, HostError, Question,
     QuestionKind, SPINDLE_STATUS, ShellCall, SourceFile,
 };
-pub use interpreter::{Interpreter, Status, Step, Watch};
+pub use interpreter::{Halted, Interpreter, Status, Step, StoppedBy, Watch};
 pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};
 pub use settings::Settings;
 pub use smoothing::{FACTOR_MM, RampModel, Smoothing};

@@ -4,14 +4,17 @@ use crate::inputs::{self, Duty, Inputs};
 use kerf_program::settings::IoModes;
 
 /// A change of an input that a program waits for (ON INPUT).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watched {
-    /// Its number, 1 … 12.
+    /// Its number.
     pub input: u8,
     /// Fires when the input changes to this state.
     pub on: bool,
     /// Motion slows along its ramp first, else it stops at once.
     pub ramped: bool,
+    /// From this machine time on the state alone fires, and nothing before; without it every change
+    /// to the state does.
+    pub level_from_s: Option<f64>,
 }
 
 /// A moment at which motion is stopped.
@@ -36,9 +39,40 @@ pub enum HaltCause {
     Stop(u8),
 }
 
-/// The first change of the script, not later than a time, that stops motion. The inputs are left
-/// as they are.
+/// The first change of the script, not later than a time, or the first state that is looked at from
+/// a moment on, that stops motion. The inputs are left as they are.
 pub(crate) fn first(
+    inputs: &Inputs,
+    until_s: f64,
+    modes: &IoModes,
+    watches: &[Watched],
+    limits: bool,
+) -> Option<Halt> {
+    let level = first_level(inputs, until_s, modes, watches);
+    let change = first_change(inputs, until_s, modes, watches, limits);
+    match (level, change) {
+        (Some(level), Some(change)) if change.t_s <= level.t_s => Some(change),
+        (level, change) => level.or(change),
+    }
+}
+
+fn first_level(
+    inputs: &Inputs,
+    until_s: f64,
+    modes: &IoModes,
+    watches: &[Watched],
+) -> Option<Halt> {
+    let halt = |(i, watch): (usize, &Watched)| {
+        let from_s = watch.level_from_s?;
+        let t_s = inputs.when(watch.input, watch.on, from_s, modes)?;
+        let cause = HaltCause::Watch(i);
+        (t_s <= until_s).then_some(Halt { t_s, cause, ramped: watch.ramped })
+    };
+    let halts = watches.iter().enumerate().filter_map(halt);
+    halts.min_by(|a, b| a.t_s.total_cmp(&b.t_s))
+}
+
+fn first_change(
     inputs: &Inputs,
     until_s: f64,
     modes: &IoModes,
@@ -67,7 +101,8 @@ pub(crate) fn first(
 
 fn watching(input: u8, closed: bool, modes: &IoModes, watches: &[Watched]) -> Option<usize> {
     let on = inputs::signal(input, closed, modes);
-    watches.iter().position(|w| w.input == input && w.on == on)
+    let fires = |w: &Watched| w.level_from_s.is_none() && w.input == input && w.on == on;
+    watches.iter().position(fires)
 }
 
 #[cfg(test)]
@@ -80,7 +115,7 @@ mod tests {
         let mut modes = Settings::default().io;
         modes.inputs[usize::from(input) - 1] = mode;
         let inputs = Inputs::new(vec![Change { input, at_s: 1.0, on }]);
-        let watch = Watched { input, on, ramped: true };
+        let watch = Watched { input, on, ramped: true, level_from_s: None };
         let watches = if watched { vec![watch] } else { Vec::new() };
         let halt = first(&inputs, 5.0, &modes, &watches, true);
         assert_eq!(halt.map(|h| h.cause), expected, "input {input} to {on}, mode {mode}");

@@ -1,12 +1,12 @@
-//! The twelve input switches and the script that moves them.
+//! The input switches, the lines of the ports, and the script that moves them.
 
-use kerf_program::settings::{IoModes, SWITCHES};
+use kerf_program::settings::{IoModes, LINES};
 use serde::{Deserialize, Serialize};
 
 /// An input changes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Change {
-    /// Its number, 1 … 12.
+    /// Its number.
     pub input: u8,
     /// When, seconds of machine time.
     pub at_s: f64,
@@ -35,7 +35,7 @@ pub struct Inputs {
     /// How many changes of the script have happened.
     done: usize,
     /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
-    contact: [Option<bool>; SWITCHES],
+    contact: [Option<bool>; LINES],
 }
 
 impl Inputs {
@@ -45,7 +45,7 @@ impl Inputs {
     pub fn new(mut script: Vec<Change>) -> Self {
         script.retain(|c| index(c.input).is_some() && c.at_s.is_finite());
         script.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-        let mut contact = [None; SWITCHES];
+        let mut contact = [None; LINES];
         for change in script.iter().rev() {
             contact[usize::from(change.input) - 1] = Some(!change.on);
         }
@@ -58,13 +58,24 @@ impl Inputs {
         index(number).is_some_and(|i| signal(number, self.closed(i, modes), modes))
     }
 
+    /// The first moment, not before one that is given, at which an input reads a state.
+    pub(crate) fn when(&self, number: u8, on: bool, from_s: f64, modes: &IoModes) -> Option<f64> {
+        let mut inputs = self.clone();
+        while inputs.step(from_s, modes).is_some() {}
+        let mut t_s = from_s;
+        while inputs.reads(number, modes) != on {
+            t_s = inputs.step(f64::INFINITY, modes)?.at_s;
+        }
+        Some(t_s)
+    }
+
     /// Whether an input now forbids motion, and its number.
     pub(crate) fn stopping(&self, modes: &IoModes) -> Option<u8> {
         let active = |n: &u8| {
             let i = usize::from(*n) - 1;
             duty(*n, modes) == Duty::Stop && triggers(*n, self.closed(i, modes), modes)
         };
-        (1..=SWITCHES as u8).find(active)
+        (1..=LINES as u8).find(active)
     }
 
     /// The next change that has an effect, not later than a time.
@@ -90,7 +101,7 @@ impl Inputs {
 }
 
 fn index(number: u8) -> Option<usize> {
-    (1..=SWITCHES as u8).contains(&number).then(|| usize::from(number) - 1)
+    (1..=LINES as u8).contains(&number).then(|| usize::from(number) - 1)
 }
 
 /// Contact to what a program reads.
@@ -107,7 +118,7 @@ pub(crate) fn duty(number: u8, modes: &IoModes) -> Duty {
     if number == STOP_INPUT || modes.interlock == Some(number) {
         return Duty::Stop;
     }
-    match modes.inputs[usize::from(number) - 1] {
+    match mode(number, modes) {
         1 | 2 if modes.limits_active => Duty::Limit,
         3 | 4 => Duty::Stop,
         _ => Duty::Free,
@@ -118,7 +129,12 @@ fn normally_closed(number: u8, modes: &IoModes) -> bool {
     if number == STOP_INPUT {
         return !modes.input4_normally_open;
     }
-    matches!(modes.inputs[usize::from(number) - 1], 2 | 4)
+    matches!(mode(number, modes), 2 | 4)
+}
+
+/// The mode of a switch; lines of the ports have none.
+fn mode(number: u8, modes: &IoModes) -> u8 {
+    modes.inputs.get(usize::from(number).wrapping_sub(1)).copied().unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -176,10 +192,10 @@ mod tests {
 
     #[test]
     fn inputs_that_do_not_exist_are_left_out() {
-        let nowhere = Change { input: 13, at_s: 0.0, on: true };
+        let nowhere = Change { input: 29, at_s: 0.0, on: true };
         let never = Change { input: 1, at_s: f64::NAN, on: true };
         let inputs = Inputs::new(vec![nowhere, never]);
         assert_eq!(inputs, Inputs::default());
-        assert!(!inputs.reads(13, &modes(|_| ())));
+        assert!(!inputs.reads(29, &modes(|_| ())));
     }
 }

@@ -16,14 +16,14 @@ pub struct Happening {
 pub enum What {
     /// An input changed.
     Input {
-        /// Its number, 1 … 12.
+        /// Its number.
         number: u8,
         /// Its state from now on.
         on: bool,
     },
     /// An output changed.
     Output {
-        /// Its number, 1 … 12.
+        /// Its number.
         number: u8,
         /// Its state from now on.
         on: bool,
@@ -39,6 +39,15 @@ pub enum What {
         /// Pulse frequency, kHz.
         frequency_khz: f64,
     },
+    /// The intensity output changed.
+    Intensity {
+        /// Its value, 0 … 127.
+        value: u8,
+        /// The burn bit is set.
+        burn: bool,
+    },
+    /// The pulse frequency of a laser was set, Hz.
+    LaserFrequency(f64),
     /// A spindle got a speed.
     Spindle {
         /// Its number, from 1.

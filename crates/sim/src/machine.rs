@@ -1,6 +1,7 @@
 //! The machine itself.
 
 mod drive;
+mod job;
 mod torch;
 
 use crate::halt::{self, Halt, Watched};
@@ -15,8 +16,8 @@ use crate::motors::Motors;
 use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
 use crate::trigger;
 use kerf_motion::{Move, Plan, Span};
-use kerf_program::settings::{Mode, SWITCHES};
-use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
+use kerf_program::settings::{LINES, Mode, SWITCHES};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Beam, Frame, Independent, OutputReason, Settings};
 use std::sync::Arc;
 
 /// The PWM channel of the heater.
@@ -47,6 +48,9 @@ pub struct Machine {
     /// Factors of coarser steps.
     coarse: [u8; AXES],
     pwm_percent: f64,
+    beam: Beam,
+    /// What the intensity output gives: value and burn bit.
+    intensity: (u8, bool),
     light: bool,
     /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
     come_back: Vec<u8>,
@@ -85,6 +89,8 @@ impl Machine {
             hand: Hand::default(),
             coarse: [1; AXES],
             pwm_percent: 0.0,
+            beam: Beam::Off,
+            intensity: (0, false),
             light: false,
             come_back: Vec::new(),
             overridden: false,
@@ -352,7 +358,7 @@ impl Machine {
     }
 
     fn all_off(&mut self, why: OutputReason) {
-        for number in 1..=SWITCHES as u8 {
+        for number in 1..=LINES as u8 {
             self.output(number, false, why);
         }
     }
@@ -381,13 +387,7 @@ impl Machine {
 
     /// When an input reads a state: now, or at the time of a later change. `None` for never.
     pub fn when_input(&self, number: u8, on: bool) -> Option<f64> {
-        let io = &self.settings.io;
-        let mut inputs = self.inputs.clone();
-        let mut t_s = self.clock_s;
-        while inputs.reads(number, io) != on {
-            t_s = inputs.step(f64::INFINITY, io)?.at_s;
-        }
-        Some(t_s)
+        self.inputs.when(number, on, self.clock_s, &self.settings.io)
     }
 
     /// The first change of an input up to a time that stops motion, or a program that waits.
@@ -453,6 +453,7 @@ impl Machine {
                 self.pwm_at(t0_s + t_s, laser::CHANNEL, percent);
             }
         }
+        self.shine(t0_s, plan, span);
         self.position = span.made.to;
         if !self.draws() {
             self.advance(t0_s + span.t1_s);

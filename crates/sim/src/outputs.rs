@@ -1,13 +1,13 @@
-//! The twelve output switches and their modes.
+//! The output switches with their modes, and the lines of the ports.
 
-use kerf_program::settings::{IoModes, SWITCHES};
+use kerf_program::settings::{IoModes, LINES, SWITCHES};
 
 /// States of the outputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outputs([bool; SWITCHES]);
+pub struct Outputs([bool; LINES]);
 
 impl Outputs {
-    /// State of an output, 1 … 12; one that does not exist is off.
+    /// State of an output; one that does not exist is off.
     pub fn is_on(&self, number: u8) -> bool {
         let i = usize::from(number).wrapping_sub(1);
         self.0.get(i).copied().unwrap_or_default()
@@ -92,8 +92,8 @@ mod tests {
     #[test]
     fn outputs_that_do_not_exist_stay_off() {
         let mut outputs = Outputs::default();
-        assert!(!outputs.set(0, true) && !outputs.set(13, true));
-        assert!(outputs.set(12, true) && !outputs.set(12, true));
-        assert!(outputs.is_on(12) && !outputs.is_on(0) && !outputs.is_on(13));
+        assert!(!outputs.set(0, true) && !outputs.set(29, true));
+        assert!(outputs.set(28, true) && !outputs.set(28, true));
+        assert!(outputs.is_on(28) && !outputs.is_on(0) && !outputs.is_on(29));
     }
 }

@@ -1,9 +1,9 @@
 //! Everything that is cut, in order.
 
+use crate::depth::{Depths, Heights, depth};
 use crate::gouge::{self, Contours};
 use crate::shape_paths::{Pass, paths};
 use crate::warning::Warning;
-use crate::{Depths, Heights};
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_geom::{Point2, Transform2, Vec2};
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ pub struct Job {
     pub drawing: Drawing,
     /// Where the drawing's origin lies on the table, millimetres from home.
     pub origin: Point2,
-    /// Where the head goes at the end, millimetres from home.
+    /// Where the head goes at the end, millimetres from the origin.
     pub finish: Point2,
     /// The path with which the job begins, counted from 1.
     pub start: usize,
@@ -125,7 +125,8 @@ impl Job {
     /// The pass that would go below ZBottom, with the shape it belongs to.
     pub fn depths(&self, path: &CutPath, heights: &Heights) -> Result<Depths, Warning> {
         let settings = self.drawing.settings(path.shape.group);
-        Depths::of(settings, heights).map_err(|error| Warning::new(path.from, error.to_string()))
+        Depths::of(depth(settings), heights)
+            .map_err(|error| Warning::new(path.from, error.to_string()))
     }
 
     /// Length of the cutting paths of each group, millimetres, in the order of the groups.

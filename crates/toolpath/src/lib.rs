@@ -16,6 +16,7 @@ mod depth;
 mod gouge;
 mod job;
 mod lead;
+mod neutral;
 mod program;
 mod rsm;
 mod shape_paths;

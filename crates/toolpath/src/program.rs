@@ -46,7 +46,7 @@ pub fn print(job: &Job, heights: &Heights, printer: &mut dyn Printer) -> Result<
     }
     writing.jog_up();
     writing.command(Command::Output { number: ROUTER, on: false });
-    writing.jog_to(Point2::default() + (job.finish - job.origin));
+    writing.jog_to(job.finish);
     Ok(())
 }
 

@@ -59,7 +59,7 @@ impl Context<'_> {
         self.core.position = to;
         self.core.beside = None;
         self.emit(Command::Line(Line { kind: MoveKind::Cut, to, feed }));
-        let watch = Watch { input, on, ramped: false };
+        let watch = Watch::change(input, on, false);
         self.core.probing = Some(Probe { watch, code, contact: None });
         Ok(())
     }

@@ -209,9 +209,13 @@ impl<'a> Writer<'a> {
             Command::Print { text, .. } | Command::Message { text } => self.comment(text),
             Command::MotorsOff => self.unsaid("motors off"),
             Command::Independent { .. } => self.unsaid_motion("an axis that moves by itself"),
+            Command::HeightControl(_) => self.unsaid_motion("height control"),
+            Command::Beam(_) => self.unsaid("the intensity of a laser"),
+            Command::LaserFrequency { .. } => self.unsaid("the pulse frequency of a laser"),
             Command::Sound { path } => self.unsaid(format!("the sound {path}")),
             Command::File { path, .. } => self.unsaid(format!("use of the file {path}")),
             Command::EndStack
+            | Command::State { .. }
             | Command::ToolPath(_)
             | Command::ToolChange { .. }
             | Command::WarningOff

@@ -56,13 +56,7 @@ fn check(file: &Path, args: &RunArgs) -> Result<Checked> {
         }
         Err(error) => return Err(error),
     };
-    Ok(kerf_control::check(
-        &job.session,
-        job.program,
-        job.options,
-        &mut job.shelf,
-        &mut job.answers,
-    ))
+    Ok(kerf_control::check(&job.session, job.work, job.options, &mut job.shelf, &mut job.answers))
 }
 
 fn as_json(found: &[Diagnostic]) -> String {

@@ -85,7 +85,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     let mut sink = (Diagnostics::default(), curves);
     let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
-    let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     write(&sink.1.plot, format, args)?;
     Ok(summary.status.into())
 }

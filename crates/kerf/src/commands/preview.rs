@@ -32,7 +32,7 @@ pub fn run(args: &PreviewArgs) -> Result<Exit> {
     let mut sink = (Diagnostics::default(), Picture::new(&args.file));
     let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
-    let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     let scene = sink.1.finish(&summary, &job.session);
     picture::write(&scene, format, &args.output)?;
     Ok(summary.status.into())

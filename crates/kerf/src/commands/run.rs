@@ -111,13 +111,13 @@ fn resume(machine: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
-    let Job { program, mut session, options, mut shelf, answers, kept, replaced } = job;
-    let show = Show { name: program.name().clone(), lines: program.line_count(), talk };
+    let Job { work, mut session, options, mut shelf, answers, kept, replaced } = job;
+    let show = Show { name: work.name().clone(), lines: work.line_count(), talk };
     attended(args, run, show, answers, |company| {
         let shelf = &mut shelf;
         let summary = match kept {
-            true => session.run_on_record(program, options, replaced, shelf, company)?,
-            false => session.run(program, options, shelf, company),
+            true => session.run_on_record(work, options, replaced, shelf, company)?,
+            false => session.run(work, options, shelf, company),
         };
         Ok((summary, session))
     })

@@ -32,7 +32,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
     let mut sink = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
     let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
-    let summary = job.session.run(job.program, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     match sink.finish() {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(error).context("cannot write the trace")

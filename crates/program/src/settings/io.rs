@@ -5,6 +5,10 @@ use serde::{Deserialize, Serialize};
 /// Inputs and outputs a machine has.
 pub const SWITCHES: usize = 12;
 
+/// Inputs and outputs a machine has: the switches, and two ports of eight lines each behind them
+/// that only jobs use. `kerf-machine` names the lines of the ports.
+pub const LINES: usize = SWITCHES + 16;
+
 /// Modes of inputs and outputs (VN, SO 4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct IoModes {

@@ -13,7 +13,7 @@ mod unit;
 mod view;
 
 pub use cutter::{Cutter, PlungeSign, Tabs, ToolOffset, Trigger};
-pub use io::{Height, IoModes, SWITCHES};
+pub use io::{Height, IoModes, LINES, SWITCHES};
 pub use speeds::{PerGroup, RAMP_SPEED_STEP_MM_S, Ramps, Speeds};
 pub use table::{Driver, Limits, NO_SHIFT_JOG_MM_S, Resolution};
 pub use unit::{AxisUnit, LinearUnit, MM_PER_INCH, to_user};

@@ -15,7 +15,7 @@ impl Context<'_> {
             let message = format!("input {input} is on already, the probe does not move");
             return self.warn(Code::Unusual, message, "back off before probing again");
         }
-        let watch = Watch { input, on: true, ramped: false };
+        let watch = Watch::change(input, true, false);
         let level = self.core.levels.len();
         // First in the list: an ON INPUT of the same input does not fire for a probe.
         self.core.watches.insert(0, Handler { watch, at: self.at, level, probe: true });

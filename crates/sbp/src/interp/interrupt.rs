@@ -67,7 +67,7 @@ impl Context<'_> {
         let known =
             [(0.0, false, false), (1.0, true, false), (2.0, false, true), (3.0, true, true)];
         match known.into_iter().find(|(number, ..)| *number == condition) {
-            Some((_, on, ramped)) => Ok(Watch { input, on, ramped }),
+            Some((_, on, ramped)) => Ok(Watch::change(input, on, ramped)),
             None => {
                 let shown = Value::Number(condition).display();
                 let message = format!("condition must be 0, 1, 2 or 3, not {shown}");

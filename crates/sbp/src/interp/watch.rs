@@ -4,7 +4,7 @@ use kerf_program::{At, Watch};
 use serde::{Deserialize, Serialize};
 
 /// A handler: the change and the line whose action runs.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Handler {
     pub(crate) watch: Watch,
     /// The line of the ON INPUT statement.

@@ -186,6 +186,9 @@ impl<'a> SbpPrinter<'a> {
             Command::WarningOff => self.line("WARNING OFF"),
             Command::ClearPreview => {}
             Command::Independent { .. } => self.unsaid_motion("an axis that moves by itself"),
+            Command::HeightControl(_) => self.unsaid_motion("height control"),
+            Command::Beam(_) => self.unsaid("the intensity of a laser"),
+            Command::LaserFrequency { .. } => self.unsaid("the pulse frequency of a laser"),
             Command::Print { text, newline } => self.print(text, *newline),
             Command::Message { text } if self.named == Some(self.at) => {
                 let _ = text;
@@ -197,6 +200,7 @@ impl<'a> SbpPrinter<'a> {
             Command::ToolChange { .. }
             | Command::Overrides { .. }
             | Command::EndStack
+            | Command::State { .. }
             | Command::Diagnostic(_) => {}
         }
     }

@@ -115,7 +115,7 @@ pub(super) fn place(inches: [f64; 3]) -> Axes {
 }
 
 pub(super) fn watch(input: u8, condition: u8) -> Watch {
-    Watch { input, on: condition % 2 == 1, ramped: condition >= 2 }
+    Watch::change(input, condition % 2 == 1, condition >= 2)
 }
 
 pub(super) fn rig(text: &str) -> Rig {

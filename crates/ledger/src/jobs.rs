@@ -1,0 +1,207 @@
+//! Jobs on the machine of the Profiler notes (SIM), and what their traces tell.
+
+use kerf_control::answers::Answers;
+use kerf_control::event::MoveEvent;
+use kerf_control::files::MemoryDisk;
+use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Summary, Wish, Work};
+use kerf_geom::{Point2, Polyarc};
+use kerf_machine::lines::Input;
+use kerf_machine::profile::profile;
+use kerf_machine::{Configuration, file};
+use kerf_program::Axes;
+use kerf_program::job::{Job, JobShape};
+use kerf_sim::Change;
+use std::sync::Arc;
+
+/// The standard simulated machine of the notes, section 1: the profile `sim`.
+pub fn sim() -> Configuration {
+    let sim = profile("sim").expect("the profile");
+    file::read(&"sim".into(), sim.text).expect("a profile without mistakes")
+}
+
+/// An open line that is cut through.
+pub fn line(number: u32, from: (f64, f64), to: (f64, f64)) -> JobShape {
+    let places = [from, to].map(|(x, y)| Point2::new(x, y));
+    JobShape::through(number, Polyarc::lines(places, false))
+}
+
+/// A closed square that is cut through, counter-clockwise from its lower left corner.
+pub fn square(number: u32, (x, y): (f64, f64), side: f64) -> JobShape {
+    let corners = [(x, y), (x + side, y), (x + side, y + side), (x, y + side)];
+    JobShape::through(number, Polyarc::lines(corners.map(|(x, y)| Point2::new(x, y)), true))
+}
+
+/// A job of shapes.
+pub fn job(shapes: impl IntoIterator<Item = JobShape>) -> Job {
+    Job { name: "job.rsm".into(), shapes: shapes.into_iter().collect(), ..Job::default() }
+}
+
+/// JOB-T1: one open line (0,0)-(100,0).
+pub fn t1() -> Job {
+    job([line(1, (0.0, 0.0), (100.0, 0.0))])
+}
+
+/// JOB-T2: and a second one, (100,50)-(0,50).
+pub fn t2() -> Job {
+    job([line(1, (0.0, 0.0), (100.0, 0.0)), line(2, (100.0, 50.0), (0.0, 50.0))])
+}
+
+/// A job to be run.
+pub struct JobRun {
+    job: Job,
+    machine: Configuration,
+    wishes: Vec<(f64, Wish)>,
+    answers: String,
+    inputs: Vec<Change>,
+    at: Axes,
+}
+
+/// A job that was run.
+pub struct JobTrace {
+    /// Everything that was told.
+    pub events: Vec<Event>,
+    /// What it came to.
+    pub summary: Summary,
+    /// What stays.
+    pub session: Session,
+}
+
+impl JobRun {
+    /// A job on SIM, which stands at its home.
+    pub fn new(job: Job) -> Self {
+        Self {
+            job,
+            machine: sim(),
+            wishes: Vec::new(),
+            answers: String::new(),
+            inputs: Vec::new(),
+            at: Axes::default(),
+        }
+    }
+
+    /// Changes settings.
+    #[must_use]
+    pub fn with(mut self, change: impl FnOnce(&mut Configuration)) -> Self {
+        change(&mut self.machine);
+        self
+    }
+
+    /// Changes the job.
+    #[must_use]
+    pub fn job(mut self, change: impl FnOnce(&mut Job)) -> Self {
+        change(&mut self.job);
+        self
+    }
+
+    /// Key Stop at a time.
+    #[must_use]
+    pub fn stop(mut self, at_s: f64) -> Self {
+        self.wishes.push((at_s, Wish::Stop));
+        self
+    }
+
+    /// What the operator says, one order a line.
+    #[must_use]
+    pub fn say(mut self, answers: &str) -> Self {
+        self.answers = answers.into();
+        self
+    }
+
+    /// An input changes.
+    #[must_use]
+    pub fn input(mut self, input: Input, at_s: f64, on: bool) -> Self {
+        self.inputs.push(Change { input: input.number(), at_s, on });
+        self
+    }
+
+    /// The machine stands somewhere else at the beginning.
+    #[must_use]
+    pub fn at(mut self, x: f64, y: f64, z: f64) -> Self {
+        self.at = Axes::xyz(x, y, z);
+        self
+    }
+
+    /// Runs it.
+    pub fn run(self) -> JobTrace {
+        let mut session = Session::default();
+        session.memory.position = self.at;
+        let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
+        let mut events = Vec::new();
+        let mut operator = Answers::read(&self.answers);
+        let mut pace = Script::new(self.wishes, Vec::new());
+        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+        let options = RunOptions { inputs: self.inputs, ..RunOptions::default() };
+        let work = Work::Job(Arc::new(self.job), Arc::new(self.machine));
+        let summary = session.run(work, options, &mut shelf, company);
+        JobTrace { events, summary, session }
+    }
+}
+
+impl JobTrace {
+    /// Changes of outputs, states and intensity-free signals as `0.300 router+`, in order.
+    pub fn edges(&self) -> Vec<String> {
+        let edge = |event: &Event| match event {
+            Event::Output { name: Some(name), on, t, .. } => {
+                Some(format!("{t:.3} {name}{}", if *on { '+' } else { '-' }))
+            }
+            Event::LaserHz { hz, t } => Some(format!("{t:.3} hz {hz}")),
+            _ => None,
+        };
+        self.events.iter().filter_map(edge).collect()
+    }
+
+    /// Moves as `0.000-0.300 z-10`: when, and where the axes end that moved.
+    pub fn moves(&self) -> Vec<String> {
+        let shown = |made: &MoveEvent| {
+            let pairs = [
+                ('x', made.from.x, made.to.x),
+                ('y', made.from.y, made.to.y),
+                ('z', made.from.z, made.to.z),
+                ('c', made.from.c, made.to.c),
+            ];
+            let moved = pairs.into_iter().filter(|(_, from, to)| (from - to).abs() > 1e-9);
+            let ends: String =
+                moved.map(|(axis, _, to)| format!(" {axis}{}", rounded(to))).collect();
+            format!("{:.3}-{:.3}{ends}", made.t0, made.t1)
+        };
+        self.events.iter().filter_map(motion).map(shown).collect()
+    }
+
+    /// States as `5.940 paused`, with why.
+    pub fn states(&self) -> Vec<String> {
+        let told = |event: &Event| match event {
+            Event::State { state, why, t } if why.is_empty() => Some(format!("{t:.3} {state}")),
+            Event::State { state, why, t } => Some(format!("{t:.3} {state}: {why}")),
+            _ => None,
+        };
+        self.events.iter().filter_map(told).collect()
+    }
+
+    /// Intensity as `4.842 2`, in order.
+    pub fn intensities(&self) -> Vec<(f64, u8, u8)> {
+        let told = |event: &Event| match event {
+            Event::Intensity { value, byte, t } => Some((*t, *value, *byte)),
+            _ => None,
+        };
+        self.events.iter().filter_map(told).collect()
+    }
+
+    /// Where the machine stands at the end, machine frame.
+    pub fn rests(&self) -> [f64; 3] {
+        self.session.memory.position.first3()
+    }
+}
+
+/// To a thousandth, without needless zeros.
+fn rounded(value: f64) -> f64 {
+    (value * 1e3).round() / 1e3 + 0.0
+}
+
+/// What a motion is told as.
+fn motion(event: &Event) -> Option<&MoveEvent> {
+    match event {
+        Event::Move(made) => Some(made),
+        Event::Arc(arc) => Some(&arc.made),
+        _ => None,
+    }
+}

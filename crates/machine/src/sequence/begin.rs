@@ -1,0 +1,201 @@
+//! The beginning and the end of a job, and the way from one path to the next.
+
+use super::Sequence;
+use super::place::{Along, Here, Stage, passes};
+use super::small::Small;
+use crate::lines::Output;
+use crate::settings::Configuration;
+use crate::state::{Event, State};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_program::job::Depths;
+use kerf_program::settings::LinearUnit;
+use kerf_program::{
+    At, Axis, AxisSet, Command, RampModel, Settings, Sourced, Status, Step, ToolPathStart,
+};
+
+/// What the planner works with: millimetres, the machine's own model of motion, nothing that part
+/// files switch beside it.
+pub(super) fn settings(machine: &Configuration) -> Settings {
+    let mut settings = machine.program.clone();
+    settings.use_linear_unit(LinearUnit::Mm);
+    settings.ramp_model = settings.ramp_model.or(Some(RampModel::Profiler));
+    settings.dynamics = Some(settings.axis_dynamics());
+    settings.warning_s = 0.0;
+    // Output 4 is no light here.
+    settings.io.output4 = -4;
+    settings.height.on = false;
+    settings.cutter.trigger.active = false;
+    settings
+}
+
+impl Sequence {
+    /// No step is left: what comes next.
+    pub(super) fn advance(&mut self, out: &mut Vec<Sourced>) -> Step {
+        match self.stage {
+            Stage::Begin => return self.begin(out),
+            Stage::Approach => {
+                self.stage = Stage::Shapes;
+                self.enter_pass(out);
+            }
+            Stage::Shapes => self.after_pass(out),
+            Stage::Finish => return self.end(Status::Ok),
+        }
+        Step::Ran
+    }
+
+    /// The run is over.
+    pub(super) fn end(&mut self, status: Status) -> Step {
+        self.over = Some((status, None));
+        Step::Done(status, None)
+    }
+
+    fn begin(&mut self, out: &mut Vec<Sourced>) -> Step {
+        if let Some(diagnostic) = self.refusal() {
+            let diagnostic = Some(Box::new(diagnostic));
+            self.over = Some((Status::Failed, diagnostic.clone()));
+            return Step::Done(Status::Failed, diagnostic);
+        }
+        self.give(Command::Settings(self.settings.clone()), out);
+        let working = AxisSet::first(2);
+        self.give(Command::Location { frame: self.frame, working, base: AxisSet::EMPTY }, out);
+        self.state =
+            self.state.on(Event::Start, self.stop_settings()).map_or(self.state, |n| n.state);
+        self.stage = Stage::Approach;
+        self.steps.extend([Small::Enter(State::Running), Small::Switch(Output::JobRunning, true)]);
+        self.steps.extend(self.approach(false));
+        Step::Ran
+    }
+
+    /// At z = 0 to the first shape, down, the router and its delay; after a pause at the height the
+    /// head has.
+    pub(super) fn approach(&self, again: bool) -> Vec<Small> {
+        let mut steps = Vec::new();
+        if let Some(shape) = self.here.shape(&self.job) {
+            steps.extend((!again).then_some(Small::RaiseTo(0.0)));
+            steps.push(Small::Travel(shape.start()));
+        }
+        steps.push(Small::Rapid(self.heights.top_mm));
+        steps.extend(self.router_on());
+        steps
+    }
+
+    pub(super) fn router_on(&self) -> [Small; 2] {
+        [Small::Switch(Output::Router, true), Small::Wait(self.machine.delays.router_start_s)]
+    }
+
+    /// A pass begins: its heights are those of now.
+    pub(super) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
+        let job = self.job.clone();
+        let Some(shape) = self.here.shape(&job) else { return self.leave(out) };
+        if let Err(low) = Depths::of(shape.depth, &self.heights) {
+            // A pause lifted ZBottom above it.
+            return self.fault(&format!("shape {}: {low}", shape.number));
+        }
+        self.refresh_depths();
+        if self.group.as_ref() != Some(&shape.group) {
+            self.group = Some(shape.group.clone());
+            let tool = shape.tool.to_string();
+            let (name, tool) = (Some(shape.group.clone()), Some(tool.as_str().into()));
+            self.give(Command::ToolPath(ToolPathStart { name, tool }), out);
+        }
+        self.steps = self.pass_steps().into();
+    }
+
+    /// The heights of the path at hand are those of now.
+    pub(super) fn refresh_depths(&mut self) {
+        let depths = self.here.shape(&self.job).map(|shape| Depths::of(shape.depth, &self.heights));
+        if let Some(Ok(depths)) = depths {
+            self.depths = depths;
+        }
+    }
+
+    /// A pass is made, or the tool is clear of it.
+    fn after_pass(&mut self, out: &mut Vec<Sourced>) {
+        if self.here.along != Along::Clear {
+            self.steps = self.end_of_pass().into();
+            return;
+        }
+        self.here = self.next();
+        self.halted_before &= self.here.pass > 0;
+        self.cut += u64::from(self.here.pass == 0);
+        self.enter_pass(out);
+    }
+
+    /// The path that follows; beyond the last shape when there is none.
+    fn next(&mut self) -> Here {
+        let Here { repeat, nth, pass, .. } = self.here;
+        if pass + 1 < passes(&self.depths) {
+            return Here { pass: pass + 1, along: Along::Before, ..self.here };
+        }
+        let repeats = self.job.repeats.max(1);
+        if nth + 1 >= self.job.shapes.len() && repeat + 1 < repeats {
+            let text = format!("{} of {repeats}", repeat + 2).into();
+            self.steps.push_back(Small::Say(text));
+            return Here { repeat: repeat + 1, ..Here::default() };
+        }
+        Here { nth: nth + 1, pass: 0, along: Along::Before, repeat }
+    }
+
+    /// All shapes are cut: the router goes off, the head goes to the finish position.
+    fn leave(&mut self, _out: &mut [Sourced]) {
+        self.stage = Stage::Finish;
+        self.steps = self.finish().into();
+    }
+
+    pub(super) fn finish(&self) -> Vec<Small> {
+        vec![
+            self.up(),
+            Small::Switch(Output::Router, false),
+            Small::Travel(self.job.finish),
+            Small::Switch(Output::JobRunning, false),
+            Small::Enter(State::Idle),
+        ]
+    }
+
+    /// Why the job does not begin.
+    fn refusal(&self) -> Option<Diagnostic> {
+        let problem = self.no_pulse().map(|why| (Code::OutsideLimits, 0, why.to_owned()));
+        let (code, line, message) =
+            problem.or_else(|| self.too_low()).or_else(|| self.outside())?;
+        Some(Diagnostic::new(code, Place::line(self.job.name.clone(), line), message))
+    }
+
+    fn too_low(&self) -> Option<(Code, u32, String)> {
+        self.job.shapes.iter().find_map(|shape| {
+            let low = Depths::of(shape.depth, &self.heights).err()?;
+            Some((Code::OutsideLimits, shape.number, format!("shape {}: {low}", shape.number)))
+        })
+    }
+
+    /// The first place that lies outside the lengths of the axes.
+    fn outside(&self) -> Option<(Code, u32, String)> {
+        self.job.shapes.iter().find_map(|shape| {
+            let bounds = shape.path.bounds();
+            let corners = [bounds.min, bounds.max];
+            let outside = corners.into_iter().find_map(|corner| {
+                let at = self.job.on_table(corner);
+                [(Axis::X, at.x), (Axis::Y, at.y)].into_iter().find(|(axis, value)| {
+                    let reach = self.reach(*axis);
+                    reach.is_some_and(|[low, high]| *value < low || *value > high)
+                })
+            });
+            let (axis, value) = outside?;
+            let letter = axis.letter();
+            let message =
+                format!("shape {} reaches {letter} {value:.3}, outside the table", shape.number);
+            Some((Code::OutsideLimits, shape.number, message))
+        })
+    }
+
+    /// How far an axis may go, machine frame; `None` when it has no bounds.
+    pub(super) fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
+        let length = self.machine.axes.length[axis];
+        let bounded = self.machine.axes.limit_movement && length > 0.0;
+        bounded.then(|| if axis == Axis::Z { [-length, 0.0] } else { [0.0, length] })
+    }
+
+    /// Where the job stands in its file: the number of the shape.
+    pub(super) fn at(&self) -> At {
+        At { file: 0, line: self.here.shape(&self.job).map_or(0, |shape| shape.number) }
+    }
+}

@@ -1,0 +1,199 @@
+//! Carrying out small steps: which commands each gives, and when it is over.
+
+use super::place::Along;
+use super::small::Small;
+use super::{SAME_MM, Sequence, bit};
+use crate::lines::{Input, Output};
+use crate::state::State;
+use kerf_geom::Point2;
+use kerf_program::{Answer, Axes, Axis, Command, Feed, Host, Line, MoveKind, Sourced, Step};
+use std::task::Poll;
+
+impl Sequence {
+    /// Begins the first step, or sees whether it is over.
+    pub(super) fn carry_on(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        let Some(small) = self.steps.front().cloned() else { return self.advance(out) };
+        if small == Small::Ask {
+            return self.ask(host);
+        }
+        if small == Small::GiveUp {
+            return self.give_up();
+        }
+        if self.given {
+            if host.settle().is_pending() {
+                return Step::Waiting;
+            }
+            self.pop();
+            self.done(&small);
+            return Step::Ran;
+        }
+        if self.start_small(&small, out) {
+            self.given = true;
+        } else {
+            self.pop();
+        }
+        Step::Ran
+    }
+
+    fn pop(&mut self) {
+        self.given = false;
+        self.steps.pop_front();
+    }
+
+    /// Gives the commands of a step; whether it takes time.
+    fn start_small(&mut self, small: &Small, out: &mut Vec<Sourced>) -> bool {
+        match small {
+            Small::Switch(output, on) => self.switch(*output, *on, out),
+            Small::Wait(seconds) => return self.wait(*seconds, out),
+            Small::Await(awaited) => return self.wait(awaited.timeout_s, out),
+            Small::Beam(beam) => self.give(Command::Beam(beam.clone()), out),
+            Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
+            Small::Height(law) => self.give(Command::HeightControl(law.clone()), out),
+            Small::Travel(place) => return self.travel(*place, out),
+            Small::Rapid(z) => return self.rapid(Axis::Z, *z, out),
+            Small::RaiseTo(z) => {
+                return *z > self.position[Axis::Z] && self.rapid(Axis::Z, *z, out);
+            }
+            Small::Plunge(z) | Small::Feel(z) => return self.plunge(*z, out),
+            Small::AboveFelt(up) => return self.plunge(self.felt_mm + up, out),
+            Small::Turn(degrees) => return self.rapid(Axis::C, *degrees, out),
+            Small::Hand(axis, to) => return self.rapid(*axis, *to, out),
+            Small::Follow => return self.begin_path(out),
+            Small::Made => self.here.along = Along::After,
+            Small::Clear => self.here.along = Along::Clear,
+            Small::Enter(state) => self.enter(*state, out),
+            Small::Say(text) => self.give(Command::Message { text: text.clone() }, out),
+            Small::Ask | Small::GiveUp => {}
+        }
+        false
+    }
+
+    /// A step that took time is over by itself.
+    fn done(&mut self, small: &Small) {
+        match small {
+            Small::Await(awaited) => {
+                if let Some(missing) = awaited.missing {
+                    self.fault(missing);
+                }
+            }
+            Small::Feel(_) => self.fault("surface not found"),
+            _ => {}
+        }
+    }
+
+    /// The input that a step waits for has come.
+    pub(super) fn came(&mut self, input: Input, began: Axes) -> bool {
+        let expected = match self.steps.front() {
+            Some(Small::Await(awaited)) => awaited.input == input,
+            Some(Small::Feel(_)) => input == Input::WHome,
+            _ => false,
+        };
+        if expected {
+            if matches!(self.steps.front(), Some(Small::Feel(_))) {
+                self.felt_mm = began[Axis::Z];
+            }
+            self.pop();
+        }
+        expected
+    }
+
+    pub(super) fn give(&self, command: Command, out: &mut Vec<Sourced>) {
+        out.push(Sourced { at: self.at(), command });
+    }
+
+    /// Gives a motion that ends at a position.
+    pub(super) fn move_by(&mut self, command: Command, to: Axes, out: &mut Vec<Sourced>) {
+        self.motions += 1;
+        self.position = to;
+        self.give(command, out);
+    }
+
+    fn switch(&mut self, output: Output, on: bool, out: &mut Vec<Sourced>) {
+        if self.is_on(output) != on {
+            self.on ^= bit(output);
+            self.give(Command::Output { number: output.number(), on }, out);
+        }
+    }
+
+    fn wait(&self, seconds: f64, out: &mut Vec<Sourced>) -> bool {
+        let waits = seconds > 0.0;
+        if waits {
+            self.give(Command::Wait { seconds }, out);
+        }
+        waits
+    }
+
+    fn enter(&mut self, state: State, out: &mut Vec<Sourced>) {
+        self.state = state;
+        let why = if state == State::Running { "".into() } else { self.why.clone() };
+        self.give(Command::State { name: state.name().into(), why }, out);
+    }
+
+    fn begin_path(&mut self, out: &mut Vec<Sourced>) -> bool {
+        let before = self.motions;
+        self.follow(out);
+        self.motions > before
+    }
+
+    fn travel(&mut self, place: Point2, out: &mut Vec<Sourced>) -> bool {
+        if self.is_at(place) {
+            return false;
+        }
+        let to = self.job.on_table(place);
+        let mut axes = self.position;
+        (axes[Axis::X], axes[Axis::Y]) = (to.x, to.y);
+        self.go(MoveKind::Jog, axes, self.rapid_mm_s(axes), out);
+        true
+    }
+
+    /// One axis as fast as it can.
+    fn rapid(&mut self, axis: Axis, to: f64, out: &mut Vec<Sourced>) -> bool {
+        if (to - self.position[axis]).abs() <= SAME_MM {
+            return false;
+        }
+        let mut axes = self.position;
+        axes[axis] = to;
+        self.go(MoveKind::Jog, axes, self.rapid_mm_s(axes), out);
+        true
+    }
+
+    fn plunge(&mut self, z: f64, out: &mut Vec<Sourced>) -> bool {
+        if (z - self.position[Axis::Z]).abs() <= SAME_MM {
+            return false;
+        }
+        let mut axes = self.position;
+        axes[Axis::Z] = z;
+        self.go(MoveKind::Cut, axes, self.plunge_mm_s, out);
+        true
+    }
+
+    fn go(&mut self, kind: MoveKind, to: Axes, mm_s: f64, out: &mut Vec<Sourced>) {
+        let line = Line { kind, to, feed: Feed::Path(mm_s) };
+        self.move_by(Command::Line(line), to, out);
+    }
+
+    /// The speed of a straight way at which the first axis reaches its own.
+    pub(super) fn rapid_mm_s(&self, to: Axes) -> f64 {
+        let way = to.minus(self.position);
+        let length = way.first3().iter().map(|v| v * v).sum::<f64>().sqrt();
+        let length = if length > 0.0 { length } else { way.0[3..].iter().map(|v| v.abs()).sum() };
+        let own = self.settings.axis_dynamics().speed_mm_s;
+        let time = way.zip(own, |way, own| way.abs() / own).0.into_iter().fold(0.0, f64::max);
+        if time > 0.0 { length / time } else { f64::INFINITY }
+    }
+
+    /// The operator decides how it goes on.
+    fn ask(&mut self, host: &mut dyn Host) -> Step {
+        match host.ask(&self.question()) {
+            Poll::Pending => Step::Waiting,
+            Poll::Ready(answer) => {
+                self.pop();
+                self.answered(match answer {
+                    Answer::Text(words) => words,
+                    Answer::Button(button) => button.word().to_owned(),
+                });
+                Step::Ran
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Stops in the middle of a job: what happens then, what may be changed, and the way back.
+//!
+//! The table of [`State`] says which effects a stop has; here they become small steps. The place where
+//! the path was left is kept, so that whatever the operator does meanwhile, cutting goes on at that
+//! very place.
+
+use super::Sequence;
+use super::place::{Along, Stage};
+use super::small::Small;
+use super::words::Word;
+use crate::lines::Output;
+use crate::state::{Effect, Event, State};
+use kerf_geom::Point2;
+use kerf_program::{Axis, Beam, Button, Halted, Question, QuestionKind, Status};
+use std::sync::Arc;
+
+/// Cut outputs.
+const CUTS: [Output; 3] = [Output::Cut1, Output::Cut2, Output::Cut3];
+
+/// Tool outputs.
+const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
+
+impl Sequence {
+    /// Motion or a wait was stopped in the middle.
+    pub(super) fn halt(&mut self, event: Event, why: &str, halted: &Halted) {
+        if self.steps.front() == Some(&Small::Follow) && self.given {
+            self.keep_place(halted);
+        }
+        self.position = halted.stands;
+        self.stop_for(event, why);
+    }
+
+    /// Something is wrong with the process while the machine stands.
+    pub(super) fn fault(&mut self, why: &str) {
+        self.stop_for(Event::Fault, why);
+    }
+
+    /// What follows on an event, all the way to the question.
+    fn stop_for(&mut self, event: Event, why: &str) {
+        self.given = false;
+        self.steps.clear();
+        if let Some(first) = self.state.on(event, self.stop_settings()) {
+            self.why = why.into();
+            self.state = first.state;
+            let mut effects = first.effects;
+            if let Some(stands) = self.state.on(Event::Stands, self.stop_settings()) {
+                self.state = stands.state;
+                effects.extend(stands.effects);
+            }
+            self.steps = effects.into_iter().flat_map(|effect| self.effect(effect)).collect();
+            self.steps.push_back(Small::Enter(self.state));
+        }
+        self.steps.push_back(Small::Ask);
+    }
+
+    /// The steps of an effect; what slows motion down has happened when they are asked for.
+    fn effect(&self, effect: Effect) -> Vec<Small> {
+        let off = |outputs: &[Output]| -> Vec<Small> {
+            let on = outputs.iter().filter(|output| self.is_on(**output));
+            on.map(|output| Small::Switch(*output, false)).collect()
+        };
+        match effect {
+            Effect::CutOff => {
+                let mut steps = vec![Small::Height(None)];
+                steps.extend(off(&CUTS));
+                steps.push(Small::Beam(Beam::Off));
+                steps
+            }
+            Effect::RouterOff => off(&[Output::Router]),
+            Effect::AllOff => off(Output::ALL),
+            Effect::Raise => vec![Small::RaiseTo(self.heights.top_mm)],
+            Effect::ToolOff => off(&TOOLS),
+            Effect::ComeBack => self.come_back(),
+            Effect::CutOffAtOnce
+            | Effect::SlowDown
+            | Effect::Halt
+            | Effect::KeepPlace
+            | Effect::RestoreHeights => Vec::new(),
+        }
+    }
+
+    /// Back to where the job was left: router, tool, plunge, cut, each with its delay.
+    fn come_back(&self) -> Vec<Small> {
+        if matches!(self.stage, Stage::Begin | Stage::Approach) {
+            return self.approach(true);
+        }
+        if self.stage == Stage::Finish {
+            return self.finish();
+        }
+        let back = self.here.shape(&self.job).and_then(|shape| self.here.spot(shape));
+        let mut steps = back.map_or(Vec::new(), |spot| self.way_back(spot.at));
+        steps.extend(self.router_on());
+        if self.here.along == Along::After || self.here.along == Along::Clear {
+            return steps;
+        }
+        steps.extend(self.pass_steps());
+        steps
+    }
+
+    /// In the plane at the height of the pause.
+    fn way_back(&self, place: Point2) -> Vec<Small> {
+        if self.raise { self.way_to(place) } else { vec![Small::Travel(place)] }
+    }
+
+    /// What the operator is asked.
+    pub(super) fn question(&self) -> Question {
+        // A pause mark is where a job is meant to wait: without an operator it goes on.
+        let marked = self.state == State::Running;
+        let text = match (&*self.why, marked) {
+            (_, true) => format!("Shape {}", self.at().line),
+            ("", false) => "Paused".to_owned(),
+            (why, false) => format!("Paused: {why}"),
+        };
+        Question {
+            kind: QuestionKind::Paused,
+            text,
+            title: "Job".into(),
+            buttons: vec![Button::Resume, Button::Quit],
+            default: usize::from(!marked),
+            prefill: String::new(),
+            icon: 0,
+            until: None,
+        }
+    }
+
+    /// The operator said something.
+    pub(super) fn answered(&mut self, words: String) {
+        let marked = self.state == State::Running;
+        match Word::read(&words) {
+            Some(Word::Continue) if marked => self.halted_before = true,
+            Some(Word::Continue) => self.go_on(),
+            Some(Word::Abort) => self.abort(),
+            Some(word) => {
+                self.obey(word);
+                self.steps.push_back(Small::Ask);
+            }
+            None => self.steps.push_back(Small::Ask),
+        }
+    }
+
+    fn go_on(&mut self) {
+        if self.state == State::Emergency
+            && let Some(next) = self.state.on(Event::Acknowledge, self.stop_settings())
+        {
+            self.state = next.state;
+        }
+        let Some(next) = self.state.on(Event::Continue, self.stop_settings()) else { return };
+        self.state = next.state;
+        self.why = Arc::default();
+        self.steps = [Small::Enter(self.state), Small::Switch(Output::JobRunning, true)].into();
+        self.refresh_depths();
+        let effects = next.effects.into_iter().flat_map(|effect| self.effect(effect));
+        self.steps.extend(effects.collect::<Vec<_>>());
+    }
+
+    fn abort(&mut self) {
+        self.stage = Stage::Finish;
+        self.steps = self.effect(Effect::CutOff).into();
+        self.steps.extend(self.effect(Effect::AllOff));
+        self.steps.extend([Small::Enter(State::Idle), Small::GiveUp]);
+    }
+
+    /// The machine stopped at the operator's word, for good.
+    pub(super) fn give_up(&mut self) -> kerf_program::Step {
+        self.end(Status::Stopped)
+    }
+
+    fn obey(&mut self, word: Word) {
+        match word {
+            Word::CutSpeed(mm_s) => self.cut_mm_s = mm_s,
+            Word::PlungeSpeed(mm_s) => self.plunge_mm_s = mm_s,
+            Word::AdjustBottom(by) => self.heights.bottom_mm += by,
+            Word::Raise(raise) => self.raise = raise,
+            Word::Move(axis, by) => {
+                let to = self.within_reach(axis, self.position[axis] + by);
+                self.steps.push_back(Small::Hand(axis, to));
+            }
+            Word::Continue | Word::Abort => {}
+        }
+    }
+
+    /// A place that an axis may go to, nearest to one that is asked for. Z goes to ZBottom at the
+    /// lowest.
+    fn within_reach(&self, axis: Axis, to: f64) -> f64 {
+        let to = if axis == Axis::Z { to.max(self.heights.bottom_mm) } else { to };
+        self.reach(axis).map_or(to, |[low, high]| to.clamp(low, high))
+    }
+}

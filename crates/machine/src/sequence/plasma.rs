@@ -1,0 +1,31 @@
+//! The start of a plasma cut, and what ends one early (Profiler reference, "Plasma Startup
+//! Sequence"; ledger notes 75, 85 and 3.13).
+
+use super::Sequence;
+use super::small::{Awaited, Small};
+use crate::lines::{Input, Output};
+use kerf_program::job::JobShape;
+
+impl Sequence {
+    /// Down until the head is too close, up to the initial height, then the arc.
+    pub(super) fn plasma_start(&self, shape: &JobShape) -> Vec<Small> {
+        let plasma = self.machine.plasma;
+        let arc = Small::Await(Awaited {
+            input: Input::EndBottomDelay,
+            timeout_s: plasma.arc_timeout_s,
+            missing: Some("no arc"),
+        });
+        let mut steps = self.tool_on(self.tool_of(shape));
+        steps.extend([
+            Small::Feel(self.heights.bottom_mm),
+            Small::AboveFelt(plasma.initial_height_mm),
+            Small::Switch(Output::cut(shape.cut), true),
+            arc.clone(),
+            // Whatever the arc does meanwhile: it has to burn afterwards.
+            Small::Wait(plasma.initial_wait_s),
+            arc,
+        ]);
+        steps.extend(self.beam_follows(shape));
+        steps
+    }
+}

@@ -1,0 +1,64 @@
+//! The small steps that every cutting sequence is made of.
+
+use crate::lines::{Input, Output};
+use kerf_geom::Point2;
+use kerf_program::{Axis, Beam, HeightLaw};
+use std::sync::Arc;
+
+/// One step. Each is carried out to its end before the next begins.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Small {
+    /// An output goes on or off.
+    Switch(Output, bool),
+    /// Time passes, seconds.
+    Wait(f64),
+    /// An input is waited for.
+    Await(Awaited),
+    /// Intensity.
+    Beam(Beam),
+    /// Pulse frequency, Hz.
+    Frequency(f64),
+    /// Height control begins or ends.
+    Height(Option<Arc<HeightLaw>>),
+    /// In the plane, at the present height, as fast as the axes can.
+    Travel(Point2),
+    /// Up or down as fast as Z can.
+    Rapid(f64),
+    /// Up to a height as fast as Z can, unless the tool is there or higher.
+    RaiseTo(f64),
+    /// Up or down at plunging speed.
+    Plunge(f64),
+    /// Down at plunging speed until an input, at the lowest to a height.
+    Feel(f64),
+    /// Up at plunging speed, so far above the place that was felt.
+    AboveFelt(f64),
+    /// Turns the tool about Z, degrees.
+    Turn(f64),
+    /// An axis moves by hand.
+    Hand(Axis, f64),
+    /// Along the path, from where it was left.
+    Follow,
+    /// The path is made.
+    Made,
+    /// The tool is clear of the path.
+    Clear,
+    /// The operator decides how it goes on.
+    Ask,
+    /// The job is given up.
+    GiveUp,
+    /// The machine enters a state.
+    Enter(crate::State),
+    /// A word to the operator.
+    Say(Arc<str>),
+}
+
+/// An input that is waited for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Awaited {
+    /// The input.
+    pub input: Input,
+    /// How long, seconds.
+    pub timeout_s: f64,
+    /// What is said when it does not come; without words the job goes on.
+    pub missing: Option<&'static str>,
+}

@@ -1,0 +1,80 @@
+//! What the operator may say in a pause.
+
+use kerf_program::Axis;
+
+/// One order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Word {
+    /// The job goes on.
+    Continue,
+    /// The job is given up.
+    Abort,
+    /// The machine's cutting speed, mm/s.
+    CutSpeed(f64),
+    /// The plunging speed, mm/s.
+    PlungeSpeed(f64),
+    /// ZBottom by a distance, mm, negative down.
+    AdjustBottom(f64),
+    /// Whether the tool rises in pauses.
+    Raise(bool),
+    /// An axis moves by a distance, mm or degrees.
+    Move(Axis, f64),
+}
+
+/// Seconds in a minute: speeds are typed in mm/min.
+const PER_MIN: f64 = 60.0;
+
+impl Word {
+    /// Reads an order: `continue`, `abort`, `cut 3000` and `plunge 600` (mm/min), `zbottom -0.5`,
+    /// `raise yes`, `move y 200`.
+    pub fn read(text: &str) -> Option<Self> {
+        let text = text.to_ascii_lowercase();
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let number = |word: &str| word.parse::<f64>().ok().filter(|value| value.is_finite());
+        let speed = |word: &str| number(word).filter(|v| *v > 0.0).map(|v| v / PER_MIN);
+        match words.as_slice() {
+            [first] => match *first {
+                "continue" | "resume" | "start" | "ok" => Some(Self::Continue),
+                "abort" | "quit" | "end" | "cancel" => Some(Self::Abort),
+                _ => None,
+            },
+            [first, value] => match *first {
+                "cut" => Some(Self::CutSpeed(speed(value)?)),
+                "plunge" => Some(Self::PlungeSpeed(speed(value)?)),
+                "zbottom" => Some(Self::AdjustBottom(number(value)?)),
+                "raise" => match *value {
+                    "yes" | "1" | "on" => Some(Self::Raise(true)),
+                    "no" | "0" | "off" => Some(Self::Raise(false)),
+                    _ => None,
+                },
+                _ => None,
+            },
+            [first, axis, by] if *first == "move" => {
+                let mut letters = axis.chars();
+                let axis = letters.next().and_then(Axis::from_letter)?;
+                letters.next().is_none().then_some(Self::Move(axis, number(by)?))
+            }
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn orders_are_read() {
+        let check = |text: &str, expected| assert_eq!(Word::read(text), expected, "{text}");
+        check("Resume", Some(Word::Continue));
+        check("abort", Some(Word::Abort));
+        check("cut 3000", Some(Word::CutSpeed(50.0)));
+        check("plunge 600", Some(Word::PlungeSpeed(10.0)));
+        check("zbottom -0.5", Some(Word::AdjustBottom(-0.5)));
+        check("raise no", Some(Word::Raise(false)));
+        check("move y 200", Some(Word::Move(Axis::Y, 200.0)));
+        for wrong in ["", "cut 0", "cut fast", "move q 1", "move xy 1", "zbottom nan"] {
+            check(wrong, None);
+        }
+    }
+}

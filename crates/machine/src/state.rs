@@ -1,0 +1,268 @@
+//! What a machine does when it is stopped, and what may follow: one table for both manuals.
+//!
+//! OpenSBP's stop (ramp down, pull out, resume with no location lost) and Profiler's pause are the
+//! same states with other [`StopSettings`]. The table below is the whole truth: whoever runs a machine
+//! asks it for the next state and carries out the effects in order; the diagram in the book is drawn
+//! from it. What is not in the table may not happen: a motion command while the machine is stopped is
+//! refused because there is no such row.
+
+/// What a machine is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum State {
+    /// Nothing; programs and moves by hand may start.
+    #[default]
+    Idle,
+    /// A start was given, and waits for a door, a jig or the second Start.
+    Waiting,
+    /// A program or job runs.
+    Running,
+    /// It slows down along the path.
+    Stopping,
+    /// It stands, and goes on or is given up.
+    Paused,
+    /// It slows down because of the emergency stop.
+    EmergencyStopping,
+    /// The emergency stop is, or was, pressed; nobody has acknowledged it yet.
+    Emergency,
+    /// A limit or a lost link stopped it: its location is known, the program is not resumed.
+    Alarm,
+}
+
+/// What happens to it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Event {
+    /// Start of a program or job.
+    Start,
+    /// What the start waited for is there.
+    Ready,
+    /// Stop: a key, the console, a stop input.
+    Stop,
+    /// Something is wrong with the process: the arc is lost, no reading, the head too close.
+    Fault,
+    /// The emergency stop is pressed.
+    EmergencyStop,
+    /// The emergency stop is released, and a person says so.
+    Acknowledge,
+    /// A limit switch, or a move that would leave the limits.
+    Limit,
+    /// The link to the controller, or to whoever watches over the run, is lost.
+    LinkLost,
+    /// The machine has come to rest.
+    Stands,
+    /// Start again: the job goes on.
+    Continue,
+    /// The job is given up.
+    Abort,
+    /// The program has come to its end.
+    End,
+}
+
+/// What is done about it, in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Effect {
+    /// Cut outputs and intensity go off at once, still in motion.
+    CutOffAtOnce,
+    /// Motion slows down along the path; no step is lost.
+    SlowDown,
+    /// Motion stops at once; a limit switch leaves no way for a ramp.
+    Halt,
+    /// Cut outputs, intensity and height control go off.
+    CutOff,
+    /// The router goes off.
+    RouterOff,
+    /// Every output goes off.
+    AllOff,
+    /// The tool rises to the height of travel, where it is lower.
+    Raise,
+    /// Tool outputs go off.
+    ToolOff,
+    /// The place on the path is kept, to come back to.
+    KeepPlace,
+    /// Back to the place: travel, router, tool, plunge, cut, each with its delay.
+    ComeBack,
+    /// ZTop and ZSurface return to what they were when the job began.
+    RestoreHeights,
+}
+
+/// What differs between the manuals and between machines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StopSettings {
+    /// The tool rises once the machine stands: Profiler's "Raise On Pause", always in OpenSBP.
+    pub raise: bool,
+    /// Pausing switches cut outputs, router and tool; OpenSBP leaves outputs to their modes (VN).
+    pub outputs: bool,
+}
+
+impl StopSettings {
+    /// The stop of OpenSBP: pull out to safe Z, outputs by their modes.
+    pub const OPENSBP: Self = Self { raise: true, outputs: false };
+
+    /// The pause of Profiler.
+    pub const fn profiler(raise: bool) -> Self {
+        Self { raise, outputs: true }
+    }
+}
+
+/// What follows on an event.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Next {
+    /// The state from then on.
+    pub state: State,
+    /// What is done, in order.
+    pub effects: Vec<Effect>,
+}
+
+/// One row of the table.
+struct Row(State, Event, State, &'static [Effect]);
+
+/// The table.
+const ROWS: &[Row] = {
+    use Effect::{
+        AllOff, ComeBack, CutOff, CutOffAtOnce, Halt, KeepPlace, Raise, RestoreHeights, RouterOff,
+        SlowDown, ToolOff,
+    };
+    use Event as E;
+    use State as S;
+    &[
+        Row(S::Idle, E::Start, S::Waiting, &[]),
+        Row(S::Idle, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
+        Row(S::Waiting, E::Ready, S::Running, &[]),
+        Row(S::Waiting, E::Stop, S::Idle, &[AllOff]),
+        Row(S::Waiting, E::Abort, S::Idle, &[AllOff]),
+        Row(S::Waiting, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
+        Row(S::Running, E::Stop, S::Stopping, &[SlowDown, KeepPlace]),
+        Row(S::Running, E::Fault, S::Stopping, &[SlowDown, KeepPlace]),
+        Row(
+            S::Running,
+            E::EmergencyStop,
+            S::EmergencyStopping,
+            &[CutOffAtOnce, SlowDown, KeepPlace],
+        ),
+        Row(S::Running, E::Limit, S::Alarm, &[Halt, CutOff, AllOff]),
+        Row(S::Running, E::LinkLost, S::Alarm, &[SlowDown, CutOff, AllOff]),
+        Row(S::Running, E::End, S::Idle, &[AllOff, RestoreHeights]),
+        Row(S::Stopping, E::Stands, S::Paused, &[CutOff, RouterOff, Raise, ToolOff]),
+        Row(S::Stopping, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
+        Row(S::Paused, E::Continue, S::Running, &[ComeBack]),
+        Row(S::Paused, E::Abort, S::Idle, &[AllOff, RestoreHeights]),
+        Row(S::Paused, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
+        Row(S::Paused, E::LinkLost, S::Alarm, &[AllOff]),
+        Row(S::EmergencyStopping, E::Stands, S::Emergency, &[CutOff, AllOff, Raise]),
+        Row(S::Emergency, E::Acknowledge, S::Paused, &[]),
+        Row(S::Emergency, E::Abort, S::Idle, &[AllOff, RestoreHeights]),
+        Row(S::Alarm, E::Acknowledge, S::Idle, &[RestoreHeights]),
+        Row(S::Alarm, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
+    ]
+};
+
+impl State {
+    /// Its name in traces and messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Idle => "idle",
+            Self::Waiting => "waiting",
+            Self::Running => "running",
+            Self::Stopping => "stopping",
+            Self::Paused => "paused",
+            Self::EmergencyStopping => "estopping",
+            Self::Emergency => "estop",
+            Self::Alarm => "alarm",
+        }
+    }
+
+    /// What follows on an event; nothing when it may not happen in this state.
+    pub fn on(self, event: Event, settings: StopSettings) -> Option<Next> {
+        let Row(_, _, state, effects) =
+            ROWS.iter().find(|Row(state, on, ..)| (*state, *on) == (self, event))?;
+        let effects = effects.iter().copied().filter(|effect| effect.holds(settings)).collect();
+        Some(Next { state: *state, effects })
+    }
+}
+
+impl Effect {
+    /// Whether it is done with these settings.
+    const fn holds(self, settings: StopSettings) -> bool {
+        match self {
+            Self::Raise => settings.raise,
+            // The tool stays in the material: what cools or clears it stays on.
+            Self::ToolOff => settings.raise && settings.outputs,
+            Self::RouterOff | Self::CutOff => settings.outputs,
+            _ => true,
+        }
+    }
+
+    /// What it is called in the diagram.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::CutOffAtOnce => "cut off at once",
+            Self::SlowDown => "slow down",
+            Self::Halt => "halt",
+            Self::CutOff => "cut off",
+            Self::RouterOff => "router off",
+            Self::AllOff => "all outputs off",
+            Self::Raise => "raise",
+            Self::ToolOff => "tool off",
+            Self::KeepPlace => "keep the place",
+            Self::ComeBack => "come back",
+            Self::RestoreHeights => "restore heights",
+        }
+    }
+}
+
+/// The table as a state diagram in the words of Mermaid, and as rows for people.
+pub fn diagram() -> String {
+    let mut text = String::from("stateDiagram-v2\n    [*] --> idle\n");
+    for Row(from, event, to, _) in ROWS {
+        let event = format!("{event:?}");
+        text += &format!("    {} --> {}: {event}\n", from.name(), to.name());
+    }
+    text
+}
+
+/// The rows of the table: state, event, next state, effects.
+pub fn rows() -> impl Iterator<Item = (State, Event, State, &'static [Effect])> {
+    ROWS.iter().map(|Row(from, event, to, effects)| (*from, *event, *to, *effects))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(from: State, event: Event, raise: bool, to: State, effects: &[Effect]) {
+        let next = from.on(event, StopSettings::profiler(raise));
+        assert_eq!(next, Some(Next { state: to, effects: effects.to_vec() }));
+    }
+
+    #[test]
+    fn a_pause_switches_off_and_rises_only_when_that_is_set() {
+        use Effect::{CutOff, KeepPlace, Raise, RouterOff, SlowDown, ToolOff};
+        check(State::Running, Event::Stop, true, State::Stopping, &[SlowDown, KeepPlace]);
+        let raised = [CutOff, RouterOff, Raise, ToolOff];
+        check(State::Stopping, Event::Stands, true, State::Paused, &raised);
+        check(State::Stopping, Event::Stands, false, State::Paused, &[CutOff, RouterOff]);
+    }
+
+    #[test]
+    fn the_stop_of_part_files_leaves_outputs_to_their_modes() {
+        let next = State::Stopping.on(Event::Stands, StopSettings::OPENSBP);
+        assert_eq!(next.map(|next| next.effects), Some(vec![Effect::Raise]));
+    }
+
+    #[test]
+    fn nothing_starts_in_an_emergency() {
+        for event in [Event::Start, Event::Continue, Event::Ready] {
+            assert_eq!(State::Emergency.on(event, StopSettings::OPENSBP), None);
+            assert_eq!(State::Alarm.on(event, StopSettings::OPENSBP), None);
+        }
+    }
+
+    #[test]
+    fn no_row_stands_twice_and_every_state_can_be_left() {
+        for (n, Row(from, event, ..)) in ROWS.iter().enumerate() {
+            assert!(!ROWS[..n].iter().any(|Row(f, e, ..)| (f, e) == (from, event)), "{from:?}");
+        }
+        for (_, _, to, _) in rows() {
+            assert!(rows().any(|(from, ..)| from == to), "{to:?} is a trap");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! How deep each pass goes.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// How deep a shape is cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Depth {
+    /// Through the material: at ZBottom.
+    #[default]
+    Thru,
+    /// At a height above ZSurface, negative below it.
+    Mm {
+        /// The height, millimetres.
+        depth_mm: f64,
+        /// Depth of one pass, millimetres; all at once without it.
+        pass_mm: Option<f64>,
+    },
+    /// At the heights of its points.
+    ThreeD,
+}
+
+/// The three heights of a machine, millimetres, upwards.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Heights {
+    /// Where the tool travels.
+    pub top_mm: f64,
+    /// The surface of the material.
+    pub surface_mm: f64,
+    /// The lowest the tool may go; where THRU cuts.
+    pub bottom_mm: f64,
+}
+
+impl Default for Heights {
+    /// Those of the machine of the Profiler notes (SIM).
+    fn default() -> Self {
+        Self { top_mm: -10.0, surface_mm: -20.0, bottom_mm: -30.0 }
+    }
+}
+
+/// A cut below ZBottom.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("it would be cut at {z_mm}, below ZBottom: {z_mm} < {bottom_mm}")]
+pub struct LowError {
+    /// Where it would be cut.
+    pub z_mm: f64,
+    /// ZBottom.
+    pub bottom_mm: f64,
+}
+
+/// Heights at which a path is cut, in order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Depths {
+    /// At these heights, one pass each.
+    Level(Vec<f64>),
+    /// At the height of each point, measured from here.
+    Along(f64),
+}
+
+impl Depths {
+    /// The passes of a shape. Multi-pass divides a depth below the surface into equal steps with a
+    /// last one that is smaller; above the surface there is one pass (Profiler notes, 3.8).
+    ///
+    /// # Errors
+    /// A pass lies below ZBottom.
+    pub fn of(depth: Depth, heights: &Heights) -> Result<Self, LowError> {
+        let Heights { surface_mm, bottom_mm, .. } = *heights;
+        let levels = match depth {
+            Depth::Thru => vec![bottom_mm],
+            Depth::ThreeD => return Ok(Self::Along(surface_mm)),
+            Depth::Mm { depth_mm, pass_mm } => {
+                steps(depth_mm, pass_mm).map(|z| surface_mm + z).collect()
+            }
+        };
+        match levels.iter().find(|z| **z < bottom_mm) {
+            Some(z) => Err(LowError { z_mm: *z, bottom_mm }),
+            None => Ok(Self::Level(levels)),
+        }
+    }
+}
+
+/// The most passes of one path: more are a slip of the decimal point.
+const MOST_PASSES: f64 = 10_000.0;
+
+fn steps(depth: f64, pass: Option<f64>) -> impl Iterator<Item = f64> {
+    let pass = pass.filter(|pass| depth < 0.0 && *pass > 0.0).unwrap_or(depth.abs());
+    let count = (depth.abs() / pass).ceil().clamp(1.0, MOST_PASSES) as u32;
+    (1..=count).map(move |k| if k == count { depth } else { depth.signum() * pass * f64::from(k) })
+}

@@ -1,0 +1,109 @@
+//! A job: shapes to cut, in order, told without a word about the drawing they come from or the
+//! machine that cuts them.
+//!
+//! The drawing half of Kerf makes it, the machine half carries it out; this is all they share of a
+//! tool path. Places are millimetres in the plane of the job, whose origin lies somewhere on the
+//! table; heights are told as the machine's own three heights are set when the job runs.
+
+mod depth;
+
+pub use depth::{Depth, Depths, Heights, LowError};
+
+use kerf_geom::{Point2, Polyarc, Vec2};
+use std::sync::Arc;
+
+/// One path of a job and how it is cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JobShape {
+    /// Number of the shape of the drawing it comes from, counted from 1: what a person knows it by.
+    pub number: u32,
+    /// The path, millimetres from the job's origin.
+    pub path: Arc<Polyarc>,
+    /// Height above ZSurface at each vertex, for [`Depth::ThreeD`]; fewer mean 0.
+    pub z_mm: Arc<[f64]>,
+    /// How deep it is cut.
+    pub depth: Depth,
+    /// The tool control output, 1 … 3: on while the tool is down.
+    pub tool: u8,
+    /// The tool cut output, 1 … 3: on while material is cut.
+    pub cut: u8,
+    /// Highest cutting speed, mm/s; `None` is the machine's.
+    pub speed_mm_s: Option<f64>,
+    /// The machine halts before it.
+    pub pause: bool,
+    /// It is only followed, to lead the head round obstacles.
+    pub traversal: bool,
+    /// The name of its group, for people.
+    pub group: Arc<str>,
+}
+
+/// What is cut, in order, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Job {
+    /// The name shown to people.
+    pub name: Arc<str>,
+    /// The paths, in cutting order, arrays laid out.
+    pub shapes: Arc<[JobShape]>,
+    /// Where the job's origin lies on the table, millimetres from home.
+    pub origin: Point2,
+    /// Where the head goes at the end, millimetres from the origin.
+    pub finish: Point2,
+    /// The shape with which it begins, counted from 1.
+    pub start: usize,
+    /// How many times it is cut.
+    pub repeats: u32,
+}
+
+impl Default for Job {
+    fn default() -> Self {
+        Self {
+            name: Arc::default(),
+            shapes: Arc::default(),
+            origin: Point2::default(),
+            finish: Point2::default(),
+            start: 1,
+            repeats: 1,
+        }
+    }
+}
+
+impl JobShape {
+    /// An open or closed path that is cut through, by tool 1.
+    pub fn through(number: u32, path: Polyarc) -> Self {
+        Self {
+            number,
+            path: Arc::new(path),
+            z_mm: Arc::default(),
+            depth: Depth::Thru,
+            tool: 1,
+            cut: 1,
+            speed_mm_s: None,
+            pause: false,
+            traversal: false,
+            group: "black".into(),
+        }
+    }
+
+    /// Where it begins.
+    pub fn start(&self) -> Point2 {
+        self.path.start().unwrap_or_default()
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> Point2 {
+        if self.path.closed { self.start() } else { self.path.end().unwrap_or_default() }
+    }
+
+    /// Height above ZSurface at the end of so many segments.
+    pub fn height_mm(&self, segments: usize) -> f64 {
+        let count = self.path.vertices.len().max(1);
+        self.z_mm.get(segments % count).copied().unwrap_or_default()
+    }
+}
+
+impl Job {
+    /// Where a place of the job lies on the table.
+    pub fn on_table(&self, place: Point2) -> Point2 {
+        place + Vec2::new(self.origin.x, self.origin.y)
+    }
+}

@@ -1,0 +1,107 @@
+//! What jobs use beside the switches: intensity, pulse frequency, height control, sensors of the head.
+
+use super::Machine;
+use crate::log::What;
+use kerf_motion::{Plan, Span};
+use kerf_program::{Beam, HeightLaw, IntensityLaw, MoveKind, OutputReason};
+
+/// Stretch of time in which speed is taken to only rise or only fall, seconds.
+const SLICE_S: f64 = 0.001;
+
+/// How exactly the moment is sought at which the speed passes a step, seconds.
+const EXACT_S: f64 = 1e-7;
+
+impl Machine {
+    /// From here on the intensity output does this.
+    pub fn beam(&mut self, beam: Beam) {
+        let given = match &beam {
+            Beam::Off => (0, false),
+            Beam::Level { value, burn } => (*value, *burn),
+            // At rest.
+            Beam::Follow(law) => (law.value(0), false),
+        };
+        self.beam = beam;
+        self.intensity_at(self.clock_s, given);
+    }
+
+    /// The pulse frequency of the laser, Hz.
+    pub fn laser_frequency(&mut self, hz: f64) {
+        if !self.draws() {
+            self.log.add(self.clock_s, What::LaserFrequency(hz));
+        }
+    }
+
+    /// Z follows the sheet from here on, or does not.
+    pub fn height_control(&mut self, _law: Option<HeightLaw>) {}
+
+    /// Motion will follow this plan from a moment on: what the sensors will tell is worked out.
+    pub fn foresee(&mut self, _plan: &Plan, _t0_s: f64) {}
+
+    /// Outputs go off at a moment in the middle of motion, and the intensity with them.
+    pub fn drop_outputs(&mut self, t_s: f64, outputs: &[u8]) {
+        for number in outputs {
+            self.output_at(t_s, *number, false, OutputReason::Stop);
+        }
+        if !outputs.is_empty() {
+            self.beam = Beam::Off;
+            self.intensity_at(t_s, (0, false));
+        }
+    }
+
+    fn intensity_at(&mut self, t_s: f64, given: (u8, bool)) {
+        if !self.draws() && std::mem::replace(&mut self.intensity, given) != given {
+            let (value, burn) = given;
+            self.log.add(t_s, What::Intensity { value, burn });
+        }
+    }
+
+    /// Intensity over one move: a change at every step of the discretized speed.
+    pub(super) fn shine(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
+        let Beam::Follow(law) = self.beam.clone() else { return };
+        if span.made.kind == MoveKind::Jog {
+            return self.intensity_at(t0_s + span.t0_s, (0, false));
+        }
+        for (t_s, index) in index_changes(plan, span) {
+            self.intensity_at(t0_s + t_s, (law.value(index), false));
+        }
+    }
+}
+
+/// When the discretized speed of a move changes, seconds of the plan, and to what.
+fn index_changes(plan: &Plan, span: &Span<'_>) -> Vec<(f64, u8)> {
+    let full_mm_s = span.made.speed_mm_s;
+    let index = |t_s: f64| IntensityLaw::index(plan.at(t_s).path_speed_mm_s, full_mm_s);
+    let first = (span.t0_s, IntensityLaw::index(span.v_entry, full_mm_s));
+    let mut changes = vec![first];
+    let last = (span.t1_s, IntensityLaw::index(span.v_exit, full_mm_s));
+    let steady = span.v_entry == span.v_peak && span.v_peak == span.v_exit;
+    let slices = if steady { 1 } else { ((last.0 - first.0) / SLICE_S).ceil().max(1.0) as u64 };
+    let mut from = first;
+    for slice in 1..=slices {
+        let t_s = first.0 + (last.0 - first.0) * slice as f64 / slices as f64;
+        let to = if slice == slices { last } else { (t_s, index(t_s)) };
+        changes_between(from, to, &index, &mut changes);
+        from = to;
+    }
+    changes
+}
+
+/// Every change in a stretch of time in which speed only rises or only falls.
+fn changes_between(
+    from: (f64, u8),
+    to: (f64, u8),
+    index: &impl Fn(f64) -> u8,
+    changes: &mut Vec<(f64, u8)>,
+) {
+    if from.1 == to.1 {
+        return;
+    }
+    if to.0 - from.0 <= EXACT_S {
+        changes.push(to);
+        return;
+    }
+    let middle_s = 0.5 * (from.0 + to.0);
+    let middle = (middle_s, index(middle_s));
+    changes_between(from, middle, index, changes);
+    changes_between(middle, to, index, changes);
+}

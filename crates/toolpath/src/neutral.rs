@@ -1,0 +1,40 @@
+//! A job in the words that machines understand.
+
+use crate::depth::depth;
+use crate::job::{CutPath, Job};
+use crate::shape_paths::Pass;
+use kerf_drawing::GroupSettings;
+use kerf_program::job;
+use std::sync::Arc;
+
+impl Job {
+    /// The same job without its drawing, under a name.
+    pub fn neutral(&self, name: Arc<str>) -> job::Job {
+        let shape = |path: &CutPath| shape(path, self.drawing.settings(path.shape.group));
+        job::Job {
+            name,
+            shapes: self.paths.iter().map(shape).collect(),
+            origin: self.origin,
+            finish: self.finish,
+            start: self.start.max(1),
+            repeats: 1,
+        }
+    }
+}
+
+fn shape(path: &CutPath, settings: &GroupSettings) -> job::JobShape {
+    let shape = &path.shape;
+    let z_mm = shape.z_mm.as_deref().unwrap_or_default();
+    job::JobShape {
+        number: u32::try_from(path.from).unwrap_or(u32::MAX),
+        path: Arc::new(shape.path.clone()),
+        z_mm: z_mm.into(),
+        depth: depth(settings),
+        tool: settings.tool,
+        cut: settings.cut,
+        speed_mm_s: settings.speed_mm_min.map(|mm_min| mm_min / 60.0),
+        pause: shape.pause,
+        traversal: path.pass == Pass::Traversal,
+        group: shape.group.name().into(),
+    }
+}
