@@ -13,8 +13,8 @@ describe("arithmetic in a field", () => {
     [" .5 ", 0.5],
     ["1e3", 1000],
     ["sqrt(2)*sqrt(2)", 2],
-    ["sin(30)", 0.5],
-    ["atan(1)", 45],
+    ["sin(pi/6)", 0.5],
+    ["atn(1)*4", Math.PI],
     ["--3", 3],
     ["2*pi", 2 * Math.PI],
   ];

@@ -1,7 +1,8 @@
 /**
  * Arithmetic as people type it into fields: `12+11/16`, `3/4in + 2mm`, `2*(1.5-1/8)`.
  *
- * A number with a unit is turned into the unit that the field is in. Trigonometry is in degrees.
+ * A number with a unit is turned into the unit that the field is in. Angles are in radians, as in
+ * part files.
  */
 
 export interface ExpressionUnit {
@@ -22,18 +23,15 @@ const units: Record<string, number> = {
   "'": 304.8,
 };
 
-const degrees = Math.PI / 180;
 const functions: Record<string, (x: number) => number> = {
   sqrt: Math.sqrt,
   sqr: Math.sqrt,
   abs: Math.abs,
-  sin: (x) => Math.sin(x * degrees),
-  cos: (x) => Math.cos(x * degrees),
-  tan: (x) => Math.tan(x * degrees),
-  asin: (x) => Math.asin(x) / degrees,
-  acos: (x) => Math.acos(x) / degrees,
-  atan: (x) => Math.atan(x) / degrees,
-  int: Math.trunc,
+  sin: Math.sin,
+  cos: Math.cos,
+  tan: Math.tan,
+  atn: Math.atan,
+  int: Math.floor,
   log: Math.log,
   exp: Math.exp,
 };

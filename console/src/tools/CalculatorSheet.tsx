@@ -27,7 +27,7 @@ export function CalculatorSheet({ onClose }: { onClose: () => void }) {
           value={text}
           onChange={setText}
           placeholder="12+11/16"
-          hint="+ − * / ^ ( ), sqrt sin cos tan atan in degrees, pi, 3/4in + 2mm"
+          hint="+ − * / ^ ( ), sqr sin cos tan atn in radians, pi, 3/4in + 2mm"
           first
         />
       </form>

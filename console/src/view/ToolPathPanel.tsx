@@ -1,4 +1,5 @@
-import { useEffect, useMemo, useRef } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
+import { ToggleButton } from "react-aria-components";
 import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
@@ -6,10 +7,12 @@ import { Panel } from "../ui/Panel";
 import type { Motion, PreviewInfo } from "../wire/messages";
 import type { Aspect, Bounds, Vec3 } from "./camera";
 import type { Marks } from "./overlay";
-import { timeOfMoves } from "./place";
+import { PlayBar } from "./PlayBar";
+import { placeAt, timeOfMoves } from "./place";
 import { ToolPathView } from "./ToolPathView";
 import type { ToolPath } from "./toolPath";
 import { useCamera } from "./useCamera";
+import { usePlayback } from "./usePlayback";
 import { useSize } from "./useSize";
 import { useToolPath } from "./useToolPath";
 import "./tool-path-panel.css";
@@ -36,10 +39,15 @@ export function ToolPathPanel() {
   useEffect(() => {
     if (bounds && size.width > 0) look(aspect, bounds, size);
   }, [path?.info, size.width > 0]);
+  const seconds = path?.info.seconds ?? 0;
+  const [playback, setPlayback] = usePlayback(seconds);
+  const [stock, setStock] = useState(false);
+  const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(
-    () => marksOf(path, motion, units ?? { mm: 1, linear: "mm" }),
-    [path, motion, units],
+    () => marksOf(path, motion, units ?? { mm: 1, linear: "mm" }, film),
+    [path, motion, units, film],
   );
+  const now = playback.at ?? (path && motion ? timeOfMoves(path.coarse, motion.made) : 0);
   return (
     <Panel
       title="Tool path"
@@ -52,6 +60,9 @@ export function ToolPathPanel() {
             value={aspect}
             onChange={(next) => bounds && look(next, bounds, size)}
           />
+          <ToggleButton className="button button-small" isSelected={stock} onChange={setStock}>
+            Stock
+          </ToggleButton>
           <Button size="small" onPress={() => bounds && look(aspect, bounds, size)}>
             Fit
           </Button>
@@ -73,11 +84,13 @@ export function ToolPathPanel() {
           path={path}
           camera={camera}
           size={size}
-          now={path && motion ? timeOfMoves(path.coarse, motion.made) : 0}
+          now={now}
           marks={marks}
+          stock={stock}
         />
         <PathWords path={path} opened={opened?.name} preview={preview} />
       </div>
+      {path && <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />}
     </Panel>
   );
 }
@@ -121,6 +134,7 @@ function marksOf(
   path: ToolPath | null,
   motion: Motion | undefined,
   units: { mm: number; linear: string },
+  film: Vec3 | undefined,
 ): Marks {
   const unit = { mm: units.mm, name: units.linear };
   if (!path) return { tool: undefined, zero: undefined, cutter: 0, unit };
@@ -130,5 +144,5 @@ function marksOf(
     (place[1] ?? 0) - origin[1],
     (place[2] ?? 0) - origin[2],
   ];
-  return { tool: motion && from(motion.at.machine), zero: from(zero), cutter, unit };
+  return { tool: film ?? (motion && from(motion.at.machine)), zero: from(zero), cutter, unit };
 }

@@ -14,14 +14,19 @@ interface ToolPathViewProps {
   /** Planned time up to which everything is made, seconds. */
   now: number;
   marks: Marks;
+  /** Shows the material that is cut. */
+  stock: boolean;
 }
 
 /** The picture: lines below, marks above. */
-export function ToolPathView({ path, camera, size, now, marks }: ToolPathViewProps) {
+export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPathViewProps) {
   const lines = useRef<HTMLCanvasElement>(null);
   const above = useRef<HTMLCanvasElement>(null);
   const { scene, palette } = useScene(lines);
   useEffect(() => scene?.show(path), [scene, path]);
+  const shape = path?.info;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: pieces that arrive change no material
+  useEffect(() => scene?.simulate(stock ? path : null), [scene, stock, shape]);
   useEffect(() => {
     if (scene) scene.now = now;
   }, [scene, now]);

@@ -51,7 +51,7 @@ pub use interp::{
 pub use named_files::NamedFile;
 pub use number::format_number;
 pub use printer::{Printing, SbpPrinter, print};
-pub use reader::{is_gcode_name, read, read_as, read_part, read_part_as};
+pub use reader::{is_gcode_name, read, read_as, read_part, read_part_as, statement_words};
 pub use tree::{Language, Program};
 pub use typed::read_typed;
 pub use value::Value;

@@ -15,6 +15,7 @@ import {
 } from "three";
 import type { Camera, Size } from "../camera";
 import type { ToolPath } from "../toolPath";
+import { CutStock } from "./cutStock";
 import { type Palette, paletteOf } from "./palette";
 import { PathLines } from "./pathLines";
 import { PathMaterial } from "./pathMaterial";
@@ -37,6 +38,9 @@ export class PathScene {
   readonly #coarse = new PathLines(this.#material);
   readonly #fine = new PathLines(this.#material);
   #vertices = 0;
+  #now = 0;
+  #stock: CutStock | null = null;
+  #carving = 0;
   #queue: readonly Line[] = [];
   #frame = 0;
   #still = 0;
@@ -55,6 +59,7 @@ export class PathScene {
     this.#renderer.setClearColor(palette.paper);
     this.#table.paint(palette);
     this.#material.paint(palette);
+    this.#stock?.mesh.paint(palette);
     this.#moved();
     return palette;
   }
@@ -73,8 +78,29 @@ export class PathScene {
 
   /** Everything before this planned time is made. */
   set now(seconds: number) {
+    this.#now = seconds;
     this.#material.now = seconds;
+    this.#carve();
     this.#moved();
+  }
+
+  /** Shows the material that is cut, or only the path. */
+  simulate(path: ToolPath | null): void {
+    this.#stock?.dispose();
+    this.#stock = path && new CutStock(path);
+    this.#stock?.mesh.paint(paletteOf(this.#canvas));
+    this.#carve();
+    this.#moved();
+  }
+
+  /** Cuts on for a part of a frame, and again in the next until all is cut. */
+  #carve(): void {
+    cancelAnimationFrame(this.#carving);
+    if (!this.#stock || this.#stock.carve(this.#now)) return;
+    this.#carving = requestAnimationFrame(() => {
+      this.#carve();
+      this.#moved();
+    });
   }
 
   look(camera: Camera, size: Size): void {
@@ -90,7 +116,9 @@ export class PathScene {
 
   dispose(): void {
     cancelAnimationFrame(this.#frame);
+    cancelAnimationFrame(this.#carving);
     clearTimeout(this.#still);
+    this.#stock?.dispose();
     this.#coarse.clear();
     this.#fine.clear();
     this.#renderer.dispose();
@@ -111,6 +139,7 @@ export class PathScene {
     this.#frame = requestAnimationFrame(() => {
       this.#renderer.clear();
       this.#renderer.render(this.#ground, this.#eye);
+      if (this.#stock) this.#renderer.render(this.#stock.mesh.mesh, this.#eye);
       this.#next();
     });
   }

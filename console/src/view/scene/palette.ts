@@ -9,6 +9,9 @@ export interface Palette {
   readonly done: string;
   readonly tool: string;
   readonly text: string;
+  /** The surface of the material, and what cutting bares. */
+  readonly whole: string;
+  readonly bared: string;
 }
 
 export function paletteOf(element: Element): Palette {
@@ -23,5 +26,7 @@ export function paletteOf(element: Element): Palette {
     done: token("--view-done"),
     tool: token("--view-tool"),
     text: token("--muted"),
+    whole: token("--view-whole"),
+    bared: token("--view-bared"),
   };
 }

@@ -35,6 +35,11 @@ keywords! {
     GetPartFileName "GETPARTFILENAME"
 }
 
+/// The words that begin statements, for editors.
+pub fn statement_words() -> impl Iterator<Item = &'static str> {
+    Keyword::ALL.iter().map(|(word, _)| *word)
+}
+
 impl Keyword {
     /// The keyword of a word, in any case.
     pub(crate) fn find(word: &str) -> Option<Self> {

@@ -54,6 +54,8 @@ pub const ROOMS: &[Room] = &[
     at(5.0, Half::Machine, "kerf-sim"),
     at(6.0, Half::Edge, "kerf-control"),
     at(7.0, Half::Edge, "kerf-wire"),
+    // Between `wire` and whoever serves editors.
+    at(7.5, Half::Edge, "kerf-language"),
     at(8.0, Half::Edge, "kerf-server"),
     at(8.0, Half::Edge, "kerf-lsp"),
     at(8.0, Half::Edge, "kerf-ledger"),

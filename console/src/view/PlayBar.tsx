@@ -1,0 +1,55 @@
+import { Slider, SliderThumb, SliderTrack } from "react-aria-components";
+import { durationText } from "../app/units";
+import { Button } from "../ui/Button";
+import { live, type Playback, speeds, toggled, wound } from "./playback";
+import "./play-bar.css";
+
+interface PlayBarProps {
+  playback: Playback;
+  seconds: number;
+  onChange: (playback: Playback) => void;
+}
+
+/** Plays, holds and winds the simulation. */
+export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
+  const at = playback.at ?? 0;
+  const place = speeds.findIndex((speed) => speed >= playback.speed);
+  const faster = speeds[(place + 1) % speeds.length];
+  return (
+    <div className="play" role="toolbar" aria-label="Simulation">
+      <Button
+        size="small"
+        aria-label={playback.playing ? "Hold the simulation" : "Play the simulation"}
+        onPress={() => onChange(toggled(playback, seconds))}
+      >
+        {playback.playing ? "❚❚" : "▶"}
+      </Button>
+      <Slider
+        aria-label="Planned time"
+        className="play-slider"
+        minValue={0}
+        maxValue={seconds}
+        step={seconds / 1000}
+        value={at}
+        onChange={(to) => onChange(wound(playback, to))}
+      >
+        <SliderTrack className="play-track">
+          <SliderThumb className="play-thumb" />
+        </SliderTrack>
+      </Slider>
+      <span className="play-time">
+        {durationText(at)} / {durationText(seconds)}
+      </span>
+      <Button
+        size="small"
+        aria-label={`Speed ${playback.speed} times`}
+        onPress={() => onChange({ ...playback, speed: faster ?? 1 })}
+      >
+        ×{playback.speed}
+      </Button>
+      <Button size="small" isDisabled={playback.at === null} onPress={() => onChange(live)}>
+        Live
+      </Button>
+    </div>
+  );
+}
