@@ -21,12 +21,7 @@ pub fn complete(text: &str, line: u32, column: u32) -> Vec<Completion> {
 }
 
 fn completion(label: impl Into<String>, kind: &str, detail: &str, doc: &str) -> Completion {
-    Completion {
-        label: label.into(),
-        kind: kind.into(),
-        detail: detail.into(),
-        doc: doc.into(),
-    }
+    Completion { label: label.into(), kind: kind.into(), detail: detail.into(), doc: doc.into() }
 }
 
 /// Whether a command or a statement can stand behind this.
@@ -78,7 +73,10 @@ fn labels(text: &str, ending: &str) -> Vec<Completion> {
     let program = kerf_sbp::read("".into(), text.as_bytes());
     let there = program.label_names.iter().filter(|label| label.line.is_some());
     let names: BTreeSet<&str> = there.map(|label| &*label.name).collect();
-    names.into_iter().map(|name| completion(format!("{name}{ending}"), "label", "label", "")).collect()
+    names
+        .into_iter()
+        .map(|name| completion(format!("{name}{ending}"), "label", "label", ""))
+        .collect()
 }
 
 #[cfg(test)]

@@ -31,7 +31,14 @@ fn ends_with_then(before: &str) -> bool {
 
 fn command(spec: &CommandSpec) -> String {
     let names = spec.params.iter().map(|param| format!(", {}", param.name));
-    format!("{}: {}\n{}{}\n{}", spec.letters, spec.name, spec.letters, names.collect::<String>(), spec.doc)
+    format!(
+        "{}: {}\n{}{}\n{}",
+        spec.letters,
+        spec.name,
+        spec.letters,
+        names.collect::<String>(),
+        spec.doc
+    )
 }
 
 fn function(function: Function) -> String {
@@ -41,7 +48,8 @@ fn function(function: Function) -> String {
 /// The variable whose number stands in the brackets.
 fn system(line: &str, word: &Word<'_>) -> Option<String> {
     let behind = line.get(word.before.len() + word.text.len()..)?;
-    let number: String = behind.trim_start_matches(['(', ' ']).chars().take_while(char::is_ascii_digit).collect();
+    let number: String =
+        behind.trim_start_matches(['(', ' ']).chars().take_while(char::is_ascii_digit).collect();
     let number: u8 = number.parse().ok()?;
     let variable = system_variables().find(|variable| variable.number == number)?;
     Some(format!("%({number}): {} {}", variable.name, variable.unit).trim_end().to_owned())
