@@ -32,10 +32,10 @@ pub use editor::Editor;
 pub use group::Group;
 pub use nesting::Nesting;
 pub use op::{
-    Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Sequencing,
-    script,
+    Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Pattern,
+    Sequencing, script,
 };
 pub use selection::Choice;
-pub use settings::{GroupSettings, Height, Lead, SettingsError};
+pub use settings::{GroupSettings, Height, Lead, Plunge, SettingsError};
 pub use shape::{Kind, Shape};
 pub use travel::{EXACT_STOPS, Rapids, Search, Travelled, travelled};

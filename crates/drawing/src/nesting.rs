@@ -1,7 +1,7 @@
 //! Which shape lies within which.
 
 use crate::Shape;
-use kerf_geom::{Bounds2, Place, Polyarc, Position};
+use kerf_geom::{Bounds2, Place, Polyarc, Position, tol};
 use std::sync::Arc;
 
 /// The shapes of a drawing as a forest: a closed shape is the parent of what lies directly inside
@@ -11,6 +11,7 @@ pub struct Nesting {
     parent: Vec<Option<usize>>,
     depth: Vec<usize>,
     across: Vec<(usize, usize)>,
+    same: Vec<(usize, usize)>,
 }
 
 /// How a shape lies to a closed one that is larger.
@@ -28,7 +29,8 @@ impl Nesting {
         let parent: Vec<_> = (0..shapes.len()).map(|inner| found.parent_of(inner)).collect();
         let depth = (0..shapes.len()).map(|n| ancestors(&parent, n).count()).collect();
         found.across.sort_unstable();
-        Self { parent, depth, across: found.across }
+        found.same.sort_unstable();
+        Self { parent, depth, across: found.across, same: found.same }
     }
 
     /// The smallest shape around a shape.
@@ -44,6 +46,11 @@ impl Nesting {
     /// Pairs of which one, closed, is crossed by the other.
     pub fn across(&self) -> &[(usize, usize)] {
         &self.across
+    }
+
+    /// Pairs of closed shapes that lie on each other, the lower number first.
+    pub fn same(&self) -> &[(usize, usize)] {
+        &self.same
     }
 
     /// The shapes directly inside a shape, or those outside all others, in order.
@@ -90,6 +97,7 @@ struct Finder<'a> {
     /// Shapes from the smallest to the largest area.
     by_area: Vec<usize>,
     across: Vec<(usize, usize)>,
+    same: Vec<(usize, usize)>,
 }
 
 impl<'a> Finder<'a> {
@@ -98,21 +106,36 @@ impl<'a> Finder<'a> {
         let areas: Vec<f64> = shapes.iter().map(|shape| area(shape)).collect();
         let mut by_area: Vec<usize> = (0..shapes.len()).filter(|n| areas[*n] > 0.0).collect();
         by_area.sort_by(|a, b| areas[*a].total_cmp(&areas[*b]));
-        Self { shapes, boxes, areas, by_area, across: Vec::new() }
+        Self { shapes, boxes, areas, by_area, across: Vec::new(), same: Vec::new() }
     }
 
     /// The smallest closed shape around a shape. Equal shapes do not contain each other.
     fn parent_of(&mut self, inner: usize) -> Option<usize> {
-        let from = self.by_area.partition_point(|n| self.areas[*n] <= self.areas[inner]);
+        let (least, most) = self.like(inner);
+        let from = self.by_area.partition_point(|n| self.areas[*n] < least);
         for at in from..self.by_area.len() {
             let outer = self.by_area[at];
+            let equal = self.areas[outer] <= most && self.areas[inner] > 0.0;
+            if equal && outer <= inner {
+                continue;
+            }
+            let pair = (outer.min(inner), outer.max(inner));
             match self.relation(outer, inner) {
+                Relation::Inside if equal => self.same.push(pair),
                 Relation::Inside => return Some(outer),
-                Relation::Across => self.across.push((outer.min(inner), outer.max(inner))),
+                Relation::Across => self.across.push(pair),
                 Relation::Apart => {}
             }
         }
         None
+    }
+
+    /// Between which areas a shape is as large as another: a strip along its box as wide as two places
+    /// that are one may be apart.
+    fn like(&self, shape: usize) -> (f64, f64) {
+        let size = self.boxes[shape].size();
+        let strip = 2.0 * (size.x + size.y) * tol::SAME_PLACE_MM;
+        (self.areas[shape] - strip, self.areas[shape] + strip)
     }
 
     fn relation(&self, outer: usize, inner: usize) -> Relation {
@@ -188,11 +211,13 @@ mod tests {
     #[test]
     fn equal_shapes_do_not_contain_each_other() {
         check(&[square(0.0, 0.0, 10.0), square(0.0, 0.0, 10.0)], &[None, None], &[]);
+        check(&[square(0.0, 0.0, 10.0), square(1e-9, 0.0, 10.0)], &[None, None], &[]);
     }
 
     #[test]
     fn crossing_shapes_are_side_by_side() {
         check(&[square(0.0, 0.0, 60.0), square(50.0, 50.0, 100.0)], &[None, None], &[(0, 1)]);
+        check(&[square(0.0, 0.0, 60.0), square(50.0, 50.0, 60.0)], &[None, None], &[(0, 1)]);
     }
 
     #[test]

@@ -33,6 +33,43 @@ impl Lead {
     }
 }
 
+/// How the tool goes down into the material.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Plunge {
+    /// Straight down.
+    #[default]
+    Straight,
+    /// Down along the path.
+    Ramp {
+        /// How steeply, degrees below the level.
+        angle_deg: f64,
+    },
+    /// Down round a circle that touches the path at its start.
+    Helix {
+        /// Radius of the circle, millimetres. It lies on the side of a lead-in, on the other one when the
+        /// radius is negative.
+        radius_mm: f64,
+        /// How steeply, degrees below the level.
+        angle_deg: f64,
+    },
+}
+
+impl Plunge {
+    /// How steeply; a straight plunge is as steep as can be.
+    fn angle_deg(self) -> f64 {
+        match self {
+            Self::Straight => 90.0,
+            Self::Ramp { angle_deg } | Self::Helix { angle_deg, .. } => angle_deg,
+        }
+    }
+
+    /// The radius of the helix; for others one that is none.
+    fn radius_mm(self) -> f64 {
+        if let Self::Helix { radius_mm, .. } = self { radius_mm } else { 1.0 }
+    }
+}
+
 /// The cut settings and the path settings of a group (Profiler reference, tables 9 and 10).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GroupSettings {
@@ -62,6 +99,9 @@ pub struct GroupSettings {
     pub lead_in: Lead,
     /// The way off the path.
     pub lead_out: Lead,
+    /// The way down into the material.
+    #[serde(default)]
+    pub plunge: Plunge,
 }
 
 impl Default for GroupSettings {
@@ -80,6 +120,7 @@ impl Default for GroupSettings {
             tag_mm: 0.0,
             lead_in: Lead::default(),
             lead_out: Lead::default(),
+            plunge: Plunge::default(),
         }
     }
 }
@@ -136,6 +177,7 @@ impl GroupSettings {
         let speed = self.speed_mm_min.unwrap_or(1.0);
         let angle = |lead: Lead| (0.0..=360.0).contains(&lead.angle_deg);
         let number = "a number";
+        let (steep, helix) = (self.plunge.angle_deg(), self.plunge.radius_mm());
         [
             ("height", depth, true, number),
             ("pass", pass, pass > 0.0, "above 0 mm"),
@@ -147,6 +189,8 @@ impl GroupSettings {
             ("lead-in angle", self.lead_in.angle_deg, angle(self.lead_in), "0 to 360 degrees"),
             ("lead-out radius", self.lead_out.radius_mm, true, number),
             ("lead-out angle", self.lead_out.angle_deg, angle(self.lead_out), "0 to 360 degrees"),
+            ("plunge angle", steep, (0.1..=90.0).contains(&steep), "0.1 to 90 degrees"),
+            ("plunge radius", helix, helix != 0.0, "a number other than 0"),
         ]
         .into_iter()
     }
@@ -206,6 +250,9 @@ mod tests {
         refused(|s| s.tag_mm = -1.0, "tag is -1");
         refused(|s| s.offset_mm = f64::NAN, "offset is NaN");
         refused(|s| s.lead_in.angle_deg = 361.0, "lead-in angle");
+        refused(|s| s.plunge = Plunge::Ramp { angle_deg: 0.0 }, "plunge angle is 0");
+        let none = Plunge::Helix { radius_mm: 0.0, angle_deg: 2.0 };
+        refused(|s| s.plunge = none, "plunge radius is 0");
         refused(|s| s.speed_mm_min = Some(0.0), "speed is 0");
     }
 }

@@ -166,12 +166,90 @@ fn what_bounds_no_area_is_told() {
 
 #[test]
 fn what_cannot_be_engraved_is_refused() {
-    let crossing = refused(&format!("{PLATE}; circle 100,30 10"), ENGRAVE);
-    assert_eq!(crossing, "shape 1: it crosses shape 2: no area is told from the other");
     assert!(refused(PLATE, "engrave all tool=5 overlap=5").contains("the overlap is 5 mm"));
     let used = refused(&format!("{PLATE}; set black offset=3"), &format!("{ENGRAVE} group=black"));
     assert!(used.starts_with("group black has shapes and an offset"), "{used}");
     assert!(
         script("engrave all").unwrap_err().to_string().contains("diameter of the tool is missing")
     );
+}
+
+/// The area that an engraving of shapes clears, and what is told of it.
+fn cleared(shapes: &str) -> (f64, Vec<String>) {
+    let mut editor = after(shapes);
+    let first = editor.drawing.shapes.len();
+    let told = run(&mut editor, "engrave all tool=1 overlap=0.2");
+    let paths: Vec<Polyarc> =
+        editor.drawing.shapes[first..].iter().map(|s| s.path.clone()).collect();
+    let whole = [Polyarc::rectangle(Point2::new(-50.0, -50.0), Point2::new(50.0, 50.0))];
+    let seen = look(&whole, &paths, 0.5, 500);
+    (seen.reached_mm2 - seen.uncut_mm2, told)
+}
+
+#[test]
+fn shapes_that_cross_are_one_area() {
+    let (area, told) = cleared("circle 0,0 20; circle 20,0 20");
+    assert_eq!(told, ["shapes 1 and 2 cross each other: their areas are one"]);
+    let two_circles = 2.0 * 400.0 * (PI * 2.0 / 3.0 + 3.0_f64.sqrt() / 4.0);
+    assert!((area - two_circles).abs() < 10.0, "{area} {two_circles}");
+}
+
+#[test]
+fn the_loops_of_a_shape_that_crosses_itself_are_engraved() {
+    let (area, told) = cleared("line 0,0 20,20 20,0 0,21 close; select all; directions auto");
+    assert_eq!(told, ["shape 1 crosses itself"]);
+    assert!((area - 205.0).abs() < 10.0, "{area}");
+}
+
+#[test]
+fn a_shape_drawn_twice_is_one_area() {
+    let (area, told) = cleared("circle 0,0 20; circle 0,0 20");
+    assert_eq!(told, ["shape 2 lies on shape 1: it is left out"]);
+    assert!((area - 400.0 * PI).abs() < 10.0, "{area}");
+}
+
+#[test]
+fn a_hole_may_touch_its_shape() {
+    let (area, told) = cleared("line 0,0 20,0 20,20 0,20 close; line 0,10 5,15 10,10 5,5 close");
+    assert_eq!(told, Vec::<String>::new());
+    assert!((area - 350.0).abs() < 10.0, "{area}");
+}
+
+fn pocket(words: &str) -> Vec<Polyarc> {
+    let shapes = "line 0,0 60,0 60,40 0,40 close; circle 30,20 8; directions auto";
+    let paths = engraved(shapes, &format!("pocket all tool=5 {words}"));
+    let region: Vec<Polyarc> =
+        after(shapes).drawing.shapes.iter().map(|shape| shape.path.clone()).collect();
+    let seen = look(&region, &paths, 2.5, 300);
+    assert!(seen.uncut_mm2 < 0.05 && seen.out_mm < 1e-3, "{words}: {seen:?}");
+    paths
+}
+
+#[test]
+fn pockets_leave_nothing() {
+    for words in ["overlap=0.5 zigzag=20", "overlap=2 zigzag=90 finish=0.4 climb"] {
+        pocket(words);
+    }
+    // Which way the tool goes along the lower wall, and whether it does so in the first half.
+    let wall = |words: &str| {
+        let path = pocket(words).remove(0);
+        let low = |s: &kerf_geom::Segment| s.at(0.5).y < 2.6 && s.length() > 20.0;
+        let at = path.segments().position(|segment| low(&segment)).unwrap();
+        (path.segment(at).direction(0.5).x > 0.0, at < path.segment_count() / 2)
+    };
+    // Counter-clockwise along the wall, and the wall among the first.
+    assert_eq!(wall("overlap=1"), (false, true));
+    assert_eq!(wall("overlap=1 climb"), (true, true));
+    assert_eq!(wall("overlap=1 climb outward"), (true, false));
+    assert_eq!(wall("overlap=1 outward"), (false, false));
+}
+
+#[test]
+fn patterns_that_cannot_be_are_refused() {
+    let told = |text: &str| script(text).unwrap_err().to_string();
+    assert!(
+        told("pocket tool=5 finish=1").contains("zigzag=ANGLE, which finish= needs, is missing")
+    );
+    assert!(told("pocket tool=5 zigzag=0 outward").contains("`outward` is one word too many"));
+    assert!(refused(PLATE, "pocket all tool=5 zigzag=0 finish=3").contains("the finish is 3 mm"));
 }

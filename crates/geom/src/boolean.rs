@@ -58,20 +58,44 @@ pub fn combine(
     second: &[Polyarc],
     how: Combine,
 ) -> Result<Vec<Polyarc>, GeomError> {
-    let mut contours = Vec::with_capacity(first.len() + second.len());
-    for (number, contour) in first.iter().chain(second).enumerate() {
-        contour.check()?;
-        if !contour.closed {
-            return Err(GeomError::Open { contour: number });
-        }
-        contours.push(contour.tidied().with_short_arcs());
-    }
+    let contours = prepared(first.iter().chain(second))?;
     let (a, b) = contours.split_at(first.len());
     let regions = [Indexed::new(a), Indexed::new(b)];
-    let slices = slices(&contours);
+    let odd = |region: &Indexed, place| region.winding(place) % 2 != 0;
+    boundary(&contours, |at| how.holds(odd(&regions[0], at), odd(&regions[1], at)))
+}
+
+/// The boundary of what lies in an outer contour, one that runs counter-clockwise, and in no hole:
+/// overlapping outer contours become one, holes are taken away wherever they lie. As [`combine`] gives it.
+///
+/// # Errors
+/// As [`combine`].
+pub fn outline(contours: &[Polyarc]) -> Result<Vec<Polyarc>, GeomError> {
+    let contours = prepared(contours.iter())?;
+    let outer = Indexed::new(contours.iter().filter(|contour| contour.signed_area() > 0.0));
+    let holes = Indexed::new(contours.iter().filter(|contour| contour.signed_area() <= 0.0));
+    boundary(&contours, |at| outer.winding(at) > 0 && holes.winding(at) == 0)
+}
+
+fn prepared<'a>(contours: impl Iterator<Item = &'a Polyarc>) -> Result<Vec<Polyarc>, GeomError> {
+    let ready = |(contour, path): (usize, &Polyarc)| {
+        path.check()?;
+        if !path.closed {
+            return Err(GeomError::Open { contour });
+        }
+        Ok(path.tidied().with_short_arcs())
+    };
+    contours.enumerate().map(ready).collect()
+}
+
+/// The boundary of the places that belong to a region whose edges lie on contours.
+fn boundary(
+    contours: &[Polyarc],
+    belongs: impl Fn(Point2) -> bool,
+) -> Result<Vec<Polyarc>, GeomError> {
     let mut kept = Vec::new();
-    for slice in slices {
-        kept.extend(oriented(slice, &regions, how));
+    for slice in slices(contours) {
+        kept.extend(oriented(slice, &belongs));
     }
     let strands: Vec<Strand> = kept.iter().map(strand).collect();
     // The result lies to the left; turning left where there is a choice parts what only touches.
@@ -122,11 +146,9 @@ fn slices(contours: &[Polyarc]) -> Vec<Segment> {
 }
 
 /// A slice with the result on its left; nothing when the result lies on both sides or on none.
-fn oriented(slice: Segment, regions: &[Indexed; 2], how: Combine) -> Option<Segment> {
+fn oriented(slice: Segment, holds: impl Fn(Point2) -> bool) -> Option<Segment> {
     let (middle, along) = (slice.at(0.5), slice.direction(0.5));
     let aside = ASIDE_MM.min(slice.length() * 0.1);
-    let odd = |region: &Indexed, place| region.winding(place) % 2 != 0;
-    let holds = |place: Point2| how.holds(odd(&regions[0], place), odd(&regions[1], place));
     match (holds(middle + along.left() * aside), holds(middle - along.left() * aside)) {
         (true, false) => Some(slice),
         (false, true) => Some(slice.reversed()),
@@ -207,6 +229,14 @@ mod tests {
             combine(&ring, &[square(0., -20., 40.)], Combine::Difference).expect("a region");
         let area: f64 = found.iter().map(Polyarc::signed_area).sum();
         assert!((area - 37.5 * PI).abs() < 1e-9 && found.len() == 1);
+    }
+
+    #[test]
+    fn an_outline_joins_what_overlaps_and_takes_holes_away() {
+        let hole = square(8., -5., 20.).reversed();
+        let found = outline(&[square(0., 0., 10.), square(5., 5., 10.), hole]).expect("a region");
+        let sum: f64 = found.iter().map(Polyarc::signed_area).sum();
+        assert!((sum - (80. + 15.)).abs() < 1e-9 && found.len() == 1, "{sum} {found:?}");
     }
 
     #[test]

@@ -36,7 +36,7 @@ pub mod tol;
 mod transform;
 
 pub use arc::Arc2;
-pub use boolean::{Combine, combine};
+pub use boolean::{Combine, combine, outline};
 pub use bounds::Bounds3;
 pub use bounds2::Bounds2;
 pub use error::GeomError;

@@ -4,7 +4,7 @@ use crate::{Cutter, PocketError};
 use kerf_geom::{Bounds2, GeomError, Polyarc, offset_region};
 
 /// More rings one inside the other than this are a slip of the decimal point.
-const MOST_RINGS: f64 = 20_000.0;
+pub(crate) const MOST_RINGS: f64 = 20_000.0;
 
 /// The rings of a region by how deep they lie inside it, level 0 at half the tool's diameter.
 pub(crate) struct Levels {

@@ -36,13 +36,17 @@ mod inside;
 mod islands;
 mod left_over;
 mod levels;
+mod route;
+mod spans;
 mod stroke;
 mod tour;
 mod tree;
+mod zigzag;
 
 pub use cutter::{Cutter, Way};
 pub use error::PocketError;
 pub use left_over::SMALLEST_MM2;
+pub use zigzag::{Zigzag, zigzag};
 
 use kerf_geom::{Indexed, Polyarc};
 use levels::Levels;

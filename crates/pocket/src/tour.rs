@@ -7,6 +7,7 @@
 use crate::cutter::Way;
 use crate::inside::Inside;
 use crate::islands::Island;
+use crate::route::Route;
 use crate::tree::{Link, links};
 use kerf_geom::{Place, Point2, Polyarc, Segment, tol};
 
@@ -15,13 +16,28 @@ const LONGER: f64 = 1.5;
 
 /// The paths of an island: one, or more where links are missing.
 pub(crate) fn paths(island: &Island, inside: &Inside, way: Way) -> Vec<Polyarc> {
-    let nodes: Vec<Polyarc> = island.rings.iter().map(|ring| directed(ring, way)).collect();
-    let nodes: Vec<Polyarc> = nodes.into_iter().chain(island.strokes.iter().cloned()).collect();
-    let directed = Island { rings: nodes[..island.rings.len()].to_vec(), ..island.clone() };
-    let tree = Tree::of(nodes, &links(&directed, inside), inside);
-    let paths = tree.roots.iter().map(|(root, entry)| tree.walk(*root, *entry));
+    let first = island.rings.first().and_then(longest_middle).map(|at| (0, at));
+    let paths = Tree::of(island, inside, way, first).paths();
     let turned = |path: Polyarc| if way.outward { path.reversed() } else { path };
-    paths.map(turned).collect()
+    paths.into_iter().map(turned).collect()
+}
+
+/// The middle of the longest segment of a ring: the tool goes down where there is room, not in a corner.
+fn longest_middle(ring: &Polyarc) -> Option<Point2> {
+    let longest = ring.segments().max_by(|a, b| a.length().total_cmp(&b.length()));
+    longest.map(|segment| segment.at(0.5))
+}
+
+/// Once round every ring of an island, beginning with the one that is nearest.
+pub(crate) fn along_walls(island: &Island, inside: &Inside, way: Way, route: &mut Route) {
+    let nearest = |to: Point2| {
+        let found =
+            |(n, ring): (usize, &Polyarc)| ring.nearest(to).map(|(place, far)| (n, place.at, far));
+        let rings = island.rings.iter().enumerate().filter_map(found);
+        rings.min_by(|a, b| a.2.total_cmp(&b.2)).map(|(n, at, _)| (n, at))
+    };
+    let tree = Tree::of(island, inside, way, route.end().and_then(nearest));
+    tree.paths().into_iter().for_each(|path| route.add(path, &island.rings));
 }
 
 /// Rings come with the material on their right when their outermost runs counter-clockwise. A path that
@@ -55,8 +71,13 @@ enum Task {
 }
 
 impl Tree {
-    /// The tree of links, hung up at its first node. What has no link to it begins a tree of its own.
-    fn of(nodes: Vec<Polyarc>, links: &[Link], inside: &Inside) -> Self {
+    /// The tree of links, hung up at a ring where the path begins, or at the first one. What has no link
+    /// to it begins a tree of its own.
+    fn of(island: &Island, inside: &Inside, way: Way, first: Option<(usize, Point2)>) -> Self {
+        let rings = island.rings.iter().map(|ring| directed(ring, way)).collect();
+        let island = Island { rings, strokes: island.strokes.clone() };
+        let links = links(&island, inside);
+        let nodes: Vec<Polyarc> = island.rings.into_iter().chain(island.strokes).collect();
         let count = nodes.len();
         let mut ends: Vec<Vec<Branch>> = vec![Vec::new(); count];
         for Link { from, to } in links {
@@ -66,17 +87,32 @@ impl Tree {
         let branches = vec![Vec::new(); count];
         let mut tree = Self { nodes, branches, roots: Vec::new(), height: vec![0; count] };
         let mut seen = vec![false; count];
+        if let Some((root, at)) = first {
+            tree.hang(root, at, &ends, &mut seen, inside);
+        }
         for root in 0..count {
-            if !seen[root] {
-                tree.hang(root, &ends, &mut seen, inside);
+            if let (false, Some(at)) = (seen[root], tree.nodes[root].start()) {
+                tree.hang(root, at, &ends, &mut seen, inside);
             }
         }
         tree
     }
 
-    fn hang(&mut self, root: usize, ends: &[Vec<Branch>], seen: &mut [bool], inside: &Inside) {
-        let Some(at) = self.nodes[root].start() else { return };
-        let entry = Place { segment: 0, share: 0.0, at };
+    /// The paths, one a root.
+    fn paths(&self) -> Vec<Polyarc> {
+        self.roots.iter().map(|(root, entry)| self.walk(*root, *entry)).collect()
+    }
+
+    fn hang(
+        &mut self,
+        root: usize,
+        at: Point2,
+        ends: &[Vec<Branch>],
+        seen: &mut [bool],
+        inside: &Inside,
+    ) {
+        let start = Place { segment: 0, share: 0.0, at };
+        let entry = self.nodes[root].nearest(at).map_or(start, |(place, _)| place);
         self.roots.push((root, entry));
         seen[root] = true;
         let mut order = vec![(root, entry)];
@@ -134,34 +170,46 @@ impl Tree {
         if path.closed { self.round(node, entry, last) } else { there_and_back(path, entry, last) }
     }
 
-    /// Round a ring, with its branches on the way; those at its end come after it, the highest last.
+    /// Round a ring, with its branches on the way and those at its end after it. On the way to the last
+    /// node of all the branch that is deepest waits until then, and there is no coming back from it.
     fn round(&self, node: usize, entry: Place, last: bool) -> Vec<Task> {
         let ring = self.nodes[node].started_at(&entry);
-        let mut stops: Vec<(f64, Place, &Branch)> = Vec::new();
-        let mut at_end = Vec::new();
-        for branch in &self.branches[node] {
-            let Some((place, _)) = ring.nearest(branch.from.at) else { continue };
-            let along = ring.length_to(&place);
-            let near_end = branch.from.at.distance(entry.at) <= tol::SAME_PLACE_MM;
-            if near_end { at_end.push(branch) } else { stops.push((along, place, branch)) }
-        }
-        stops.sort_by(|a, b| a.0.total_cmp(&b.0));
-        at_end.sort_by_key(|branch| self.height[branch.node]);
+        let start = Place { segment: 0, share: 0.0, at: entry.at };
+        let end = Place { segment: ring.segment_count() - 1, share: 1.0, at: entry.at };
+        let mut stops: Vec<(Place, &Branch)> = self.branches[node]
+            .iter()
+            .map(|branch| (place_on(&ring, branch, end), branch))
+            .collect();
+        stops.sort_by(|a, b| {
+            let (a, b) = (a.0, b.0);
+            a.segment.cmp(&b.segment).then(a.share.total_cmp(&b.share))
+        });
+        let deepest = stops.iter().enumerate().max_by_key(|(_, stop)| self.height[stop.1.node]);
+        let onward = deepest.map(|(n, _)| n).filter(|_| last).map(|n| stops.remove(n));
         let mut tasks = Vec::new();
-        let mut from = Place { segment: 0, share: 0.0, at: entry.at };
-        for (_, place, branch) in stops {
+        let mut from = start;
+        for (place, branch) in stops {
             tasks.push(Task::Follow(part(&ring, &from, &place)));
             tasks.extend(there(branch, false));
             from = place;
         }
-        let end = Place { segment: ring.segment_count() - 1, share: 1.0, at: entry.at };
         tasks.push(Task::Follow(part(&ring, &from, &end)));
-        let count = at_end.len();
-        for (n, branch) in at_end.into_iter().enumerate() {
-            tasks.extend(there(branch, last && n + 1 == count));
+        if let Some((place, branch)) = onward {
+            let (there_way, back) = (part(&ring, &start, &place), part(&ring, &place, &end));
+            let shorter = back.length() < there_way.length();
+            tasks.push(Task::Follow(if shorter { back.reversed() } else { there_way }));
+            tasks.extend(there(branch, true));
         }
         tasks
     }
+}
+
+/// Where a branch begins on a ring; at its start it is the end, so that the ring is cut first.
+fn place_on(ring: &Polyarc, branch: &Branch, end: Place) -> Place {
+    if branch.from.at.distance(end.at) <= tol::SAME_PLACE_MM {
+        return end;
+    }
+    ring.nearest(branch.from.at).map_or(end, |(place, _)| place)
 }
 
 /// Over to a branch, and back unless it is the last one.

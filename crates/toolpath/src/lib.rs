@@ -17,6 +17,7 @@ mod gouge;
 mod job;
 mod lead;
 mod neutral;
+mod plunge;
 mod program;
 mod rsm;
 mod shape_paths;

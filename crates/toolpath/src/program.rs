@@ -10,9 +10,11 @@
 
 use crate::depth::{Depths, Heights};
 use crate::job::{CutPath, Job};
+use crate::lead::Side;
+use crate::plunge::{Descent, descent};
 use crate::shape_paths::Pass;
 use crate::warning::Warning;
-use kerf_drawing::{Group, Kind};
+use kerf_drawing::{Group, GroupSettings, Kind};
 use kerf_geom::{Point2, Polyarc, Segment};
 use kerf_program::{
     AXES, Arc, At, Axes, Command, Feed, Hold, Line, MoveKind, Printer, Sourced, ToolPathStart,
@@ -83,7 +85,9 @@ impl Writing<'_> {
             (Pass::Traversal, Depths::Level(_)) => self.travel(&path.shape.path),
             (Pass::Traversal, Depths::Along(base)) => self.cut_along(path, *base, Feed::Axis),
             (_, Depths::Along(base)) => self.cut_along(path, *base, feed),
-            (_, Depths::Level(levels)) => self.passes(path, levels, feed),
+            (_, Depths::Level(levels)) => {
+                self.passes(path, levels, feed, job.drawing.settings(path.shape.group));
+            }
         }
     }
 
@@ -96,17 +100,26 @@ impl Writing<'_> {
         }
     }
 
-    fn passes(&mut self, path: &CutPath, levels: &[f64], feed: Feed) {
-        let start = path.shape.start();
+    fn passes(&mut self, path: &CutPath, levels: &[f64], feed: Feed, settings: &GroupSettings) {
+        let side = Side::of_offset(settings.offset_mm);
+        let mut now = path.shape.path.clone();
+        let mut before = self.surface;
         for (n, z) in levels.iter().enumerate() {
-            if n > 0 && !path.shape.is_closed() && path.shape.kind() != Kind::Point {
+            let start = now.start().unwrap_or_default();
+            if n > 0 && !now.closed && path.shape.kind() != Kind::Point {
                 self.jog_up();
                 self.jog_to(start);
             }
-            self.line(MoveKind::Cut, Spot { at: start, z: *z }, Feed::Axis);
-            for segment in path.shape.path.segments() {
+            let Descent { slopes, level } = descent(settings.plunge, &now, side, before, *z);
+            let straight = if slopes.is_empty() { *z } else { before };
+            self.line(MoveKind::Cut, Spot { at: start, z: straight }, Feed::Axis);
+            for slope in slopes {
+                self.segment(&slope.segment, slope.z, feed);
+            }
+            for segment in level.segments() {
                 self.segment(&segment, *z, feed);
             }
+            (now, before) = (level, *z);
         }
     }
 

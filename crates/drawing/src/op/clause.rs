@@ -93,8 +93,10 @@ mod tests {
         line 0,0 10,0 10,10 close; reverse; directions auto; start 4 50,0; pause on; pause off; \
         group blue; copy-to red; set blue on=off traversal=on tool=2 cut=3 speed=3000 height=-2.5 \
         pass=4 offset=3 rough=0.5 double=on tag=2 lead-in=5,90 lead-out=0,0; \
-        set red speed=max height=thru pass=off; set red height=3d; \
-        engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0; sequence 3,1,2; \
+        set red speed=max height=thru pass=off; set red height=3d; set red plunge=straight; \
+        set red plunge=ramp,3 plunge=helix,4,2.5; \
+        engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0; pocket all tool=5 overlap=1 climb outward; \
+        pocket tool=5 overlap=1 group=blue climb zigzag=45 finish=0.2; pocket tool=5 overlap=1; sequence 3,1,2; \
         sequence groups red,black; sequence reverse; sequence auto -1000,0; sequence level 2,1; \
         sequence travel from 0,-5 starts speed=200 accel=0 lift=2 tool-change=30 tries=9; \
         sequence travel from 0,0 speed=150 accel=500 lift=1 tool-change=60; \

@@ -3,14 +3,14 @@
 //! Each outer shape with the holes directly in it is a region; what lies in a hole is a region of its own.
 //! The paths that clear them are new shapes in a group without an offset, the shapes themselves stay.
 
+use super::region::regions;
 use super::words::{WordError, Words, number};
 use super::{OpError, Operation};
-use crate::{Drawing, Editor, Group, GroupSettings, Kind, Lead, Nesting, Shape};
+use crate::{Drawing, Editor, Group, GroupSettings, Lead, Shape};
 use kerf_geom::{GeomError, Polyarc};
-use kerf_pocket::{Cutter, PocketError, Way};
+use kerf_pocket::{Cutter, PocketError, Way, Zigzag};
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
-use std::sync::Arc;
 
 /// Which areas are cleared, with which tool, and where the paths go.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -27,6 +27,16 @@ pub struct Clearing {
     pub group: Option<Group>,
 }
 
+/// How the paths of a pocket run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "pattern", rename_all = "lowercase")]
+pub enum Pattern {
+    /// Ring by ring.
+    Rings(Way),
+    /// Line by line.
+    Zigzag(Zigzag),
+}
+
 /// The words of engraving after its name.
 pub(super) fn read_engrave(w: &mut Words) -> Result<Operation, WordError> {
     let mut clearing = Clearing { all: w.takes("all"), ..Clearing::default() };
@@ -37,7 +47,65 @@ pub(super) fn read_engrave(w: &mut Words) -> Result<Operation, WordError> {
     Ok(Operation::Engrave(clearing))
 }
 
+/// The words of a pocket after its name.
+pub(super) fn read_pocket(w: &mut Words) -> Result<Operation, WordError> {
+    let mut clearing = Clearing { all: w.takes("all"), ..Clearing::default() };
+    let mut pocket = PocketWords::default();
+    while w.peek().is_some() {
+        if w.takes("climb") {
+            pocket.climb = true;
+        } else if w.takes("outward") {
+            pocket.outward = true;
+        } else {
+            w.read("a setting", POCKET, |word| {
+                pocket.word(word).or_else(|| clearing_word(word, &mut clearing))
+            })?;
+        }
+    }
+    complete(&clearing)?;
+    Ok(Operation::Pocket { clearing, pattern: pocket.pattern()? })
+}
+
+/// What is said of a pocket's pattern.
+#[derive(Default)]
+struct PocketWords {
+    climb: bool,
+    outward: bool,
+    angle_deg: Option<f64>,
+    finish_mm: Option<f64>,
+}
+
+impl PocketWords {
+    fn word(&mut self, word: &str) -> Option<()> {
+        let (key, value) = word.split_once('=')?;
+        let place = match key.to_ascii_lowercase().as_str() {
+            "zigzag" => &mut self.angle_deg,
+            "finish" => &mut self.finish_mm,
+            _ => return None,
+        };
+        *place = Some(number(value)?);
+        Some(())
+    }
+
+    fn pattern(self) -> Result<Pattern, WordError> {
+        let Self { climb, outward, angle_deg, finish_mm } = self;
+        match angle_deg {
+            Some(_) if outward => Err(WordError::TooMany("outward".into())),
+            Some(angle_deg) => {
+                let finish_mm = finish_mm.unwrap_or_default();
+                Ok(Pattern::Zigzag(Zigzag { angle_deg, finish_mm, climb }))
+            }
+            None if finish_mm.is_some() => {
+                Err(WordError::Missing("zigzag=ANGLE, which finish= needs,"))
+            }
+            None => Ok(Pattern::Rings(Way { climb, outward })),
+        }
+    }
+}
+
 const CLEARING: &str = "tool=, overlap= or group= with its value, such as tool=5";
+const POCKET: &str =
+    "climb, outward, or tool=, overlap=, zigzag=, finish= or group= with its value, such as tool=5";
 
 fn clearing_word(word: &str, clearing: &mut Clearing) -> Option<()> {
     let (key, value) = word.split_once('=')?;
@@ -66,6 +134,33 @@ impl Display for Clearing {
     }
 }
 
+impl Display for Pattern {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        let (climb, outward) = match self {
+            Self::Rings(way) => (way.climb, way.outward),
+            Self::Zigzag(lines) => (lines.climb, false),
+        };
+        f.write_str(if climb { " climb" } else { "" })?;
+        f.write_str(if outward { " outward" } else { "" })?;
+        if let Self::Zigzag(lines) = self {
+            write!(f, " zigzag={} finish={}", lines.angle_deg, lines.finish_mm)?;
+        }
+        Ok(())
+    }
+}
+
+/// Rings or lines, whichever way the pattern says.
+pub(super) fn pocket(
+    draft: &mut Editor,
+    clearing: &Clearing,
+    pattern: &Pattern,
+) -> Result<Vec<String>, OpError> {
+    clear(draft, clearing, |region, cutter| match pattern {
+        Pattern::Rings(way) => kerf_pocket::rings(region, cutter, *way),
+        Pattern::Zigzag(lines) => kerf_pocket::zigzag(region, cutter, lines),
+    })
+}
+
 /// Rings from the wall to the middle, with the directions of the shapes reversed (Profiler notes, 32 to
 /// 34).
 pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Vec<String>, OpError> {
@@ -85,7 +180,14 @@ fn clear(
     let (regions, mut warnings) = regions(&draft.drawing, &chosen)?;
     let first = draft.drawing.shapes.len();
     for region in regions {
-        let found = paths(&region.contours, &cutter).map_err(|error| region.told(error))?;
+        let found = match paths(&region.contours, &cutter) {
+            // Contours may touch each other; then their outline is one contour.
+            Err(PocketError::Geometry(GeomError::Crosses { .. })) => {
+                paths(&region.untangled()?.contours, &cutter)
+            }
+            found => found,
+        };
+        let found = found.map_err(|error| region.told(error))?;
         if found.is_empty() {
             let (number, tool) = (region.shapes[0] + 1, clearing.tool_mm);
             warnings.push(format!("shape {number}: a tool of {tool} mm does not fit into it"));
@@ -126,66 +228,4 @@ fn as_drawn(settings: &GroupSettings) -> GroupSettings {
         lead_out: Lead::default(),
         ..*settings
     }
-}
-
-/// An outer shape with its holes.
-struct Region {
-    contours: Vec<Polyarc>,
-    /// The shapes they are, as places in the drawing.
-    shapes: Vec<usize>,
-}
-
-impl Region {
-    /// An error with the number of its shape.
-    fn told(&self, error: PocketError) -> OpError {
-        let contour = match error {
-            PocketError::Geometry(GeomError::Crosses { second, .. }) => second,
-            PocketError::Open { contour } => contour,
-            _ => 0,
-        };
-        let shape = self.shapes.get(contour).map_or(0, |place| place + 1);
-        OpError::Shape { shape, why: error.to_string() }
-    }
-}
-
-/// The regions of the chosen shapes, and what cannot bound one.
-fn regions(drawing: &Drawing, chosen: &[usize]) -> Result<(Vec<Region>, Vec<String>), OpError> {
-    let (closed, others): (Vec<usize>, Vec<usize>) =
-        chosen.iter().partition(|place| bounds_an_area(&drawing.shapes[**place]));
-    let warnings = others.iter().map(|place| {
-        format!("shape {}: only closed flat shapes bound an area; it is left out", place + 1)
-    });
-    let shapes: Vec<Arc<Shape>> =
-        closed.iter().map(|place| drawing.shapes[*place].clone()).collect();
-    let nesting = Nesting::of(&shapes);
-    if let Some((a, b)) = nesting.across().first() {
-        let why = format!("it crosses shape {}: no area is told from the other", closed[*b] + 1);
-        return Err(OpError::Shape { shape: closed[*a] + 1, why });
-    }
-    let is_outer = |n: &usize| nesting.depth(*n).is_multiple_of(2);
-    for (n, place) in closed.iter().enumerate() {
-        directed(*place + 1, &shapes[n], is_outer(&n))?;
-    }
-    let region = |outer: usize| {
-        let members: Vec<usize> =
-            std::iter::once(outer).chain(nesting.children(Some(outer))).collect();
-        let contours = members.iter().map(|n| shapes[*n].path.clone()).collect();
-        Region { contours, shapes: members.iter().map(|n| closed[*n]).collect() }
-    };
-    Ok(((0..shapes.len()).filter(is_outer).map(region).collect(), warnings.collect()))
-}
-
-fn bounds_an_area(shape: &Shape) -> bool {
-    shape.is_closed() && shape.z_mm.is_none() && shape.kind() == Kind::Polyarc
-}
-
-fn directed(number: usize, shape: &Shape, outer: bool) -> Result<(), OpError> {
-    let counter_clockwise = shape.path.signed_area() > 0.0;
-    if counter_clockwise == outer {
-        return Ok(());
-    }
-    let (what, wanted) =
-        if outer { ("an outer shape", "counter-clockwise") } else { ("a hole", "clockwise") };
-    let why = format!("directions not set: {what} must run {wanted}; use `directions auto` first");
-    Err(OpError::Shape { shape: number, why })
 }

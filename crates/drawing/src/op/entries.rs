@@ -5,7 +5,7 @@
 use super::clear;
 use super::words::{WordError, Words, number, pair};
 use super::{Change, How, Operation, Sequencing};
-use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order, Search};
+use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order, Plunge, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
 
 /// An operation as a person writes it.
@@ -195,7 +195,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(
         "set",
         "set COLOUR on|traversal|double=on|off tool=N cut=N speed=N|max height=thru|3d|Z pass=N|off \
-         offset=N rough=N tag=N lead-in=R,A lead-out=R,A",
+         offset=N rough=N tag=N lead-in=R,A lead-out=R,A plunge=straight|ramp,A|helix,R,A",
         "changes how a group is cut; millimetres, mm/min, degrees",
         set,
     ),
@@ -205,6 +205,13 @@ pub const ENTRIES: &[Entry] = &[
         "adds paths that clear the areas of the selected or all shapes with a tool of that diameter, \
          holes left out; the paths go to a group that cuts them as they are",
         clear::read_engrave,
+    ),
+    entry(
+        "pocket",
+        "pocket [all] tool=D [overlap=MM] [group=COLOUR] [climb] [outward | zigzag=ANGLE [finish=MM]]",
+        "as engrave, the other way round with climb, from the middle to the wall with outward; with zigzag \
+         in lines at an angle, and then along the walls, where they leave so much to finish",
+        clear::read_pocket,
     ),
     entry(
         "sequence",
@@ -422,6 +429,7 @@ fn change(word: &str) -> Option<Change> {
         "tag" => Change::Tag(number(value)?),
         "lead-in" => Change::LeadIn(lead(value)?),
         "lead-out" => Change::LeadOut(lead(value)?),
+        "plunge" => Change::Plunge(plunge(value)?),
         _ => return None,
     })
 }
@@ -448,6 +456,17 @@ fn height(word: &str) -> Option<Height> {
 
 fn lead(word: &str) -> Option<Lead> {
     pair(word).map(|(radius_mm, angle_deg)| Lead { radius_mm, angle_deg })
+}
+
+fn plunge(word: &str) -> Option<Plunge> {
+    match word.split_once(',') {
+        None if word == "straight" => Some(Plunge::Straight),
+        Some(("ramp", angle)) => Some(Plunge::Ramp { angle_deg: number(angle)? }),
+        Some(("helix", circle)) => {
+            pair(circle).map(|(radius_mm, angle_deg)| Plunge::Helix { radius_mm, angle_deg })
+        }
+        _ => None,
+    }
 }
 
 fn sequence(w: &mut Words) -> Read {

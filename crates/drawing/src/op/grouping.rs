@@ -1,7 +1,7 @@
 //! Groups: who belongs to which, and how each is cut (Profiler reference, "Groups").
 
 use super::OpError;
-use crate::{Editor, Group, GroupSettings, Height, Lead, Shape};
+use crate::{Editor, Group, GroupSettings, Height, Lead, Plunge, Shape};
 use serde::{Deserialize, Serialize};
 
 /// A change of one setting of a group.
@@ -34,6 +34,8 @@ pub enum Change {
     LeadIn(Lead),
     /// The way off the path.
     LeadOut(Lead),
+    /// The way down into the material.
+    Plunge(Plunge),
 }
 
 impl Change {
@@ -55,6 +57,7 @@ impl Change {
             Self::Tag(tag) => to.tag_mm = tag,
             Self::LeadIn(lead) => to.lead_in = lead,
             Self::LeadOut(lead) => to.lead_out = lead,
+            Self::Plunge(plunge) => to.plunge = plunge,
         }
     }
 }

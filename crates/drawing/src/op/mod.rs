@@ -18,13 +18,14 @@ mod grouping;
 mod layout;
 mod outline;
 mod path;
+mod region;
 mod sequence;
 mod vertices;
 mod words;
 mod write;
 
 pub use clause::{ClauseError, script};
-pub use clear::Clearing;
+pub use clear::{Clearing, Pattern};
 pub use entries::{ENTRIES, Entry};
 pub use error::{OpError, Outcome};
 
@@ -249,6 +250,15 @@ pub enum Operation {
     },
     /// Adds paths that clear the areas of shapes, holes left out: rings from the wall inwards.
     Engrave(Clearing),
+    /// Adds paths that clear the areas of shapes, holes left out, in a pattern.
+    Pocket {
+        /// Which areas, with which tool.
+        #[serde(flatten)]
+        clearing: Clearing,
+        /// In which pattern.
+        #[serde(flatten)]
+        pattern: Pattern,
+    },
     /// Changes the order in which shapes are cut.
     Sequence {
         /// The new order.

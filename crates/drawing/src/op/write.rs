@@ -1,7 +1,7 @@
 //! Operations in the words that [`super::script`] reads.
 
 use super::{Change, How, Operation, Sequencing};
-use crate::{ArrayLevel, Choice, Height, Level, Search};
+use crate::{ArrayLevel, Choice, Height, Level, Plunge, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
 use std::fmt::{Display, Formatter, Result, Write};
 
@@ -61,6 +61,7 @@ impl Display for Operation {
                 write!(f, "set {group}")?;
                 changes.iter().try_for_each(|change| write!(f, " {change}"))
             }
+            Self::Pocket { clearing, pattern } => write!(f, "pocket {clearing}{pattern}"),
             Self::Engrave(clearing) => write!(f, "engrave {clearing}"),
             Self::Sequence { order } => write!(f, "sequence {order}"),
             Self::Array { level, array } => levels(f, *level, array),
@@ -207,6 +208,11 @@ impl Display for Change {
             Self::Tag(tag) => write!(f, "tag={tag}"),
             Self::LeadIn(lead) => write!(f, "lead-in={},{}", lead.radius_mm, lead.angle_deg),
             Self::LeadOut(lead) => write!(f, "lead-out={},{}", lead.radius_mm, lead.angle_deg),
+            Self::Plunge(Plunge::Straight) => f.write_str("plunge=straight"),
+            Self::Plunge(Plunge::Ramp { angle_deg }) => write!(f, "plunge=ramp,{angle_deg}"),
+            Self::Plunge(Plunge::Helix { radius_mm, angle_deg }) => {
+                write!(f, "plunge=helix,{radius_mm},{angle_deg}")
+            }
         }
     }
 }

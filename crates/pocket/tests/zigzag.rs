@@ -1,0 +1,42 @@
+//! Zigzags: known answers, and what must hold for every region.
+#![allow(clippy::unwrap_used)]
+
+mod check;
+#[path = "../../geom/tests/families/mod.rs"]
+mod families;
+mod random;
+
+use kerf_geom::{Point2, Polyarc};
+use kerf_pocket::{Cutter, Zigzag, zigzag};
+use random::{check_cleared, random_case, seeds};
+
+#[test]
+fn a_rectangle_is_cleared_by_one_path() {
+    let region = [Polyarc::rectangle(Point2::new(0., 0.), Point2::new(100., 60.))];
+    let cutter = Cutter::new(5.0, 1.0).unwrap();
+    for (angle_deg, finish_mm) in [(0.0, 0.0), (90.0, 0.5), (30.0, 2.5)] {
+        let lines = Zigzag { angle_deg, finish_mm, climb: true };
+        let paths = zigzag(&region, &cutter, &lines).unwrap();
+        assert_eq!(paths.len(), 1, "{lines:?}");
+        check_cleared(&format!("{lines:?}"), &region, &paths, &cutter);
+    }
+}
+
+#[test]
+fn a_finish_out_of_bounds_is_refused() {
+    let region = [Polyarc::rectangle(Point2::new(0., 0.), Point2::new(100., 60.))];
+    let lines = Zigzag { finish_mm: 3.0, ..Zigzag::default() };
+    let told = zigzag(&region, &Cutter::new(5.0, 1.0).unwrap(), &lines).unwrap_err().to_string();
+    assert!(told.starts_with("the finish is 3 mm"), "{told}");
+}
+
+#[test]
+fn random_regions_are_cleared() {
+    for seed in seeds() {
+        let (region, cutter) = random_case(seed);
+        let finish_mm = cutter.radius_mm() * [0.0, 0.3, 1.0][seed as usize % 3];
+        let lines = Zigzag { angle_deg: seed as f64 * 17.0, finish_mm, climb: seed % 2 == 0 };
+        let paths = zigzag(&region, &cutter, &lines).unwrap_or_else(|e| panic!("{seed}: {e}"));
+        check_cleared(&format!("seed {seed}"), &region, &paths, &cutter);
+    }
+}
