@@ -19,7 +19,7 @@ use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, AxisSet, Interpreter as _};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, SystemVariable, Value};
-use kerf_sim::{Change, Inputs, Machine, Push};
+use kerf_sim::{Change, Inputs, Machine, Push, Sheet};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -33,6 +33,8 @@ pub struct RunOptions {
     pub gcode: kerf_gcode::Options,
     /// Changes of the simulated machine's inputs.
     pub inputs: Vec<Change>,
+    /// The sheet on the table of the simulated machine.
+    pub sheet: Option<Sheet>,
     /// Pushes of the simulated machine by hand.
     pub pushes: Vec<Push>,
     /// Tell the user's variables at the end.
@@ -206,7 +208,11 @@ impl Session {
         let settings =
             std::mem::replace(&mut self.memory.settings, (**sequence.settings()).clone());
         let frame = std::mem::take(&mut self.memory.frame);
-        let simulated = self.machine(options.inputs).pushed(options.pushes).doubting(lost(shelf));
+        let simulated = self
+            .machine(options.inputs)
+            .with_sheet(options.sheet)
+            .pushed(options.pushes)
+            .doubting(lost(shelf));
         (self.memory.settings, self.memory.frame) = (settings, frame);
         let mut world = World::new(simulated, shelf, sink, operator);
         world.previews = preview;

@@ -8,9 +8,9 @@ use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
 use kerf_machine::{Configuration, file};
-use kerf_program::Axes;
 use kerf_program::job::{Job, JobShape};
-use kerf_sim::Change;
+use kerf_program::{Axes, MoveKind};
+use kerf_sim::{Change, Sheet};
 use std::sync::Arc;
 
 /// The standard simulated machine of the notes, section 1: the profile `sim`.
@@ -53,6 +53,7 @@ pub struct JobRun {
     wishes: Vec<(f64, Wish)>,
     answers: String,
     inputs: Vec<Change>,
+    sheet: Option<Sheet>,
     at: Axes,
 }
 
@@ -75,6 +76,7 @@ impl JobRun {
             wishes: Vec::new(),
             answers: String::new(),
             inputs: Vec::new(),
+            sheet: None,
             at: Axes::default(),
         }
     }
@@ -103,7 +105,7 @@ impl JobRun {
     /// What the operator says, one order a line.
     #[must_use]
     pub fn say(mut self, answers: &str) -> Self {
-        self.answers = answers.into();
+        self.answers = answers.replace(" ⏎ ", "\n");
         self
     }
 
@@ -121,6 +123,13 @@ impl JobRun {
         self
     }
 
+    /// A sheet lies on the table.
+    #[must_use]
+    pub fn sheet(mut self, sheet: Sheet) -> Self {
+        self.sheet = Some(sheet);
+        self
+    }
+
     /// Runs it.
     pub fn run(self) -> JobTrace {
         let mut session = Session::default();
@@ -130,7 +139,8 @@ impl JobRun {
         let mut operator = Answers::read(&self.answers);
         let mut pace = Script::new(self.wishes, Vec::new());
         let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
-        let options = RunOptions { inputs: self.inputs, ..RunOptions::default() };
+        let options =
+            RunOptions { inputs: self.inputs, sheet: self.sheet, ..RunOptions::default() };
         let work = Work::Job(Arc::new(self.job), Arc::new(self.machine));
         let summary = session.run(work, options, &mut shelf, company);
         JobTrace { events, summary, session }
@@ -184,6 +194,20 @@ impl JobTrace {
             _ => None,
         };
         self.events.iter().filter_map(told).collect()
+    }
+
+    /// Speeds asked for of the cuts in the plane, mm/s.
+    pub fn cutting_speeds(&self) -> Vec<f64> {
+        let cuts = self.events.iter().filter_map(motion).filter(|made| {
+            let flat = (made.from.x, made.from.y) != (made.to.x, made.to.y);
+            flat && made.kind == MoveKind::Cut
+        });
+        cuts.map(|made| rounded(made.speed)).collect()
+    }
+
+    /// Why the job was refused.
+    pub fn refused(&self) -> String {
+        self.summary.error.as_ref().map_or(String::new(), |error| error.message.clone())
     }
 
     /// Where the machine stands at the end, machine frame.

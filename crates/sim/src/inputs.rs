@@ -2,6 +2,7 @@
 
 use kerf_program::settings::{IoModes, LINES};
 use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
 
 /// An input changes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,6 +35,8 @@ pub struct Inputs {
     script: Vec<Change>,
     /// How many changes of the script have happened.
     done: usize,
+    /// What the sensors of the head will tell while the machine follows its plan, in order of time.
+    foreseen: VecDeque<Change>,
     /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
     contact: [Option<bool>; LINES],
 }
@@ -49,7 +52,7 @@ impl Inputs {
         for change in script.iter().rev() {
             contact[usize::from(change.input) - 1] = Some(!change.on);
         }
-        Self { script, done: 0, contact }
+        Self { script, done: 0, foreseen: VecDeque::new(), contact }
     }
 
     /// What a program reads: ON or OFF. The emergency stop reads ON when it is pressed, however it
@@ -80,11 +83,7 @@ impl Inputs {
 
     /// The next change that has an effect, not later than a time.
     pub(crate) fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
-        while let Some(change) = self.script.get(self.done).copied() {
-            if change.at_s > until_s {
-                return None;
-            }
-            self.done += 1;
+        while let Some(change) = self.next_until(until_s) {
             let i = usize::from(change.input) - 1;
             let before = self.closed(i, modes);
             self.contact[i] = Some(change.on);
@@ -93,6 +92,30 @@ impl Inputs {
             }
         }
         None
+    }
+
+    /// Takes the next change, of the script or foreseen, not later than a time.
+    fn next_until(&mut self, until_s: f64) -> Option<Change> {
+        let scripted = self.script.get(self.done).copied();
+        let foreseen = self.foreseen.front().copied();
+        let first_foreseen = match (scripted, foreseen) {
+            (Some(scripted), Some(foreseen)) => foreseen.at_s < scripted.at_s,
+            (None, Some(_)) => true,
+            _ => false,
+        };
+        let next = if first_foreseen { foreseen } else { scripted };
+        let next = next.filter(|change| change.at_s <= until_s)?;
+        if first_foreseen {
+            self.foreseen.pop_front();
+        } else {
+            self.done += 1;
+        }
+        Some(next)
+    }
+
+    /// From here on the sensors of the head will tell this, and nothing that was foreseen before.
+    pub(crate) fn foresee(&mut self, changes: Vec<Change>) {
+        self.foreseen = changes.into();
     }
 
     fn closed(&self, i: usize, modes: &IoModes) -> bool {

@@ -25,6 +25,7 @@ mod log;
 mod machine;
 mod motors;
 mod outputs;
+mod sheet;
 mod trigger;
 
 pub use halt::{Halt, HaltCause, Watched};
@@ -34,3 +35,4 @@ pub use limits::Violation;
 pub use log::{Happening, Log, What};
 pub use machine::Machine;
 pub use outputs::Outputs;
+pub use sheet::Sheet;

@@ -14,6 +14,7 @@ use crate::limits::{self, Violation};
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
+use crate::sheet::Sheet;
 use crate::trigger;
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::{LINES, Mode, SWITCHES};
@@ -49,6 +50,7 @@ pub struct Machine {
     coarse: [u8; AXES],
     pwm_percent: f64,
     beam: Beam,
+    sheet: Option<Sheet>,
     /// What the intensity output gives: value and burn bit.
     intensity: (u8, bool),
     light: bool,
@@ -90,6 +92,7 @@ impl Machine {
             coarse: [1; AXES],
             pwm_percent: 0.0,
             beam: Beam::Off,
+            sheet: None,
             intensity: (0, false),
             light: false,
             come_back: Vec::new(),

@@ -2,4 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
+mod delays;
+mod laser;
+mod pause;
+mod plasma;
 mod timing;

@@ -1,9 +1,12 @@
 //! What jobs use beside the switches: intensity, pulse frequency, height control, sensors of the head.
 
 use super::Machine;
+use crate::inputs::Change;
 use crate::log::What;
+use crate::sheet::Sheet;
+use kerf_machine::lines::Input;
 use kerf_motion::{Plan, Span};
-use kerf_program::{Beam, HeightLaw, IntensityLaw, MoveKind, OutputReason};
+use kerf_program::{Axis, Beam, HeightLaw, IntensityLaw, MoveKind, OutputReason};
 
 /// Stretch of time in which speed is taken to only rise or only fall, seconds.
 const SLICE_S: f64 = 0.001;
@@ -34,8 +37,26 @@ impl Machine {
     /// Z follows the sheet from here on, or does not.
     pub fn height_control(&mut self, _law: Option<HeightLaw>) {}
 
+    /// The same machine with a sheet on its table, or without.
+    #[must_use]
+    pub const fn with_sheet(mut self, sheet: Option<Sheet>) -> Self {
+        self.sheet = sheet;
+        self
+    }
+
     /// Motion will follow this plan from a moment on: what the sensors will tell is worked out.
-    pub fn foresee(&mut self, _plan: &Plan, _t0_s: f64) {}
+    pub fn foresee(&mut self, plan: &Plan, t0_s: f64) {
+        let Some(sheet) = self.sheet.filter(|_| !self.draws()) else { return };
+        let close = |t_s: f64| {
+            let at = plan.at(t_s).position;
+            at[Axis::Z] <= sheet.height_mm(at[Axis::X], at[Axis::Y])
+        };
+        let (from_s, to_s) = (self.clock_s - t0_s, plan.duration_s());
+        let input = Input::WHome.number();
+        let changes = flips(from_s.max(0.0), to_s, &close);
+        let change = |(t_s, on)| Change { input, at_s: t0_s + t_s, on };
+        self.inputs.foresee(changes.into_iter().map(change).collect());
+    }
 
     /// Outputs go off at a moment in the middle of motion, and the intensity with them.
     pub fn drop_outputs(&mut self, t_s: f64, outputs: &[u8]) {
@@ -65,6 +86,31 @@ impl Machine {
             self.intensity_at(t0_s + t_s, (law.value(index), false));
         }
     }
+}
+
+/// When something becomes true or false in a stretch of time, the state at its beginning first.
+fn flips(from_s: f64, to_s: f64, is: &impl Fn(f64) -> bool) -> Vec<(f64, bool)> {
+    let mut states = vec![(from_s, is(from_s))];
+    let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0) as u64;
+    for slice in 1..=slices {
+        let end_s = from_s + (to_s - from_s) * slice as f64 / slices as f64;
+        let (begin_s, before) = states.last().copied().unwrap_or_default();
+        if is(end_s) == before {
+            continue;
+        }
+        let start_s = begin_s.max(end_s - (to_s - from_s) / slices as f64);
+        states.push((flip(start_s, end_s, before, is), !before));
+    }
+    states
+}
+
+/// When a state ends between two moments.
+fn flip(mut from_s: f64, mut to_s: f64, before: bool, is: &impl Fn(f64) -> bool) -> f64 {
+    while to_s - from_s > EXACT_S {
+        let middle_s = 0.5 * (from_s + to_s);
+        if is(middle_s) == before { from_s = middle_s } else { to_s = middle_s }
+    }
+    to_s
 }
 
 /// When the discretized speed of a move changes, seconds of the plan, and to what.

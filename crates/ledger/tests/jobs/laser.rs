@@ -1,0 +1,283 @@
+//! Areas `laser` and `intensity`: piercing, gas, intensity by the real speed.
+
+use kerf_ledger::jobs::{JobRun, t1};
+use kerf_machine::settings::laser::LaserType;
+use kerf_machine::{Configuration, Value, table};
+
+/// JOB-T5: a laser with a pierce sequence.
+fn t5() -> JobRun {
+    JobRun::new(t1()).with(|machine| {
+        machine.zpos.bottom_mm = -20.0;
+        machine.delays.air_tool_s = 0.0;
+        machine.intensity.output = true;
+        machine.intensity.scale_percent = 60.0;
+        let laser = &mut machine.laser;
+        (laser.use_laser, laser.kind) = (true, Some(LaserType::Pulsed));
+        (laser.cut_hz, laser.max_pulse_us) = (5000.0, 1e6);
+        let pierce = &mut laser.pierce;
+        (pierce.use_sequence, pierce.height_mm, pierce.hz) = (true, 5.0, 500.0);
+        (pierce.gas_tool, pierce.gas_wait_ms) = (Some(2), 300.0);
+        (pierce.intensity, pierce.time_ms, pierce.purge_ms) = (100, 500.0, 200.0);
+        (laser.gas.tool, laser.gas.wait_ms, laser.gas.overrides) = (Some(1), 150.0, true);
+    })
+}
+
+/// JOB-T1 with the intensity output.
+fn shining(scale_percent: f64) -> JobRun {
+    JobRun::new(t1()).with(|machine| {
+        machine.intensity.output = true;
+        machine.intensity.scale_percent = scale_percent;
+    })
+}
+
+fn refuses(key: &str, values: &[f64]) {
+    let setting = table::setting(key).expect("the setting");
+    for value in values {
+        let mut machine = Configuration::default();
+        assert!(setting.set(&mut machine, &Value::Number(*value)).is_err(), "{key} = {value}");
+    }
+}
+
+const T5: [&str; 14] = [
+    "0.000 job_running+",
+    "0.300 router+",
+    "2.590 tool2+",
+    "2.890 hz 500",
+    "2.890 cut1+",
+    "3.390 cut1-",
+    "3.680 tool2-",
+    "3.680 tool1+",
+    "4.030 hz 5000",
+    "4.030 cut1+",
+    "5.130 cut1-",
+    "5.680 tool1-",
+    "5.680 router-",
+    "6.380 job_running-",
+];
+
+#[test]
+fn pro_timing_pierce() {
+    let trace = t5().run();
+    assert_eq!(trace.edges(), T5);
+    let moves = ["0.000-0.300 z-10", "2.300-2.590 z-15", "3.390-3.680 z-20", "4.030-5.130 x100"];
+    assert_eq!(trace.moves()[..4], moves);
+    assert_eq!(trace.moves()[4..], ["5.380-5.680 z-10", "5.680-6.380 x0"]);
+}
+
+#[test]
+fn pro_laser_pierce_use() {
+    assert_eq!(t5().run().edges(), T5);
+    let plain = t5().with(|machine| machine.laser.pierce.use_sequence = false).run();
+    assert!(!plain.edges().iter().any(|edge| edge.contains("tool2") || edge.contains("hz 500")
+        && !edge.contains("5000")));
+}
+
+#[test]
+fn pro_laser_pierce_freq() {
+    let hz: Vec<_> = t5().run().edges().into_iter().filter(|edge| edge.contains("hz")).collect();
+    assert_eq!(hz, ["2.890 hz 500", "4.030 hz 5000"]);
+    refuses("laser.pierce.hz", &[0.0, -1.0]);
+}
+
+#[test]
+fn pro_laser_pierce_height() {
+    assert!(t5().run().moves().contains(&"2.300-2.590 z-15".into()));
+}
+
+#[test]
+fn pro_laser_pierce_gasbit() {
+    let none = t5().with(|machine| machine.laser.pierce.gas_tool = None).run();
+    assert!(none.edges().contains(&"2.590 cut1+".into()), "{:?}", none.edges());
+    assert!(!none.edges().iter().any(|edge| edge.contains("tool2")));
+    refuses("laser.pierce.gas_tool", &[4.0]);
+}
+
+#[test]
+fn pro_laser_pierce_gaswait() {
+    assert_eq!(t5().run().edges()[2..5], T5[2..5]);
+}
+
+#[test]
+fn pro_laser_pierce_int() {
+    let shone = t5().run().intensities();
+    let pierced: Vec<_> =
+        shone.iter().take(2).map(|(t, v, b)| ((t * 1e3).round(), *v, *b)).collect();
+    assert_eq!(pierced, [(2890.0, 60, 120), (3390.0, 0, 0)]);
+    refuses("laser.pierce.intensity", &[128.0]);
+}
+
+#[test]
+fn pro_laser_pierce_time() {
+    assert_eq!(t5().run().edges()[4..6], T5[4..6]);
+    let none = t5().with(|machine| machine.laser.pierce.time_ms = 0.0).run();
+    assert_eq!(none.edges().iter().filter(|edge| edge.contains("cut1+")).count(), 1);
+}
+
+#[test]
+fn pro_laser_pierce_purge() {
+    assert!(t5().run().edges().contains(&"4.030 cut1+".into()));
+    let none = t5().with(|machine| machine.laser.pierce.gas_tool = None).run();
+    // Without pierce gas neither its wait nor the purge: 0.5 s earlier.
+    assert!(none.edges().contains(&"3.530 cut1+".into()), "{:?}", none.edges());
+}
+
+#[test]
+fn pro_laser_cut_freq() {
+    assert_eq!(t5().run().edges()[8..10], T5[8..10]);
+}
+
+#[test]
+fn pro_laser_cut_gasbit() {
+    assert_eq!(t5().run().edges()[7], T5[7]);
+    let none = t5().with(|machine| machine.laser.gas.tool = None).run();
+    assert!(none.edges().contains(&"3.880 cut1+".into()), "{:?}", none.edges());
+    refuses("laser.gas.tool", &[4.0]);
+}
+
+#[test]
+fn pro_laser_cut_gaswait() {
+    assert_eq!(t5().run().edges()[9], T5[9]);
+}
+
+#[test]
+fn pro_laser_override() {
+    let of_group = |overrides: bool| {
+        let run = t5().with(|machine| machine.laser.gas.overrides = overrides);
+        let run = run.job(|job| {
+            let mut shapes = job.shapes.to_vec();
+            (shapes[0].tool, shapes[0].cut) = (3, 2);
+            job.shapes = shapes.into();
+        });
+        run.run().edges().join(" ")
+    };
+    let (own, gas) = (of_group(false), of_group(true));
+    assert!(gas.contains("tool1+") && gas.contains("cut2+") && !gas.contains("tool3"), "{gas}");
+    assert!(own.contains("tool3+") && own.contains("cut2+") && !own.contains("tool1"), "{own}");
+}
+
+#[test]
+fn pro_laser_engrave_bit() {
+    let engraved = t5().with(|machine| machine.laser.engrave_cut = Some(2)).job(|job| {
+        let mut shapes = job.shapes.to_vec();
+        shapes[0].cut = 2;
+        job.shapes = shapes.into();
+    });
+    let trace = engraved.run();
+    assert!(!trace.edges().iter().any(|edge| edge.contains("tool2")), "{:?}", trace.edges());
+    assert!(trace.intensities().iter().any(|(_, value, _)| *value == 76), "cruise at 60 %");
+    let pierced = t5().with(|machine| machine.laser.engrave_cut = Some(2)).run();
+    assert_eq!(pierced.edges(), T5);
+}
+
+#[test]
+fn pro_laser_no_bottom() {
+    let longer = t5().with(|machine| machine.delays.bottom_s = 1.0).run();
+    assert_eq!(longer.edges(), T5);
+}
+
+#[test]
+fn pro_laser_use() {
+    let none = JobRun::new(t1()).run();
+    assert!(none.intensities().is_empty());
+    assert!(!none.edges().iter().any(|edge| edge.contains("hz")));
+    let unchosen = t5().with(|machine| machine.laser.kind = None).run();
+    assert_eq!(unchosen.refused(), "the type of laser is not chosen");
+}
+
+#[test]
+fn pro_laser_pwm() {
+    let clipped = |kind| {
+        let run = t5().with(|machine| {
+            (machine.laser.kind, machine.laser.cut_hz) = (Some(kind), 100_000.0);
+            (machine.laser.min_pulse_us, machine.laser.max_pulse_us) = (1.0, 5.0);
+            machine.intensity.scale_percent = 100.0;
+        });
+        run.run().intensities().into_iter().map(|(_, value, _)| value).max()
+    };
+    assert_eq!((clipped(LaserType::Pulsed), clipped(LaserType::Continuous)), (Some(63), Some(127)));
+}
+
+#[test]
+fn pro_laser_lowbit() {
+    let burning = shining(60.0).with(|machine| machine.intensity.low_bit_at_bottom = true).run();
+    let low: Vec<_> =
+        burning.intensities().iter().filter(|(.., byte)| byte & 1 == 1).copied().collect();
+    assert_eq!(low, [(low[0].0, 0, 1)]);
+    assert!((low[0].0 - 3.84).abs() < 1e-3);
+    let after = burning.intensities().into_iter().find(|(t, ..)| *t > 3.9).expect("a change");
+    assert!((after.0 - 4.84).abs() < 1e-3 && after.2 & 1 == 0);
+    let never = shining(60.0).run();
+    assert!(never.intensities().iter().all(|(.., byte)| byte & 1 == 0));
+}
+
+#[test]
+fn pro_intensity_burn() {
+    pro_laser_lowbit();
+}
+
+#[test]
+fn pro_intensity_clip_none() {
+    let refused = |min: f64, max: f64| {
+        let run = t5().with(|machine| {
+            machine.laser.cut_hz = 200_000.0;
+            (machine.laser.min_pulse_us, machine.laser.max_pulse_us) = (min, max);
+        });
+        run.run().refused()
+    };
+    assert_eq!(refused(6.0, 10.0), "no valid laser pulse width");
+    assert_eq!(refused(3.0, 2.0), "no valid laser pulse width");
+}
+
+#[test]
+fn pro_intensity_byte() {
+    let bytes = shining(100.0).run().intensities();
+    assert!(bytes.iter().all(|(_, value, byte)| *byte == 2 * value));
+    assert!(bytes.iter().any(|(_, value, byte)| (*value, *byte) == (127, 254)));
+}
+
+#[test]
+fn pro_intensity_follow() {
+    let shone = shining(100.0).run().intensities();
+    let values: Vec<u8> = shone.iter().map(|(_, value, _)| *value).collect();
+    let (rise, fall): (Vec<u8>, Vec<u8>) = ((1..=127).collect(), (0..127).rev().collect());
+    assert_eq!(values, [rise, fall].concat());
+    // Index k is reached at speed k/127 of 100 mm/s, with 1000 mm/s² after k/127 tenths of a second.
+    for (t, value, _) in &shone[..127] {
+        assert!((t - (4.84 + 0.1 * f64::from(*value) / 127.0)).abs() < 1e-5, "{value} at {t}");
+    }
+    assert!((shone[126].0 - 4.94).abs() < 1e-5);
+}
+
+#[test]
+fn pro_intensity_reference() {
+    let slow = shining(100.0).job(|job| {
+        let mut shapes = job.shapes.to_vec();
+        shapes[0].speed_mm_s = Some(50.0);
+        job.shapes = shapes.into();
+    });
+    assert_eq!(slow.run().intensities().iter().map(|(_, value, _)| *value).max(), Some(127));
+}
+
+#[test]
+fn pro_intensity_idle() {
+    let paused = shining(100.0).stop(5.34).say("resume").run();
+    let lit: Vec<_> = paused.intensities().into_iter().filter(|(_, value, _)| *value > 0).collect();
+    let cutting = |t: f64| (4.84..5.4401).contains(&t) || t > 10.4799;
+    assert!(lit.iter().all(|(t, ..)| cutting(*t)), "{lit:?}");
+    let ends = paused.intensities();
+    assert!(ends.iter().any(|(t, value, _)| *value == 0 && (t - 5.44).abs() < 1e-3));
+    assert_eq!(ends.last().map(|(_, value, _)| *value), Some(0));
+}
+
+#[test]
+fn pro_misc_intensity_on() {
+    assert!(JobRun::new(t1()).run().intensities().is_empty());
+    let shone = shining(100.0).run().intensities();
+    let cruise: Vec<_> = shone.iter().filter(|(t, ..)| (4.95..5.83).contains(t)).collect();
+    assert!(cruise.is_empty() && shone.iter().any(|(.., byte)| *byte == 254));
+}
+
+#[test]
+fn pro_misc_laser_on() {
+    pro_laser_use();
+}
