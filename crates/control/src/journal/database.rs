@@ -122,7 +122,12 @@ fn look(file: &Path) -> Result<Connection, Trouble> {
     let readable =
         |c: &Connection| c.query_row("SELECT count(*) FROM sqlite_schema", [], |_| Ok(()));
     match usual.and_then(|connection| readable(&connection).map(|()| connection)) {
-        Err(error) if error.sqlite_error_code() == Some(ErrorCode::CannotOpen) => {
+        Err(error)
+            if matches!(
+                error.sqlite_error_code(),
+                Some(ErrorCode::CannotOpen | ErrorCode::ReadOnly)
+            ) =>
+        {
             let name = file.to_string_lossy().replace('%', "%25").replace(['?', '#'], "%3f");
             let uri = format!("file:{name}?immutable=1");
             Ok(Connection::open_with_flags(uri, flags | OpenFlags::SQLITE_OPEN_URI)?)

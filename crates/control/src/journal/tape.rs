@@ -75,9 +75,10 @@ pub(crate) struct Tape {
 }
 
 impl Tape {
-    /// Writes down what the world tells.
-    pub(super) fn recording(progress: Progress) -> Self {
-        Self { writing: Some(progress), ..Self::default() }
+    /// Writes down what the world tells a run that begins at a place.
+    pub(super) fn recording(place: super::Placed, progress: Progress) -> Self {
+        let reached = Reached { place, ..Reached::default() };
+        Self { reached, writing: Some(progress), ..Self::default() }
     }
 
     /// Plays the steps and goes on recording behind them.
@@ -87,7 +88,12 @@ impl Tape {
         made_before: u64,
         progress: Progress,
     ) -> Self {
-        let mut tape = Self { made_before, contents, silent: true, ..Self::recording(progress) };
+        let mut tape = Self {
+            made_before,
+            contents,
+            silent: true,
+            ..Self::recording(super::Placed::default(), progress)
+        };
         for step in steps {
             tape.played.entry(step.kind).or_default().push_back(step);
         }

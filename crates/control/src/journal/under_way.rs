@@ -5,7 +5,7 @@ use super::progress::{PROGRESS, Progress, Reached};
 use super::remembered::remember;
 use super::rows::{self, Rows, Table};
 use super::tape::{Step, Tape};
-use super::{Journal, JournalError, json};
+use super::{Journal, JournalError, Placed, json};
 use crate::files::Folders;
 use crate::{RunOptions, Session, Shell, Summary};
 use kerf_part::Program;
@@ -122,7 +122,9 @@ impl Journal {
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
-        Ok(Tape::recording(Progress::new(self.clone(), 1)))
+        let memory = &run.session.sbp;
+        let place = Placed { position: memory.position, frame: memory.frame };
+        Ok(Tape::recording(place, Progress::new(self.clone(), 1)))
     }
 
     /// A run is over: what it left is kept.

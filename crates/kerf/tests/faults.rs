@@ -1,0 +1,124 @@
+//! The data folder fails: full, not to be written, damaged. Each time there is a clear message, nothing
+//! moves that is not on record, and what was kept is still there.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod shop;
+
+use shop::{Did, Shop};
+use std::fs;
+use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::os::unix::process::CommandExt;
+use std::process::Command;
+
+/// A machine that stands at X 5.
+fn shop() -> Shop {
+    let many = "&n=0\nAGAIN:\n&n=&n+1\nSetUsrVal, &n\nMX,&n\nIF &n<900 THEN GOTO AGAIN\n";
+    let shop = Shop::new(&[("a.sbp", "SA\nMX,7\n"), ("many.sbp", many), ("x.sbp", "PRINT %(1)\n")]);
+    shop.kerf("send MX,5 --quiet").exits(0);
+    shop
+}
+
+fn x(shop: &Shop) -> String {
+    shop.kerf("run x.sbp --quiet").exits(0).out().trim_end().to_owned()
+}
+
+/// Runs `kerf` on a disk that takes no file larger than so many kilobytes.
+fn on_full_disk(shop: &Shop, kilobytes: u32, args: &str) -> Did {
+    let mut shell = Command::new("bash");
+    let line =
+        format!("trap '' XFSZ; ulimit -f {kilobytes}; exec {} {args}", env!("CARGO_BIN_EXE_kerf"));
+    shell.args(["-c", &line]).current_dir(shop.path());
+    shell.env("KERF_DATA", shop.file("data")).env("NO_COLOR", "1");
+    Did::of(shell.output().unwrap())
+}
+
+#[test]
+fn on_a_full_disk_nothing_starts() {
+    let shop = shop();
+    let full = on_full_disk(&shop, 1, "run a.sbp --trace /dev/null");
+    full.exits(1).complains("disk of the data folder is full");
+    assert!(!full.out().contains("ran to its end"), "{}", full.out());
+    assert_eq!(x(&shop), "5", "what was kept is still there");
+}
+
+#[test]
+fn a_disk_that_fills_up_does_not_stop_a_cut() {
+    let shop = shop();
+    let full = on_full_disk(&shop, 600, "run many.sbp --trace t");
+    full.complains("J001").complains("not on record").complains("disk of the data folder is full");
+    assert_eq!(full.err().matches("J001").count(), 1, "it is told once\n{}", full.err());
+    full.exits(1);
+    assert!(shop.read("t").contains("\"to\":{\"x\":900,"), "the cut was made");
+    let after = shop.kerf("run x.sbp --quiet");
+    after.exits(0).complains("not verified");
+    shop.kerf("send UD --quiet").exits(0).says("position not verified");
+}
+
+/// `kerf` as somebody who may not write everywhere.
+fn as_nobody(shop: &Shop, args: &str) -> Did {
+    let mut command = shop.command();
+    if fs::metadata(shop.path()).unwrap().uid() == 0 {
+        command.uid(65534);
+    }
+    Did::of(command.args(args.split_whitespace()).output().unwrap())
+}
+
+#[test]
+fn in_a_folder_that_cannot_be_written_nothing_starts() {
+    let shop = shop();
+    fs::set_permissions(shop.path(), fs::Permissions::from_mode(0o755)).unwrap();
+    fs::set_permissions(shop.file("data"), fs::Permissions::from_mode(0o555)).unwrap();
+    if fs::metadata(env!("CARGO_BIN_EXE_kerf")).unwrap().mode() & 0o001 == 0 {
+        return;
+    }
+    let run = as_nobody(&shop, "run a.sbp");
+    run.exits(1).complains("data folder cannot be written").complains("--data");
+    assert!(!run.out().contains("ran to its end"), "{}", run.out());
+    as_nobody(&shop, "sysvars").exits(0).says("  1             5  ");
+    as_nobody(&shop, "run a.sbp --start fresh").exits(0).complains("values are not kept");
+    fs::set_permissions(shop.file("data"), fs::Permissions::from_mode(0o755)).unwrap();
+    assert_eq!(x(&shop), "5");
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_told() {
+    let shop = shop();
+    shop.kerf("run a.sbp --data a.sbp/data").exits(1).complains("data folder cannot be written");
+}
+
+#[test]
+fn a_damaged_page_is_told_and_rescued() {
+    let shop = shop();
+    let file = shop.file("data/journal.db");
+    let mut bytes = fs::read(&file).unwrap();
+    bytes[4096..8192].fill(0x77);
+    fs::write(&file, bytes).unwrap();
+    let run = shop.kerf("run x.sbp --quiet");
+    run.exits(0)
+        .complains("the journal was damaged")
+        .complains("kept as")
+        .complains("not verified");
+    assert_eq!(run.out(), "5\n");
+    assert!(shop.file("data/journal.damaged-1.db").is_file());
+    shop.kerf("send UD --quiet").exits(0).says("position not verified: X Y Z");
+    let again = shop.kerf("run x.sbp --quiet");
+    assert!(!again.err().contains("damaged"), "{}", again.err());
+}
+
+#[test]
+fn one_kerf_at_a_time_runs_a_machine() {
+    let shop = shop();
+    let mut command = shop.command();
+    let mut first =
+        command.args(["send", "--pace", "real", "--quiet", "PAUSE 20", "MX,9"]).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let refused = shop.kerf("run a.sbp");
+    shop.kerf("registry set uValue hello").exits(0);
+    shop.kerf("registry get uValue").says("hello");
+    first.kill().unwrap();
+    first.wait().unwrap();
+    refused.exits(1).complains("another Kerf runs the machine");
+    assert_eq!(x(&shop), "5", "the lock died with it");
+}
