@@ -154,6 +154,8 @@ codes! {
         "An error found while a stack of moves is read means that none of the stack moves.";
     ProgramFailed "R020" Error "the program gave up"
         "A FAIL of FabMo's dialect ended the run; the text is the program's own.";
+    NothingRecorded "R021" Error "nothing is recorded"
+        "RP, RR and RS need commands that were typed while recording was on. RZ forgets them, RI turns recording off and RA on.";
 
     FileNotFound "F001" Error "file not found"
         "The name is looked for in the current part folder, ignoring case.";

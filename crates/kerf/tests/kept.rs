@@ -210,3 +210,18 @@ fn sbp_cmd_si_replay() {
     assert_eq!(prints(&shop, "%(1)"), "3");
     assert_eq!(shop.read("temp_code.sbp"), "SR\nMX,1\n", "they can be read and edited");
 }
+
+#[test]
+fn sbp_cmd_rr__in_a_later_session() {
+    let shop = Shop::new(&[("a.sbp", "MX,50\n")]);
+    send(&shop, &["SR", "RZ"]).exits(0);
+    send(&shop, &["MX,1"]).exits(0);
+    shop.kerf("run a.sbp --quiet").exits(0);
+    send(&shop, &["MX,-50", "MY,2"]).exits(0);
+    send(&shop, &["RI"]).exits(0);
+    send(&shop, &["RR,1,3"]).exits(0);
+    assert_eq!(prints(&shop, "%(1);\" \";%(2)"), "1 8");
+    shop.kerf("registry get Recorded").exits(0).says("MX,1\nMX,-50\nMY,2\n");
+    send(&shop, &["RS,rows"]).exits(0).says("? rows.sbp");
+    assert_eq!(shop.read("rows.sbp"), "MX,1\nMX,-50\nMY,2\n");
+}

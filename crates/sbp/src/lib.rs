@@ -45,8 +45,8 @@ pub use format::{format, format_as};
 pub use header::Header;
 pub use interp::{
     BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, Interpreter, Options,
-    POSITION_LOST, SPINDLE_STATUS, Session, Status, Step, SystemVariable, VERSION, Variables,
-    Watch, system_variables,
+    POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS, Session, Status, Step, SystemVariable,
+    VERSION, Variables, Watch, system_variables,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;

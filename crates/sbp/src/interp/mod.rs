@@ -31,6 +31,7 @@ mod preview;
 mod printing;
 mod programs;
 mod questions;
+mod recorder;
 mod registry;
 mod saving;
 mod session;
@@ -50,6 +51,7 @@ pub use arguments::Arguments;
 pub use context::{Context, Stop};
 pub use gcode::{FilePlace, GcodeDone, GcodeDue};
 pub use kerf_program::{Status, Step, Watch};
+pub use recorder::{RECORDED, RECORDING, Replay};
 pub use registry::{POSITION_LOST, SPINDLE_STATUS, USER_VALUE};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
 pub use sysvar::{SystemVariable, VERSION, system_variables};
@@ -106,7 +108,8 @@ impl Interpreter {
             if left == 0 {
                 break;
             }
-            if self.core.watches.is_empty() {
+            // What is typed goes through the recorder, line by line.
+            if self.core.watches.is_empty() && !self.core.options.typed {
                 step::run_moves(&mut self.core, out, left);
                 let jogs = out.last().is_some_and(|s| s.command.ends_stack());
                 if jogs || self.core.lines >= bound {

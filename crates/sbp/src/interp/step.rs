@@ -66,7 +66,11 @@ fn execute(
     let before = Before::of(core, out);
     go_on_at(core, at.line);
     let mut context = Context { core, program, host, out, at, span: Span::LINE };
+    let typed = context.core.options.typed && context.core.levels.len() == 1;
     let outcome = node(&mut context, program, line);
+    if typed && outcome.is_ok() {
+        context.record(line);
+    }
     if matches!(outcome, Err(Stop::Waiting)) {
         go_on_at(core, at.line - 1);
         return before.wait(core, out);

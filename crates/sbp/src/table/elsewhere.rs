@@ -1,4 +1,4 @@
-//! Commands whose work is done outside the language: the recorder, virtual tools, help.
+//! Commands whose work is done outside the language: virtual tools, help.
 //!
 //! The reader and every list need their letters and values. In a part file help does nothing, with
 //! a warning; what cannot be done without the console is refused and says so.
@@ -38,7 +38,7 @@ const TOOL: &[ParamSpec] = &[
 
 const SETTINGS_FILE: &[ParamSpec] = &[ParamSpec::keep("Name", Kind::File)];
 
-pub(super) static SPECS: [CommandSpec; 28] = [
+pub(super) static SPECS: [CommandSpec; 22] = [
     help!("HA", "About", "Shows version, licence and driver."),
     help!("HB", "Bulletins", "Opens the page of news."),
     help!("HC", "Command reference", "Opens the reference of all commands."),
@@ -53,47 +53,6 @@ pub(super) static SPECS: [CommandSpec; 28] = [
     help!("HT", "Troubleshooting", "Opens troubleshooting and maintenance."),
     help!("HU", "User guide", "Opens the user guide."),
     help!("HW", "Web site", "Shows the address of the project."),
-    refused!(
-        "RA",
-        "Record on",
-        Record,
-        &[],
-        "the recorder",
-        "Records the commands typed from here on."
-    ),
-    refused!(
-        "RI",
-        "Record off",
-        Record,
-        &[],
-        "the recorder",
-        "Stops recording; what was recorded stays."
-    ),
-    refused!("RP", "Play all", Record, &[], "the recorder", "Runs all recorded commands again."),
-    refused!(
-        "RR",
-        "Replay",
-        Record,
-        &[
-            ParamSpec::keep("Commands back", Kind::Text)
-                .about("How many, or A for all; 1 when blank."),
-            ParamSpec::keep("Repetitions", Kind::Whole),
-        ],
-        "the recorder",
-        "Runs the last recorded commands again."
-    ),
-    refused!(
-        "RS",
-        "Save recorded",
-        Record,
-        &[
-            ParamSpec::keep("File", Kind::File),
-            ParamSpec::keep("Commands back", Kind::Whole).about("Blank is all."),
-        ],
-        "the recorder",
-        "Writes recorded commands into a part file."
-    ),
-    refused!("RZ", "Clear recorded", Record, &[], "the recorder", "Forgets all recorded commands."),
     refused!(
         "TC",
         "Copy machine",
@@ -196,7 +155,6 @@ mod tests {
     use kerf_program::Command;
 
     rows! {
-        the_recorder_is_named: "RA" => "error RA needs the recorder", "RR,A,20" => "error RR needs the recorder", "RS,a.sbp,3" => "error recorder";
         tools_are_named: "TC, 1500, small, 2" => "error TC needs the virtual tools";
         settings_files_are_named: "US,mine" => "error US needs the console", "UR" => "error needs the console", "UI" => "error firmware";
         the_nudge_panel_is_named: "MN" => "error MN needs the console";

@@ -204,7 +204,7 @@ fn parameters(a: &Arguments) -> FileParameters {
     }
 }
 
-fn edit(c: &mut Context<'_>, name: &str) -> Result<(), Stop> {
+pub(super) fn edit(c: &mut Context<'_>, name: &str) -> Result<(), Stop> {
     let question = c.question(QuestionKind::Editor, name, &[Button::OK]);
     c.ask(&question).map(drop)
 }

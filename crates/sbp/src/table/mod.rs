@@ -8,6 +8,7 @@ mod elsewhere;
 pub mod fabmo;
 mod files;
 mod moves;
+mod recorder;
 mod setting;
 mod settings;
 mod spec;
@@ -22,7 +23,7 @@ pub use utilities::settings_lines;
 /// Every command, group by group.
 pub fn commands() -> impl Iterator<Item = &'static CommandSpec> {
     let lists = [cuts::SPECS, files::SPECS, &moves::SPECS, &zero::SPECS];
-    let more = [&utilities::SPECS[..], &elsewhere::SPECS];
+    let more = [&utilities::SPECS[..], &elsewhere::SPECS, &recorder::SPECS];
     let singles = [&moves::OTHERS[..], &settings::SPECS, &values::SPECS];
     lists.into_iter().chain(more).flatten().chain(singles.into_iter().flatten().copied())
 }
