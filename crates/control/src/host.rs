@@ -7,6 +7,9 @@ use std::task::Poll;
 /// Version number that `%(49)` reads: the simulated machine has no firmware.
 const FIRMWARE: i32 = 0;
 
+/// Name of the file of UD in the data folder.
+const PROBLEM_LOG: &str = "problem.log";
+
 impl Host for World<'_> {
     fn settle(&mut self) -> Poll<()> {
         if std::mem::take(&mut self.settled) { Poll::Ready(()) } else { Poll::Pending }
@@ -46,6 +49,13 @@ impl Host for World<'_> {
 
     fn machine_position(&mut self) -> [f64; AXES] {
         self.machine.true_position().0
+    }
+
+    fn keep_problem_log(&mut self, text: &str) -> Result<(), HostError> {
+        if self.previews {
+            return Ok(());
+        }
+        self.shelf.put_data(PROBLEM_LOG, text).map_err(HostError::Refused)
     }
 
     fn firmware(&mut self) -> i32 {

@@ -16,6 +16,7 @@
 
 pub mod answers;
 mod check;
+pub mod command_passing;
 mod conversion;
 mod desk;
 pub mod event;
@@ -39,7 +40,9 @@ mod shelf_host;
 mod sink;
 mod stack;
 mod standing;
+pub mod start_up;
 pub mod stored;
+pub mod system_log;
 mod table_limits;
 mod tally;
 mod text;

@@ -86,7 +86,7 @@ pub(crate) fn last_line(log: &str) -> Option<u32> {
 }
 
 /// Hours, minutes and seconds.
-fn clock(seconds: f64) -> String {
+pub(crate) fn clock(seconds: f64) -> String {
     let whole = seconds.max(0.0).round() as u64;
     format!("{:02}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60)
 }

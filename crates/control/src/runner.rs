@@ -18,6 +18,7 @@ use kerf_motion::{Move, Mover};
 use kerf_program::{
     At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step, StoppedBy,
 };
+use kerf_sbp::LAST_ERROR;
 use kerf_sim::Watched;
 use std::collections::VecDeque;
 
@@ -212,6 +213,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         if let Some(diagnostic) = &over.diagnostic {
             self.world.tell_diagnostic((**diagnostic).clone());
+            if !self.world.previews {
+                let Place { file, line, .. } = &diagnostic.place;
+                let told = format!("{file}:{line}: {}", diagnostic.message);
+                self.world.shelf.set_value(LAST_ERROR, Some(&told));
+            }
         }
         self.drop_motion(over.status);
         over

@@ -185,6 +185,7 @@ impl Session {
         if let Some(log) = log {
             runner.write_log(&log, &over);
         }
+        runner.write_system_log();
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
         summary

@@ -6,10 +6,12 @@ use crate::files::{
 };
 use crate::journal::{Journal, Kind, Tape};
 use crate::stored::Stored;
+use crate::system_log::SystemLog;
 use crate::{conversion, part_log};
 use kerf_program::{
     FileConversion, FileMode, FileRequest, Folder, HostError, Settings, ShellCall, SourceFile,
 };
+use kerf_sbp::PART_FILE;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -38,6 +40,8 @@ pub struct Shelf {
     mask: Option<String>,
     /// What the world tells the run under way.
     pub(crate) tape: Tape,
+    /// The log of the session, where one is wanted.
+    pub(crate) system_log: Option<SystemLog>,
     /// Keys that were set while the tape played: they may not be in the journal yet.
     replayed: BTreeSet<String>,
 }
@@ -59,7 +63,18 @@ impl Shelf {
     pub fn new(disk: Box<dyn Disk>, folders: Folders, stored: Stored, data: PathBuf) -> Self {
         let (open, shell) = (OpenFiles::default(), Shell::Refused);
         let (tape, replayed) = (Tape::default(), BTreeSet::new());
-        Self { disk, folders, open, stored, data, shell, mask: None, tape, replayed }
+        Self {
+            disk,
+            folders,
+            open,
+            stored,
+            data,
+            shell,
+            mask: None,
+            tape,
+            system_log: None,
+            replayed,
+        }
     }
 
     /// Programs see these files; what they write stays in a scratch space.
@@ -140,6 +155,11 @@ impl Shelf {
         told
     }
 
+    /// What FP, FE and GetPartFileName mean from now on.
+    pub fn make_current(&mut self, path: &Path) {
+        self.stored.set(PART_FILE, Some(&path.display().to_string()));
+    }
+
     /// The tape is over: values that were set meanwhile are in the journal from now on.
     pub(crate) fn goes_live(&mut self) {
         for key in std::mem::take(&mut self.replayed) {
@@ -150,6 +170,20 @@ impl Shelf {
     /// Why the journal cannot be written, when that was not told yet.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         self.tape.new_trouble().or_else(|| self.stored.new_trouble())
+    }
+
+    /// Adds a line to a file of the data folder.
+    pub(crate) fn add_to_data(&mut self, name: &str, line: &str) -> Result<(), String> {
+        let (disk, path) = (&mut self.disk, self.data.join(name));
+        let add = || disk.append(&path, line.as_bytes()).map_err(|error| error.to_string());
+        self.tape.change(Kind::Log, add)
+    }
+
+    /// Puts a file into the data folder, whole or not at all.
+    pub(crate) fn put_data(&mut self, name: &str, text: &str) -> Result<(), String> {
+        let (disk, path) = (&mut self.disk, self.data.join(name));
+        let put = || disk.write(&path, text.as_bytes()).map_err(|error| error.to_string());
+        self.tape.change(Kind::Log, put)
     }
 
     /// Adds to the log of a part file, which lies beside it. A file that comes with the program has
@@ -214,6 +248,11 @@ impl Shelf {
     /// Whether a folder of this name lies in the part folder.
     pub(crate) fn is_folder(&self, name: &str) -> bool {
         self.disk.is_folder(&self.folders.parts().join(name))
+    }
+
+    /// Whether there is such a file.
+    pub(crate) fn is_file(&self, name: &str) -> bool {
+        self.disk.is_file(Path::new(name))
     }
 
     /// The path of a file from the root on; the name itself when there is no such file.

@@ -76,6 +76,11 @@ impl Stored {
         }
     }
 
+    /// Something could not be kept.
+    pub(crate) fn tell_trouble(&mut self, trouble: String) {
+        self.trouble = Some(trouble);
+    }
+
     /// Why a value could not be kept; told once.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         self.trouble.take()

@@ -59,6 +59,16 @@ impl Trail {
 }
 
 impl<I: Interpreter> Runner<'_, I> {
+    /// Writes the line of the part file into the system log.
+    pub(crate) fn write_system_log(&mut self) {
+        let Some(file) = self.interpreter.file_name(self.trail.depth as u32) else { return };
+        let machine = &self.world.machine;
+        let (draws, settings) =
+            (machine.draws() || self.world.previews, machine.settings().clone());
+        let seconds = self.world.now();
+        self.world.shelf.log_file(&settings, &file, draws, seconds);
+    }
+
     /// Writes the log of the part file, if there is one.
     pub(crate) fn write_log(&mut self, log: &PartLog, over: &Over) {
         let Some(file) = self.interpreter.file_name(self.trail.depth as u32) else { return };

@@ -273,6 +273,8 @@ impl<'a> World<'a> {
             self.tell(&Event::Units { units, t });
         }
         if self.machine.draws() != drew {
+            let (settings, draws) = (self.settings.clone(), self.machine.draws());
+            self.shelf.log_mode(&settings, draws);
             let mode = if drew { "move" } else { "preview" };
             self.tell(&Event::Mode { mode, t });
         }

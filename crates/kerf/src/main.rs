@@ -21,6 +21,7 @@ mod progress;
 mod report;
 mod setup;
 mod sources;
+mod visit;
 
 use clap::Parser;
 use std::process::ExitCode;

@@ -5,9 +5,9 @@ use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
 use kerf_control::{Pace, Script, Wish};
 use kerf_program::{Question, QuestionKind};
 use std::io::{self, Write};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, OnceLock};
 use std::thread::{sleep, spawn};
 use std::time::{Duration, Instant};
 
@@ -128,10 +128,7 @@ pub struct RealPace {
 impl RealPace {
     /// Listens to Ctrl-C from now on.
     pub fn new(clock: Clock, script: Script) -> Result<Self> {
-        let pressed = Arc::new(AtomicBool::new(false));
-        let flag = pressed.clone();
-        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
-            .context("cannot listen to Ctrl-C")?;
+        let pressed = listen()?;
         Ok(Self { clock, script, pressed, seen: None })
     }
 
@@ -154,6 +151,19 @@ impl RealPace {
             sleep(NAP.min(Duration::from_secs_f64(left_s)));
         }
     }
+}
+
+/// Whether Ctrl-C was pressed, from the first time this is asked; a process has one such handler.
+fn listen() -> Result<Pressed> {
+    static PRESSED: OnceLock<Pressed> = OnceLock::new();
+    if let Some(pressed) = PRESSED.get() {
+        return Ok(pressed.clone());
+    }
+    let pressed = PRESSED.get_or_init(Pressed::default).clone();
+    let flag = pressed.clone();
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
+        .context("cannot listen to Ctrl-C")?;
+    Ok(pressed)
 }
 
 impl Pace for RealPace {

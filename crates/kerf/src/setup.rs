@@ -6,6 +6,7 @@ use crate::drawings;
 use crate::exit::Usage;
 use crate::machine_file::MachineFile;
 use crate::memory;
+use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
@@ -34,6 +35,8 @@ pub struct Job {
     pub kept: bool,
     /// The settings that stay, where options replace them for this run.
     pub replaced: Option<Settings>,
+    /// How Kerf starts and closes.
+    pub visit: Visit,
 }
 
 /// Reads the part file and prepares its run.
@@ -47,7 +50,9 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     } else {
         read_program(file, args.dialect.sbp)?.into()
     };
-    job_of(work, shelf(parts, &args.place, preview)?, args, preview)
+    let mut job = job_of(work, shelf(parts, &args.place, preview)?, args, preview)?;
+    job.visit.opening.file = true;
+    Ok(job)
 }
 
 /// Prepares the run of a program or a job.
@@ -82,7 +87,8 @@ pub fn job_of(
     options.pushes = args.hand_move.iter().map(in_mm).collect();
     options.started = kept.then(clock::started);
     session.memory.settings = settings;
-    Ok(Job { work, session, options, shelf, answers, kept, replaced })
+    let visit = Visit::default();
+    Ok(Job { work, session, options, shelf, answers, kept, replaced, visit })
 }
 
 /// The script of answers.

@@ -284,6 +284,11 @@ pub trait Host {
     /// Folder of the program's settings and logs (GetAppPath).
     fn app_path(&mut self) -> String;
 
+    /// Keeps what helps to find a fault where a person finds it (UD).
+    fn keep_problem_log(&mut self, _text: &str) -> Result<(), HostError> {
+        Ok(())
+    }
+
     /// Version number of the firmware, `%(49)`.
     fn firmware(&mut self) -> i32;
 }

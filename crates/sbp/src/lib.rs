@@ -44,9 +44,9 @@ pub use expr::{
 pub use format::{format, format_as};
 pub use header::Header;
 pub use interp::{
-    BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, Interpreter, Options,
-    POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS, Session, Status, Step, SystemVariable,
-    VERSION, Variables, Watch, system_variables,
+    BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, Interpreter,
+    LAST_ERROR, Options, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS, Session,
+    Status, Step, SystemVariable, VERSION, Variables, Watch, system_variables,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;

@@ -28,4 +28,7 @@ pub trait Disk {
 
     /// Puts a whole file in place: afterwards it is there complete, or as it was before.
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()>;
+
+    /// Adds bytes at the end of a file; makes it where there is none.
+    fn append(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 }

@@ -65,4 +65,9 @@ impl Disk for MemoryDisk {
         self.files.insert(path.to_owned(), bytes.to_vec());
         Ok(())
     }
+
+    fn append(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        self.files.entry(path.to_owned()).or_default().extend(bytes);
+        Ok(())
+    }
 }

@@ -56,6 +56,10 @@ impl Disk for RealDisk {
         beside.persist(path).map_err(|e| e.error)?;
         Ok(())
     }
+
+    fn append(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        fs::File::options().create(true).append(true).open(path)?.write_all(bytes)
+    }
 }
 
 /// A new file in the folder of another; gone unless it is put in that one's place.

@@ -5,6 +5,7 @@ mod convert;
 mod draw;
 mod explain;
 mod fmt;
+mod log;
 mod machine;
 mod parts;
 mod plot;
@@ -12,6 +13,7 @@ mod preview;
 mod registry;
 mod run;
 mod samples;
+mod sb3;
 mod send;
 mod sysvars;
 mod time;
@@ -41,6 +43,8 @@ pub enum Command {
     Wavlength(wavlength::WavlengthArgs),
     #[command(visible_alias = "reg")]
     Registry(registry::RegistryArgs),
+    Log(log::LogArgs),
+    Sb3(sb3::Sb3Args),
     Sysvars(sysvars::SysvarsArgs),
     Samples(samples::SamplesArgs),
     Parts(parts::PartsArgs),
@@ -66,6 +70,8 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Machine(args) => machine::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),
+        Command::Log(args) => log::run(&args),
+        Command::Sb3(args) => sb3::run(&args),
         Command::Wavlength(args) => wavlength::run(&args),
         Command::Explain(args) => explain::run(&args),
     }

@@ -1,6 +1,7 @@
 //! `kerf run`: a part file on a machine.
 
 use crate::args::RunArgs;
+use crate::clock;
 use crate::exit::{Exit, Usage};
 use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
@@ -9,13 +10,15 @@ use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job};
+use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::answers::Answers;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Session, Sink, Summary};
+use kerf_control::{Company, Session, Shelf, Sink, Summary, command_passing};
 use kerf_program::settings::LinearUnit;
+use kerf_sbp::FileParameters;
 use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter};
 use std::path::{Path, PathBuf};
@@ -44,7 +47,7 @@ pub struct RunCommand {
 }
 
 /// What everything that moves a machine can be told.
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub struct MachineArgs {
     /// The machine to run on
     #[arg(long, value_name = "NAME", default_value = "sim")]
@@ -103,22 +106,56 @@ fn resume(machine: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     }
     let answers = setup::answers(run)?;
     let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default() };
-    attended(machine, run, show, answers, |company| {
+    let visit = Visit::default();
+    visit.begins(&session, &mut shelf)?;
+    let exit = attended(machine, run, show, answers, |company| {
         let summary = session.resume(&cut, &mut shelf, company)?;
-        Ok((summary, session))
-    })
+        Ok((summary, &session))
+    })?;
+    visit.ends(&session, &mut shelf);
+    Ok(exit)
 }
 
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
-    let Job { work, mut session, options, mut shelf, answers, kept, replaced } = job;
+    let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit } = job;
     let show = Show { name: work.name().clone(), lines: work.line_count(), talk };
-    attended(args, run, show, answers, |company| {
+    if kept {
+        visit.begins(&session, &mut shelf)?;
+    }
+    let mut exit = attended(args, run, show, answers, |company| {
         let shelf = &mut shelf;
         let summary = match kept {
             true => session.run_on_record(work, options, replaced, shelf, company)?,
             false => session.run(work, options, shelf, company),
         };
+        Ok((summary, &session))
+    })?;
+    if kept {
+        while let Some(command) = visit.command(&shelf)? {
+            exit = passed_in(command, &mut session, &mut shelf, args, run)?;
+        }
+        visit.ends(&session, &mut shelf);
+    }
+    Ok(exit)
+}
+
+/// Carries out a command that other software passed in while the file ran.
+fn passed_in(
+    command: String,
+    session: &mut Session,
+    shelf: &mut Shelf,
+    args: &MachineArgs,
+    run: &RunArgs,
+) -> Result<Exit> {
+    let program = kerf_sbp::read_typed(command_passing::NAME.into(), &command);
+    let mut options = setup::run_options(run, &session.memory.settings, false);
+    (options.program.typed, options.program.file) = (true, FileParameters::default());
+    options.started = Some(clock::started());
+    let show = Show { name: command_passing::NAME.into(), lines: 1, talk: Talk::all() };
+    let again = MachineArgs { trace: None, picture: None, ..args.clone() };
+    attended(&again, run, show, setup::answers(run)?, |company| {
+        let summary = session.run_on_record(program, options, None, shelf, company)?;
         Ok((summary, session))
     })
 }
@@ -132,12 +169,12 @@ struct Show {
 }
 
 /// Something runs, with whoever sits at the terminal.
-fn attended(
+fn attended<'a>(
     args: &MachineArgs,
     run: &RunArgs,
     show: Show,
     answers: Answers,
-    runs: impl FnOnce(Company<'_>) -> Result<(Summary, Session)>,
+    runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session)>,
 ) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
@@ -159,12 +196,17 @@ fn attended(
         progress.finish();
     }
     if let (Some(picture), Some(format), Some(path)) = (picture, format, &args.picture) {
-        picture::write(&picture.finish(&summary, &session), format, path)?;
+        picture::write(&picture.finish(&summary, session), format, path)?;
     }
     if !args.quiet {
-        out::print(&told(&summary));
+        tell(&summary);
     }
     Ok(summary.status.into())
+}
+
+/// Prints the summary of a run.
+pub fn tell(summary: &Summary) {
+    out::print(&told(summary));
 }
 
 /// A file that takes the trace of a run.
@@ -174,6 +216,11 @@ fn trace(path: &Path) -> Result<JsonLines<LineWriter<File>>> {
 }
 
 impl MachineArgs {
+    /// No summary is wanted.
+    pub const fn quiet(&self) -> bool {
+        self.quiet
+    }
+
     /// Refuses machines that are not there.
     pub fn check(&self) -> Result<()> {
         if self.machine != "sim" {

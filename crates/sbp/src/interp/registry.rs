@@ -16,9 +16,12 @@ pub const USER_VALUE: &str = "uValue";
 pub(crate) const CLEARED_VALUE: &str = "uValueClrd";
 
 /// Key of the name of the part file that was read last (GetPartFileName, FE, FP at the keyboard).
-pub(crate) const PART_FILE: &str = "uPartFile";
+pub const PART_FILE: &str = "uPartFile";
 
 pub use kerf_program::SPINDLE_STATUS;
+
+/// Key of the error that ended a run last, with its place.
+pub const LAST_ERROR: &str = "LastError";
 
 /// Key of the letters of axes whose base coordinates are not to be trusted: motors were without
 /// power, or a run never came to its end.

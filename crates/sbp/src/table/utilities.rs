@@ -3,7 +3,7 @@
 use super::setting::plain;
 use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
 use crate::Value;
-use crate::interp::{Context, Stop, USER_VALUE};
+use crate::interp::{Context, LAST_ERROR, Stop, USER_VALUE};
 use kerf_program::settings::Distance;
 use kerf_program::{Axis, Command, Settings};
 
@@ -18,17 +18,19 @@ pub(super) static SPECS: [CommandSpec; 4] = [
         "Show values",
         "Shows the values of all V commands, and the part folder.",
         |c, _| {
-            let mut lines = settings_lines(c.settings());
-            lines.push(format!("FS,{},{}", c.host.user_path(), c.host.file_mask()));
-            tell(c, lines.join("\n"))
+            let text = values(c);
+            tell(c, text)
         },
     ),
     shows(
         "UD",
         "Diagnostics",
-        "Shows what helps to find a fault: versions, places, inputs and outputs.",
+        "Shows what helps to find a fault: versions, places, inputs, outputs, the last error; and keeps it with \
+         the values of UV in problem.log.",
         |c, _| {
             let text = diagnostics(c)?;
+            let kept = format!("{text}\n\n{}\n", values(c));
+            c.host.keep_problem_log(&kept).map_err(|e| c.refused(e))?;
             tell(c, text)
         },
     ),
@@ -75,6 +77,14 @@ pub fn settings_lines(settings: &Settings) -> Vec<String> {
     lines
 }
 
+/// The values of all V commands, the part folder, the folder of logs.
+fn values(c: &mut Context<'_>) -> String {
+    let mut lines = settings_lines(c.settings());
+    lines.push(format!("FS,{},{}", c.host.user_path(), c.host.file_mask()));
+    lines.push(format!("'settings and logs: {}", c.host.app_path()));
+    lines.join("\n")
+}
+
 fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
     let mut lines = vec![format!("software: {}", crate::VERSION)];
     lines.push(format!("firmware: {}", c.host.firmware()));
@@ -87,6 +97,9 @@ fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
     }
     if let Some(value) = c.host.stored(USER_VALUE) {
         lines.push(format!("{USER_VALUE}: {value}"));
+    }
+    if let Some(error) = c.host.stored(LAST_ERROR) {
+        lines.push(format!("last error: {error}"));
     }
     let inputs = (1..=12).filter(|n| c.host.input(*n)).map(|n| n.to_string());
     lines.push(format!("inputs on: {}", list(inputs.collect())));

@@ -1,0 +1,74 @@
+//! Commands that other software passes in: the value `uCommand` (programming handbook, Registry
+//! Interface; notes A-47).
+//!
+//! One command of two letters with its parameters is carried out once, when no file runs, and the
+//! value is empty from then on. What was left there before the start is not carried out.
+
+use crate::journal::{Journal, JournalError};
+
+/// Key of the command.
+pub const COMMAND: &str = "uCommand";
+
+/// The name of what is carried out, where a line of it is told.
+pub const NAME: &str = "uCommand";
+
+/// Forgets a command that was left there before the start.
+///
+/// # Errors
+/// As the journal cannot be written.
+pub fn forget(journal: &Journal) -> Result<(), JournalError> {
+    match journal.value(COMMAND)? {
+        Some(_) => journal.set_value(COMMAND, None),
+        None => Ok(()),
+    }
+}
+
+/// The command that was passed in, which is taken away; nothing when there is none. `Err` with words
+/// for the log when it is no single command.
+///
+/// # Errors
+/// As the journal cannot be read or written.
+pub fn take(journal: &Journal) -> Result<Option<Result<String, String>>, JournalError> {
+    let Some(text) = journal.value(COMMAND)? else { return Ok(None) };
+    journal.set_value(COMMAND, None)?;
+    let command = text.trim();
+    if command.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(single(command)))
+}
+
+fn single(command: &str) -> Result<String, String> {
+    let mut letters = command.chars().take_while(char::is_ascii_alphabetic);
+    let two = letters.by_ref().count() == 2;
+    let known = two && command.get(..2).is_some_and(|l| kerf_sbp::table::find(l).is_some());
+    if command.lines().count() > 1 || !known {
+        return Err(format!("one command of two letters expected, not '{command}'"));
+    }
+    Ok(command.to_owned())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sbp_ctl_reg_ucommand_form() {
+        let folder = tempfile::tempdir().unwrap();
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let pass = |text: &str| {
+            journal.set_value(COMMAND, Some(text)).unwrap();
+            let taken = take(&journal).unwrap();
+            assert_eq!(journal.value(COMMAND).unwrap(), None, "it is taken away");
+            taken
+        };
+        for good in ["FP,a.sbp,,,,,2", "mx 2", "ST"] {
+            assert_eq!(pass(good), Some(Ok(good.to_owned())));
+        }
+        for bad in ["MX,2\nMY,2", "&a=2", "GOTO x", "PRINT 1", "QQ,1", "é"] {
+            assert!(matches!(pass(bad), Some(Err(_))), "{bad}");
+        }
+        assert_eq!((pass("  "), take(&journal).unwrap()), (None, None));
+    }
+}

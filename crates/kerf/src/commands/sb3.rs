@@ -1,0 +1,130 @@
+//! `kerf sb3`: the start-up line of the handbook.
+
+use super::run::{MachineArgs, on_machine};
+use crate::args::{RunArgs, Start};
+use crate::exit::{Exit, Usage};
+use crate::report::Talk;
+use crate::setup;
+use crate::visit::Visit;
+use anyhow::Result;
+use clap::Args;
+use kerf_control::Company;
+use kerf_control::start_up::{CloseMethod, OpenMethod, Port, StartUp};
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+
+/// Starts as the software of the handbooks does: "file, port, open, timing, close, display, offset"
+///
+/// open: 1 to 3 show the sheet of the file and wait, which needs the console; 4 runs it at once; 5
+/// draws it at once; 6 only makes it the current file. close: 0 stays, 1 asks, 2 closes. offset: 0
+/// none, 1 3D, 2 2D, where the file runs at once. Items may be left blank.
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  kerf sb3 'a.sbp,,4,,2'\n  kerf sb3 '\"my part.sbp\",3,4,,2,0,2'"
+)]
+pub struct Sb3Args {
+    /// The line
+    line: String,
+    /// Answers yes when it asks whether to close
+    #[arg(long)]
+    yes: bool,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+pub fn run(args: &Sb3Args) -> Result<Exit> {
+    args.machine.check()?;
+    let line = StartUp::read(&args.line).map_err(Usage)?;
+    match line.open {
+        OpenMethod::Run => runs(args, &line),
+        OpenMethod::Preview => draws(args, &line),
+        OpenMethod::Current => becomes_current(args, &line),
+        OpenMethod::Sheet | OpenMethod::SheetInPreview => {
+            becomes_current(args, &line)?;
+            eprintln!("kerf: the sheet of {} needs the console; nothing has moved", line.file);
+            Ok(Exit::Stopped)
+        }
+    }
+}
+
+/// The file runs at once.
+fn runs(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
+    let mut run = args.run.clone();
+    run.place.start = run.place.start.or(Some(Start::Kept));
+    run.file.offset = Some(line.offset);
+    let mut job = setup::job(Path::new(&line.file), &run, false)?;
+    if let Some(Port::Number(port)) = line.port {
+        job.session.memory.settings.driver.port = port;
+    }
+    job.visit = visit(line);
+    let exit = on_machine(job, &args.machine, &run, Talk::default())?;
+    if line.close == CloseMethod::Ask {
+        confirmed(args);
+    }
+    Ok(exit)
+}
+
+/// The file is drawn at once; the machine does not move.
+fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
+    let mut run = args.run.clone();
+    run.place.start = run.place.start.or(Some(Start::Kept));
+    let log = logged(args, line, true)?;
+    let mut job = setup::job(Path::new(&line.file), &run, true)?;
+    let company = Company { sink: &mut (), operator: &mut job.answers, pace: &mut () };
+    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+    if !args.machine.quiet() {
+        super::run::tell(&summary);
+    }
+    log()?;
+    Ok(summary.status.into())
+}
+
+/// The file is what FP and GetPartFileName mean from now on.
+fn becomes_current(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
+    let run = &args.run;
+    let path = std::fs::canonicalize(&line.file)
+        .map_err(|error| Usage(format!("cannot read {}: {error}", line.file)))?;
+    let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
+    shelf.make_current(&path);
+    drop(shelf);
+    logged(args, line, line.open == OpenMethod::SheetInPreview)?()?;
+    Ok(Exit::Good)
+}
+
+/// Begins a visit in the log; what comes back ends it.
+fn logged(args: &Sb3Args, line: &StartUp, draws: bool) -> Result<impl FnOnce() -> Result<()>> {
+    let mut place = args.run.place.clone();
+    place.start = place.start.or(Some(Start::Kept));
+    let mut shelf = setup::shelf(Path::new(""), &place, false)?;
+    let (session, _) = setup::session(&place, false, &mut shelf)?;
+    let visit = visit(line);
+    visit.begins_drawing(&session, &mut shelf, draws)?;
+    Ok(move || {
+        visit.ends(&session, &mut shelf);
+        Ok(())
+    })
+}
+
+fn visit(line: &StartUp) -> Visit {
+    let closing = match line.close {
+        CloseMethod::Stay => "NORMAL",
+        CloseMethod::Ask => "CLOSE1",
+        CloseMethod::Close => "CLOSE2",
+    };
+    Visit { opening: line.opening.clone(), closing }
+}
+
+/// Asks whether to close. Without a person there is nothing that could stay.
+fn confirmed(args: &Sb3Args) {
+    let mut answer = String::new();
+    while !args.yes && io::stdin().is_terminal() && !answer.trim().eq_ignore_ascii_case("y") {
+        eprint!("? Close Kerf? (y): ");
+        answer.clear();
+        let gone = io::stderr().flush().is_err();
+        if gone || io::stdin().read_line(&mut answer).unwrap_or_default() == 0 {
+            break;
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! A visit of Kerf at its machine, from start to close: what the system log tells of it, and commands
+//! that other software passes in meanwhile.
+
+use crate::clock;
+use anyhow::Result;
+use kerf_control::system_log::{Opening, SystemLog};
+use kerf_control::{Session, Shelf, command_passing};
+
+/// A visit.
+#[derive(Clone, Debug)]
+pub struct Visit {
+    /// How it begins.
+    pub opening: Opening,
+    /// How it ends, in a word.
+    pub closing: &'static str,
+}
+
+impl Default for Visit {
+    fn default() -> Self {
+        Self { opening: Opening::default(), closing: "NORMAL" }
+    }
+}
+
+impl Visit {
+    /// Kerf starts. A command that was passed in before is forgotten.
+    pub fn begins(&self, session: &Session, shelf: &mut Shelf) -> Result<()> {
+        self.begins_drawing(session, shelf, session.memory.before_preview.is_some())
+    }
+
+    /// The same, to draw only, or to move.
+    pub fn begins_drawing(&self, session: &Session, shelf: &mut Shelf, draws: bool) -> Result<()> {
+        let log = SystemLog::new(self.opening.clone(), clock::started);
+        shelf.open_system_log(log, &session.memory.settings, draws);
+        if let Some(journal) = shelf.journal() {
+            command_passing::forget(journal)?;
+        }
+        Ok(())
+    }
+
+    /// A command that was passed in since; one that cannot be used is told and left.
+    pub fn command(&self, shelf: &Shelf) -> Result<Option<String>> {
+        let Some(journal) = shelf.journal() else { return Ok(None) };
+        match command_passing::take(journal)? {
+            Some(Err(why)) => {
+                eprintln!("kerf: {}: {why}", command_passing::COMMAND);
+                Ok(None)
+            }
+            command => Ok(command.and_then(Result::ok)),
+        }
+    }
+
+    /// Kerf closes.
+    pub fn ends(&self, session: &Session, shelf: &mut Shelf) {
+        shelf.close_system_log(&session.memory.settings, self.closing);
+    }
+}
