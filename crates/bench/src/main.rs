@@ -6,10 +6,12 @@
 mod child;
 mod figure;
 mod gcode;
+mod huge;
 mod inputs;
 mod machine;
 mod record;
 mod replan;
+mod ruckig;
 mod stages;
 mod still;
 mod table;
@@ -41,9 +43,11 @@ fn main() -> Result<()> {
     let (more, compared) = gcode::figures(word)?;
     about.extend(more);
     figures.extend(compared);
-    let (more, measured) = replan::figures(word)?;
-    about.extend(more);
-    figures.extend(measured);
+    for measure in [replan::figures, huge::figures] {
+        let (more, measured) = measure(word)?;
+        about.extend(more);
+        figures.extend(measured);
+    }
     let motion = "raster".contains(word);
     if motion {
         eprintln!("motion …");
@@ -52,6 +56,7 @@ fn main() -> Result<()> {
     let mut section = record::section(&about, &figures);
     if motion {
         section += &machine::references()?;
+        section += &ruckig::table()?;
     }
     println!("{section}");
     if recorded {

@@ -32,16 +32,18 @@ pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {
         "- `{NAME}`: 5,000 segments of 0.5 mm of a 3D raster, planned anew at {MOMENTS} moments; the slowest counts\n"
     );
     let mut figures = Vec::new();
-    let [shopbot, optimal] = [RampModel::Shopbot, RampModel::Optimal];
-    for (stop, feed, settings) in [
-        ("stop, shopbot", "override, shopbot", machine(shopbot, None)),
-        ("stop, profiler", "override, profiler", machine(RampModel::Profiler, None)),
-        ("stop, optimal", "override, optimal", machine(optimal, None)),
-        ("stop, with jerk", "override, with jerk", machine(optimal, Some(10_000.0))),
+    use RampModel::{Optimal, Profiler, Shopbot};
+    let [shopbot, profiler, optimal] = [Shopbot, Profiler, Optimal];
+    for ([stop, slow, fast], settings) in [
+        (["stop, shopbot", "to 50%, shopbot", "to 150%, shopbot"], machine(shopbot, None)),
+        (["stop, profiler", "to 50%, profiler", "to 150%, profiler"], machine(profiler, None)),
+        (["stop, optimal", "to 50%, optimal", "to 150%, optimal"], machine(optimal, None)),
+        (["stop, jerk", "to 50%, jerk", "to 150%, jerk"], machine(optimal, Some(10_000.0))),
     ] {
         let moves = raster(&settings);
         figures.push(figure(stop, &moves, &settings, &stops)?);
-        figures.push(figure(feed, &moves, &settings, &overrides)?);
+        figures.push(figure(slow, &moves, &settings, &slows)?);
+        figures.push(figure(fast, &moves, &settings, &hurries)?);
     }
     Ok((vec![about], figures))
 }
@@ -53,8 +55,12 @@ fn stops(planner: &mut dyn Replanner, piece: Plan, t_s: f64) {
     drop(planner.stop(piece, t_s, true));
 }
 
-fn overrides(planner: &mut dyn Replanner, piece: Plan, t_s: f64) {
+fn slows(planner: &mut dyn Replanner, piece: Plan, t_s: f64) {
     drop(planner.feed(piece, t_s, 0.5));
+}
+
+fn hurries(planner: &mut dyn Replanner, piece: Plan, t_s: f64) {
+    drop(planner.feed(piece, t_s, 1.5));
 }
 
 /// A router at 100 mm/s, with 500 mm/s² an axis.

@@ -40,6 +40,8 @@ pub(crate) struct Caps {
     bends: Vec<Bend>,
     /// So many of them make a block.
     block: usize,
+    /// Moves since bends were summed: where bends are rare, moves do not wait for a block of them.
+    waits: usize,
     /// So many of them have limited arcs, and joints.
     done: [usize; 2],
     window_mm: f64,
@@ -56,6 +58,7 @@ impl Caps {
             ramps: *ramps,
             bends: Vec::new(),
             block,
+            waits: 0,
             done: [0; 2],
             window_mm: ramps.min_distance_mm.max(0.0),
             at_mm: 0.0,
@@ -97,8 +100,11 @@ impl Caps {
             }
             self.at_mm += way_mm;
             self.before = Some(course);
-            if self.bends.len() >= self.block {
+            self.waits += 1;
+            let waits = self.waits >= BLOCK && self.done[1] < self.bends.len();
+            if waits || self.bends.len() >= self.block {
                 self.settle(ahead);
+                self.waits = 0;
             }
         }
     }

@@ -67,13 +67,19 @@ impl<'a> Easing<'a> {
         }
     }
 
+    /// From a moment on to another rate, of at most that of the plan; `None` when a limit of jerk does
+    /// not let it.
+    pub fn to_rate(&self, from: Tick, rate: f64) -> Option<Vec<Tick>> {
+        let ticks = match self.dynamics.jerk_mm_s3 {
+            None => self.steps(from, rate),
+            Some(jerk) => self.smooth(from, rate, &jerk.0),
+        };
+        ticks.last().is_some_and(|last| last.rate == rate).then_some(ticks)
+    }
+
     /// From a lower rate to that of the plan; `None` when a limit of jerk does not let it.
     pub fn join(&self, from: Tick) -> Option<Vec<Tick>> {
-        let ticks = match self.dynamics.jerk_mm_s3 {
-            None => self.steps(from, 1.0),
-            Some(jerk) => self.smooth(from, 1.0, &jerk.0),
-        };
-        ticks.last().is_some_and(|last| last.rate == 1.0).then_some(ticks)
+        self.to_rate(from, 1.0)
     }
 
     /// Changes the rate as fast as the accelerations allow.

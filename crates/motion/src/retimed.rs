@@ -204,6 +204,32 @@ impl<P: Planner> Retimed<P> {
         Some((made, stop))
     }
 
+    /// Slows to a share of the plan by the clock alone: with a limit of jerk a new plan would take too
+    /// long. Up to the next stand all is that much slower, accelerations too; what is planned after it
+    /// has the feed itself. `None` for a share above that of the plan, or without a limit of jerk.
+    fn slow_clock(&mut self, piece: &Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
+        let all = piece.clone().by(plain_clock());
+        let Law::Clocked(law) = &all.law else { return None };
+        let dynamics = law.dynamics().filter(|dynamics| dynamics.jerk_mm_s3.is_some())?;
+        let made = all.moves.get(all.index_at(t_s)?)?;
+        let rate = f64::from(made.at_feed(share).feed / made.feed);
+        // A smooth change that goes on is made to its end first.
+        let here = law.clock.at(t_s);
+        let from = if here.gain == 0.0 { here } else { law.clock.last() };
+        let ticks = Easing::new(law, dynamics).to_rate(from, rate).filter(|_| rate <= 1.0)?;
+        let stop = all.stop(from.t_s, false)?;
+        let ticks = ticks.into_iter().map(|tick| Tick { t_s: tick.t_s - from.t_s, ..tick });
+        let (index, before) =
+            if stop.share < 1.0 { (stop.move_index, stop.share) } else { (stop.whole(), 0.0) };
+        let left = law.left(index, before, Clock::of(ticks.collect()));
+        let (made, moves) = all.cut(&stop);
+        self.wait_with(share);
+        self.go_on(Some(Plan { moves, law: Law::Clocked(Box::new(left)) }));
+        let end_s = self.ready.as_ref().map_or(0.0, Plan::duration_s);
+        self.clock = Some(Arc::new(Clock::plain(end_s, 0.0)));
+        Some((made, stop))
+    }
+
     /// Takes back from the planner what did not come out; it waits with another feed.
     fn wait_with(&mut self, share: f32) {
         let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
@@ -306,6 +332,9 @@ impl<P: Planner> Replanner for Retimed<P> {
     }
 
     fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        self.feed_clock(piece, t_s, share)
+        match self.slow_clock(&piece, t_s, share) {
+            None => self.feed_clock(piece, t_s, share),
+            slowed => slowed,
+        }
     }
 }
