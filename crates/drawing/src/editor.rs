@@ -99,6 +99,16 @@ impl Editor {
         Ok(())
     }
 
+    /// Whether there is a change to be taken back.
+    pub const fn can_undo(&self) -> bool {
+        !self.undo.is_empty()
+    }
+
+    /// Whether there is a change to be made again.
+    pub const fn can_redo(&self) -> bool {
+        !self.redo.is_empty()
+    }
+
     fn exchange(&mut self, past: Past) -> Past {
         Past {
             drawing: std::mem::replace(&mut self.drawing, past.drawing),

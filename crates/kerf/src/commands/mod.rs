@@ -15,6 +15,7 @@ mod run;
 mod samples;
 mod sb3;
 mod send;
+mod serve;
 mod sysvars;
 mod time;
 mod toolpath;
@@ -30,6 +31,7 @@ use clap::Subcommand;
 pub enum Command {
     Run(run::RunCommand),
     Send(send::SendArgs),
+    Serve(serve::ServeArgs),
     Check(check::CheckArgs),
     Preview(preview::PreviewArgs),
     Plot(plot::PlotArgs),
@@ -56,6 +58,7 @@ pub fn run(command: Command) -> Result<Exit> {
     match command {
         Command::Run(args) => run::run(&args),
         Command::Send(args) => send::run(&args),
+        Command::Serve(args) => serve::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Preview(args) => preview::run(&args),
         Command::Plot(args) => plot::run(&args),

@@ -1,0 +1,98 @@
+//! `kerf serve`: the web console.
+
+use crate::args::PlaceArgs;
+use crate::clock;
+use crate::exit::Exit;
+use crate::{out, setup};
+use anyhow::{Context, Result};
+use clap::Args;
+use kerf_control::Shelf;
+use kerf_server::{Builders, Options, Server, Workshop};
+use std::io;
+use std::net::SocketAddr;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Serves the web console: run and watch part files, drive the machine, draw
+///
+/// Only this computer reaches it, unless --lan lets others in; those are paired by a code that is shown
+/// here.
+#[derive(Args, Clone)]
+#[command(after_help = "Examples:\n  kerf serve\n  kerf serve box.sbp --parts ~/parts\n  \
+    kerf serve --lan --listen 0.0.0.0:8710 --host router.local")]
+pub struct ServeArgs {
+    /// A part file of the part folder that is open at the start
+    file: Option<String>,
+    /// Where to listen
+    #[arg(long, value_name = "ADDR", default_value = "127.0.0.1:8710")]
+    listen: SocketAddr,
+    /// Lets other computers in, after pairing
+    #[arg(long)]
+    lan: bool,
+    /// A name by which other computers call this one; may be repeated
+    #[arg(long = "host", value_name = "NAME", requires = "lan")]
+    hosts: Vec<String>,
+    /// Drawings only: the machine is left alone
+    #[arg(long)]
+    drawing_only: bool,
+    /// Seconds of machine time in a second, for tests
+    #[arg(long, hide = true, default_value_t = 1.0)]
+    rate: f64,
+    #[command(flatten)]
+    place: PlaceArgs,
+}
+
+pub fn run(args: &ServeArgs) -> Result<Exit> {
+    let server = Server::start(options(args)?, builders(args)).context("cannot serve")?;
+    out::print(&format!("Kerf's console is at http://{}\n", server.address));
+    if args.lan {
+        let code = server.show_code(kerf_server::Role::Owner).context("no code can be made")?;
+        out::print(&format!(
+            "To pair a device, enter the code {code} there within five minutes.\n"
+        ));
+    }
+    server.wait();
+    Ok(Exit::Good)
+}
+
+fn options(args: &ServeArgs) -> Result<Options> {
+    Ok(Options {
+        listen: args.listen,
+        lan: args.lan,
+        names: args.hosts.clone(),
+        parts: parts(args),
+        data: setup::data_folder(&args.place.data)?,
+        drawing_only: args.drawing_only,
+        open: args.file.clone(),
+        rate: args.rate,
+    })
+}
+
+fn parts(args: &ServeArgs) -> PathBuf {
+    args.place.parts.clone().unwrap_or_else(|| ".".into())
+}
+
+fn builders(args: &ServeArgs) -> Builders {
+    let (machine, previews) = (args.clone(), args.clone());
+    let told = |error: anyhow::Error| io::Error::other(format!("{error:#}"));
+    Builders {
+        workshop: Arc::new(move || workshop(&machine).map_err(told)),
+        preview: Arc::new(move || shelf(&previews, true).map_err(told)),
+    }
+}
+
+/// Files below the part folder, named in full: that is how they are told apart in logs and messages.
+fn shelf(args: &ServeArgs, preview: bool) -> Result<Shelf> {
+    let parts = parts(args);
+    let folder = parts.canonicalize().with_context(|| parts.display().to_string())?;
+    let place = PlaceArgs { parts: Some(folder), ..args.place.clone() };
+    setup::shelf(Path::new(""), &place, preview)
+}
+
+/// The machine as it was left, and its files.
+fn workshop(args: &ServeArgs) -> Result<Workshop> {
+    let mut shelf = shelf(args, false)?;
+    let (mut session, kept) = setup::session(&args.place, false, &mut shelf)?;
+    session.memory.settings = setup::settings(&args.place, session.memory.settings.clone())?;
+    Ok(Workshop { session, shelf, kept, started: || Some(clock::started()) })
+}

@@ -1,0 +1,349 @@
+//! What pages ask for: who may, when, and what is done.
+
+use crate::app::{App, Open, lock, problem};
+use crate::machine::Order;
+use crate::machine::link::Held;
+use kerf_program::Axis;
+use kerf_sbp::table::{self, Group};
+use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, State, Who, Why};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// What came of an act: what was noticed, or why it was not done.
+pub type Done = Result<Vec<String>, Problem>;
+
+/// What an act needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Need {
+    role: Role,
+    /// Number of the lease that it carries.
+    lease: Option<u32>,
+    /// The machine has to be armed.
+    armed: bool,
+}
+
+const fn need(role: Role) -> Need {
+    Need { role, lease: None, armed: false }
+}
+
+const fn drive(lease: u32) -> Need {
+    Need { role: Role::Operator, lease: Some(lease), armed: true }
+}
+
+const fn holding(lease: u32) -> Need {
+    Need { role: Role::Operator, lease: Some(lease), armed: false }
+}
+
+/// What an act needs. This is the one list.
+fn needs(act: &Act) -> Need {
+    match act {
+        Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } | Act::Ping => {
+            need(Role::Observer)
+        }
+        Act::Resume { lease }
+        | Act::Run { lease, .. }
+        | Act::JogStart { lease, .. }
+        | Act::JogRenew { lease, .. }
+        | Act::Nudge { lease, .. } => drive(*lease),
+        Act::Command { lease, line } if changes_settings(line) => {
+            Need { role: Role::Setter, ..drive(*lease) }
+        }
+        Act::Command { lease, .. } => drive(*lease),
+        Act::GiveLease { lease } | Act::Arm { lease } | Act::Override { lease, .. } => {
+            holding(*lease)
+        }
+        Act::Answer { .. }
+        | Act::TakeLease { .. }
+        | Act::Open { .. }
+        | Act::Close
+        | Act::ClearPrinted
+        | Act::Acknowledge
+        | Act::Draw { .. } => need(Role::Operator),
+    }
+}
+
+/// Whether a line changes what the machine is set to: the V commands and those of switches.
+fn changes_settings(lines: &str) -> bool {
+    lines.lines().any(|line| {
+        let letters: String = line.trim().chars().take(2).collect();
+        table::find(&letters).is_some_and(|command| command.group == Group::Values)
+    })
+}
+
+impl App {
+    /// Does what a page asks for, if it may.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn act(self: &Arc<Self>, who: &Who, act: Act) -> Done {
+        self.allow(who, needs(&act))?;
+        match act {
+            Act::Ping => {}
+            Act::Stop => self.stop(),
+            Act::Hold => self.link.want(|wanted| wanted.hold = true),
+            Act::Disarm => self.disarm("disarmed at a page"),
+            Act::Resume { .. } => self.resume()?,
+            Act::Answer { question, answer } => self.answer(question, answer)?,
+            Act::TakeLease { force } => self.take_lease(who, force)?,
+            Act::GiveLease { .. } => self.drop_lease("nobody drives"),
+            Act::Arm { .. } => self.arm()?,
+            Act::Open { name } => self.open_file(&name)?,
+            Act::Close => self.close_file(),
+            Act::Run { hash, step, .. } => self.run(&hash, step)?,
+            Act::Command { line, .. } => self.command(line)?,
+            Act::JogStart { seq, direction, distance, speed, .. } => {
+                self.jog(who, seq, Order::Jog { direction, distance, speed })?;
+            }
+            Act::JogRenew { seq, .. } => self.renew(who, seq)?,
+            Act::JogStop { seq } => self.jog_stop(who, seq),
+            Act::Nudge { axis, distance, .. } => self.nudge(axis, distance)?,
+            Act::Override { feed, .. } => self.override_feed(feed)?,
+            Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
+            Act::Acknowledge => self.acknowledge(),
+            Act::Draw { op } => return self.draw(op),
+        }
+        Ok(Vec::new())
+    }
+
+    fn allow(&self, who: &Who, need: Need) -> Result<(), Problem> {
+        if who.role < need.role {
+            let text =
+                format!("this needs the role {:?}, this device is {:?}", need.role, who.role);
+            return Err(problem(Why::Role, text.to_lowercase()));
+        }
+        let (lease, machine) = self.hub.read(|now| (now.lease.clone(), now.machine.clone()));
+        if let Some(number) = need.lease {
+            match lease {
+                Some(lease) if lease.number == number && lease.client == who.client => {}
+                Some(lease) if lease.client == who.client => {
+                    return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
+                }
+                Some(_) => return Err(problem(Why::Lease, "somebody else drives")),
+                None => return Err(problem(Why::Lease, "take the machine first")),
+            }
+        }
+        if need.armed && self.options.drawing_only {
+            return Err(problem(Why::State, "only drawings are worked on here"));
+        }
+        if need.armed && !machine.armed {
+            return Err(problem(Why::Disarmed, "the machine is disarmed: arm it first"));
+        }
+        Ok(())
+    }
+
+    fn state(&self) -> State {
+        self.hub.read(|now| now.machine.state)
+    }
+
+    /// Stops. What stands already because of a stop is given up.
+    fn stop(&self) {
+        self.link.want(|wanted| wanted.stop = true);
+    }
+
+    fn disarm(&self, why: &str) {
+        if self.state() != State::Idle {
+            self.stop();
+        }
+        self.set_armed(false, why);
+    }
+
+    fn set_armed(&self, armed: bool, why: &str) {
+        self.hub.changing(|now| {
+            let why = if armed { None } else { Some(why.to_owned()) };
+            let machine = Machine { armed, why, ..now.machine.clone() };
+            if machine == now.machine { Vec::new() } else { vec![Change::Machine { machine }] }
+        });
+    }
+
+    fn arm(&self) -> Result<(), Problem> {
+        if self.state() == State::Alarm {
+            return Err(problem(Why::State, "take note of the alarm first"));
+        }
+        self.set_armed(true, "");
+        Ok(())
+    }
+
+    fn acknowledge(&self) {
+        self.hub.changing(|now| {
+            if now.machine.state != State::Alarm {
+                return Vec::new();
+            }
+            let machine = Machine { state: State::Idle, armed: false, ..now.machine.clone() };
+            vec![Change::Machine { machine }]
+        });
+    }
+
+    fn take_lease(&self, who: &Who, force: bool) -> Result<(), Problem> {
+        let jogs = self.state() == State::Jogging;
+        let mut taken = Ok(());
+        self.hub.changing(|now| {
+            match &now.lease {
+                Some(lease) if lease.client == who.client => return Vec::new(),
+                Some(_) if !force || jogs => {
+                    taken = Err(problem(Why::Lease, "somebody else drives"));
+                    return Vec::new();
+                }
+                _ => {}
+            }
+            let (number, device) = (self.next_lease(), who.device.clone());
+            let lease = Some(Lease { number, client: who.client, device });
+            // Whoever drives now has not armed it.
+            let armed = now.machine.armed && now.lease.is_none();
+            let machine = Machine { armed, ..now.machine.clone() };
+            vec![Change::Lease { lease }, Change::Machine { machine }]
+        });
+        taken
+    }
+
+    /// Nobody drives any more: nothing moves before somebody arms the machine again. A job goes on.
+    pub fn drop_lease(&self, why: &str) {
+        self.link.release(|_| true);
+        self.hub.change(vec![Change::Lease { lease: None }]);
+        self.set_armed(false, why);
+    }
+
+    /// A page has gone: its jog ends, and its turn at driving.
+    pub fn gone(&self, client: u32) {
+        self.link.release(|held| held.client == client);
+        if self.hub.read(|now| now.lease.as_ref().is_some_and(|lease| lease.client == client)) {
+            self.drop_lease("the page that drove has gone");
+        }
+    }
+
+    fn resume(&self) -> Result<(), Problem> {
+        match self.state() {
+            State::Held => self.link.want(|wanted| wanted.resume = true),
+            State::Stopped => {
+                let number = self.hub.read(|now| now.asked.as_ref().map(|a| a.number));
+                return number.map_or(Ok(()), |number| self.answer(number, "Resume".into()));
+            }
+            _ => return Err(problem(Why::State, "nothing is held")),
+        }
+        Ok(())
+    }
+
+    fn answer(&self, question: u32, answer: String) -> Result<(), Problem> {
+        let asked = self.hub.read(|now| now.asked.clone());
+        let Some(asked) = asked.filter(|asked| asked.number == question) else {
+            return Err(problem(Why::Late, "this question is not open any more"));
+        };
+        let button = |word: &String| word.eq_ignore_ascii_case(answer.trim());
+        let free = asked.entry || ["hold", "step"].contains(&asked.kind.as_str());
+        if !free && !asked.buttons.iter().any(button) {
+            let text = format!("answer one of {}", asked.buttons.join(", "));
+            return Err(problem(Why::Mistake, text));
+        }
+        self.link.want(|wanted| wanted.answer = Some((question, answer)));
+        Ok(())
+    }
+
+    /// Gives the machine something to do, when it has nothing to do.
+    fn order(&self, order: Order, state: State) -> Result<(), Problem> {
+        let mut busy = false;
+        self.hub.changing(|now| {
+            busy = now.machine.state != State::Idle;
+            if busy {
+                return Vec::new();
+            }
+            // From here on a stop counts.
+            self.link.begin();
+            let machine = Machine { state, why: None, ..now.machine.clone() };
+            vec![Change::Machine { machine }]
+        });
+        if busy {
+            return Err(problem(Why::State, "the machine is busy"));
+        }
+        let sent = lock(&self.orders).send(order);
+        sent.map_err(|_| problem(Why::Server, "the machine's thread has ended; start Kerf anew"))
+    }
+
+    fn run(&self, hash: &str, step: bool) -> Result<(), Problem> {
+        let open = lock(&self.open).clone();
+        if open.name.is_empty() || open.hash != hash {
+            return Err(problem(Why::Changed, "this is not the file that is open"));
+        }
+        let Some(preview) = open.preview.clone() else {
+            return Err(problem(Why::State, "the preview is not ready"));
+        };
+        if preview.failed {
+            return Err(problem(Why::Mistake, "the file has mistakes; see its messages"));
+        }
+        if crate::app::hash(&self.parts.read(&open.name)?) != hash {
+            let text = "the file was changed since it was opened; open it again";
+            return Err(problem(Why::Changed, text));
+        }
+        let (program, times) = (Box::new(self.program(&open)), preview.times.clone());
+        let Open { name, hash, .. } = open;
+        self.order(Order::File { program, name, hash, times, step }, State::Running)
+    }
+
+    fn command(&self, line: String) -> Result<(), Problem> {
+        let read = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
+        if let Some(mistake) = read.diagnostics.iter().find(|found| found.is_error()) {
+            let hint = &mistake.hint;
+            let hint = if hint.is_empty() { String::new() } else { format!(" ({hint})") };
+            return Err(problem(Why::Mistake, format!("{}{hint}", mistake.message)));
+        }
+        self.order(Order::Command(line), State::Running)
+    }
+
+    fn nudge(&self, axis: char, distance: f64) -> Result<(), Problem> {
+        let Some(axis) = Axis::from_letter(axis).filter(|_| distance.is_finite()) else {
+            return Err(problem(Why::Malformed, "an axis and a distance are needed"));
+        };
+        self.order(Order::Nudge(axis, distance), State::Running)
+    }
+
+    fn override_feed(&self, feed: f64) -> Result<(), Problem> {
+        if !(10.0..=200.0).contains(&feed) {
+            return Err(problem(Why::Malformed, "overrides are 10 to 200 percent"));
+        }
+        if self.state() == State::Idle {
+            let overrides = Overrides { feed };
+            self.hub.change(vec![Change::Overrides { overrides }]);
+        }
+        self.link.want(|wanted| wanted.feed = Some((feed / 100.0) as f32));
+        Ok(())
+    }
+
+    /// Begins a jog, unless its own stop came before.
+    fn jog(&self, who: &Who, seq: u32, order: Order) -> Result<(), Problem> {
+        if !makes_sense(&order) {
+            return Err(problem(Why::Malformed, "a jog has a direction, and perhaps a distance"));
+        }
+        if !self.pages.may_start(who.client, seq) {
+            return Err(problem(Why::Late, "this jog is over already"));
+        }
+        let held = Held { seq, client: who.client, renewed: Instant::now(), released: false };
+        let busy = self.link.want(|wanted| match &wanted.jog {
+            Some(_) => true,
+            None => wanted.jog.replace(held).is_some(),
+        });
+        if busy {
+            return Err(problem(Why::State, "another jog is not over yet"));
+        }
+        self.order(order, State::Jogging).inspect_err(|_| self.link.lock().jog = None)
+    }
+
+    fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {
+        let renewed = self.link.want(|wanted| {
+            let held = wanted.jog.as_mut()?;
+            let same = held.seq == seq && held.client == who.client && !held.is_over();
+            same.then(|| held.renewed = Instant::now())
+        });
+        renewed.ok_or_else(|| problem(Why::Late, "this jog is over"))
+    }
+
+    fn jog_stop(&self, who: &Who, seq: u32) {
+        self.pages.jog_over(who.client, seq);
+        self.link.release(|held| held.client == who.client && held.seq == seq);
+    }
+}
+
+/// Whether a jog goes anywhere.
+fn makes_sense(order: &Order) -> bool {
+    let Order::Jog { direction, distance, speed } = order else { return false };
+    let goes = direction.iter().any(|way| *way != 0.0);
+    let bounded = direction.iter().chain([speed]).all(|share| share.abs() <= 1.0);
+    goes && bounded && distance.is_none_or(|mm| mm > 0.0 && mm.is_finite())
+}

@@ -1,0 +1,236 @@
+//! Everything that requests share.
+
+use crate::desk::Desk;
+use crate::files::PartFolder;
+use crate::hub::Hub;
+use crate::machine::{Link, Order};
+use crate::people::{Devices, Pages};
+use crate::preview::{self, Preview};
+use crate::setup::{Builders, Options};
+use kerf_control::Session;
+use kerf_wire::{Change, Opened, PreviewState, Problem, Why};
+use sha2::{Digest, Sha256};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::mpsc::Sender;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Everything that requests share.
+pub struct App {
+    /// How the server was started.
+    pub options: Options,
+    /// What pages show.
+    pub hub: Arc<Hub>,
+    /// What the running machine is told.
+    pub link: Arc<Link>,
+    /// What it does next.
+    pub orders: Mutex<Sender<Order>>,
+    /// The part folder.
+    pub parts: PartFolder,
+    /// The file that is open.
+    pub open: Mutex<Open>,
+    /// The session as the last run left it.
+    pub left: Arc<Mutex<Session>>,
+    /// Builds the shelf of previews.
+    pub builders: Builders,
+    /// Paired devices.
+    pub devices: Devices,
+    /// Connected pages.
+    pub pages: Pages,
+    /// The drawing that is open.
+    pub desk: Mutex<Desk>,
+    previews: AtomicU32,
+    leases: AtomicU32,
+}
+
+/// The file that is open.
+#[derive(Clone, Default)]
+pub struct Open {
+    /// Its name; empty when none is.
+    pub name: String,
+    /// Its bytes, as they were previewed.
+    pub bytes: Arc<[u8]>,
+    /// Their hash.
+    pub hash: String,
+    /// Key of the preview.
+    pub key: String,
+    /// The preview, when it is ready.
+    pub preview: Option<Arc<Preview>>,
+    /// Ends the making of the preview.
+    given_up: Arc<AtomicBool>,
+}
+
+/// A mutex whose holder panicked still holds what it held.
+pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A reason why something is not done.
+pub fn problem(why: Why, text: impl Into<String>) -> Problem {
+    Problem { why, text: text.into() }
+}
+
+/// SHA-256 in hexadecimal digits.
+pub fn hash(bytes: &[u8]) -> String {
+    hex(&Sha256::digest(bytes))
+}
+
+/// Hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes
+        .iter()
+        .flat_map(|byte| [byte >> 4, byte & 15])
+        .filter_map(|n| char::from_digit(n.into(), 16))
+        .collect()
+}
+
+/// What an app is made of besides its options.
+pub struct Parts {
+    pub hub: Arc<Hub>,
+    pub link: Arc<Link>,
+    pub orders: Sender<Order>,
+    pub left: Arc<Mutex<Session>>,
+    pub builders: Builders,
+}
+
+impl App {
+    /// Nothing is open, nobody is connected.
+    ///
+    /// # Errors
+    /// The part folder or the list of devices cannot be read.
+    pub fn new(options: Options, parts: Parts) -> std::io::Result<Self> {
+        let Parts { hub, link, orders, left, builders } = parts;
+        Ok(Self {
+            parts: PartFolder::new(&options.parts)?,
+            devices: Devices::read(&options.data)?,
+            pages: Pages::default(),
+            desk: Mutex::default(),
+            open: Mutex::default(),
+            previews: AtomicU32::new(0),
+            leases: AtomicU32::new(0),
+            orders: Mutex::new(orders),
+            options,
+            hub,
+            link,
+            left,
+            builders,
+        })
+    }
+
+    /// The number of the next lease.
+    pub fn next_lease(&self) -> u32 {
+        self.leases.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    /// Opens a file of the part folder and begins its preview.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub fn open_file(self: &Arc<Self>, name: &str) -> Result<(), Problem> {
+        let bytes: Arc<[u8]> = self.parts.read(name)?.into();
+        let open = Open { name: name.into(), hash: hash(&bytes), bytes, ..Open::default() };
+        self.show(open);
+        Ok(())
+    }
+
+    /// Makes the preview of the open file anew.
+    pub fn preview_again(self: &Arc<Self>) {
+        let open = lock(&self.open).clone();
+        if !open.name.is_empty() {
+            self.show(Open { preview: None, given_up: Arc::default(), ..open });
+        }
+    }
+
+    /// Closes the file that is open.
+    pub fn close_file(&self) {
+        let mut open = lock(&self.open);
+        open.given_up.store(true, Ordering::Relaxed);
+        *open = Open::default();
+        self.hub.change(vec![Change::Opened { opened: None }]);
+    }
+
+    fn show(self: &Arc<Self>, mut open: Open) {
+        let number = self.previews.fetch_add(1, Ordering::Relaxed);
+        open.key = format!("{}-{number}", &open.hash[..16.min(open.hash.len())]);
+        let text = String::from_utf8_lossy(&open.bytes);
+        let opened = Opened {
+            name: open.name.clone(),
+            hash: open.hash.clone(),
+            lines: text.lines().count() as u32,
+            header: kerf_sbp::Header::read(&text).map(|header| header.text),
+            ..Opened::default()
+        };
+        let mut present = lock(&self.open);
+        present.given_up.store(true, Ordering::Relaxed);
+        *present = open.clone();
+        self.hub.change(vec![Change::Opened { opened: Some(opened) }]);
+        drop(present);
+        let app = self.clone();
+        std::thread::spawn(move || app.preview(open));
+    }
+
+    /// The program of an open file, named by its place on the disk.
+    pub fn program(&self, open: &Open) -> kerf_part::Program {
+        let name = self.parts.root().join(&open.name).display().to_string();
+        kerf_part::read(name.into(), open.bytes.to_vec())
+    }
+
+    fn preview(&self, open: Open) {
+        let session = lock(&self.left).clone();
+        let made = match (self.builders.preview)() {
+            Err(error) => Err(error.to_string()),
+            Ok(mut shelf) => {
+                Ok(preview::make(self.program(&open), session, &mut shelf, &open.given_up))
+            }
+        };
+        let state = match made {
+            Ok(None) => return,
+            Ok(Some(preview)) => Ok(Arc::new(preview)),
+            Err(why) => Err(why),
+        };
+        self.previewed(&open, state);
+    }
+
+    /// The preview is there, unless another file was opened meanwhile.
+    fn previewed(&self, open: &Open, made: Result<Arc<Preview>, String>) {
+        let mut present = lock(&self.open);
+        if present.key != open.key {
+            return;
+        }
+        present.preview = made.as_ref().ok().cloned();
+        self.hub.changing(|now| {
+            let Some(opened) = now.opened.clone() else { return Vec::new() };
+            let opened = match &made {
+                Ok(preview) => with_preview(opened, open, preview),
+                Err(why) => Opened { preview: PreviewState::Failed { why: why.clone() }, ..opened },
+            };
+            vec![Change::Opened { opened: Some(opened) }]
+        });
+    }
+
+    /// A run is over: a preview that no longer begins where the machine stands is made again.
+    pub fn after_run(self: &Arc<Self>) {
+        let memory = {
+            let left = lock(&self.left);
+            (left.memory.settings.clone(), left.memory.frame)
+        };
+        let stale = lock(&self.open).preview.as_ref().is_some_and(|p| p.start != memory);
+        if stale {
+            self.preview_again();
+        }
+        self.files_changed();
+    }
+
+    /// Files of the part folder may have changed.
+    pub fn files_changed(&self) {
+        self.hub.changing(|now| vec![Change::Files { files: now.files + 1 }]);
+    }
+}
+
+fn with_preview(opened: Opened, open: &Open, preview: &Preview) -> Opened {
+    Opened {
+        preview: PreviewState::Ready { key: open.key.clone() },
+        seconds: preview.info.seconds,
+        findings: preview.findings.clone(),
+        ..opened
+    }
+}

@@ -1,0 +1,197 @@
+//! The part folder, and nothing outside it.
+
+use kerf_control::MOST_BYTES;
+use kerf_control::files::{Disk, RealDisk};
+use kerf_wire::{FileInfo, Problem, Why};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
+
+/// The folder of part files. Names are relative, with `/` between folders.
+#[derive(Clone, Debug)]
+pub struct PartFolder {
+    /// Without links, so that what lies below can be told.
+    root: PathBuf,
+}
+
+impl PartFolder {
+    /// The folder; it has to be there.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn new(root: &Path) -> io::Result<Self> {
+        Ok(Self { root: root.canonicalize()? })
+    }
+
+    /// The folder.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The path of a file that is there.
+    ///
+    /// # Errors
+    /// The name leads elsewhere, or nothing is there.
+    pub fn find(&self, name: &str) -> Result<PathBuf, Problem> {
+        let path = self.path(name)?;
+        let real = path.canonicalize().map_err(|error| problem(name, &error))?;
+        if real.starts_with(&self.root) { Ok(real) } else { Err(outside(name)) }
+    }
+
+    /// The path of a file that may be written: its folder has to be there.
+    fn place(&self, name: &str) -> Result<PathBuf, Problem> {
+        let path = self.path(name)?;
+        let (Some(folder), Some(file)) = (path.parent(), path.file_name()) else {
+            return Err(outside(name));
+        };
+        let folder = folder.canonicalize().map_err(|error| problem(name, &error))?;
+        let place = folder.join(file);
+        // What is written over may be a link that leads elsewhere.
+        let is_link = fs::symlink_metadata(&place).is_ok_and(|m| !m.is_file());
+        if folder.starts_with(&self.root) && !is_link { Ok(place) } else { Err(outside(name)) }
+    }
+
+    fn path(&self, name: &str) -> Result<PathBuf, Problem> {
+        let plain = |part: &str| {
+            let signs = ['\\', ':', '\0', '*', '?', '"', '<', '>', '|'];
+            !part.is_empty() && !part.starts_with('.') && !part.contains(signs)
+        };
+        if name.split('/').all(plain) { Ok(self.root.join(name)) } else { Err(outside(name)) }
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// It is not there, is too large, or lies elsewhere.
+    pub fn read(&self, name: &str) -> Result<Vec<u8>, Problem> {
+        let path = self.find(name)?;
+        let length = fs::metadata(&path).map_err(|error| problem(name, &error))?.len();
+        if length > MOST_BYTES as u64 {
+            return Err(Problem { why: Why::File, text: format!("{name} is too large") });
+        }
+        fs::read(path).map_err(|error| problem(name, &error))
+    }
+
+    /// Writes a file, whole or not at all.
+    ///
+    /// # Errors
+    /// The name leads elsewhere, or the disk refuses.
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Problem> {
+        let place = self.place(name)?;
+        RealDisk.write(&place, bytes).map_err(|error| problem(name, &error))
+    }
+
+    /// What a folder holds, folders first; the part folder itself for an empty name.
+    ///
+    /// # Errors
+    /// It is not there or lies elsewhere.
+    pub fn list(&self, folder: &str) -> Result<Vec<FileInfo>, Problem> {
+        let path = if folder.is_empty() { self.root.clone() } else { self.find(folder)? };
+        let entries = fs::read_dir(path).map_err(|error| problem(folder, &error))?;
+        let mut files: Vec<FileInfo> =
+            entries.flatten().filter_map(|entry| info(folder, &entry)).collect();
+        files.sort_by(|a, b| (!a.folder, &a.name).cmp(&(!b.folder, &b.name)));
+        Ok(files)
+    }
+
+    /// The name of a path below the folder; the path itself when it lies elsewhere.
+    pub fn name_of(&self, path: &str) -> String {
+        let below = Path::new(path).strip_prefix(&self.root);
+        below.map_or_else(|_| path.to_owned(), |name| name.display().to_string())
+    }
+}
+
+fn info(folder: &str, entry: &fs::DirEntry) -> Option<FileInfo> {
+    let (name, data) = (entry.file_name().into_string().ok()?, entry.metadata().ok()?);
+    if name.starts_with('.') {
+        return None;
+    }
+    let changed = data.modified().ok().and_then(|t| t.duration_since(UNIX_EPOCH).ok());
+    Some(FileInfo {
+        name: if folder.is_empty() { name } else { format!("{folder}/{name}") },
+        folder: data.is_dir(),
+        bytes: data.len(),
+        changed: changed.map_or(0, |t| t.as_secs()),
+        header: None,
+    })
+}
+
+fn outside(name: &str) -> Problem {
+    let text = format!("'{name}' is no name of a file in the part folder");
+    Problem { why: Why::File, text }
+}
+
+fn problem(name: &str, error: &io::Error) -> Problem {
+    Problem { why: Why::File, text: format!("{name}: {error}") }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    fn folder() -> (tempfile::TempDir, PartFolder) {
+        let dir = tempfile::tempdir().unwrap();
+        fs::create_dir_all(dir.path().join("parts/doors")).unwrap();
+        fs::write(dir.path().join("parts/doors/a.sbp"), "MX,1").unwrap();
+        fs::write(dir.path().join("secret.txt"), "x").unwrap();
+        let parts = PartFolder::new(&dir.path().join("parts")).unwrap();
+        (dir, parts)
+    }
+
+    #[test]
+    fn names_below_the_folder_are_read_and_written() {
+        let (_dir, parts) = folder();
+        assert_eq!(parts.read("doors/a.sbp").unwrap(), b"MX,1");
+        parts.write("doors/b.sbp", b"MY,1").unwrap();
+        let names: Vec<_> = parts.list("doors").unwrap().into_iter().map(|f| f.name).collect();
+        assert_eq!(names, ["doors/a.sbp", "doors/b.sbp"]);
+        assert!(parts.list("").unwrap()[0].folder);
+    }
+
+    #[test]
+    fn no_name_leads_out_of_the_folder() {
+        let (dir, parts) = folder();
+        let absolute = dir.path().join("secret.txt").display().to_string();
+        for name in [
+            "../secret.txt",
+            "doors/../../secret.txt",
+            &absolute,
+            "",
+            ".",
+            "..",
+            "doors//a.sbp",
+            "/",
+            "doors\\..\\..\\secret.txt",
+            "C:\\x",
+            "c:x",
+            "./doors/a.sbp",
+            ".hidden",
+            "a\0b",
+            "doors/",
+        ] {
+            assert!(parts.read(name).is_err(), "read {name}");
+            assert!(parts.write(name, b"y").is_err(), "write {name}");
+        }
+        assert_eq!(fs::read(dir.path().join("secret.txt")).unwrap(), b"x");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_do_not_lead_out_either() {
+        let (dir, parts) = folder();
+        let link = |to: &str, name: &str| {
+            std::os::unix::fs::symlink(dir.path().join(to), dir.path().join("parts").join(name))
+                .unwrap();
+        };
+        link("secret.txt", "link.txt");
+        link("", "up");
+        for name in ["link.txt", "up/secret.txt", "up/new.txt"] {
+            assert!(parts.read(name).is_err(), "read {name}");
+            assert!(parts.write(name, b"y").is_err(), "write {name}");
+        }
+        assert_eq!(fs::read(dir.path().join("secret.txt")).unwrap(), b"x");
+        assert!(!dir.path().join("new.txt").exists());
+    }
+}

@@ -1,0 +1,164 @@
+//! Who may ask at all: the right name of this machine, no foreign page, a paired device.
+//!
+//! A page of a foreign site in the user's own browser must not reach the machine: its requests carry
+//! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
+
+use crate::app::App;
+use axum::extract::connect_info::{ConnectInfo, Connected};
+use axum::extract::{Request, State};
+use axum::http::header::{AUTHORIZATION, COOKIE, HOST, ORIGIN};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
+use axum::middleware::Next;
+use axum::response::{IntoResponse, Response};
+use axum::serve::IncomingStream;
+use kerf_wire::Role;
+use std::net::{IpAddr, SocketAddr};
+use std::sync::Arc;
+use tokio::net::TcpListener;
+
+/// The cookie that holds a device's token.
+pub const TOKEN: &str = "kerf-device";
+
+/// Headers of proxies. They are not believed; whoever sends them is not at the machine itself.
+const FORWARDED: [&str; 4] = ["forwarded", "x-forwarded-for", "x-forwarded-host", "x-real-ip"];
+
+/// Both ends of a connection.
+#[derive(Clone, Copy, Debug)]
+pub struct Peer {
+    /// The other end.
+    pub remote: SocketAddr,
+    /// Ours.
+    pub local: SocketAddr,
+}
+
+impl Connected<IncomingStream<'_, TcpListener>> for Peer {
+    fn connect_info(stream: IncomingStream<'_, TcpListener>) -> Self {
+        let remote = *stream.remote_addr();
+        Self { remote, local: stream.io().local_addr().unwrap_or(remote) }
+    }
+}
+
+/// Who asks.
+#[derive(Clone, Debug)]
+pub struct Caller {
+    /// What it may do; nothing for a device that is not paired.
+    pub role: Option<Role>,
+    /// Number and name of the paired device; nothing at the machine itself.
+    pub device: Option<(u32, String)>,
+}
+
+/// Looks at every request before anything else does.
+pub async fn guard(
+    State(app): State<Arc<App>>,
+    ConnectInfo(peer): ConnectInfo<Peer>,
+    mut request: Request,
+    next: Next,
+) -> Response {
+    let caller = match admit(&app, &peer, &request) {
+        Ok(caller) => caller,
+        Err((status, why)) => return with_headers((status, why).into_response()),
+    };
+    request.extensions_mut().insert(caller);
+    with_headers(next.run(request).await)
+}
+
+type Refusal = (StatusCode, &'static str);
+
+fn admit(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Refusal> {
+    let (headers, path) = (request.headers(), request.uri().path());
+    let host = host(headers).filter(|host| is_ours(app, peer, host));
+    let host =
+        host.ok_or((StatusCode::MISDIRECTED_REQUEST, "this is not the name of this machine"))?;
+    let foreign = (StatusCode::FORBIDDEN, "a page of another site may not ask this machine");
+    match headers.get(ORIGIN) {
+        Some(origin) if origin.as_bytes() != format!("http://{host}").as_bytes() => {
+            return Err(foreign);
+        }
+        None if path == "/ws" => return Err(foreign),
+        _ => {}
+    }
+    let caller = who(app, peer, headers);
+    let open = !path.starts_with("/api") && path != "/ws" || path == "/api/pair";
+    if caller.role.is_none() && !open {
+        return Err((StatusCode::UNAUTHORIZED, "this device is not paired with the machine"));
+    }
+    // Nothing changes by looking.
+    let known = [Method::GET, Method::HEAD, Method::POST, Method::PUT, Method::DELETE];
+    if known.contains(request.method()) {
+        Ok(caller)
+    } else {
+        Err((StatusCode::METHOD_NOT_ALLOWED, "this is not how things are asked here"))
+    }
+}
+
+fn host(headers: &HeaderMap) -> Option<&str> {
+    let mut hosts = headers.get_all(HOST).iter();
+    let host = hosts.next()?.to_str().ok()?;
+    hosts.next().is_none().then_some(host)
+}
+
+/// Whether a name with a port is one of this machine's.
+fn is_ours(app: &App, peer: &Peer, host: &str) -> bool {
+    let (name, port) = match host.rsplit_once(':') {
+        Some((name, port)) if !port.contains(']') => (name, port.parse().ok()),
+        _ => (host, Some(80)),
+    };
+    let local = peer.local.ip().to_canonical();
+    let address = match local {
+        IpAddr::V4(v4) => v4.to_string(),
+        IpAddr::V6(v6) => format!("[{v6}]"),
+    };
+    let named = |ours: &str| name.eq_ignore_ascii_case(ours);
+    let ours = named(&address)
+        || local.is_loopback() && named("localhost")
+        || app.options.lan && app.options.names.iter().any(|ours| named(ours));
+    ours && port == Some(peer.local.port())
+}
+
+/// Who asks: whoever sits at the machine owns it; everybody else is a paired device, or nobody.
+fn who(app: &App, peer: &Peer, headers: &HeaderMap) -> Caller {
+    let forwarded = FORWARDED.iter().any(|name| headers.contains_key(*name));
+    if peer.remote.ip().to_canonical().is_loopback() && !forwarded {
+        return Caller { role: Some(Role::Owner), device: None };
+    }
+    let device = token(headers).and_then(|token| app.devices.find(token));
+    let device = device.filter(|_| app.options.lan);
+    Caller {
+        role: device.as_ref().map(|device| device.role),
+        device: device.map(|device| (device.number, device.name)),
+    }
+}
+
+fn token(headers: &HeaderMap) -> Option<&str> {
+    let bearer = headers.get(AUTHORIZATION).and_then(|v| v.to_str().ok()?.strip_prefix("Bearer "));
+    bearer.or_else(|| {
+        let cookies = headers.get(COOKIE)?.to_str().ok()?;
+        let pairs = cookies.split(';').filter_map(|pair| pair.trim().split_once('='));
+        pairs.into_iter().find(|(name, _)| *name == TOKEN).map(|(_, token)| token)
+    })
+}
+
+/// What every answer says to the browser. Pages get their own policy, with a nonce.
+fn with_headers(mut response: Response) -> Response {
+    let headers = response.headers_mut();
+    let always = [
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::REFERRER_POLICY, "no-referrer"),
+        (header::X_FRAME_OPTIONS, "DENY"),
+    ];
+    for (name, value) in always {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    let policies = [
+        ("cross-origin-opener-policy", "same-origin"),
+        ("cross-origin-resource-policy", "same-origin"),
+        ("permissions-policy", "camera=(), microphone=(), geolocation=()"),
+    ];
+    for (name, value) in policies {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    let policy = "default-src 'none'; frame-ancestors 'none'";
+    headers.entry(header::CONTENT_SECURITY_POLICY).or_insert(HeaderValue::from_static(policy));
+    headers.entry(header::CACHE_CONTROL).or_insert(HeaderValue::from_static("no-store"));
+    response
+}

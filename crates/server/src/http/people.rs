@@ -1,0 +1,103 @@
+//! Pairing of devices.
+
+use super::Refused;
+use super::guard::{Caller, TOKEN};
+use super::rest::demand;
+use crate::app::{App, problem};
+use crate::people::PairError;
+use axum::extract::{Path, State};
+use axum::http::header;
+use axum::response::IntoResponse;
+use axum::{Extension, Json};
+use kerf_wire::{Problem, Role, Why};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// What a device sends to be paired.
+#[derive(Debug, Deserialize, schemars::JsonSchema)]
+pub struct Pair {
+    /// The code that the machine shows.
+    code: String,
+    /// What the device is to be called.
+    name: String,
+}
+
+/// What it gets.
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Paired {
+    /// Its token, for scripts; browsers keep it as a cookie.
+    token: String,
+    /// What it may do.
+    role: Role,
+}
+
+/// For which role a code is shown.
+#[derive(Debug, Deserialize, schemars::JsonSchema)]
+pub struct Wanted {
+    role: Role,
+}
+
+/// A code.
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Code {
+    code: String,
+}
+
+/// A paired device.
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Listed {
+    number: u32,
+    name: String,
+    role: Role,
+}
+
+impl From<PairError> for Problem {
+    fn from(error: PairError) -> Self {
+        let why = if error == PairError::Failed { Why::Server } else { Why::Role };
+        problem(why, error.to_string())
+    }
+}
+
+/// Pairs the device that asks.
+pub async fn pair(
+    State(app): State<Arc<App>>,
+    Json(pair): Json<Pair>,
+) -> Result<impl IntoResponse, Refused> {
+    let (token, device) = app.devices.pair(&pair.code, &pair.name).map_err(Problem::from)?;
+    let cookie = format!("{TOKEN}={token}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000");
+    Ok(([(header::SET_COOKIE, cookie)], Json(Paired { token, role: device.role })))
+}
+
+/// Shows a code.
+pub async fn code(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Json(wanted): Json<Wanted>,
+) -> Result<Json<Code>, Refused> {
+    demand(&caller, Role::Owner)?;
+    let code = app.devices.show_code(wanted.role).map_err(Problem::from)?;
+    Ok(Json(Code { code }))
+}
+
+/// All devices.
+pub async fn list(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+) -> Result<Json<Vec<Listed>>, Refused> {
+    demand(&caller, Role::Owner)?;
+    let listed = |(number, name, role)| Listed { number, name, role };
+    Ok(Json(app.devices.list().into_iter().map(listed).collect()))
+}
+
+/// Revokes a device.
+pub async fn revoke(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Path(number): Path<u32>,
+) -> Result<Json<()>, Refused> {
+    demand(&caller, Role::Owner)?;
+    app.devices.revoke(number).map_err(|e| problem(Why::Server, e.to_string()))?;
+    // Pages look whether they are still paired when something is told.
+    app.files_changed();
+    Ok(Json(()))
+}

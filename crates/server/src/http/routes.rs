@@ -1,0 +1,146 @@
+//! The routes, and their description for scripts (OpenAPI).
+
+use super::{assets, files, guard, people, preview, rest, socket};
+use crate::app::App;
+use axum::Router;
+use axum::extract::DefaultBodyLimit;
+use axum::middleware::from_fn_with_state;
+use axum::routing::{any, delete, get, post};
+use kerf_control::MOST_BYTES;
+use kerf_wire::preview::PreviewInfo;
+use kerf_wire::{Act, FileInfo, Reply, ShapeList, Snapshot};
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, SchemaGenerator};
+use serde_json::{Map, Value, json};
+use std::sync::Arc;
+
+/// Every route; everything passes the guard.
+pub fn router(app: Arc<App>) -> Router {
+    let upload = get(files::read).put(files::write).layer(DefaultBodyLimit::max(MOST_BYTES));
+    Router::new()
+        .route("/ws", any(socket::socket))
+        .route("/api/state", get(rest::state))
+        .route("/api/do/{act}", post(rest::act))
+        .route("/api/files", get(files::list))
+        .route("/api/files/{*name}", upload)
+        .route("/api/preview/{key}", get(preview::info))
+        .route("/api/preview/{key}/{level}/{piece}", get(preview::piece))
+        .route("/api/drawing/shapes", get(rest::shapes))
+        .route("/api/drawing/paths", get(rest::tool_paths))
+        .route("/api/pair", post(people::pair))
+        .route("/api/pair/code", post(people::code))
+        .route("/api/devices", get(people::list))
+        .route("/api/devices/{number}", delete(people::revoke))
+        .route("/api/openapi.json", get(|| async { axum::Json(describe()) }))
+        .fallback(get(assets::asset))
+        .layer(from_fn_with_state(app.clone(), guard::guard))
+        .with_state(app)
+}
+
+/// A route as a script sees it.
+struct Route {
+    path: &'static str,
+    method: &'static str,
+    doc: &'static str,
+    body: Option<fn(&mut SchemaGenerator) -> Value>,
+    answer: Option<fn(&mut SchemaGenerator) -> Value>,
+}
+
+fn schema<T: JsonSchema>(generator: &mut SchemaGenerator) -> Value {
+    generator.subschema_for::<T>().to_value()
+}
+
+const fn looks(
+    path: &'static str,
+    doc: &'static str,
+    answer: Option<fn(&mut SchemaGenerator) -> Value>,
+) -> Route {
+    Route { path, method: "get", doc, body: None, answer }
+}
+
+/// Every route that scripts may like.
+fn routes() -> Vec<Route> {
+    let list = schema::<Vec<FileInfo>>;
+    vec![
+        looks("/api/state", "Everything that pages show", Some(schema::<Snapshot>)),
+        Route {
+            path: "/api/do/{act}",
+            method: "post",
+            doc: "Does something: the name of the act in the path, its other fields in the body",
+            body: Some(schema::<Act>),
+            answer: Some(schema::<Reply>),
+        },
+        looks("/api/files", "What a folder of the part folder holds: ?folder=NAME", Some(list)),
+        looks("/api/files/{name}", "A file of the part folder", None),
+        Route {
+            path: "/api/files/{name}",
+            method: "put",
+            doc: "Writes a file into the part folder",
+            body: None,
+            answer: None,
+        },
+        looks("/api/preview/{key}", "The preview of the open file", Some(schema::<PreviewInfo>)),
+        looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
+        looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
+        looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ShapeList>)),
+        Route {
+            path: "/api/pair",
+            method: "post",
+            doc: "Pairs the device that asks, by the code that the machine shows",
+            body: Some(schema::<people::Pair>),
+            answer: Some(schema::<people::Paired>),
+        },
+        Route {
+            path: "/api/pair/code",
+            method: "post",
+            doc: "Shows a code for a new device (owner)",
+            body: Some(schema::<people::Wanted>),
+            answer: Some(schema::<people::Code>),
+        },
+        looks("/api/devices", "Paired devices (owner)", Some(schema::<Vec<people::Listed>>)),
+        Route {
+            path: "/api/devices/{number}",
+            method: "delete",
+            doc: "Revokes a device (owner)",
+            body: None,
+            answer: None,
+        },
+    ]
+}
+
+/// The description of the HTTP interface: OpenAPI 3.1.
+pub fn describe() -> Value {
+    let settings = SchemaSettings::draft2020_12()
+        .with(|settings| settings.definitions_path = "/components/schemas".into());
+    let mut generator = settings.into_generator();
+    let mut paths = Map::new();
+    for route in routes() {
+        let methods = paths.entry(route.path).or_insert_with(|| json!({}));
+        methods[route.method] = operation(&route, &mut generator);
+    }
+    let version = env!("CARGO_PKG_VERSION");
+    json!({
+        "openapi": "3.1.0",
+        "info": { "title": "Kerf", "version": version },
+        "paths": paths,
+        "components": { "schemas": generator.take_definitions(true) },
+    })
+}
+
+fn operation(route: &Route, generator: &mut SchemaGenerator) -> Value {
+    let content = |schema: Value| json!({ "application/json": { "schema": schema } });
+    let names = route.path.split(['{', '}']).skip(1).step_by(2);
+    let parameter = |name: &str| json!({ "name": name, "in": "path", "required": true, "schema": { "type": "string" } });
+    let mut operation = json!({
+        "summary": route.doc,
+        "parameters": names.map(parameter).collect::<Vec<_>>(),
+        "responses": { "200": { "description": "done" } },
+    });
+    if let Some(answer) = route.answer {
+        operation["responses"]["200"]["content"] = content(answer(generator));
+    }
+    if let Some(body) = route.body {
+        operation["requestBody"] = json!({ "content": content(body(generator)) });
+    }
+    operation
+}

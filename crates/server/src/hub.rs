@@ -1,0 +1,85 @@
+//! What every page shows, and who is told when it changes.
+
+use kerf_wire::{Change, Message, Snapshot, ToPage, Tone};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::sync::broadcast;
+
+/// Changes that a slow page may be behind before it gets a snapshot instead.
+const BEHIND: usize = 1024;
+
+/// The snapshot and its readers.
+#[derive(Debug)]
+pub struct Hub {
+    snapshot: Mutex<Snapshot>,
+    pages: broadcast::Sender<Arc<str>>,
+}
+
+impl Hub {
+    /// Begins with a snapshot.
+    pub fn new(snapshot: Snapshot) -> Self {
+        Self { snapshot: Mutex::new(snapshot), pages: broadcast::channel(BEHIND).0 }
+    }
+
+    /// The snapshot, for reading.
+    pub fn read<T>(&self, read: impl FnOnce(&Snapshot) -> T) -> T {
+        read(&self.lock())
+    }
+
+    /// Changes that are taken over and told, in one go.
+    pub fn change(&self, changes: Vec<Change>) {
+        self.changing(|_| changes);
+    }
+
+    /// Changes that follow from what is there: nobody else changes anything between.
+    pub fn changing(&self, make: impl FnOnce(&Snapshot) -> Vec<Change>) {
+        let mut snapshot = self.lock();
+        let changes = make(&snapshot);
+        if changes.is_empty() {
+            return;
+        }
+        for change in &changes {
+            snapshot.apply(change.clone());
+        }
+        // Nobody listening is no error.
+        drop(self.pages.send(text(&ToPage::Changes { changes })));
+    }
+
+    /// A line for the message area.
+    pub fn say(&self, tone: Tone, text: impl Into<String>) {
+        let message = Message { tone, text: text.into(), run: 0 };
+        self.change(vec![Change::Messages { messages: vec![message] }]);
+    }
+
+    /// The snapshot and everything that changes after it.
+    pub fn listen(&self) -> (Snapshot, broadcast::Receiver<Arc<str>>) {
+        let snapshot = self.lock();
+        (snapshot.clone(), self.pages.subscribe())
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Snapshot> {
+        self.snapshot.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A message as it goes over the socket.
+pub fn text(message: &ToPage) -> Arc<str> {
+    serde_json::to_string(message).unwrap_or_default().into()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_gets_what_changes_behind_its_snapshot() {
+        let hub = Hub::new(Snapshot::default());
+        hub.say(Tone::Note, "before");
+        let (snapshot, mut changes) = hub.listen();
+        hub.say(Tone::Note, "after");
+        assert_eq!(snapshot.messages.len(), 1);
+        assert!(changes.try_recv().unwrap().contains("after"));
+        assert!(changes.try_recv().is_err());
+        assert_eq!(hub.read(|s| s.messages.len()), 2);
+    }
+}

@@ -1,0 +1,140 @@
+//! Kerf's server: the machine, its files and drawings behind HTTP and one WebSocket.
+//!
+//! ```text
+//!  page ── /ws, /api ──► guard ──► App::act ──┬─ orders ──► machine's thread (one owner, kerf-control)
+//!    ▲                                        ├─ Link: stop, hold, answers, renewals of a jog
+//!    └────────── Hub: snapshot, changes ◄─────┴─ drawing, files, previews
+//! ```
+//!
+//! - The server owns all state; a page is a view. [`hub`] holds what pages show and tells them what
+//!   changes; the messages are those of [`kerf_wire`].
+//! - One thread owns the machine ([`machine`]). It runs one thing after the other; what pages want of
+//!   a run that goes on reaches it through a [`Link`](machine::Link), which it looks at several times
+//!   between two pictures.
+//! - Who may do what, and when, is one list in [`acts`]. Who is let in at all is decided in `http::guard`.
+//! - Previews are runs on copies ([`preview`]); files lie in the part folder and nowhere else
+//!   ([`files`]).
+
+mod acts;
+mod app;
+mod desk;
+mod files;
+mod http;
+mod hub;
+mod machine;
+mod people;
+mod preview;
+mod setup;
+mod told;
+
+pub use http::describe;
+pub use kerf_wire::Role;
+pub use setup::{Builders, Options, Workshop};
+
+use app::{App, Parts};
+use files::PartFolder;
+use http::Peer;
+use hub::Hub;
+use kerf_wire::Snapshot;
+use machine::{Link, Order, Owner};
+use std::io;
+use std::net::SocketAddr;
+use std::sync::mpsc::{Receiver, channel};
+use std::sync::{Arc, Mutex, OnceLock, Weak};
+use std::thread;
+use tokio::net::TcpListener;
+use tokio::runtime::Runtime;
+
+/// A server that runs, until it is dropped.
+pub struct Server {
+    /// Where it listens.
+    pub address: SocketAddr,
+    app: Arc<App>,
+    /// Carries the connections.
+    runtime: Option<Runtime>,
+}
+
+impl Server {
+    /// Starts a server.
+    ///
+    /// # Errors
+    /// The address cannot be listened on, or is reached from other machines without leave; the part
+    /// folder is not there; the machine's settings cannot be read.
+    pub fn start(options: Options, builders: Builders) -> io::Result<Self> {
+        if !options.listen.ip().is_loopback() && !options.lan {
+            let text = "other machines could reach this address: that takes --lan";
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, text));
+        }
+        let runtime = Runtime::new()?;
+        let listener = runtime.block_on(TcpListener::bind(options.listen))?;
+        let address = listener.local_addr()?;
+        let app = machine_and_app(options, builders)?;
+        if let Some(name) = app.options.open.clone() {
+            drop(app.open_file(&name));
+        }
+        let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
+        runtime.spawn(async move { axum::serve(listener, service).await });
+        Ok(Self { address, app, runtime: Some(runtime) })
+    }
+
+    /// A code by which a device is paired that asks for it.
+    pub fn show_code(&self, role: Role) -> Option<String> {
+        self.app.devices.show_code(role).ok()
+    }
+
+    /// Stops the machine, as the button does.
+    pub fn stop_machine(&self) {
+        self.app.link.want(|wanted| wanted.stop = true);
+    }
+
+    /// Waits for as long as the server runs.
+    pub fn wait(&self) {
+        loop {
+            thread::park();
+        }
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        self.stop_machine();
+        if let Some(runtime) = self.runtime.take() {
+            runtime.shutdown_background();
+        }
+    }
+}
+
+/// Starts the machine's thread, and makes what requests share.
+fn machine_and_app(options: Options, builders: Builders) -> io::Result<Arc<App>> {
+    let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
+    snapshot.drawing_only = options.drawing_only;
+    snapshot.machine.name = "simulated".into();
+    let hub = Arc::new(Hub::new(snapshot));
+    let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<_>>::default());
+    let (orders, waiting) = channel();
+    let app: Arc<OnceLock<Weak<App>>> = Arc::default();
+    let done = {
+        let app = app.clone();
+        move || app.get().and_then(Weak::upgrade).map_or((), |app| app.after_run())
+    };
+    let parts = PartFolder::new(&options.parts)?;
+    let (ready, started) = channel();
+    let (owned, build) = ((hub.clone(), link.clone(), left.clone()), builders.workshop.clone());
+    let rate = options.rate;
+    let run = move |waiting: Receiver<Order>| {
+        let workshop = match build() {
+            Ok(workshop) => workshop,
+            Err(error) => return drop(ready.send(Err(error))),
+        };
+        let ((hub, link, left), done) = (owned, Box::new(done));
+        let owner = Owner { hub, link, workshop, parts, left, rate, done, asked: 0, run: 0 };
+        owner.begin();
+        drop(ready.send(Ok(())));
+        owner.work(&waiting);
+    };
+    thread::Builder::new().name("machine".into()).spawn(move || run(waiting))?;
+    started.recv().map_err(io::Error::other)??;
+    let made = Arc::new(App::new(options, Parts { hub, link, orders, left, builders })?);
+    drop(app.set(Arc::downgrade(&made)));
+    Ok(made)
+}

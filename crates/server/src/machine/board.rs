@@ -1,0 +1,164 @@
+//! What a run has to tell the pages, gathered so that they are told some thirty times a second and
+//! not a thousand.
+
+use crate::hub::Hub;
+use crate::told;
+use kerf_control::Doing;
+use kerf_program::{Axes, MoveKind};
+use kerf_sim::Machine;
+use kerf_wire::{Call, Change, Io, Message, Motion, Speeds, Tone, Units};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Pages are told this often.
+pub const TELL: Duration = Duration::from_millis(33);
+
+/// Lines of the print window that wait to be told, at most.
+const PRINTED: usize = 1000;
+
+/// When each move of the job is over in its plan, seconds.
+pub type Times = Arc<[f32]>;
+
+/// Gathers.
+#[derive(Debug)]
+pub struct Board {
+    hub: Arc<Hub>,
+    told: Instant,
+    motion: Motion,
+    units: Units,
+    speeds: Speeds,
+    io: Io,
+    calls: Option<Vec<Call>>,
+    printed: Vec<String>,
+    messages: Vec<Message>,
+    /// Number of the run.
+    run: u32,
+    times: Times,
+    /// Moves that were made.
+    pub made: u32,
+    /// Share of the speed asked for.
+    pub feed: f64,
+}
+
+impl Board {
+    /// For a run with this plan.
+    pub fn new(hub: Arc<Hub>, run: u32, times: Times) -> Self {
+        let (units, speeds, io) = hub.read(|now| (now.units.clone(), now.speeds, now.io.clone()));
+        Self {
+            hub,
+            told: Instant::now(),
+            motion: Motion::default(),
+            units,
+            speeds,
+            io,
+            calls: None,
+            printed: Vec::new(),
+            messages: Vec::new(),
+            run,
+            times,
+            made: 0,
+            feed: 1.0,
+        }
+    }
+
+    /// Where the machine is at a moment, and what else can be seen of it.
+    pub fn see(&mut self, doing: &Doing<'_>, t_s: f64) {
+        self.look_at(doing.machine);
+        let frame = doing.machine.frame();
+        let (place, speed, going) = match &doing.going {
+            Some(going) => {
+                let state = going.at(t_s);
+                let speed = speed(state.velocity);
+                (state.position, speed, going.made())
+            }
+            None => (doing.machine.position(), 0.0, None),
+        };
+        let cutting = going.is_some_and(|made| made.kind == MoveKind::Cut);
+        let line = going.map_or(self.motion.line, |made| made.at.line);
+        let at = told::positions(frame, place);
+        let (progress, remaining) = self.progress();
+        self.motion =
+            Motion { at, speed, t: t_s, cutting, line, made: self.made, progress, remaining };
+    }
+
+    fn look_at(&mut self, machine: &Machine) {
+        let settings = machine.settings();
+        let (units, rpm) = (told::units(settings), self.speeds.rpm);
+        let speeds = Speeds { rpm, ..told::speeds(settings) };
+        self.units = units;
+        self.speeds = speeds;
+        let Io { inputs, outputs } = &mut self.io;
+        inputs.iter_mut().for_each(|lamp| lamp.on = machine.input(lamp.number));
+        outputs.iter_mut().for_each(|lamp| lamp.on = machine.outputs().is_on(lamp.number));
+    }
+
+    /// How far the job is and how long it takes from here, by its plan.
+    fn progress(&self) -> (f64, f64) {
+        let total = self.times.last().copied().map_or(0.0, f64::from);
+        if total <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let made = (self.made as usize).min(self.times.len());
+        let done = made.checked_sub(1).map_or(0.0, |last| f64::from(self.times[last]));
+        (done / total, (total - done) / self.feed.max(0.1))
+    }
+
+    /// A spindle got a speed.
+    pub const fn spindle(&mut self, rpm: f64) {
+        self.speeds.rpm = rpm;
+    }
+
+    /// A line of the print window.
+    pub fn print(&mut self, line: &str) {
+        self.printed.extend(line.split('\n').map(str::to_owned));
+        let too_many = self.printed.len().saturating_sub(PRINTED);
+        self.printed.drain(..too_many);
+    }
+
+    /// A line of the message area.
+    pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
+        self.messages.push(Message { tone, text: text.into(), run: self.run });
+    }
+
+    /// Where the run is in its files.
+    pub fn stands(&mut self, calls: Vec<Call>) {
+        self.calls = Some(calls);
+    }
+
+    /// Tells, unless that was done a moment ago.
+    pub fn tell_sometimes(&mut self) {
+        if self.told.elapsed() >= TELL {
+            self.tell();
+        }
+    }
+
+    /// Tells what is there to tell.
+    pub fn tell(&mut self) {
+        self.told = Instant::now();
+        let hub = self.hub.clone();
+        hub.changing(|now| {
+            let mut changes = Vec::new();
+            let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));
+            put(now.units != self.units, Change::Units { units: self.units.clone() });
+            put(now.speeds != self.speeds, Change::Speeds { speeds: self.speeds });
+            put(now.io != self.io, Change::Io { io: self.io.clone() });
+            put(now.motion != self.motion, Change::Motion { motion: self.motion });
+            if let (Some(calls), Some(job)) = (self.calls.take(), &now.job) {
+                let job = Some(kerf_wire::Job { calls, ..job.clone() });
+                put(now.job != job, Change::Job { job });
+            }
+            let (lines, messages) =
+                (std::mem::take(&mut self.printed), std::mem::take(&mut self.messages));
+            put(!lines.is_empty(), Change::Printed { lines });
+            put(!messages.is_empty(), Change::Messages { messages });
+            changes
+        });
+    }
+}
+
+/// Speed of the tool in space, or of the rotary axes when only they move.
+fn speed(velocity: Axes) -> f64 {
+    let [x, y, z, a, b, c] = velocity.0;
+    let linear = (x * x + y * y + z * z).sqrt();
+    if linear > 0.0 { linear } else { (a * a + b * b + c * c).sqrt() }
+}

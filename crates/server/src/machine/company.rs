@@ -1,0 +1,273 @@
+//! Who takes part in a run of the server: a clock, an operator at any page, and whoever is told.
+//!
+//! The three share a [`Board`]; they live on the machine's thread.
+
+use super::board::Board;
+use super::link::Link;
+use crate::files::PartFolder;
+use crate::hub::Hub;
+use kerf_control::answers::{self, Operator};
+use kerf_control::{Doing, Event, Made, OpenFile, Pace, Sink, Standing, Wish};
+use kerf_program::{Question, QuestionKind};
+use kerf_wire::{Asked, Call, Change, Machine, State, Tone};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// A nap while machine time passes: pages see the machine move, a jog that nobody renews is noticed.
+const NAP: Duration = Duration::from_millis(15);
+
+/// What the three share.
+#[derive(Clone, Debug)]
+pub struct Shared {
+    /// What is told.
+    pub board: Rc<RefCell<Board>>,
+    /// Who is told.
+    pub hub: Arc<Hub>,
+    /// What is wanted.
+    pub link: Arc<Link>,
+    /// Pages know files by their names below this.
+    pub parts: PartFolder,
+}
+
+impl Shared {
+    fn tell(&self) {
+        self.board.borrow_mut().tell();
+    }
+
+    /// The machine does something else from now on.
+    fn state(&self, state: State) {
+        self.tell();
+        self.hub.changing(|now| {
+            let machine = Machine { state, why: None, ..now.machine.clone() };
+            vec![Change::Machine { machine }]
+        });
+    }
+}
+
+/// Machine time against the time of the world.
+#[derive(Debug)]
+pub struct Clock {
+    shared: Shared,
+    /// Seconds of machine time in a second; 1 for a real machine.
+    rate: f64,
+    /// A moment of the world, and the machine time then.
+    seen: Option<(Instant, f64)>,
+}
+
+impl Clock {
+    /// A clock that begins with the run.
+    pub const fn new(shared: Shared, rate: f64) -> Self {
+        Self { shared, rate, seen: None }
+    }
+
+    /// Machine time now, when it was `from_s` at the last look or later.
+    fn now(&mut self, from_s: f64) -> f64 {
+        let (since, since_s) = *self.seen.get_or_insert_with(|| (Instant::now(), from_s));
+        since_s + since.elapsed().as_secs_f64() * self.rate
+    }
+
+    /// Whoever computed or waited for longer than a moment does not hurry afterwards.
+    fn stay_behind(&mut self, from_s: f64) {
+        if self.now(from_s) > from_s + 0.1 * self.rate {
+            self.seen = None;
+        }
+    }
+
+    fn nap(&self, left_s: f64) -> Duration {
+        NAP.min(Duration::from_secs_f64((left_s / self.rate).clamp(0.0, 1.0)))
+    }
+}
+
+impl Pace for Clock {
+    fn pass(&mut self, _: f64, _: f64) -> Option<(f64, Wish)> {
+        None
+    }
+
+    fn watch(&mut self, from_s: f64, to_s: f64, doing: &Doing<'_>) -> Option<(f64, Wish)> {
+        self.stay_behind(from_s);
+        let shared = self.shared.clone();
+        let mut wanted = shared.link.lock();
+        loop {
+            let now_s = self.now(from_s).clamp(from_s, to_s);
+            if let Some(wish) = wanted.wish() {
+                return Some((now_s, wish));
+            }
+            drop(wanted);
+            let mut board = shared.board.borrow_mut();
+            board.see(doing, now_s);
+            board.tell_sometimes();
+            drop(board);
+            let left_s = to_s - self.now(from_s);
+            if left_s <= 0.0 {
+                return None;
+            }
+            wanted = shared.link.lock();
+            wanted = shared.link.wait(wanted, self.nap(left_s));
+        }
+    }
+
+    fn is_real(&self) -> bool {
+        self.rate <= 1.0
+    }
+
+    fn heard(&mut self) {
+        self.seen = None;
+        self.shared.link.want(|wanted| wanted.stop = false);
+    }
+
+    /// Stands until somebody resumes, or stops, which ends the run.
+    fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        let begin = Instant::now();
+        self.shared.state(State::Held);
+        let mut wanted = self.shared.link.lock();
+        loop {
+            if std::mem::take(&mut wanted.stop) {
+                return None;
+            }
+            if std::mem::take(&mut wanted.resume) {
+                break;
+            }
+            wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
+        }
+        (wanted.hold, self.seen) = (false, None);
+        drop(wanted);
+        self.shared.state(State::Running);
+        Some(held_s + begin.elapsed().as_secs_f64() * self.rate)
+    }
+}
+
+/// Whoever answers at a page.
+#[derive(Debug)]
+pub struct Pages {
+    shared: Shared,
+    asked: u32,
+    stopped: bool,
+}
+
+impl Pages {
+    /// Questions count from a number on, so that no answer goes to another run.
+    pub const fn new(shared: Shared, asked: u32) -> Self {
+        Self { shared, asked, stopped: false }
+    }
+
+    /// How many questions were asked.
+    pub const fn asked(&self) -> u32 {
+        self.asked
+    }
+
+    fn show(&self, asked: Option<Asked>) {
+        self.shared.hub.change(vec![Change::Asked { asked }]);
+    }
+
+    /// Waits for an answer that means something in the box; nothing when the machine is stopped.
+    fn wait(&mut self, question: &Question) -> Option<String> {
+        let mut wanted = self.shared.link.lock();
+        loop {
+            if std::mem::take(&mut wanted.stop) {
+                self.stopped = true;
+                return None;
+            }
+            if let Some((number, words)) = wanted.answer.take()
+                && number == self.asked
+                && answers::meaning(question, &words).is_some()
+            {
+                return Some(words);
+            }
+            wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
+        }
+    }
+}
+
+impl Operator for Pages {
+    fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
+        self.answer_in(question, "", line)
+    }
+
+    fn answer_in(&mut self, question: &Question, file: &str, line: u32) -> Option<String> {
+        self.asked += 1;
+        let stopped = question.kind == QuestionKind::Hold;
+        self.shared.state(if stopped { State::Stopped } else { State::Asking });
+        let file = self.shared.parts.name_of(file);
+        self.show(Some(asked(self.asked, question, file, line)));
+        let answer = self.wait(question);
+        self.show(None);
+        self.shared.state(State::Running);
+        answer
+    }
+
+    fn gives_up(&self) -> bool {
+        self.stopped
+    }
+}
+
+fn asked(number: u32, question: &Question, file: String, line: u32) -> Asked {
+    Asked {
+        number,
+        kind: answers::kind_word(question.kind).into(),
+        text: question.text.clone(),
+        title: question.title.clone(),
+        buttons: question.buttons.iter().map(|b| b.word().to_owned()).collect(),
+        default: question.default as u32,
+        prefill: question.prefill.clone(),
+        entry: question.kind == QuestionKind::Input,
+        icon: question.icon.into(),
+        file,
+        line,
+        was: State::Running,
+    }
+}
+
+/// Puts events on the board.
+#[derive(Debug)]
+pub struct Teller {
+    shared: Shared,
+}
+
+impl Teller {
+    /// Tells pages.
+    pub const fn new(shared: Shared) -> Self {
+        Self { shared }
+    }
+}
+
+impl Sink for Teller {
+    fn event(&mut self, event: &Event) {
+        let mut board = self.shared.board.borrow_mut();
+        match event {
+            Event::Print { text, .. } => board.print(text),
+            Event::Message { text, .. } => board.say(Tone::Program, &**text),
+            Event::Diag(found) => board.say(crate::told::tone(found), crate::told::sentence(found)),
+            Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
+            Event::Override { percent, .. } => {
+                board.feed = percent / 100.0;
+                let overrides = kerf_wire::Overrides { feed: *percent };
+                drop(board);
+                self.shared.hub.change(vec![Change::Overrides { overrides }]);
+                return;
+            }
+            _ => {}
+        }
+        board.tell_sometimes();
+    }
+
+    fn looks_at_motion(&self) -> bool {
+        false
+    }
+
+    fn made(&mut self, _: &Made<'_>) {
+        self.shared.board.borrow_mut().made += 1;
+    }
+
+    fn standing(&mut self, standing: &Standing) {
+        let parts = &self.shared.parts;
+        let call = |open: &OpenFile| Call { file: parts.name_of(&open.file), line: open.line };
+        let calls = standing.files.iter().map(call).collect();
+        self.shared.board.borrow_mut().stands(calls);
+    }
+
+    fn looks_at_standing(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,109 @@
+//! What pages want of a machine that runs, from the threads that hear it to the one that drives.
+
+use kerf_control::Wish;
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A jog that nobody renews ends after this time.
+pub const DEAD_MAN: Duration = Duration::from_millis(250);
+
+/// What pages want; whoever waits for it is woken.
+#[derive(Debug, Default)]
+pub struct Link {
+    wanted: Mutex<Wanted>,
+    changed: Condvar,
+}
+
+/// What pages want.
+#[derive(Debug, Default)]
+pub struct Wanted {
+    /// Stop; stays until it was heard.
+    pub stop: bool,
+    /// Hold.
+    pub hold: bool,
+    /// Go on after a hold.
+    pub resume: bool,
+    /// A new feed override.
+    pub feed: Option<f32>,
+    /// The answer to a question, with its number.
+    pub answer: Option<(u32, String)>,
+    /// The jog that is made.
+    pub jog: Option<Held>,
+}
+
+/// A key that is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Held {
+    /// Its jog.
+    pub seq: u32,
+    /// Whose.
+    pub client: u32,
+    /// When it was last renewed.
+    pub renewed: Instant,
+    /// It was let go.
+    pub released: bool,
+}
+
+impl Held {
+    /// Whether nobody holds the key any more.
+    pub fn is_over(&self) -> bool {
+        self.released || self.renewed.elapsed() > DEAD_MAN
+    }
+}
+
+impl Wanted {
+    /// What the run is to do now. A jog ends at whatever is wanted.
+    pub fn wish(&mut self) -> Option<Wish> {
+        if let Some(held) = &self.jog {
+            let over = held.is_over() || self.stop || self.hold;
+            return over.then_some(Wish::End);
+        }
+        if self.stop {
+            return Some(Wish::Stop);
+        }
+        if std::mem::take(&mut self.hold) {
+            return Some(Wish::Hold);
+        }
+        self.feed.take().map(Wish::Feed)
+    }
+}
+
+impl Link {
+    /// What is wanted.
+    pub fn lock(&self) -> MutexGuard<'_, Wanted> {
+        self.wanted.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Wants something.
+    pub fn want<T>(&self, change: impl FnOnce(&mut Wanted) -> T) -> T {
+        let result = change(&mut self.lock());
+        self.changed.notify_all();
+        result
+    }
+
+    /// Waits until something is wanted, or a time has passed.
+    pub fn wait<'a>(
+        &self,
+        wanted: MutexGuard<'a, Wanted>,
+        most: Duration,
+    ) -> MutexGuard<'a, Wanted> {
+        let waited = self.changed.wait_timeout(wanted, most);
+        waited.map_or_else(|poisoned| poisoned.into_inner().0, |(wanted, _)| wanted)
+    }
+
+    /// A run begins: what was wanted of the one before is forgotten.
+    pub fn begin(&self) {
+        let mut wanted = self.lock();
+        let jog = wanted.jog.take();
+        *wanted = Wanted { jog, ..Wanted::default() };
+    }
+
+    /// The page of a jog has gone, or released the key.
+    pub fn release(&self, is_it: impl Fn(&Held) -> bool) {
+        self.want(|wanted| {
+            if let Some(held) = wanted.jog.as_mut().filter(|held| is_it(held)) {
+                held.released = true;
+            }
+        });
+    }
+}

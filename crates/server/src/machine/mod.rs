@@ -1,0 +1,15 @@
+//! The machine: one thread owns it and runs one thing after the other.
+//!
+//! ```text
+//!  acts ── Order ──► Owner ── Session::run ──┬─ Clock    machine time, wishes of the Link
+//!    └──── wishes, answers ──► Link ─────────┤─ Pages    questions
+//!                                            └─ Teller   events ─► Board ─► Hub ─► pages
+//! ```
+
+mod board;
+mod company;
+pub mod link;
+mod owner;
+
+pub use link::Link;
+pub use owner::{Order, Owner};

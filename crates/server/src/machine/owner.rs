@@ -1,0 +1,264 @@
+//! The owner of the machine, on its thread.
+
+use super::board::{Board, Times};
+use super::company::{Clock, Pages, Shared, Teller};
+use super::link::Link;
+use crate::files::PartFolder;
+use crate::hub::Hub;
+use crate::setup::Workshop;
+use crate::told;
+use kerf_control::journal::JournalError;
+use kerf_control::{Company, RunOptions, Session, Summary};
+use kerf_part::Program;
+use kerf_program::{AXES, Axis, Settings};
+use kerf_sbp::Status;
+use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::mpsc::Receiver;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Longest way of a jog when no table limit is in its way, mm or degrees.
+const FAR: f64 = 10_000.0;
+
+/// What the machine is to do next.
+#[derive(Debug)]
+pub enum Order {
+    /// Run a part file.
+    File {
+        /// The file.
+        program: Box<Program>,
+        /// Its name, for pages.
+        name: String,
+        /// Its hash.
+        hash: String,
+        /// Its plan.
+        times: Times,
+        /// Line by line.
+        step: bool,
+    },
+    /// Carry out lines of OpenSBP.
+    Command(String),
+    /// Move for as long as the link says.
+    Jog {
+        /// Direction of each axis.
+        direction: [f64; AXES],
+        /// Where it ends by itself, mm or degrees.
+        distance: Option<f64>,
+        /// Share of the jog speed.
+        speed: f64,
+    },
+    /// Shift the workpiece.
+    Nudge(Axis, f64),
+}
+
+/// The owner.
+pub struct Owner {
+    /// Who is told.
+    pub hub: Arc<Hub>,
+    /// What is wanted meanwhile.
+    pub link: Arc<Link>,
+    /// The machine and its files.
+    pub workshop: Workshop,
+    /// The part folder.
+    pub parts: PartFolder,
+    /// The session as the last run left it, for previews.
+    pub left: Arc<Mutex<Session>>,
+    /// Seconds of machine time in a second.
+    pub rate: f64,
+    /// Told after each order.
+    pub done: Box<dyn Fn() + Send>,
+    /// Questions that were asked so far.
+    pub asked: u32,
+    /// Runs so far.
+    pub run: u32,
+}
+
+impl Owner {
+    /// Shows where the machine stands.
+    pub fn begin(&self) {
+        self.leave();
+        self.rest(State::Idle, None);
+    }
+
+    /// Works until nobody gives orders any more.
+    pub fn work(mut self, orders: &Receiver<Order>) {
+        for order in orders {
+            match order {
+                Order::File { program, name, hash, times, step } => {
+                    let mut options = self.options();
+                    options.program.file.stepped = step;
+                    let hash = Some(hash);
+                    let job = Job { file: name, hash, ..Job::default() };
+                    self.run(*program, options, job, times);
+                }
+                Order::Command(line) => self.command(&line),
+                Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
+                Order::Nudge(axis, distance) => self.nudge(axis, distance),
+            }
+            self.leave();
+            (self.done)();
+        }
+    }
+
+    fn options(&self) -> RunOptions {
+        RunOptions { started: (self.workshop.started)(), ..RunOptions::default() }
+    }
+
+    fn run(&mut self, program: Program, options: RunOptions, job: Job, times: Times) {
+        self.run += 1;
+        let seconds = times.last().copied().map_or(0.0, f64::from);
+        let job = Job { run: self.run, seconds, ..job };
+        self.hub.change(vec![
+            Change::Job { job: Some(job.clone()) },
+            Change::Overrides { overrides: Overrides::default() },
+        ]);
+        let driven = self.drive(program, options, None, times);
+        let (ended, error) = match &driven {
+            Ok(summary) => (told::status(summary.status), summary.error.as_deref()),
+            Err(_) => ("failed", None),
+        };
+        let (ended, error) = (Some(ended.into()), error.map(told::finding));
+        self.hub.change(vec![Change::Job { job: Some(Job { ended, error, ..job }) }]);
+        self.come_to_rest(driven);
+    }
+
+    /// Runs a program to its end, told to pages. `settings` are those that stay, where others hold for
+    /// this run.
+    fn drive(
+        &mut self,
+        program: Program,
+        options: RunOptions,
+        settings: Option<Settings>,
+        times: Times,
+    ) -> Result<Summary, JournalError> {
+        let board = Rc::new(RefCell::new(Board::new(self.hub.clone(), self.run, times)));
+        let shared = Shared {
+            board: board.clone(),
+            hub: self.hub.clone(),
+            link: self.link.clone(),
+            parts: self.parts.clone(),
+        };
+        let mut clock = Clock::new(shared.clone(), self.rate);
+        let mut pages = Pages::new(shared.clone(), self.asked);
+        let mut teller = Teller::new(shared);
+        let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
+        let Workshop { session, shelf, kept, .. } = &mut self.workshop;
+        let summary = match kept {
+            true => session.run_on_record(program, options, settings, shelf, company),
+            false => Ok(session.run(program, options, shelf, company)),
+        };
+        self.asked = pages.asked();
+        board.borrow_mut().tell();
+        summary
+    }
+
+    /// A run is over: what the machine is afterwards.
+    fn come_to_rest(&self, driven: Result<Summary, JournalError>) {
+        let summary = match driven {
+            Ok(summary) => summary,
+            Err(error) => {
+                let why = format!("what a run leaves cannot be kept: {error}");
+                return self.rest(State::Alarm, Some(why));
+            }
+        };
+        let why = summary.error.as_deref().map(told::sentence);
+        match summary.status {
+            Status::Limit => self.rest(State::Alarm, why.or(Some("stopped by a limit".into()))),
+            Status::Stopped if why.is_some() => self.rest(State::Alarm, why),
+            _ => self.rest(State::Idle, None),
+        }
+    }
+
+    /// The machine stands. An alarm disarms it.
+    fn rest(&self, state: State, why: Option<String>) {
+        let (settings, frame, position) = {
+            let memory = &self.workshop.session.memory;
+            (&memory.settings, &memory.frame, memory.position)
+        };
+        self.hub.changing(|now| {
+            let armed = now.machine.armed && state != State::Alarm;
+            let machine = Machine { state, armed, why, ..now.machine.clone() };
+            let at = told::positions(frame, position);
+            let motion = kerf_wire::Motion { at, speed: 0.0, cutting: false, ..now.motion };
+            let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
+            vec![
+                Change::Motion { motion },
+                Change::Units { units: told::units(settings) },
+                Change::Speeds { speeds },
+                Change::Machine { machine },
+            ]
+        });
+    }
+
+    fn command(&mut self, line: &str) {
+        let program = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
+        let mut options = self.options();
+        options.program.typed = true;
+        let job = Job { command: Some(line.into()), ..Job::default() };
+        self.run(program.into(), options, job, Times::default());
+    }
+
+    /// A jog is a command to a far place that ends when nobody holds the key any more.
+    fn jog(&mut self, direction: [f64; AXES], distance: Option<f64>, speed: f64) {
+        let before = self.workshop.session.memory.settings.clone();
+        let line = jog_line(&self.workshop.session.memory, direction, distance);
+        self.workshop.session.memory.settings = jog_settings(&before, speed);
+        let program = kerf_sbp::read_typed("jog".into(), &line);
+        let mut options = self.options();
+        options.program.typed = true;
+        let driven = self.drive(program.into(), options, Some(before.clone()), Times::default());
+        self.workshop.session.memory.settings = before;
+        self.link.lock().jog = None;
+        self.come_to_rest(driven);
+    }
+
+    fn nudge(&mut self, axis: Axis, distance: f64) {
+        match self.workshop.session.nudge(axis, distance) {
+            Ok(()) => self.rest(State::Idle, None),
+            Err(outside) => {
+                self.rest(State::Idle, None);
+                self.hub.say(Tone::Error, outside.to_string());
+            }
+        }
+    }
+
+    /// Leaves a copy of the session for previews.
+    fn leave(&self) {
+        let session = self.workshop.session.clone();
+        *self.left.lock().unwrap_or_else(PoisonError::into_inner) = session;
+    }
+}
+
+/// Jogs ramp and run as the keypad does: at a share of the jog speed, absolute.
+fn jog_settings(settings: &Settings, speed: f64) -> Settings {
+    let mut settings = settings.clone();
+    let jog = &mut settings.speeds.jog;
+    for value in [&mut jog.xy, &mut jog.z, &mut jog.a, &mut jog.b, &mut jog.c] {
+        *value *= speed.clamp(0.01, 1.0);
+    }
+    settings.distance = kerf_program::settings::Distance::Absolute;
+    settings.warning_s = 0.0;
+    settings
+}
+
+/// The command that makes a jog: to the table limits where they are in the way.
+fn jog_line(memory: &kerf_sbp::Session, direction: [f64; AXES], distance: Option<f64>) -> String {
+    let settings = &memory.settings;
+    let base = memory.frame.base(memory.position);
+    let mut far = distance.unwrap_or(FAR);
+    for axis in Axis::ALL.into_iter().filter(|_| settings.limits.check) {
+        let way = direction[axis.index()];
+        let limit = if way > 0.0 { settings.limits.high } else { settings.limits.low }[axis];
+        if way != 0.0 {
+            far = far.min(((limit - base[axis]) / way).max(0.0));
+        }
+    }
+    let working = memory.frame.working(memory.position);
+    let place = |axis: Axis| match direction[axis.index()] {
+        0.0 => String::new(),
+        way => format!("{:.6}", (working[axis] + way * far) / settings.axis_scale(axis)),
+    };
+    let places: Vec<String> = Axis::ALL.into_iter().map(place).collect();
+    format!("J6,{}\n", places.join(","))
+}

@@ -1,0 +1,86 @@
+//! The pages that are connected.
+
+use crate::app::lock;
+use kerf_wire::{Client, Role, Who};
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+/// The pages that are connected, by their numbers.
+#[derive(Debug, Default)]
+pub struct Pages {
+    inner: Mutex<Inner>,
+}
+
+#[derive(Debug, Default)]
+struct Inner {
+    last: u32,
+    pages: BTreeMap<u32, Page>,
+}
+
+#[derive(Debug)]
+struct Page {
+    role: Role,
+    device: String,
+    /// The jog with the greatest number that began or ended.
+    jog: u32,
+}
+
+impl Pages {
+    /// A page has connected.
+    pub fn add(&self, role: Role, device: String) -> Who {
+        let mut inner = lock(&self.inner);
+        inner.last += 1;
+        let client = inner.last;
+        inner.pages.insert(client, Page { role, device: device.clone(), jog: 0 });
+        Who { client, role, device }
+    }
+
+    /// A page has gone.
+    pub fn remove(&self, client: u32) {
+        lock(&self.inner).pages.remove(&client);
+    }
+
+    /// Everybody.
+    pub fn list(&self) -> Vec<Client> {
+        let inner = lock(&self.inner);
+        let client = |(client, page): (&u32, &Page)| Client {
+            client: *client,
+            role: page.role,
+            device: page.device.clone(),
+        };
+        inner.pages.iter().map(client).collect()
+    }
+
+    /// Whether a jog of a page may start: not one that began or ended before.
+    pub fn may_start(&self, client: u32, seq: u32) -> bool {
+        let mut inner = lock(&self.inner);
+        let Some(page) = inner.pages.get_mut(&client) else { return false };
+        let may = seq > page.jog;
+        page.jog = page.jog.max(seq);
+        may
+    }
+
+    /// A jog of a page is over: its start, should it still come, is too late.
+    pub fn jog_over(&self, client: u32, seq: u32) {
+        if let Some(page) = lock(&self.inner).pages.get_mut(&client) {
+            page.jog = page.jog.max(seq);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_start_behind_its_own_stop_is_too_late() {
+        let pages = Pages::default();
+        let client = pages.add(Role::Owner, String::new()).client;
+        assert!(pages.may_start(client, 1));
+        assert!(!pages.may_start(client, 1), "twice");
+        pages.jog_over(client, 2);
+        assert!(!pages.may_start(client, 2));
+        assert!(pages.may_start(client, 3));
+        assert!(!pages.may_start(client + 1, 1), "nobody");
+    }
+}

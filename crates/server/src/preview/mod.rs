@@ -1,0 +1,137 @@
+//! Previews: a run on copies, and its path in pieces that a page can draw.
+//!
+//! ```text
+//!  program ── Session::run, as a preview ──► Collector ──► Path ──► coarser ──► coarser …
+//!                                                            └─ piece ─► bytes over HTTP
+//! ```
+
+mod collect;
+mod path;
+
+pub use path::Path;
+
+use crate::told;
+use collect::Collector;
+use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Summary, Wish};
+use kerf_part::Program;
+use kerf_program::{Axis, Frame, Settings};
+use kerf_wire::Finding;
+use kerf_wire::preview::{Detail, PreviewInfo, ToolPathInfo};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Segments that a page can turn smoothly.
+const FEW: usize = 40_000;
+
+/// Lines that a preview executes: a program that waits for something in a loop never ends by itself.
+const MOST_LINES: u64 = 5_000_000;
+
+/// A preview that is ready.
+#[derive(Debug)]
+pub struct Preview {
+    /// What is told of it.
+    pub info: PreviewInfo,
+    /// The path, from all of it to the coarsest.
+    pub paths: Vec<Path>,
+    /// When each move is over, seconds of planned time.
+    pub times: Arc<[f32]>,
+    /// What was found.
+    pub findings: Vec<Finding>,
+    /// It has mistakes that keep it from running at all.
+    pub failed: bool,
+    /// The settings and frame that it was made with.
+    pub start: (Settings, Frame),
+}
+
+/// Ends a preview that nobody waits for any more.
+struct Until<'a>(&'a AtomicBool);
+
+impl Pace for Until<'_> {
+    fn pass(&mut self, from_s: f64, _: f64) -> Option<(f64, Wish)> {
+        self.0.load(Ordering::Relaxed).then_some((from_s, Wish::End))
+    }
+
+    fn watch(&mut self, from_s: f64, to_s: f64, _: &Doing<'_>) -> Option<(f64, Wish)> {
+        self.pass(from_s, to_s)
+    }
+}
+
+/// Makes a preview on a copy of a session; nothing when it was given up.
+pub fn make(
+    program: Program,
+    mut session: Session,
+    shelf: &mut Shelf,
+    given_up: &AtomicBool,
+) -> Option<Preview> {
+    let failed = program.has_errors();
+    let start = (session.memory.settings.clone(), session.memory.frame);
+    let mut sink = Collector::new(session.memory.position.first3());
+    let mut options = RunOptions::default();
+    options.program.preview = true;
+    options.program.max_lines = MOST_LINES;
+    let company = Company { sink: &mut sink, operator: &mut (), pace: &mut Until(given_up) };
+    let summary = session.run(program, options, shelf, company);
+    if given_up.load(Ordering::Relaxed) {
+        return None;
+    }
+    Some(Preview { failed, ..finish(sink, &summary, start) })
+}
+
+fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Preview {
+    let mut info = info(&sink, summary, &start);
+    let paths = details(sink.path);
+    info.details = paths.iter().map(Path::detail).collect();
+    Preview {
+        info,
+        paths,
+        times: sink.times.into(),
+        findings: sink.findings.iter().map(told::finding).collect(),
+        failed: false,
+        start,
+    }
+}
+
+/// The path, and coarser ones of which each has a quarter of the segments at most.
+fn details(path: Path) -> Vec<Path> {
+    let mut tolerance = path.diagonal() / 8000.0;
+    let mut paths = vec![path];
+    while let Some(last) = paths.last().filter(|last| last.len() > FEW) {
+        let most = (last.len() / 4).max(FEW);
+        let mut coarser = last.coarser(tolerance);
+        while coarser.len() > most && tolerance.is_normal() {
+            tolerance *= 2.0;
+            coarser = last.coarser(tolerance);
+        }
+        if coarser.len() >= last.len() {
+            break;
+        }
+        paths.push(coarser);
+    }
+    paths
+}
+
+fn info(sink: &Collector, summary: &Summary, (settings, frame): &(Settings, Frame)) -> PreviewInfo {
+    let (tally, view) = (&summary.tally, &settings.view);
+    let low = |axis: Axis| settings.limits.low[axis] + frame.base_zero[axis];
+    let toolpath = |path: &kerf_control::ToolPathTime| ToolPathInfo {
+        name: path.name.to_string(),
+        tool: path.tool.to_string(),
+        seconds: path.seconds,
+        first_move: path.first_move as u32,
+    };
+    PreviewInfo {
+        origin: sink.path.origin(),
+        zero: frame.working_zero.first3(),
+        table: [low(Axis::X), low(Axis::Y)],
+        table_size: [view.table_mm[0], view.table_mm[1]],
+        grid: view.grid_mm,
+        bounds: sink.path.cut_bounds(),
+        cutter: settings.cutter.diameter_mm,
+        seconds: summary.seconds,
+        cut: tally.cut_mm,
+        jog: tally.jog_mm,
+        moves: sink.times.len() as u32,
+        details: vec![Detail::default()],
+        toolpaths: tally.toolpaths.iter().map(toolpath).collect(),
+    }
+}

@@ -1,0 +1,49 @@
+//! What the server is given: the machine, its folders, how pages may reach it.
+
+use kerf_control::{Session, Shelf, Started};
+use std::io;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// How the server is started.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Where it listens.
+    pub listen: SocketAddr,
+    /// Other machines may connect, after pairing.
+    pub lan: bool,
+    /// Names by which other machines call this one.
+    pub names: Vec<String>,
+    /// The part folder.
+    pub parts: PathBuf,
+    /// Folder of what survives: paired devices.
+    pub data: PathBuf,
+    /// Only drawings are worked on.
+    pub drawing_only: bool,
+    /// Opened at the start: a file of the part folder.
+    pub open: Option<String>,
+    /// Seconds of machine time in a second; 1 unless a test is in a hurry.
+    pub rate: f64,
+}
+
+/// The machine and its files, as the thread that owns it has them.
+pub struct Workshop {
+    /// The machine.
+    pub session: Session,
+    /// Its files.
+    pub shelf: Shelf,
+    /// Runs are on record: what they leave stays.
+    pub kept: bool,
+    /// The date and time of now, for the logs of part files.
+    pub started: fn() -> Option<Started>,
+}
+
+/// Builds what lives on other threads.
+#[derive(Clone)]
+pub struct Builders {
+    /// The machine, built once on its own thread.
+    pub workshop: Arc<dyn Fn() -> io::Result<Workshop> + Send + Sync>,
+    /// Files of a preview, which changes none.
+    pub preview: Arc<dyn Fn() -> io::Result<Shelf> + Send + Sync>,
+}

@@ -1,0 +1,89 @@
+//! From the words inside to those of the messages.
+
+use kerf_diag::{Diagnostic, Severity};
+use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
+use kerf_program::{Axes, Axis, Frame, Settings};
+use kerf_sbp::Status;
+use kerf_wire::{AxisUnits, Finding, Level, Positions, Speeds, Tone, Units};
+
+/// A place in every frame.
+pub fn positions(frame: &Frame, machine: Axes) -> Positions {
+    Positions { working: frame.working(machine).0, base: frame.base(machine).0, machine: machine.0 }
+}
+
+/// What a person reads lengths in.
+pub fn units(settings: &Settings) -> Units {
+    let axes = Axis::ALL.into_iter().map(|axis| axis_units(settings, axis)).collect();
+    Units {
+        linear: settings.linear_unit.symbol().into(),
+        mm: settings.linear_unit.mm(),
+        axes,
+        absolute: settings.distance == Distance::Absolute,
+    }
+}
+
+fn axis_units(settings: &Settings, axis: Axis) -> AxisUnits {
+    let unit = match settings.axis_unit(axis) {
+        AxisUnit::Linear(LinearUnit::Inch) => "in",
+        AxisUnit::Linear(LinearUnit::Mm) => "mm",
+        AxisUnit::Degrees => "deg",
+    };
+    AxisUnits {
+        letter: axis.letter(),
+        unit: unit.into(),
+        scale: settings.axis_scale(axis),
+        used: axis.index() < usize::from(settings.axis_count),
+    }
+}
+
+/// Speeds in force; that of the spindle is not known here.
+pub fn speeds(settings: &Settings) -> Speeds {
+    let list = |s: &PerGroup| [s.xy, s.z, s.a, s.b, s.c];
+    Speeds { cut: list(&settings.speeds.cut), jog: list(&settings.speeds.jog), rpm: 0.0 }
+}
+
+/// A diagnostic.
+pub fn finding(found: &Diagnostic) -> Finding {
+    Finding {
+        level: match found.severity {
+            Severity::Error => Level::Error,
+            Severity::Warning => Level::Warning,
+            Severity::Note => Level::Note,
+        },
+        code: found.code.to_string(),
+        file: found.place.file.to_string(),
+        line: found.place.line,
+        column: found.place.column,
+        length: found.place.length,
+        message: found.message.clone(),
+        hint: found.hint.clone(),
+    }
+}
+
+/// How a diagnostic is meant.
+pub const fn tone(found: &Diagnostic) -> Tone {
+    match found.severity {
+        Severity::Error => Tone::Error,
+        Severity::Warning => Tone::Warning,
+        Severity::Note => Tone::Note,
+    }
+}
+
+/// A diagnostic in a sentence.
+pub fn sentence(found: &Diagnostic) -> String {
+    let Diagnostic { place, message, hint, .. } = found;
+    let line = if place.line > 0 { format!("line {}: ", place.line) } else { String::new() };
+    let hint = if hint.is_empty() { String::new() } else { format!(" ({hint})") };
+    format!("{line}{message}{hint}")
+}
+
+/// The word for how a run ended, as the trace writes it.
+pub const fn status(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "ok",
+        Status::Ended => "ended",
+        Status::Failed => "failed",
+        Status::Stopped => "stopped",
+        Status::Limit => "limit",
+    }
+}

@@ -1,0 +1,162 @@
+//! A jog moves for as long as somebody holds the key, and not longer.
+
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use serde_json::{Value, json};
+use std::time::{Duration, Instant};
+use support::{Page, shop};
+
+/// Begins a jog of X.
+fn start(page: &Page, seq: u32) -> Value {
+    let direction = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    json!({ "do": "jogStart", "lease": page.lease, "seq": seq, "direction": direction,
+            "distance": null, "speed": 0.2 })
+}
+
+fn renew(page: &Page, seq: u32) -> Value {
+    json!({ "do": "jogRenew", "lease": page.lease, "seq": seq })
+}
+
+fn stop(seq: u32) -> Value {
+    json!({ "do": "jogStop", "seq": seq })
+}
+
+/// Renews for a while, as a page does.
+fn hold(page: &mut Page, seq: u32, time: Duration) {
+    let begin = Instant::now();
+    while begin.elapsed() < time {
+        let renewal = renew(page, seq);
+        page.send(renewal);
+        let next = Instant::now() + Duration::from_millis(60);
+        while Instant::now() < next {
+            page.read();
+        }
+    }
+}
+
+#[test]
+fn it_goes_on_while_it_is_renewed_and_stops_when_the_key_is_released() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    let begin = start(&page, 1);
+    assert_eq!(page.act(begin), None);
+    hold(&mut page, 1, Duration::from_millis(800));
+    assert_eq!(page.shown["machine"]["state"], "jogging");
+    let (before, released) = (page.x(), Instant::now());
+    page.act(stop(1));
+    page.until_state("idle");
+    let took = released.elapsed();
+    assert!(before > 5.0, "{before}");
+    assert!(took < Duration::from_millis(600), "{took:?}");
+    let rest = page.x();
+    assert!(rest >= before && rest < before + 15.0, "{before} {rest}");
+    assert!(page.shown["asked"].is_null(), "nobody is asked");
+}
+
+#[test]
+fn it_stops_by_itself_when_nobody_renews_it() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    let (begin, since) = (start(&page, 1), Instant::now());
+    assert_eq!(page.act(begin), None);
+    assert_eq!(page.shown["machine"]["state"], "jogging");
+    page.until_state("idle");
+    let took = since.elapsed();
+    assert!(took > Duration::from_millis(200) && took < Duration::from_millis(900), "{took:?}");
+    let renewal = renew(&page, 1);
+    assert_eq!(page.act(renewal).as_deref(), Some("late"));
+}
+
+#[test]
+fn it_stops_when_the_page_has_gone() {
+    let shop = shop(1.0, &[]);
+    let (mut page, mut watcher) = (shop.driver(), shop.page());
+    let begin = start(&page, 1);
+    page.act(begin);
+    watcher.until_state("jogging");
+    let gone = Instant::now();
+    drop(page);
+    watcher.until_state("idle");
+    assert!(gone.elapsed() < Duration::from_millis(600), "{:?}", gone.elapsed());
+    watcher.until("disarmed", |page| page.shown["machine"]["armed"] == false);
+}
+
+#[test]
+fn a_start_that_comes_behind_its_own_stop_is_dropped() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    page.act(stop(7));
+    for seq in [1, 7] {
+        let late = start(&page, seq);
+        assert_eq!(page.act(late).as_deref(), Some("late"), "{seq}");
+    }
+    assert_eq!(page.shown["machine"]["state"], "idle");
+    let next = start(&page, 8);
+    assert_eq!(page.act(next), None);
+    // Once more, as a network that doubles messages sends it.
+    let twice = start(&page, 8);
+    assert_eq!(page.act(twice).as_deref(), Some("late"));
+    page.until_state("idle");
+}
+
+#[test]
+fn stop_and_hold_of_any_page_end_it() {
+    let shop = shop(1.0, &[]);
+    let (mut page, mut other) = (shop.driver(), shop.page());
+    for (seq, word) in [(1, "stop"), (2, "hold")] {
+        let begin = start(&page, seq);
+        assert_eq!(page.act(begin), None);
+        other.until_state("jogging");
+        other.act(json!({ "do": word }));
+        other.until_state("idle");
+        page.until_state("idle");
+    }
+}
+
+#[test]
+fn a_step_ends_at_its_distance() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    let step = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
+        "direction": [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], "distance": 2.54, "speed": 1.0 });
+    assert_eq!(page.act(step), None);
+    page.until_state("jogging");
+    hold(&mut page, 1, Duration::from_millis(300));
+    page.until_state("idle");
+    let y = page.shown["motion"]["at"]["working"][1].as_f64().unwrap();
+    assert!((y + 2.54).abs() < 1e-6, "{y}");
+}
+
+#[test]
+fn nothing_jogs_without_lease_or_armed_machine_or_over_http() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.page();
+    let begin = start(&page, 1);
+    assert_eq!(page.act(begin).as_deref(), Some("lease"));
+    page.drive();
+    page.act(json!({ "do": "disarm" }));
+    let begin = start(&page, 2);
+    assert_eq!(page.act(begin).as_deref(), Some("disarmed"));
+    let body = start(&page, 3);
+    let Value::Object(mut fields) = body else { panic!() };
+    fields.remove("do");
+    assert_eq!(shop.post("/api/do/jogStart", fields.into(), &[]).status, 400);
+}
+
+#[test]
+fn directions_and_speeds_that_make_no_sense_are_refused() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    for (direction, distance, speed) in [
+        ([0.0; 6], Value::Null, 1.0),
+        ([2.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 1.0),
+        ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], json!(-1.0), 1.0),
+        ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 9.0),
+    ] {
+        let act = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
+            "direction": direction, "distance": distance, "speed": speed });
+        assert_eq!(page.act(act).as_deref(), Some("malformed"), "{direction:?} {distance} {speed}");
+    }
+}

@@ -1,0 +1,251 @@
+//! Who is let in, and who may move the machine.
+
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use kerf_server::{Options, Server};
+use serde_json::json;
+use support::{Page, Wanted, builders, shop, start};
+
+/// One of each route, with a method that it knows.
+const ROUTES: &[&str] = &[
+    "GET /",
+    "GET /assets/x.js",
+    "GET /api/state",
+    "POST /api/do/stop",
+    "GET /api/files",
+    "GET /api/files/a.sbp",
+    "PUT /api/files/a.sbp",
+    "GET /api/preview/x",
+    "GET /api/preview/x/0/0",
+    "GET /api/drawing/shapes",
+    "GET /api/drawing/paths",
+    "POST /api/pair",
+    "POST /api/pair/code",
+    "GET /api/devices",
+    "DELETE /api/devices/1",
+    "GET /api/openapi.json",
+    "GET /ws",
+];
+
+#[test]
+fn a_foreign_host_is_refused_on_every_route() {
+    let shop = shop(1.0, &[("a.sbp", "MX,1")]);
+    let port = shop.server.address.port();
+    for route in ROUTES {
+        for host in [
+            "evil.example".to_owned(),
+            format!("evil.example:{port}"),
+            format!("127.0.0.1.evil.example:{port}"),
+            format!("127.0.0.2:{port}"),
+            "127.0.0.1:1".into(),
+            "127.0.0.1".into(),
+            String::new(),
+        ] {
+            let json = ("Content-Type", "application/json");
+            let answer = shop.ask(route, &[("Host", &host), json], b"{}");
+            assert!([421, 400].contains(&answer.status), "{route} {host}: {}", answer.status);
+        }
+    }
+    assert_eq!(std::fs::read(shop.part("a.sbp")).unwrap(), b"MX,1");
+}
+
+#[test]
+fn a_foreign_origin_is_refused_on_every_route() {
+    let shop = shop(1.0, &[("a.sbp", "MX,1")]);
+    let address = shop.server.address;
+    for route in ROUTES {
+        for origin in
+            ["http://evil.example", "null", &format!("https://{address}"), "http://localhost"]
+        {
+            let json = ("Content-Type", "application/json");
+            let answer = shop.ask(route, &[("Origin", origin), json], b"{}");
+            assert_eq!(answer.status, 403, "{route} {origin}");
+        }
+    }
+    assert_eq!(Page::open(address, &[("origin", "http://evil.example")]).err(), Some(403));
+    assert_eq!(Page::open(address, &[("origin", "")]).err(), Some(403), "no origin at all");
+    assert!(Page::open(address, &[]).is_ok());
+    assert_eq!(std::fs::read(shop.part("a.sbp")).unwrap(), b"MX,1");
+}
+
+#[test]
+fn this_machine_by_its_own_names_is_let_in() {
+    let shop = shop(1.0, &[]);
+    let port = shop.server.address.port();
+    for host in
+        [format!("localhost:{port}"), format!("LOCALHOST:{port}"), format!("127.0.0.1:{port}")]
+    {
+        assert_eq!(shop.ask("GET /api/state", &[("Host", &host)], b"").status, 200, "{host}");
+    }
+}
+
+#[test]
+fn looking_changes_nothing_and_what_changes_takes_json() {
+    let shop = shop(1.0, &[]);
+    for act in ["stop", "hold", "arm", "disarm", "run"] {
+        assert_eq!(shop.get(&format!("/api/do/{act}")).status, 405, "{act}");
+    }
+    // A form of a foreign page is no JSON.
+    let form = ("Content-Type", "application/x-www-form-urlencoded");
+    assert_eq!(shop.ask("POST /api/do/stop", &[form], b"a=b").status, 415);
+    assert_eq!(shop.ask("POST /api/do/stop", &[("Content-Type", "text/plain")], b"{}").status, 415);
+    assert_eq!(shop.ask("OPTIONS /api/do/stop", &[], b"").status, 405);
+    assert_eq!(shop.post("/api/do/stop", json!({}), &[]).status, 200);
+}
+
+#[test]
+fn every_answer_is_strict_and_none_invites_other_sites() {
+    let shop = shop(1.0, &[]);
+    for path in ["/", "/api/state", "/nothing.js", "/api/nothing/at/all"] {
+        let head = shop.get(path).head;
+        assert!(head.contains("content-security-policy: default-src 'none'"), "{path} {head}");
+        assert!(head.contains("frame-ancestors 'none'"), "{path}");
+        assert!(head.contains("x-content-type-options: nosniff"), "{path}");
+        assert!(!head.contains("access-control-"), "{path}");
+        assert!(!head.contains("unsafe-"), "{path}");
+    }
+    let nonce = |text: &str| text.split("nonce-").nth(1).unwrap()[..32].to_owned();
+    let (first, second) = (shop.get("/"), shop.get("/"));
+    assert_ne!(nonce(&first.head), nonce(&second.head));
+    assert!(String::from_utf8_lossy(&first.body).contains(&nonce(&first.head)));
+}
+
+#[test]
+fn nothing_is_written_or_read_outside_the_part_folder() {
+    let shop = shop(1.0, &[]);
+    std::fs::write(shop.dir.path().join("secret.txt"), "x").unwrap();
+    for name in [
+        "../secret.txt",
+        "..%2fsecret.txt",
+        "%2e%2e/secret.txt",
+        "%2e%2e%2fsecret.txt",
+        "..%5csecret.txt",
+        "doors/../../secret.txt",
+        "%2fetc%2fpasswd",
+        "/etc/passwd",
+        "a%00b",
+        ".hidden",
+        "nowhere/new.sbp",
+    ] {
+        let put = shop.ask(&format!("PUT /api/files/{name}"), &[], b"y");
+        let get = shop.get(&format!("/api/files/{name}"));
+        assert!(put.status >= 400 && get.status >= 400, "{name}: {} {}", put.status, get.status);
+    }
+    assert_eq!(std::fs::read(shop.dir.path().join("secret.txt")).unwrap(), b"x");
+    assert_eq!(shop.ask("PUT /api/files/new.sbp", &[], b"MX,1").status, 200);
+    assert_eq!(std::fs::read(shop.part("new.sbp")).unwrap(), b"MX,1");
+    assert_eq!(shop.get("/api/files/new.sbp").body, b"MX,1");
+    assert_eq!(shop.get("/api/files").json()[0]["name"], "new.sbp");
+}
+
+#[test]
+fn other_machines_need_leave() {
+    let dir = tempfile::tempdir().unwrap();
+    let options = Options {
+        listen: ([0, 0, 0, 0], 0).into(),
+        lan: false,
+        names: Vec::new(),
+        parts: dir.path().into(),
+        data: dir.path().join("data"),
+        drawing_only: false,
+        open: None,
+        rate: 1.0,
+    };
+    let started = Server::start(options, builders(dir.path(), |_| {}));
+    assert_eq!(started.err().unwrap().kind(), std::io::ErrorKind::PermissionDenied);
+}
+
+/// Through a proxy: not at the machine, whatever it says of itself.
+const ELSEWHERE: (&str, &str) = ("X-Forwarded-For", "127.0.0.1");
+
+#[test]
+fn a_device_is_paired_by_the_code_and_has_its_role_until_it_is_revoked() {
+    let shop = start(Wanted { lan: true, ..Wanted::default() });
+    let state = |headers: &[(&str, &str)]| shop.ask("GET /api/state", headers, b"").status;
+    assert_eq!(state(&[ELSEWHERE]), 401);
+    assert_eq!(shop.ask("GET /", &[ELSEWHERE], b"").status, 200, "the page that asks for the code");
+    let code = shop.post("/api/pair/code", json!({ "role": "observer" }), &[]).json();
+    let code = code["code"].as_str().unwrap();
+    let wrong = shop.post("/api/pair", json!({ "code": "x", "name": "tablet" }), &[ELSEWHERE]);
+    assert_eq!(wrong.status, 403);
+    let paired = shop.post("/api/pair", json!({ "code": code, "name": "tablet" }), &[ELSEWHERE]);
+    assert!(paired.head.contains("httponly") && paired.head.contains("samesite=strict"));
+    let token = paired.json()["token"].as_str().unwrap().to_owned();
+    let cookie = format!("kerf-device={token}");
+    let bearer = format!("Bearer {token}");
+    assert_eq!(state(&[ELSEWHERE, ("Cookie", &cookie)]), 200);
+    assert_eq!(state(&[ELSEWHERE, ("Authorization", &bearer)]), 200);
+    assert_eq!(state(&[ELSEWHERE, ("Cookie", "kerf-device=guess")]), 401);
+
+    let as_device = [ELSEWHERE, ("Cookie", cookie.as_str())];
+    let act = |name: &str, body| shop.post(&format!("/api/do/{name}"), body, &as_device).status;
+    assert_eq!((act("stop", json!({})), act("hold", json!({}))), (200, 200));
+    assert_eq!(act("takeLease", json!({ "force": true })), 403);
+    assert_eq!(act("open", json!({ "name": "a.sbp" })), 403);
+    assert_eq!(shop.ask("PUT /api/files/a.sbp", &as_device, b"MX,1").status, 403);
+    assert_eq!(shop.ask("GET /api/devices", &as_device, b"").status, 403);
+
+    let mut page = Page::open(shop.server.address, &as_device).unwrap();
+    assert_eq!(page.who["role"], "observer");
+    let number = shop.get("/api/devices").json()[0]["number"].clone();
+    assert_eq!(shop.ask(&format!("DELETE /api/devices/{number}"), &[], b"").status, 200);
+    assert_eq!(state(&as_device), 401);
+    let begin = std::time::Instant::now();
+    while page.read() {
+        assert!(begin.elapsed().as_secs() < 10, "the socket of a revoked device stays open");
+    }
+}
+
+#[test]
+fn one_drives_at_a_time_and_every_command_names_the_turn() {
+    let shop = shop(50.0, &[("a.sbp", "MX,1")]);
+    let (mut a, mut b) = (shop.page(), shop.page());
+    a.open_file("a.sbp");
+    assert_eq!(a.run().as_deref(), Some("lease"), "nobody drives");
+    a.drive();
+    b.until("the file", |page| !page.shown["opened"].is_null());
+    b.lease = a.lease;
+    assert_eq!(b.run().as_deref(), Some("lease"), "somebody else's number");
+    assert_eq!(b.act(json!({ "do": "takeLease", "force": false })).as_deref(), Some("lease"));
+    let old = a.lease;
+    b.drive();
+    assert_ne!(b.lease, old);
+    assert_eq!(a.run().as_deref(), Some("lease"));
+    assert_eq!(b.run(), None);
+}
+
+#[test]
+fn the_machine_is_disarmed_at_first_and_whenever_the_driver_changes_or_goes() {
+    let shop = shop(50.0, &[("a.sbp", "MX,1")]);
+    let (mut a, mut watcher) = (shop.page(), shop.page());
+    assert_eq!(a.shown["machine"]["armed"], false);
+    a.open_file("a.sbp");
+    a.act(json!({ "do": "takeLease", "force": false }));
+    a.until("the lease", |page| !page.shown["lease"].is_null());
+    a.lease = a.shown["lease"]["number"].as_u64().unwrap();
+    assert_eq!(a.run().as_deref(), Some("disarmed"));
+    a.act(json!({ "do": "arm", "lease": a.lease }));
+    watcher.until("armed", |page| page.shown["machine"]["armed"] == true);
+    watcher.act(json!({ "do": "takeLease", "force": true }));
+    watcher.until("disarmed", |page| page.shown["machine"]["armed"] == false);
+    watcher.drive();
+    drop(watcher);
+    a.until("the driver has gone", |page| page.shown["lease"].is_null());
+    a.until("disarmed", |page| page.shown["machine"]["armed"] == false);
+}
+
+#[test]
+fn what_was_previewed_is_what_runs() {
+    let shop = shop(50.0, &[("a.sbp", "MX,1"), ("wrong.sbp", "QQ,1")]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    let other = json!({ "do": "run", "lease": page.lease, "hash": "0".repeat(64) });
+    assert_eq!(page.act(other).as_deref(), Some("changed"));
+    std::fs::write(shop.part("a.sbp"), "MX,100").unwrap();
+    assert_eq!(page.run().as_deref(), Some("changed"));
+    page.open_file("wrong.sbp");
+    assert_eq!(page.run().as_deref(), Some("mistake"));
+    assert_eq!(page.x(), 0.0);
+}

@@ -1,0 +1,317 @@
+//! A server on a free port with its own folders, and pages and scripts that ask it.
+
+#![allow(dead_code, clippy::unwrap_used)]
+
+use kerf_control::files::{Folders, RealDisk};
+use kerf_control::stored::Stored;
+use kerf_control::{Session, Shelf};
+use kerf_server::{Builders, Options, Server, Workshop};
+use serde_json::{Value, json};
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket, client};
+
+/// Longest wait for something that has to come.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// A server with a part folder of its own.
+pub struct Shop {
+    pub server: Server,
+    pub dir: TempDir,
+}
+
+/// How a test's server differs from the usual.
+pub struct Wanted {
+    pub rate: f64,
+    pub lan: bool,
+    pub files: Vec<(&'static str, &'static str)>,
+    pub settings: fn(&mut kerf_program::Settings),
+}
+
+impl Default for Wanted {
+    fn default() -> Self {
+        Self { rate: 1.0, lan: false, files: Vec::new(), settings: |_| {} }
+    }
+}
+
+/// A server with these files; machine time runs so much faster than the world's.
+pub fn shop(rate: f64, files: &[(&'static str, &'static str)]) -> Shop {
+    start(Wanted { rate, files: files.to_vec(), ..Wanted::default() })
+}
+
+pub fn start(wanted: Wanted) -> Shop {
+    let dir = tempfile::tempdir().unwrap();
+    let parts = dir.path().join("parts");
+    std::fs::create_dir(&parts).unwrap();
+    for (name, text) in &wanted.files {
+        std::fs::write(parts.join(name), text).unwrap();
+    }
+    let options = Options {
+        listen: SocketAddr::from(([127, 0, 0, 1], 0)),
+        lan: wanted.lan,
+        names: Vec::new(),
+        parts: parts.clone(),
+        data: dir.path().join("data"),
+        drawing_only: false,
+        open: None,
+        rate: wanted.rate,
+    };
+    let server = Server::start(options, builders(&parts, wanted.settings)).unwrap();
+    Shop { server, dir }
+}
+
+pub fn builders(parts: &Path, settings: fn(&mut kerf_program::Settings)) -> Builders {
+    let (own, previews) = (parts.canonicalize().unwrap(), parts.canonicalize().unwrap());
+    let folders = |parts: &PathBuf| Folders::new(parts.clone(), Vec::new(), Vec::new());
+    let workshop = move || {
+        let stored = Stored::in_memory(Default::default());
+        let shelf = Shelf::new(Box::new(RealDisk), folders(&own), stored, own.join("data"));
+        let mut session = Session::default();
+        settings(&mut session.memory.settings);
+        Ok(Workshop { session, shelf, kept: false, started: || None })
+    };
+    let preview = move || {
+        let stored = Stored::in_memory(Default::default());
+        Ok(Shelf::preview(RealDisk, folders(&previews), &stored, previews.join("data")))
+    };
+    Builders { workshop: Arc::new(workshop), preview: Arc::new(preview) }
+}
+
+impl Shop {
+    pub fn part(&self, name: &str) -> PathBuf {
+        self.dir.path().join("parts").join(name)
+    }
+
+    /// A page that is connected.
+    pub fn page(&self) -> Page {
+        Page::open(self.server.address, &[]).unwrap()
+    }
+
+    /// A page that drives.
+    pub fn driver(&self) -> Page {
+        let mut page = self.page();
+        page.drive();
+        page
+    }
+
+    /// An HTTP request: status, head and body.
+    pub fn ask(&self, request: &str, headers: &[(&str, &str)], body: &[u8]) -> Answer {
+        let mut stream = TcpStream::connect(self.server.address).unwrap();
+        let mut text = format!("{request} HTTP/1.1\r\nConnection: close\r\n");
+        if !headers.iter().any(|(name, _)| name.eq_ignore_ascii_case("host")) {
+            text += &format!("Host: {}\r\n", self.server.address);
+        }
+        for (name, value) in headers {
+            text += &format!("{name}: {value}\r\n");
+        }
+        text += &format!("Content-Length: {}\r\n\r\n", body.len());
+        stream.write_all(text.as_bytes()).unwrap();
+        stream.write_all(body).unwrap();
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).unwrap();
+        Answer::of(&bytes)
+    }
+
+    pub fn get(&self, path: &str) -> Answer {
+        self.ask(&format!("GET {path}"), &[], b"")
+    }
+
+    pub fn post(&self, path: &str, body: Value, headers: &[(&str, &str)]) -> Answer {
+        let mut all = vec![("Content-Type", "application/json")];
+        all.extend(headers);
+        self.ask(&format!("POST {path}"), &all, body.to_string().as_bytes())
+    }
+}
+
+/// An answer over HTTP.
+#[derive(Debug)]
+pub struct Answer {
+    pub status: u16,
+    pub head: String,
+    pub body: Vec<u8>,
+}
+
+impl Answer {
+    fn of(bytes: &[u8]) -> Self {
+        let end = bytes.windows(4).position(|w| w == b"\r\n\r\n").unwrap_or(bytes.len());
+        let head = String::from_utf8_lossy(&bytes[..end]).into_owned();
+        let status = head.split(' ').nth(1).and_then(|s| s.parse().ok()).unwrap_or(0);
+        Self {
+            status,
+            head: head.to_lowercase(),
+            body: bytes[(end + 4).min(bytes.len())..].to_vec(),
+        }
+    }
+
+    pub fn json(&self) -> Value {
+        serde_json::from_slice(&self.body).unwrap_or(Value::Null)
+    }
+}
+
+/// A page: its socket and what it shows.
+pub struct Page {
+    socket: WebSocket<TcpStream>,
+    pub shown: Value,
+    pub who: Value,
+    pub lease: u64,
+    last: u64,
+    /// Replies that came while something else was waited for.
+    replies: Vec<Value>,
+}
+
+impl Page {
+    pub fn open(address: SocketAddr, headers: &[(&str, &str)]) -> Result<Self, u16> {
+        let stream = TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_millis(20))).unwrap();
+        let mut request = format!("ws://{address}/ws").into_client_request().unwrap();
+        request.headers_mut().insert("origin", format!("http://{address}").parse().unwrap());
+        for (name, value) in headers {
+            let name = tungstenite::http::HeaderName::from_bytes(name.as_bytes()).unwrap();
+            if value.is_empty() {
+                request.headers_mut().remove(name);
+            } else {
+                request.headers_mut().insert(name, value.parse().unwrap());
+            }
+        }
+        stream.set_read_timeout(Some(PATIENCE)).unwrap();
+        let socket = match client(request, stream) {
+            Ok((socket, _)) => socket,
+            Err(tungstenite::HandshakeError::Failure(tungstenite::Error::Http(answer))) => {
+                return Err(answer.status().as_u16());
+            }
+            Err(other) => panic!("{other}"),
+        };
+        socket.get_ref().set_read_timeout(Some(Duration::from_millis(10))).unwrap();
+        let mut page = Self {
+            socket,
+            shown: Value::Null,
+            who: Value::Null,
+            lease: 0,
+            last: 0,
+            replies: Vec::new(),
+        };
+        page.until("a snapshot", |page| !page.shown.is_null());
+        Ok(page)
+    }
+
+    /// Reads what is there; false when the connection has ended.
+    pub fn read(&mut self) -> bool {
+        let message = match self.socket.read() {
+            Ok(Message::Text(text)) => serde_json::from_str::<Value>(&text).unwrap(),
+            Ok(Message::Close(_)) => return false,
+            Ok(_) => return true,
+            Err(tungstenite::Error::Io(error))
+                if error.kind() == std::io::ErrorKind::WouldBlock =>
+            {
+                return true;
+            }
+            Err(_) => return false,
+        };
+        match message["tell"].as_str() {
+            Some("snapshot") => {
+                self.shown = message["snapshot"].clone();
+                self.who = message["who"].clone();
+            }
+            Some("changes") => {
+                message["changes"].as_array().unwrap().iter().for_each(|c| self.change(c));
+            }
+            _ => self.replies.push(message),
+        }
+        true
+    }
+
+    fn change(&mut self, change: &Value) {
+        let mut snapshot: kerf_wire::Snapshot = serde_json::from_value(self.shown.clone()).unwrap();
+        snapshot.apply(serde_json::from_value(change.clone()).unwrap());
+        self.shown = serde_json::to_value(snapshot).unwrap();
+    }
+
+    #[track_caller]
+    pub fn until(&mut self, what: &str, holds: impl Fn(&Self) -> bool) {
+        let begin = Instant::now();
+        while !holds(self) {
+            assert!(begin.elapsed() < PATIENCE, "waited for {what}: {:#}", self.shown);
+            assert!(self.read(), "the connection ended before {what}");
+        }
+    }
+
+    /// Waits for a state of the machine.
+    #[track_caller]
+    pub fn until_state(&mut self, state: &str) {
+        self.until(state, |page| page.shown["machine"]["state"] == state);
+    }
+
+    /// Sends without waiting for the reply; gives the id.
+    pub fn send(&mut self, act: Value) -> u64 {
+        self.last += 1;
+        let text = json!({ "id": self.last, "act": act }).to_string();
+        self.socket.send(Message::text(text)).unwrap();
+        self.last
+    }
+
+    /// Sends an act and waits for its reply: the sort of problem, or nothing.
+    #[track_caller]
+    pub fn act(&mut self, act: Value) -> Option<String> {
+        let id = self.send(act);
+        self.reply(id)
+    }
+
+    #[track_caller]
+    pub fn reply(&mut self, id: u64) -> Option<String> {
+        self.until("a reply", |page| page.replies.iter().any(|r| r["id"] == id));
+        let place = self.replies.iter().position(|r| r["id"] == id).unwrap();
+        let reply = self.replies.remove(place);
+        reply["problem"]["why"].as_str().map(str::to_owned)
+    }
+
+    /// Takes the machine and arms it.
+    #[track_caller]
+    pub fn drive(&mut self) {
+        assert_eq!(self.act(json!({ "do": "takeLease", "force": true })), None);
+        let mine = |page: &Self| page.shown["lease"]["client"] == page.who["client"];
+        self.until("the lease", mine);
+        self.lease = self.shown["lease"]["number"].as_u64().unwrap();
+        assert_eq!(self.act(json!({ "do": "arm", "lease": self.lease })), None);
+    }
+
+    /// Opens a file and waits for its preview.
+    #[track_caller]
+    pub fn open_file(&mut self, name: &str) {
+        assert_eq!(self.act(json!({ "do": "open", "name": name })), None);
+        let ready = |page: &Self| {
+            let opened = &page.shown["opened"];
+            opened["name"] == name && opened["preview"]["state"] != "working"
+        };
+        self.until("the preview", ready);
+    }
+
+    /// Runs the open file.
+    #[track_caller]
+    pub fn run(&mut self) -> Option<String> {
+        let (lease, hash) = (self.lease, self.shown["opened"]["hash"].clone());
+        self.act(json!({ "do": "run", "lease": lease, "hash": hash }))
+    }
+
+    #[track_caller]
+    pub fn command(&mut self, line: &str) {
+        let lease = self.lease;
+        assert_eq!(self.act(json!({ "do": "command", "lease": lease, "line": line })), None);
+        self.until_state("idle");
+    }
+
+    pub fn x(&self) -> f64 {
+        self.shown["motion"]["at"]["working"][0].as_f64().unwrap()
+    }
+
+    /// The question that is open: number and kind.
+    #[track_caller]
+    pub fn asked(&mut self, kind: &str) -> u64 {
+        self.until(kind, |page| page.shown["asked"]["kind"] == kind);
+        self.shown["asked"]["number"].as_u64().unwrap()
+    }
+}
