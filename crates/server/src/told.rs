@@ -4,7 +4,7 @@ use kerf_diag::{Diagnostic, Severity};
 use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
-use kerf_wire::{AxisUnits, Finding, Level, Positions, Speeds, Tone, Units};
+use kerf_wire::{AxisUnits, Positions, Speeds, Tone, Units};
 
 /// A place in every frame.
 pub fn positions(frame: &Frame, machine: Axes) -> Positions {
@@ -40,24 +40,6 @@ fn axis_units(settings: &Settings, axis: Axis) -> AxisUnits {
 pub fn speeds(settings: &Settings) -> Speeds {
     let list = |s: &PerGroup| [s.xy, s.z, s.a, s.b, s.c];
     Speeds { cut: list(&settings.speeds.cut), jog: list(&settings.speeds.jog), rpm: 0.0 }
-}
-
-/// A diagnostic.
-pub fn finding(found: &Diagnostic) -> Finding {
-    Finding {
-        level: match found.severity {
-            Severity::Error => Level::Error,
-            Severity::Warning => Level::Warning,
-            Severity::Note => Level::Note,
-        },
-        code: found.code.to_string(),
-        file: found.place.file.to_string(),
-        line: found.place.line,
-        column: found.place.column,
-        length: found.place.length,
-        message: found.message.clone(),
-        hint: found.hint.clone(),
-    }
 }
 
 /// How a diagnostic is meant.

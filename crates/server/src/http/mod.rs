@@ -8,6 +8,7 @@
 mod assets;
 mod files;
 mod guard;
+mod language;
 mod people;
 mod preview;
 mod rest;

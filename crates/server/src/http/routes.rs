@@ -1,6 +1,7 @@
 //! The routes, and their description for scripts (OpenAPI).
 
-use super::{assets, files, guard, people, preview, rest, socket};
+use super::language::{Formatted, Spot};
+use super::{assets, files, guard, language, people, preview, rest, socket};
 use crate::app::App;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
@@ -8,7 +9,9 @@ use axum::middleware::from_fn_with_state;
 use axum::routing::{any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
-use kerf_wire::{Act, FileInfo, Reply, ShapeList, Snapshot};
+use kerf_wire::{
+    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Reply, ShapeList, Snapshot,
+};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value, json};
@@ -27,6 +30,11 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/api/preview/{key}/{level}/{piece}", get(preview::piece))
         .route("/api/drawing/shapes", get(rest::shapes))
         .route("/api/drawing/paths", get(rest::tool_paths))
+        .route("/api/commands", get(language::commands))
+        .route("/api/language/check", post(language::check))
+        .route("/api/language/complete", post(language::complete))
+        .route("/api/language/hover", post(language::hover))
+        .route("/api/language/format", post(language::format))
         .route("/api/pair", post(people::pair))
         .route("/api/pair/code", post(people::code))
         .route("/api/devices", get(people::list))
@@ -37,25 +45,29 @@ pub fn router(app: Arc<App>) -> Router {
         .with_state(app)
 }
 
+/// Makes the schema of a type.
+type Schema = fn(&mut SchemaGenerator) -> Value;
+
 /// A route as a script sees it.
 struct Route {
     path: &'static str,
     method: &'static str,
     doc: &'static str,
-    body: Option<fn(&mut SchemaGenerator) -> Value>,
-    answer: Option<fn(&mut SchemaGenerator) -> Value>,
+    body: Option<Schema>,
+    answer: Option<Schema>,
 }
 
 fn schema<T: JsonSchema>(generator: &mut SchemaGenerator) -> Value {
     generator.subschema_for::<T>().to_value()
 }
 
-const fn looks(
-    path: &'static str,
-    doc: &'static str,
-    answer: Option<fn(&mut SchemaGenerator) -> Value>,
-) -> Route {
+const fn looks(path: &'static str, doc: &'static str, answer: Option<Schema>) -> Route {
     Route { path, method: "get", doc, body: None, answer }
+}
+
+/// A question of an editor.
+const fn asks(path: &'static str, doc: &'static str, body: Schema, answer: Schema) -> Route {
+    Route { path, method: "post", doc, body: Some(body), answer: Some(answer) }
 }
 
 /// Every route that scripts may like.
@@ -83,6 +95,31 @@ fn routes() -> Vec<Route> {
         looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
         looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ShapeList>)),
+        looks("/api/commands", "The commands of OpenSBP", Some(schema::<Vec<CommandEntry>>)),
+        asks(
+            "/api/language/check",
+            "What is wrong with a text",
+            schema::<language::Text>,
+            schema::<Checked>,
+        ),
+        asks(
+            "/api/language/complete",
+            "Words that could stand at a place",
+            schema::<Spot>,
+            schema::<Vec<Completion>>,
+        ),
+        asks(
+            "/api/language/hover",
+            "What the word at a place means",
+            schema::<Spot>,
+            schema::<Option<Hover>>,
+        ),
+        asks(
+            "/api/language/format",
+            "A text in good form",
+            schema::<language::Text>,
+            schema::<Formatted>,
+        ),
         Route {
             path: "/api/pair",
             method: "post",

@@ -118,7 +118,7 @@ impl Owner {
             Ok(summary) => (told::status(summary.status), summary.error.as_deref()),
             Err(_) => ("failed", None),
         };
-        let (ended, error) = (Some(ended.into()), error.map(told::finding));
+        let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
         self.hub.change(vec![Change::Job { job: Some(Job { ended, error, ..job }) }]);
         self.come_to_rest(driven);
     }

@@ -10,7 +10,6 @@ mod path;
 
 pub use path::Path;
 
-use crate::told;
 use collect::Collector;
 use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Summary, Wish};
 use kerf_part::Program;
@@ -85,7 +84,7 @@ fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Previ
         info,
         paths,
         times: sink.times.into(),
-        findings: sink.findings.iter().map(told::finding).collect(),
+        findings: sink.findings.iter().map(kerf_language::finding).collect(),
         failed: false,
         start,
     }

@@ -1,0 +1,71 @@
+//! What editors and fill-in sheets ask (see [`kerf_language`]).
+
+use super::{Refused, aside};
+use crate::app::{App, lock};
+use axum::Json;
+use axum::extract::State;
+use kerf_wire::{Checked, CommandEntry, Completion, Hover};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// A text that is being edited.
+#[derive(Debug, Deserialize, schemars::JsonSchema)]
+pub struct Text {
+    /// The file; its extension tells the language.
+    name: String,
+    text: String,
+}
+
+/// A place in a text.
+#[derive(Debug, Deserialize, schemars::JsonSchema)]
+pub struct Spot {
+    text: String,
+    /// From 1.
+    line: u32,
+    /// From 1, in characters.
+    column: u32,
+}
+
+/// A text in good form.
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Formatted {
+    text: String,
+}
+
+/// Every command, with the settings that hold now.
+pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
+    let settings = lock(&app.left).memory.settings.clone();
+    Json(kerf_language::commands(&settings))
+}
+
+/// What is wrong with a text.
+pub async fn check(
+    State(app): State<Arc<App>>,
+    Json(edited): Json<Text>,
+) -> Result<Json<Checked>, Refused> {
+    let unit = lock(&app.left).memory.settings.linear_unit;
+    let checked = move || Ok(kerf_language::check(&edited.name, &edited.text, unit));
+    Ok(Json(aside(checked).await?))
+}
+
+/// Words that could stand at a place.
+pub async fn complete(Json(spot): Json<Spot>) -> Result<Json<Vec<Completion>>, Refused> {
+    let words = move || Ok(kerf_language::complete(&spot.text, spot.line, spot.column));
+    Ok(Json(aside(words).await?))
+}
+
+/// What the word at a place means.
+pub async fn hover(Json(spot): Json<Spot>) -> Result<Json<Option<Hover>>, Refused> {
+    let word = move || Ok(kerf_language::hover(&spot.text, spot.line, spot.column));
+    Ok(Json(aside(word).await?))
+}
+
+/// A text in good form; what it does stays. G-code stays as it is.
+pub async fn format(Json(edited): Json<Text>) -> Result<Json<Formatted>, Refused> {
+    let formatted = move || {
+        let foreign = kerf_sbp::is_gcode_name(&edited.name);
+        let text = if foreign { edited.text } else { kerf_sbp::format(&edited.text) };
+        Ok(Formatted { text })
+    };
+    Ok(Json(aside(formatted).await?))
+}
