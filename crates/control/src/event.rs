@@ -65,6 +65,15 @@ pub enum Event {
         /// When.
         t: f64,
     },
+    /// Height control took a reading.
+    Height {
+        /// Z of the tool, machine frame, mm.
+        z: f64,
+        /// How far the gap is from what is wanted, mm.
+        error: f64,
+        /// When.
+        t: f64,
+    },
     /// The pulse frequency of a laser was set.
     #[serde(rename = "laser_hz")]
     LaserHz {

@@ -182,6 +182,7 @@ impl<'a> World<'a> {
             What::Intensity { value, burn } => {
                 Event::Intensity { value, byte: 2 * value + u8::from(burn), t }
             }
+            What::Height { z_mm, error_mm } => Event::Height { z: z_mm, error: error_mm, t },
             What::LaserFrequency(hz) => Event::LaserHz { hz, t },
             What::Output { number, on, why } => Event::Output {
                 n: number,

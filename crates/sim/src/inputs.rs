@@ -113,6 +113,13 @@ impl Inputs {
         Some(next)
     }
 
+    /// Somebody, or the machine itself, moves a switch now.
+    pub(crate) fn put(&mut self, number: u8, on: bool) {
+        if let Some(i) = index(number) {
+            self.contact[i] = Some(on);
+        }
+    }
+
     /// From here on the sensors of the head will tell this, and nothing that was foreseen before.
     pub(crate) fn foresee(&mut self, changes: Vec<Change>) {
         self.foreseen = changes.into();

@@ -14,6 +14,7 @@
 //! The machine is a value: clone it and run a preview on the copy. Millimetres, degrees and seconds;
 //! positions in the machine frame.
 
+mod follower;
 mod halt;
 mod hand;
 mod heater;

@@ -46,6 +46,13 @@ pub enum What {
         /// The burn bit is set.
         burn: bool,
     },
+    /// Height control took a reading.
+    Height {
+        /// Where the tool is, Z of the machine frame, mm.
+        z_mm: f64,
+        /// How far the gap is from what is wanted, mm.
+        error_mm: f64,
+    },
     /// The pulse frequency of a laser was set, Hz.
     LaserFrequency(f64),
     /// A spindle got a speed.

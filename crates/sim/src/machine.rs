@@ -4,6 +4,7 @@ mod drive;
 mod job;
 mod torch;
 
+use crate::follower::Follower;
 use crate::halt::{self, Halt, Watched};
 use crate::hand::Hand;
 use crate::heater::{self, Heater};
@@ -18,7 +19,9 @@ use crate::sheet::Sheet;
 use crate::trigger;
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::{LINES, Mode, SWITCHES};
-use kerf_program::{AXES, Axes, Axis, AxisSet, Beam, Frame, Independent, OutputReason, Settings};
+use kerf_program::{
+    AXES, Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Independent, OutputReason, Settings,
+};
 use std::sync::Arc;
 
 /// The PWM channel of the heater.
@@ -51,6 +54,9 @@ pub struct Machine {
     pwm_percent: f64,
     beam: Beam,
     sheet: Option<Sheet>,
+    /// Height control, while it is on.
+    law: Option<HeightLaw>,
+    follower: Follower,
     /// What the intensity output gives: value and burn bit.
     intensity: (u8, bool),
     light: bool,
@@ -93,6 +99,8 @@ impl Machine {
             pwm_percent: 0.0,
             beam: Beam::Off,
             sheet: None,
+            law: None,
+            follower: Follower::default(),
             intensity: (0, false),
             light: false,
             come_back: Vec::new(),
@@ -153,7 +161,7 @@ impl Machine {
         for axis in Axis::ALL {
             place[axis] += self.spins[axis.index()].displacement(self.clock_s);
         }
-        place[Axis::Z] += self.torch.displacement(self.clock_s);
+        place[Axis::Z] += self.torch.displacement(self.clock_s) + self.follower.offset_mm;
         place
     }
 
@@ -457,6 +465,7 @@ impl Machine {
             }
         }
         self.shine(t0_s, plan, span);
+        self.follow_sheet(t0_s, plan, span);
         self.position = span.made.to;
         if !self.draws() {
             self.advance(t0_s + span.t1_s);
@@ -494,6 +503,7 @@ impl Machine {
         let given = self.settings.driver.enabled || !on;
         if !self.draws() && given && self.outputs.set(number, on) {
             self.log.add(t_s, What::Output { number, on, why });
+            self.release_jig(t_s, number, on);
         }
     }
 

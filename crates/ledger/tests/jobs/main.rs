@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
 mod delays;
+mod height;
+mod job;
 mod laser;
 mod pause;
 mod plasma;

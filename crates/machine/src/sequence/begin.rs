@@ -7,11 +7,23 @@ use crate::lines::Output;
 use crate::settings::Configuration;
 use crate::state::{Event, State};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_program::job::Depths;
+use kerf_geom::Point2;
+use kerf_program::job::{Depths, Job};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    At, Axis, AxisSet, Command, RampModel, Settings, Sourced, Status, Step, ToolPathStart,
+    At, Axes, Axis, AxisSet, Command, RampModel, Settings, Sourced, Status, Step, ToolPathStart,
 };
+use std::sync::Arc;
+
+/// The job where it is cut, and how often: Start may take the present position as origin.
+pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
+    let mut placed = (*job).clone();
+    if machine.job.change_origin_at_start {
+        placed.origin = Point2::new(position[Axis::X], position[Axis::Y]);
+    }
+    placed.repeats = placed.repeats.max(machine.job.repeats);
+    Arc::new(placed)
+}
 
 /// What the planner works with: millimetres, the machine's own model of motion, nothing that part
 /// files switch beside it.
@@ -33,6 +45,7 @@ impl Sequence {
     pub(super) fn advance(&mut self, out: &mut Vec<Sourced>) -> Step {
         match self.stage {
             Stage::Begin => return self.begin(out),
+            Stage::Waiting => self.start_now(),
             Stage::Approach => {
                 self.stage = Stage::Shapes;
                 self.enter_pass(out);
@@ -60,9 +73,9 @@ impl Sequence {
         self.give(Command::Location { frame: self.frame, working, base: AxisSet::EMPTY }, out);
         self.state =
             self.state.on(Event::Start, self.stop_settings()).map_or(self.state, |n| n.state);
-        self.stage = Stage::Approach;
-        self.steps.extend([Small::Enter(State::Running), Small::Switch(Output::JobRunning, true)]);
-        self.steps.extend(self.approach(false));
+        self.stage = Stage::Waiting;
+        self.tell_straddling(out);
+        self.steps = self.before_start().into();
         Step::Ran
     }
 
@@ -86,7 +99,7 @@ impl Sequence {
     /// A pass begins: its heights are those of now.
     pub(super) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
         let job = self.job.clone();
-        let Some(shape) = self.here.shape(&job) else { return self.leave(out) };
+        let Some(shape) = self.here.shape(&job) else { return self.leave() };
         if let Err(low) = Depths::of(shape.depth, &self.heights) {
             // A pause lifted ZBottom above it.
             return self.fault(&format!("shape {}: {low}", shape.number));
@@ -98,7 +111,8 @@ impl Sequence {
             let (name, tool) = (Some(shape.group.clone()), Some(tool.as_str().into()));
             self.give(Command::ToolPath(ToolPathStart { name, tool }), out);
         }
-        self.steps = self.pass_steps().into();
+        let steps = self.pass_steps();
+        self.steps.extend(steps);
     }
 
     /// The heights of the path at hand are those of now.
@@ -137,7 +151,10 @@ impl Sequence {
     }
 
     /// All shapes are cut: the router goes off, the head goes to the finish position.
-    fn leave(&mut self, _out: &mut [Sourced]) {
+    fn leave(&mut self) {
+        if self.next_jig() {
+            return;
+        }
         self.stage = Stage::Finish;
         self.steps = self.finish().into();
     }

@@ -2,11 +2,15 @@
 
 use super::place::Along;
 use super::small::Small;
+use super::start::PATIENCE_S;
 use super::{SAME_MM, Sequence, bit};
 use crate::lines::{Input, Output};
 use crate::state::State;
 use kerf_geom::Point2;
-use kerf_program::{Answer, Axes, Axis, Command, Feed, Host, Line, MoveKind, Sourced, Step};
+use kerf_program::{
+    Answer, Axes, Axis, Command, Feed, HeightLaw, Host, Line, MoveKind, Sourced, Step,
+};
+use std::sync::Arc;
 use std::task::Poll;
 
 impl Sequence {
@@ -22,6 +26,9 @@ impl Sequence {
         if self.given {
             if host.settle().is_pending() {
                 return Step::Waiting;
+            }
+            if small == Small::Height(None) {
+                self.follow_heights(host.machine_position()[Axis::Z.index()]);
             }
             self.pop();
             self.done(&small);
@@ -46,15 +53,16 @@ impl Sequence {
             Small::Switch(output, on) => self.switch(*output, *on, out),
             Small::Wait(seconds) => return self.wait(*seconds, out),
             Small::Await(awaited) => return self.wait(awaited.timeout_s, out),
+            Small::AwaitJig => return self.wait(PATIENCE_S, out),
             Small::Beam(beam) => self.give(Command::Beam(beam.clone()), out),
             Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
-            Small::Height(law) => self.give(Command::HeightControl(law.clone()), out),
+            Small::Height(law) => return self.control_height(law.clone(), out),
             Small::Travel(place) => return self.travel(*place, out),
             Small::Rapid(z) => return self.rapid(Axis::Z, *z, out),
             Small::RaiseTo(z) => {
                 return *z > self.position[Axis::Z] && self.rapid(Axis::Z, *z, out);
             }
-            Small::Plunge(z) | Small::Feel(z) => return self.plunge(*z, out),
+            Small::Plunge(z) | Small::Lower(z) | Small::Feel(z) => return self.plunge(*z, out),
             Small::AboveFelt(up) => return self.plunge(self.felt_mm + up, out),
             Small::Turn(degrees) => return self.rapid(Axis::C, *degrees, out),
             Small::Hand(axis, to) => return self.rapid(*axis, *to, out),
@@ -76,6 +84,8 @@ impl Sequence {
                     self.fault(missing);
                 }
             }
+            Small::Lower(_) => self.begun_mm = self.position[Axis::Z],
+            Small::AwaitJig => self.fault("waiting for a jig"),
             Small::Feel(_) => self.fault("surface not found"),
             _ => {}
         }
@@ -86,11 +96,20 @@ impl Sequence {
         let expected = match self.steps.front() {
             Some(Small::Await(awaited)) => awaited.input == input,
             Some(Small::Feel(_)) => input == Input::WHome,
+            Some(Small::Lower(_)) => input == Input::ZHigh,
+            Some(Small::AwaitJig) => true,
             _ => false,
         };
         if expected {
             if matches!(self.steps.front(), Some(Small::Feel(_))) {
                 self.felt_mm = began[Axis::Z];
+            }
+            if matches!(self.steps.front(), Some(Small::Lower(_))) {
+                // What the tool runs on is not the sheet's.
+                self.begun_mm = began[Axis::Z];
+            }
+            if self.steps.front() == Some(&Small::AwaitJig) {
+                self.take_jig(input);
             }
             self.pop();
         }
@@ -127,6 +146,17 @@ impl Sequence {
         self.state = state;
         let why = if state == State::Running { "".into() } else { self.why.clone() };
         self.give(Command::State { name: state.name().into(), why }, out);
+    }
+
+    /// Height control begins or ends; where it ends Z is asked for.
+    fn control_height(&mut self, law: Option<Arc<HeightLaw>>, out: &mut Vec<Sourced>) -> bool {
+        let ends = law.is_none() && self.controlled;
+        if law.is_some() || ends {
+            self.controlled = law.is_some();
+            self.begun_mm = if ends { self.begun_mm } else { self.position[Axis::Z] };
+            self.give(Command::HeightControl(law), out);
+        }
+        ends
     }
 
     fn begin_path(&mut self, out: &mut Vec<Sourced>) -> bool {

@@ -19,6 +19,7 @@
 mod beam;
 mod begin;
 mod carry;
+mod height;
 mod path;
 mod pause;
 mod place;
@@ -26,6 +27,7 @@ mod plasma;
 mod program;
 mod shape;
 mod small;
+mod start;
 mod words;
 
 pub use words::Word;
@@ -40,6 +42,7 @@ use kerf_program::{Axes, Axis, Frame, Halted, Settings, Status};
 use path::Followed;
 use place::{Here, Stage};
 use small::Small;
+use start::Jig;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -50,6 +53,10 @@ const SAME_MM: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub struct Sequence {
     job: Arc<Job>,
+    /// The job that was given, where the one at hand is a part of it.
+    whole: Arc<Job>,
+    /// The jig being cut, or cut last.
+    jig: Option<Jig>,
     machine: Arc<Configuration>,
     /// What the planner works with.
     settings: Arc<Settings>,
@@ -79,6 +86,10 @@ pub struct Sequence {
     began: Halted,
     /// Where the sheet was felt, Z of the machine frame.
     felt_mm: f64,
+    /// The height from which height control carried Z, machine frame.
+    begun_mm: f64,
+    /// Height control is on.
+    controlled: bool,
     /// The machine halted at the pause mark of this shape already.
     halted_before: bool,
     cut: u64,
@@ -90,6 +101,7 @@ pub struct Sequence {
 impl Sequence {
     /// A job on a machine that stands at a position, machine frame.
     pub fn new(job: Arc<Job>, machine: Arc<Configuration>, position: Axes) -> Self {
+        let job = begin::placed(job, &machine, position);
         let zpos = machine.zpos;
         let heights =
             Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm };
@@ -117,10 +129,14 @@ impl Sequence {
             on: 0,
             began: Halted::default(),
             felt_mm: heights.surface_mm,
+            begun_mm: heights.surface_mm,
+            controlled: false,
             halted_before: false,
             cut: 0,
             group: None,
             over: None,
+            whole: job.clone(),
+            jig: None,
             job,
             machine,
         }

@@ -23,8 +23,12 @@ const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
 impl Sequence {
     /// Motion or a wait was stopped in the middle.
     pub(super) fn halt(&mut self, event: Event, why: &str, halted: &Halted) {
-        if self.steps.front() == Some(&Small::Follow) && self.given {
+        let following = self.steps.front() == Some(&Small::Follow) && self.given;
+        if following {
             self.keep_place(halted);
+        }
+        if self.controlled && following {
+            self.follow_heights(halted.stands[Axis::Z]);
         }
         self.position = halted.stands;
         self.stop_for(event, why);
@@ -39,7 +43,9 @@ impl Sequence {
     fn stop_for(&mut self, event: Event, why: &str) {
         self.given = false;
         self.steps.clear();
-        if let Some(first) = self.state.on(event, self.stop_settings()) {
+        if self.state == State::Waiting && event == Event::Fault {
+            self.why = why.into();
+        } else if let Some(first) = self.state.on(event, self.stop_settings()) {
             self.why = why.into();
             self.state = first.state;
             let mut effects = first.effects;
@@ -49,6 +55,10 @@ impl Sequence {
             }
             self.steps = effects.into_iter().flat_map(|effect| self.effect(effect)).collect();
             self.steps.push_back(Small::Enter(self.state));
+            if self.state == State::Idle {
+                self.stage = Stage::Finish;
+                self.steps.push_back(Small::GiveUp);
+            }
         }
         self.steps.push_back(Small::Ask);
     }
@@ -81,6 +91,9 @@ impl Sequence {
 
     /// Back to where the job was left: router, tool, plunge, cut, each with its delay.
     fn come_back(&self) -> Vec<Small> {
+        if self.stage == Stage::Waiting {
+            return self.before_start();
+        }
         if matches!(self.stage, Stage::Begin | Stage::Approach) {
             return self.approach(true);
         }
@@ -105,8 +118,10 @@ impl Sequence {
     /// What the operator is asked.
     pub(super) fn question(&self) -> Question {
         // A pause mark is where a job is meant to wait: without an operator it goes on.
-        let marked = self.state == State::Running;
+        let preparing = self.state == State::Waiting && self.why.is_empty();
+        let marked = self.state == State::Running || preparing;
         let text = match (&*self.why, marked) {
+            (_, true) if preparing => format!("Start with shape {}?", self.here.nth + 1),
             (_, true) => format!("Shape {}", self.at().line),
             ("", false) => "Paused".to_owned(),
             (why, false) => format!("Paused: {why}"),
@@ -126,6 +141,9 @@ impl Sequence {
     /// The operator said something.
     pub(super) fn answered(&mut self, words: String) {
         let marked = self.state == State::Running;
+        if self.state == State::Waiting {
+            return self.prepared(Word::read(&words));
+        }
         match Word::read(&words) {
             Some(Word::Continue) if marked => self.halted_before = true,
             Some(Word::Continue) => self.go_on(),
@@ -153,7 +171,7 @@ impl Sequence {
         self.steps.extend(effects.collect::<Vec<_>>());
     }
 
-    fn abort(&mut self) {
+    pub(super) fn abort(&mut self) {
         self.stage = Stage::Finish;
         self.steps = self.effect(Effect::CutOff).into();
         self.steps.extend(self.effect(Effect::AllOff));
@@ -175,7 +193,7 @@ impl Sequence {
                 let to = self.within_reach(axis, self.position[axis] + by);
                 self.steps.push_back(Small::Hand(axis, to));
             }
-            Word::Continue | Word::Abort => {}
+            Word::Continue | Word::Abort | Word::Shape(_) | Word::Next | Word::Previous => {}
         }
     }
 

@@ -9,6 +9,8 @@ pub(crate) enum Stage {
     /// Nothing has happened.
     #[default]
     Begin,
+    /// A door, a jig or the second Start is waited for.
+    Waiting,
     /// The head goes to the first shape, the router starts.
     Approach,
     /// Shapes are cut.

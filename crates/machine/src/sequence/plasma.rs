@@ -5,6 +5,7 @@ use super::Sequence;
 use super::small::{Awaited, Small};
 use crate::lines::{Input, Output};
 use kerf_program::job::JobShape;
+use std::sync::Arc;
 
 impl Sequence {
     /// Down until the head is too close, up to the initial height, then the arc.
@@ -19,6 +20,7 @@ impl Sequence {
         steps.extend([
             Small::Feel(self.heights.bottom_mm),
             Small::AboveFelt(plasma.initial_height_mm),
+            Small::Height(self.height_law(shape).map(Arc::new)),
             Small::Switch(Output::cut(shape.cut), true),
             arc.clone(),
             // Whatever the arc does meanwhile: it has to burn afterwards.

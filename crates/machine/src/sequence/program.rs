@@ -122,6 +122,8 @@ impl Sequence {
         let (arc, close) = (Input::EndBottomDelay.number(), Input::WHome.number());
         match self.steps.front() {
             Some(Small::Await(awaited)) => vec![Watch::level(awaited.input.number(), true, 0.0)],
+            Some(Small::AwaitJig) => self.jig_watches().into(),
+            Some(Small::Lower(_)) => vec![Watch::level(Input::ZHigh.number(), false, 0.0)],
             Some(Small::Feel(_)) => vec![Watch::level(close, true, 0.0)],
             Some(Small::Follow) if self.machine.plasma.use_sequence => vec![
                 Watch::level(arc, false, self.machine.plasma.debounce_s),

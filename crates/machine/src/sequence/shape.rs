@@ -67,7 +67,8 @@ impl Sequence {
             return self.laser_start(shape, z);
         }
         let mut steps = self.tool_on(self.tool_of(shape));
-        steps.extend([Small::Plunge(z), Small::Switch(Output::cut(shape.cut), true)]);
+        steps.extend(self.down(shape, z));
+        steps.push(Small::Switch(Output::cut(shape.cut), true));
         steps.extend(self.bottom_delay(shape));
         steps.extend(self.beam_follows(shape));
         steps

@@ -14,6 +14,8 @@ pub(crate) enum Small {
     Wait(f64),
     /// An input is waited for.
     Await(Awaited),
+    /// One of the jigs is waited for.
+    AwaitJig,
     /// Intensity.
     Beam(Beam),
     /// Pulse frequency, Hz.
@@ -28,6 +30,9 @@ pub(crate) enum Small {
     RaiseTo(f64),
     /// Up or down at plunging speed.
     Plunge(f64),
+    /// Down at plunging speed until the head is at its height over the sheet, at the lowest to a
+    /// height.
+    Lower(f64),
     /// Down at plunging speed until an input, at the lowest to a height.
     Feel(f64),
     /// Up at plunging speed, so far above the place that was felt.

@@ -15,6 +15,12 @@ pub enum Word {
     PlungeSpeed(f64),
     /// ZBottom by a distance, mm, negative down.
     AdjustBottom(f64),
+    /// The shape to begin with, counted from 1.
+    Shape(usize),
+    /// The next shape to begin with.
+    Next,
+    /// The one before.
+    Previous,
     /// Whether the tool rises in pauses.
     Raise(bool),
     /// An axis moves by a distance, mm or degrees.
@@ -26,7 +32,8 @@ const PER_MIN: f64 = 60.0;
 
 impl Word {
     /// Reads an order: `continue`, `abort`, `cut 3000` and `plunge 600` (mm/min), `zbottom -0.5`,
-    /// `raise yes`, `move y 200`.
+    /// `raise yes`, `move y 200`; before the start
+    /// `next`, `previous` or the number of a shape.
     pub fn read(text: &str) -> Option<Self> {
         let text = text.to_ascii_lowercase();
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -36,7 +43,9 @@ impl Word {
             [first] => match *first {
                 "continue" | "resume" | "start" | "ok" => Some(Self::Continue),
                 "abort" | "quit" | "end" | "cancel" => Some(Self::Abort),
-                _ => None,
+                "next" | "+" => Some(Self::Next),
+                "previous" | "-" => Some(Self::Previous),
+                number => number.parse().ok().filter(|n| *n > 0).map(Self::Shape),
             },
             [first, value] => match *first {
                 "cut" => Some(Self::CutSpeed(speed(value)?)),

@@ -37,6 +37,7 @@ impl Machine {
         self.torch_mm_s = 0.0;
         self.steer_torch(self.clock_s);
         self.position[Axis::Z] += self.torch.end(self.clock_s);
+        self.position[Axis::Z] += std::mem::take(&mut self.follower).offset_mm;
     }
 }
 

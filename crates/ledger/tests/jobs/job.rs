@@ -1,0 +1,244 @@
+//! Area `job`: where a job lies, with what it begins and ends, jigs, door, repeats, limits.
+
+use kerf_geom::Point2;
+use kerf_ledger::jobs::{JobRun, JobTrace, job, line, square, t1, t2};
+use kerf_machine::lines::Input;
+use kerf_program::Status;
+
+fn ends(trace: &JobTrace) -> Vec<String> {
+    let moves = trace.moves();
+    moves.iter().map(|m| m.split_once(' ').map_or("", |(_, end)| end).to_owned()).collect()
+}
+
+fn messages(trace: &JobTrace) -> Vec<String> {
+    let told = |event: &kerf_control::Event| match event {
+        kerf_control::Event::Message { text, .. } => Some(text.to_string()),
+        _ => None,
+    };
+    trace.events.iter().filter_map(told).collect()
+}
+
+/// Names of shapes in the order in which they are cut.
+fn cut(trace: &JobTrace) -> Vec<u32> {
+    let cuts = trace.events.iter().filter_map(|event| match event {
+        kerf_control::Event::Move(made) if made.kind == kerf_program::MoveKind::Cut => {
+            let flat = (made.from.x, made.from.y) != (made.to.x, made.to.y);
+            flat.then_some(made.line)
+        }
+        _ => None,
+    });
+    let mut all: Vec<u32> = cuts.collect();
+    all.dedup();
+    all
+}
+
+#[test]
+fn pro_job_origin_any() {
+    let placed = JobRun::new(job([line(1, (10.0, 5.0), (20.0, 5.0))]));
+    let trace = placed.job(|job| job.origin = Point2::new(300.0, 200.0)).run();
+    // The display is relative to the origin; the machine ends where the origin lies.
+    assert_eq!(ends(&trace)[0], "x10 y5");
+    assert_eq!(trace.rests(), [300.0, 200.0, -10.0]);
+}
+
+#[test]
+fn pro_job_origin_start_yes() {
+    let run = JobRun::new(t1()).with(|machine| machine.job.change_origin_at_start = true);
+    let run = run.job(|job| job.origin = Point2::new(300.0, 200.0)).at(50.0, 60.0, 0.0).run();
+    assert_eq!(run.rests(), [50.0, 60.0, -10.0]);
+}
+
+#[test]
+fn pro_job_origin_start_no() {
+    let run = JobRun::new(t1()).job(|job| job.origin = Point2::new(300.0, 200.0));
+    assert_eq!(run.at(50.0, 60.0, 0.0).run().rests(), [300.0, 200.0, -10.0]);
+}
+
+#[test]
+fn pro_job_finish() {
+    let run = |origin: Point2| {
+        let run = JobRun::new(t1()).job(|job| {
+            (job.origin, job.finish) = (origin, Point2::new(25.0, 20.0));
+        });
+        run.run()
+    };
+    let far = run(Point2::new(300.0, 200.0));
+    assert_eq!(
+        (far.rests(), ends(&far).last().map(String::as_str)),
+        ([325.0, 220.0, -10.0], Some("x25 y20"))
+    );
+    assert_eq!(run(Point2::default()).rests(), [25.0, 20.0, -10.0]);
+}
+
+#[test]
+fn pro_job_finish_default() {
+    let run = JobRun::new(t1()).job(|job| job.origin = Point2::new(300.0, 200.0));
+    assert_eq!(run.run().rests(), [300.0, 200.0, -10.0]);
+}
+
+#[test]
+fn pro_job_end() {
+    let trace = JobRun::new(t1()).run();
+    assert_eq!(trace.edges()[6..], ["7.190 router-", "7.890 job_running-"]);
+    assert_eq!(trace.states().last().map(String::as_str), Some("7.890 idle"));
+}
+
+#[test]
+fn pro_job_raise_pause() {
+    let stopped = |raise: bool| {
+        let run = JobRun::new(t1()).with(|machine| machine.pause.raise = raise).stop(5.34);
+        run.run().rests()[2]
+    };
+    assert_eq!((stopped(true), stopped(false)), (-10.0, -30.0));
+    // Switched during a pause: the next one obeys.
+    let again = JobRun::new(t1()).stop(5.34).stop(11.0).say("raise no ⏎ resume ⏎ abort").run();
+    assert_eq!(again.rests()[2], -30.0);
+}
+
+#[test]
+fn pro_job_repeats() {
+    let trace = JobRun::new(t2()).with(|machine| machine.job.repeats = 3).run();
+    assert_eq!(cut(&trace), [1, 2, 1, 2, 1, 2]);
+    assert_eq!(messages(&trace), ["2 of 3", "3 of 3"]);
+    let edges = trace.edges();
+    assert_eq!(edges.iter().filter(|edge| edge.contains("router")).count(), 2);
+    assert_eq!(trace.rests(), [0.0, 0.0, -10.0]);
+}
+
+fn five() -> JobRun {
+    JobRun::new(job(
+        (1..=5).map(|n| line(n, (0.0, 10.0 * f64::from(n)), (50.0, 10.0 * f64::from(n))))
+    ))
+}
+
+#[test]
+fn pro_job_start_number() {
+    assert_eq!(cut(&five().job(|job| job.start = 4).run()), [4, 5]);
+    let chosen = five().with(|machine| machine.misc.double_start = true).say("5 ⏎ resume").run();
+    assert_eq!(ends(&chosen)[0], "y50");
+    assert_eq!(cut(&chosen), [5]);
+}
+
+#[test]
+fn pro_job_start_step() {
+    let stepped = |words: &str| {
+        cut(&five().with(|machine| machine.misc.double_start = true).say(words).run())[0]
+    };
+    assert_eq!(stepped("next ⏎ next ⏎ previous ⏎ start"), 2);
+    assert_eq!(stepped("previous ⏎ start"), 1);
+    assert_eq!(stepped("next ⏎ next ⏎ next ⏎ next ⏎ next ⏎ start"), 5);
+}
+
+#[test]
+fn pro_misc_doublestart() {
+    let two = JobRun::new(t1()).with(|machine| machine.misc.double_start = true).say("start").run();
+    assert_eq!(two.states(), ["0.000 waiting", "0.000 running", "7.890 idle"]);
+}
+
+#[test]
+fn pro_misc_singlestart() {
+    assert_eq!(JobRun::new(t1()).run().states(), ["0.000 running", "7.890 idle"]);
+}
+
+#[test]
+fn pro_job_ext_door() {
+    let run = || JobRun::new(t1()).with(|machine| machine.job.external_start = true);
+    let closed = run().input(Input::WHome, 60.0, true).run();
+    assert_eq!(closed.edges()[..2], ["60.000 job_running+", "60.300 router+"]);
+    let open = run().run();
+    assert!(open.moves().is_empty() && open.summary.status == Status::Stopped);
+}
+
+#[test]
+fn pro_job_ext_unchecked() {
+    let run = JobRun::new(t1()).with(|machine| machine.job.external_start = true);
+    let run = run.input(Input::WHome, 1.0, true).input(Input::WHome, 6.0, false).run();
+    assert_eq!(run.states().last().map(String::as_str), Some("8.890 idle"));
+}
+
+/// Squares left and right of a divider at 1250.
+fn jigs() -> JobRun {
+    let shapes = [
+        square(1, (100.0, 0.0), 500.0),
+        square(2, (1300.0, 0.0), 700.0),
+        square(3, (1200.0, 0.0), 100.0),
+    ];
+    let run = JobRun::new(job(shapes));
+    run.with(|machine| (machine.job.two_jigs, machine.job.divider_mm) = (true, 1250.0))
+}
+
+#[test]
+fn pro_job_jig_divider() {
+    let both = jigs().input(Input::Jig1, 1.0, true).input(Input::Jig2, 2.0, true).run();
+    assert_eq!(cut(&both), [1, 2]);
+}
+
+#[test]
+fn pro_job_jig_straddle() {
+    let both = jigs().input(Input::Jig1, 1.0, true).input(Input::Jig2, 2.0, true).run();
+    assert_eq!(messages(&both), ["shape 3 lies across the divider and is not cut"]);
+    let touching = JobRun::new(job([square(1, (1150.0, 0.0), 100.0)]));
+    let touching = touching
+        .with(|machine| (machine.job.two_jigs, machine.job.divider_mm) = (true, 1250.0))
+        .input(Input::Jig1, 1.0, true);
+    assert_eq!(cut(&touching.run()), [1]);
+}
+
+#[test]
+fn pro_job_jig_init() {
+    let waits = jigs().input(Input::Jig1, 60.0, true).run();
+    assert!(waits.moves()[0].starts_with("60.000-"), "{:?}", waits.moves());
+    assert_eq!(waits.edges()[..2], ["0.000 job_running+", "60.000 jig1+"]);
+}
+
+#[test]
+fn pro_job_jig_inputs() {
+    let trace = jigs().input(Input::Jig1, 1.0, true).input(Input::Jig2, 5.0, true).run();
+    assert_eq!(cut(&trace), [1, 2]);
+    let states = trace.states();
+    // After jig 1 nobody does anything.
+    assert_eq!(states.iter().filter(|state| state.ends_with("running")).count(), 2);
+}
+
+#[test]
+fn pro_job_jig_outputs() {
+    let trace = jigs().input(Input::Jig1, 1.0, true).run();
+    let latch = trace.events.iter().any(|event| {
+        matches!(event, kerf_control::Event::Input { name: Some("jig1"), on: false, t, .. } if *t == 1.0)
+    });
+    assert!(latch, "the output switches the start switch off");
+    let edges: Vec<_> = trace.edges().into_iter().filter(|edge| edge.contains("jig1")).collect();
+    assert_eq!(edges.len(), 2, "{edges:?}");
+}
+
+#[test]
+fn pro_job_jig_first() {
+    let second = jigs().job(|job| job.start = 2);
+    let trace = second.input(Input::Jig1, 1.0, true).input(Input::Jig2, 1.0, true).run();
+    assert_eq!(cut(&trace), [2, 1]);
+}
+
+#[test]
+fn pro_job_jig_cycle() {
+    let pressed = jigs().input(Input::Jig1, 1.0, true).input(Input::Jig2, 5.0, true);
+    let trace = pressed.input(Input::Jig1, 80.0, false).input(Input::Jig1, 80.5, true).run();
+    assert_eq!(cut(&trace), [1, 2, 1]);
+    // At the end it waits at the finish position, until nobody comes for an hour.
+    assert_eq!(trace.summary.status, Status::Stopped);
+    assert_eq!(trace.rests()[..2], [0.0, 0.0]);
+}
+
+#[test]
+fn a_job_outside_the_table_does_not_begin() {
+    let outside = JobRun::new(t1()).job(|job| job.origin = Point2::new(2450.0, 0.0)).run();
+    assert!(outside.moves().is_empty() && outside.edges().is_empty());
+    assert_eq!(outside.refused(), "shape 1 reaches X 2550.000, outside the table");
+}
+
+#[test]
+fn a_knife_turns_at_every_corner() {
+    let knife = JobRun::new(job([square(1, (0.0, 0.0), 100.0)]));
+    let trace = knife.with(|machine| machine.misc.tangential = true).run();
+    let turns: Vec<_> = ends(&trace).into_iter().filter(|end| end.starts_with('c')).collect();
+    assert_eq!(turns, ["c90", "c180", "c270"]);
+}

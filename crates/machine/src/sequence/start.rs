@@ -1,0 +1,159 @@
+//! What comes before the first motion: the door, the jigs, the second Start and the choice of the
+//! first shape (Profiler reference, "Two Jig Machines", "Using an External Job Start Input").
+
+use super::Sequence;
+use super::place::{Here, Stage};
+use super::small::{Awaited, Small};
+use super::words::Word;
+use crate::lines::{Input, Output};
+use crate::state::State;
+use kerf_program::job::{Job, JobShape};
+use kerf_program::{Command, Sourced, Watch};
+use std::sync::Arc;
+
+/// After so long a wait the operator is asked, seconds.
+pub(super) const PATIENCE_S: f64 = 3600.0;
+
+/// Which side of the divider a shape lies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Jig {
+    /// Left of it.
+    One,
+    /// Right of it.
+    Two,
+}
+
+impl Jig {
+    const fn output(self) -> Output {
+        match self {
+            Self::One => Output::Jig1,
+            Self::Two => Output::Jig2,
+        }
+    }
+
+    const fn input(self) -> Input {
+        match self {
+            Self::One => Input::Jig1,
+            Self::Two => Input::Jig2,
+        }
+    }
+
+    const fn other(self) -> Self {
+        match self {
+            Self::One => Self::Two,
+            Self::Two => Self::One,
+        }
+    }
+}
+
+impl Sequence {
+    /// What has to come before the job begins; often nothing.
+    pub(super) fn before_start(&self) -> Vec<Small> {
+        let mut steps = Vec::new();
+        if self.machine.job.external_start {
+            let (input, timeout_s) = (Input::WHome, PATIENCE_S);
+            let missing = Some("close the door");
+            steps.push(Small::Await(Awaited { input, timeout_s, missing }));
+        }
+        if self.machine.misc.double_start {
+            steps.push(Small::Ask);
+        }
+        if self.machine.job.two_jigs {
+            steps.extend([Small::Switch(Output::JobRunning, true), Small::AwaitJig]);
+        }
+        if !steps.is_empty() {
+            steps.insert(0, Small::Enter(State::Waiting));
+        }
+        steps
+    }
+
+    /// Everything that was waited for is there.
+    pub(super) fn start_now(&mut self) {
+        self.stage = Stage::Approach;
+        self.steps.extend([Small::Enter(State::Running), Small::Switch(Output::JobRunning, true)]);
+        self.steps.extend(self.jig.map(|jig| Small::Switch(jig.output(), true)));
+        self.steps.extend(self.approach(false));
+    }
+
+    /// The side of the divider on which a shape lies wholly.
+    fn jig_of(&self, shape: &JobShape) -> Option<Jig> {
+        let bounds = shape.path.bounds();
+        let [left, right] = [bounds.min, bounds.max].map(|corner| self.job.on_table(corner).x);
+        let divider = self.machine.job.divider_mm;
+        if right <= divider { Some(Jig::One) } else { (left >= divider).then_some(Jig::Two) }
+    }
+
+    /// Tells which shapes are not cut because they lie on both sides of the divider.
+    pub(super) fn tell_straddling(&self, out: &mut Vec<Sourced>) {
+        if !self.machine.job.two_jigs {
+            return;
+        }
+        for shape in self.job.shapes.iter().filter(|shape| self.jig_of(shape).is_none()) {
+            let text = format!("shape {} lies across the divider and is not cut", shape.number);
+            self.give(Command::Message { text: text.into() }, out);
+        }
+    }
+
+    /// The inputs of the jigs, the one that is preferred first.
+    pub(super) fn jig_watches(&self) -> [Watch; 2] {
+        let first = self.jig.map_or_else(|| self.first_jig(), Jig::other);
+        [first, first.other()].map(|jig| Watch::level(jig.input().number(), true, 0.0))
+    }
+
+    /// The jig that holds the start shape.
+    fn first_jig(&self) -> Jig {
+        let start = self.whole.shapes.get(self.whole.start.saturating_sub(1));
+        start.and_then(|shape| self.jig_of(shape)).unwrap_or(Jig::One)
+    }
+
+    /// A jig is ready: its shapes are the job until it is done; the first time from the start shape on.
+    pub(super) fn take_jig(&mut self, input: Input) {
+        let jig = if input == Input::Jig2 { Jig::Two } else { Jig::One };
+        let skipped = if self.jig.is_none() { self.whole.start.saturating_sub(1) } else { 0 };
+        let shapes = self.whole.shapes.iter().skip(skipped);
+        let mine = shapes.filter(|shape| self.jig_of(shape) == Some(jig)).cloned().collect();
+        self.job = Arc::new(Job { shapes: mine, start: 1, ..(*self.whole).clone() });
+        (self.jig, self.here) = (Some(jig), Here::default());
+    }
+
+    /// The jig is done: the head goes to the finish position, and waits for the next.
+    pub(super) fn next_jig(&mut self) -> bool {
+        let Some(jig) = self.jig else { return false };
+        self.stage = Stage::Waiting;
+        self.steps = [
+            self.up(),
+            Small::Switch(jig.output(), false),
+            Small::Switch(Output::Router, false),
+            Small::Travel(self.job.finish),
+            Small::Enter(State::Waiting),
+            Small::AwaitJig,
+        ]
+        .into();
+        true
+    }
+
+    /// The operator says something before the job begins.
+    pub(super) fn prepared(&mut self, word: Option<Word>) {
+        let last = self.job.shapes.len().saturating_sub(1);
+        let nth = match word {
+            Some(Word::Continue) => {
+                // Nothing came for a long time: it is waited for again.
+                if !self.why.is_empty() {
+                    self.why = Arc::default();
+                    self.steps = self.before_start().into();
+                }
+                return;
+            }
+            Some(Word::Abort) => return self.abort(),
+            Some(Word::Shape(number)) => number.saturating_sub(1).min(last),
+            Some(Word::Next) => (self.here.nth + 1).min(last),
+            Some(Word::Previous) => self.here.nth.saturating_sub(1),
+            _ => self.here.nth,
+        };
+        self.here.nth = nth;
+        if let Some(shape) = self.here.shape(&self.job) {
+            self.steps.extend([self.up(), Small::Travel(shape.start())]);
+        }
+        self.steps.push_back(Small::Ask);
+    }
+}
