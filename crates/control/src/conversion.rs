@@ -1,14 +1,13 @@
 //! FC: a file of the part folder becomes a part file beside it.
 
 use crate::desk::Desk;
+use crate::drawn::{self, Drawn};
 use crate::shelf::Shelf;
 use kerf_convert::{Conversion, Language, Source};
 use kerf_gcode::Dialect;
-use kerf_program::{FileConversion, FileRequest, Folder, HostError, Settings};
+use kerf_program::{FileConversion, FileRequest, Folder, HostError, Printer, Settings};
+use kerf_sbp::{Printing, SbpPrinter};
 use std::path::Path;
-
-/// Kinds of files that are known, but cannot be converted yet.
-const TO_COME: [&str; 9] = ["dxf", "plt", "hpg", "hpgl", "bmp", "jpg", "png", "svg", "bitmap"];
 
 /// Converts a file for a machine with these settings. `kind` says what it is, where its name does not.
 ///
@@ -23,25 +22,56 @@ pub fn convert(
     overwrite: bool,
 ) -> Result<FileConversion, HostError> {
     let file = shelf.source(&FileRequest { folder: Folder::Parts, name: name.into() })?;
-    let kind = kind.map_or_else(|| extension(name), |kind| kind.replace("g-code", "nc"));
-    if TO_COME.contains(&kind.as_str()) {
-        return Err(HostError::Refused(format!(
-            "{name}: drawings and pictures are not converted yet"
-        )));
+    let kind = kind.map_or_else(|| extension(name), extension_of_answer);
+    let language = Language::of_file(&format!("x.{kind}"), Dialect::Generic);
+    let is_drawn = drawn::KINDS.contains(&kind.as_str());
+    if !is_drawn && !matches!(language, Some(Language::Gcode(_))) {
+        return Ok(FileConversion::Unknown);
     }
-    let from = match Language::of_file(&format!("x.{kind}"), Dialect::Generic) {
-        Some(from @ Language::Gcode(_)) => from,
-        _ => return Ok(FileConversion::Unknown),
-    };
     let target = Path::new(name).with_extension("sbp").display().to_string();
     if shelf.has(&target) && !overwrite {
         return Ok(FileConversion::Exists(target));
     }
-    let source = Source { name: file.name.clone(), bytes: &file.bytes, language: from };
-    let text = part_file(shelf, settings, name, &source)?;
+    let text = match language {
+        Some(from) if !is_drawn => {
+            let source = Source { name: file.name.clone(), bytes: &file.bytes, language: from };
+            part_file(shelf, settings, name, &source)?
+        }
+        _ => drawn_part_file(settings, name, &file.bytes, &kind)?,
+    };
     let written = shelf.put(&target, text.as_bytes());
     written.map_err(|e| HostError::Refused(format!("cannot write {target}: {e}")))?;
     Ok(FileConversion::Made(target))
+}
+
+/// What the question of FC is answered with, as an extension.
+fn extension_of_answer(kind: &str) -> String {
+    match kind.to_ascii_lowercase().as_str() {
+        "g-code" => "nc".into(),
+        "bitmap" => "bmp".into(),
+        kind => kind.to_owned(),
+    }
+}
+
+/// The part file of a drawing or a picture, with the usual depth; it stands in the file's head.
+fn drawn_part_file(
+    settings: &Settings,
+    name: &str,
+    bytes: &[u8],
+    kind: &str,
+) -> Result<String, HostError> {
+    let unit = settings.linear_unit;
+    let how = Drawn::usual(unit);
+    let length = |mm: f64| format!("{} {}", mm / unit.mm(), unit.symbol());
+    let (depth, safe) = (length(how.depth_mm), length(how.safe_mm));
+    let title =
+        format!("Converted from {name}\nSettings: depth {depth}, safe height {safe}, scale 1");
+    let printing = Printing { unit, title: Some(title), ..Printing::default() };
+    let mut printer = SbpPrinter::new(&printing);
+    let refused = |error| HostError::Refused(format!("{name} was not converted: {error}"));
+    drawn::print(bytes, kind, &how, &mut printer).map_err(refused)?;
+    let printer: Box<dyn Printer> = Box::new(printer);
+    Ok(printer.finish().text)
 }
 
 fn extension(name: &str) -> String {

@@ -19,6 +19,7 @@ mod check;
 pub mod command_passing;
 mod conversion;
 mod desk;
+pub mod drawn;
 pub mod event;
 mod execute;
 pub mod files;

@@ -4,8 +4,10 @@
 //! not: a file that is broken in one place is read in all others, and nothing is invented. A drawing
 //! is refused only when there is nothing of a drawing in the file.
 
+pub mod bitmap;
 pub mod dxf;
 mod finding;
+pub mod hpgl;
 pub mod motion;
 pub mod rsg;
 pub mod svg;

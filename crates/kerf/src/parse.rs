@@ -135,7 +135,16 @@ pub fn three(text: &str) -> Result<[f64; 3], String> {
     }
 }
 
-/// The same, all greater than 0.
+/// A size, both lengths 0 or more.
+pub fn size(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[x, y]) if [x, y].iter().all(|n| n.is_finite() && *n >= 0.0) => Ok([x, y]),
+        _ => Err("give two lengths with a comma between, X,Y".into()),
+    }
+}
+
+/// Three numbers as X,Y,Z, all greater than 0.
 pub fn three_positive(text: &str) -> Result<[f64; 3], String> {
     let all = three(text)?;
     let positive = all.iter().all(|n| *n > 0.0);

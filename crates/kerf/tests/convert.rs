@@ -1,6 +1,6 @@
 //! Conversions as rows of the manuals ask for them, and as a person uses them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
 mod shop;
 
@@ -84,6 +84,117 @@ fn sbp_conv_fc() {
     assert!(!shop.file("prog.sbp").exists());
 }
 
+/// A line, an arc of a quarter and a closed square, on two layers.
+const DRAWING: &str = "0\nSECTION\n2\nENTITIES\n\
+    0\nLINE\n8\nCUT\n10\n0\n20\n0\n11\n10\n21\n0\n\
+    0\nARC\n8\nCUT\n10\n0\n20\n20\n40\n10\n50\n0\n51\n90\n\
+    0\nLWPOLYLINE\n8\nFRAME\n90\n4\n70\n1\n10\n50\n20\n0\n10\n60\n20\n0\n10\n60\n20\n10\n10\n50\n20\n10\n\
+    0\nENDSEC\n0\nEOF\n";
+
+/// Ends of the cuts of a part file that move in the plane, as `x,y,z`.
+fn cuts(shop: &Shop, part: &str) -> Vec<String> {
+    let trace = shop.kerf(&format!("trace {part}"));
+    let mut events: Vec<_> = trace.all("move").into_iter().chain(trace.all("arc")).collect();
+    events.sort_by(|a, b| a["t0"].as_f64().unwrap().total_cmp(&b["t0"].as_f64().unwrap()));
+    let round = |v: &serde_json::Value| (v.as_f64().unwrap() * 1e4).round() / 1e4 + 0.0;
+    let to = |e: &serde_json::Value| {
+        let to = &e["to"];
+        format!("{},{},{}", round(&to["x"]), round(&to["y"]), round(&to["z"]))
+    };
+    events.iter().filter(|e| e["kind"] == "cut").map(to).collect()
+}
+
+#[test]
+fn sbp_conv_dxf() {
+    let shop = Shop::new(&[("part.dxf", DRAWING)]);
+    let did = shop.kerf("convert part.dxf part.sbp --units mm --depth 2 --safe-height 6");
+    did.exits(0).complains("layers: CUT (2 shapes), FRAME (1 shapes)");
+    let expected = [
+        "0,0,-2", "10,0,-2", "10,20,-2", "0,30,-2", "50,0,-2", "60,0,-2", "60,10,-2", "50,10,-2",
+        "50,0,-2",
+    ];
+    assert_eq!(cuts(&shop, "part.sbp --units mm"), expected);
+    let text = shop.read("part.sbp");
+    assert!(text.contains("'Settings: depth 2 mm, safe height 6 mm, scale 1\n"), "{text}");
+    shop.kerf("convert part.dxf inch.sbp --scale 25.4").exits(0);
+    assert!(cuts(&shop, "inch.sbp").contains(&"10,0,-0.125".to_owned()));
+    shop.kerf("convert part.dxf bad.sbp --depth 0").exits(2).complains("above 0");
+}
+
+#[test]
+fn sbp_conv_dxf__fc() {
+    let shop = Shop::new(&[("part.dxf", DRAWING), ("a.sbp", "FC,part.dxf\nFP,part.sbp\n")]);
+    shop.kerf("run a.sbp").exits(0).says("1 arc");
+    assert!(
+        shop.read("part.sbp").contains("Settings: depth 0.125 in, safe height 0.5 in, scale 1")
+    );
+}
+
+#[test]
+fn sbp_conv_hpgl() {
+    let plot = "IN;SP1;PU0,0;PD1016,0;PD1016,1016;PU;";
+    let shop =
+        Shop::new(&[("a.plt", plot), ("b.hpg", plot), ("c.xyz", plot), ("no.plt", "Dear Sir")]);
+    let expected = ["0,0,-0.1", "1,0,-0.1", "1,1,-0.1"];
+    for (file, more) in [("a.plt", ""), ("b.hpg", ""), ("c.xyz", "--type plt")] {
+        shop.kerf(&format!("convert {file} out.sbp --force --depth .1 {more}")).exits(0);
+        assert_eq!(cuts(&shop, "out.sbp"), expected, "{file}");
+        shop.kerf("check out.sbp").exits(0);
+    }
+    shop.kerf("convert no.plt no.sbp").exits(1).complains("nothing is drawn");
+    assert!(!shop.file("no.sbp").exists());
+}
+
+/// A picture of four by four dots in BMP, each row from the top a quarter brighter, but the first black
+/// and the last white.
+fn picture() -> Vec<u8> {
+    let mut bytes = b"BM".to_vec();
+    for word in [54 + 48, 0, 54, 40, 4, 4, 0x0018_0001u32, 0, 0, 0, 0, 0, 0] {
+        bytes.extend(word.to_le_bytes());
+    }
+    for row in [255u8, 170, 85, 0] {
+        bytes.extend([row; 12]);
+    }
+    bytes
+}
+
+#[test]
+fn sbp_conv_bitmap() {
+    let shop = Shop::new(&[]);
+    shop.write("grey.bmp", &picture());
+    let did = shop.kerf("convert grey.bmp grey.sbp --size 1,1 --depth .5");
+    did.exits(0).complains("4 x 4 dots");
+    // The lowest row is white, at the surface; the highest is black and deepest.
+    let expected = [
+        "0,0,0",
+        "1,0,0",
+        "1,0.3333,-0.1667",
+        "0,0.3333,-0.1667",
+        "0,0.6667,-0.3333",
+        "1,0.6667,-0.3333",
+        "1,1,-0.5",
+        "0,1,-0.5",
+    ];
+    assert_eq!(cuts(&shop, "grey.sbp"), expected);
+    assert!(shop.read("grey.sbp").contains("black deepest"));
+    shop.kerf("convert grey.bmp white.sbp --size 1,1 --depth .5 --deepest white").exits(0);
+    assert_eq!(cuts(&shop, "white.sbp")[0], "0,0,-0.5");
+    shop.write("broken.png", b"\x89PNG\r\n\x1a\n");
+    shop.kerf("convert broken.png broken.sbp").exits(1).complains("the picture cannot be read");
+}
+
+#[test]
+fn sbp_conv_prompts__drawings() {
+    let shop = Shop::new(&[("part.dxf", DRAWING)]);
+    shop.kerf("convert part.dxf a.sbp").exits(0);
+    let text = shop.read("a.sbp");
+    assert!(text.contains("'Settings: depth 0.125 in, safe height 0.5 in, scale 1\n"), "{text}");
+    shop.kerf("convert part.dxf b.sbp --units mm --depth 4 --scale 2 --safe-height 20").exits(0);
+    let text = shop.read("b.sbp");
+    assert!(text.contains("'Settings: depth 4 mm, safe height 20 mm, scale 2\n"), "{text}");
+    assert!(cuts(&shop, "b.sbp --units mm").contains(&"20,0,-4".to_owned()));
+}
+
 #[test]
 fn sbp_conv_fc_unknown() {
     let shop = Shop::new(&[
@@ -96,7 +207,7 @@ fn sbp_conv_fc_unknown() {
     did.exits(0).says("What is part.xyz? DXF, HPGL, G-code or bitmap");
     assert!(shop.read("part.sbp").contains("CG,,3,0,1,0,T,1\n"));
     std::fs::remove_file(shop.file("part.sbp")).unwrap();
-    shop.kerf("run a.sbp --answers dxf.txt").exits(1).complains("not converted yet");
+    shop.kerf("run a.sbp --answers dxf.txt").exits(1).complains("was not converted");
     assert!(!shop.file("part.sbp").exists());
     // Headless by an option.
     shop.kerf("convert part.xyz part.sbp --type nc").exits(0);

@@ -3,28 +3,33 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
-use crate::{date, drawings, out, setup};
+use crate::{date, drawings, out, parse, setup};
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::Desk;
 use kerf_control::answers::Answers;
+use kerf_control::drawn::{self, Drawn};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_gcode::Dialect;
-use kerf_program::Settings;
-use kerf_sbp::Variables;
-use kerf_toolpath::Heights;
+use kerf_gcode::{Writer, Writing};
+use kerf_geom::Vec2;
+use kerf_program::settings::LinearUnit;
+use kerf_program::{Printer, Settings, decimal};
+use kerf_sbp::{Printing, SbpPrinter, Variables};
 use std::path::{Path, PathBuf};
 
-/// Converts part files to G-code and G-code to part files
+/// Converts part files to G-code and back, and drawings and pictures to either
 ///
-/// The extensions say from what to what: .sbp, and .nc, .tap, .ngc or .gcode. The program is followed
+/// The extensions say from what to what: .sbp, and .nc, .tap, .ngc or .gcode. Drawings are .dxf, .svg,
+/// .plt, .hpg, .hpgl, .rsg and .rsm; pictures, .bmp, .jpg and .png, become reliefs. A program is followed
 /// as in a preview and written as the moves it makes: arcs stay arcs, comments stay beside what they
 /// belong to. The result is read back and compared before it is written. What the other language
 /// cannot say is told, and stands in the result as a comment.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf convert box.sbp box.nc\n  \
-    kerf convert box.sbp box.nc --to grbl\n  kerf convert box.nc box.sbp\n\n\
+    kerf convert box.sbp box.nc --to grbl\n  kerf convert box.nc box.sbp\n  \
+    kerf convert sign.plt sign.sbp --depth 0.1\n  kerf convert face.png face.sbp --size 6,8 --depth 0.5\n\n\
     Exit codes: 0 converted, 1 not converted")]
 pub struct ConvertArgs {
     /// The file to convert
@@ -55,7 +60,59 @@ pub struct ConvertArgs {
     #[arg(long)]
     force: bool,
     #[command(flatten)]
+    drawn: DrawnArgs,
+    #[command(flatten)]
     run: RunArgs,
+}
+
+/// What a drawing or a picture does not say.
+#[derive(Args, Clone, Copy, Debug)]
+#[command(next_help_heading = "Drawings and pictures, in the unit of --units")]
+struct DrawnArgs {
+    /// How deep is cut; of a picture the deepest place [default: 0.125 in, 3 mm]
+    #[arg(long, value_name = "DEPTH", value_parser = parse::number)]
+    depth: Option<f64>,
+    /// Where the tool travels, above the surface [default: 0.5 in, 12 mm]
+    #[arg(long, value_name = "HEIGHT", value_parser = parse::number)]
+    safe_height: Option<f64>,
+    /// How much larger the drawing becomes
+    #[arg(long, value_name = "FACTOR", value_parser = parse::number, default_value_t = 1.0)]
+    scale: f64,
+    /// How large the picture becomes, from the first dot to the last [default: 0.1 mm a dot]
+    #[arg(long, value_name = "X,Y", value_parser = parse::size)]
+    size: Option<[f64; 2]>,
+    /// What is deepest in a picture
+    #[arg(long, value_enum, value_name = "SHADE", default_value = "black")]
+    deepest: Shade,
+}
+
+/// An end of the grey scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Shade {
+    /// Black is deepest, white is the surface
+    Black,
+    /// White is deepest, black is the surface
+    White,
+}
+
+impl DrawnArgs {
+    /// In millimetres, what is not said as usual.
+    fn taken(&self, unit: LinearUnit) -> Result<Drawn> {
+        let usual = Drawn::usual(unit);
+        let mm = |length: Option<f64>, usual: f64| length.map_or(usual, |l| l * unit.mm());
+        let taken = Drawn {
+            depth_mm: mm(self.depth, usual.depth_mm),
+            safe_mm: mm(self.safe_height, usual.safe_mm),
+            scale: self.scale,
+            size: self.size.map(|[x, y]| Vec2::new(x, y) * unit.mm()),
+            white_deepest: self.deepest == Shade::White,
+        };
+        let positive = [taken.depth_mm, taken.safe_mm, taken.scale].iter().all(|v| *v > 0.0);
+        if !positive {
+            bail!(Usage("--depth, --safe-height and --scale are above 0".into()));
+        }
+        Ok(taken)
+    }
 }
 
 /// Whose G-code.
@@ -80,8 +137,9 @@ impl Controller {
 }
 
 pub fn run(args: &ConvertArgs) -> Result<Exit> {
-    if drawings::is_drawing(&args.source) {
-        return drawing(args);
+    let kind = args.kind.clone().unwrap_or_else(|| drawings::extension(&args.source));
+    if drawn::KINDS.contains(&kind.as_str()) {
+        return drawing(args, &kind);
     }
     let from = match &args.kind {
         Some(kind) => language(&args.source.with_extension(kind), args.from)?,
@@ -115,19 +173,48 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
     keep(args, &text)
 }
 
-/// Writes the tool paths of a drawing as a program.
-fn drawing(args: &ConvertArgs) -> Result<Exit> {
+/// Writes what a drawing or a picture cuts as a program.
+fn drawing(args: &ConvertArgs, kind: &str) -> Result<Exit> {
     let to = language(&args.target, args.to)?;
+    let bytes = setup::read_bytes(&args.source)?;
     refuse_to_overwrite(args)?;
-    let (job, heights) = (drawings::job(&args.source)?, Heights::default());
-    let written = match to {
-        Language::OpenSbp => drawings::part_program(&args.source, &job, &heights)?,
-        Language::Gcode(_) => drawings::gcode_program(&args.source, &job, &heights)?,
+    let settings = settings(args)?;
+    let how = args.drawn.taken(settings.linear_unit)?;
+    let title = Some(drawing_title(args, kind, &how, settings.linear_unit));
+    let unit = settings.linear_unit;
+    let printing = Printing { unit, title: title.clone(), ..Printing::default() };
+    let writing = Writing { title, ..Writing::default() };
+    let mut printer: Box<dyn Printer + '_> = match to {
+        Language::OpenSbp => Box::new(SbpPrinter::new(&printing)),
+        Language::Gcode(_) => Box::new(Writer::new(&writing)),
     };
+    let findings = match drawn::print(&bytes, kind, &how, printer.as_mut()) {
+        Ok(findings) => findings,
+        Err(error) => bail!("{}: {error}", args.source.display()),
+    };
+    drawings::tell_all(&args.source, &findings);
+    let written = printer.finish();
     for lost in &written.lost {
         eprintln!("{}: warning: not written: {}", args.target.display(), lost.what);
     }
     keep(args, &written.text)
+}
+
+/// The head of the program of a drawing: where it comes from, when, and what was taken for it.
+fn drawing_title(args: &ConvertArgs, kind: &str, how: &Drawn, unit: LinearUnit) -> String {
+    let name = args.source.file_name().unwrap_or_default().to_string_lossy();
+    let length = |mm: f64| format!("{} {}", decimal(mm / unit.mm(), 4), unit.symbol());
+    let (depth, safe) = (length(how.depth_mm), length(how.safe_mm));
+    let more = match (drawn::is_picture(kind), how.white_deepest) {
+        (true, true) => ", white deepest".to_owned(),
+        (true, false) => ", black deepest".to_owned(),
+        (false, _) => format!(", scale {}", how.scale),
+    };
+    format!(
+        "Converted from {name} by kerf {}, {}\nSettings: depth {depth}, safe height {safe}{more}",
+        env!("CARGO_PKG_VERSION"),
+        date::today()
+    )
 }
 
 fn refuse_to_overwrite(args: &ConvertArgs) -> Result<()> {
@@ -148,17 +235,22 @@ fn keep(args: &ConvertArgs, text: &str) -> Result<Exit> {
 fn language(file: &Path, controller: Controller) -> Result<Language> {
     let name = file.display().to_string();
     let Some(language) = Language::of_file(&name, controller.dialect()) else {
-        let known = ".sbp, .nc, .tap, .ngc and .gcode and drawings as .dxf, .svg, .rsg and .rsm are converted";
-        bail!(Usage(format!("{name}: {known}; pictures and plotter files are not there yet")));
+        let drawn = drawn::KINDS.join(" .");
+        bail!(Usage(format!("{name}: converted are .sbp .nc .tap .ngc .gcode .{drawn}")));
     };
     Ok(language)
 }
 
-fn conversion(args: &ConvertArgs, from: Language, to: Language) -> Result<Conversion> {
+fn settings(args: &ConvertArgs) -> Result<Settings> {
     let mut settings = setup::settings(&args.run.place, Settings::default())?;
     if let Some(unit) = args.run.units {
         settings.use_linear_unit(unit);
     }
+    Ok(settings)
+}
+
+fn conversion(args: &ConvertArgs, from: Language, to: Language) -> Result<Conversion> {
+    let settings = settings(args)?;
     let mut variables = Variables::default();
     for (name, value) in &args.run.set {
         variables.set(name, value.clone());

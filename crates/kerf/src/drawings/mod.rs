@@ -6,7 +6,7 @@ use crate::exit::Usage;
 use anyhow::{Context, Result, bail};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_drawing::{Drawing, Group, Shape};
-use kerf_formats::{Imported, Weight, dxf, rsg, svg};
+use kerf_formats::{Finding, Imported, Weight, dxf, hpgl, rsg, svg};
 use kerf_gcode::{Writer, Writing};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
@@ -50,9 +50,10 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
         "dxf" => dxf::read(&bytes, &options),
         "rsg" | "rsm" => rsg::read(&bytes),
         "svg" => svg::read(&bytes),
+        "plt" | "hpg" | "hpgl" => hpgl::read(&bytes),
         _ if programs::is_program(file) => programs::read(file, &bytes)?,
         _ => bail!(Usage(format!(
-            "{}: a drawing is .dxf, .svg, .rsg or .rsm, or a program: .nc or .sbp",
+            "{}: a drawing is .dxf, .svg, .plt, .hpg, .hpgl, .rsg or .rsm, or a program: .nc or .sbp",
             file.display()
         ))),
     };
@@ -74,7 +75,12 @@ fn bytes(file: &Path) -> Result<Vec<u8>> {
 }
 
 fn tell(file: &Path, read: &Imported) {
-    for finding in &read.findings {
+    tell_all(file, &read.findings);
+}
+
+/// Tells what was noticed while a file was read.
+pub fn tell_all(file: &Path, findings: &[Finding]) {
+    for finding in findings {
         let word = match finding.weight {
             Weight::Note => "note",
             Weight::Warning => "warning",
@@ -146,7 +152,7 @@ fn name(file: &Path) -> String {
 
 /// Whether a file is a drawing or a job made of one.
 pub fn is_drawing(file: &Path) -> bool {
-    matches!(extension(file).as_str(), "dxf" | "svg" | "rsg" | "rsm")
+    matches!(extension(file).as_str(), "dxf" | "svg" | "plt" | "hpg" | "hpgl" | "rsg" | "rsm")
 }
 
 /// Writes a drawing, whole or not at all.

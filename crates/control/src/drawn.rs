@@ -1,0 +1,156 @@
+//! Drawings and pictures as programs: DXF, SVG, HPGL, RSG, RSM, BMP, JPEG and PNG.
+
+use kerf_drawing::{Drawing, Editor, Operation, Shape};
+use kerf_formats::{Finding, Imported, Weight, bitmap, dxf, hpgl, rsg, svg};
+use kerf_geom::{Point2, Vec2};
+use kerf_program::Printer;
+use kerf_program::settings::{LinearUnit, MM_PER_INCH};
+use kerf_toolpath::{Heights, Job, Relief, print_relief};
+use std::sync::Arc;
+use thiserror::Error;
+
+/// What the file does not say and the person who converts it does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// How deep is cut, or the deepest place of a relief, millimetres.
+    pub depth_mm: f64,
+    /// Where the tool travels, millimetres above the surface.
+    pub safe_mm: f64,
+    /// How much larger a drawing becomes.
+    pub scale: f64,
+    /// Distance of the first from the last dot of a picture, millimetres; a tenth of a millimetre a dot
+    /// when nothing is said.
+    pub size: Option<Vec2>,
+    /// Whether white is deepest in a relief, not black.
+    pub white_deepest: bool,
+}
+
+impl Drawn {
+    /// What is taken when nothing is said, in round numbers of a unit.
+    pub fn usual(unit: LinearUnit) -> Self {
+        let (depth_mm, safe_mm) = match unit {
+            LinearUnit::Inch => (0.125 * MM_PER_INCH, 0.5 * MM_PER_INCH),
+            LinearUnit::Mm => (3.0, 12.0),
+        };
+        Self { depth_mm, safe_mm, scale: 1.0, size: None, white_deepest: false }
+    }
+}
+
+/// Why a drawing or a picture is no program.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum DrawnError {
+    /// Nothing could be read.
+    #[error("{0}")]
+    Nothing(String),
+    /// What cannot be cut, a sentence each.
+    #[error("{}", .0.join("; "))]
+    Uncut(Vec<String>),
+}
+
+/// Millimetres from dot to dot of a picture when nothing is said.
+const DOT_MM: f64 = 0.1;
+
+/// Kinds of files that become programs, as extensions.
+pub const KINDS: [&str; 11] =
+    ["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl", "bmp", "jpg", "jpeg", "png"];
+
+/// Whether files of a kind are pictures.
+pub fn is_picture(kind: &str) -> bool {
+    matches!(kind, "bmp" | "jpg" | "jpeg" | "png")
+}
+
+/// Writes the program of a drawing or a picture, and tells what was noticed.
+///
+/// # Errors
+/// There is nothing to cut in the file, or it cannot be cut so.
+pub fn print(
+    bytes: &[u8],
+    kind: &str,
+    how: &Drawn,
+    printer: &mut dyn Printer,
+) -> Result<Vec<Finding>, DrawnError> {
+    if is_picture(kind) {
+        return picture(bytes, how, printer);
+    }
+    let (job, findings) = if kind == "rsm" {
+        let (job, read) = kerf_toolpath::read(bytes);
+        (job, read.findings)
+    } else {
+        job(drawing(bytes, kind), how)?
+    };
+    let heights = Heights { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
+    let uncut = |wrong: Vec<kerf_toolpath::Warning>| {
+        DrawnError::Uncut(wrong.iter().map(ToString::to_string).collect())
+    };
+    kerf_toolpath::print(&job, &heights, printer).map_err(uncut)?;
+    Ok(findings)
+}
+
+fn drawing(bytes: &[u8], kind: &str) -> Imported {
+    match kind {
+        "dxf" => dxf::read(bytes, &dxf::Options::default()),
+        "svg" => svg::read(bytes),
+        "rsg" => rsg::read(bytes),
+        _ => hpgl::read(bytes),
+    }
+}
+
+fn job(read: Imported, how: &Drawn) -> Result<(Job, Vec<Finding>), DrawnError> {
+    let Imported { drawing, mut findings, layers, .. } = read;
+    if drawing.shapes.is_empty() {
+        let told = findings.iter().map(|finding| finding.text.as_str()).collect::<Vec<_>>();
+        let why = if told.is_empty() { "nothing is drawn in it".into() } else { told.join("; ") };
+        return Err(DrawnError::Nothing(why));
+    }
+    let counted = layers.iter().map(|(name, shapes)| format!("{name} ({} shapes)", shapes.len()));
+    if !layers.is_empty() {
+        findings.push(note(format!("layers: {}", counted.collect::<Vec<_>>().join(", "))));
+    }
+    let (job, warnings) = kerf_toolpath::job(&scaled(drawing, how.scale)?)
+        .map_err(|error| DrawnError::Nothing(error.to_string()))?;
+    let warning = |text| Finding { line: 0, weight: Weight::Warning, text };
+    findings.extend(warnings.iter().map(|told| warning(told.to_string())));
+    Ok((job, findings))
+}
+
+fn note(text: String) -> Finding {
+    Finding { line: 0, weight: Weight::Note, text }
+}
+
+fn scaled(drawing: Drawing, factor: f64) -> Result<Drawing, DrawnError> {
+    if factor == 1.0 {
+        return Ok(drawing);
+    }
+    let mut editor = Editor::of(drawing);
+    editor.selection = (0..editor.drawing.shapes.len()).collect();
+    let scale = Operation::Scale { factor, about: Point2::default() };
+    editor.apply(&scale).map_err(|error| DrawnError::Nothing(error.to_string()))?;
+    let deeper = |shape: &Arc<Shape>| {
+        let z_mm = shape.z_mm.as_ref().map(|z| z.iter().map(|z| z * factor).collect());
+        Arc::new(Shape { z_mm, ..shape.as_ref().clone() })
+    };
+    let shapes = editor.drawing.shapes.iter().map(deeper).collect();
+    Ok(editor.drawing.with_shapes(shapes))
+}
+
+fn picture(
+    bytes: &[u8],
+    how: &Drawn,
+    printer: &mut dyn Printer,
+) -> Result<Vec<Finding>, DrawnError> {
+    let read = bitmap::read(bytes).map_err(|error| DrawnError::Nothing(error.to_string()))?;
+    let steps = |dots: usize| (dots.max(1) - 1) as f64 * DOT_MM;
+    let plain = Vec2::new(steps(read.columns), steps(read.rows));
+    let size = how.size.unwrap_or(plain * how.scale);
+    let relief = Relief {
+        columns: read.columns,
+        grey: &read.grey,
+        size,
+        depth_mm: how.depth_mm,
+        white_deepest: how.white_deepest,
+        safe_mm: how.safe_mm,
+    };
+    print_relief(&relief, printer);
+    let (columns, rows) = (read.columns, read.rows);
+    Ok(vec![note(format!("{columns} x {rows} dots on {:.2} x {:.2} mm", size.x, size.y))])
+}
