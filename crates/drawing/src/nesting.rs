@@ -146,6 +146,11 @@ impl<'a> Finder<'a> {
     }
 }
 
+/// Whether a path lies partly inside and partly outside a closed one.
+pub fn crosses(outer: &Polyarc, inner: &Polyarc) -> bool {
+    relation(outer, inner) == Relation::Across
+}
+
 fn area(shape: &Shape) -> f64 {
     if shape.is_closed() { shape.path.signed_area().abs() } else { 0.0 }
 }

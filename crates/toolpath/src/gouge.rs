@@ -35,6 +35,18 @@ impl Contours {
         (0..=PROBES).filter_map(probe).find_map(|place| self.nearer(place.at, reach))
     }
 
+    /// Calls `visit` with every shape whose contour lies nearer to a segment than a tool of that radius
+    /// allows.
+    pub fn passed(&self, segment: &Segment, radius: f64, mut visit: impl FnMut(usize)) {
+        let reach = radius - ALLOWED_MM;
+        self.tree.meeting(&segment.bounds().grown(reach), |n| {
+            let (shape, contour) = &self.segments[n];
+            if comes_nearer(segment, 0.0, 1.0, contour, reach) {
+                visit(*shape);
+            }
+        });
+    }
+
     fn nearer(&self, place: Point2, reach: f64) -> Option<usize> {
         let mut found: Option<usize> = None;
         self.tree.meeting(&Bounds2::of(place, place).grown(reach), |n| {
@@ -45,6 +57,22 @@ impl Contours {
         });
         found
     }
+}
+
+/// Whether some place of a part of a segment lies nearer to another one than `reach`. No place of the part
+/// is farther from its middle than half its length: a part is divided until that decides.
+fn comes_nearer(segment: &Segment, from: f64, to: f64, other: &Segment, reach: f64) -> bool {
+    let middle = 0.5 * (from + to);
+    let distance = other.distance(segment.at(middle));
+    let half = 0.5 * (to - from) * segment.length();
+    if distance < reach {
+        return true;
+    }
+    if distance - half >= reach || half < ALLOWED_MM {
+        return false;
+    }
+    comes_nearer(segment, from, middle, other, reach)
+        || comes_nearer(segment, middle, to, other, reach)
 }
 
 /// Warns of leads that cut into a part. Without an offset the tool's width is not known, and nothing

@@ -2,6 +2,7 @@
 
 use crate::depth::{Depths, Heights, depth};
 use crate::gouge::{self, Contours};
+use crate::overlap;
 use crate::shape_paths::{Pass, paths};
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Shape};
@@ -85,6 +86,7 @@ pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
 /// The paths of the basic block.
 fn block(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
     let contours = Contours::of(drawing);
+    overlap::crossing(drawing, warnings);
     let mut block = Vec::new();
     for (n, shape) in drawing.shapes.iter().enumerate() {
         let settings = drawing.settings(shape.group);
@@ -93,6 +95,7 @@ fn block(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
         }
         let number = n + 1;
         let found = paths(number, shape, settings, warnings);
+        overlap::check(number, &found, &contours, warnings);
         // The machine halts before the shape, not before each of its paths.
         let mut pause = shape.pause;
         for path in found {

@@ -1,0 +1,69 @@
+//! What a person should look at before cutting.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use kerf_drawing::{Drawing, Editor, script};
+use kerf_geom::{Bounds2, Point2};
+use kerf_toolpath::{job, off_table};
+
+fn drawn(words: &str) -> Drawing {
+    let mut editor = Editor::default();
+    for (_, operation) in script(words).unwrap() {
+        editor.apply(&operation).unwrap();
+    }
+    editor.drawing
+}
+
+fn check(words: &str, expected: &[&str]) {
+    let (_, warnings) = job(&drawn(words)).unwrap();
+    let told: Vec<_> = warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(told, expected, "{words}");
+}
+
+const NEAR: &str = "they lie nearer than the tool is wide; move them apart or take a smaller tool";
+
+#[test]
+fn parts_nearer_than_the_tool_is_wide_are_told() {
+    let two = |gap: f64| {
+        format!("rect 0,0 50,50; rect {},0 {},50; set black offset=3", 50.0 + gap, 100.0 + gap)
+    };
+    check(&two(6.0), &[]);
+    let both = [
+        format!("shape 1: its cut takes from shape 2: {NEAR}"),
+        format!("shape 2: its cut takes from shape 1: {NEAR}"),
+    ];
+    check(&two(5.9), &[&both[0], &both[1]]);
+    // Without an offset nobody knows how wide the tool is.
+    check("rect 0,0 50,50; rect 51,0 90,50", &[]);
+}
+
+#[test]
+fn a_hole_too_near_the_edge_is_told() {
+    let plate = "rect 0,0 50,50; circle 25,25 10; directions auto; set black offset=3";
+    check(plate, &[]);
+    // The cut of the hole stays inside it; a cut on the wrong side of it does not.
+    let wrong = "rect 0,0 50,50; circle 25,12 10; set black offset=3";
+    check(wrong, &[&format!("shape 2: its cut takes from shape 1: {NEAR}")]);
+}
+
+#[test]
+fn parts_that_overlap_are_told() {
+    let crossed = "rect 0,0 50,50; rect 40,40 90,90";
+    check(crossed, &["shape 1: it crosses shape 2: the parts overlap"]);
+    check(&format!("{crossed}; select 2; group red; set red on=off"), &[]);
+    check("rect 0,0 50,50; line 40,40 90,90", &[]);
+}
+
+#[test]
+fn what_leaves_the_table_is_told_once() {
+    let table = Bounds2::of(Point2::default(), Point2::new(100.0, 80.0));
+    let told = |words: &str| {
+        let (job, _) = job(&drawn(words)).unwrap();
+        off_table(&job, &table).iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert!(told("rect 0,0 100,80").is_empty());
+    let left = "shape 1: leaves the table: 3.000 mm at the left, 3.000 mm at the front";
+    assert_eq!(told("rect 0,0 50,50; set black offset=3"), [left]);
+    let right = told("rect 0,0 50,50; array block 1x4 gap 10,0");
+    assert_eq!(right, ["shape 1: leaves the table: 10.000 mm at the right"]);
+}
