@@ -7,12 +7,12 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help console console-check console-test run bench bench-geometry test properties check soak fuzz format conformance book figures prepare peers
+.PHONY: help console console-browser console-check console-test run bench bench-geometry test properties check soak fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-test: prepare console-test ## run every test, once
+test: prepare console-test console-browser ## run every test, once
 	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
 		/^test result:/ { passed += $$4; failed += $$6 } \
 		END { printf "all tests: %d passed, %d failed\n", passed, failed }'
@@ -47,8 +47,9 @@ conformance: ## enter new tests into the score and write its page
 book: ## write the generated pages of the user's book
 	$(CARGO) xtask book
 
-run: prepare ## run the first example on the simulated machine and draw its path
-	$(CARGO) run --release --locked --package kerf -- run $(PART) --picture $(PART:.sbp=.svg)
+run: prepare console ## build everything and open the console on the simulated machine, a sample loaded
+	$(CARGO) build --release --locked --package kerf
+	target/release/kerf serve $(notdir $(PART)) --parts $(dir $(PART))
 
 figures: prepare ## draw the pictures of README and book anew
 	$(CARGO) build --release --locked --package kerf
@@ -81,6 +82,11 @@ console-check: console/node_modules/.package-lock.json ## types and lints of the
 
 console-test: console/node_modules/.package-lock.json ## tests of the console that need no browser
 	cd console && npm run --silent test
+
+console-browser: console ## tests of the console in a browser, on the simulated machine
+	@.ci/browser
+	$(CARGO) build --locked --package kerf
+	cd console && npm run --silent browser
 
 console: console/node_modules/.package-lock.json ## build the console's page
 	cd console && npm run --silent build

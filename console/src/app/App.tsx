@@ -2,8 +2,8 @@ import { lazy, Suspense } from "react";
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
 import { HelpScreen } from "../help/HelpScreen";
-import { QuestionDialog } from "../operator/QuestionDialog";
 import { SettingsScreen } from "../settings/SettingsScreen";
+import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown } from "./context";
 import { Keys } from "./Keys";
@@ -33,7 +33,7 @@ const EditScreen = lazy(async () => ({
 function Body() {
   const sheet = useScreen("sheet");
   const asked = useShown((shown) => shown.snapshot?.asked);
-  const covered = sheet !== null || (asked !== null && asked !== undefined);
+  const covered = sheet !== null || (asked ? covers(asked) : false);
   return (
     <div className="body">
       <main className="screen" inert={covered}>
@@ -42,7 +42,7 @@ function Body() {
         </Suspense>
       </main>
       {sheet && <OpenSheet sheet={sheet} />}
-      {asked && <QuestionDialog key={asked.number} asked={asked} />}
+      {asked && <Asking asked={asked} />}
       <LostLink />
       <PairScreen />
     </div>

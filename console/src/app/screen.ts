@@ -23,6 +23,8 @@ export interface ScreenState {
   readonly theme: Theme;
   readonly face: Face;
   readonly sheet: Sheet | null;
+  /** Lines of the open file at which going line by line halts. */
+  readonly breakpoints: readonly number[];
   /** What the person has to know of what was just refused; the newest last. */
   readonly notices: readonly Notice[];
 }
@@ -37,6 +39,7 @@ export interface Screen extends Store<ScreenState> {
   open(sheet: Sheet | null): void;
   wear(theme: Theme): void;
   face(face: Face): void;
+  mark(breakpoints: readonly number[]): void;
   /** Shows a notice for a while. */
   tell(text: string): void;
   dismiss(id: number): void;
@@ -55,6 +58,7 @@ export function createScreen(): Screen {
     theme: rememberedTheme(),
     face: localStorage.getItem(faceKey) === "full" ? "full" : "easy",
     sheet: null,
+    breakpoints: [],
     notices: [],
   });
   let notices = 0;
@@ -78,6 +82,7 @@ export function createScreen(): Screen {
       localStorage.setItem(faceKey, face);
       store.update((now) => ({ ...now, face }));
     },
+    mark: (breakpoints) => store.update((now) => ({ ...now, breakpoints })),
     tell(text) {
       notices += 1;
       const notice = { id: notices, text };

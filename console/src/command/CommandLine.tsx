@@ -2,6 +2,8 @@ import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 import { type Action, attempt } from "../actions/action";
 import { openCalculator, openKeypad, openScratch } from "../actions/go";
 import { useHands, worldOf } from "../app/context";
+import { SheetsAppearChoice } from "../settings/SheetsAppearChoice";
+import { Button } from "../ui/Button";
 import type { CommandEntry } from "../wire/messages";
 import "./command-line.css";
 import { execute } from "./execute";
@@ -29,6 +31,7 @@ export function CommandLine() {
   const [state, setState] = useState(emptyLine);
   const entry = commandOf(table, state.text);
   const input = useTypedAnywhere();
+  const [options, setOptions] = useState(false);
 
   const openSheet = (command: CommandEntry, text: string) => {
     hands.screen.open({ kind: "command", letters: command.letters, given: argumentsOf(text) });
@@ -58,8 +61,18 @@ export function CommandLine() {
   };
   return (
     <div className="command">
-      <ParameterHint text={state.text} entry={entry} table={table} onSheet={openSheet} />
-      <label className="command-box">
+      {options ? (
+        <FillInOptions onClose={() => setOptions(false)} />
+      ) : (
+        <ParameterHint text={state.text} entry={entry} table={table} onSheet={openSheet} />
+      )}
+      <label
+        className="command-box"
+        onContextMenu={(event) => {
+          event.preventDefault();
+          setOptions(true);
+        }}
+      >
         <span className="hidden-text">Command line</span>
         <span aria-hidden="true" className="command-prompt">
           ›
@@ -75,6 +88,19 @@ export function CommandLine() {
           onKeyDown={press}
         />
       </label>
+    </div>
+  );
+}
+
+/** When fill-in sheets appear; a right click on the command line brings it. */
+function FillInOptions({ onClose }: { onClose: () => void }) {
+  return (
+    <div className="hint">
+      <span>Fill-in sheets appear</span>
+      <SheetsAppearChoice />
+      <Button size="small" onPress={onClose}>
+        Done
+      </Button>
     </div>
   );
 }

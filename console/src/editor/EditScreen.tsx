@@ -21,7 +21,6 @@ export function EditScreen() {
   const running = useRunningLine();
   const [file, setFile] = useState<EditedFile>(newFile);
   const [findings, setFindings] = useState<readonly Finding[]>([]);
-  const [breakpoints, setBreakpoints] = useState<readonly number[]>([]);
   const [naming, setNaming] = useState(false);
 
   const name = open?.name;
@@ -62,7 +61,7 @@ export function EditScreen() {
         </Button>
       </header>
       {naming && <SaveAs first={file.name ?? ""} onSave={save} onCancel={() => setNaming(false)} />}
-      <DebugBar breakpoints={breakpoints} changed={isChanged(file)} />
+      <DebugBar changed={isChanged(file)} />
       <CodeEditor
         key={file.name}
         name={file.name ?? "new.sbp"}
@@ -70,7 +69,7 @@ export function EditScreen() {
         running={running}
         onChange={(text) => setFile((now) => edited(now, text))}
         onFindings={setFindings}
-        onBreakpoints={setBreakpoints}
+        onBreakpoints={hands.screen.mark}
         onSave={() => void save(file.name)}
       />
       <FindingList findings={findings} />

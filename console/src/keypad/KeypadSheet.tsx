@@ -5,10 +5,12 @@ import { evaluate } from "../app/expression";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import type { Speeds } from "../wire/messages";
 import { JogButtons } from "./JogButtons";
 import { KeypadHelp } from "./KeypadHelp";
 import "./keypad.css";
-import { directions, type Way, wayOfKey } from "./keys";
+import { type Direction, directions, type Way, wayOfKey } from "./keys";
+import { Pendant } from "./Pendant";
 import { Recorded } from "./Recorded";
 import { recorded } from "./record";
 import { useJog } from "./useJog";
@@ -22,7 +24,13 @@ const manners: readonly { value: Manner; words: string }[] = [
 ];
 
 /** The keypad (SK): moves the tool for as long as a key or button is held. */
-export function KeypadSheet({ onClose }: { onClose: () => void }) {
+interface KeypadSheetProps {
+  /** What a part file says that opened it. */
+  words?: string;
+  onClose: () => void;
+}
+
+export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
   const hands = useHands();
   const jog = useJog();
   const motion = useSnapshot("motion");
@@ -31,22 +39,21 @@ export function KeypadSheet({ onClose }: { onClose: () => void }) {
   const [manner, setManner] = useState<Manner>("hold");
   const [step, setStep] = useState("0.1");
   const [places, setPlaces] = useState<readonly string[] | null>(null);
+  const [pendant, setPendant] = useState(false);
   const may = useMayMove();
   const onlySteps = may.onlySteps && manner === "hold";
 
-  const begin = (way: Way, fast: boolean) => {
+  const move = (direction: Direction, fast: boolean) => {
     if (may.refused || onlySteps || !speeds || !units) return;
-    const [cut, rapid] =
-      way === "raise" || way === "lower"
-        ? [speeds.cut[1], speeds.jog[1]]
-        : [speeds.cut[0], speeds.jog[0]];
     const distance = manner === "distance" ? (evaluate(step, units) ?? 0) * units.mm : null;
-    jog.hold({ direction: directions[way], speed: fast ? 1 : Math.min(1, cut / rapid), distance });
+    jog.hold({ direction, speed: fast ? 1 : slowShare(speeds, direction), distance });
   };
+  const begin = (way: Way, fast: boolean) => move(directions[way], fast);
   const keep = (axes: number) =>
     motion && units && setPlaces((now) => [...(now ?? []), recorded(axes, motion, units.axes)]);
   const letter = (key: string): boolean => {
     if (key.toLowerCase() === "d") setManner(manner === "hold" ? "distance" : "hold");
+    else if (key.toLowerCase() === "e") setPendant((now) => !now);
     else if (key === "#") setPlaces((now) => now ?? []);
     else if (places && /^[2-5]$/.test(key)) keep(Number(key));
     else return false;
@@ -58,6 +65,7 @@ export function KeypadSheet({ onClose }: { onClose: () => void }) {
   return (
     <Sheet title="Keypad" shape="side" onClose={onClose}>
       <div className="keypad">
+        {words && <p className="keypad-words">{words}</p>}
         {may.refused && (
           <p className="keypad-refused" role="alert">
             {may.refused}
@@ -79,11 +87,26 @@ export function KeypadSheet({ onClose }: { onClose: () => void }) {
           onHold={begin}
           onRelease={() => jog.release()}
         />
+        {pendant && (
+          <Pendant
+            isDisabled={may.refused !== undefined || onlySteps}
+            onHold={move}
+            onRelease={() => jog.release()}
+          />
+        )}
         <Recorded places={places} onChange={setPlaces} onKeep={keep} />
         <KeypadHelp />
       </div>
     </Sheet>
   );
+}
+
+/** The share of the jog speed at which cuts are made: what moves without Ctrl. */
+function slowShare({ cut, jog }: Speeds, direction: Direction): number {
+  // X and Y share a speed; Z, A, B, C have their own.
+  const first = direction.findIndex((way) => way !== 0);
+  const group = Math.max(first - 1, 0);
+  return Math.min(1, (cut[group] ?? 1) / (jog[group] ?? 1));
 }
 
 /** Keys that are held. Letting any of them go, Ctrl and Alt too, lets go of the handle. */

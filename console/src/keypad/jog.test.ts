@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Act } from "../wire/messages";
+import type { Act, Problem } from "../wire/messages";
 import { JogHand, renewEveryMs } from "./jog";
 import { directions, wayOfKey } from "./keys";
 
@@ -8,49 +8,77 @@ afterEach(() => void vi.useRealTimers());
 
 const wish = { direction: directions.right, speed: 0.3, distance: null };
 
-function hand(lease: number | undefined = 7) {
+/** A hand whose requests are kept; starts are refused as often as there are problems. */
+function hand(problems: Problem[] = [], lease: number | null = 7) {
   const asked: Act[] = [];
-  return {
-    asked,
-    hand: new JogHand(
-      (act) => asked.push(act),
-      () => lease,
-    ),
+  const refused: string[] = [];
+  const ask = async (act: Act) => {
+    asked.push(act);
+    const problem = act.do === "jogStart" ? (problems.shift() ?? null) : null;
+    return { id: 0, problem, notes: [] };
   };
+  const held = new JogHand(
+    ask,
+    () => lease ?? undefined,
+    (why) => refused.push(why),
+  );
+  return { asked, refused, held, kinds: () => asked.map((act) => act.do) };
 }
 
-const kinds = (asked: Act[]) => asked.map((act) => act.do);
-
 describe("the dead man's handle", () => {
-  it("begins, renews at least every 100 ms, ends", () => {
-    const { asked, hand: held } = hand();
+  it("begins, renews at least every 100 ms, ends", async () => {
+    const { asked, held, kinds } = hand();
     expect(renewEveryMs).toBeLessThanOrEqual(100);
     held.hold(wish);
-    vi.advanceTimersByTime(3 * renewEveryMs);
+    await vi.advanceTimersByTimeAsync(3 * renewEveryMs);
     held.release();
-    vi.advanceTimersByTime(1000);
-    expect(kinds(asked)).toEqual(["jogStart", "jogRenew", "jogRenew", "jogRenew", "jogStop"]);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(kinds()).toEqual(["jogStart", "jogRenew", "jogRenew", "jogRenew", "jogStop"]);
     expect(asked[0]).toMatchObject({ lease: 7, seq: 1, direction: [1, 0, 0, 0, 0, 0] });
     expect(asked.at(-1)).toEqual({ do: "jogStop", seq: 1 });
   });
 
   it("ends the one before with its own number", () => {
-    const { asked, hand: held } = hand();
+    const { asked, held, kinds } = hand();
     held.hold(wish);
     held.hold({ ...wish, direction: directions.up });
-    expect(kinds(asked)).toEqual(["jogStart", "jogStop", "jogStart"]);
+    expect(kinds()).toEqual(["jogStart", "jogStop", "jogStart"]);
     expect(asked[1]).toMatchObject({ seq: 1 });
     expect(asked[2]).toMatchObject({ seq: 2 });
   });
 
-  it("does nothing without a lease, and is let go twice without harm", () => {
-    const { asked, hand: held } = hand();
+  it("begins again while the one before ramps down, as long as it is held", async () => {
+    const busy: Problem = { why: "state", text: "another jog is not over yet" };
+    const { held, kinds, refused } = hand([busy, busy]);
+    held.hold(wish);
+    await vi.advanceTimersByTimeAsync(2.5 * renewEveryMs);
+    expect(kinds().filter((kind) => kind === "jogStart")).toHaveLength(3);
+    expect(refused).toEqual([]);
     held.release();
-    const other = new JogHand(
-      () => expect.unreachable(),
-      () => undefined,
-    );
-    expect(other.hold(wish)).toBe(false);
+  });
+
+  it("does not begin again once it is let go", async () => {
+    const { held, kinds } = hand([{ why: "state", text: "busy" }]);
+    held.hold(wish);
+    await vi.advanceTimersByTimeAsync(1);
+    held.release();
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(kinds()).toEqual(["jogStart"]);
+  });
+
+  it("tells why it is refused and stops renewing", async () => {
+    const { held, kinds, refused } = hand([{ why: "lease", text: "somebody else drives" }]);
+    held.hold(wish);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(refused).toEqual(["somebody else drives"]);
+    expect(kinds()).toEqual(["jogStart"]);
+  });
+
+  it("does nothing without a lease, and is let go twice without harm", () => {
+    const { asked, held } = hand([], null);
+    held.release();
+    held.hold(wish);
+    held.release();
     expect(asked).toEqual([]);
   });
 });

@@ -6,7 +6,7 @@
  * pointer up, a lost focus, a hidden page, a link that became slow.
  */
 
-import type { Act } from "../wire/messages";
+import type { Act, Reply } from "../wire/messages";
 import type { Direction } from "./keys";
 
 type Jog = Extract<Act, { do: "jogStart" | "jogRenew" | "jogStop" }>;
@@ -23,38 +23,59 @@ export interface JogWish {
 }
 
 export class JogHand {
-  readonly #ask: (act: Jog) => void;
+  readonly #ask: (act: Jog) => Promise<Reply>;
   readonly #lease: () => number | undefined;
+  readonly #refused: (why: string) => void;
   #seq = 0;
   #renewing: ReturnType<typeof setInterval> | undefined;
+  #again: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(ask: (act: Jog) => void, lease: () => number | undefined) {
+  constructor(
+    ask: (act: Jog) => Promise<Reply>,
+    lease: () => number | undefined,
+    refused: (why: string) => void,
+  ) {
     this.#ask = ask;
     this.#lease = lease;
+    this.#refused = refused;
   }
 
-  get moves(): boolean {
-    return this.#renewing !== undefined;
-  }
-
-  /** Begins, or changes what is held. Tells whether it could. */
-  hold(wish: JogWish): boolean {
+  /** Begins, or changes what is held. */
+  hold(wish: JogWish): void {
     this.release();
-    const lease = this.#lease();
-    if (lease === undefined) return false;
-    this.#seq += 1;
-    const seq = this.#seq;
-    const { speed, distance } = wish;
-    this.#ask({ do: "jogStart", lease, seq, direction: [...wish.direction], speed, distance });
-    this.#renewing = setInterval(() => this.#ask({ do: "jogRenew", lease, seq }), renewEveryMs);
-    return true;
+    void this.#begin(wish);
   }
 
   /** Lets go; harmless when nothing is held. */
   release(): void {
+    clearTimeout(this.#again);
     if (this.#renewing === undefined) return;
+    this.#rest();
+    void this.#ask({ do: "jogStop", seq: this.#seq });
+  }
+
+  #rest(): void {
     clearInterval(this.#renewing);
     this.#renewing = undefined;
-    this.#ask({ do: "jogStop", seq: this.#seq });
+  }
+
+  async #begin(wish: JogWish): Promise<void> {
+    const lease = this.#lease();
+    if (lease === undefined) return;
+    this.#seq += 1;
+    const seq = this.#seq;
+    this.#renewing = setInterval(
+      () => void this.#ask({ do: "jogRenew", lease, seq }),
+      renewEveryMs,
+    );
+    const { speed, distance } = wish;
+    const direction: [number, number, number, number, number, number] = [...wish.direction];
+    const { problem } = await this.#ask({ do: "jogStart", lease, seq, direction, speed, distance });
+    if (!problem || seq !== this.#seq || this.#renewing === undefined) return;
+    this.#rest();
+    // The jog before still ramps down: begins as soon as it is over, if the key is still held.
+    if (problem.why === "state")
+      this.#again = setTimeout(() => void this.#begin(wish), renewEveryMs);
+    else this.#refused(problem.text);
   }
 }

@@ -3,7 +3,8 @@
 /** Directions of X Y Z A B C: -1, 0, 1 or between. */
 export type Direction = readonly [number, number, number, number, number, number];
 
-const axis = (n: number, sign: number): Direction => {
+/** Along one axis: X 0, Y 1 … */
+export const directionOf = (n: number, sign: number): Direction => {
   const way = [0, 0, 0, 0, 0, 0];
   way[n] = sign;
   return way as unknown as Direction;
@@ -14,14 +15,14 @@ const slant = Math.SQRT1_2;
 const diagonal = (x: number, y: number): Direction => [x * slant, y * slant, 0, 0, 0, 0];
 
 export const directions = {
-  left: axis(0, -1),
-  right: axis(0, 1),
-  down: axis(1, -1),
-  up: axis(1, 1),
-  lower: axis(2, -1),
-  raise: axis(2, 1),
-  accessoryDown: axis(3, -1),
-  accessoryUp: axis(3, 1),
+  left: directionOf(0, -1),
+  right: directionOf(0, 1),
+  down: directionOf(1, -1),
+  up: directionOf(1, 1),
+  lower: directionOf(2, -1),
+  raise: directionOf(2, 1),
+  accessoryDown: directionOf(3, -1),
+  accessoryUp: directionOf(3, 1),
   rightUp: diagonal(1, 1),
   leftUp: diagonal(-1, 1),
   leftDown: diagonal(-1, -1),
@@ -63,6 +64,7 @@ export const keyHelp: readonly { readonly keys: string; readonly means: string }
   { keys: "Alt + PgUp PgDn", means: "accessory axis A" },
   { keys: "/ and \\", means: "diagonals; with Alt the other way" },
   { keys: "D", means: "fixed distance on and off" },
+  { keys: "E", means: "the mouse as a pendant" },
   { keys: "#", means: "record places: then 2 … 5 keeps a J2 … J5, 0 ends" },
   { keys: "Esc", means: "leave; a part file goes on" },
 ];

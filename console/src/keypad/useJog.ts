@@ -1,6 +1,5 @@
 import { useEffect, useMemo } from "react";
-import { ask } from "../actions/ask";
-import { useHands, worldOf } from "../app/context";
+import { useHands } from "../app/context";
 import { leaseOf } from "../link/shown";
 import { JogHand } from "./jog";
 
@@ -10,11 +9,9 @@ export function useJog(): JogHand {
   const hand = useMemo(
     () =>
       new JogHand(
-        (act) => {
-          if (act.do === "jogStart") void ask(worldOf(hands), act);
-          else void hands.link.ask(act);
-        },
+        (act) => hands.link.ask(act),
         () => leaseOf(hands.link.shown.get()),
+        (why) => hands.screen.tell(why),
       ),
     [hands],
   );

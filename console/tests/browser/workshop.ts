@@ -20,6 +20,38 @@ export interface Workshop {
   close(): Promise<void>;
 }
 
+/** Arms the machine, so that it may move. */
+export async function arm(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Arm", exact: true }).click();
+  await page.getByText("Ready", { exact: true }).waitFor();
+}
+
+/** What the location display shows of an axis. */
+export async function location(page: Page, axis: string): Promise<number> {
+  return Number(await page.locator(`[data-axis="${axis}"]`).textContent());
+}
+
+/** The FULL face with its command line. */
+export async function fullFace(page: Page): Promise<void> {
+  await page.getByRole("radio", { name: "FULL" }).click();
+  await page.getByLabel("Command line").waitFor();
+}
+
+/** Types a line at the command line and sends it. */
+export async function command(page: Page, line: string): Promise<void> {
+  await page.getByLabel("Command line").pressSequentially(line);
+  await page.keyboard.press("Enter");
+}
+
+/** Waits until something holds, looked at again and again. */
+export async function until(holds: () => Promise<boolean>, words: string): Promise<void> {
+  const end = Date.now() + 20_000;
+  while (!(await holds())) {
+    if (Date.now() > end) throw new Error(`never: ${words}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
+
 export interface WorkshopOptions {
   /** Part files of the examples that are in the part folder: `01-first-cut/first-cut.sbp`. */
   readonly parts?: readonly string[];

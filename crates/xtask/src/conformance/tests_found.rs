@@ -1,14 +1,22 @@
 //! The names of all tests, read from the sources.
 //!
 //! Formatted Rust is regular enough to be read line by line: a test is the `fn` that follows a
-//! `#[test]`; a table of rows is a `rows! {` whose entries begin with the test's name.
+//! `#[test]`; a table of rows is a `rows! {` whose entries begin with the test's name. A test of the
+//! console is an `it("` whose words begin with the name.
 
 use crate::Tree;
 use std::collections::BTreeSet;
 
-/// Names of all tests in the workspace's crates.
+/// Names of all tests in the workspace's crates and in the console.
 pub fn names(tree: &Tree) -> BTreeSet<String> {
-    tree.matching("crates/", ".rs").flat_map(|(_, text)| of_file(text)).collect()
+    let rust = tree.matching("crates/", ".rs").flat_map(|(_, text)| of_file(text));
+    let page = tree.matching("console/", ".test.ts").flat_map(|(_, text)| of_page(text));
+    rust.chain(page).collect()
+}
+
+/// Names in a file of the console's tests: only those of rows, the others are sentences.
+fn of_page(text: &str) -> Vec<String> {
+    text.lines().filter_map(|line| row(line.trim().strip_prefix("it(\"")?)).collect()
 }
 
 fn of_file(text: &str) -> Vec<String> {
@@ -51,5 +59,7 @@ mod tests {
         let text = "fn helper() {}\n#[test]\n#[should_panic]\nfn one() {\n    fn inner() {}\n}\n\
                     rows! {\n    sbp_cmd_mx: \"MX,1\" => \"x\";\n}\nfn sbp_helper() {}\n";
         assert_eq!(of_file(text), ["one", "sbp_cmd_mx"]);
+        let page = "it(\"sbp_con_stop: stops\", async () => {\n  it(\"is a sentence\", () => {});\n";
+        assert_eq!(of_page(page), ["sbp_con_stop"]);
     }
 }

@@ -1,0 +1,25 @@
+import { ask } from "../actions/ask";
+import { StepBar } from "../debugger/StepBar";
+import { KeypadSheet } from "../keypad/KeypadSheet";
+import { QuestionDialog } from "../operator/QuestionDialog";
+import type { Asked } from "../wire/messages";
+import { useHands, worldOf } from "./context";
+
+/** The question of a job in its own shape. */
+export function Asking({ asked }: { asked: Asked }) {
+  const hands = useHands();
+  const usual = asked.buttons[asked.default] ?? "OK";
+  const answer = () =>
+    void ask(worldOf(hands), { do: "answer", question: asked.number, answer: usual });
+  switch (asked.kind) {
+    case "step":
+      return <StepBar asked={asked} />;
+    case "keypad":
+      return <KeypadSheet words={asked.text} onClose={answer} />;
+    default:
+      return <QuestionDialog key={asked.number} asked={asked} />;
+  }
+}
+
+/** Whether a question takes the screen behind it away. */
+export const covers = ({ kind }: Asked): boolean => kind !== "step";

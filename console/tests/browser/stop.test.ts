@@ -1,0 +1,49 @@
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { arm, openWorkshop, until, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+let page: Page;
+
+beforeAll(async () => {
+  workshop = await openWorkshop({
+    parts: ["01-first-cut/first-cut.sbp"],
+    open: "first-cut.sbp",
+  });
+  page = await workshop.page();
+});
+afterAll(() => workshop?.close());
+
+/** Where a person may be when something goes wrong. */
+const places: Record<string, () => Promise<void>> = {
+  operator: () => page.getByRole("link", { name: "Operate" }).click(),
+  editor: () => page.getByRole("link", { name: "Edit" }).click(),
+  settings: () => page.getByRole("link", { name: "Settings" }).click(),
+  help: () => page.getByRole("link", { name: "Help" }).click(),
+  files: async () => {
+    await page.getByRole("link", { name: "Operate" }).click();
+    await page.keyboard.press("Control+o");
+  },
+  palette: async () => {
+    await page.getByRole("link", { name: "Operate" }).click();
+    await page.keyboard.press("Control+k");
+  },
+};
+
+it("sbp_con_stop: STOP is in its place and works from every screen and dialog", async () => {
+  await arm(page);
+  const stop = page.getByRole("button", { name: "STOP" });
+  const place = await stop.boundingBox();
+  for (const [name, go] of Object.entries(places)) {
+    await page.getByRole("link", { name: "Operate" }).click();
+    await page.getByRole("button", { name: "Start" }).click();
+    await page.getByText("Running", { exact: true }).waitFor();
+    await go();
+    expect(await stop.boundingBox(), name).toEqual(place);
+    await stop.click();
+    await page.getByRole("button", { name: "Quit" }).waitFor();
+    await page.getByRole("button", { name: "Quit" }).click();
+    await until(async () => (await page.locator(".state").textContent()) === "Ready", name);
+    await page.keyboard.press("Escape");
+  }
+});
