@@ -51,7 +51,7 @@ run: prepare console ## build everything and open the console on the simulated m
 	$(CARGO) build --release --locked --package kerf
 	target/release/kerf serve $(notdir $(PART)) --parts $(dir $(PART))
 
-figures: prepare ## draw the pictures of README and book anew
+figures: prepare console ## draw the pictures of README and book anew
 	$(CARGO) build --release --locked --package kerf
 	for part in $(FIGURES); do \
 	  target/release/kerf preview $$part -o docs/figures/$$(basename $$part .sbp).svg; \
@@ -61,6 +61,8 @@ figures: prepare ## draw the pictures of README and book anew
 	    --ramps $$model -o docs/figures/speed-$${model%% *}.svg; \
 	done
 	target/release/kerf preview docs/figures/corners.sbp --units mm -o docs/figures/corners.svg
+	@.ci/browser
+	cd console && KERF=../target/release/kerf npm run --silent figures
 
 bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
 	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench

@@ -26,6 +26,7 @@ export const openFiles = sheetAction({ kind: "files" }, "Open a file", ["Ctrl+O"
 export const openKeypad = sheetAction({ kind: "keypad" }, "Keypad", ["k"]);
 export const openScratch = sheetAction({ kind: "scratch" }, "Scratch pad", ["i"]);
 export const openCalculator = sheetAction({ kind: "calculator" }, "Calculator", ["F10"]);
+export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
 export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
 export const openPalette: Action = {
   ...sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]),
@@ -63,6 +64,7 @@ export const goActions: readonly Action[] = [
   openScratch,
   openCalculator,
   openNudge,
+  openValues,
   openPalette,
   ...themeActions,
   ...faceActions,

@@ -5,6 +5,7 @@ import { CalculatorSheet } from "../tools/CalculatorSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
 import { ScratchSheet } from "../tools/ScratchSheet";
+import { ValuesSheet } from "../tools/ValuesSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
 
@@ -27,7 +28,7 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <NudgeSheet onClose={close} />;
     case "palette":
       return <Palette onClose={close} />;
-    default:
-      return null;
+    case "values":
+      return <ValuesSheet onClose={close} />;
   }
 }

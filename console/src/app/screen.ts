@@ -12,7 +12,6 @@ export type Sheet =
   | { readonly kind: "nudge" }
   | { readonly kind: "calculator" }
   | { readonly kind: "values" }
-  | { readonly kind: "recorder" }
   | { readonly kind: "scratch" }
   | { readonly kind: "palette" };
 

@@ -5,6 +5,7 @@ import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { CommandEntry } from "../wire/messages";
 import "./command-sheet.css";
+import { FileButtons } from "./FileButtons";
 import { ParameterField } from "./ParameterField";
 import { isShown, lastEntries, rememberEntries, setShown } from "./preferences";
 import { firstEntries, lineOf, mistakesIn, resetEntries, withEntry } from "./sheet";
@@ -50,8 +51,11 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
         <>
           <code className="sheet-line">{line}</code>
           <Button onPress={() => void navigator.clipboard?.writeText(line)}>Copy as line</Button>
+          {entry.letters === "FP" && (
+            <FileButtons line={line} file={entries[0] ?? ""} onDone={close} />
+          )}
           <Button onPress={run} look="primary">
-            OK
+            {entry.letters === "FP" ? "Cut" : "OK"}
           </Button>
         </>
       }

@@ -17,8 +17,11 @@ export function FilePicker() {
   const files = useFiles(folder);
   const close = () => hands.screen.open(null);
   const choose = async (file: FileInfo) => {
-    if (file.folder) setFolder(file.name);
-    else if (await ask(worldOf(hands), { do: "open", name: file.name })) close();
+    if (file.folder) return setFolder(file.name);
+    if (hands.screen.get().face === "full") {
+      return hands.screen.open({ kind: "command", letters: "FP", given: [file.name] });
+    }
+    if (await ask(worldOf(hands), { do: "open", name: file.name })) close();
   };
   const shown = inFolder(files, folder, mask);
   return (

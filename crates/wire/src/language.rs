@@ -157,3 +157,39 @@ pub enum ParameterKind {
     /// Accepted and ignored.
     Obsolete,
 }
+
+/// What the machine remembers, to be looked at.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Values {
+    /// System variables, by number.
+    pub system: Vec<SystemValue>,
+    /// User variables, by name.
+    pub variables: Vec<NamedValue>,
+    /// The lines of OpenSBP that set what is set now.
+    pub settings: Vec<String>,
+}
+
+/// What a system variable reads.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SystemValue {
+    /// The number in its brackets.
+    pub number: u8,
+    /// What it tells.
+    pub name: String,
+    /// Its unit; empty for none.
+    pub unit: String,
+    /// What it reads.
+    pub value: String,
+}
+
+/// A variable.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct NamedValue {
+    /// Its name with `&` or `$`.
+    pub name: String,
+    /// What it holds.
+    pub value: String,
+}

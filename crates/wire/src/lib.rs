@@ -35,7 +35,8 @@ pub use change::{Change, ToPage};
 pub use drawing::{DrawingState, Op, ShapeList, ShapePath};
 pub use job::{Asked, Call, FileInfo, Job, Message, Opened, Overrides, PreviewState, Tone};
 pub use language::{
-    Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, Parameter, ParameterKind,
+    Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, NamedValue, Parameter,
+    ParameterKind, SystemValue, Values,
 };
 pub use machine::{AxisUnits, Io, Lamp, Machine, Mode, Motion, Positions, Speeds, State, Units};
 pub use people::{Client, Lease, Role, Who};

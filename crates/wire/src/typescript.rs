@@ -1,7 +1,7 @@
 //! The types as TypeScript.
 
 use crate::preview::PreviewInfo;
-use crate::{Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Request, ShapeList, ToPage};
+use crate::{Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Request, ShapeList, ToPage, Values};
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
 
@@ -41,6 +41,7 @@ pub fn typescript() -> String {
     declared.visit::<Hint>();
     declared.visit::<CommandEntry>();
     declared.visit::<FileInfo>();
+    declared.visit::<Values>();
     let head = "// Made from crates/wire by `cargo xtask wire`; changes are lost.\n";
     let texts: Vec<String> = declared.texts.into_values().collect();
     format!("{head}\n{}", on_lines(&texts.join("\n")))

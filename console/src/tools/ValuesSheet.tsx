@@ -1,0 +1,75 @@
+import { useEffect, useState } from "react";
+import { useHands, useSnapshot } from "../app/context";
+import { getJson } from "../link/http";
+import { Choice } from "../ui/Choice";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import type { Values } from "../wire/messages";
+import "./tools.css";
+
+type Kind = "variables" | "system" | "settings";
+
+const kinds: readonly { value: Kind; words: string }[] = [
+  { value: "variables", words: "Variables (UL)" },
+  { value: "system", words: "System (UD)" },
+  { value: "settings", words: "Settings (UV)" },
+];
+
+/** What the machine remembers: user variables, system variables, settings. */
+export function ValuesSheet({ onClose }: { onClose: () => void }) {
+  const values = useValues();
+  const [kind, setKind] = useState<Kind>("variables");
+  const [wanted, setWanted] = useState("");
+  const rows = values ? rowsOf(values, kind) : [];
+  const found = rows.filter((row) => row.join(" ").toLowerCase().includes(wanted.toLowerCase()));
+  return (
+    <Sheet title="Values" shape="wide" onClose={onClose}>
+      <div className="values-head">
+        <Choice label="Which values" options={kinds} value={kind} onChange={setKind} />
+        <Field label="Look for" value={wanted} onChange={setWanted} first />
+      </div>
+      <section className="values" aria-label="Values">
+        <table>
+          <tbody>
+            {found.map(([name, value, words]) => (
+              <tr key={name}>
+                <th scope="row">{name}</th>
+                <td>{value}</td>
+                <td>{words}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+        {found.length === 0 && <p className="tail-empty">Nothing here has a value.</p>}
+      </section>
+    </Sheet>
+  );
+}
+
+/** Name, value and what it is. */
+function rowsOf(values: Values, kind: Kind): [string, string, string][] {
+  switch (kind) {
+    case "variables":
+      return values.variables.map(({ name, value }) => [name, value, ""]);
+    case "system":
+      return values.system.map(({ number, name, unit, value }) => [
+        `%(${number})`,
+        value,
+        unit ? `${name}, ${unit}` : name,
+      ]);
+    case "settings":
+      return values.settings.map((line) => [line, "", ""]);
+  }
+}
+
+/** The values, read again after every job. */
+function useValues(): Values | null {
+  const { screen } = useHands();
+  const ended = useSnapshot("job")?.ended;
+  const [values, setValues] = useState<Values | null>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: a job that ended left other values
+  useEffect(() => {
+    getJson<Values>("/api/values").then(setValues, (error: Error) => screen.tell(error.message));
+  }, [ended, screen]);
+  return values;
+}

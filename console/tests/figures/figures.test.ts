@@ -1,0 +1,63 @@
+/** Draws the pictures of the book: `npm run figures`. */
+
+import { join, resolve } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, it } from "vitest";
+import { arm, fullFace, openWorkshop, type Workshop } from "../browser/workshop";
+
+const figures = resolve(import.meta.dirname, "../../../docs/figures");
+let workshop: Workshop;
+let page: Page;
+
+beforeAll(async () => {
+  workshop = await openWorkshop({ parts: ["03-coaster/coaster.sbp"], open: "coaster.sbp" });
+  page = await workshop.page();
+  await page.evaluate(() => localStorage.setItem("kerf.theme", "dark"));
+  await page.reload();
+});
+afterAll(() => workshop?.close());
+
+const picture = (name: string) => page.screenshot({ path: join(figures, `console-${name}.png`) });
+const wait = (ms: number) => new Promise((go) => setTimeout(go, ms));
+
+it("the operator's screen in the middle of a cut", async () => {
+  await arm(page);
+  await page.getByRole("radio", { name: "3D" }).click();
+  await page.getByRole("button", { name: "Start" }).click();
+  await wait(20_000);
+  await picture("operator");
+  await page.getByRole("button", { name: "STOP" }).click();
+  await page.getByRole("button", { name: "Quit" }).click();
+});
+
+it("material that is cut", async () => {
+  await page.getByRole("button", { name: "Stock" }).click();
+  for (let n = 0; n < 3; n += 1) await page.getByRole("button", { name: /^Speed/ }).click();
+  await page.getByRole("button", { name: "Play the simulation" }).click();
+  await wait(8000);
+  await picture("stock");
+});
+
+it("a fill-in sheet", async () => {
+  await fullFace(page);
+  await page.getByLabel("Command line").pressSequentially("cc");
+  await page.getByRole("dialog").getByRole("textbox").first().fill("4");
+  await wait(500);
+  await picture("sheet");
+  await page.keyboard.press("Escape");
+});
+
+it("the keypad", async () => {
+  await page.keyboard.press("k");
+  await page.getByRole("dialog", { name: "Keypad" }).waitFor();
+  await wait(500);
+  await picture("keypad");
+  await page.keyboard.press("Escape");
+});
+
+it("the editor", async () => {
+  await page.getByRole("link", { name: "Edit" }).click();
+  await page.locator(".cm-content").waitFor();
+  await wait(1500);
+  await picture("editor");
+});
