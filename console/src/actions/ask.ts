@@ -1,6 +1,6 @@
 /** Asks the server and tells the person what it refused. */
 
-import { leaseOf } from "../link/shown";
+import { leaseOf, type Shown } from "../link/shown";
 import type { Act, Reply } from "../wire/messages";
 import type { World } from "./action";
 
@@ -30,5 +30,28 @@ export async function leased(world: World): Promise<number | undefined> {
     world.screen.tell(problem.text);
     return undefined;
   }
-  return leaseOf(world.link.shown.get());
+  return told(world, leaseOf);
+}
+
+/** How long what was granted may take until it is told, milliseconds. */
+const patienceMs = 1000;
+
+/** What the server tells, as soon as it is there; a reply may overtake the change it is about. */
+function told<T>(world: World, read: (shown: Shown) => T | undefined): Promise<T | undefined> {
+  const { shown } = world.link;
+  return new Promise((resolve) => {
+    const look = () => {
+      const found = read(shown.get());
+      if (found === undefined) return;
+      end(found);
+    };
+    const end = (found: T | undefined) => {
+      clearTimeout(timer);
+      unwatch();
+      resolve(found);
+    };
+    const unwatch = shown.watch(look);
+    const timer = setTimeout(() => end(undefined), patienceMs);
+    look();
+  });
 }

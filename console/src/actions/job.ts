@@ -2,7 +2,7 @@
 
 import type { Action, World } from "./action";
 import { ask, drive } from "./ask";
-import { unless, unlessReady } from "./machine";
+import { unless, unlessReady, whenIdle } from "./machine";
 
 const openedOf = ({ shown }: World) => shown.snapshot?.opened ?? undefined;
 
@@ -20,11 +20,17 @@ function notPreviewed(world: World): string | undefined {
   }
 }
 
-const whenReady = (world: World) => notPreviewed(world) ?? unlessReady(world);
+/** A simulated machine hurts nobody: it is armed by starting. */
+const arms = ({ shown }: World): boolean =>
+  shown.snapshot?.machine.mode === "simulated" && !shown.snapshot.machine.armed;
 
-const run = (step: boolean) => (world: World) => {
+const whenReady = (world: World) =>
+  notPreviewed(world) ?? (arms(world) ? whenIdle(world) : unlessReady(world));
+
+const run = (step: boolean) => async (world: World) => {
   const opened = openedOf(world);
-  if (opened) void drive(world, { do: "run", hash: opened.hash, step });
+  if (!opened || (arms(world) && !(await drive(world, { do: "arm" })))) return;
+  await drive(world, { do: "run", hash: opened.hash, step });
 };
 
 export const start: Action = {
@@ -32,7 +38,7 @@ export const start: Action = {
   title: "Start",
   section: "job",
   refused: whenReady,
-  run: run(false),
+  run: (world) => void run(false)(world),
 };
 
 export const singleStep: Action = {
@@ -40,7 +46,7 @@ export const singleStep: Action = {
   title: "Single step",
   section: "job",
   refused: whenReady,
-  run: run(true),
+  run: (world) => void run(true)(world),
 };
 
 export const closeFile: Action = {

@@ -15,7 +15,7 @@ export function unless(states: readonly State[], words: string) {
   };
 }
 
-const whenIdle = unless(["idle"], "The machine is busy.");
+export const whenIdle = unless(["idle"], "The machine is busy.");
 
 /** Refused unless the machine stands, armed. */
 export function unlessReady(world: World): string | undefined {

@@ -1,3 +1,4 @@
+import { ArmButton } from "./ArmButton";
 import { HoldButton } from "./HoldButton";
 import { LeaseChip } from "./LeaseChip";
 import { ModeChip } from "./ModeChip";
@@ -17,6 +18,7 @@ export function TopStrip() {
       <Navigation />
       <ModeChip />
       <StateWord />
+      <ArmButton />
       <div className="strip-end">
         <LeaseChip />
         <HoldButton />

@@ -39,6 +39,8 @@ export function CodeEditor(props: CodeEditorProps) {
   useEffect(() => {
     if (!box.current) return;
     const made = new EditorView({ parent: box.current, state: firstState(latest) });
+    // Reached by key even where the text in it is not.
+    made.scrollDOM.tabIndex = 0;
     view.current = made;
     return () => made.destroy();
   }, []);

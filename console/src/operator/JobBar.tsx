@@ -1,5 +1,5 @@
 import { start } from "../actions/job";
-import { acknowledge, arm } from "../actions/machine";
+import { acknowledge } from "../actions/machine";
 import { useShown, useSnapshot } from "../app/context";
 import { durationText } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
@@ -55,16 +55,12 @@ const outcomes: Record<string, string> = {
 const outcome = (ended: string | null | undefined): string =>
   ended ? (outcomes[ended] ?? ended) : "";
 
-/** One after the other in the same place: acknowledge, arm, start. */
+/** One after the other in the same place: acknowledge, then start. */
 function StartButtons() {
-  const machine = useShown((shown) => shown.snapshot?.machine);
-  if (machine?.state === "alarm") {
-    return <ActionButton action={acknowledge} look="hold" size="large" className="job-start" />;
-  }
-  const disarmed = machine?.state === "idle" && !machine.armed;
-  return disarmed ? (
-    <ActionButton action={arm} look="primary" size="large" className="job-start">
-      Arm
+  const alarm = useShown((shown) => shown.snapshot?.machine.state === "alarm");
+  return alarm ? (
+    <ActionButton action={acknowledge} look="hold" size="large" className="job-start">
+      Acknowledge
     </ActionButton>
   ) : (
     <ActionButton action={start} look="go" size="large" className="job-start" />

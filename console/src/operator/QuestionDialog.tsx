@@ -21,7 +21,7 @@ export function QuestionDialog({ asked }: { asked: Asked }) {
   const cancel = asked.buttons.find((word) => word.toLowerCase() === "cancel");
   return (
     <Sheet
-      title={asked.title || "The program asks"}
+      title={titleOf(asked)}
       shape="question"
       {...(cancel ? { onClose: () => answer(cancel) } : {})}
       foot={<Answers asked={asked} entry={entry} answer={answer} />}
@@ -45,6 +45,10 @@ export function QuestionDialog({ asked }: { asked: Asked }) {
     </Sheet>
   );
 }
+
+/** A title that is the path of the file is told by its name. */
+const titleOf = ({ title, file }: Asked): string =>
+  file !== "" && title.endsWith(file) ? file : title || "The program asks";
 
 interface AnswersProps {
   asked: Asked;

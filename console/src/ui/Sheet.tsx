@@ -1,4 +1,4 @@
-import { type KeyboardEvent, type ReactNode, useEffect, useId, useRef } from "react";
+import { type ReactNode, useEffect, useId, useRef } from "react";
 import { Button } from "./Button";
 import "./sheet.css";
 
@@ -20,11 +20,7 @@ interface SheetProps {
 export function Sheet({ title, onClose, shape = "middle", foot, children }: SheetProps) {
   const name = useId();
   const box = useFocusWithin();
-  const leave = (event: KeyboardEvent) => {
-    if (event.key !== "Escape" || !onClose || event.defaultPrevented) return;
-    event.stopPropagation();
-    onClose();
-  };
+  useEscape(onClose);
   return (
     <div className={`sheet-cover sheet-cover-${shape}`}>
       <section
@@ -33,7 +29,6 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
         role="dialog"
         aria-labelledby={name}
         tabIndex={-1}
-        onKeyDown={leave}
       >
         <header className="sheet-head">
           <h2 id={name}>{title}</h2>
@@ -48,6 +43,29 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
       </section>
     </div>
   );
+}
+
+/** The sheets that are open, the topmost last. */
+const stack: object[] = [];
+
+/** Esc closes the topmost sheet, wherever the focus is: the strip can have it. */
+function useEscape(onClose: (() => void) | undefined) {
+  const close = useRef(onClose);
+  close.current = onClose;
+  useEffect(() => {
+    const self = {};
+    stack.push(self);
+    const hear = (event: KeyboardEvent) => {
+      if (event.key !== "Escape" || event.defaultPrevented || stack.at(-1) !== self) return;
+      event.preventDefault();
+      close.current?.();
+    };
+    addEventListener("keydown", hear);
+    return () => {
+      stack.splice(stack.indexOf(self), 1);
+      removeEventListener("keydown", hear);
+    };
+  }, []);
 }
 
 /** Moves the focus in when it opens, and back to where it was when it closes. */

@@ -318,6 +318,13 @@ progress: number,
 /** Planned time that is left at the present override, seconds. */
 remaining: number, };
 
+/** A variable. */
+export type NamedValue = {
+/** Its name with `&` or `$`. */
+name: string,
+/** What it holds. */
+value: string, };
+
 /** A change of the drawing. */
 export type Op = { "op": "new" } | { "op": "open",
 /** Its name below the part folder. */
@@ -525,6 +532,17 @@ rpm: number, };
 /** What the machine is doing. */
 export type State = "idle" | "running" | "jogging" | "held" | "asking" | "stopped" | "alarm";
 
+/** What a system variable reads. */
+export type SystemValue = {
+/** The number in its brackets. */
+number: number,
+/** What it tells. */
+name: string,
+/** Its unit; empty for none. */
+unit: string,
+/** What it reads. */
+value: string, };
+
 /** What comes over the socket to the page: one JSON text a message. */
 export type ToPage = { "tell": "snapshot",
 /** Who the page is. */
@@ -558,6 +576,15 @@ mm: number,
 axes: Array<AxisUnits>,
 /** Whether the numbers of moves are places (SA) or distances (SR). */
 absolute: boolean, };
+
+/** What the machine remembers, to be looked at. */
+export type Values = {
+/** System variables, by number. */
+system: Array<SystemValue>,
+/** User variables, by name. */
+variables: Array<NamedValue>,
+/** The lines of OpenSBP that set what is set now. */
+settings: Array<string>, };
 
 /** Who a page is. */
 export type Who = {

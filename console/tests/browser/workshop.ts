@@ -23,7 +23,7 @@ export interface Workshop {
 /** Arms the machine, so that it may move. */
 export async function arm(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Arm", exact: true }).click();
-  await page.getByText("Ready", { exact: true }).waitFor();
+  await page.locator(".state", { hasText: "Ready" }).waitFor();
 }
 
 /** What the location display shows of an axis. */

@@ -24,9 +24,10 @@ it("the operator's screen in the middle of a cut", async () => {
   await arm(page);
   await page.getByRole("radio", { name: "3D" }).click();
   await page.getByRole("button", { name: "Start" }).click();
+  await page.getByRole("button", { name: "OK" }).click();
   await wait(20_000);
   await picture("operator");
-  await page.getByRole("button", { name: "STOP" }).click();
+  await page.getByRole("button", { name: "STOP", exact: true }).click();
   await page.getByRole("button", { name: "Quit" }).click();
 });
 

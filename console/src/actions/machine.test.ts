@@ -1,0 +1,48 @@
+import { describe, expect, it } from "vitest";
+import { firstSnapshot } from "../../tests/standin/snapshot";
+import type { LinkStatus } from "../link/shown";
+import type { State } from "../wire/messages";
+import type { Action, World } from "./action";
+import { start } from "./job";
+import { arm, hold, resume, stop } from "./machine";
+
+const states: State[] = ["idle", "running", "jogging", "held", "asking", "stopped", "alarm"];
+
+function world(state: State, armed = true, status: LinkStatus = "open"): World {
+  const machine = { ...firstSnapshot.machine, state, armed };
+  const snapshot = { ...firstSnapshot, machine };
+  return { shown: { status, who: null, snapshot, roundTripMs: 1 } } as World;
+}
+
+const allowed = (action: Action, armed = true) =>
+  states.filter((state) => action.refused?.(world(state, armed)) === undefined);
+
+describe("what can be done when", () => {
+  it("STOP always", () => {
+    expect(allowed(stop)).toEqual(states);
+    expect(stop.refused?.(world("running", true, "lost"))).toBeUndefined();
+  });
+
+  it("hold what moves, resume what is held", () => {
+    expect(allowed(hold)).toEqual(["running", "jogging"]);
+    expect(allowed(resume)).toEqual(["held"]);
+  });
+
+  it("start only what stands, is armed and was previewed", () => {
+    expect(allowed(start)).toEqual(["idle"]);
+    expect(allowed(start, false)).toEqual([]);
+    const opened = { ...world("idle"), shown: { ...world("idle").shown } };
+    const closed = { ...firstSnapshot, opened: null };
+    expect(start.refused?.({ ...opened, shown: { ...opened.shown, snapshot: closed } })).toBe(
+      "Open a file first.",
+    );
+  });
+
+  it("arm what stands disarmed", () => {
+    expect(allowed(arm, false)).toEqual(["idle"]);
+    expect(allowed(arm, true)).toEqual([]);
+  });
+
+  it("nothing that moves without a link", () =>
+    expect(start.refused?.(world("idle", true, "lost"))).toBe("There is no link to the machine."));
+});

@@ -1,0 +1,19 @@
+import { arm, disarm } from "../actions/machine";
+import { ActionButton } from "../ui/ActionButton";
+import { useShown } from "./context";
+
+/** Allows motion, or forbids it, while the machine stands. */
+export function ArmButton() {
+  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const armed = useShown((shown) => shown.snapshot?.machine.armed);
+  if (!idle) return null;
+  return armed ? (
+    <ActionButton action={disarm} size="small">
+      Disarm
+    </ActionButton>
+  ) : (
+    <ActionButton action={arm} size="small" look="primary">
+      Arm
+    </ActionButton>
+  );
+}
