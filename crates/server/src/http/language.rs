@@ -1,10 +1,12 @@
-//! What editors and fill-in sheets ask (see [`kerf_language`]).
+//! What editors, fill-in sheets and the display of values ask (see [`kerf_language`]).
 
 use super::{Refused, aside};
-use crate::app::{App, lock};
+use crate::app::{App, lock, problem};
 use axum::Json;
 use axum::extract::State;
-use kerf_wire::{Checked, CommandEntry, Completion, Hover};
+use kerf_wire::{
+    Checked, CommandEntry, Completion, Hover, NamedValue, Problem, SystemValue, Values, Why,
+};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -68,4 +70,28 @@ pub async fn format(Json(edited): Json<Text>) -> Result<Json<Formatted>, Refused
         Ok(Formatted { text })
     };
     Ok(Json(aside(formatted).await?))
+}
+
+/// System variables, user variables and settings as the last run left them.
+pub async fn values(State(app): State<Arc<App>>) -> Result<Json<Values>, Refused> {
+    Ok(Json(aside(move || read_values(&app)).await?))
+}
+
+fn read_values(app: &App) -> Result<Values, Problem> {
+    let session = lock(&app.left).clone();
+    let shelf = (app.builders.preview)();
+    let mut shelf = shelf.map_err(|error| problem(Why::Server, error.to_string()))?;
+    let system = session.system_variables(&mut shelf).into_iter().map(|(variable, value)| {
+        let (name, unit) = (variable.name.into(), variable.unit.into());
+        SystemValue { number: variable.number, name, unit, value: value.display() }
+    });
+    let memory = &session.memory;
+    let variables = memory.variables.list().into_iter();
+    let variables = variables
+        .map(|(name, value)| NamedValue { name: format!("&{name}"), value: value.display() });
+    Ok(Values {
+        system: system.collect(),
+        variables: variables.collect(),
+        settings: kerf_sbp::table::settings_lines(&memory.settings),
+    })
 }

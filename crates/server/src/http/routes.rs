@@ -10,7 +10,7 @@ use axum::routing::{any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
-    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Reply, ShapeList, Snapshot,
+    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Reply, ShapeList, Snapshot, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -31,6 +31,7 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/api/drawing/shapes", get(rest::shapes))
         .route("/api/drawing/paths", get(rest::tool_paths))
         .route("/api/commands", get(language::commands))
+        .route("/api/values", get(language::values))
         .route("/api/language/check", post(language::check))
         .route("/api/language/complete", post(language::complete))
         .route("/api/language/hover", post(language::hover))
@@ -95,6 +96,7 @@ fn routes() -> Vec<Route> {
         looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
         looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ShapeList>)),
+        looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
         looks("/api/commands", "The commands of OpenSBP", Some(schema::<Vec<CommandEntry>>)),
         asks(
             "/api/language/check",
