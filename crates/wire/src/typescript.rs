@@ -1,7 +1,9 @@
 //! The types as TypeScript.
 
 use crate::preview::PreviewInfo;
-use crate::{Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Request, ShapeList, ToPage, Values};
+use crate::{
+    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Request, ShapeList, ToPage, Values,
+};
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
 

@@ -59,7 +59,8 @@ mod tests {
         let text = "fn helper() {}\n#[test]\n#[should_panic]\nfn one() {\n    fn inner() {}\n}\n\
                     rows! {\n    sbp_cmd_mx: \"MX,1\" => \"x\";\n}\nfn sbp_helper() {}\n";
         assert_eq!(of_file(text), ["one", "sbp_cmd_mx"]);
-        let page = "it(\"sbp_con_stop: stops\", async () => {\n  it(\"is a sentence\", () => {});\n";
+        let page =
+            "it(\"sbp_con_stop: stops\", async () => {\n  it(\"is a sentence\", () => {});\n";
         assert_eq!(of_page(page), ["sbp_con_stop"]);
     }
 }
