@@ -48,6 +48,7 @@ mod table_limits;
 mod tally;
 mod text;
 mod trail;
+pub mod vcd;
 mod waiting;
 mod work;
 mod world;

@@ -20,6 +20,7 @@ mod picture;
 mod progress;
 mod report;
 mod setup;
+mod signals;
 mod sources;
 mod visit;
 

@@ -1,12 +1,16 @@
 //! `kerf machine` as a user meets it.
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
 
 use std::path::Path;
 use std::process::{Command, Output};
 
 fn kerf(data: &Path, arguments: &[&str]) -> Output {
+    command(data, "machine", arguments)
+}
+
+fn command(data: &Path, name: &str, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_kerf"));
-    command.arg("machine").args(arguments).env("KERF_DATA", data).output().unwrap()
+    command.arg(name).args(arguments).env("KERF_DATA", data).output().unwrap()
 }
 
 fn told(data: &Path, arguments: &[&str]) -> String {
@@ -78,4 +82,66 @@ fn a_mistake_in_a_file_is_told_with_line_and_hint() {
         text.contains("m.toml:3:1: there is no setting delays.end [K002] did you mean"),
         "{text}"
     );
+}
+
+/// What `kerf io` prints.
+fn io(data: &Path, arguments: &[&str]) -> String {
+    let output = command(data, "io", arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn pro_io_diag_write() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(io(folder.path(), &["set", "tool2", "1"]), "output port B = 0x04\n");
+    assert_eq!(io(folder.path(), &["get", "tool2"]), "1\n");
+    assert_eq!(io(folder.path(), &["set", "tool2", "0"]), "output port B = 0x00\n");
+}
+
+#[test]
+fn pro_io_diag_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = io(folder.path(), &["step", "x", "+", "--config", "sim"]);
+    assert_eq!(told, "x step 1 (port A 0x03, 0x01), x +0.0040\n");
+    let told = io(folder.path(), &["step", "x", "-", "--config", "sim"]);
+    assert_eq!(told, "x step 0 (port A 0x02, 0x00), x -0.0040\n");
+}
+
+#[test]
+fn pro_io_diag_read() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(io(folder.path(), &["set", "in.xhome", "1"]), "input port A = 0x04\n");
+    assert!(io(folder.path(), &["list"]).contains("input  A2  xhome             1 "));
+}
+
+#[test]
+fn pro_io_pci_o_elec__help() {
+    let folder = tempfile::tempdir().unwrap();
+    let map = io(folder.path(), &["map", "--card", "pci", "--notes"]);
+    assert!(map.contains("output      23        xstep              A1  step\n"), "{map}");
+    assert!(map.contains("# Outputs: open collector through 1 kOhm"));
+}
+
+#[test]
+fn pro_io_vcd() {
+    let folder = tempfile::tempdir().unwrap();
+    let (part, trace) = (folder.path().join("a.sbp"), folder.path().join("a.vcd"));
+    std::fs::write(&part, "SO,1,1\nMX,10\nSO,1,0\n").unwrap();
+    let words = [part.to_str().unwrap(), "--config", "sim", "-q", "--vcd", trace.to_str().unwrap()];
+    assert!(command(folder.path(), "run", &words).status.success());
+    let text = std::fs::read_to_string(&trace).unwrap();
+    assert!(text.starts_with("$version kerf $end\n$timescale 1 ns $end\n"));
+    assert!(text.contains("$var wire 1 \" xstep $end") && text.lines().count() > 2 * 2500);
+}
+
+#[test]
+fn homing_tells_each_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let steps = told(folder.path(), &["home", "x", "--config", "sim"]);
+    let lines: Vec<&str> = steps.lines().collect();
+    assert!(lines[0].ends_with("-121.250, up to 50.000/s, switch at -120.000"), "{steps}");
+    assert!(lines[3].contains(" to  -117.000, "), "{steps}");
+    let output = kerf(folder.path(), &["home", "x"]);
+    assert!(output.stdout.is_empty(), "no switch, no search");
 }

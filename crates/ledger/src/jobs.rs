@@ -3,7 +3,8 @@
 use kerf_control::answers::Answers;
 use kerf_control::event::MoveEvent;
 use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Summary, Wish, Work};
+use kerf_control::vcd::VcdSink;
+use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Sink, Summary, Wish, Work};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
@@ -111,8 +112,14 @@ impl JobRun {
 
     /// An input changes.
     #[must_use]
-    pub fn input(mut self, input: Input, at_s: f64, on: bool) -> Self {
-        self.inputs.push(Change { input: input.number(), at_s, on });
+    pub fn input(self, input: Input, at_s: f64, on: bool) -> Self {
+        self.raw_input(input.number(), at_s, on)
+    }
+
+    /// An input without a name changes, by the number of its line.
+    #[must_use]
+    pub fn raw_input(mut self, input: u8, at_s: f64, on: bool) -> Self {
+        self.inputs.push(Change { input, at_s, on });
         self
     }
 
@@ -132,18 +139,63 @@ impl JobRun {
 
     /// Runs it.
     pub fn run(self) -> JobTrace {
+        let mut events = Vec::new();
+        let (summary, session) = self.run_into(&mut events);
+        JobTrace { events, summary, session }
+    }
+
+    /// Runs it and traces its signals.
+    pub fn signals(self) -> Signals {
+        let mut text = Vec::new();
+        let mut sink = VcdSink::new(&mut text, self.machine.clone());
+        self.run_into(&mut sink);
+        sink.finish().expect("memory takes everything");
+        Signals(String::from_utf8(text).expect("a trace is text"))
+    }
+
+    fn run_into(self, sink: &mut dyn Sink) -> (Summary, Session) {
         let mut session = Session::default();
         session.memory.position = self.at;
         let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
-        let mut events = Vec::new();
         let mut operator = Answers::read(&self.answers);
         let mut pace = Script::new(self.wishes, Vec::new());
-        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+        let company = Company { sink, operator: &mut operator, pace: &mut pace };
         let options =
             RunOptions { inputs: self.inputs, sheet: self.sheet, ..RunOptions::default() };
         let work = Work::Job(Arc::new(self.job), Arc::new(self.machine));
         let summary = session.run(work, options, &mut shelf, company);
-        JobTrace { events, summary, session }
+        (summary, session)
+    }
+}
+
+/// The signals of a run, as a file that viewers of signals read.
+pub struct Signals(pub String);
+
+impl Signals {
+    /// When a signal changed and to what, milliseconds.
+    pub fn changes(&self, name: &str) -> Vec<(u64, String)> {
+        let end = format!(" {name} $end");
+        let declares = |line: &&str| line.starts_with("$var") && line.ends_with(&end);
+        let declared = self.0.lines().find(declares);
+        let code = declared.and_then(|line| line.split(' ').nth(3)).expect("the signal");
+        let (_, body) = self.0.split_once("$dumpvars").expect("a body");
+        let mut now = 0;
+        let mut found = Vec::new();
+        for line in body.lines().skip_while(|line| *line != "$end") {
+            if let Some(time) = line.strip_prefix('#') {
+                now = time.parse::<u64>().expect("a time") / 1_000_000;
+            } else if let Some(value) = line.strip_suffix(code) {
+                found.push((now, value.trim().to_owned()));
+            }
+        }
+        found
+    }
+
+    /// When a bit was on, milliseconds.
+    pub fn on(&self, name: &str) -> Vec<(u64, u64)> {
+        let changes = self.changes(name);
+        let pairs = changes.chunks(2);
+        pairs.map(|pair| (pair[0].0, pair.get(1).map_or(u64::MAX, |(off, _)| *off))).collect()
     }
 }
 

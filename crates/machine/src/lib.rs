@@ -11,7 +11,10 @@
 //! another unit.
 
 pub mod contradictions;
+pub mod driver;
 pub mod file;
+pub mod homing;
+mod levels;
 pub mod lines;
 pub mod profile;
 pub mod sequence;
@@ -19,6 +22,7 @@ pub mod settings;
 pub mod state;
 pub mod table;
 pub mod value;
+pub mod wiring;
 
 pub use sequence::Sequence;
 pub use settings::Configuration;

@@ -14,6 +14,9 @@
 //! The machine is a value: clone it and run a preview on the copy. Millimetres, degrees and seconds;
 //! positions in the machine frame.
 
+pub mod bench;
+pub mod chance;
+pub mod driver;
 mod follower;
 mod halt;
 mod hand;
@@ -26,8 +29,12 @@ mod log;
 mod machine;
 mod motors;
 mod outputs;
+pub mod ports;
+pub mod pulses;
 mod sheet;
 mod trigger;
+pub mod unreliable;
+pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};
 pub use hand::Push;

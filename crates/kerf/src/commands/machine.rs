@@ -9,8 +9,9 @@ use clap::{Args, Subcommand};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
-use kerf_machine::{Configuration, Value, file};
-use kerf_program::Axis;
+use kerf_machine::{Configuration, Value, file, homing};
+use kerf_program::{AXES, Axis, AxisSet};
+use kerf_sim::bench::Bench;
 use std::path::PathBuf;
 
 /// Shows and changes what a machine is like: axes, motors, heights, delays, inputs and the rest
@@ -95,6 +96,11 @@ enum Action {
     },
     /// Lists the axes with their motors, lengths, speeds and switches
     Axes,
+    /// Homes axes of the simulated machine and tells each step
+    Home {
+        /// Their letters, as xyz; all that have a switch when not given
+        axes: Option<String>,
+    },
 }
 
 pub fn run(args: &MachineArgs) -> Result<Exit> {
@@ -110,6 +116,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
         Action::Use { name } => MachineFile::of_data(&args.which.folder())?.write(named(name)?)?,
         Action::Axes => out::print(&axes(&args.which.machine()?)),
+        Action::Home { axes } => return home(&args.which.machine()?, axes.as_deref()),
     }
     Ok(Exit::Good)
 }
@@ -185,6 +192,50 @@ fn profiles(name: Option<&str>) -> Result<()> {
         out::print(&format!("{:<16} {}\n", profile.name, profile.about()));
     }
     Ok(())
+}
+
+/// Homes axes on the bench of the simulated machine.
+fn home(c: &Configuration, letters: Option<&str>) -> Result<Exit> {
+    let axes = match letters {
+        Some(letters) => named_axes(c, letters)?,
+        None => AxisSet::first(AXES),
+    };
+    let mut bench = Bench::new(c);
+    let found = homing::home(c, &mut bench, axes);
+    let mut legs = bench.legs();
+    legs.sort_by(|a, b| a.span_s[0].total_cmp(&b.span_s[0]));
+    for leg in legs {
+        let name = c.motors.axis_name(leg.axis);
+        let edge = leg.edge.map(|at| format!(", switch at {at:.3}")).unwrap_or_default();
+        let [from_s, to_s] = leg.span_s;
+        let (from, to, peak) = (leg.from, leg.to, leg.peak);
+        let moved = format!("{from_s:8.3} to {to_s:8.3} s  {name:<2} {from:9.3} to {to:9.3}");
+        out::print(&format!("{moved}, up to {peak:.3}/s{edge}\n"));
+    }
+    match found {
+        Ok(homed) => {
+            for it in homed {
+                let name = c.motors.axis_name(it.axis);
+                out::print(&format!("{name} {} steps\n", it.difference_steps));
+            }
+            Ok(Exit::Good)
+        }
+        Err(error) => {
+            eprintln!("kerf: {error}");
+            Ok(Exit::Failed)
+        }
+    }
+}
+
+fn named_axes(c: &Configuration, letters: &str) -> Result<AxisSet> {
+    let of_letter = |letter: char| {
+        let is_called = |axis: &Axis| c.motors.axis_name(*axis).starts_with(letter);
+        Axis::ALL.into_iter().find(is_called).or_else(|| Axis::from_letter(letter))
+    };
+    letters.chars().try_fold(AxisSet::EMPTY, |set, letter| match of_letter(letter) {
+        Some(axis) => Ok(set.with(axis)),
+        None => bail!(Usage(format!("there is no axis {letter}"))),
+    })
 }
 
 /// A line for each axis that a motor drives.

@@ -5,6 +5,7 @@ mod convert;
 mod draw;
 mod explain;
 mod fmt;
+mod io;
 mod log;
 mod machine;
 mod parts;
@@ -51,6 +52,7 @@ pub enum Command {
     Samples(samples::SamplesArgs),
     Parts(parts::PartsArgs),
     Machine(machine::MachineArgs),
+    Io(io::IoArgs),
 }
 
 /// Does it.
@@ -71,6 +73,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Samples(args) => samples::run(&args),
         Command::Parts(args) => parts::run(&args),
         Command::Machine(args) => machine::run(&args),
+        Command::Io(args) => io::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),
         Command::Log(args) => log::run(&args),

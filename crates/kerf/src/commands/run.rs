@@ -10,6 +10,7 @@ use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job};
+use crate::signals::VcdArgs;
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
@@ -17,6 +18,7 @@ use kerf_control::answers::Answers;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
 use kerf_control::{Company, Session, Shelf, Sink, Summary, command_passing};
+use kerf_machine::Configuration;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::FileParameters;
 use std::fs::File;
@@ -61,6 +63,8 @@ pub struct MachineArgs {
     /// Writes everything that the run does to a file, an event a line, as `kerf trace` prints it
     #[arg(long, value_name = "OUT")]
     trace: Option<PathBuf>,
+    #[command(flatten)]
+    vcd: VcdArgs,
     /// No progress, no summary
     #[arg(short, long)]
     quiet: bool,
@@ -89,13 +93,13 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
 }
 
 /// Takes up the run that was cut short.
-fn resume(machine: &MachineArgs, run: &RunArgs) -> Result<Exit> {
+fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: shelf.app_path().into() };
     let journal = shelf.journal().cloned().ok_or_else(nothing)?;
     let cut = journal.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut shelf)?;
-    if !machine.quiet {
+    if !args.quiet {
         eprintln!("kerf: {}", memory::told(&cut));
     }
     if whereabouts == Whereabouts::Moving {
@@ -105,10 +109,11 @@ fn resume(machine: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default() };
+    let machine = Configuration { program: session.memory.settings.clone(), ..Default::default() };
+    let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default(), machine };
     let visit = Visit::default();
     visit.begins(&session, &mut shelf)?;
-    let exit = attended(machine, run, show, answers, |company| {
+    let exit = attended(args, run, show, answers, |company| {
         let summary = session.resume(&cut, &mut shelf, company)?;
         Ok((summary, &session))
     })?;
@@ -119,7 +124,8 @@ fn resume(machine: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit } = job;
-    let show = Show { name: work.name().clone(), lines: work.line_count(), talk };
+    let machine = args.vcd.machine(&work, &run.place, &session.memory.settings)?;
+    let show = Show { name: work.name().clone(), lines: work.line_count(), talk, machine };
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
@@ -152,8 +158,10 @@ fn passed_in(
     let mut options = setup::run_options(run, &session.memory.settings, false);
     (options.program.typed, options.program.file) = (true, FileParameters::default());
     options.started = Some(clock::started());
-    let show = Show { name: command_passing::NAME.into(), lines: 1, talk: Talk::all() };
-    let again = MachineArgs { trace: None, picture: None, ..args.clone() };
+    let machine = Configuration { program: session.memory.settings.clone(), ..Default::default() };
+    let show = Show { name: command_passing::NAME.into(), lines: 1, talk: Talk::all(), machine };
+    let vcd = VcdArgs::default();
+    let again = MachineArgs { trace: None, picture: None, vcd, ..args.clone() };
     attended(&again, run, show, setup::answers(run)?, |company| {
         let summary = session.run_on_record(program, options, None, shelf, company)?;
         Ok((summary, session))
@@ -166,6 +174,8 @@ struct Show {
     /// Lines of the part file; 0 where nobody counts them.
     lines: usize,
     talk: Talk,
+    /// Whose signals are traced.
+    machine: Configuration,
 }
 
 /// Something runs, with whoever sits at the terminal.
@@ -180,7 +190,8 @@ fn attended<'a>(
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
     let trace = args.trace.as_deref().map(trace).transpose()?;
-    let mut sink = ((show.talk, trace), (Diagnostics::default(), (picture, progress)));
+    let signals = args.vcd.sink(show.machine)?;
+    let mut sink = ((show.talk, (trace, signals)), (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
@@ -188,7 +199,8 @@ fn attended<'a>(
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
     let (summary, session) = runs(company)?;
-    let ((_, trace), (_, (picture, progress))) = sink;
+    let ((_, (trace, signals)), (_, (picture, progress))) = sink;
+    args.vcd.finish(signals)?;
     if let Some(trace) = trace {
         trace.finish().context("cannot write the trace")?;
     }

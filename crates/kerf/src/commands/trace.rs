@@ -3,6 +3,7 @@
 use crate::args::RunArgs;
 use crate::exit::Exit;
 use crate::setup;
+use crate::signals::VcdArgs;
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::Company;
@@ -23,17 +24,23 @@ pub struct TraceArgs {
     #[arg(long)]
     vars: bool,
     #[command(flatten)]
+    vcd: VcdArgs,
+    #[command(flatten)]
     run: RunArgs,
 }
 
 pub fn run(args: &TraceArgs) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, true)?;
     job.options.tell_variables = args.vars;
-    let mut sink = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
+    let machine = args.vcd.machine(&job.work, &args.run.place, &job.session.memory.settings)?;
+    let lines = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
+    let mut sink = (lines, args.vcd.sink(machine)?);
     let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
-    match sink.finish() {
+    let (lines, signals) = sink;
+    args.vcd.finish(signals)?;
+    match lines.finish() {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(error).context("cannot write the trace")
         }

@@ -8,4 +8,5 @@ mod job;
 mod laser;
 mod pause;
 mod plasma;
+mod signals;
 mod timing;

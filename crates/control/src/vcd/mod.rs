@@ -1,0 +1,113 @@
+//! A run as a trace of signals: steps and directions, ports and switches, positions in steps, pulse
+//! widths (`--vcd`).
+
+mod signals;
+
+use crate::{Event, Made, Sink};
+use kerf_machine::Configuration;
+use kerf_motion::{Step, Stepper};
+use kerf_sim::pulses::{Line, Pulses};
+use kerf_sim::vcd::Vcd;
+use signals::Signals;
+use std::io::{self, Write};
+
+/// Writes the trace of a run.
+pub struct VcdSink<W> {
+    out: W,
+    vcd: Vcd,
+    machine: Configuration,
+    signals: Signals,
+    pulses: Pulses,
+    /// Where the motors are; nothing before the first move.
+    stepper: Option<Stepper>,
+    failed: Option<io::Error>,
+}
+
+impl<W: Write> VcdSink<W> {
+    /// A trace of this machine.
+    pub fn new(out: W, machine: Configuration) -> Self {
+        let mut vcd = Vcd::default();
+        let signals = Signals::new(&mut vcd);
+        let pulses = Pulses::new(&machine);
+        let mut sink = Self { out, vcd, machine, signals, pulses, stepper: None, failed: None };
+        let header = sink.vcd.header();
+        sink.put(&header);
+        sink
+    }
+
+    /// The trace is over.
+    ///
+    /// # Errors
+    /// The first thing that could not be written.
+    pub fn finish(mut self) -> io::Result<()> {
+        self.flush(f64::INFINITY);
+        match self.failed {
+            Some(error) => Err(error),
+            None => self.out.flush(),
+        }
+    }
+
+    fn flush(&mut self, before_s: f64) {
+        let lines = self.vcd.flush(before_s);
+        self.put(&lines);
+    }
+
+    fn put(&mut self, text: &str) {
+        if self.failed.is_none() {
+            self.failed = self.out.write_all(text.as_bytes()).err();
+        }
+    }
+
+    fn step(&mut self, step: &Step, made: i64) {
+        self.vcd.at(step.t_s, self.signals.positions[step.axis], made as f64);
+        for edge in self.pulses.edges(step) {
+            let ids = match edge.line {
+                Line::Direction => &self.signals.directions,
+                Line::Step => &self.signals.steps,
+            };
+            self.vcd.at_ns(edge.t_ns, ids[edge.motor.index()], f64::from(edge.high));
+        }
+    }
+}
+
+impl<W: Write> Sink for VcdSink<W> {
+    fn event(&mut self, event: &Event) {
+        let (vcd, signals) = (&mut self.vcd, &mut self.signals);
+        match event {
+            Event::Output { n, on, t, .. } => signals.outputs.change(vcd, *t, *n, *on),
+            Event::Input { n, on, t, .. } => signals.inputs.change(vcd, *t, *n, *on),
+            Event::Pwm { channel, percent, t, .. } => {
+                let id = signals.pwm.get(usize::from(*channel).wrapping_sub(1));
+                id.into_iter().for_each(|id| vcd.at(*t, *id, *percent));
+            }
+            Event::Intensity { byte, t, .. } => {
+                vcd.at(*t, signals.intensity, f64::from(*byte));
+            }
+            Event::LaserHz { hz, t } => vcd.at(*t, signals.laser_hz, *hz),
+            _ => {}
+        }
+    }
+
+    fn looks_at_motion(&self) -> bool {
+        false
+    }
+
+    fn made(&mut self, made: &Made<'_>) {
+        let (span, t0_s) = (made.span, made.t0_s);
+        let [from_s, to_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
+        // What happens during a move is told after it.
+        self.flush(from_s);
+        let per_unit = self.machine.program.resolution.steps_per_unit;
+        let new = || Stepper::new(per_unit, span.made.from);
+        let stepper = self.stepper.get_or_insert_with(new);
+        let mut counts = stepper.made();
+        let steps = stepper.follow(from_s, to_s, |t_s| made.plan.at(t_s - t0_s).position);
+        for step in steps {
+            counts[step.axis] += if step.forward { 1 } else { -1 };
+            self.step(&step, counts[step.axis]);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,95 @@
+//! The signals of a trace, and where each of them stands in it.
+
+use kerf_machine::settings::motors::MOTORS;
+use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS};
+use kerf_program::settings::SWITCHES;
+use kerf_program::{AXES, Axis};
+use kerf_sim::vcd::{Id, Kind, Vcd};
+
+/// Bits of a port.
+const PORT_BITS: usize = 8;
+
+/// The first line behind the switches.
+const FIRST_LINE: usize = SWITCHES + 1;
+
+/// Lines that people switch or read: the switches and the ports behind them.
+pub(super) struct Lines {
+    switches: Vec<Id>,
+    bits: Vec<Id>,
+    bytes: Vec<(Id, u8)>,
+}
+
+impl Lines {
+    fn new(vcd: &mut Vcd, letters: &str, ports: [(&'static str, &[Bit]); 2]) -> Self {
+        let (mut bits, mut bytes) = (Vec::new(), Vec::new());
+        for (scope, of_port) in ports {
+            bits.extend(wires(vcd, scope, of_port));
+            bytes.push((vcd.signal(scope, scope, Kind::Byte), 0));
+        }
+        let scope = if letters == "in" { "switches_in" } else { "switches_out" };
+        let name = |n: usize| format!("{letters}{n}");
+        let switches = (1..=SWITCHES).map(|n| vcd.signal(scope, name(n), Kind::Wire)).collect();
+        Self { switches, bits, bytes }
+    }
+
+    /// A line changes: its bit, and the byte of its port.
+    pub fn change(&mut self, vcd: &mut Vcd, t_s: f64, number: u8, on: bool) {
+        let number = usize::from(number);
+        if let Some(switch) = self.switches.get(number.wrapping_sub(1)) {
+            vcd.at(t_s, *switch, f64::from(on));
+        }
+        let i = number.wrapping_sub(FIRST_LINE);
+        if let Some(bit) = self.bits.get(i) {
+            vcd.at(t_s, *bit, f64::from(on));
+            let (byte, value) = &mut self.bytes[i / PORT_BITS];
+            let mask = 1 << (i % PORT_BITS);
+            *value = if on { *value | mask } else { *value & !mask };
+            vcd.at(t_s, *byte, f64::from(*value));
+        }
+    }
+}
+
+/// Everything that is traced.
+pub(super) struct Signals {
+    pub directions: [Id; MOTORS],
+    pub steps: [Id; MOTORS],
+    pub outputs: Lines,
+    pub inputs: Lines,
+    /// Steps of each axis.
+    pub positions: [Id; AXES],
+    pub pwm: [Id; 2],
+    pub intensity: Id,
+    pub laser_hz: Id,
+}
+
+impl Signals {
+    pub fn new(vcd: &mut Vcd) -> Self {
+        let a = wires(vcd, "out_a", &OUTPUT_BITS[..PORT_BITS]);
+        let ports = [
+            ("port_b", &OUTPUT_BITS[PORT_BITS..2 * PORT_BITS]),
+            ("port_c", &OUTPUT_BITS[2 * PORT_BITS..]),
+        ];
+        let outputs = Lines::new(vcd, "out", ports);
+        let ports = [("in_a", &INPUT_BITS[..PORT_BITS]), ("in_b", &INPUT_BITS[PORT_BITS..])];
+        let inputs = Lines::new(vcd, "in", ports);
+        let letters = Axis::ALL.map(|axis| axis.letter().to_ascii_lowercase());
+        // Bits 4 to 7 of port C are motors Q and R.
+        let c = &outputs.bits[PORT_BITS..];
+        let of = |i: usize| [a[i], a[2 + i], a[4 + i], a[6 + i], c[4 + i], c[6 + i]];
+        Self {
+            directions: of(0),
+            steps: of(1),
+            outputs,
+            inputs,
+            positions: letters
+                .map(|axis| vcd.signal("steps", format!("{axis}_pos"), Kind::Integer)),
+            pwm: [1, 2].map(|n| vcd.signal("analog", format!("pwm{n}"), Kind::Real)),
+            intensity: vcd.signal("analog", "intensity_byte", Kind::Integer),
+            laser_hz: vcd.signal("analog", "laser_hz", Kind::Real),
+        }
+    }
+}
+
+fn wires(vcd: &mut Vcd, scope: &'static str, bits: &[Bit]) -> Vec<Id> {
+    bits.iter().map(|bit| vcd.signal(scope, bit.name, Kind::Wire)).collect()
+}

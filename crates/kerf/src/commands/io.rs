@@ -1,0 +1,232 @@
+//! `kerf io`: the inputs and outputs of the simulated machine, by hand.
+
+use crate::args::DataArgs;
+use crate::exit::{Exit, Usage};
+use crate::{memory, out, setup};
+use anyhow::{Result, bail};
+use clap::{Args, Subcommand, ValueEnum};
+use kerf_control::journal::Journal;
+use kerf_machine::settings::motors::Motor;
+use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
+use kerf_sim::ports::Ports;
+use std::path::PathBuf;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Lists, reads and sets the ports of the simulated machine, steps its motors, shows how cards are wired
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  kerf io list\n  kerf io set tool2 1\n  kerf io set in.xhome 1\n  \
+    kerf io step x +\n  kerf io map --card pci --notes"
+)]
+pub struct IoArgs {
+    #[command(subcommand)]
+    action: Action,
+    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
+    #[arg(long, value_name = "DIR", global = true)]
+    data: Option<PathBuf>,
+    /// The machine whose steps are meant: a file, or the name of a ready-made machine
+    #[arg(long, value_name = "FILE", global = true)]
+    config: Option<PathBuf>,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Lists every bit with its state
+    List,
+    /// Prints the state of a bit: 0 or 1
+    Get {
+        /// Its name, or port and bit: tool2, B2, in.jig1
+        name: String,
+    },
+    /// Switches an output, or sets an input of the simulated machine
+    Set {
+        /// Its name
+        name: String,
+        /// 0 or 1
+        #[arg(value_parser = clap::value_parser!(u8).range(0..=1))]
+        value: u8,
+    },
+    /// Steps a motor once
+    Step {
+        /// x, y, z, w, q or r
+        motor: String,
+        /// + or -
+        #[arg(value_enum, allow_hyphen_values = true)]
+        way: Way,
+    },
+    /// Prints every change of a bit as it happens
+    Watch {
+        /// Ends after so many seconds
+        #[arg(long = "for", value_name = "SECONDS")]
+        seconds: Option<f64>,
+    },
+    /// Prints where the bits come out on a card
+    Map {
+        /// pci, io or box
+        #[arg(long)]
+        card: String,
+        /// Prints what is to be known for wiring it
+        #[arg(long)]
+        notes: bool,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Way {
+    #[value(name = "+")]
+    Forward,
+    #[value(name = "-")]
+    Back,
+}
+
+/// Under which key the ports are kept.
+const KEY: &str = "IoPorts";
+
+/// How often changes are looked for.
+const LOOK: Duration = Duration::from_millis(50);
+
+pub fn run(args: &IoArgs) -> Result<Exit> {
+    match &args.action {
+        Action::List => list(&args.ports()?),
+        Action::Get { name } => {
+            let (is_output, bit) = known(name)?;
+            out::print(&format!("{}\n", u8::from(args.ports()?.is_on(is_output, bit))));
+        }
+        Action::Set { name, value } => set(args, name, *value == 1)?,
+        Action::Step { motor, way } => step(args, motor, *way == Way::Forward)?,
+        Action::Watch { seconds } => watch(args, *seconds)?,
+        Action::Map { card, notes } => map(card, *notes)?,
+    }
+    Ok(Exit::Good)
+}
+
+impl IoArgs {
+    fn folder(&self) -> DataArgs {
+        DataArgs { folder: self.data.clone() }
+    }
+
+    fn journal(&self, looks: bool) -> Result<Option<Journal>> {
+        memory::journal(&setup::data_folder(&self.folder())?, looks)
+    }
+
+    fn ports(&self) -> Result<Ports> {
+        let kept = self.journal(true)?.map(|journal| journal.value(KEY)).transpose()?.flatten();
+        Ok(kept.as_deref().and_then(Ports::read).unwrap_or_default())
+    }
+
+    /// Changes the ports, unless a run owns the machine.
+    fn change<T>(&self, change: impl FnOnce(&mut Ports) -> Result<T>) -> Result<(Ports, T)> {
+        let journal = self.journal(false)?;
+        let _owner = journal.as_ref().map(Journal::own).transpose()?;
+        let mut ports = self.ports()?;
+        let answer = change(&mut ports)?;
+        if let Some(journal) = &journal {
+            journal.set_value(KEY, Some(&ports.write()))?;
+        }
+        Ok((ports, answer))
+    }
+}
+
+fn known(name: &str) -> Result<(bool, &'static Bit)> {
+    match wiring::bit(name) {
+        Some(found) => Ok(found),
+        None => {
+            let names = OUTPUT_BITS.iter().chain(INPUT_BITS).map(|bit| bit.name);
+            let hint = kerf_diag::did_you_mean(name, names)
+                .unwrap_or_else(|| "kerf io list shows every bit".into());
+            bail!(Usage(format!("no bit is called {name}; {hint}")))
+        }
+    }
+}
+
+fn list(ports: &Ports) {
+    let mut lines = String::new();
+    for (word, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)] {
+        for bit in bits {
+            let aliases = bit.aliases.join(", ");
+            lines.push_str(&format!(
+                "{word:<7}{:<4}{:<18}{} {:<22}{}\n",
+                bit.address(),
+                bit.name,
+                u8::from(ports.is_on(is_output, bit)),
+                aliases,
+                bit.about
+            ));
+        }
+    }
+    out::print(&lines);
+}
+
+fn set(args: &IoArgs, name: &str, on: bool) -> Result<()> {
+    let (is_output, bit) = known(name)?;
+    let (ports, ()) = args.change(|ports| {
+        match is_output {
+            true => ports.set_output(bit, on, false)?,
+            false => ports.set_input(bit, on),
+        }
+        Ok(())
+    })?;
+    let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
+    let side = if is_output { "output" } else { "input" };
+    out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
+    Ok(())
+}
+
+fn step(args: &IoArgs, name: &str, forward: bool) -> Result<()> {
+    let Some(motor) = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name)) else {
+        bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
+    };
+    let (ports, bytes) = args.change(|ports| Ok(ports.step(motor, forward, false)?))?;
+    let machine = setup::machine(args.config.as_deref(), &args.folder())?;
+    let way = machine.motors.axis_of(motor).map(|axis| {
+        let by = 1.0 / machine.program.resolution.steps_per_unit[axis];
+        format!(", {} {:+.4}", machine.motors.axis_name(axis), if forward { by } else { -by })
+    });
+    let port = if matches!(motor, Motor::Q | Motor::R) { Port::C } else { Port::A };
+    out::print(&format!(
+        "{name} step {} (port {} 0x{:02X}, 0x{:02X}){}\n",
+        ports.steps(motor),
+        port.letter(),
+        bytes[0],
+        bytes[1],
+        way.unwrap_or_default()
+    ));
+    Ok(())
+}
+
+fn watch(args: &IoArgs, seconds: Option<f64>) -> Result<()> {
+    let began = Instant::now();
+    let mut before = args.ports()?;
+    while seconds.is_none_or(|most| began.elapsed().as_secs_f64() < most) {
+        thread::sleep(LOOK);
+        let now = args.ports()?;
+        for (side, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)]
+        {
+            let changed = |bit: &&Bit| before.is_on(is_output, bit) != now.is_on(is_output, bit);
+            for bit in bits.iter().filter(changed) {
+                let on = u8::from(now.is_on(is_output, bit));
+                out::print(&format!("{side} {} {} {on}\n", bit.address(), bit.name));
+            }
+        }
+        before = now;
+    }
+    Ok(())
+}
+
+fn map(card: &str, notes: bool) -> Result<()> {
+    let Some(card) = wiring::wiring(card) else {
+        let names: Vec<_> = CARDS.iter().map(|card| card.name).collect();
+        bail!(Usage(format!("there is no card {card}: {}", names.join(", "))));
+    };
+    let line = |it: &Terminal| {
+        let address = it.bit().map(Bit::address).unwrap_or_default();
+        format!("{:<11} {:<9} {:<18} {address:<3} {}", it.group, it.pin, it.signal, it.note)
+    };
+    let mut lines: Vec<String> = card.terminals.iter().map(line).collect();
+    if notes {
+        lines.extend(card.notes.iter().map(|note| format!("# {note}")));
+    }
+    out::print(&lines.iter().map(|line| format!("{}\n", line.trim_end())).collect::<String>());
+    Ok(())
+}

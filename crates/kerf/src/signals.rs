@@ -1,0 +1,58 @@
+//! `--vcd`: the signals of a run in a file.
+
+use crate::args::PlaceArgs;
+use crate::setup;
+use anyhow::{Context, Result};
+use clap::Args;
+use kerf_control::Work;
+use kerf_control::vcd::VcdSink;
+use kerf_machine::Configuration;
+use kerf_program::Settings;
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::PathBuf;
+
+/// Where signals are written.
+#[derive(Args, Clone, Debug, Default)]
+pub struct VcdArgs {
+    /// Writes every output, input, step and pulse width with its time, for GTKWave
+    #[arg(long, value_name = "FILE")]
+    vcd: Option<PathBuf>,
+}
+
+type Signals = VcdSink<BufWriter<File>>;
+
+impl VcdArgs {
+    /// The machine whose signals are traced: the one that runs the work.
+    pub fn machine(
+        &self,
+        work: &Work,
+        place: &PlaceArgs,
+        settings: &Settings,
+    ) -> Result<Configuration> {
+        let machine = match (work, place.config.as_deref()) {
+            (Work::Job(_, machine), _) => return Ok((**machine).clone()),
+            (Work::Part(_), Some(config)) => setup::machine(Some(config), &place.data)?,
+            (Work::Part(_), None) => Configuration::default(),
+        };
+        Ok(Configuration { program: settings.clone(), ..machine })
+    }
+
+    /// The sink, where a file is named.
+    pub fn sink(&self, machine: Configuration) -> Result<Option<Signals>> {
+        let Some(path) = &self.vcd else { return Ok(None) };
+        let file = File::create(path).with_context(|| self.cannot())?;
+        Ok(Some(VcdSink::new(BufWriter::new(file), machine)))
+    }
+
+    /// The run is over.
+    pub fn finish(&self, signals: Option<Signals>) -> Result<()> {
+        let finished = signals.map_or(Ok(()), VcdSink::finish);
+        finished.with_context(|| self.cannot())
+    }
+
+    fn cannot(&self) -> String {
+        let path = self.vcd.as_deref().map(|path| path.display().to_string());
+        format!("cannot write {}", path.unwrap_or_default())
+    }
+}

@@ -1,0 +1,167 @@
+//! Inputs, outputs and steps of jobs, as their signals show them.
+
+use kerf_ledger::jobs::{JobRun, Signals, job, t1, t2};
+use kerf_machine::lines::Input;
+use kerf_machine::settings::motors::FreeMotor;
+use std::sync::LazyLock;
+
+/// The signals of JOB-T1, made once for all tests.
+static T1: LazyLock<Signals> = LazyLock::new(|| JobRun::new(t1()).signals());
+
+/// When an output of JOB-T1 was on, milliseconds.
+fn check(name: &str, expected: &[(u64, u64)]) {
+    assert_eq!(T1.on(name), expected, "{name}");
+}
+
+/// JOB-T2 whose second shape has another tool and another cut output.
+fn second_tool(tool: u8, cut: u8) -> Signals {
+    let mut shapes = t2().shapes.to_vec();
+    (shapes[1].tool, shapes[1].cut) = (tool, cut);
+    JobRun::new(job(shapes)).signals()
+}
+
+#[test]
+fn pro_io_outb0() {
+    check("tool1", &[(2300, 6690)]);
+}
+
+#[test]
+fn pro_io_outb1() {
+    check("cut1", &[(3840, 5940)]);
+}
+
+#[test]
+fn pro_io_outb2() {
+    assert_eq!(second_tool(2, 1).on("tool2"), [(7640, 12030)]);
+}
+
+#[test]
+fn pro_io_outb3() {
+    assert_eq!(second_tool(1, 2).on("cut2"), [(9180, 11280)]);
+}
+
+#[test]
+fn pro_io_outb4() {
+    assert_eq!(second_tool(3, 1).on("tool3"), [(7640, 12030)]);
+}
+
+#[test]
+fn pro_io_outb5() {
+    assert_eq!(second_tool(1, 3).on("cut3"), [(9180, 11280)]);
+}
+
+#[test]
+fn pro_io_outb6() {
+    check("router", &[(300, 7190)]);
+}
+
+#[test]
+fn pro_io_outb7() {
+    check("job_running", &[(0, 7890)]);
+}
+
+#[test]
+fn pro_io_pci_o_run() {
+    check("job_running", &[(0, 7890)]);
+}
+
+#[test]
+fn pro_io_pci_o_tools() {
+    // On through plunge, cut and raise.
+    check("tool1", &[(2300, 6690)]);
+}
+
+/// JOB-T1 with a pause in the middle of the cut.
+static PAUSED: LazyLock<Signals> =
+    LazyLock::new(|| JobRun::new(t1()).stop(5.34).say("continue").signals());
+
+#[test]
+fn pro_io_pci_o_router() {
+    assert_eq!(PAUSED.on("router")[0], (300, 5440));
+    check("router", &[(300, 7190)]);
+}
+
+#[test]
+fn pro_io_io_router() {
+    assert_eq!(PAUSED.on("router").len(), 2);
+}
+
+#[test]
+fn pro_io_io_run() {
+    assert_eq!(PAUSED.on("job_running").len(), 1);
+}
+
+#[test]
+fn pro_io_outc23() {
+    let signals = &*T1;
+    assert!(signals.on("c2").is_empty() && signals.on("c3").is_empty());
+}
+
+#[test]
+fn pro_io_inb2() {
+    quiet(&[11]);
+}
+
+#[test]
+fn pro_io_inb37() {
+    quiet(&[12, 13, 14, 15, 16]);
+}
+
+/// Inputs that change nothing: those behind the first of the ports.
+fn quiet(behind: &[u8]) {
+    let mut run = JobRun::new(t1());
+    for by in behind {
+        let line = Input::ZHome.number() + by - 1;
+        run = run.raw_input(line, 5.0, true).raw_input(line, 5.5, false);
+    }
+    let signals = run.signals();
+    for name in ["tool1", "cut1", "router", "job_running", "x_pos", "z_pos", "port_c"] {
+        assert_eq!(signals.changes(name), T1.changes(name), "{name}");
+    }
+}
+
+#[test]
+fn pro_io_vcd() {
+    let signals = &*T1;
+    let rises = |name: &str| signals.changes(name).iter().filter(|(_, it)| it == "1").count();
+    // 100 mm there and back, 10 mm down before the first shape and 20 mm down to cut, and up again.
+    assert_eq!((rises("xstep"), rises("ystep")), (50_000, 0));
+    let bytes: Vec<(u64, String)> = signals.changes("port_b");
+    let shown: Vec<String> = bytes.iter().map(|(t_ms, byte)| format!("{t_ms} {byte}")).collect();
+    assert_eq!(
+        shown,
+        [
+            "0 b10000000",
+            "300 b11000000",
+            "2300 b11000001",
+            "3840 b11000011",
+            "5940 b11000001",
+            "6690 b11000000",
+            "7190 b10000000",
+            "7890 b00000000"
+        ]
+    );
+}
+
+#[test]
+fn pro_timing_inputs() {
+    let signals = JobRun::new(t1()).input(Input::EndBottomDelay, 4.0, true).signals();
+    assert_eq!(signals.changes("end_bottom_delay"), [(4000, "1".to_owned())]);
+    let (_, deepest) = signals.changes("z_pos").into_iter().max_by_key(|(_, it)| it.len()).unwrap();
+    assert!(deepest.starts_with('b'));
+    assert_eq!(signals.changes("x_pos").last().unwrap().1, "b0");
+}
+
+#[test]
+fn pro_axes_two_motors() {
+    let signals = JobRun::new(t1()).with(|m| m.motors.x2 = Some(FreeMotor::Q)).signals();
+    assert_eq!(signals.changes("xstep"), signals.changes("qstep"));
+}
+
+#[test]
+fn pro_misc_intensity_on() {
+    assert!(T1.changes("intensity_byte").is_empty());
+    let on = JobRun::new(t1()).with(|m| m.intensity.output = true).signals();
+    let cruise = on.changes("intensity_byte").into_iter().find(|(_, it)| it == "b11111110");
+    assert_eq!(cruise.map(|(t_ms, _)| t_ms.abs_diff(4940) <= 1), Some(true));
+}

@@ -1,0 +1,218 @@
+//! The near side: orders are kept until they are done.
+
+use super::{Driver, Order, Reply, Sent, Signal, Standing, Ticket};
+use std::collections::VecDeque;
+
+/// An order that was not taken within this time is sent again, seconds. A controller on a serial line
+/// answers within a few milliseconds; a guess.
+const PATIENCE_S: f64 = 0.25;
+
+/// A controller that answers nothing for so long is lost, seconds.
+const LOST_S: f64 = 2.0;
+
+/// While something is to be done the controller is asked so often where it is, seconds.
+const ASK_S: f64 = 0.1;
+
+/// Orders that may be with the controller at a time.
+const WINDOW: usize = 8;
+
+/// Whether the controller can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinkState {
+    /// It answers.
+    Up,
+    /// It refused an order: nothing more is sent.
+    Refused(Ticket, &'static str),
+    /// It does not answer: it was told to stop, and nothing more is sent.
+    Lost,
+}
+
+/// What became known.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Told {
+    /// An order is done.
+    Done(Ticket),
+    /// An input changed.
+    Input {
+        /// Its line.
+        line: u8,
+        /// Its state.
+        on: bool,
+    },
+    /// The state of the link changed.
+    State(LinkState),
+}
+
+/// Faults that were survived.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Troubles {
+    /// Orders sent again.
+    pub again: u32,
+    /// Replies that came twice, or for orders that are done.
+    pub stale: u32,
+    /// Replies that could not be read, or that name no order.
+    pub garbled: u32,
+}
+
+/// A controller with the orders that are under way.
+#[derive(Debug)]
+pub struct Link<D> {
+    driver: D,
+    state: LinkState,
+    /// The last ticket given.
+    given: Ticket,
+    /// Every ticket up to this is done.
+    done: Ticket,
+    /// Every ticket up to this was taken.
+    taken: Ticket,
+    /// Orders not done, the oldest first.
+    open: VecDeque<Sent>,
+    /// Every ticket up to this was sent once.
+    sent: Ticket,
+    /// When orders were sent last.
+    sent_s: f64,
+    asked_s: f64,
+    heard_s: f64,
+    standing: Option<Standing>,
+    troubles: Troubles,
+}
+
+impl<D: Driver> Link<D> {
+    /// A controller that stands, with nothing to do.
+    pub const fn new(driver: D) -> Self {
+        Self {
+            driver,
+            state: LinkState::Up,
+            given: 0,
+            done: 0,
+            taken: 0,
+            open: VecDeque::new(),
+            sent: 0,
+            sent_s: f64::NEG_INFINITY,
+            asked_s: f64::NEG_INFINITY,
+            heard_s: 0.0,
+            standing: None,
+            troubles: Troubles { again: 0, stale: 0, garbled: 0 },
+        }
+    }
+
+    /// Puts an order at the end of the row; nothing while the link is not up.
+    pub fn order(&mut self, order: Order) -> Option<Ticket> {
+        if self.state != LinkState::Up {
+            return None;
+        }
+        self.given += 1;
+        self.open.push_back(Sent { ticket: self.given, order });
+        Some(self.given)
+    }
+
+    /// Stops the machine; orders that are not done are forgotten.
+    pub fn stop(&mut self, now_s: f64) {
+        self.driver.signal(Signal::Stop, now_s);
+        self.open.clear();
+    }
+
+    /// Whether the link is up.
+    pub const fn state(&self) -> LinkState {
+        self.state
+    }
+
+    /// Where the controller was when it told last.
+    pub const fn standing(&self) -> Option<Standing> {
+        self.standing
+    }
+
+    /// Whether every order is done.
+    pub fn is_idle(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// Faults so far.
+    pub const fn troubles(&self) -> Troubles {
+        self.troubles
+    }
+
+    /// The driver.
+    pub const fn driver(&mut self) -> &mut D {
+        &mut self.driver
+    }
+
+    /// Time has come to here: answers are read, what is due is sent.
+    pub fn poll(&mut self, now_s: f64) -> Vec<Told> {
+        let mut told = Vec::new();
+        for reply in self.driver.replies(now_s) {
+            match reply {
+                Ok(reply) => self.hear(reply, now_s, &mut told),
+                Err(_) => self.troubles.garbled += 1,
+            }
+        }
+        if self.state == LinkState::Up && !self.open.is_empty() {
+            self.press_on(now_s, &mut told);
+        } else {
+            self.heard_s = self.heard_s.max(now_s);
+        }
+        told
+    }
+
+    fn hear(&mut self, reply: Reply, now_s: f64, told: &mut Vec<Told>) {
+        self.heard_s = now_s;
+        match reply {
+            Reply::Taken(ticket) if ticket <= self.taken => self.troubles.stale += 1,
+            Reply::Taken(ticket) if ticket <= self.sent => self.taken = ticket,
+            Reply::Done(ticket) if ticket <= self.done => self.troubles.stale += 1,
+            Reply::Done(ticket) if ticket <= self.sent => self.is_done(ticket, told),
+            Reply::Refused(ticket, why) if ticket > self.done && ticket <= self.sent => {
+                self.end(LinkState::Refused(ticket, why), now_s, told);
+            }
+            Reply::Refused(ticket, _) if ticket <= self.done => self.troubles.stale += 1,
+            Reply::Taken(_) | Reply::Done(_) | Reply::Refused(..) => self.troubles.garbled += 1,
+            Reply::Standing(standing) if standing.done <= self.sent => {
+                // What is done may have been told by a reply that was lost. An old answer tells
+                // less than is known.
+                if standing.done >= self.done {
+                    self.standing = Some(standing);
+                    self.is_done(standing.done, told);
+                } else {
+                    self.troubles.stale += 1;
+                }
+            }
+            Reply::Standing(_) => self.troubles.garbled += 1,
+            Reply::Input { line, on } => told.push(Told::Input { line, on }),
+        }
+    }
+
+    /// Orders are done one after the other: with one all before it are.
+    fn is_done(&mut self, ticket: Ticket, told: &mut Vec<Told>) {
+        while self.open.front().is_some_and(|first| first.ticket <= ticket) {
+            told.extend(self.open.pop_front().map(|first| Told::Done(first.ticket)));
+        }
+        self.done = self.done.max(ticket);
+        self.taken = self.taken.max(ticket);
+    }
+
+    /// Sends what is due, again where it was not taken in time.
+    fn press_on(&mut self, now_s: f64, told: &mut Vec<Told>) {
+        if now_s - self.heard_s > LOST_S {
+            return self.end(LinkState::Lost, now_s, told);
+        }
+        let late = now_s - self.sent_s > PATIENCE_S;
+        let from = if late { self.taken } else { self.sent };
+        let due = self.open.iter().take(WINDOW).filter(|sent| sent.ticket > from);
+        for sent in due {
+            self.troubles.again += u32::from(sent.ticket <= self.sent);
+            self.driver.send(sent, now_s);
+            self.sent = self.sent.max(sent.ticket);
+            self.sent_s = now_s;
+        }
+        if now_s - self.asked_s > ASK_S {
+            self.asked_s = now_s;
+            self.driver.signal(Signal::Ask, now_s);
+        }
+    }
+
+    fn end(&mut self, state: LinkState, now_s: f64, told: &mut Vec<Told>) {
+        self.state = state;
+        self.stop(now_s);
+        told.push(Told::State(state));
+    }
+}

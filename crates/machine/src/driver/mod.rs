@@ -1,0 +1,132 @@
+//! What a controller is asked and what it answers.
+//!
+//! A [`Driver`] is the protocol of one kind of controller as a value: it takes [`Order`]s with
+//! tickets, gives [`Reply`]s, and learns from its owner how late it is. It blocks nowhere and opens no
+//! port; bytes are moved by whoever owns it. The [`Link`] is what stands on the near side: it keeps
+//! orders until they are done, asks again when an answer is late, and gives up in a safe way.
+//!
+//! ```text
+//!  orders ──► Link ── Sent ──► Driver ~~~ controller
+//!  told   ◄── Link ◄─ Reply ── Driver ~~~
+//! ```
+//!
+//! What every driver has to hold is in [`conformance`]; the simulated machine passes it, and a
+//! driver for real hardware is run against the same list.
+
+pub mod conformance;
+mod link;
+
+pub use link::{Link, LinkState, Told, Troubles};
+
+use kerf_program::{AXES, Axes};
+
+/// The number of an order; they count up from 1.
+pub type Ticket = u32;
+
+/// What a controller can be asked to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Order {
+    /// A straight move, mm and mm/s (degrees and degrees/s of rotary axes).
+    Move {
+        /// Where to, machine frame.
+        to: Axes,
+        /// How fast at most.
+        speed_mm_s: f64,
+    },
+    /// Switches an output.
+    Output {
+        /// Its line.
+        line: u8,
+        /// Its state from then on.
+        on: bool,
+    },
+}
+
+/// What is asked outside the row of orders, and carried out at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Signal {
+    /// Tell where you are.
+    Ask,
+    /// Slow down on the path and wait.
+    Hold,
+    /// Go on.
+    Resume,
+    /// Slow down, forget every order that is not done, switch outputs off.
+    Stop,
+}
+
+/// An order with its ticket.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sent {
+    /// Its ticket.
+    pub ticket: Ticket,
+    /// The order.
+    pub order: Order,
+}
+
+/// Where a controller is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// Place of the axes, machine frame.
+    pub position: Axes,
+    /// Whether anything moves.
+    pub moving: bool,
+    /// Outputs that are on, a bit each, line 1 lowest.
+    pub outputs: u32,
+    /// The last order that is done; 0 for none.
+    pub done: Ticket,
+}
+
+/// What a controller answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reply {
+    /// An order was taken and will be carried out. Orders are taken in the order of their tickets.
+    Taken(Ticket),
+    /// It is done.
+    Done(Ticket),
+    /// It cannot be carried out.
+    Refused(Ticket, &'static str),
+    /// The answer to [`Signal::Ask`].
+    Standing(Standing),
+    /// An input changed.
+    Input {
+        /// Its line.
+        line: u8,
+        /// Its state.
+        on: bool,
+    },
+}
+
+/// Bytes came that are no reply.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("an answer could not be read")]
+pub struct Garbled;
+
+/// The protocol of one kind of controller. Times are seconds by one clock that never goes back.
+pub trait Driver {
+    /// Hands an order to the controller. The same ticket may come again: it is carried out once and
+    /// answered again. A ticket that does not follow the last one taken is left alone.
+    fn send(&mut self, sent: &Sent, now_s: f64);
+
+    /// Hands a signal to the controller.
+    fn signal(&mut self, signal: Signal, now_s: f64);
+
+    /// What came back up to a time.
+    fn replies(&mut self, now_s: f64) -> Vec<Result<Reply, Garbled>>;
+}
+
+/// Whether an order can be carried out by any machine.
+pub fn is_sound(order: &Order) -> bool {
+    match order {
+        Order::Move { to, speed_mm_s } => {
+            to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
+        }
+        Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),
+    }
+}
+
+/// The way of a move, its longest axis counted.
+pub fn way_mm(from: Axes, to: Axes) -> f64 {
+    let ways: [f64; AXES] = to.minus(from).0;
+    ways.iter().map(|way| way * way).sum::<f64>().sqrt()
+}

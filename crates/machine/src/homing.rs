@@ -1,0 +1,201 @@
+//! Finding home: each axis goes to its switch and counts from there (Profiler reference, "Finding the
+//! Home Position on an Axis"; ledger notes 86 to 88).
+//!
+//! ```text
+//!            1 ──────────────────►│   fast, until the switch turns on
+//!                           2 ◄───│   fast, until it turns off
+//!                             3 ─►│   slow, until it turns on: recorded
+//!         4, 5 ◄── distance off ──│   home, at the highest speed of the axis
+//! ```
+//!
+//! Two motors of one axis are homed together; then, if the machine is set so, each alone, so that
+//! each stands the same way off its own switch. The procedure is the same for every machine: it asks
+//! an [`Axle`] to move and to tell where its switch changed.
+
+use crate::Configuration;
+use crate::settings::axes::Z2;
+use crate::settings::homing::{HomeEnd, HomeSwitch};
+use kerf_program::{Axis, AxisSet};
+
+/// Which motors of an axis move, and whose switches are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// All of them; their switches are in parallel.
+    All,
+    /// One alone, counted from 0.
+    One(usize),
+}
+
+/// What a search came to, mm or degrees from zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sought {
+    /// Where the switch changed; nothing when it did not within the way allowed.
+    pub edge: Option<f64>,
+    /// Where the motion ended.
+    pub stopped: f64,
+}
+
+/// One axis of a machine that can be homed.
+pub trait Axle {
+    /// Whether a switch of these motors is on.
+    fn switch(&self, which: Which) -> bool;
+
+    /// Moves at a speed, negative backwards, until the switch of these motors reads `until`, then
+    /// slows to a stop; slows to a stop as well when `most` has been gone.
+    fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought;
+
+    /// Moves to a place at a speed.
+    fn go(&mut self, which: Which, to: f64, speed: f64);
+
+    /// The place where these motors stand is zero from now on.
+    fn zero(&mut self, which: Which);
+}
+
+/// A machine that can be homed.
+pub trait Rig {
+    /// One of its axes.
+    fn axle(&mut self, axis: Axis) -> &mut dyn Axle;
+}
+
+/// An axis that was homed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Homed {
+    /// The axis.
+    pub axis: Axis,
+    /// Which of its motors.
+    pub which: Which,
+    /// Where home is, counted from what was zero before.
+    pub home: f64,
+    /// The same in whole steps: how far the last home was off, where there was one.
+    pub difference_steps: i64,
+}
+
+/// A switch that did not come.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{axis} home not found")]
+pub struct NotFound {
+    /// The axis, as people call it.
+    pub axis: &'static str,
+}
+
+/// The order in which axes are homed: the tool first leaves the work.
+const ORDER: [Axis; 6] = [Axis::Z, Axis::A, Axis::X, Axis::Y, Axis::B, Axis::C];
+
+/// How much further than its length an axis is searched.
+const MARGIN: f64 = 1.1;
+
+/// Homes axes of a machine. Axes without a switch keep the zero they have.
+///
+/// # Errors
+/// [`NotFound`] with the first axis whose switch did not come; it is not homed, nor are those that
+/// would have followed.
+pub fn home(
+    machine: &Configuration,
+    rig: &mut dyn Rig,
+    axes: AxisSet,
+) -> Result<Vec<Homed>, NotFound> {
+    let mut homed = Vec::new();
+    for axis in ORDER {
+        if axes.contains(axis) && machine.homing.of(axis).fitted {
+            home_axis(machine, rig.axle(axis), axis, &mut homed)?;
+        }
+    }
+    Ok(homed)
+}
+
+fn home_axis(
+    machine: &Configuration,
+    axle: &mut dyn Axle,
+    axis: Axis,
+    homed: &mut Vec<Homed>,
+) -> Result<(), NotFound> {
+    let search = Search::new(machine, axis);
+    let motors = machine.motors.of_axis(axis).len();
+    let mut rounds = vec![Which::All];
+    if search.separate && motors > 1 {
+        rounds.extend((0..motors).map(Which::One));
+    }
+    for which in rounds {
+        let home = search.find(axle, which)?;
+        axle.go(which, home, search.top);
+        axle.zero(which);
+        let steps = machine.program.resolution.steps_per_unit[axis];
+        homed.push(Homed { axis, which, home, difference_steps: (home * steps).round() as i64 });
+    }
+    Ok(())
+}
+
+/// What is needed to find the home of an axis.
+struct Search {
+    name: &'static str,
+    switch: HomeSwitch,
+    /// The direction of the switch.
+    toward: f64,
+    /// How far it is looked for.
+    most: f64,
+    /// The highest speed of the axis.
+    top: f64,
+    /// By so much home lies further.
+    adjustment: f64,
+    separate: bool,
+}
+
+impl Search {
+    fn new(machine: &Configuration, axis: Axis) -> Self {
+        let switch = *machine.homing.of(axis);
+        let limits = &machine.program.limits;
+        let length = match machine.axes.length[axis] {
+            length if length > 0.0 => length,
+            _ => limits.high[axis] - limits.low[axis],
+        };
+        let second_head = axis == Z2 && machine.motors.z2.is_some();
+        Self {
+            name: machine.motors.axis_name(axis),
+            switch,
+            toward: if switch.end == HomeEnd::High { 1.0 } else { -1.0 },
+            most: length * MARGIN,
+            top: machine.program.axis_dynamics().speed_mm_s[axis],
+            adjustment: if second_head { machine.homing.z2_adjustment_mm } else { 0.0 },
+            separate: match axis {
+                Axis::X => machine.homing.separate_x,
+                Axis::Y => machine.homing.separate_y,
+                _ => false,
+            },
+        }
+    }
+
+    /// Where home is, from zero.
+    fn find(&self, axle: &mut dyn Axle, which: Which) -> Result<f64, NotFound> {
+        let (fast, slow) = (self.switch.fast * self.toward, self.switch.slow * self.toward);
+        if axle.switch(which) {
+            self.seek(axle, which, -fast, false)?;
+        }
+        self.seek(axle, which, fast, true)?;
+        let left = self.seek(axle, which, -fast, false)?;
+        let edge = if slow == 0.0 { left } else { self.seek(axle, which, slow, true)? };
+        Ok(edge - self.toward * self.switch.off + self.adjustment)
+    }
+
+    fn seek(
+        &self,
+        axle: &mut dyn Axle,
+        which: Which,
+        speed: f64,
+        until: bool,
+    ) -> Result<f64, NotFound> {
+        axle.seek(which, speed, until, self.most).edge.ok_or(NotFound { axis: self.name })
+    }
+}
+
+/// Where an axis may go, mm or degrees: from its length and the end at which it is homed, counted
+/// from home. `None` without a length, or where movement is not limited.
+pub fn soft_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
+    let length = machine.axes.length[axis];
+    if !machine.axes.limit_movement || length <= 0.0 {
+        return None;
+    }
+    Some(match machine.homing.of(axis).end {
+        HomeEnd::Low => (0.0, length),
+        HomeEnd::High => (-length, 0.0),
+    })
+}

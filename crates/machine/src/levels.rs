@@ -1,0 +1,67 @@
+//! From the levels at the pins to what inputs read (Profiler reference, "PCI Card", "I/O Card";
+//! ledger note 57).
+
+use crate::settings::io::{Card, IoMap, PORT_BITS};
+use crate::wiring::Port;
+
+/// The eight inverts of a port as a byte, bit 0 lowest.
+fn mask(inverts: [bool; PORT_BITS]) -> u8 {
+    inverts.iter().enumerate().fold(0, |byte, (place, on)| byte | u8::from(*on) << place)
+}
+
+impl IoMap {
+    /// What the inputs of a port read when its pins have these levels, a bit each: 1 is active.
+    pub fn reads(&self, port: Port, levels: u8) -> u8 {
+        let grounded = if self.card == Card::Pci { u8::MAX } else { 0 };
+        let inverts = match port {
+            Port::A => mask(self.invert_a),
+            Port::B => mask(self.invert_b),
+            Port::C => 0,
+        };
+        levels ^ grounded ^ inverts
+    }
+
+    /// The levels of the pins at which inputs read so: the way back.
+    pub fn levels(&self, port: Port, reads: u8) -> u8 {
+        self.reads(port, reads)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(card: Card, inverted: Option<usize>, levels: u8, expected: u8) {
+        let mut map = IoMap { card, ..IoMap::default() };
+        inverted.into_iter().for_each(|place| map.invert_a[place] = true);
+        assert_eq!(map.reads(Port::A, levels), expected);
+        assert_eq!(map.levels(Port::A, expected), levels);
+    }
+
+    #[test]
+    fn pro_io_levels() {
+        check(Card::None, None, 0x04, 0x04);
+        check(Card::Pci, None, 0xFB, 0x04);
+        check(Card::Io, None, 0x04, 0x04);
+        check(Card::Io, Some(2), 0x00, 0x04);
+        check(Card::Pci, Some(2), 0xFF, 0x04);
+    }
+
+    #[test]
+    fn pro_io_pci_i_elec() {
+        let notes =
+            crate::wiring::wiring("pci").map(|card| card.notes.join(" ")).unwrap_or_default();
+        assert!(notes.contains("opto-isolated, 1 kOhm for 12 V, active when pulled to ground"));
+        check(Card::Pci, None, 0b1111_1110, 1);
+    }
+
+    #[test]
+    fn pro_io_io_in_elec() {
+        let notes =
+            crate::wiring::wiring("io").map(|card| card.notes.join(" ")).unwrap_or_default();
+        assert!(
+            notes.contains("8, positive switching (pnp), +15 V supply, filtered, opto-isolated")
+        );
+        check(Card::Io, None, 1, 1);
+    }
+}
