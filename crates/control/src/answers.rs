@@ -5,6 +5,7 @@
 //! any case; `"Cancel"` in quotes is text, not the button. Blank lines are empty answers; lines that
 //! begin with `#` are notes.
 
+use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use kerf_machine::sequence::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
@@ -139,7 +140,8 @@ pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
 /// Whether words tell the machine something that is no button of the box.
 fn command(question: &Question, words: &str) -> bool {
     match question.kind {
-        QuestionKind::Hold => Nudge::read(words).is_some(),
+        QuestionKind::Hold => Nudge::read(words).is_some() || Jog::read(words).is_some(),
+        QuestionKind::Keypad => Jog::read(words).is_some(),
         QuestionKind::Paused => Word::read(words).is_some(),
         QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,

@@ -99,7 +99,8 @@ impl<I: Interpreter> Runner<'_, I> {
             for index in 0..plan.moves().len() {
                 let [_, end_s] = self.moments(t0_s, plan.span_s(index).into());
                 let going = Going { plan: &plan, index, t0_s };
-                self.pass_on(&Turn::Operator(Wish::Stop), end_s, going);
+                // What is wanted meanwhile comes after it.
+                self.pass_on(&Turn::Operator(Wish::End), end_s, going);
                 self.make_one(&plan, index, t0_s);
             }
         }
@@ -235,7 +236,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.world.machine.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
     }
 
-    fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
+    pub(crate) fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
         let Some(span) = plan.span(index) else { return };
         self.last_move = span.made.at;
         self.trail.moves(span.made.at);

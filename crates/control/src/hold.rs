@@ -1,14 +1,15 @@
 //! A run that the operator stopped in the middle: what may be done until it goes on or is given up.
 //!
 //! ```text
-//!  stop: ramp down ─► lift to Safe-Z ─► ask ─► Resume: back down, on along the path
+//!  stop: ramp down ─► lift to Safe-Z ─► ask ─► Resume: back over it and down, on along the path
 //!                                        │ ▲
-//!                                  nudge └─┘    Quit: the run is over
+//!                             nudge, jog └─┘    Quit: the run is over
 //! ```
 //!
 //! A nudge moves the tool and the working zero alike: whatever is cut next is shifted, and what the
 //! display calls the place stays (command reference, MN).
 
+use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::runner::{Over, Runner};
 use crate::{Event, flag};
@@ -29,18 +30,29 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.machine.land_torch();
         let (stood, ahead) = (self.world.machine.position(), self.mover.position());
         self.lift();
+        let lifted_mm = self.world.machine.position()[Axis::Z];
         let nudged = self.until_resumed()?;
         self.world.machine.resumed();
         self.world.machine.begin_motion();
         self.world.tell_log();
         self.world.tell(&Event::Resume { t: self.world.now() });
-        let mut back = self.world.machine.position();
-        back[Axis::Z] = stood[Axis::Z] + nudged[Axis::Z];
-        self.go(MoveKind::Cut, back);
+        self.come_back(stood.plus(nudged), lifted_mm + nudged[Axis::Z]);
         self.shift(nudged);
         self.mover.set_position(ahead.plus(nudged));
         self.tell_standing(0);
         Ok(())
+    }
+
+    /// Goes back to where the machine stood, from wherever the operator moved it: over it at the height
+    /// to which it was lifted, or higher, then down.
+    fn come_back(&mut self, stood: Axes, lifted_mm: f64) {
+        let mut above = self.world.machine.position();
+        above[Axis::Z] = above[Axis::Z].max(lifted_mm);
+        self.go(MoveKind::Jog, above);
+        let mut over = stood;
+        over[Axis::Z] = above[Axis::Z];
+        self.go(MoveKind::Jog, over);
+        self.go(MoveKind::Cut, stood);
     }
 
     /// Does what the operator says until the run goes on; the sum of all nudges.
@@ -52,6 +64,8 @@ impl<I: Interpreter> Runner<'_, I> {
                 Answer::Text(words) => {
                     if let Some(nudge) = Nudge::read(&words) {
                         nudged = nudged.plus(self.nudge(nudge));
+                    } else if let Some(jog) = Jog::read(&words) {
+                        self.jog(jog);
                     }
                 }
                 Answer::Button(_) => {

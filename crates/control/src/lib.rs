@@ -15,6 +15,7 @@
 //! The same program, settings, files, answers and inputs give the same events, byte for byte.
 
 pub mod answers;
+mod by_hand;
 mod check;
 pub mod command_passing;
 mod conversion;
@@ -53,6 +54,7 @@ mod waiting;
 mod work;
 mod world;
 
+pub use by_hand::Jog;
 pub use check::{Checked, check};
 pub use desk::Desk;
 pub use event::Event;

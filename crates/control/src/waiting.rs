@@ -1,12 +1,15 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
+use crate::by_hand::Jog;
 use crate::journal::Kind;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Move;
-use kerf_program::{Answer, At, Button, Halted, Interpreter, Question, Status, StoppedBy};
+use kerf_program::{
+    Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
+};
 use kerf_sim::HaltCause;
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -183,9 +186,26 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             return flow;
         }
-        match self.world.answer_open_question(at) {
-            Ok(()) => Flow::On,
+        match self.answer_of_operator(at) {
+            Ok(answer) => {
+                self.world.answer = answer;
+                Flow::On
+            }
             Err(why) => Flow::Over(self.unanswered(at, why)),
+        }
+    }
+
+    /// What the operator answers to the question that is open; at a keypad he moves the tool before.
+    fn answer_of_operator(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
+        let Some(question) = self.world.question.take() else { return Ok(None) };
+        loop {
+            let answer = self.world.ask_now(&question, at)?;
+            match &answer {
+                Answer::Text(words) if question.kind == QuestionKind::Keypad => {
+                    Jog::read(words).into_iter().for_each(|jog| self.jog(jog));
+                }
+                _ => return Ok(Some(answer)),
+            }
         }
     }
 

@@ -322,21 +322,10 @@ impl<'a> World<'a> {
         }
     }
 
-    /// Asks the operator, tells it, and keeps the answer for the program's next step.
-    ///
-    /// # Errors
-    /// The operator stops instead, or the script answers with a button that the box does not have.
-    pub fn answer_open_question(&mut self, at: At) -> Result<(), Unanswered> {
-        if let Some(question) = self.question.take() {
-            self.answer = Some(self.ask_now(&question, at)?);
-        }
-        Ok(())
-    }
-
     /// Asks the operator and tells it.
     ///
     /// # Errors
-    /// As [`World::answer_open_question`].
+    /// The operator stops instead, or the script answers with a button that the box does not have.
     pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, Unanswered> {
         self.machine.warning_off();
         self.tell_log();

@@ -1,9 +1,10 @@
 //! What pages ask for: who may, when, and what is done.
 
 use crate::app::{App, Open, lock, problem};
-use crate::machine::Order;
 use crate::machine::link::Held;
-use kerf_program::Axis;
+use crate::machine::{Order, reach};
+use kerf_control::Jog;
+use kerf_program::{Axes, Axis};
 use kerf_sbp::table::{self, Group};
 use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, State, Who, Why};
 use std::sync::Arc;
@@ -314,7 +315,7 @@ impl App {
         if !self.pages.may_start(who.client, seq) {
             return Err(problem(Why::Late, "this jog is over already"));
         }
-        let held = Held { seq, client: who.client, renewed: Instant::now(), released: false };
+        let held = Held::pressed(who.client, seq);
         let busy = self.link.want(|wanted| match &wanted.jog {
             Some(_) => true,
             None => wanted.jog.replace(held).is_some(),
@@ -322,7 +323,29 @@ impl App {
         if busy {
             return Err(problem(Why::State, "another jog is not over yet"));
         }
-        self.order(order, State::Jogging).inspect_err(|_| self.link.lock().jog = None)
+        let begun = match self.question_for_hands() {
+            Some(question) => self.jog_in_question(question, &order),
+            None => self.order(order, State::Jogging),
+        };
+        begun.inspect_err(|_| self.link.lock().jog = None)
+    }
+
+    /// The question that lets the tool be moved while it is open: the keypad, or the one after a stop.
+    fn question_for_hands(&self) -> Option<u32> {
+        self.hub.read(|now| {
+            let stands = matches!(now.machine.state, State::Asking | State::Stopped);
+            let asked = now.asked.as_ref().filter(|_| stands)?;
+            ["keypad", "hold"].contains(&asked.kind.as_str()).then_some(asked.number)
+        })
+    }
+
+    fn jog_in_question(&self, question: u32, order: &Order) -> Result<(), Problem> {
+        let Order::Jog { direction, distance, speed } = order else { return Ok(()) };
+        let base = Axes(self.hub.read(|now| now.motion.at.base));
+        let far = reach(&lock(&self.left).memory.settings, base, *direction, *distance);
+        let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: speed.abs() };
+        self.link.want(|wanted| wanted.answer = Some((question, jog.to_string())));
+        Ok(())
     }
 
     fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {

@@ -230,3 +230,26 @@ fn scripts_do_the_same_over_http() {
     assert_eq!(described["openapi"], "3.1.0");
     assert!(described["components"]["schemas"]["Snapshot"].is_object());
 }
+
+#[test]
+fn the_machine_is_never_shown_where_it_was_before() {
+    let shop = shop(2.0, &[("long.sbp", "MS,1\nMX,10\n")]);
+    let mut page = shop.driver();
+    page.open_file("long.sbp");
+    assert_eq!(page.run(), None);
+    page.until("cutting", |page| page.x() > 5.0);
+    page.act(json!({ "do": "override", "lease": page.lease, "feed": 150.0 }));
+    let mut last = 0.0;
+    let mut stopped = false;
+    while page.shown["machine"]["state"] == "running" {
+        assert!(page.x() >= last, "{} after {last}", page.x());
+        last = page.x();
+        if last > 80.0 && !stopped {
+            stopped = true;
+            page.send(json!({ "do": "stop" }));
+        }
+        page.read();
+    }
+    page.until_state("stopped");
+    assert!(page.x() >= last && page.x() < 200.0, "{}", page.x());
+}

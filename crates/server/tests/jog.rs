@@ -160,3 +160,72 @@ fn directions_and_speeds_that_make_no_sense_are_refused() {
         assert_eq!(page.act(act).as_deref(), Some("malformed"), "{direction:?} {distance} {speed}");
     }
 }
+
+/// Waits until a jog in a question is over.
+fn jog_in_question(page: &mut Page, seq: u32, direction: [f64; 6], state: &str) {
+    let act = json!({ "do": "jogStart", "lease": page.lease, "seq": seq,
+        "direction": direction, "distance": 10.0, "speed": 1.0 });
+    assert_eq!(page.act(act), None);
+    page.until_state("jogging");
+    hold(page, seq, Duration::from_millis(500));
+    page.until_state(state);
+}
+
+#[test]
+fn a_program_that_opened_the_keypad_goes_on_where_the_tool_was_moved() {
+    let shop = shop(1.0, &[("keypad.sbp", "SK,\"Move to the corner\"\nZX\nMX,.1\n")]);
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    let number = page.asked("keypad");
+    jog_in_question(&mut page, 1, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0], "asking");
+    jog_in_question(&mut page, 2, [1.0, 1.0, 0.0, 0.0, 0.0, 0.0], "asking");
+    assert_eq!(page.shown["asked"]["number"], number, "it is the same question");
+    assert!((page.x() - 20.0).abs() < 1e-6, "{}", page.x());
+    let begin = start(&page, 3);
+    assert_eq!(page.act(begin), None);
+    page.until_state("jogging");
+    page.until_state("asking");
+    let let_go = page.x();
+    assert!(let_go > 20.0 && let_go < 60.0, "{let_go}");
+    assert_eq!(page.act(json!({ "do": "answer", "question": number, "answer": "OK" })), None);
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "ok");
+    assert!((page.x() - 2.54).abs() < 1e-6);
+    let base = page.shown["motion"]["at"]["base"][0].as_f64().unwrap();
+    assert!((base - let_go - 2.54).abs() < 1e-6);
+}
+
+#[test]
+fn after_a_stop_the_tool_is_moved_away_and_the_cut_goes_on_where_it_was() {
+    let shop = shop(1.0, &[("cut.sbp", "MS,1,1\nMZ,-.1\nMX,2\n")]);
+    let mut page = shop.driver();
+    page.open_file("cut.sbp");
+    assert_eq!(page.run(), None);
+    page.until("some way", |page| page.x() > 5.0);
+    page.act(json!({ "do": "stop" }));
+    page.until_state("stopped");
+    let stood = page.x();
+    jog_in_question(&mut page, 1, [0.0, 1.0, 0.5, 0.0, 0.0, 0.0], "stopped");
+    assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
+    page.until("the cut", |page| page.shown["motion"]["cutting"] == true && page.x() > stood + 1.0);
+    let at = page.shown["motion"]["at"]["working"].clone();
+    assert!(at[1].as_f64().unwrap().abs() < 1e-6 && (at[2].as_f64().unwrap() + 2.54).abs() < 1e-6);
+    page.until_state("idle");
+    assert!((page.x() - 50.8).abs() < 1e-6);
+}
+
+#[test]
+fn a_stop_during_a_jog_in_a_question_ends_the_job() {
+    let shop = shop(1.0, &[("keypad.sbp", "SK\nMX,5\n")]);
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    page.asked("keypad");
+    let begin = start(&page, 1);
+    assert_eq!(page.act(begin), None);
+    page.until_state("jogging");
+    page.act(json!({ "do": "stop" }));
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "stopped");
+}

@@ -7,7 +7,7 @@ use super::link::Link;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use kerf_control::answers::{self, Operator};
-use kerf_control::{Doing, Event, Made, OpenFile, Pace, Sink, Standing, Wish};
+use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::{Asked, Call, Change, Machine, State, Tone};
 use std::cell::RefCell;
@@ -54,12 +54,15 @@ pub struct Clock {
     rate: f64,
     /// A moment of the world, and the machine time then.
     seen: Option<(Instant, f64)>,
+    /// Machine time that has passed. A run that is told something in the middle of a move asks again
+    /// from its beginning.
+    passed_s: f64,
 }
 
 impl Clock {
     /// A clock that begins with the run.
     pub const fn new(shared: Shared, rate: f64) -> Self {
-        Self { shared, rate, seen: None }
+        Self { shared, rate, seen: None, passed_s: 0.0 }
     }
 
     /// Machine time now, when it was `from_s` at the last look or later.
@@ -86,11 +89,14 @@ impl Pace for Clock {
     }
 
     fn watch(&mut self, from_s: f64, to_s: f64, doing: &Doing<'_>) -> Option<(f64, Wish)> {
+        let from_s = from_s.max(self.passed_s);
+        let to_s = to_s.max(from_s);
         self.stay_behind(from_s);
         let shared = self.shared.clone();
         let mut wanted = shared.link.lock();
         loop {
             let now_s = self.now(from_s).clamp(from_s, to_s);
+            self.passed_s = now_s;
             if let Some(wish) = wanted.wish() {
                 return Some((now_s, wish));
             }
@@ -114,7 +120,7 @@ impl Pace for Clock {
 
     fn heard(&mut self) {
         self.seen = None;
-        self.shared.link.want(|wanted| wanted.stop = false);
+        self.shared.link.want(|wanted| wanted.hear_stop());
     }
 
     /// Stands until somebody resumes, or stops, which ends the run.
@@ -123,7 +129,7 @@ impl Pace for Clock {
         self.shared.state(State::Held);
         let mut wanted = self.shared.link.lock();
         loop {
-            if std::mem::take(&mut wanted.stop) {
+            if wanted.hear_stop() {
                 return None;
             }
             if std::mem::take(&mut wanted.resume) {
@@ -144,12 +150,14 @@ pub struct Pages {
     shared: Shared,
     asked: u32,
     stopped: bool,
+    /// The last answer was a jog.
+    jogged: bool,
 }
 
 impl Pages {
     /// Questions count from a number on, so that no answer goes to another run.
     pub const fn new(shared: Shared, asked: u32) -> Self {
-        Self { shared, asked, stopped: false }
+        Self { shared, asked, stopped: false, jogged: false }
     }
 
     /// How many questions were asked.
@@ -165,7 +173,7 @@ impl Pages {
     fn wait(&mut self, question: &Question) -> Option<String> {
         let mut wanted = self.shared.link.lock();
         loop {
-            if std::mem::take(&mut wanted.stop) {
+            if wanted.hear_stop() {
                 self.stopped = true;
                 return None;
             }
@@ -186,14 +194,21 @@ impl Operator for Pages {
     }
 
     fn answer_in(&mut self, question: &Question, file: &str, line: u32) -> Option<String> {
-        self.asked += 1;
+        // A question that is asked again after a jog is the same.
+        self.asked += u32::from(!std::mem::take(&mut self.jogged));
+        self.shared.link.lock().jog = None;
         let stopped = question.kind == QuestionKind::Hold;
         self.shared.state(if stopped { State::Stopped } else { State::Asking });
         let file = self.shared.parts.name_of(file);
         self.show(Some(asked(self.asked, question, file, line)));
         let answer = self.wait(question);
-        self.show(None);
-        self.shared.state(State::Running);
+        self.jogged = answer.as_deref().is_some_and(|words| Jog::read(words).is_some());
+        if self.jogged {
+            self.shared.state(State::Jogging);
+        } else {
+            self.show(None);
+            self.shared.state(State::Running);
+        }
         answer
     }
 

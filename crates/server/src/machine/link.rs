@@ -19,6 +19,8 @@ pub struct Link {
 pub struct Wanted {
     /// Stop; stays until it was heard.
     pub stop: bool,
+    /// The run was told to stop, and ramps down.
+    stopping: bool,
     /// Hold.
     pub hold: bool,
     /// Go on after a hold.
@@ -42,9 +44,16 @@ pub struct Held {
     pub renewed: Instant,
     /// It was let go.
     pub released: bool,
+    /// The run was told so, and ramps down.
+    ending: bool,
 }
 
 impl Held {
+    /// A key that was pressed just now.
+    pub fn pressed(client: u32, seq: u32) -> Self {
+        Self { seq, client, renewed: Instant::now(), released: false, ending: false }
+    }
+
     /// Whether nobody holds the key any more.
     pub fn is_over(&self) -> bool {
         self.released || self.renewed.elapsed() > DEAD_MAN
@@ -52,19 +61,26 @@ impl Held {
 }
 
 impl Wanted {
-    /// What the run is to do now. A jog ends at whatever is wanted.
+    /// What the run is to do now, told once. A jog ends at whatever is wanted.
     pub fn wish(&mut self) -> Option<Wish> {
-        if let Some(held) = &self.jog {
+        if let Some(held) = &mut self.jog {
             let over = held.is_over() || self.stop || self.hold;
-            return over.then_some(Wish::End);
+            let told = std::mem::replace(&mut held.ending, over);
+            return (over && !told).then_some(Wish::End);
         }
-        if self.stop {
+        if self.stop && !std::mem::replace(&mut self.stopping, true) {
             return Some(Wish::Stop);
         }
         if std::mem::take(&mut self.hold) {
             return Some(Wish::Hold);
         }
         self.feed.take().map(Wish::Feed)
+    }
+
+    /// Whether a stop is wanted; it is heard now.
+    pub fn hear_stop(&mut self) -> bool {
+        self.stopping = false;
+        std::mem::take(&mut self.stop)
     }
 }
 

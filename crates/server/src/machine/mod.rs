@@ -10,6 +10,8 @@ mod board;
 mod company;
 pub mod link;
 mod owner;
+mod reach;
 
 pub use link::Link;
 pub use owner::{Order, Owner};
+pub use reach::reach;

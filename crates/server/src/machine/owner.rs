@@ -3,6 +3,7 @@
 use super::board::{Board, Times};
 use super::company::{Clock, Pages, Shared, Teller};
 use super::link::Link;
+use super::reach::reach;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::setup::Workshop;
@@ -17,9 +18,6 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, PoisonError};
-
-/// Longest way of a jog when no table limit is in its way, mm or degrees.
-const FAR: f64 = 10_000.0;
 
 /// What the machine is to do next.
 #[derive(Debug)]
@@ -245,15 +243,7 @@ fn jog_settings(settings: &Settings, speed: f64) -> Settings {
 /// The command that makes a jog: to the table limits where they are in the way.
 fn jog_line(memory: &kerf_sbp::Session, direction: [f64; AXES], distance: Option<f64>) -> String {
     let settings = &memory.settings;
-    let base = memory.frame.base(memory.position);
-    let mut far = distance.unwrap_or(FAR);
-    for axis in Axis::ALL.into_iter().filter(|_| settings.limits.check) {
-        let way = direction[axis.index()];
-        let limit = if way > 0.0 { settings.limits.high } else { settings.limits.low }[axis];
-        if way != 0.0 {
-            far = far.min(((limit - base[axis]) / way).max(0.0));
-        }
-    }
+    let far = reach(settings, memory.frame.base(memory.position), direction, distance);
     let working = memory.frame.working(memory.position);
     let place = |axis: Axis| match direction[axis.index()] {
         0.0 => String::new(),
