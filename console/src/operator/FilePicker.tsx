@@ -32,7 +32,7 @@ export function FilePicker() {
       <ListBox
         aria-label="Files"
         className="files"
-        selectionMode="single"
+        selectionMode="none"
         onAction={(key) => {
           if (key === "..") return setFolder(parentOf(folder));
           const file = files.find(({ name }) => name === key);

@@ -38,6 +38,8 @@ export class PathScene {
   readonly #coarse = new PathLines(this.#material);
   readonly #fine = new PathLines(this.#material);
   #vertices = 0;
+  #shown: ToolPath["coarse"] | undefined;
+  #size: Size = { width: 0, height: 0 };
   #now = 0;
   #stock: CutStock | null = null;
   #carving = 0;
@@ -73,7 +75,10 @@ export class PathScene {
       const z = path.info.origin[2];
       this.#material.heights = [(low?.[2] ?? 0) - z, (high?.[2] ?? 1) - z];
     }
-    this.#moved();
+    // Pieces that arrive are drawn together when all are there.
+    const first = path?.coarse !== this.#shown;
+    this.#shown = path?.coarse;
+    if (first || path?.complete) this.#moved();
   }
 
   /** Everything before this planned time is made. */
@@ -104,14 +109,21 @@ export class PathScene {
   }
 
   look(camera: Camera, size: Size): void {
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.setSize(size.width, size.height, false);
+    this.#resize(size);
     const [x, y] = [(size.width * camera.mmPerPixel) / 2, (size.height * camera.mmPerPixel) / 2];
     Object.assign(this.#eye, { left: -x, right: x, top: y, bottom: -y, near: -farMm, far: farMm });
     this.#eye.position.set(...camera.target);
     this.#eye.rotation.set(camera.tiltRad, 0, camera.yawRad, "ZXY");
     this.#eye.updateProjectionMatrix();
     this.#moved();
+  }
+
+  /** A canvas is made anew when its size is set, so only when it is another. */
+  #resize(size: Size): void {
+    if (size.width === this.#size.width && size.height === this.#size.height) return;
+    this.#size = size;
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.#renderer.setSize(size.width, size.height, false);
   }
 
   dispose(): void {
@@ -128,7 +140,7 @@ export class PathScene {
   #moved(): void {
     clearTimeout(this.#still);
     const swift = this.#fine.lines.length <= 1;
-    this.#draw(swift ? this.#fine.lines : this.#coarse.lines);
+    this.#draw(swift && this.#fine.lines.length > 0 ? this.#fine.lines : this.#coarse.lines);
     if (!swift) this.#still = window.setTimeout(() => this.#draw(this.#fine.lines), stillMs);
   }
 
