@@ -117,6 +117,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.world.machine.end_file();
         self.world.tell_log();
         self.world.flush_print();
+        self.world.file_runs = false;
         let stopped = if over.status == Status::Stopped { flag::STOPPED } else { 0 };
         self.world.tell_standing(stopped, &Vec::new);
         over
@@ -248,6 +249,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     fn learn_files(&mut self) {
         while let Some(name) = self.interpreter.file_name(self.world.files_known() as u32) {
             self.world.name_file(name);
+            self.world.file_runs |= self.world.files_known() > self.world.typed_files;
         }
     }
 

@@ -174,6 +174,7 @@ impl Session {
         let mut world = World::new(machine, shelf, sink, operator);
         world.previews = options.program.preview;
         world.silent = stands.is_some();
+        world.typed_files = depth;
         let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
         let interpreter = Interpreter::new(program, memory, read);
         let mut runner =

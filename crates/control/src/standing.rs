@@ -8,10 +8,14 @@ pub mod flag {
     pub const FILE_RUNNING: u8 = 1;
     /// It is only drawn.
     pub const PREVIEW: u8 = 2;
+    /// The keypad is open.
+    pub const KEYPAD: u8 = 4;
     /// It waits: for an answer, an input or a time.
     pub const PAUSED: u8 = 8;
     /// The operator or an input stopped it.
     pub const STOPPED: u8 = 16;
+    /// A stack of moves, or a jog, is being made.
+    pub const STACK_RUNNING: u8 = 32;
 }
 
 /// Where a run stands.

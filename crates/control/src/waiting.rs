@@ -172,7 +172,9 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Answers the question that is open: an input does, or the operator.
     pub(crate) fn answer(&mut self) -> Flow {
         self.wake();
-        self.tell_standing(flag::PAUSED);
+        let asked = self.world.question.as_ref().map(|question| question.kind);
+        let keypad = asked == Some(QuestionKind::Keypad);
+        self.tell_standing(if keypad { flag::KEYPAD } else { flag::PAUSED });
         self.trail.asks(self.interpreter.call_stack());
         let at = self.asking_line();
         let until = self.world.question.as_ref().and_then(|q| q.until);

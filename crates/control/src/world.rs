@@ -11,6 +11,7 @@ use crate::sink::Made;
 use crate::{OpenFile, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::lines::{Input, Output};
+use kerf_program::settings::SWITCHES;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Command, Frame, Independent, OutputReason, Question, Settings,
 };
@@ -51,6 +52,10 @@ pub(crate) struct World<'a> {
     told: BTreeSet<(Code, SourcePlace, String)>,
     /// The run is a preview.
     pub previews: bool,
+    /// A part file runs, for those who look from outside.
+    pub file_runs: bool,
+    /// Files that are open and are none: one, where lines were typed.
+    pub typed_files: usize,
     /// Nothing is told: what happens has happened before.
     pub silent: bool,
 }
@@ -77,6 +82,8 @@ impl<'a> World<'a> {
             answer: None,
             told: BTreeSet::new(),
             previews: false,
+            file_runs: false,
+            typed_files: 0,
             silent: false,
         }
     }
@@ -98,13 +105,20 @@ impl<'a> World<'a> {
     /// Tells where the run stands, when anybody looks: its flags besides those of running and
     /// previewing, and the lines that are read next.
     pub fn tell_standing(&mut self, flags: u8, lines: &dyn Fn() -> Vec<At>) {
+        let preview = if self.previews || self.machine.draws() { flag::PREVIEW } else { 0 };
+        let lines = lines();
+        // A file that was read to its end still moves.
+        if !lines.is_empty() {
+            self.file_runs = lines.len() > self.typed_files;
+        }
+        let file = if self.file_runs { flag::FILE_RUNNING } else { 0 };
+        self.shelf.tape.stands(flags | preview | file);
         if self.silent || !self.sink.looks_at_standing() {
             return;
         }
         let open = |at: At| OpenFile { file: self.file(at), line: at.line };
-        let files: Vec<OpenFile> = lines().into_iter().map(open).collect();
+        let files: Vec<OpenFile> = lines.into_iter().map(open).collect();
         let running = if files.is_empty() { 0 } else { flag::FILE_RUNNING };
-        let preview = if self.previews || self.machine.draws() { flag::PREVIEW } else { 0 };
         self.sink.standing(&Standing { status: flags | running | preview, files });
     }
 
@@ -166,6 +180,12 @@ impl<'a> World<'a> {
         if self.machine.log().is_empty() {
             return;
         }
+        let bits = |is_on: &dyn Fn(u8) -> bool| {
+            (1..=SWITCHES as u8).filter(|n| is_on(*n)).fold(0, |bits, n| bits | 1 << (n - 1))
+        };
+        let inputs = bits(&|n| self.machine.input(n));
+        let outputs = bits(&|n| self.machine.outputs().is_on(n));
+        self.shelf.tape.switches(inputs, outputs);
         let happenings: Vec<Happening> = self.machine.log().take().collect();
         for happening in happenings {
             let event = self.happened(&happening);

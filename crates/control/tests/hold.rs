@@ -47,7 +47,7 @@ fn nobody_answers_the_run_is_over() {
 }
 
 #[test]
-fn a_resumed_run_comes_back_to_where_it_was() {
+fn sbp_lim_stop_resume() {
     let resumed = held(SQUARE, 2.0, "hold=Resume");
     assert_eq!(resumed.summary.status, Status::Ok);
     let ends = ends(&resumed);

@@ -32,6 +32,7 @@ impl Visit {
         let log = SystemLog::new(self.opening.clone(), clock::started);
         shelf.open_system_log(log, &session.memory.settings, draws);
         if let Some(journal) = shelf.journal() {
+            journal.take_in()?;
             command_passing::forget(journal)?;
         }
         Ok(())
@@ -40,6 +41,7 @@ impl Visit {
     /// A command that was passed in since; one that cannot be used is told and left.
     pub fn command(&self, shelf: &Shelf) -> Result<Option<String>> {
         let Some(journal) = shelf.journal() else { return Ok(None) };
+        journal.take_in()?;
         match command_passing::take(journal)? {
             Some(Err(why)) => {
                 eprintln!("kerf: {}: {why}", command_passing::COMMAND);

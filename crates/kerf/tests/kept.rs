@@ -225,3 +225,12 @@ fn sbp_cmd_rr__in_a_later_session() {
     send(&shop, &["RS,rows"]).exits(0).says("? rows.sbp");
     assert_eq!(shop.read("rows.sbp"), "MX,1\nMX,-50\nMY,2\n");
 }
+
+#[test]
+fn sbp_out_off_exit() {
+    let shop = Shop::new(&[("on.sbp", "SO,3,1\nMX,1\n")]);
+    let on = send(&shop, &["VN,,,,,,,,,,,,,,,,,1", "SO,3,1", "UD"]);
+    on.exits(0).says("outputs on: 3");
+    send(&shop, &["UD"]).exits(0).says("outputs on: none");
+    assert_eq!(shop.kerf("registry get OutPutSwitches").out(), "0\n");
+}

@@ -133,7 +133,9 @@ fn left(shop: &Shop) -> String {
     format!("{}{values:?} {out}", shop.read("parts/done.txt"))
 }
 
-fn survives(seed: u64, whole: &[String], expected: &str, takes: Duration) {
+/// Tells how many processes were killed and how many runs were taken up again in the middle.
+fn survives(seed: u64, whole: &[String], expected: &str, takes: Duration) -> [u32; 2] {
+    let mut count = [0; 2];
     let mut dice = Dice(seed);
     let shop = shop();
     let mut seen = 0;
@@ -154,6 +156,8 @@ fn survives(seed: u64, whole: &[String], expected: &str, takes: Duration) {
             });
             seen = seen.max(from + made.len());
         }
+        count[0] += u32::from(matches!(died, Some(Death::Killed)));
+        count[1] += u32::from(taken_up && what != PART_FILE);
         what = match died {
             Some(Death::Killed) => "--resume",
             // It was over when it was killed, or had not begun.
@@ -164,6 +168,7 @@ fn survives(seed: u64, whole: &[String], expected: &str, takes: Duration) {
     }
     assert_eq!(seen, whole.len(), "seed {seed}");
     assert_eq!(left(&shop), expected, "seed {seed}");
+    count
 }
 
 #[test]
@@ -178,8 +183,14 @@ fn a_run_that_is_killed_is_taken_up_and_cuts_the_same() {
     let number = |name: &str, usual: u64| {
         std::env::var(name).ok().and_then(|v| v.parse().ok()).unwrap_or(usual)
     };
-    let (first, kills) = (number("KERF_SEED", 1), number("KERF_KILLS", 20));
-    for seed in first..first + kills {
-        survives(seed, &whole, &expected, takes);
+    let (first, kills) = (number("KERF_SEED", 1), number("KERF_KILLS", 40));
+    let [mut killed, mut taken_up] = [0; 2];
+    for seed in first.. {
+        let [more, again] = survives(seed, &whole, &expected, takes);
+        (killed, taken_up) = (killed + more, taken_up + again);
+        if u64::from(killed) >= kills {
+            break;
+        }
     }
+    eprintln!("{killed} processes killed, {taken_up} runs taken up in the middle");
 }

@@ -20,6 +20,8 @@ mod contents;
 mod database;
 mod error;
 mod history;
+mod live;
+mod mirror;
 mod place;
 mod progress;
 mod remembered;
@@ -30,6 +32,8 @@ mod under_way;
 
 pub use error::JournalError;
 pub use history::Past;
+pub use live::Live;
+pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;
 pub use remembered::{Remembered, Whereabouts};
 pub(crate) use tape::{Kind, Tape};

@@ -2,7 +2,7 @@
 //! motion in flight.
 
 use super::rows::Table;
-use super::{Journal, JournalError, Placed, json};
+use super::{Journal, JournalError, Live, Placed, json, mirror};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 
@@ -22,6 +22,9 @@ pub(crate) struct Reached {
     pub moving: bool,
     /// Where the last move ended.
     pub place: Placed,
+    /// What other programs see, but for the machine's motion.
+    #[serde(default)]
+    pub live: Live,
     /// The part file of the last move.
     pub file: String,
     /// Its line.
@@ -38,6 +41,8 @@ pub(crate) struct Progress {
     contents: Vec<Vec<u8>>,
     next_step: i64,
     written: Option<Reached>,
+    /// What other programs saw last.
+    published: Option<Live>,
     last: Instant,
     /// Why it cannot be written; the run goes on.
     trouble: Option<JournalError>,
@@ -54,6 +59,7 @@ impl Progress {
             contents: Vec::new(),
             next_step,
             written: None,
+            published: None,
             last: Instant::now(),
             trouble: None,
             told: false,
@@ -104,9 +110,19 @@ impl Progress {
                 self.contents.clear();
                 self.written = Some(reached.clone());
                 (self.trouble, self.told) = (None, false);
+                self.meet_others(reached.live());
             }
             Err(error) => self.trouble = Some(error),
         }
+    }
+
+    /// Tells other programs what they see, and takes what they wrote.
+    fn meet_others(&mut self, live: Live) {
+        let told = match self.published.replace(live) {
+            Some(before) if before == live => Ok(()),
+            _ => mirror::publish(&self.journal, &live),
+        };
+        self.trouble = told.and_then(|()| self.journal.take_in()).err();
     }
 
     /// Why the file cannot be written, when that was not told yet.

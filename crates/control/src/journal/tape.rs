@@ -279,6 +279,16 @@ impl Tape {
         }
     }
 
+    /// Where the run stands: its flags.
+    pub(crate) const fn stands(&mut self, status: u8) {
+        self.reached.live.status = status;
+    }
+
+    /// Which inputs and outputs are on.
+    pub(crate) const fn switches(&mut self, inputs: u16, outputs: u16) {
+        (self.reached.live.inputs, self.reached.live.outputs) = (inputs, outputs);
+    }
+
     /// Everything up to here has to be in the file.
     pub(crate) fn write(&mut self) {
         if !self.silent

@@ -5,7 +5,7 @@ use super::progress::{PROGRESS, Progress, Reached};
 use super::remembered::remember;
 use super::rows::{self, Rows, Table};
 use super::tape::{Step, Tape};
-use super::{Journal, JournalError, Placed, json};
+use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::files::Folders;
 use crate::{RunOptions, Session, Shell, Summary};
 use kerf_part::Program;
@@ -146,7 +146,8 @@ impl Journal {
                 history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
             }
             rows.set(Table::Fact, PROGRESS, None)
-        })
+        })?;
+        mirror::publish(self, &Live::default())
     }
 
     /// The run that was cut short; `None` when the last one came to its end.

@@ -39,16 +39,6 @@ enum Action {
     },
 }
 
-/// Keys that the machine keeps itself, and what they read while no program runs.
-const IDLE: &[&str] = &[
-    "Status",
-    "SpindleStatus",
-    "InputSwitches",
-    "InputSwitchesUpper",
-    "OutPutSwitches",
-    "OutPutSwitchesUpper",
-];
-
 pub fn run(args: &RegistryArgs) -> Result<Exit> {
     let data = setup::data_folder(&args.data)?;
     match &args.action {
@@ -61,9 +51,9 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
             let key = last_part(key);
             let folder = || RealDisk.real_path(&data).display().to_string();
             let kept = journal(&data)?.map(|j| j.value(key)).transpose()?.flatten();
-            let value = match kept {
+            let value = match live(&data, key)?.or(kept) {
                 Some(value) => value,
-                None if IDLE.contains(&key) => "0".into(),
+                None if key == "SpindleStatus" => "0".into(),
                 None if key == "uAppPath" => folder(),
                 None if key == "uUsrPath" => {
                     RealDisk.real_path(Path::new("")).display().to_string()
@@ -82,6 +72,13 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
         }
     }
     Ok(Exit::Good)
+}
+
+/// What the machine keeps itself: its status and its switches.
+fn live(data: &Path, key: &str) -> Result<Option<String>> {
+    let live = journal(data)?.map(|j| j.live()).transpose()?.unwrap_or_default();
+    let found = live.values().into_iter().find(|(name, _)| *name == key);
+    Ok(found.map(|(_, value)| value.to_string()))
 }
 
 fn journal(data: &Path) -> Result<Option<Journal>> {

@@ -56,7 +56,9 @@ impl Shop {
     }
 
     pub fn command(&self) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_kerf"));
+        // KERF_BIN is another build of the command, as `make soak` uses it.
+        let kerf = std::env::var_os("KERF_BIN");
+        let mut command = Command::new(kerf.unwrap_or_else(|| env!("CARGO_BIN_EXE_kerf").into()));
         command.current_dir(self.path()).env("KERF_DATA", self.file("data")).env("NO_COLOR", "1");
         command
     }

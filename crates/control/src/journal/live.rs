@@ -1,0 +1,66 @@
+//! What other programs see of a machine that runs: the status byte and the bytes of its switches
+//! (programming handbook, Registry Interface; notes A-46).
+
+use super::progress::{PROGRESS, Reached};
+use super::rows::Table;
+use super::{Journal, JournalError, OWNER_FILE};
+use crate::flag;
+use serde::{Deserialize, Serialize};
+use std::fs::{File, TryLockError};
+
+/// Inputs or outputs that a byte of the registry tells; those beyond are in another.
+const IN_A_BYTE: u32 = 8;
+
+/// What other programs see. All zero while nothing runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Live {
+    /// The sum of [`flag`]s.
+    pub status: u8,
+    /// Inputs that are on: bit 0 is input 1.
+    pub inputs: u16,
+    /// Outputs that are on: bit 0 is output 1.
+    pub outputs: u16,
+}
+
+impl Live {
+    /// Keys and values as the registry has them.
+    pub fn values(&self) -> [(&'static str, u16); 5] {
+        let [low, high] = [|bits: u16| bits & 0xff, |bits: u16| bits >> IN_A_BYTE];
+        [
+            ("Status", u16::from(self.status)),
+            ("InputSwitches", low(self.inputs)),
+            ("InputSwitchesUpper", high(self.inputs)),
+            ("OutPutSwitches", low(self.outputs)),
+            ("OutPutSwitchesUpper", high(self.outputs)),
+        ]
+    }
+}
+
+impl Reached {
+    /// What other programs see of it.
+    pub(super) fn live(&self) -> Live {
+        let moves = if self.moving { flag::STACK_RUNNING } else { 0 };
+        Live { status: self.live.status | moves, ..self.live }
+    }
+}
+
+impl Journal {
+    /// What the machine does now. A machine that nobody runs does nothing.
+    ///
+    /// # Errors
+    /// As the file cannot be read.
+    pub fn live(&self) -> Result<Live, JournalError> {
+        if !self.is_owned() {
+            return Ok(Live::default());
+        }
+        let reached = self.read(|rows| rows.text(Table::Fact, PROGRESS))?;
+        let reached: Option<Reached> = self.parsed(PROGRESS, reached)?;
+        Ok(reached.as_ref().map(Reached::live).unwrap_or_default())
+    }
+
+    /// Whether a process runs the machine.
+    fn is_owned(&self) -> bool {
+        let file = File::open(self.folder().join(OWNER_FILE));
+        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
+    }
+}

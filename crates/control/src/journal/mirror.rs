@@ -1,0 +1,60 @@
+//! The registry as text files in the data folder, for programs that know nothing else.
+//!
+//! `registry.txt` is written anew, whole, whenever what it says changes: watch it. Lines of
+//! `registry.in` are taken over as if `kerf registry set` had been told them, and the file is taken
+//! away: write it under another name and rename it, so that it is never seen half.
+
+use super::live::Live;
+use super::{Journal, JournalError};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// What other programs read.
+pub const MIRROR_FILE: &str = "registry.txt";
+
+/// What other programs write.
+pub const INCOMING_FILE: &str = "registry.in";
+
+/// More than this is no list of values, bytes.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// Writes what other programs read.
+pub(super) fn publish(journal: &Journal, live: &Live) -> Result<(), JournalError> {
+    let mut text: String =
+        live.values().iter().map(|(key, value)| format!("{key}={value}\n")).collect();
+    for (key, value) in journal.values()? {
+        text += &format!("{key}={}\n", value.replace('\n', "\\n"));
+    }
+    let (new, there) = (journal.folder().join("registry.new"), journal.folder().join(MIRROR_FILE));
+    let written = fs::write(&new, text).and_then(|()| fs::rename(&new, &there));
+    written.map_err(|error| JournalError::of_disk(&there, &error))
+}
+
+impl Journal {
+    /// Takes over the values that other programs wrote into their file.
+    ///
+    /// # Errors
+    /// As the journal cannot be written; then the file stays.
+    pub fn take_in(&self) -> Result<(), JournalError> {
+        let file = self.folder().join(INCOMING_FILE);
+        let Some(text) = incoming(&file).map_err(|error| JournalError::of_disk(&file, &error))?
+        else {
+            return Ok(());
+        };
+        for (key, value) in text.lines().filter_map(|line| line.split_once('=')) {
+            let key = key.rsplit(['/', '\\']).next().unwrap_or(key).trim();
+            self.set_value(key, Some(value.trim()).filter(|value| !value.is_empty()))?;
+        }
+        fs::remove_file(&file).map_err(|error| JournalError::of_disk(&file, &error))
+    }
+}
+
+fn incoming(file: &Path) -> io::Result<Option<String>> {
+    match fs::metadata(file) {
+        Ok(about) if about.is_file() && about.len() <= MOST_BYTES => {
+            Ok(Some(String::from_utf8_lossy(&fs::read(file)?).into_owned()))
+        }
+        _ => Ok(None),
+    }
+}
