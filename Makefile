@@ -65,8 +65,10 @@ figures: prepare console ## draw the pictures of README and book anew
 	cd console && KERF=../target/release/kerf npm run --silent figures
 
 bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
-	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench
+	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench \
+	  --bin kerf-bench-drawings
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
+	target/release/kerf-bench-drawings
 
 bench-geometry: ## offsets beside those of other programs; GEOS=N compares N shapes of each hard family with GEOS
 	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry

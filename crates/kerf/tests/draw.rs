@@ -101,7 +101,9 @@ fn pro_files_rsm_name() {
     let made = kerf(folder.path(), &["toolpath", "job.rsg", "--report"]);
     assert_eq!(made.status.code(), Some(0), "{}", told(&made));
     let report = String::from_utf8(made.stdout).unwrap();
-    assert_eq!(report.lines().nth(1), Some("black           6       2588.5  1"));
+    let black: Vec<_> = report.lines().nth(1).unwrap().split_whitespace().collect();
+    assert_eq!(black[..3], ["black", "6", "2588.5"], "{report}");
+    assert_eq!(black.last(), Some(&"1"));
     assert_eq!(shapes(folder.path(), "job.rsm").len(), 6);
 }
 
@@ -224,4 +226,61 @@ fn other_programs_read_what_is_written() {
     python.current_dir(folder.path()).args(["-c", AUDIT, "a.rsg", "a.dxf", "a.rsm"]);
     let told = String::from_utf8(python.output().unwrap().stdout).unwrap();
     assert_eq!(told, "0 3\n0 3\n0 18\n");
+}
+
+/// A plate with a hole in another group.
+const PLATE: &str = "rect 0,0 100,60; circle 50,30 12; directions auto; set black offset=3 height=-4; \
+                     select 2; group red; set red tool=2 offset=2 height=-2; sequence 2,1";
+
+#[test]
+fn a_report_tells_lengths_and_times_of_groups() {
+    let folder = tempfile::tempdir().unwrap();
+    kerf(folder.path(), &["draw", "--do", PLATE, "-o", "job.rsg"]);
+    let report = ["toolpath", "job.rsg", "--report", "--format", "json", "--table", "101,200"];
+    let made = kerf(folder.path(), &report);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    let told: serde_json::Value = serde_json::from_slice(&made.stdout).unwrap();
+    let groups = told["groups"].as_array().unwrap();
+    let names: Vec<_> = groups.iter().map(|group| group["group"].as_str().unwrap()).collect();
+    assert_eq!(names, ["black", "red"]);
+    assert_eq!((&groups[0]["paths"], &groups[1]["tool"]), (&1.into(), &2.into()));
+    let length = groups[1]["length_mm"].as_f64().unwrap();
+    assert!((length - 20.0 * std::f64::consts::PI).abs() < 1e-6, "{length}");
+    // The same plan as `kerf time` follows.
+    kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.sbp"]);
+    let time = kerf(folder.path(), &["time", "job.sbp", "--units", "mm", "--format", "json"]);
+    let time: serde_json::Value = serde_json::from_slice(&time.stdout).unwrap();
+    let (total, told_total) = (time["total"].as_f64().unwrap(), told["seconds"].as_f64().unwrap());
+    assert!((total - told_total).abs() < 1e-6, "{total} {told_total}");
+    let sum: f64 = groups.iter().map(|group| group["seconds"].as_f64().unwrap()).sum();
+    assert!(sum > 0.5 * total && sum <= total + 1e-6, "{sum} of {total}");
+    let warnings = told["warnings"].as_array().unwrap();
+    let left = "shape 2: leaves the table: 3.000 mm at the left, 2.000 mm at the right, 3.000 mm at the front";
+    assert_eq!(warnings, &[serde_json::Value::from(left)]);
+}
+
+#[test]
+fn pictures_of_jobs_have_the_colours_of_groups_or_directions() {
+    let folder = tempfile::tempdir().unwrap();
+    kerf(folder.path(), &["draw", "--do", PLATE, "-o", "job.rsg"]);
+    let picture = |colours: &str| {
+        let made =
+            kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.svg", "--colours", colours]);
+        assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+        std::fs::read_to_string(folder.path().join("job.svg")).unwrap()
+    };
+    let (group, direction, depth) = (picture("group"), picture("direction"), picture("depth"));
+    for words in
+        ["black, tool 1, 6 mm wide", "red, tool 2, 4 mm wide", "a cut begins", "bounds of the cuts"]
+    {
+        assert!(group.contains(words), "{words}");
+        assert!(!depth.contains(words), "{words}");
+    }
+    assert!(
+        direction.contains("closed, counter-clockwise") && direction.contains("closed, clockwise")
+    );
+    assert!(depth.contains("Depth of cut"));
+    let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.png"]);
+    assert_eq!(made.status.code(), Some(0));
+    assert!(std::fs::read(folder.path().join("job.png")).unwrap().starts_with(b"\x89PNG"));
 }

@@ -37,7 +37,7 @@ mod svg;
 
 pub use options::Options;
 pub use png::PngError;
-pub use scene::{FARTHEST_MM, Finding, Scene, Segment, Shape, TableView, ToolPath, Unit};
+pub use scene::{Coloured, FARTHEST_MM, Finding, Scene, Segment, Shape, TableView, ToolPath, Unit};
 
 /// The picture as SVG, one user unit a millimetre.
 pub fn svg(scene: &Scene, options: &Options) -> String {

@@ -99,6 +99,17 @@ pub struct ToolPath {
     pub first_segment: usize,
 }
 
+/// Cuts that are drawn in one colour, instead of the colours of depth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coloured {
+    /// What they are, for the legend.
+    pub name: String,
+    /// Red, green and blue.
+    pub colour: [u8; 3],
+    /// Width of the cutter, mm; 0 when it is not known.
+    pub width_mm: f64,
+}
+
 /// Everything a picture shows.
 ///
 /// Segments with a coordinate that is not finite or beyond [`FARTHEST_MM`] are left out; the legend
@@ -115,6 +126,11 @@ pub struct Scene {
     pub segments: Vec<Segment>,
     /// When each segment ends, seconds since the start; empty when motion was not planned.
     pub times_s: Vec<f32>,
+    /// Colours of cuts; empty for the colours of depth. With them the picture has the bounds of the
+    /// cuts and a sign where each begins.
+    pub colours: Vec<Coloured>,
+    /// The colour of each segment, as a place in `colours`.
+    pub coloured: Vec<usize>,
     /// Draw jogs (VP).
     pub show_jogs: bool,
     /// Show the cutting fast forward when the page opens (VP).
@@ -155,6 +171,8 @@ impl Default for Scene {
             table: None,
             segments: Vec::new(),
             times_s: Vec::new(),
+            colours: Vec::new(),
+            coloured: Vec::new(),
             show_jogs: true,
             simulate: false,
             draw_tool: true,
@@ -170,6 +188,18 @@ impl Default for Scene {
             findings: Vec::new(),
             toolpaths: Vec::new(),
         }
+    }
+}
+
+impl Scene {
+    /// The colour of a segment, when it is not that of its depth.
+    pub fn colour_of(&self, segment: usize) -> Option<usize> {
+        self.coloured.get(segment).copied().filter(|colour| *colour < self.colours.len())
+    }
+
+    /// The width of the widest cutter, mm.
+    pub(crate) fn widest_mm(&self) -> f64 {
+        self.colours.iter().map(|colour| colour.width_mm).fold(0.0, f64::max)
     }
 }
 

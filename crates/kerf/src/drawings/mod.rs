@@ -11,7 +11,7 @@ use kerf_gcode::{Writer, Writing};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
 use kerf_sbp::{Printing, SbpPrinter};
-use kerf_toolpath::{Heights, Job};
+use kerf_toolpath::{Heights, Job, Warning};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -103,17 +103,22 @@ fn group_by_layer(file: &Path, read: &mut Imported) {
 
 /// The job in a file: the one of an RSM, or the one that is made of a drawing. What is noticed is told.
 pub fn job(file: &Path) -> Result<Job> {
-    if extension(file) == "rsm" {
-        let (job, read) = kerf_toolpath::read(&bytes(file)?);
-        tell(file, &read);
-        return Ok(job);
-    }
-    let reading = Reading { layers: false, scale: true, explode: true };
-    let (job, warnings) = kerf_toolpath::job(&open(&[file], &reading)?)?;
+    let (job, warnings) = job_with_warnings(file)?;
     for warning in &warnings {
         eprintln!("{}: warning: {warning}", file.display());
     }
     Ok(job)
+}
+
+/// The same, with what was noticed while the tool paths were made.
+pub fn job_with_warnings(file: &Path) -> Result<(Job, Vec<Warning>)> {
+    if extension(file) == "rsm" {
+        let (job, read) = kerf_toolpath::read(&bytes(file)?);
+        tell(file, &read);
+        return Ok((job, Vec::new()));
+    }
+    let reading = Reading { layers: false, scale: true, explode: true };
+    Ok(kerf_toolpath::job(&open(&[file], &reading)?)?)
 }
 
 /// A job as a part program of OpenSBP, millimetres.

@@ -18,6 +18,12 @@ const MOST_ON_A_PAGE: usize = 200;
 pub enum Sample {
     /// A cut.
     Cut,
+    /// A cut of one colour, perhaps with the width of its cutter.
+    Coloured(Rgb, bool),
+    /// Where a cut begins.
+    Begin,
+    /// The bounds of all cuts.
+    Bounds,
     /// A cut above the surface.
     Air,
     /// The width of the cutter.

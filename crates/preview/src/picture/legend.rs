@@ -3,7 +3,7 @@
 use super::columns::{flow, height, row_height, tallest, wrapped};
 use super::depth::{DepthScale, SHADES};
 use super::facts::{Block, Row, Sample};
-use super::signs::{end_sign, start_sign};
+use super::signs::{begin_sign, bounds_paint, end_sign, start_sign};
 use super::steps::{multiples, round_step};
 use super::view::{View, table_rect};
 use super::words;
@@ -173,6 +173,15 @@ impl Writer<'_> {
         let deep = DepthScale::colour(SHADES * 2 / 3);
         match sample {
             Sample::Cut => self.layer.path(line, Paint::line(deep, 0.16 * em)),
+            Sample::Coloured(colour, wide) => {
+                if wide {
+                    self.layer
+                        .path(line.clone(), Paint::line(colour.mixed(PAPER, super::BAND), em));
+                }
+                self.layer.path(line, Paint::line(colour, 0.16 * em));
+            }
+            Sample::Begin => begin_sign(self.layer, middle, Vec2::new(1.0, 0.0), em),
+            Sample::Bounds => self.layer.path(line, bounds_paint(em)),
             Sample::Air => self.layer.path(line, Paint::line(AIR, 0.1 * em)),
             Sample::Cutter => {
                 self.layer.path(line.clone(), Paint::line(deep.mixed(PAPER, super::BAND), em));

@@ -18,7 +18,7 @@ pub use tracks::{arc, place};
 
 use crate::font::Font;
 use crate::options::Options;
-use crate::palette::{AIR, INK, JOG, PAPER, SOFT};
+use crate::palette::{AIR, INK, JOG, PAPER, Rgb, SOFT};
 use crate::scene::{Scene, TableView};
 use crate::sheet::{Anchor, Frame, Layer, Mark, Paint, Rect, Sheet, Text};
 use depth::{DepthScale, SHADES};
@@ -53,7 +53,7 @@ pub fn compose(scene: &Scene, options: &Options) -> Sheet {
     let tracks = Tracks::of(scene, &scale, &detail);
     let ink = Ink { em: view.em, line: line_width(&extent, &view), cutter_mm };
     let samples = samples(scene, &tracks, &ink);
-    let depth = (!extent.cut.is_empty()).then_some(scale);
+    let depth = (!extent.cut.is_empty() && scene.colours.is_empty()).then_some(scale);
     let drawn = Drawn { depth, samples, left_out: extent.left_out, tolerance_mm };
     let legend = Legend::arrange(facts::blocks(scene, &view, &drawn), &view, BELOW_EM * view.em);
     let mut layers = rulers::board(&view, scene.unit);
@@ -88,6 +88,9 @@ pub fn drawable_table(scene: &Scene) -> Option<TableView> {
 }
 
 fn cutter(scene: &Scene, options: &Options) -> f64 {
+    if options.show_cutter && !scene.colours.is_empty() {
+        return scene.widest_mm().min(crate::FARTHEST_MM);
+    }
     let known = scene.cutter_known && has_cutter(scene);
     if options.show_cutter && known { scene.cutter_mm.min(crate::FARTHEST_MM) } else { 0.0 }
 }
@@ -135,9 +138,10 @@ fn motion(scene: &Scene, view: &View, tracks: &Tracks, ink: &Ink) -> Vec<Layer> 
     if ink.has_band() {
         let mut bands = Layer::new("cutter", Frame::Working, true);
         for (shade, cut) in tracks.cuts.iter().enumerate() {
-            let colour = DepthScale::colour(shade).mixed(PAPER, BAND);
-            bands.path(cut.clone(), Paint::line(colour, ink.cutter_mm));
-            bands.path(signs::bores(tracks, shade, ink.cutter_mm), Paint::fill(colour));
+            let colour = shade_colour(scene, shade).mixed(PAPER, BAND);
+            let width = band_width(scene, shade, ink);
+            bands.path(cut.clone(), Paint::line(colour, width));
+            bands.path(signs::bores(tracks, shade, width), Paint::fill(colour));
         }
         layers.push(bands);
     }
@@ -146,14 +150,44 @@ fn motion(scene: &Scene, view: &View, tracks: &Tracks, ink: &Ink) -> Vec<Layer> 
     let mut cuts = Layer::new("cuts", Frame::Working, true);
     cuts.path(tracks.air.clone(), Paint::line(AIR, 0.7 * ink.line));
     for (shade, cut) in tracks.cuts.iter().enumerate() {
-        cuts.path(cut.clone(), Paint::line(DepthScale::colour(shade), ink.line));
+        cuts.path(cut.clone(), Paint::line(shade_colour(scene, shade), ink.line));
     }
     layers.extend([cuts, jogs]);
     layers.push(rulers::zero(view));
-    layers.push(signs::plunges(tracks, ink.plunge(), ink.em));
+    if scene.colours.is_empty() {
+        layers.push(signs::plunges(tracks, ink.plunge(), ink.em));
+    } else {
+        layers.push(signs::bounds(scene, ink.em));
+        layers.push(signs::starts(scene, ink.em));
+    }
     layers.push(signs::arrows(scene, view));
     layers.push(signs::ends(tracks, ink.em));
     layers
+}
+
+/// The colour of a depth, or one that the scene gives.
+fn shade_colour(scene: &Scene, shade: usize) -> Rgb {
+    let given = scene.colours.get(shade).map(|colour| Rgb(colour.colour));
+    given.unwrap_or_else(|| DepthScale::colour(shade.min(SHADES - 1)))
+}
+
+/// How wide the cutter is of the cuts of a shade, mm.
+fn band_width(scene: &Scene, shade: usize, ink: &Ink) -> f64 {
+    scene.colours.get(shade).map_or(ink.cutter_mm, |colour| colour.width_mm.min(ink.cutter_mm))
+}
+
+/// The colours that a scene gives, with the width of the cutter where it is known.
+fn colour_samples(scene: &Scene, tracks: &Tracks) -> Vec<(Sample, String)> {
+    let used = |n: &usize| tracks.cuts.get(*n).is_some_and(|cut| !cut.ops.is_empty());
+    let sample = |n: usize| {
+        let colour = &scene.colours[n];
+        let wide = colour.width_mm > 0.0;
+        let width = words::short(colour.width_mm, scene.unit, 3);
+        let told = format!("{}, {width} {} wide", colour.name, scene.unit.symbol);
+        let text = if wide { told } else { colour.name.clone() };
+        (Sample::Coloured(Rgb(colour.colour), wide), text)
+    };
+    (0..scene.colours.len()).filter(used).map(sample).collect()
 }
 
 /// The signs that occur, so that the legend explains no others.
@@ -162,21 +196,25 @@ fn samples(scene: &Scene, tracks: &Tracks, ink: &Ink) -> Vec<(Sample, String)> {
     let jogs = !tracks.jogs.ops.is_empty();
     let air = !tracks.air.ops.is_empty();
     let width = words::short(ink.cutter_mm, scene.unit, 3);
+    let depths = scene.colours.is_empty();
     let all = [
-        (cuts && !ink.has_band(), Sample::Cut, cut_words(scene)),
+        (cuts && depths && !ink.has_band(), Sample::Cut, cut_words(scene)),
         (
-            cuts && ink.has_band(),
+            cuts && depths && ink.has_band(),
             Sample::Cutter,
             format!("cut, cutter {width} {} wide", scene.unit.symbol),
         ),
         (air, Sample::Air, "cut above the surface".into()),
         (jogs, Sample::Jog, "jog".into()),
-        (!tracks.plunges.is_empty(), Sample::Plunge, "straight plunge".into()),
+        (depths && !tracks.plunges.is_empty(), Sample::Plunge, "straight plunge".into()),
+        (cuts && !depths, Sample::Begin, "a cut begins".into()),
+        (cuts && !depths, Sample::Bounds, "bounds of the cuts".into()),
         (cuts || jogs || air, Sample::Arrow, "direction".into()),
         (tracks.ends.is_some(), Sample::Start, "start".into()),
         (tracks.ends.is_some(), Sample::End, "end".into()),
     ];
-    all.into_iter().filter(|s| s.0).map(|(_, sample, text)| (sample, text)).collect()
+    let signs = all.into_iter().filter(|s| s.0).map(|(_, sample, text)| (sample, text));
+    colour_samples(scene, tracks).into_iter().chain(signs).collect()
 }
 
 /// A cut drawn as a line; the width of a cutter that nobody chose is told.

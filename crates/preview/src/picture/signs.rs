@@ -3,7 +3,7 @@
 use super::depth::DepthScale;
 use super::tracks::{Tracks, arc, flat, length, place};
 use super::view::View;
-use crate::palette::{AIR, AXIS_Y, INK, JOG, PAPER};
+use crate::palette::{AIR, AXIS_Y, BEGIN, INK, JOG, PAPER};
 use crate::scene::{Scene, Segment};
 use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Text};
 use kerf_geom::{Point2, Vec2};
@@ -30,6 +30,50 @@ pub fn arrows(scene: &Scene, view: &View) -> Layer {
         layer.path(heads, Paint::edged(colour, PAPER, 0.1 * view.em));
     }
     layer
+}
+
+/// The smallest upright rectangle around the cuts, as drawings have it.
+pub fn bounds(scene: &Scene, em: f64) -> Layer {
+    let mut layer = Layer::new("bounds", Frame::Working, true);
+    let b = &scene.bounds;
+    if !b.is_empty() {
+        let mut outline = Outline::default();
+        outline.polygon(&[
+            Point2::new(b.min[0], b.min[1]),
+            Point2::new(b.max[0], b.min[1]),
+            Point2::new(b.max[0], b.max[1]),
+            Point2::new(b.min[0], b.max[1]),
+        ]);
+        layer.path(outline, bounds_paint(em));
+    }
+    layer
+}
+
+/// The line of [`bounds`].
+pub fn bounds_paint(em: f64) -> Paint {
+    Paint::dashed(AXIS_Y, 0.08 * em, [0.5 * em, 0.35 * em])
+}
+
+/// Where cuts begin, and in which direction.
+pub fn starts(scene: &Scene, em: f64) -> Layer {
+    let mut layer = Layer::new("starts", Frame::Working, true);
+    let mut travels = true;
+    for segment in scene.segments.iter().filter(|s| s.is_drawable()) {
+        let flat_cut = segment.kind == MoveKind::Cut && length(segment) > 0.0;
+        if flat_cut && travels {
+            begin_sign(&mut layer, flat(segment.from), direction(segment, 0.0), em);
+        }
+        travels = segment.kind == MoveKind::Jog || (travels && !flat_cut);
+    }
+    layer
+}
+
+/// Yellow, as drawings have it.
+pub fn begin_sign(layer: &mut Layer, at: Point2, along: Vec2, em: f64) {
+    let side = along.left() * (0.3 * em);
+    let mut sign = Outline::default();
+    sign.polygon(&[at + side, at + along * (0.75 * em), at + -side]);
+    layer.path(sign, Paint::edged(BEGIN, INK, 0.06 * em));
 }
 
 fn along<'a, I: Iterator<Item = &'a Segment>>(

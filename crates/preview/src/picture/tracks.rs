@@ -40,7 +40,11 @@ impl Tracks {
     /// Draws the segments.
     pub fn of(scene: &Scene, scale: &DepthScale, detail: &Detail) -> Self {
         let mut pen = Pen::new(*scale, *detail, scene.show_jogs);
-        scene.segments.iter().filter(|s| s.is_drawable()).for_each(|s| pen.segment(s));
+        pen.tracks.cuts.resize(SHADES.max(scene.colours.len()), Outline::default());
+        for (n, segment) in scene.segments.iter().enumerate().filter(|(_, s)| s.is_drawable()) {
+            pen.colour = scene.colour_of(n);
+            pen.segment(segment);
+        }
         pen.finish()
     }
 }
@@ -53,12 +57,22 @@ struct Pen {
     /// Deepest shade by place on a grid of `point_mm`.
     plunges: BTreeMap<[i64; 2], (Point2, Option<usize>)>,
     shade: Option<usize>,
+    /// The colour of the segment, when it is not that of its depth.
+    colour: Option<usize>,
 }
 
 impl Pen {
     fn new(scale: DepthScale, detail: Detail, show_jogs: bool) -> Self {
         let tracks = Tracks { cuts: vec![Outline::default(); SHADES], ..Tracks::default() };
-        Self { scale, detail, show_jogs, tracks, plunges: BTreeMap::new(), shade: None }
+        Self {
+            scale,
+            detail,
+            show_jogs,
+            tracks,
+            plunges: BTreeMap::new(),
+            shade: None,
+            colour: None,
+        }
     }
 
     fn segment(&mut self, segment: &Segment) {
@@ -81,7 +95,7 @@ impl Pen {
     }
 
     fn cut(&mut self, segment: &Segment, length: f64) {
-        if length < self.detail.shade_mm {
+        if length < self.detail.shade_mm || self.colour.is_some() {
             return self.piece(segment);
         }
         let [z0, z1] = [segment.from[2], segment.to[2]];
@@ -97,6 +111,7 @@ impl Pen {
     fn piece(&mut self, segment: &Segment) {
         let middle = 0.5 * (segment.from[2] + segment.to[2]);
         self.shade = match self.detail.tolerance_mm {
+            _ if self.colour.is_some() => self.colour,
             Some(_) => self.scale.steady_shade(middle, self.shade),
             None => self.scale.shade(middle),
         };
@@ -109,7 +124,7 @@ impl Pen {
 
     fn plunge(&mut self, at: Point2, z: f64) {
         let cell = [at.x, at.y].map(|v| (v / self.detail.point_mm).round() as i64);
-        let shade = self.scale.shade(z);
+        let shade = self.colour.or(self.scale.shade(z));
         let known = self.plunges.entry(cell).or_insert((at, shade));
         known.1 = known.1.max(shade);
     }

@@ -1,0 +1,27 @@
+//! Tool paths of 10,000 shapes: offset, tag, leads, two levels of arrays.
+
+use crate::{plates, timed};
+use anyhow::Result;
+use kerf_drawing::{Drawing, Editor, script};
+
+/// How they are cut.
+const CUT: &str = "directions auto; set black offset=1 tag=1 lead-in=1,90 lead-out=1,45; \
+                   array block 2x2 gap 10,10; array job 1x2 gap 20,20";
+
+pub fn measure() -> Result<()> {
+    let drawing = prepared()?;
+    let (made, ms) = timed(3, || kerf_toolpath::job(&drawing));
+    let (job, warnings) = made?;
+    let shapes = drawing.shapes.len();
+    let (paths, told) = (job.paths.len(), warnings.len());
+    println!("| tool paths of {shapes} shapes | Kerf | {paths} paths, {told} warnings | {ms:.0} |");
+    Ok(())
+}
+
+fn prepared() -> Result<Drawing> {
+    let mut editor = Editor::of(plates::plate(10_000, 1));
+    for (_, operation) in script(CUT)? {
+        editor.apply(&operation)?;
+    }
+    Ok(editor.drawing)
+}

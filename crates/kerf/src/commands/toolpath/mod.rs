@@ -1,0 +1,144 @@
+//! `kerf toolpath`: from a drawing to what is cut.
+
+mod coloured;
+mod dry_run;
+mod report;
+
+use crate::args::{Format, RunArgs};
+use crate::exit::{Exit, Usage};
+use crate::picture::{self, Format as Picture};
+use crate::{drawings, parse};
+use anyhow::{Context, Result, bail};
+use clap::Args;
+use coloured::Colours;
+use kerf_control::files::{Disk, RealDisk};
+use kerf_geom::{Bounds2, Point2};
+use kerf_program::Written;
+use kerf_toolpath::{Heights, Job, Warning, off_table, write};
+use std::path::{Path, PathBuf};
+
+/// Makes the tool paths of a drawing: offsets, tags, leads, arrays
+///
+/// What cannot be cut as it is drawn is told with the number of its shape.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  kerf toolpath plate.rsg -o plate.rsm --report\n  \
+    kerf toolpath plate.rsg -o plate.png --colours direction")]
+pub struct ToolpathArgs {
+    /// The drawing: .rsg or .dxf, or a job that was made before: .rsm
+    drawing: PathBuf,
+    /// The job to write, .rsm, a part program, .sbp or .nc, or a picture, .svg or .png [default: the
+    /// drawing's name with .rsm]
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+    /// Tells paths, lengths, tool and time of each group; the time is that of the plan
+    #[arg(long)]
+    report: bool,
+    /// The report as text for people or JSON for programs
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    /// The colours of a picture
+    #[arg(long, value_enum, value_name = "HOW", default_value = "group")]
+    colours: Colours,
+    /// The table that nothing may leave, mm from the origin [default: that of --config]
+    #[arg(long, value_name = "X,Y", value_parser = parse::size)]
+    table: Option<[f64; 2]>,
+    #[command(flatten)]
+    heights: HeightArgs,
+    #[command(flatten)]
+    run: Box<RunArgs>,
+}
+
+/// Heights of the machine, as Z above its home.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct HeightArgs {
+    /// Where the tool travels
+    #[arg(long, value_name = "MM", default_value_t = 10.0, allow_negative_numbers = true)]
+    z_top: f64,
+    /// The surface of the material; zero of Z in a part program
+    #[arg(long, value_name = "MM", default_value_t = 0.0, allow_negative_numbers = true)]
+    z_surface: f64,
+    /// Where THRU cuts; nothing is cut below it
+    #[arg(long, value_name = "MM", default_value_t = -10.0, allow_negative_numbers = true)]
+    z_bottom: f64,
+}
+
+impl HeightArgs {
+    fn heights(self) -> Result<Heights> {
+        let Self { z_top, z_surface, z_bottom } = self;
+        if !(z_bottom < z_surface && z_surface < z_top) {
+            bail!(Usage("Z top must lie above Z surface, and Z bottom below it".into()));
+        }
+        Ok(Heights { top_mm: z_top, surface_mm: z_surface, bottom_mm: z_bottom })
+    }
+}
+
+pub fn run(args: &ToolpathArgs) -> Result<Exit> {
+    let output = args.output.clone().unwrap_or_else(|| args.drawing.with_extension("rsm"));
+    let heights = args.heights.heights()?;
+    let (job, mut warnings) = drawings::job_with_warnings(&args.drawing)?;
+    if let Some(table) = table(args, &job)? {
+        warnings.extend(off_table(&job, &table));
+    }
+    tell(args, &warnings);
+    let pictured = matches!(drawings::extension(&output).as_str(), "svg" | "png");
+    let dry =
+        (pictured || args.report).then(|| dry_run::follow(args, &job, &heights)).transpose()?;
+    match &dry {
+        Some(dry) if pictured => {
+            let scene = coloured::coloured(&dry.scene, &job, args.colours);
+            picture::write(&scene, Picture::of(&output)?, &output)?;
+        }
+        _ => keep(args, &output, &job, &heights)?,
+    }
+    if let Some(dry) = dry.filter(|_| args.report) {
+        report::tell(&job, &dry.tally, dry.seconds, &warnings, args.format);
+    }
+    Ok(Exit::Good)
+}
+
+/// Writes the job or its program, whole or not at all.
+fn keep(args: &ToolpathArgs, output: &Path, job: &Job, heights: &Heights) -> Result<()> {
+    let text = match drawings::extension(output).as_str() {
+        "rsm" => write(job),
+        "sbp" => told(output, drawings::part_program(&args.drawing, job, heights)?),
+        "nc" | "ngc" | "tap" | "gcode" => {
+            told(output, drawings::gcode_program(&args.drawing, job, heights)?)
+        }
+        _ => bail!(Usage(format!(
+            "{}: written are .rsm, .sbp, .nc, .svg and .png",
+            output.display()
+        ))),
+    };
+    RealDisk
+        .write(output, text.as_bytes())
+        .with_context(|| format!("cannot write {}", output.display()))
+}
+
+/// The text of a program; what it does not say is told.
+fn told(output: &Path, written: Written) -> String {
+    for lost in &written.lost {
+        eprintln!("{}: warning: not written: {}", output.display(), lost.what);
+    }
+    written.text
+}
+
+fn tell(args: &ToolpathArgs, warnings: &[Warning]) {
+    for warning in warnings {
+        eprintln!("{}: warning: {warning}", args.drawing.display());
+    }
+}
+
+/// The table in the coordinates of the job, when one is named.
+fn table(args: &ToolpathArgs, job: &Job) -> Result<Option<Bounds2>> {
+    let corners = match args.table {
+        Some([x, y]) => Some((Point2::default(), Point2::new(x, y))),
+        None if args.run.place.config.is_some() => {
+            let settings = crate::setup::settings(&args.run.place, Default::default())?;
+            let (low, high) = (settings.limits.low.0, settings.limits.high.0);
+            Some((Point2::new(low[0], low[1]), Point2::new(high[0], high[1])))
+        }
+        None => None,
+    };
+    let origin = job.origin - Point2::default();
+    Ok(corners.map(|(low, high)| Bounds2::of(low + origin * -1.0, high + origin * -1.0)))
+}
