@@ -6,7 +6,7 @@ use kerf_control::{Script, Wish};
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
-use kerf_sim::{Change, Push};
+use kerf_sim::{Change, Push, Sheet};
 use std::path::PathBuf;
 
 /// Options of everything that runs a part file, on a machine or as a preview.
@@ -21,9 +21,13 @@ pub struct RunArgs {
     /// Sets a variable before the start
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse::variable)]
     pub set: Vec<(String, Value)>,
-    /// Changes an input of the simulated machine at a time in seconds; may be repeated
+    /// Changes an input of the simulated machine, a number or a name, at a time in seconds; may be
+    /// repeated
     #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
     pub input: Vec<Change>,
+    /// Lays a sheet on the table of the simulated machine: how high it lies, and how it rises
+    #[arg(long, value_name = "Z[,SLOPE]", value_parser = parse::sheet, allow_negative_numbers = true)]
+    pub sheet: Option<Sheet>,
     /// Pushes an axis of the simulated machine by hand, so far, at a time in seconds; may be repeated
     #[arg(long, value_name = "AXIS@T=BY", value_parser = parse::hand_move)]
     pub hand_move: Vec<Push>,

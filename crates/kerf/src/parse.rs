@@ -1,10 +1,11 @@
 //! Values of options.
 
+use kerf_machine::lines::Input;
 use kerf_program::GoTo;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
 use kerf_sbp::{Dialect, Value};
-use kerf_sim::{Change, Push};
+use kerf_sim::{Change, Push, Sheet};
 
 /// Letters of axes, as `xyz`.
 pub fn axes(text: &str) -> Result<Vec<Axis>, String> {
@@ -64,13 +65,23 @@ pub fn from_line(text: &str) -> Result<String, String> {
     known.then(|| text.to_owned()).ok_or_else(|| "give the number of a line, or last".into())
 }
 
-/// `N@T=0` or `N@T=1`.
+/// `Z`, `Z,SLOPE` or `Z,SLOPE,SLOPE`: a sheet, how high it lies and how it rises along X and Y.
+pub fn sheet(text: &str) -> Result<Sheet, String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
+    let numbers = numbers.filter(|all| all.len() <= 3 && all.iter().all(|n: &f64| n.is_finite()));
+    let numbers = numbers.ok_or_else(|| "give Z, or Z,SLOPE, as -20,0.05".to_owned())?;
+    let number = |i: usize| numbers.get(i).copied().unwrap_or_default();
+    Ok(Sheet { slope_x: number(1), slope_y: number(2), ..Sheet::flat(number(0)) })
+}
+
+/// `N@T=0` or `N@T=1`, N a number or a name.
 pub fn input(text: &str) -> Result<Change, String> {
     let parts = text.split_once('@').and_then(|(n, rest)| Some((n, rest.split_once('=')?)));
     let Some((input, (at, state))) = parts else {
         return Err("give NUMBER@SECONDS=STATE, as 3@2.5=1".into());
     };
-    let input = input.trim().parse().ok().filter(|n| (1..=12).contains(n));
+    let number = input.trim().parse().ok().filter(|n| (1..=12).contains(n));
+    let input = number.or_else(|| Input::named(input.trim()).map(Input::number));
     let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
     let on = match state.trim() {
         "0" => Some(false),
@@ -78,7 +89,7 @@ pub fn input(text: &str) -> Result<Change, String> {
         _ => None,
     };
     match (input, at_s, on) {
-        (None, ..) => Err("inputs are numbered 1 to 12".into()),
+        (None, ..) => Err("inputs are numbered 1 to 12, or named, as arc or estop".into()),
         (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
         (.., None) => Err("the state is 0 or 1".into()),
         (Some(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),
@@ -194,6 +205,7 @@ mod tests {
     fn inputs_are_number_time_and_state() {
         assert_eq!(input("3@2.5=1"), Ok(Change { input: 3, at_s: 2.5, on: true }));
         assert_eq!(input("12@0=0"), Ok(Change { input: 12, at_s: 0.0, on: false }));
+        assert_eq!(input("arc@1.62=1"), Ok(Change { input: 18, at_s: 1.62, on: true }));
         for wrong in ["", "3", "3@1", "3=1", "0@1=1", "13@1=1", "3@-1=1", "3@nan=1", "3@1=2"] {
             assert!(input(wrong).is_err(), "{wrong}");
         }

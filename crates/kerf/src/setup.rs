@@ -84,6 +84,7 @@ pub fn job_of(
         Work::Job(_, machine) => Arc::make_mut(machine).program = settings.clone(),
     }
     let in_mm = |push: &Push| Push { by: push.by * settings.axis_scale(push.axis), ..*push };
+    options.sheet = args.sheet;
     options.pushes = args.hand_move.iter().map(in_mm).collect();
     options.started = kept.then(clock::started);
     session.memory.settings = settings;

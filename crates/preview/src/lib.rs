@@ -34,6 +34,7 @@ mod png;
 mod scene;
 mod sheet;
 mod svg;
+pub mod timing;
 
 pub use options::Options;
 pub use png::PngError;

@@ -19,6 +19,7 @@ mod send;
 mod serve;
 mod sysvars;
 mod time;
+mod timing;
 mod toolpath;
 mod trace;
 mod wavlength;
@@ -37,6 +38,7 @@ pub enum Command {
     Preview(preview::PreviewArgs),
     Plot(plot::PlotArgs),
     Time(time::TimeArgs),
+    Timing(timing::TimingArgs),
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
     Draw(draw::DrawArgs),
@@ -65,6 +67,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Preview(args) => preview::run(&args),
         Command::Plot(args) => plot::run(&args),
         Command::Time(args) => time::run(&args),
+        Command::Timing(args) => timing::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),
         Command::Draw(args) => draw::run(&args),

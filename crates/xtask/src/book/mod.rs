@@ -2,6 +2,8 @@
 
 mod commands;
 mod messages;
+mod states;
 
 pub use commands::commands;
 pub use messages::messages;
+pub use states::states;
