@@ -33,7 +33,7 @@ it("the operator's screen in the middle of a cut", async () => {
 
 it("material that is cut", async () => {
   await page.getByRole("button", { name: "Stock" }).click();
-  for (let n = 0; n < 3; n += 1) await page.getByRole("button", { name: /^Speed/ }).click();
+  for (let n = 0; n < 2; n += 1) await page.getByRole("button", { name: /^Speed/ }).click();
   await page.getByRole("button", { name: "Play the simulation" }).click();
   await wait(8000);
   await picture("stock");
