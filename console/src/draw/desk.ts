@@ -1,0 +1,264 @@
+/**
+ * The drawing desk: what hands do to a drawing, as pure steps of one state.
+ *
+ * Pointers, buttons and keys come in; a new state goes out, and now and then operations for the
+ * server or words for the person.
+ */
+
+import { type Box, distance, type Place } from "./geometry/vec";
+import { type Picking, shapesNear } from "./pick";
+import { isCrossing, shapesIn } from "./region";
+import { isSnapKey, keysAt, snapNames, snapped } from "./snap";
+import {
+  asked,
+  baseOf,
+  begin,
+  finish,
+  givePlace,
+  giveRegion,
+  giveShape,
+  giveShapes,
+  type Running,
+  type Step,
+} from "./tools/running";
+import { type Tool, xy } from "./tools/tool";
+import { firstStep, larger, smaller, turnedOn } from "./tools/turn";
+import { centredOn, fitted, panned, type Size, type Window, zoomedTo } from "./window";
+
+/** A click picks what lies so near, pixels. */
+export const pickRadius = 8;
+
+/** A press that moves less is a click, pixels. */
+const clickSlack = 4;
+
+export type Drag =
+  | { readonly kind: "region"; readonly from: Place; readonly to: Place }
+  | { readonly kind: "pan"; readonly at: Place };
+
+export interface Chooser {
+  /** Where the click was. */
+  readonly at: Place;
+  readonly numbers: readonly number[];
+}
+
+export interface DeskState {
+  readonly window: Window;
+  readonly size: Size;
+  readonly running: Running | null;
+  readonly last: Tool | null;
+  readonly turnStep: number;
+  /** Where the mouse is, in the drawing. */
+  readonly pointer: Place | null;
+  readonly drag: Drag | null;
+  readonly chooser: Chooser | null;
+  /** What is being typed at the cursor. */
+  readonly entry: string | null;
+}
+
+/** What a step looks at. */
+export interface Around {
+  readonly picking: Picking;
+  readonly selected: readonly number[];
+  readonly box: Box;
+}
+
+export interface Done {
+  readonly state: DeskState;
+  /** Operations for the server. */
+  readonly clauses?: string;
+  /** Words for the person. */
+  readonly words?: string;
+}
+
+export const firstDesk: DeskState = {
+  window: { middle: { x: 0, y: 0 }, mmPerPixel: 1 },
+  size: { width: 0, height: 0 },
+  running: null,
+  last: null,
+  turnStep: firstStep,
+  pointer: null,
+  drag: null,
+  chooser: null,
+  entry: null,
+};
+
+const radiusOf = ({ window }: DeskState): number => pickRadius * window.mmPerPixel;
+
+/** Takes the outcome of a tool's step into the state. Numbers that only can be typed are asked at once. */
+export function taken(state: DeskState, { running, clauses }: Step): Done {
+  const next = { ...state, running, chooser: null, entry: entryFor(running) };
+  return clauses === undefined ? { state: next } : { state: next, clauses };
+}
+
+function entryFor(running: Running | null): string | null {
+  const ask = running && asked(running);
+  return ask?.ask === "number" && !ask.from ? String(ask.usual) : null;
+}
+
+export function startTool(state: DeskState, tool: Tool, around: Around): Done {
+  return taken({ ...state, last: tool, drag: null }, begin(tool, around.selected));
+}
+
+/** The place that a click here means; nothing when a snap finds nothing. */
+export function pickPlace(state: DeskState, at: Place, { picking }: Around): Place | null {
+  const { running } = state;
+  const base = running && baseOf(running);
+  return snapped(running?.snap ?? null, at, picking, radiusOf(state), base);
+}
+
+const takesPlace = (running: Running): boolean => {
+  const ask = asked(running);
+  return (
+    ask?.ask === "place" || ask?.ask === "path" || (ask?.ask === "number" && ask.from !== undefined)
+  );
+};
+
+/** The left button went down. */
+export const pressed = (state: DeskState, at: Place): Done => ({
+  state: { ...state, drag: { kind: "region", from: at, to: at }, chooser: null },
+});
+
+/** The middle button went down, or the space bar is held. */
+export const grabbed = (state: DeskState, pixel: Place): Done => ({
+  state: { ...state, drag: { kind: "pan", at: pixel } },
+});
+
+export function moved(state: DeskState, at: Place, pixel: Place): DeskState {
+  const { drag } = state;
+  if (drag?.kind === "pan") {
+    const window = panned(state.window, pixel.x - drag.at.x, pixel.y - drag.at.y);
+    return { ...state, window, drag: { kind: "pan", at: pixel } };
+  }
+  return { ...state, pointer: at, drag: drag && { ...drag, to: at } };
+}
+
+/** A button went up: a click or a region. `adds` keeps what is selected. */
+export function released(state: DeskState, adds: boolean, around: Around): Done {
+  const { drag } = state;
+  const still = { ...state, drag: null };
+  if (drag?.kind !== "region") return { state: still };
+  const far = distance(drag.from, drag.to) / state.window.mmPerPixel;
+  return far < clickSlack
+    ? clicked(still, drag.from, adds, around)
+    : spanned(still, drag.from, drag.to, adds, around);
+}
+
+function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Done {
+  const { running } = state;
+  if (running && takesPlace(running)) return placed(state, running, at, around);
+  if (running && asked(running)?.ask === "region") return { state };
+  const near = shapesNear(around.picking, at, radiusOf(state)).map(({ number }) => number);
+  const [only] = near;
+  if (near.length > 1) return { state: { ...state, chooser: { at, numbers: near } } };
+  if (only !== undefined) return chosen(state, only, at, adds, around);
+  if (running) return { state, words: "There is no shape within the selection radius." };
+  return adds || around.selected.length === 0 ? { state } : { state, clauses: "select none" };
+}
+
+function placed(state: DeskState, running: Running, at: Place, around: Around): Done {
+  const place = pickPlace(state, at, around);
+  if (place) return taken(state, givePlace(running, place, around.picking.shapes));
+  const name = running.snap ? snapNames[running.snap] : "place";
+  return { state, words: `There is no ${name} within the selection radius.` };
+}
+
+/** A shape was clicked, alone or in the chooser. */
+export function chosen(
+  state: DeskState,
+  number: number,
+  at: Place,
+  adds: boolean,
+  around: Around,
+): Done {
+  const { running } = state;
+  if (running) {
+    const place = pickPlace(state, at, around) ?? at;
+    return taken(state, giveShape(running, number, place));
+  }
+  const without = around.selected.includes(number) ? "remove" : "add";
+  const clauses = adds ? `select ${without} ${number}` : `select ${number}`;
+  return { state: { ...state, chooser: null }, clauses };
+}
+
+function spanned(state: DeskState, from: Place, to: Place, adds: boolean, around: Around): Done {
+  const { running } = state;
+  if (!running) {
+    const how = isCrossing(from, to) ? "crossing" : "window";
+    return { state, clauses: `select ${adds ? "add " : ""}${how} ${xy(from)} ${xy(to)}` };
+  }
+  const ask = asked(running)?.ask;
+  if (ask === "region") return taken(state, giveRegion(running, from, to));
+  if (ask !== "shapes") return { state };
+  const numbers = shapesIn(around.picking.shapes, from, to).map(({ number }) => number);
+  return taken(state, giveShapes(running, numbers));
+}
+
+/** The right button, or Enter: finishes, cancels, or does the last tool again. */
+export function rightClicked(state: DeskState, around: Around): Done {
+  if (state.running) return taken(state, finish(state.running));
+  return state.last ? startTool(state, state.last, around) : { state };
+}
+
+/** Escape: the entry, the chooser, the tool, the selection; whichever is there first. */
+export function escaped(state: DeskState, around: Around): Done {
+  if (state.chooser || state.drag) return { state: { ...state, chooser: null, drag: null } };
+  if (state.running) return { state: { ...state, running: null, entry: null } };
+  return around.selected.length > 0 ? { state, clauses: "select none" } : { state };
+}
+
+/** A key without modifiers; nothing when it means nothing here. */
+export function typed(state: DeskState, key: string, around: Around): Done | null {
+  return (
+    windowKey(state, key, around) ??
+    snapKey(state, key) ??
+    turnKey(state, key) ??
+    entryKey(state, key)
+  );
+}
+
+/** Z, X, S and A change the window in the middle of anything. */
+function windowKey(state: DeskState, key: string, { box }: Around): Done | null {
+  const { window, size } = state;
+  const at = state.pointer ?? window.middle;
+  const to: Record<string, () => Window> = {
+    z: () => zoomedTo(window, at, 2),
+    x: () => zoomedTo(window, at, 0.5),
+    s: () => centredOn(window, at),
+    a: () => fitted(box, size),
+  };
+  const changed = to[key]?.();
+  return changed ? { state: { ...state, window: changed } } : null;
+}
+
+function snapKey(state: DeskState, key: string): Done | null {
+  const { running } = state;
+  const ask = running && asked(running)?.ask;
+  if (!running || !(takesPlace(running) || ask === "shape")) return null;
+  if (!keysAt(baseOf(running)).toLowerCase().includes(key)) return null;
+  const snap = isSnapKey(key) ? key : null;
+  return { state: { ...state, running: { ...running, snap } } };
+}
+
+function turnKey(state: DeskState, key: string): Done | null {
+  const { running, turnStep } = state;
+  if (!running?.tool.turns) return null;
+  const turn = (way: 1 | -1): Done => ({
+    state: { ...state, running: { ...running, turned: turnedOn(running.turned, turnStep, way) } },
+  });
+  const meanings: Record<string, () => Done> = {
+    arrowleft: () => turn(1),
+    arrowright: () => turn(-1),
+    arrowup: () => ({ state: { ...state, turnStep: larger(turnStep) } }),
+    arrowdown: () => ({ state: { ...state, turnStep: smaller(turnStep) } }),
+  };
+  return meanings[key]?.() ?? null;
+}
+
+/** T opens the entry; so does the beginning of a number. */
+function entryKey(state: DeskState, key: string): Done | null {
+  const { running } = state;
+  if (!running || !(takesPlace(running) || running.bending || asked(running)?.ask === "number"))
+    return null;
+  if (key === "t") return { state: { ...state, entry: "" } };
+  return /^[\d@.-]$/.test(key) ? { state: { ...state, entry: key } } : null;
+}

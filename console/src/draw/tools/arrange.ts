@@ -1,0 +1,195 @@
+/** Tools that put shapes elsewhere or make more of them. */
+
+import { distance, minus } from "../geometry/vec";
+import { after, grown, mirrored, shifted, spun } from "./matrix";
+import { amountOf, noGhost, num, numbersOf, placeOf, select, type Tool, xy } from "./tool";
+import { wrapped } from "./turn";
+
+const shapes = { ask: "shapes", prompt: "Shapes" } as const;
+const basePlace = { ask: "place", prompt: "Base place" } as const;
+const target = { ask: "place", prompt: "Where it goes" } as const;
+
+/** What the arrow keys turned, as an operation about the place where the shapes went. */
+const turning = (turned: number, about: string): string =>
+  wrapped(turned) === 0 ? "" : `; rotate ${num(wrapped(turned))} about ${about}`;
+
+/** Move and copy: the shapes follow the mouse, turned by the arrow keys. */
+const carrying: NonNullable<Tool["ghost"]> = ([picked, base], at, turned) => {
+  if (!base) return noGhost;
+  const from = placeOf(base);
+  return {
+    kind: "moved",
+    numbers: numbersOf(picked),
+    by: after(spun(at, turned), shifted(from, at)),
+  };
+};
+
+const carry = (id: "move" | "copy", title: string, doc: string): Tool => ({
+  id,
+  title,
+  doc,
+  menu: "arrange",
+  asks: [shapes, basePlace, target],
+  turns: true,
+  clauses: ([picked, from, to], turned) => {
+    const [a, b] = [xy(placeOf(from)), xy(placeOf(to))];
+    return `${select(numbersOf(picked))}; ${id} from ${a} to ${b}${turning(turned, b)}`;
+  },
+  ghost: carrying,
+});
+
+const move = carry("move", "Move", "From a base place to another; arrow keys turn.");
+const copy = carry("copy", "Copy", "Copies, from a base place to another; arrow keys turn.");
+
+const rotate: Tool = {
+  id: "rotate",
+  title: "Rotate",
+  doc: "Counter-clockwise about a place, by the mouse or a typed angle.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    { ask: "place", prompt: "Centre" },
+    {
+      ask: "number",
+      prompt: "Angle",
+      kind: "angle",
+      usual: 90,
+      from: (at, [, centre]) => angleTo(placeOf(centre), at),
+    },
+  ],
+  clauses: ([picked, centre, angle]) =>
+    `${select(numbersOf(picked))}; rotate ${num(amountOf(angle))} about ${xy(placeOf(centre))}`,
+  ghost: ([picked, centre], at) => {
+    if (!centre) return noGhost;
+    const about = placeOf(centre);
+    return { kind: "moved", numbers: numbersOf(picked), by: spun(about, angleTo(about, at)) };
+  },
+};
+
+type At = Parameters<typeof minus>[0];
+
+function angleTo(centre: At, at: At): number {
+  const way = minus(at, centre);
+  return (Math.atan2(way.y, way.x) * 180) / Math.PI;
+}
+
+const scale: Tool = {
+  id: "scale",
+  title: "Scale",
+  doc: "By a factor about a place; 25.4 makes millimetres of inches.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    { ask: "place", prompt: "Centre" },
+    {
+      ask: "number",
+      prompt: "Factor",
+      kind: "plain",
+      usual: 2,
+      accepts: (value) => (value > 0 ? undefined : "has to be greater than 0"),
+    },
+  ],
+  clauses: ([picked, centre, factor]) =>
+    `${select(numbersOf(picked))}; scale ${num(amountOf(factor))} about ${xy(placeOf(centre))}`,
+  ghost: ([picked, centre, factor]) => {
+    if (!centre || !factor) return noGhost;
+    return {
+      kind: "moved",
+      numbers: numbersOf(picked),
+      by: grown(placeOf(centre), amountOf(factor)),
+    };
+  },
+};
+
+const mirror: Tool = {
+  id: "mirror",
+  title: "Mirror",
+  doc: "At the line through two places.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    { ask: "place", prompt: "A place of the mirror line" },
+    { ask: "place", prompt: "Another place of it" },
+  ],
+  clauses: ([picked, a, b]) =>
+    `${select(numbersOf(picked))}; mirror ${xy(placeOf(a))} ${xy(placeOf(b))}`,
+  ghost: ([picked, a], at) => {
+    if (!a || distance(placeOf(a), at) === 0) return noGhost;
+    return { kind: "moved", numbers: numbersOf(picked), by: mirrored(placeOf(a), at) };
+  },
+};
+
+const whole = (value: number) =>
+  Number.isInteger(value) && value >= 1 ? undefined : "has to be a whole number from 1";
+
+const arrayInRows: Tool = {
+  id: "array-rect",
+  title: "Array in rows",
+  doc: "Rows and columns of the shapes, with gaps between them.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    { ask: "number", prompt: "Rows", kind: "plain", usual: 2, accepts: whole },
+    { ask: "number", prompt: "Columns", kind: "plain", usual: 2, accepts: whole },
+    { ask: "number", prompt: "Gap between columns", kind: "length", usual: 10 },
+    { ask: "number", prompt: "Gap between rows", kind: "length", usual: 10 },
+  ],
+  clauses: ([picked, rows, columns, across, up]) =>
+    `${select(numbersOf(picked))}; array rect ${amountOf(rows)}x${amountOf(columns)} ` +
+    `spacing ${num(amountOf(across))},${num(amountOf(up))}`,
+};
+
+const arrayRound: Tool = {
+  id: "array-round",
+  title: "Array round a centre",
+  doc: "So many of the shapes on a circle, the first one counted.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    { ask: "number", prompt: "How many", kind: "plain", usual: 6, accepts: whole },
+    { ask: "place", prompt: "Centre" },
+  ],
+  clauses: ([picked, count, centre]) =>
+    `${select(numbersOf(picked))}; array round ${amountOf(count)} about ${xy(placeOf(centre))}`,
+};
+
+const clip: Tool = {
+  id: "clip",
+  title: "To clipboard",
+  doc: "Puts copies of shapes onto the clipboard.",
+  menu: "arrange",
+  asks: [shapes],
+  clauses: ([picked]) => `${select(numbersOf(picked))}; clip`,
+};
+
+const paste: Tool = {
+  id: "paste",
+  title: "Paste",
+  doc: "The clipboard's shapes, their lower left at a place; arrow keys turn.",
+  menu: "arrange",
+  asks: [{ ask: "place", prompt: "Lower left" }],
+  turns: true,
+  clauses: ([to], turned) => `paste ${xy(placeOf(to))}${turning(turned, xy(placeOf(to)))}`,
+};
+
+const origin: Tool = {
+  id: "origin",
+  title: "Origin",
+  doc: "Makes a place the origin of the drawing.",
+  menu: "arrange",
+  asks: [{ ask: "place", prompt: "The new origin" }],
+  clauses: ([at]) => `origin ${xy(placeOf(at))}`,
+};
+
+export const arrangeTools: readonly Tool[] = [
+  move,
+  copy,
+  rotate,
+  scale,
+  mirror,
+  arrayInRows,
+  arrayRound,
+  clip,
+  paste,
+  origin,
+];

@@ -1,0 +1,214 @@
+/** Tools that change shapes where they are. */
+
+import { bulgeThrough, distanceTo, type Segment } from "../geometry/segment";
+import type { Shape } from "../geometry/shape";
+import type { Place } from "../geometry/vec";
+import { frame } from "./insert";
+import {
+  type Answer,
+  amountOf,
+  noGhost,
+  num,
+  numbersOf,
+  placeOf,
+  regionOf,
+  select,
+  shapeAt,
+  type Tool,
+  xy,
+} from "./tool";
+
+const shapes = { ask: "shapes", prompt: "Shapes" } as const;
+const notNegative = (value: number) => (value >= 0 ? undefined : "cannot be negative");
+
+const erase: Tool = {
+  id: "erase",
+  title: "Erase",
+  doc: "Removes shapes.",
+  menu: "edit",
+  asks: [shapes],
+  clauses: ([picked]) => `${select(numbersOf(picked))}; erase`,
+};
+
+const fillet: Tool = {
+  id: "fillet",
+  title: "Fillet",
+  doc: "Rounds the corner nearest to a place.",
+  menu: "edit",
+  asks: [
+    { ask: "number", prompt: "Radius", kind: "length", usual: 5, accepts: notNegative },
+    { ask: "shape", prompt: "Corner" },
+  ],
+  repeats: true,
+  clauses: ([radius, corner]) => {
+    const { number, at } = shapeAt(corner);
+    return `${select([number])}; fillet ${num(amountOf(radius))} at ${xy(at)}`;
+  },
+};
+
+const chamfer: Tool = {
+  id: "chamfer",
+  title: "Chamfer",
+  doc: "Cuts the corner nearest to a place off.",
+  menu: "edit",
+  asks: [
+    { ask: "number", prompt: "Length", kind: "length", usual: 5, accepts: notNegative },
+    { ask: "shape", prompt: "Corner" },
+  ],
+  repeats: true,
+  clauses: ([length, corner]) => {
+    const { number, at } = shapeAt(corner);
+    return `${select([number])}; chamfer ${num(amountOf(length))} at ${xy(at)}`;
+  },
+};
+
+const offset: Tool = {
+  id: "offset",
+  title: "Offset",
+  doc: "Paths beside the shapes, to the right of travel; a negative distance to the left.",
+  menu: "edit",
+  asks: [shapes, { ask: "number", prompt: "Distance, right of travel", kind: "length", usual: 3 }],
+  clauses: ([picked, by]) => `${select(numbersOf(picked))}; offset ${num(amountOf(by))} keep`,
+};
+
+const join: Tool = {
+  id: "join",
+  title: "Join",
+  doc: "Makes one of open shapes whose ends are that near.",
+  menu: "edit",
+  asks: [
+    shapes,
+    { ask: "number", prompt: "Largest gap", kind: "length", usual: 0.1, accepts: notNegative },
+  ],
+  clauses: ([picked, gap]) => `${select(numbersOf(picked))}; join ${num(amountOf(gap))}`,
+};
+
+const breakTool: Tool = {
+  id: "break",
+  title: "Break",
+  doc: "Opens a closed shape at a place; makes two of an open one.",
+  menu: "edit",
+  asks: [{ ask: "shape", prompt: "Place of the break" }],
+  repeats: true,
+  clauses: ([where]) => {
+    const { number, at } = shapeAt(where);
+    return `break ${number} ${xy(at)}`;
+  },
+};
+
+const trim: Tool = {
+  id: "trim",
+  title: "Trim",
+  doc: "Takes out the part between the shapes picked first.",
+  menu: "edit",
+  asks: [
+    { ask: "shapes", prompt: "Cutting shapes" },
+    { ask: "shape", prompt: "Part to take out" },
+  ],
+  clauses: ([edges, part]) => `${select(numbersOf(edges))}; trim ${xy(shapeAt(part).at)}`,
+};
+
+const stretch: Tool = {
+  id: "stretch",
+  title: "Stretch",
+  doc: "Moves the vertices within a window.",
+  menu: "edit",
+  asks: [
+    shapes,
+    { ask: "region", prompt: "Window round the vertices" },
+    { ask: "place", prompt: "Base place" },
+    { ask: "place", prompt: "Where it goes" },
+  ],
+  clauses: ([picked, window, from, to]) => {
+    const [a, b] = [regionOf(window), { from: placeOf(from), to: placeOf(to) }];
+    const by = { x: b.to.x - b.from.x, y: b.to.y - b.from.y };
+    return `${select(numbersOf(picked))}; stretch ${xy(a.from)} ${xy(a.to)} by ${xy(by)}`;
+  },
+  ghost: ([, window]) =>
+    window
+      ? { kind: "segments", segments: frame(regionOf(window).from, regionOf(window).to) }
+      : noGhost,
+};
+
+const vertex: Tool = {
+  id: "vertex",
+  title: "Move vertex",
+  doc: "Moves the vertex nearest to a place.",
+  menu: "edit",
+  asks: [
+    { ask: "shape", prompt: "Vertex" },
+    { ask: "place", prompt: "Where it goes" },
+  ],
+  clauses: ([which, to]) => {
+    const { number, at } = shapeAt(which);
+    return `vertex ${number} ${xy(at)} ${xy(placeOf(to))}`;
+  },
+};
+
+const deleteVertex: Tool = {
+  id: "delete-vertex",
+  title: "Delete vertex",
+  doc: "Takes the vertex nearest to a place out.",
+  menu: "edit",
+  asks: [{ ask: "shape", prompt: "Vertex" }],
+  repeats: true,
+  clauses: ([which]) => {
+    const { number, at } = shapeAt(which);
+    return `delete-vertices ${number} ${xy(at)}`;
+  },
+};
+
+const bulge: Tool = {
+  id: "bulge",
+  title: "Bulge",
+  doc: "Bends a segment with the mouse, or by a typed bulge; 0 is a line.",
+  menu: "edit",
+  asks: [
+    { ask: "shape", prompt: "Segment" },
+    {
+      ask: "number",
+      prompt: "Bulge",
+      kind: "plain",
+      usual: 0,
+      from: (at, [which], all) => bulgeAt(all, which, at),
+    },
+  ],
+  clauses: ([which, value]) => {
+    const { number, at } = shapeAt(which);
+    return `bulge ${number} ${xy(at)} ${num(amountOf(value))}`;
+  },
+  ghost: ([which], at, _, all) => {
+    const segment = which && segmentAt(all, shapeAt(which));
+    const bulge = bulgeAt(all, which, at);
+    return segment ? { kind: "segments", segments: [{ ...segment, bulge }] } : noGhost;
+  },
+};
+
+/** The segment of a shape that is nearest to a place. */
+function segmentAt(
+  all: readonly Shape[],
+  { number, at }: { readonly number: number; readonly at: Place },
+): Segment | undefined {
+  const segments = all.find((shape) => shape.number === number)?.segments ?? [];
+  return [...segments].sort((a, b) => distanceTo(a, at) - distanceTo(b, at))[0];
+}
+
+/** The bulge that bends a segment to the mouse. */
+function bulgeAt(all: readonly Shape[], which: Answer | undefined, at: Place): number {
+  const segment = which && segmentAt(all, shapeAt(which));
+  return segment ? bulgeThrough(segment.from, segment.to, at) : 0;
+}
+
+export const editTools: readonly Tool[] = [
+  erase,
+  fillet,
+  chamfer,
+  offset,
+  join,
+  breakTool,
+  trim,
+  stretch,
+  vertex,
+  deleteVertex,
+  bulge,
+];
