@@ -20,7 +20,7 @@ export interface World {
 }
 
 /** Where an action stands in menus. */
-export type Section = "machine" | "job" | "file" | "view" | "go" | "help";
+export type Section = "machine" | "job" | "file" | "view" | "go" | "draw" | "help";
 
 export interface Action {
   readonly id: string;

@@ -1,8 +1,14 @@
 /** The one list of actions. A screen of its own (the drawing) adds its actions here. */
 
 import type { Action } from "./action";
+import { drawActions } from "./draw";
 import { goActions } from "./go";
 import { jobActions } from "./job";
 import { machineActions } from "./machine";
 
-export const actions: readonly Action[] = [...machineActions, ...jobActions, ...goActions];
+export const actions: readonly Action[] = [
+  ...machineActions,
+  ...jobActions,
+  ...goActions,
+  ...drawActions,
+];

@@ -30,6 +30,10 @@ const EditScreen = lazy(async () => ({
   default: (await import("../editor/EditScreen")).EditScreen,
 }));
 
+const DrawScreen = lazy(async () => ({
+  default: (await import("../draw/DrawScreen")).DrawScreen,
+}));
+
 function Body() {
   const sheet = useScreen("sheet");
   const asked = useShown((shown) => shown.snapshot?.asked);
@@ -56,6 +60,8 @@ function Route() {
       return <OperatorScreen />;
     case "/edit":
       return <EditScreen />;
+    case "/draw":
+      return <DrawScreen />;
     case "/settings":
       return <SettingsScreen />;
     case "/help":

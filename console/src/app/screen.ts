@@ -24,6 +24,8 @@ export interface ScreenState {
   readonly sheet: Sheet | null;
   /** Lines of the open file at which going line by line halts. */
   readonly breakpoints: readonly number[];
+  /** The drawing tool that was asked for; a new value each time. */
+  readonly tool: { readonly id: string } | null;
   /** What the person has to know of what was just refused; the newest last. */
   readonly notices: readonly Notice[];
 }
@@ -36,6 +38,8 @@ export interface Notice {
 export interface Screen extends Store<ScreenState> {
   go(route: Route): void;
   open(sheet: Sheet | null): void;
+  /** Goes to the drawing and begins a tool. */
+  takeTool(id: string): void;
   wear(theme: Theme): void;
   face(face: Face): void;
   mark(breakpoints: readonly number[]): void;
@@ -58,6 +62,7 @@ export function createScreen(): Screen {
     face: localStorage.getItem(faceKey) === "full" ? "full" : "easy",
     sheet: null,
     breakpoints: [],
+    tool: null,
     notices: [],
   });
   let notices = 0;
@@ -73,6 +78,10 @@ export function createScreen(): Screen {
       store.update((now) => ({ ...now, route, sheet: null }));
     },
     open: (sheet) => store.update((now) => ({ ...now, sheet })),
+    takeTool(id) {
+      this.go("/draw");
+      store.update((now) => ({ ...now, sheet: null, tool: { id } }));
+    },
     wear(theme) {
       applyTheme(theme);
       store.update((now) => ({ ...now, theme }));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { readLength, readNumber, readPlace } from "./entry";
+import { readLength, readPlace } from "./entry";
 import { place } from "./geometry/vec";
 
 const inch = 25.4;
@@ -23,11 +23,6 @@ describe("typed lengths", () => {
 
   it.each(["", "1+", "abc", "1 2", "(1", "1/0", "1furlong"])("%j is refused in words", (text) => {
     expect(readLength(text, 1)).toHaveProperty("wrong");
-  });
-
-  it("knows no units where none belong", () => {
-    expect(readNumber("90/4")).toEqual({ value: 22.5 });
-    expect(readNumber("90mm")).toHaveProperty("wrong");
   });
 });
 

@@ -1,12 +1,12 @@
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { ask } from "../actions/ask";
-import { useHands, useSnapshot, worldOf } from "../app/context";
-import { getJson } from "../link/http";
+import { useHands, worldOf } from "../app/context";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo } from "../wire/messages";
 import { inFolder, parentOf } from "./folder";
+import { useFiles } from "./useFiles";
 import "./file-picker.css";
 
 /** Chooses a file of the part folder. */
@@ -74,16 +74,3 @@ const sizeText = (bytes: number): string =>
     : bytes < 1e6
       ? `${(bytes / 1e3).toFixed(0)} kB`
       : `${(bytes / 1e6).toFixed(1)} MB`;
-
-/** The files of a folder, read anew when they change. */
-function useFiles(folder: string): readonly FileInfo[] {
-  const changes = useSnapshot("files");
-  const { screen } = useHands();
-  const [files, setFiles] = useState<readonly FileInfo[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: reads again when files changed
-  useEffect(() => {
-    const address = `/api/files?folder=${encodeURIComponent(folder)}`;
-    getJson<FileInfo[]>(address).then(setFiles, (error: Error) => screen.tell(error.message));
-  }, [changes, folder, screen]);
-  return files;
-}

@@ -1,0 +1,45 @@
+import { chosen } from "./desk";
+import type { Scene } from "./paint/shapes";
+import type { Desk } from "./useDesk";
+import { type Size, toPixels } from "./window";
+
+interface ChooserProps {
+  desk: Desk;
+  scene: Scene;
+  size: Size;
+}
+
+/** Small buttons in group colours, when several shapes lie under a click; in cutting order. */
+export function Chooser({ desk, scene, size }: ChooserProps) {
+  const { chooser, window, running } = desk.state;
+  if (!chooser) return null;
+  const at = toPixels(window, size, chooser.at);
+  const picked = running?.picked ?? [...scene.selected];
+  return (
+    <div className="chooser" role="menu" style={{ translate: `${at.x + 8}px ${at.y + 8}px` }}>
+      {chooser.numbers.map((number, n) => {
+        const shape = scene.shapes.find((other) => other.number === number);
+        const marked = picked.includes(number);
+        return (
+          <button
+            key={number}
+            type="button"
+            role="menuitem"
+            // biome-ignore lint/a11y/noAutofocus: it opens at a click and waits for an answer
+            autoFocus={n === 0}
+            className={marked ? "chooser-one chooser-marked" : "chooser-one"}
+            style={{ background: `var(--draw-group-${shape?.group})` }}
+            title={`Shape ${number}, group ${shape?.group}`}
+            aria-label={`Shape ${number}, group ${shape?.group}${marked ? ", selected" : ""}`}
+            onClick={(event) =>
+              desk.act((state, around) => chosen(state, number, chooser.at, event.shiftKey, around))
+            }
+            onKeyDown={(event) => {
+              if (event.key === "Escape") desk.set((state) => ({ ...state, chooser: null }));
+            }}
+          />
+        );
+      })}
+    </div>
+  );
+}

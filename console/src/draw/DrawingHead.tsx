@@ -1,0 +1,100 @@
+import { useState } from "react";
+import { ask } from "../actions/ask";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import type { Op } from "../wire/messages";
+import { FileSheet } from "./FileSheet";
+import type { Desk } from "./useDesk";
+import { fitted } from "./window";
+
+type Asking = "open" | "save" | "program";
+
+/** The drawing's name, its files, undo and redo, and the way to the machine. */
+export function DrawingHead({ desk }: { desk: Desk }) {
+  const hands = useHands();
+  const drawing = useSnapshot("drawing");
+  const [asking, setAsking] = useState<Asking | null>(null);
+  const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
+  const program = async (name: string) => {
+    if (await draw({ op: "program", name })) hands.screen.go("/");
+  };
+  return (
+    <header className="drawing-head">
+      <p className="drawing-name">
+        {drawing?.name ?? "New drawing"}
+        {drawing?.changed && <span title="changed since it was saved"> ●</span>}
+      </p>
+      <div className="drawing-buttons">
+        <Button size="small" onPress={() => void draw({ op: "new" })}>
+          New
+        </Button>
+        <Button size="small" onPress={() => setAsking("open")}>
+          Open…
+        </Button>
+        <Button size="small" onPress={() => setAsking("save")}>
+          Save…
+        </Button>
+        <span className="drawing-gap" />
+        <Button
+          size="small"
+          isDisabled={!drawing?.canUndo}
+          onPress={() => void draw({ op: "undo" })}
+        >
+          Undo
+        </Button>
+        <Button
+          size="small"
+          isDisabled={!drawing?.canRedo}
+          onPress={() => void draw({ op: "redo" })}
+        >
+          Redo
+        </Button>
+        <Button
+          size="small"
+          onPress={() => desk.set((s) => ({ ...s, window: fitted(desk.around.box, s.size) }))}
+        >
+          Show all
+        </Button>
+        <span className="drawing-gap" />
+        <Button
+          size="small"
+          look="primary"
+          isDisabled={!drawing || drawing.shapes === 0}
+          onPress={() => setAsking("program")}
+        >
+          Make the part program…
+        </Button>
+      </div>
+      {asking === "open" && (
+        <FileSheet
+          title="Open a drawing"
+          endings={["dxf", "svg", "rsg", "rsm"]}
+          onClose={() => setAsking(null)}
+          onName={(name) => draw({ op: "open", name })}
+        />
+      )}
+      {asking === "save" && (
+        <FileSheet
+          title="Save the drawing"
+          endings={["rsg", "dxf", "svg"]}
+          proposal={named(drawing?.name, "rsg")}
+          onClose={() => setAsking(null)}
+          onName={(name) => draw({ op: "save", name })}
+        />
+      )}
+      {asking === "program" && (
+        <FileSheet
+          title="Part program of the tool paths"
+          endings={["sbp", "nc"]}
+          proposal={named(drawing?.name, "sbp")}
+          onClose={() => setAsking(null)}
+          onName={program}
+        />
+      )}
+    </header>
+  );
+}
+
+/** A drawing's name with another ending. */
+const named = (name: string | null | undefined, ending: string): string =>
+  `${(name ?? "drawing").replace(/\.[^./]*$/, "")}.${ending}`;

@@ -1,0 +1,162 @@
+import { type KeyboardEvent, type PointerEvent, useEffect, useMemo, useRef } from "react";
+import { useScreen, useSnapshot } from "../app/context";
+import { useSize } from "../view/useSize";
+import { Chooser } from "./Chooser";
+import { escaped, grabbed, moved, pressed, released, rightClicked, typed } from "./desk";
+import { EntryBox } from "./EntryBox";
+import { type Place, place } from "./geometry/vec";
+import { overlayOf } from "./ghost";
+import { paintOverlay } from "./paint/overlay";
+import { paintPaper } from "./paint/paper";
+import { sheetOn } from "./paint/pen";
+import { paintBounds, paintShapes, type Scene } from "./paint/shapes";
+import { StatusBar } from "./StatusBar";
+import type { Desk } from "./useDesk";
+import { fitted, toDrawing, zoomedAbout } from "./window";
+import "./drawing-sheet.css";
+
+interface DrawingSheetProps {
+  desk: Desk;
+  scene: Scene;
+}
+
+/** The shapes, and the hands that change them. */
+export function DrawingSheet({ desk, scene }: DrawingSheetProps) {
+  const box = useRef<HTMLDivElement>(null);
+  const size = useSize(box);
+  useWindow(desk, scene, size.width, size.height);
+  const units = useSnapshot("units");
+  const place = (event: { clientX: number; clientY: number }) =>
+    toDrawing(desk.state.window, size, pixelOf(box.current, event));
+  return (
+    <section className="sheet-panel" aria-label="Drawing">
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing is worked on with keys */}
+      {/* biome-ignore lint/a11y/useAriaPropsSupportedByRole: a canvas that takes keys */}
+      <div
+        ref={box}
+        className={desk.state.running ? "sheet-box sheet-picking" : "sheet-box"}
+        tabIndex={0}
+        role="application"
+        aria-label="Shapes of the drawing"
+        onKeyDown={(event) => keyed(desk, event)}
+        onPointerDown={(event) =>
+          pointerDown(desk, event, place(event), pixelOf(box.current, event))
+        }
+        onPointerMove={(event) =>
+          desk.set((state) => moved(state, place(event), pixelOf(box.current, event)))
+        }
+        onPointerUp={(event) => {
+          if (event.button === 2) return;
+          desk.act((state, around) => released(state, event.shiftKey, around));
+        }}
+        onPointerLeave={() => desk.set((state) => ({ ...state, pointer: null }))}
+        onContextMenu={(event) => {
+          event.preventDefault();
+          desk.act(rightClicked);
+        }}
+        onWheel={(event) => {
+          const at = place(event);
+          const factor = Math.exp(-event.deltaY / 500);
+          desk.set((state) => ({ ...state, window: zoomedAbout(state.window, at, factor) }));
+        }}
+      >
+        <Canvases desk={desk} scene={scene} unitMm={units?.mm ?? 1} />
+      </div>
+      <EntryBox
+        desk={desk}
+        size={size}
+        unitMm={units?.mm ?? 1}
+        onDone={() => box.current?.focus()}
+      />
+      <Chooser desk={desk} scene={scene} size={size} />
+      <StatusBar state={desk.state} units={units} />
+    </section>
+  );
+}
+
+/** Follows the size of the picture, and shows all of a drawing that was just opened. */
+function useWindow(desk: Desk, scene: Scene, width: number, height: number): void {
+  const name = useSnapshot("drawing")?.name;
+  const empty = scene.shapes.length === 0;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: fits what was opened, not every change
+  useEffect(() => {
+    const size = { width, height };
+    if (width === 0) return;
+    desk.set((state) => ({
+      ...state,
+      size,
+      window: empty ? state.window : fitted(scene.box, size),
+    }));
+  }, [name, empty, width > 0]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: only when the picture's size changes
+  useEffect(() => {
+    desk.set((state) => ({ ...state, size: { width, height } }));
+  }, [width, height]);
+}
+
+function Canvases({ desk, scene, unitMm }: DrawingSheetProps & { unitMm: number }) {
+  const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
+  const theme = useScreen("theme");
+  const { window, size } = desk.state;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
+  useEffect(() => {
+    const sheet = base.current && sheetOn(base.current, window, size);
+    if (!sheet) return;
+    const ink = inkOf(sheet.pen.canvas);
+    paintPaper(sheet, unitMm, ink);
+    paintBounds(sheet, scene.box, ink);
+    paintShapes(sheet, scene, ink);
+  }, [scene, window, size, unitMm, theme]);
+  const overlay = useMemo(() => overlayOf(desk.state, desk.around), [desk.state, desk.around]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
+  useEffect(() => {
+    const sheet = over.current && sheetOn(over.current, window, size);
+    if (sheet) paintOverlay(sheet, overlay, inkOf(sheet.pen.canvas));
+  }, [overlay, window, size, theme]);
+  return (
+    <>
+      <canvas ref={base} className="sheet-canvas" />
+      <canvas ref={over} className="sheet-canvas" />
+    </>
+  );
+}
+
+const inkOf = (element: Element) => {
+  const style = getComputedStyle(element);
+  return (token: string) => style.getPropertyValue(token).trim();
+};
+
+function pixelOf(
+  box: Element | null,
+  { clientX, clientY }: { clientX: number; clientY: number },
+): Place {
+  const at = box?.getBoundingClientRect();
+  return place(clientX - (at?.left ?? 0), clientY - (at?.top ?? 0));
+}
+
+function pointerDown(desk: Desk, event: PointerEvent<HTMLElement>, at: Place, pixel: Place): void {
+  if (event.button === 2) return;
+  event.currentTarget.focus();
+  event.currentTarget.setPointerCapture(event.pointerId);
+  desk.act((state) => (event.button === 1 ? grabbed(state, pixel) : pressed(state, at)));
+}
+
+/** Keys of the drawing; what they mean nothing to goes on to the page. */
+function keyed(desk: Desk, event: KeyboardEvent): void {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const meant =
+    event.key === "Escape"
+      ? desk.act(escaped)
+      : event.key === "Enter"
+        ? desk.act(rightClicked)
+        : event.key === "Delete"
+          ? erase(desk)
+          : desk.act((state, around) => typed(state, event.key.toLowerCase(), around));
+  if (meant) event.preventDefault();
+}
+
+function erase(desk: Desk): boolean {
+  if (desk.state.running || desk.around.selected.length === 0) return false;
+  desk.send("erase");
+  return true;
+}

@@ -1,0 +1,68 @@
+import { useState } from "react";
+import { useHands } from "../app/context";
+import { useFiles } from "../operator/useFiles";
+import { Button } from "../ui/Button";
+import { Field } from "../ui/Field";
+
+interface FileSheetProps {
+  title: string;
+  /** Endings of the names that are offered, without the point. */
+  endings: readonly string[];
+  /** A name that is written; without it, one that is read. */
+  proposal?: string;
+  onName: (name: string) => Promise<unknown>;
+  onClose: () => void;
+}
+
+/** Asks for the name of a file of the part folder; those that are there are offered. */
+export function FileSheet({ title, endings, proposal, onName, onClose }: FileSheetProps) {
+  const { screen } = useHands();
+  const files = useFiles("");
+  const [name, setName] = useState(proposal ?? "");
+  const offered = files.filter(({ name, folder }) => !folder && endings.includes(endingOf(name)));
+  const use = async (chosen: string) => {
+    if (!endings.includes(endingOf(chosen))) {
+      screen.tell(`The name has to end with ${endings.map((e) => `.${e}`).join(", ")}.`);
+      return;
+    }
+    if ((await onName(chosen)) !== false) onClose();
+  };
+  return (
+    <section
+      className="file-sheet"
+      role="dialog"
+      aria-label={title}
+      onKeyDown={(event) => event.key === "Escape" && onClose()}
+    >
+      <h2>{title}</h2>
+      <form
+        onSubmit={(event) => {
+          event.preventDefault();
+          void use(name);
+        }}
+      >
+        <Field label="Name" value={name} onChange={setName} autoFocus />
+        <div className="file-sheet-names">
+          {offered.length === 0 && <p className="tail-empty">No such file in the part folder.</p>}
+          {offered.map((file) => (
+            <button
+              key={file.name}
+              type="button"
+              onClick={() => (proposal === undefined ? void use(file.name) : setName(file.name))}
+            >
+              {file.name}
+            </button>
+          ))}
+        </div>
+        <div className="file-sheet-foot">
+          <Button onPress={onClose}>Cancel</Button>
+          <Button type="submit" look="primary" isDisabled={name.trim() === ""}>
+            {proposal === undefined ? "Open" : "Write"}
+          </Button>
+        </div>
+      </form>
+    </section>
+  );
+}
+
+const endingOf = (name: string): string => name.split(".").at(-1)?.toLowerCase() ?? "";

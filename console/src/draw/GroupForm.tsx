@@ -1,0 +1,176 @@
+import { useState } from "react";
+import type { GroupState } from "../wire/messages";
+import { isWrong, readLength, readNumber } from "./entry";
+import { num } from "./tools/tool";
+import type { Desk } from "./useDesk";
+
+interface GroupFormProps {
+  group: GroupState;
+  /** Millimetres in the user's unit. */
+  mm: number;
+  desk: Desk;
+}
+
+interface Row {
+  readonly key: string;
+  readonly label: string;
+  readonly title: string;
+  readonly value: (group: GroupState) => number;
+  readonly length: boolean;
+}
+
+const length = (key: string, label: string, title: string, value: Row["value"]): Row => ({
+  key,
+  label,
+  title,
+  value,
+  length: true,
+});
+
+const rows: readonly Row[] = [
+  length("offset", "Offset", "Of the tool path, right of travel", (g) => g.offset),
+  length("rough", "Rough", "What a first pass leaves", (g) => g.rough),
+  length(
+    "tag",
+    "Tag",
+    "Left out at the path's beginning, so that the part stays in the sheet",
+    (g) => g.tag,
+  ),
+  { key: "tool", label: "Tool", title: "Tool output, 1 to 3", value: (g) => g.tool, length: false },
+  { key: "cut", label: "Cut", title: "Cut output, 1 to 3", value: (g) => g.cut, length: false },
+];
+
+/** How the shapes of a group are cut. */
+export function GroupForm({ group, mm, desk }: GroupFormProps) {
+  const set = (words: string) => desk.send(`set ${group.name} ${words}`);
+  return (
+    <div className="group-form">
+      <DepthRow group={group} mm={mm} set={set} />
+      {rows.map((row) => (
+        <Entry
+          key={row.key}
+          label={row.label}
+          title={row.title}
+          text={shown(row.value(group), row.length ? mm : 1)}
+          onText={(text) => {
+            const read = row.length ? readLength(text, mm) : readNumber(text);
+            if (!isWrong(read)) set(`${row.key}=${num(read.value)}`);
+          }}
+        />
+      ))}
+      <LeadRow name="lead-in" label="Lead-in" lead={group.leadIn} mm={mm} set={set} />
+      <LeadRow name="lead-out" label="Lead-out" lead={group.leadOut} mm={mm} set={set} />
+      <Entry
+        label="Speed"
+        title="Millimetres a minute; max is the machine's cutting speed"
+        text={group.speed === null ? "max" : shown(group.speed, 1)}
+        onText={(text) => {
+          const read = readNumber(text);
+          set(`speed=${isWrong(read) ? "max" : num(read.value)}`);
+        }}
+      />
+      <label className="group-check">
+        <input
+          type="checkbox"
+          checked={group.double}
+          onChange={() => set(`double=${group.double ? "off" : "on"}`)}
+        />
+        Both sides of the line
+      </label>
+      <label className="group-check">
+        <input
+          type="checkbox"
+          checked={group.traversal}
+          onChange={() => set(`traversal=${group.traversal ? "off" : "on"}`)}
+        />
+        Way round obstacles, not cut
+      </label>
+    </div>
+  );
+}
+
+interface RowProps {
+  mm: number;
+  set: (words: string) => void;
+}
+
+/** Through, by the heights of the shape, or so deep; in passes. */
+function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
+  return (
+    <>
+      <Entry
+        label="Depth"
+        title="thru, 3d, or the height of the cut over the surface, negative into the material"
+        text={typeof group.height === "number" ? shown(group.height, mm) : group.height}
+        onText={(text) => {
+          const read = readLength(text, mm);
+          const word = /^(thru|3d)$/i.test(text.trim()) ? text.trim().toLowerCase() : null;
+          if (word) set(`height=${word}`);
+          else if (!isWrong(read)) set(`height=${num(read.value)}`);
+        }}
+      />
+      <Entry
+        label="Per pass"
+        title="Depth of one pass; off cuts at once"
+        text={group.pass === null ? "off" : shown(group.pass, mm)}
+        onText={(text) => {
+          const read = readLength(text, mm);
+          set(`pass=${isWrong(read) ? "off" : num(read.value)}`);
+        }}
+      />
+    </>
+  );
+}
+
+interface LeadRowProps extends RowProps {
+  name: string;
+  label: string;
+  lead: readonly [number, number];
+}
+
+/** Radius and angle of an arc onto the path, or off it. */
+function LeadRow({ name, label, lead, mm, set }: LeadRowProps) {
+  return (
+    <Entry
+      label={label}
+      title="Radius, angle in degrees"
+      text={`${shown(lead[0], mm)}, ${shown(lead[1], 1)}`}
+      onText={(text) => {
+        const [radius = "", angle = "90"] = text.split(",");
+        const [r, a] = [readLength(radius, mm), readNumber(angle)];
+        if (!isWrong(r) && !isWrong(a)) set(`${name}=${num(r.value)},${num(a.value)}`);
+      }}
+    />
+  );
+}
+
+interface EntryProps {
+  label: string;
+  title: string;
+  text: string;
+  onText: (text: string) => void;
+}
+
+/** An entry that is taken with Enter or when it is left. */
+function Entry({ label, title, text, onText }: EntryProps) {
+  const [typed, setTyped] = useState<string | null>(null);
+  const take = () => {
+    if (typed !== null && typed.trim() !== text) onText(typed);
+    setTyped(null);
+  };
+  return (
+    <label className="group-entry" title={title}>
+      <span>{label}</span>
+      <input
+        value={typed ?? text}
+        autoComplete="off"
+        spellCheck={false}
+        onChange={({ target }) => setTyped(target.value)}
+        onBlur={take}
+        onKeyDown={(event) => event.key === "Enter" && take()}
+      />
+    </label>
+  );
+}
+
+const shown = (value: number, mm: number): string => String(Number((value / mm).toFixed(4)));

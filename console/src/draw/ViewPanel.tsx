@@ -1,0 +1,27 @@
+import { Panel } from "../ui/Panel";
+import { optionWords, type ViewOption, type ViewOptions } from "./options";
+
+interface ViewPanelProps {
+  options: ViewOptions;
+  onChange: (options: ViewOptions) => void;
+}
+
+/** What is drawn. */
+export function ViewPanel({ options, onChange }: ViewPanelProps) {
+  return (
+    <Panel title="View">
+      <div className="view-options">
+        {(Object.keys(optionWords) as ViewOption[]).map((option) => (
+          <label key={option}>
+            <input
+              type="checkbox"
+              checked={options[option]}
+              onChange={() => onChange({ ...options, [option]: !options[option] })}
+            />
+            {optionWords[option]}
+          </label>
+        ))}
+      </div>
+    </Panel>
+  );
+}

@@ -1,0 +1,66 @@
+/** What is drawn at the mouse while a tool is at work. */
+
+import { type Around, type DeskState, pickPlace, pickRadius } from "./desk";
+import { bulgeThrough, type Segment } from "./geometry/segment";
+import type { Shape } from "./geometry/shape";
+import type { Place } from "./geometry/vec";
+import type { Overlay } from "./paint/overlay";
+import { shapesNear } from "./pick";
+import { asked, baseOf, type Running } from "./tools/running";
+import { noGhost } from "./tools/tool";
+
+export function overlayOf(state: DeskState, around: Around): Overlay {
+  const { running, pointer, drag, window } = state;
+  const { shapes } = around.picking;
+  const at = pointer && pickPlace(state, pointer, around);
+  const ghost = running && at ? ghostOf(running, at, shapes) : noGhost;
+  const ask = running ? asked(running) : undefined;
+  return {
+    hovered: hoveredOf(state, around),
+    picked: byNumber(shapes, running?.picked ?? []),
+    numbered: ask?.ask === "shapes" && ask.numbered === true,
+    ghost,
+    ghostShapes: ghost.kind === "moved" ? byNumber(shapes, ghost.numbers) : [],
+    path: running && at ? pathTo(running, at) : [],
+    region: drag?.kind === "region" && away(drag.from, drag.to, window.mmPerPixel) ? drag : null,
+    snap: running?.snap && at ? at : null,
+    pointer,
+    radius: running?.snap ? pickRadius : null,
+    square: running?.snap === "g" ? baseOf(running) : null,
+  };
+}
+
+const away = (a: Place, b: Place, mmPerPixel: number): boolean =>
+  Math.max(Math.abs(a.x - b.x), Math.abs(a.y - b.y)) > 4 * mmPerPixel;
+
+const ghostOf = ({ tool, answers, turned }: Running, at: Place, shapes: readonly Shape[]) =>
+  tool.ghost?.(answers, at, turned, shapes) ?? noGhost;
+
+const byNumber = (shapes: readonly Shape[], numbers: readonly number[]): Shape[] =>
+  numbers.flatMap((number) => shapes.find((shape) => shape.number === number) ?? []);
+
+/** What a click would pick. */
+function hoveredOf({ running, pointer, drag, window }: DeskState, { picking }: Around): Shape[] {
+  const ask = running && asked(running)?.ask;
+  const picks = !running || ask === "shapes" || ask === "shape";
+  if (!picks || !pointer || drag) return [];
+  return shapesNear(picking, pointer, pickRadius * window.mmPerPixel);
+}
+
+/** The path drawn so far, and on to the mouse. */
+function pathTo({ vertices, bending }: Running, at: Place): Segment[] {
+  const last = vertices.at(-1);
+  if (!last) return [];
+  const made = vertices.slice(0, -1).map((vertex, n) => ({
+    from: vertex.at,
+    to: vertices[n + 1]?.at ?? vertex.at,
+    bulge: vertex.bulge,
+  }));
+  const next = bending
+    ? { from: last.at, to: bending, bulge: bulgeThrough(last.at, bending, at) }
+    : { from: last.at, to: at, bulge: 0 };
+  return [...made, next];
+}
+
+/** Where a typed place counts from. */
+export const entryBase = (running: Running | null): Place | null => running && baseOf(running);

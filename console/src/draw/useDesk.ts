@@ -1,0 +1,51 @@
+/** The desk in a component: state, and what hands do to it. */
+
+import { useCallback, useMemo, useRef, useState } from "react";
+import { ask } from "../actions/ask";
+import { useHands, worldOf } from "../app/context";
+import { type Around, type DeskState, type Done, firstDesk } from "./desk";
+import type { Scene } from "./paint/shapes";
+import { pickable } from "./scene";
+
+export interface Desk {
+  readonly state: DeskState;
+  readonly around: Around;
+  /** Makes a step: its operations go to the server, its words to the person. */
+  act(step: (state: DeskState, around: Around) => Done | null): boolean;
+  set(change: (state: DeskState) => DeskState): void;
+  /** Sends operations. */
+  send(clauses: string): void;
+}
+
+export function useDesk(scene: Scene): Desk {
+  const hands = useHands();
+  const [state, setState] = useState(firstDesk);
+  const now = useRef(state);
+  const around = useMemo<Around>(
+    () => ({ picking: pickable(scene), selected: [...scene.selected], box: scene.box }),
+    [scene],
+  );
+  const put = useCallback((next: DeskState) => {
+    now.current = next;
+    setState(next);
+  }, []);
+  const send = useCallback(
+    (clauses: string) => {
+      void ask(worldOf(hands), { do: "draw", op: { op: "do", clauses } });
+    },
+    [hands],
+  );
+  const act: Desk["act"] = useCallback(
+    (step) => {
+      const done = step(now.current, around);
+      if (!done) return false;
+      put(done.state);
+      if (done.clauses !== undefined) send(done.clauses);
+      if (done.words !== undefined) hands.screen.tell(done.words);
+      return true;
+    },
+    [around, hands, put, send],
+  );
+  const set: Desk["set"] = useCallback((change) => put(change(now.current)), [put]);
+  return useMemo(() => ({ state, around, act, set, send }), [state, around, act, set, send]);
+}
