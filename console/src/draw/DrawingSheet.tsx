@@ -25,16 +25,20 @@ export function DrawingSheet({ desk, scene }: DrawingSheetProps) {
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   useWindow(desk, scene, size.width, size.height);
+  const { running, entry } = desk.state;
+  // Keys of the drawing are heard as soon as a tool is taken.
+  useEffect(() => {
+    if (running && entry === null) box.current?.focus();
+  }, [running, entry]);
   const units = useSnapshot("units");
   const place = (event: { clientX: number; clientY: number }) =>
     toDrawing(desk.state.window, size, pixelOf(box.current, event));
   return (
     <section className="sheet-panel" aria-label="Drawing">
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing is worked on with keys */}
-      {/* biome-ignore lint/a11y/useAriaPropsSupportedByRole: a canvas that takes keys */}
       <div
         ref={box}
         className={desk.state.running ? "sheet-box sheet-picking" : "sheet-box"}
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing is worked on with keys
         tabIndex={0}
         role="application"
         aria-label="Shapes of the drawing"

@@ -134,6 +134,7 @@ function LeadRow({ name, label, lead, mm, set }: LeadRowProps) {
     <Entry
       label={label}
       title="Radius, angle in degrees"
+      wide
       text={`${shown(lead[0], mm)}, ${shown(lead[1], 1)}`}
       onText={(text) => {
         const [radius = "", angle = "90"] = text.split(",");
@@ -148,18 +149,19 @@ interface EntryProps {
   label: string;
   title: string;
   text: string;
+  wide?: boolean;
   onText: (text: string) => void;
 }
 
 /** An entry that is taken with Enter or when it is left. */
-function Entry({ label, title, text, onText }: EntryProps) {
+function Entry({ label, title, text, wide, onText }: EntryProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const take = () => {
     if (typed !== null && typed.trim() !== text) onText(typed);
     setTyped(null);
   };
   return (
-    <label className="group-entry" title={title}>
+    <label className={wide ? "group-entry group-wide" : "group-entry"} title={title}>
       <span>{label}</span>
       <input
         value={typed ?? text}

@@ -143,6 +143,9 @@ detail: string,
 /** What it does. */
 doc: string, };
 
+/** Depth of a cut: `thru`, `3d`, or mm above the surface. */
+export type CutHeight = string | number;
+
 /** The path at a level of detail. */
 export type Detail = {
 /** How far it is from the true path at most, mm. */
@@ -170,6 +173,8 @@ canRedo: boolean,
 changed: boolean,
 /** How many shapes are on the clipboard. */
 clipboard: number,
+/** The eight groups and how their shapes are cut. */
+groups: Array<GroupState>,
 /** What the last operation, or reading the file, had to tell. */
 notes: Array<string>, };
 
@@ -204,6 +209,37 @@ length: number,
 message: string,
 /** How to mend it. */
 hint: string, };
+
+/** How the shapes of a group are cut: what the operation `set` changes. Mm, mm a minute, degrees. */
+export type GroupState = {
+/** Its colour. */
+name: string,
+/** Whether its shapes are cut. */
+on: boolean,
+/** Whether the head only follows them, to get round obstacles. */
+traversal: boolean,
+/** Cut on both sides of the shape. */
+double: boolean,
+/** The tool output, 1 … 3. */
+tool: number,
+/** The cut output, 1 … 3. */
+cut: number,
+/** Highest cutting speed; nothing is the machine's. */
+speed: number | null,
+/** Depth of the cut. */
+height: CutHeight,
+/** Depth of one pass. */
+pass: number | null,
+/** Distance of the path, right of travel. */
+offset: number,
+/** What the rough pass leaves. */
+rough: number,
+/** What is left out at the beginning. */
+tag: number,
+/** Radius and angle of the arc onto the path. */
+leadIn: [number, number],
+/** Radius and angle of the arc off the path. */
+leadOut: [number, number], };
 
 /** Which parameter of a command is being written. */
 export type Hint = {

@@ -2,6 +2,7 @@
 
 import type { PreviewInfo } from "../../src/wire/messages";
 import { commands } from "./commands";
+import { shapes } from "./drawing";
 
 const lines = `' First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.
 ' Cutter 1/4 inch.
@@ -99,5 +100,6 @@ export async function answer(address: string): Promise<Response> {
   if (path === "/api/language/check") return Response.json({ findings });
   if (path === "/api/language/complete") return Response.json([]);
   if (path === "/api/commands") return Response.json(commands);
+  if (path === "/api/drawing/shapes") return Response.json(shapes);
   return Response.json([]);
 }

@@ -1,6 +1,7 @@
 /** States of the machine in which screens are looked at. */
 
 import type { Snapshot } from "../../src/wire/messages";
+import { drawing } from "./drawing";
 import { firstSnapshot } from "./snapshot";
 
 const { machine, motion } = firstSnapshot;
@@ -36,6 +37,7 @@ const running: Partial<Snapshot> = {
 export const states: Record<string, Partial<Snapshot>> = {
   ready: { machine: { ...machine, armed: true }, lease: { number: 1, client: 1, device: "" } },
   running,
+  drawing: { drawing },
   held: { ...running, machine: { ...machine, state: "held", armed: true } },
   asking: {
     ...running,

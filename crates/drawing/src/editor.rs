@@ -54,17 +54,39 @@ impl Editor {
     pub fn apply(&mut self, operation: &Operation) -> Result<Outcome, OpError> {
         let mut draft = self.clone_without_past();
         let outcome = act(&mut draft, operation)?;
+        self.take(draft);
+        Ok(outcome)
+    }
+
+    /// Carries out numbered operations as one change: all of them or none, taken back at once.
+    ///
+    /// # Errors
+    /// The number of the one that cannot be, and why.
+    pub fn apply_all(
+        &mut self,
+        operations: &[(usize, Operation)],
+    ) -> Result<Vec<Outcome>, (usize, OpError)> {
+        let mut draft = self.clone_without_past();
+        let mut outcomes = Vec::with_capacity(operations.len());
+        for (number, operation) in operations {
+            outcomes.push(act(&mut draft, operation).map_err(|error| (*number, error))?);
+        }
+        self.take(draft);
+        Ok(outcomes)
+    }
+
+    /// Takes a draft over. What it changed of the drawing can be undone.
+    fn take(&mut self, draft: Self) {
         self.clipboard = draft.clipboard;
         self.join_mm = draft.join_mm;
         if draft.drawing == self.drawing {
             self.selection = draft.selection;
-            return Ok(outcome);
+            return;
         }
         let drawing = std::mem::replace(&mut self.drawing, draft.drawing);
         let selection = std::mem::replace(&mut self.selection, draft.selection);
         self.undo.push(Past { drawing, selection });
         self.redo.clear();
-        Ok(outcome)
     }
 
     fn clone_without_past(&self) -> Self {

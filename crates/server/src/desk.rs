@@ -9,7 +9,9 @@ use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
 use kerf_toolpath::Heights;
-use kerf_wire::{Change, DrawingState, Op, Problem, ShapeList, ShapePath, Why};
+use kerf_wire::{
+    Change, CutHeight, DrawingState, GroupState, Op, Problem, ShapeList, ShapePath, Why,
+};
 use std::sync::Arc;
 
 /// An editor and where its drawing lies.
@@ -138,19 +140,13 @@ impl Desk {
     fn carry_out(&mut self, clauses: &str) -> Done {
         let operations =
             script(clauses).map_err(|error| problem(Why::Mistake, error.to_string()))?;
-        let (before, mut notes) = (self.editor.clone(), Vec::new());
-        for (number, operation) in operations {
-            match self.editor.apply(&operation) {
-                Ok(outcome) => notes.extend(outcome.warnings),
-                Err(error) => {
-                    self.editor = before;
-                    return Err(problem(Why::Mistake, format!("clause {number}: {error}")));
-                }
-            }
-        }
+        let before = self.editor.drawing.clone();
+        let outcomes = self.editor.apply_all(&operations).map_err(|(number, error)| {
+            problem(Why::Mistake, format!("clause {number}: {error}"))
+        })?;
         self.open = true;
-        self.revision += u32::from(self.editor.drawing != before.drawing);
-        Ok(notes)
+        self.revision += u32::from(self.editor.drawing != before);
+        Ok(outcomes.into_iter().flat_map(|outcome| outcome.warnings).collect())
     }
 
     fn step(&mut self, step: fn(&mut Editor) -> Result<(), kerf_drawing::OpError>) -> Done {
@@ -176,8 +172,34 @@ impl Desk {
             can_redo: editor.can_redo(),
             changed: editor.drawing != self.saved,
             clipboard: editor.clipboard.len() as u32,
+            groups: Group::ALL.map(|group| group_state(&editor.drawing, group)).into(),
             notes: self.notes.clone(),
         }
+    }
+}
+
+fn group_state(drawing: &Drawing, group: Group) -> GroupState {
+    let settings = drawing.settings(group);
+    let lead = |lead: kerf_drawing::Lead| [lead.radius_mm, lead.angle_deg];
+    GroupState {
+        name: group.name().into(),
+        on: settings.on,
+        traversal: settings.traversal,
+        double: settings.double_line,
+        tool: settings.tool,
+        cut: settings.cut,
+        speed: settings.speed_mm_min,
+        height: match settings.height {
+            kerf_drawing::Height::Thru => CutHeight::Word("thru".into()),
+            kerf_drawing::Height::ThreeD => CutHeight::Word("3d".into()),
+            kerf_drawing::Height::Mm(mm) => CutHeight::Mm(mm),
+        },
+        pass: settings.pass_mm,
+        offset: settings.offset_mm,
+        rough: settings.rough_mm,
+        tag: settings.tag_mm,
+        lead_in: lead(settings.lead_in),
+        lead_out: lead(settings.lead_out),
     }
 }
 

@@ -56,8 +56,54 @@ pub struct DrawingState {
     pub changed: bool,
     /// How many shapes are on the clipboard.
     pub clipboard: u32,
+    /// The eight groups and how their shapes are cut.
+    pub groups: Vec<GroupState>,
     /// What the last operation, or reading the file, had to tell.
     pub notes: Vec<String>,
+}
+
+/// How the shapes of a group are cut: what the operation `set` changes. Mm, mm a minute, degrees.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct GroupState {
+    /// Its colour.
+    pub name: String,
+    /// Whether its shapes are cut.
+    pub on: bool,
+    /// Whether the head only follows them, to get round obstacles.
+    pub traversal: bool,
+    /// Cut on both sides of the shape.
+    pub double: bool,
+    /// The tool output, 1 … 3.
+    pub tool: u8,
+    /// The cut output, 1 … 3.
+    pub cut: u8,
+    /// Highest cutting speed; nothing is the machine's.
+    pub speed: Option<f64>,
+    /// Depth of the cut.
+    pub height: CutHeight,
+    /// Depth of one pass.
+    pub pass: Option<f64>,
+    /// Distance of the path, right of travel.
+    pub offset: f64,
+    /// What the rough pass leaves.
+    pub rough: f64,
+    /// What is left out at the beginning.
+    pub tag: f64,
+    /// Radius and angle of the arc onto the path.
+    pub lead_in: [f64; 2],
+    /// Radius and angle of the arc off the path.
+    pub lead_out: [f64; 2],
+}
+
+/// Depth of a cut: `thru`, `3d`, or mm above the surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(untagged)]
+pub enum CutHeight {
+    /// `thru` or `3d`.
+    Word(String),
+    /// Mm above the surface, negative into the material.
+    Mm(f64),
 }
 
 /// The shapes of a drawing, or tool paths made of them.

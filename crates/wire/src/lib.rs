@@ -32,7 +32,7 @@ mod typescript;
 
 pub use act::{Act, Request};
 pub use change::{Change, ToPage};
-pub use drawing::{DrawingState, Op, ShapeList, ShapePath};
+pub use drawing::{CutHeight, DrawingState, GroupState, Op, ShapeList, ShapePath};
 pub use job::{Asked, Call, FileInfo, Job, Message, Opened, Overrides, PreviewState, Tone};
 pub use language::{
     Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, NamedValue, Parameter,

@@ -143,17 +143,17 @@ function traceArrow(path: Path2D, at: Place, angle: number): void {
     at.x + far * Math.cos(angle + turn),
     at.y + far * Math.sin(angle + turn),
   ];
-  path.moveTo(...point(13, 0));
-  path.lineTo(...point(6, 1.9));
-  path.lineTo(...point(6, -1.9));
+  path.moveTo(...point(19, 0));
+  path.lineTo(...point(10, 0.5));
+  path.lineTo(...point(10, -0.5));
   path.closePath();
 }
 
 /** A half disc; canvas angles grow clockwise, so the right side comes first. */
 function traceSide(path: Path2D, at: Place, angle: number, left: boolean): void {
   const turned = left ? angle + Math.PI : angle;
-  path.moveTo(at.x + 4 * Math.cos(turned), at.y + 4 * Math.sin(turned));
-  path.arc(at.x, at.y, 4, turned, turned + Math.PI);
+  path.moveTo(at.x + 5 * Math.cos(turned), at.y + 5 * Math.sin(turned));
+  path.arc(at.x, at.y, 5, turned, turned + Math.PI);
   path.closePath();
 }
 
