@@ -4,7 +4,7 @@ import { useSize } from "../view/useSize";
 import { Chooser } from "./Chooser";
 import { escaped, grabbed, moved, pressed, released, rightClicked, typed } from "./desk";
 import { EntryBox } from "./EntryBox";
-import { type Place, place } from "./geometry/vec";
+import { boxOf, type Place, place } from "./geometry/vec";
 import { overlayOf } from "./ghost";
 import { paintOverlay } from "./paint/overlay";
 import { paintPaper } from "./paint/paper";
@@ -78,20 +78,19 @@ export function DrawingSheet({ desk, scene }: DrawingSheetProps) {
   );
 }
 
+/** What is in sight of a new drawing, mm: the corner of a table at its origin. */
+const corner = boxOf(place(-10, -10), place(300, 200));
+
 /** Follows the size of the picture, and shows all of a drawing that was just opened. */
 function useWindow(desk: Desk, scene: Scene, width: number, height: number): void {
-  const name = useSnapshot("drawing")?.name;
-  const empty = scene.shapes.length === 0;
+  const name = useSnapshot("drawing")?.name ?? null;
+  const opened = name !== null && scene.shapes.length > 0;
   // biome-ignore lint/correctness/useExhaustiveDependencies: fits what was opened, not every change
   useEffect(() => {
     const size = { width, height };
-    if (width === 0) return;
-    desk.set((state) => ({
-      ...state,
-      size,
-      window: empty ? state.window : fitted(scene.box, size),
-    }));
-  }, [name, empty, width > 0]);
+    const box = opened ? scene.box : corner;
+    if (width > 0) desk.set((state) => ({ ...state, size, window: fitted(box, size) }));
+  }, [name, opened, width > 0]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: only when the picture's size changes
   useEffect(() => {
     desk.set((state) => ({ ...state, size: { width, height } }));

@@ -13,13 +13,13 @@ export function StatusBar({ state, units }: StatusBarProps) {
   const mm = units?.mm ?? 1;
   const text = (value: number) => (value / mm).toFixed(3);
   return (
-    <footer className="status">
-      <p className="status-prompt" role="status">
+    <footer className="sheet-status">
+      <p className="sheet-status-prompt" role="status">
         <strong>{title}</strong> {words}
       </p>
       {keys && (
         <p
-          className="status-keys"
+          className="sheet-status-keys"
           title="Keys before a pick: vertex, centre, midpoint, intersection, nearest, square, none"
         >
           {[...keys].map((key) => (
@@ -30,7 +30,7 @@ export function StatusBar({ state, units }: StatusBarProps) {
           <span>{snap ?? "no snap"}</span>
         </p>
       )}
-      <p className="status-place">
+      <p className="sheet-status-place">
         {state.pointer &&
           `${text(state.pointer.x)}, ${text(state.pointer.y)} ${units?.linear ?? "mm"}`}
       </p>

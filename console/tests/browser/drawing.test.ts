@@ -1,13 +1,13 @@
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { afterEach, beforeEach, expect, it } from "vitest";
 import { openWorkshop, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
-beforeAll(async () => {
+beforeEach(async () => {
   workshop = await openWorkshop({ rate: 100 });
 });
-afterAll(() => workshop?.close());
+afterEach(() => workshop?.close());
 
 interface Listed {
   readonly shapes: readonly { closed: boolean; points: readonly number[] }[];
@@ -34,10 +34,13 @@ async function begin(page: Page): Promise<void> {
 async function cut(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Make the part program…" }).click();
   await page.getByRole("button", { name: "Write" }).click();
-  await page.getByRole("button", { name: "Start" }).waitFor();
   const arm = page.getByRole("button", { name: "Arm" });
+  const start = page.getByRole("button", { name: "Start" });
+  await arm.or(start).first().waitFor();
   if (await arm.isVisible()) await arm.click();
-  await page.getByRole("button", { name: "Start" }).click();
+  await start.click();
+  // The spindle is about to start.
+  await page.getByRole("button", { name: "OK" }).click();
   await page.getByText("finished").waitFor();
 }
 

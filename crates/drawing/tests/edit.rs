@@ -275,3 +275,20 @@ fn pro_array_sel_circ() {
         .collect();
     assert_eq!(angles, [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]);
 }
+
+#[test]
+fn operations_of_one_hand_are_one_change() {
+    let mut editor = after(SQ100);
+    let was = editor.clone();
+    let steps = script("select 1; move from 0,0 to 10,0; rotate 90 about 10,0").unwrap();
+    editor.apply_all(&steps).unwrap();
+    assert_ne!(editor.drawing, was.drawing);
+    editor.undo().unwrap();
+    assert_eq!(editor.drawing, was.drawing, "both are taken back at once");
+
+    let mistaken = script("select 1; move 1,0; fillet 5000").unwrap();
+    let before = editor.clone();
+    let (number, _) = editor.apply_all(&mistaken).unwrap_err();
+    assert_eq!(number, 3);
+    assert_eq!(editor, before, "nothing is half done");
+}

@@ -83,9 +83,11 @@ impl App {
     fn write_program(self: &Arc<Self>, desk: &Desk, name: &str) -> Done {
         let (job, warnings) = desk.job()?;
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
-        let printing =
-            Printing { unit: LinearUnit::Mm, title: title.clone(), ..Printing::default() };
-        let writing = Writing { title, ..Writing::default() };
+        // In the unit that the machine is set to: a part file of the other one refuses to run.
+        let inches = self.hub.read(|now| now.units.linear == LinearUnit::Inch.symbol());
+        let unit = if inches { LinearUnit::Inch } else { LinearUnit::Mm };
+        let printing = Printing { unit, title: title.clone(), ..Printing::default() };
+        let writing = Writing { unit, title, ..Writing::default() };
         let mut printer: Box<dyn Printer> = match extension(name).as_str() {
             "sbp" => Box::new(SbpPrinter::new(&printing)),
             "nc" => Box::new(Writer::new(&writing)),
