@@ -83,7 +83,7 @@ peers: ## install the other programs that `make bench` compares with
 
 # The console: npm installs when the list of packages changes.
 console/node_modules/.package-lock.json: console/package-lock.json
-	cd console && npm ci --no-fund --no-audit --loglevel=error
+	cd console && npm install --no-save --no-fund --no-audit --loglevel=error
 
 console-check: console/node_modules/.package-lock.json ## types and lints of the console
 	cd console && npm run --silent check
