@@ -181,7 +181,8 @@ proptest! {
 #[test]
 fn keeps_the_meaning_of_real_files() {
     for file in crate::testing::corpus() {
-        let bytes = std::fs::read(&file).unwrap();
+        let mut bytes = std::fs::read(&file).unwrap();
+        bytes.truncate(60_000);
         keeps_meaning(&bytes.iter().map(|b| char::from(*b)).collect::<String>());
     }
 }

@@ -9,15 +9,18 @@ use super::feed;
 use super::modes;
 use super::state::{FeedMode, Plane, Rates};
 use crate::tree::{MoveNode, Node};
-use kerf_program::{At, Command, Feed, Line, MoveKind, Sourced};
+use kerf_program::{AXES, At, Axes, Command, Feed, Line, MoveKind, Settings, Sourced};
+use std::sync::Arc;
 
 /// Bits of [`MoveNode::LETTERS`].
-const AXES: u16 = 0b0000_0011_1111;
-const F: u16 = 1 << 10;
-const S: u16 = 1 << 11;
-const IJ: u16 = 0b1100_0000;
+const AXIS_WORDS: u16 = 0b0000_0011_1111;
+const I: u16 = 1 << 6;
+const J: u16 = 1 << 7;
+const IJ: u16 = I | J;
 const K: u16 = 1 << 8;
 const R: u16 = 1 << 9;
+const F: u16 = 1 << 10;
+const S: u16 = 1 << 11;
 
 /// Executes plain moves until there is another line, or so many are done.
 pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
@@ -26,110 +29,18 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     }
     let Some(call) = core.calls.last() else { return };
     let Some(program) = core.programs.get(call.file as usize).cloned() else { return };
-    let (file, mut next) = (call.file, call.next as usize);
     let bound = if core.options.max_lines == 0 { u64::MAX } else { core.options.max_lines };
-    let mut left = most.min(bound.saturating_sub(core.lines));
-    let start = next;
-    let before = out.len();
-    let (scale, zero, relative) = (core.scale, core.zero, core.state.modal.relative);
-    let active = usize::from(core.settings.axis_count);
-    let idle = !((1u16 << active) - 1) & AXES;
-    let mut others = 0;
-    let mut position = core.position;
-    let mut motion = core.state.modal.motion;
-    let mut rates = core.state.modal.feed;
-    let unit = core.state.modal.unit.mm();
-    let mut rpm = core.state.modal.rpm;
-    while left > 0
-        && let Some(line) = program.lines.get(next)
-    {
-        let Node::Move(MoveNode { motion: code, given, first }) = line.node else { break };
-        let wanted = if code < MoveNode::MODAL { Some(i32::from(code) * 10) } else { motion };
-        let arc = matches!(wanted, Some(20 | 30));
-        let usable = matches!(wanted, Some(0 | 10 | 20 | 30));
-        if !usable || given & idle != 0 || given & AXES == 0 || (!arc && given & (IJ | K | R) != 0)
-        {
+    let most = most.min(bound.saturating_sub(core.lines));
+    let (first, before) = (call.next, out.len());
+    let mut road = Road::of(core, call.file, first);
+    let lines = program.lines.get(first as usize..).unwrap_or_default();
+    for line in lines.iter().take(usize::try_from(most).unwrap_or(usize::MAX)) {
+        let Node::Move(node) = line.node else { break };
+        if road.go(node, &program.numbers, out).is_none() {
             break;
         }
-        let mut index = first as usize;
-        let mut take = || {
-            index += 1;
-            program.numbers.get(index - 1).copied().unwrap_or_default()
-        };
-        let mut to = position;
-        for (axis, place) in to.0.iter_mut().enumerate() {
-            if given & (1 << axis) != 0 {
-                *place = take() * scale[axis] + if relative { *place } else { zero.0[axis] };
-            }
-        }
-        let feed;
-        let command = if arc {
-            if given & (K | R) != 0 || given & IJ == 0 || core.state.modal.arc_absolute {
-                break;
-            }
-            let i = if given & (1 << 6) != 0 { take() * scale[0] } else { 0.0 };
-            let j = if given & (1 << 7) != 0 { take() * scale[1] } else { 0.0 };
-            let f = if given & F != 0 { Some(take()) } else { None };
-            let now = f.map_or(rates, |f| Rates::new(f, unit));
-            let Some(speed) = now.map(|r| r.linear / 60.0) else { break };
-            let centre = [position.0[0] + i, position.0[1] + j];
-            let Some(sweep) = arc::checked_sweep(position, centre, to, wanted == Some(20)) else {
-                break;
-            };
-            feed = now;
-            Command::Arc(arc::command(
-                &core.settings,
-                position,
-                centre,
-                sweep,
-                to,
-                Feed::Path(speed),
-            ))
-        } else {
-            let f = if given & F != 0 { Some(take()) } else { None };
-            feed = f.map_or(rates, |f| Rates::new(f, unit));
-            let (kind, speed) = if wanted == Some(0) {
-                (MoveKind::Jog, Feed::Axis)
-            } else {
-                let Some(rates) = feed else { break };
-                (MoveKind::Cut, feed::along(rates, position, to))
-            };
-            Command::Line(Line { kind, to, feed: speed })
-        };
-        rates = feed;
-        motion = wanted;
-        next += 1;
-        left -= 1;
-        let at = At { file, line: next as u32 };
-        if given & S != 0 {
-            let wanted = take();
-            if wanted != rpm {
-                rpm = wanted;
-                let command = Command::Spindle { number: modes::SPINDLE_NUMBER, rpm };
-                out.push(Sourced { at, command });
-            }
-        }
-        if to == position && !arc {
-            continue;
-        }
-        position = to;
-        others += 1;
-        out.push(Sourced { at, command });
     }
-    if next == start {
-        return;
-    }
-    core.position = position;
-    core.state.modal.motion = motion;
-    core.state.modal.feed = rates;
-    core.state.modal.rpm = rpm;
-    core.lines += (next - start) as u64;
-    core.motions += others;
-    core.settled &= out.len() == before;
-    core.spline_end = None;
-    if let Some(call) = core.calls.last_mut() {
-        call.next = next as u32;
-    }
+    road.arrive(core, first, out.len() == before);
 }
 
 /// Whether nothing special holds.
@@ -149,4 +60,172 @@ fn holds(core: &Core) -> bool {
         && modal.feed_mode == FeedMode::PerMinute
         && modal.plane == Plane::Xy
         && core.options.proportion[0] == core.options.proportion[1]
+}
+
+/// What the moves of a run share, and what they change.
+struct Road {
+    settings: Arc<Settings>,
+    file: u32,
+    scale: [f64; AXES],
+    zero: Axes,
+    relative: bool,
+    /// Centres of arcs are places (G90.1): not for this road.
+    arc_absolute: bool,
+    /// Axes that are not switched on.
+    idle: u16,
+    /// Millimetres of a unit.
+    unit: f64,
+    /// How many lines of the file lie behind.
+    line: u32,
+    position: Axes,
+    motion: Option<i32>,
+    rates: Option<Rates>,
+    rpm: f64,
+    motions: u64,
+}
+
+/// The values of a line, in the order of [`MoveNode::LETTERS`].
+struct Values<'a> {
+    given: u16,
+    rest: &'a [f64],
+}
+
+impl Values<'_> {
+    fn has(&self, letters: u16) -> bool {
+        self.given & letters != 0
+    }
+
+    /// The value of a letter, if it has one; letters are asked for in their order.
+    fn of(&mut self, letter: u16) -> Option<f64> {
+        if !self.has(letter) {
+            return None;
+        }
+        let (value, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        Some(*value)
+    }
+}
+
+impl Road {
+    fn of(core: &Core, file: u32, line: u32) -> Self {
+        let modal = &core.state.modal;
+        let active = u32::from(core.settings.axis_count);
+        Self {
+            settings: core.settings.clone(),
+            file,
+            scale: core.scale,
+            zero: core.zero,
+            relative: modal.relative,
+            arc_absolute: modal.arc_absolute,
+            idle: AXIS_WORDS & u16::MAX.checked_shl(active).unwrap_or(0),
+            unit: modal.unit.mm(),
+            line,
+            position: core.position,
+            motion: modal.motion,
+            rates: modal.feed,
+            rpm: modal.rpm,
+            motions: 0,
+        }
+    }
+
+    /// Makes a move; `None`, and nothing done, when it is none for this road.
+    fn go(&mut self, node: MoveNode, numbers: &[f64], out: &mut Vec<Sourced>) -> Option<()> {
+        let named = node.motion < MoveNode::MODAL;
+        let motion = if named { i32::from(node.motion) * 10 } else { self.motion? };
+        let rest = numbers.get(node.first as usize..)?;
+        let mut values = Values { given: node.given, rest };
+        if values.has(self.idle) || !values.has(AXIS_WORDS) {
+            return None;
+        }
+        let to = self.target(&mut values);
+        let (command, rates) = match motion {
+            0 | 10 if !values.has(IJ | K | R) => self.straight(motion == 0, to, &mut values)?,
+            20 | 30 => self.arc(motion == 20, to, &mut values)?,
+            _ => return None,
+        };
+        (self.rates, self.motion) = (rates, Some(motion));
+        self.line += 1;
+        let at = At { file: self.file, line: self.line };
+        if let Some(rpm) = values.of(S).filter(|rpm| *rpm != self.rpm) {
+            self.rpm = rpm;
+            let command = Command::Spindle { number: modes::SPINDLE_NUMBER, rpm };
+            out.push(Sourced { at, command });
+        }
+        if to != self.position || motion > 10 {
+            self.position = to;
+            self.motions += 1;
+            out.push(Sourced { at, command });
+        }
+        Some(())
+    }
+
+    /// The place that the axis words name.
+    fn target(&self, values: &mut Values<'_>) -> Axes {
+        let mut to = self.position;
+        for (axis, place) in to.0.iter_mut().enumerate() {
+            if let Some(value) = values.of(1 << axis) {
+                let from = if self.relative { *place } else { self.zero.0[axis] };
+                *place = value * self.scale[axis] + from;
+            }
+        }
+        to
+    }
+
+    /// G0 or G1, and the rates in force with it.
+    fn straight(
+        &self,
+        jog: bool,
+        to: Axes,
+        values: &mut Values<'_>,
+    ) -> Option<(Command, Option<Rates>)> {
+        let rates = self.rates_with(values);
+        let (kind, feed) = if jog {
+            (MoveKind::Jog, Feed::Axis)
+        } else {
+            (MoveKind::Cut, feed::along(rates?, self.position, to))
+        };
+        Some((Command::Line(Line { kind, to, feed }), rates))
+    }
+
+    /// G2 or G3 about a centre, and the rates in force with it.
+    fn arc(
+        &self,
+        clockwise: bool,
+        to: Axes,
+        values: &mut Values<'_>,
+    ) -> Option<(Command, Option<Rates>)> {
+        if values.has(K | R) || !values.has(IJ) || self.arc_absolute {
+            return None;
+        }
+        let [x, y, ..] = self.position.0;
+        let i = values.of(I).unwrap_or(0.0) * self.scale[0];
+        let j = values.of(J).unwrap_or(0.0) * self.scale[1];
+        let rates = self.rates_with(values);
+        let feed = Feed::Path(rates?.linear / 60.0);
+        let centre = [x + i, y + j];
+        let sweep = arc::checked_sweep(self.position, centre, to, clockwise)?;
+        let arc = arc::command(&self.settings, self.position, centre, sweep, to, feed);
+        Some((Command::Arc(arc), rates))
+    }
+
+    fn rates_with(&self, values: &mut Values<'_>) -> Option<Rates> {
+        values.of(F).map_or(self.rates, |f| Rates::new(f, self.unit))
+    }
+
+    /// Hands over what the moves have changed.
+    fn arrive(self, core: &mut Core, first: u32, silent: bool) {
+        if self.line == first {
+            return;
+        }
+        core.position = self.position;
+        let modal = &mut core.state.modal;
+        (modal.motion, modal.feed, modal.rpm) = (self.motion, self.rates, self.rpm);
+        core.lines += u64::from(self.line - first);
+        core.motions += self.motions;
+        core.settled &= silent;
+        core.spline_end = None;
+        if let Some(call) = core.calls.last_mut() {
+            call.next = self.line;
+        }
+    }
 }

@@ -70,8 +70,9 @@ impl Context<'_> {
         }
         if let Some(to) = self.core.stepping.skip_to {
             if self.at.line <= to {
-                self.set_up(program, node)?;
+                // Behind a mistake too, so that a check comes to its end.
                 self.go_on_at(self.at.line);
+                self.set_up(program, node)?;
                 return Ok(true);
             }
             self.core.stepping.skip_to = None;

@@ -126,6 +126,14 @@ fn one_mistake_is_told_once() {
 }
 
 #[test]
+fn a_mistake_before_the_line_to_begin_at_is_passed() {
+    let from = Some(kerf_program::GoTo { line: 3, settings: true });
+    let options = Options { keep_going: true, from, ..Options::default() };
+    let ran = run_with("G21⏎#1=[1/0] G91⏎G0 X1", FakeHost::default(), metric(), options);
+    assert_eq!((ran.path().as_str(), ran.status), ("J1,0,0", Status::Ok));
+}
+
+#[test]
 fn a_step_that_waits_has_no_effect() {
     let text = "G21⏎G0 X1⏎M0⏎G91 M64 P1 G0 X1⏎M66 P0 L0⏎G0 X#5399⏎T2 M6⏎G38.3 X20 F100⏎M2";
     let calm = run(text);
