@@ -94,6 +94,14 @@ fn g_code_between_the_lines_may_compute() {
     shop.kerf("check o.sbp").exits(1).says("a file of its own");
 }
 
+/// A block that tells something, switches something and then waits.
+#[test]
+fn a_block_may_stop_the_spindle_and_the_program_with_a_message() {
+    let text = "G21 F100\nM3 S100\nG1 X1\nM5 M0 (MSG, flip it)\nS5 M66 P3 L0 (MSG, b)\nG1 X2\n";
+    let shop = Shop::new(&[("flip.nc", text)]);
+    shop.kerf("run flip.nc").exits(0).says("flip it").says("2 moves");
+}
+
 #[test]
 fn fmt_knows_g_code() {
     let shop = shop();

@@ -57,7 +57,7 @@ impl Context<'_> {
 
     /// Waits until everything given so far has been carried out.
     pub(super) fn settle(&mut self) -> Result<(), Stop> {
-        if self.core.settled {
+        if self.core.settled || self.core.at_rest {
             return Ok(());
         }
         match self.host.settle() {

@@ -62,6 +62,10 @@ pub(super) struct Core {
     pub(super) motions: u64,
     /// Everything given so far has been carried out.
     pub(super) settled: bool,
+    /// All that came before the present block has been carried out. What the block itself gives before
+    /// it asks goes with it: it is given anew with each attempt, so nobody could wait for it.
+    #[serde(default)]
+    pub(super) at_rest: bool,
     /// Lines executed.
     pub(super) lines: u64,
     /// Only the line of this index is executed.
@@ -151,6 +155,7 @@ impl Core {
             taken: 0,
             motions: 0,
             settled: true,
+            at_rest: false,
             lines,
             only: None,
             told: Told::default(),

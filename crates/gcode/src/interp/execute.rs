@@ -26,7 +26,9 @@ impl Context<'_> {
         self.settle()?;
         let saved = self.core.clone();
         self.core.taken = 0;
+        self.core.at_rest = true;
         let outcome = self.carry_out(g);
+        self.core.at_rest = false;
         let asked = std::mem::take(&mut self.core.asked);
         if matches!(outcome, Err(Stop::Waiting)) {
             *self.core = saved;

@@ -78,11 +78,12 @@ impl Context<'_> {
 
     /// The message in this line, for the box that M0 opens.
     fn message_above(&self) -> Option<String> {
-        let said = self.out.last().filter(|s| s.at == self.at)?;
-        match &said.command {
+        let of_block = self.out.iter().rev().take_while(|s| s.at == self.at);
+        let mut said = of_block.filter_map(|s| match &s.command {
             Command::Message { text } if !text.is_empty() => Some(text.to_string()),
             _ => None,
-        }
+        });
+        said.next()
     }
 
     /// M2, M30: the machine is left as a program should leave it.
