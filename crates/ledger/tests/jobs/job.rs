@@ -242,3 +242,15 @@ fn a_knife_turns_at_every_corner() {
     let turns: Vec<_> = ends(&trace).into_iter().filter(|end| end.starts_with('c')).collect();
     assert_eq!(turns, ["c90", "c180", "c270"]);
 }
+
+#[test]
+fn pro_io_inb0() {
+    let trace = jigs().input(Input::Jig1, 1.0, true).run();
+    assert!(trace.edges().contains(&"1.000 jig1+".into()), "{:?}", trace.edges());
+}
+
+#[test]
+fn pro_io_inb1() {
+    let trace = jigs().input(Input::Jig2, 1.0, true).run();
+    assert!(trace.edges().contains(&"1.000 jig2+".into()), "{:?}", trace.edges());
+}

@@ -152,3 +152,16 @@ fn the_rest_of_what_motors_are_asked() {
     refused("motors.a = \"q\"\nmotors.z2 = \"w\"", "axis A has two motors");
     refused("rotary = [\"deg\"]\nmotors.z2 = \"w\"", "the second head (motors.z2) is axis A");
 }
+
+#[test]
+fn pro_options_con_speed() {
+    refused("options.console_baud = 9600", "options.console_baud must be 2400 to 2400, not 9600");
+    accepted("options.console_baud = 2400");
+}
+
+#[test]
+fn pro_options_mouse_ports() {
+    let fresh = crate::Configuration::default();
+    let ports = (fresh.options.console_port, fresh.options.send_port, fresh.height.port);
+    assert_eq!(ports, (1, 2, 3));
+}
