@@ -6,9 +6,11 @@ mod ellipse;
 mod nurbs;
 mod points;
 mod sampled;
+mod smooth;
 
 pub use bezier::Bezier;
 pub use ellipse::Ellipse;
 pub use nurbs::{Nurbs, NurbsError};
 pub use points::points;
 pub use sampled::{affine, curve};
+pub use smooth::smoothed;
