@@ -33,6 +33,7 @@ use std::process::ExitCode;
 /// `kerf send` changes anything outside.
 #[derive(Parser)]
 #[command(name = "kerf", version, max_term_width = 100, after_help = START_HERE)]
+#[command(disable_help_subcommand = true)]
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
@@ -46,7 +47,8 @@ const START_HERE: &str = "Start here:
   kerf plot box.sbp -o speed.svg      how fast is it where?
   kerf run box.sbp                    run it, on the simulated machine
 
-`kerf help COMMAND` lists the options of a command with examples, `kerf explain CODE` explains a message.
+`kerf help COMMAND` lists the options of a command with examples, `kerf explain CODE` explains a message,
+`kerf help term WORD` a word of the field.
 
 Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the command line was wrong,
 3 stopped by the operator or a limit";

@@ -44,8 +44,9 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     let parts = file.parent().unwrap_or(Path::new(""));
     let work = if drawings::is_drawing(file) {
         let name = file.display().to_string().into();
-        let job = drawings::job(file)?.neutral(name);
         let machine = machine(args.place.config.as_deref(), &args.place.data)?;
+        let smoothing = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
+        let job = drawings::job(file, smoothing)?.neutral(name);
         Work::Job(Arc::new(job), Arc::new(machine))
     } else {
         read_program(file, args.dialect.sbp)?.into()

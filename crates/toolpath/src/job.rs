@@ -6,7 +6,9 @@ use crate::overlap;
 use crate::shape_paths::{Pass, paths};
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Shape};
+use kerf_geom::fit::smoothed;
 use kerf_geom::{Point2, Transform2, Vec2};
+use kerf_program::Smoothing;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use thiserror::Error;
@@ -38,6 +40,8 @@ pub struct Job {
     pub finish: Point2,
     /// The path with which the job begins, counted from 1.
     pub start: usize,
+    /// The smoothing factor that the paths were made with; nothing for paths that were not made.
+    pub smoothing: Option<f64>,
 }
 
 /// Why there is no job.
@@ -63,13 +67,23 @@ pub(crate) struct Origin {
 }
 
 /// Makes the job of a drawing: the paths of every shape of the groups that are on, in the drawing's
-/// sequence, block after block.
+/// sequence, block after block, smoothed as is usual.
 ///
 /// # Errors
 /// Arrays that make more than [`MOST_PATHS`].
 pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
+    smoothed_job(drawing, Smoothing::default().factor)
+}
+
+/// The same with another smoothing factor; 0 smooths nothing (Profiler reference, "When are the
+/// Smoothing Factors used?").
+///
+/// # Errors
+/// As [`job`].
+pub fn smoothed_job(drawing: &Drawing, factor: f64) -> Result<(Job, Vec<Warning>), JobError> {
     let mut warnings = Vec::new();
-    let block = block(drawing, &mut warnings);
+    let smoothing = Smoothing { factor, ..Smoothing::default() };
+    let block = block(drawing, smoothing.limit_mm(), &mut warnings);
     let copies = drawing.arrays.count();
     let paths = copies.saturating_mul(block.len() as u64);
     if paths > MOST_PATHS {
@@ -79,12 +93,18 @@ pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
     let places = drawing.arrays.placements(size);
     let laid_out = places.flat_map(|by| block.iter().map(move |path| moved(path, by)));
     let plain = drawing.with_shapes(Vec::new());
-    let job = Job { paths: laid_out.collect(), drawing: plain, start: 1, ..Job::default() };
+    let job = Job {
+        paths: laid_out.collect(),
+        drawing: plain,
+        start: 1,
+        smoothing: Some(factor),
+        ..Job::default()
+    };
     Ok((job, warnings))
 }
 
 /// The paths of the basic block.
-fn block(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
+fn block(drawing: &Drawing, smooth_mm: f64, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
     let contours = Contours::of(drawing);
     overlap::crossing(drawing, warnings);
     let mut block = Vec::new();
@@ -94,7 +114,7 @@ fn block(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
             continue;
         }
         let number = n + 1;
-        let found = paths(number, shape, settings, warnings);
+        let found = paths(number, &smooth(shape, smooth_mm), settings, warnings);
         overlap::check(number, &found, &contours, warnings);
         // The machine halts before the shape, not before each of its paths.
         let mut pause = shape.pause;
@@ -111,6 +131,14 @@ fn block(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
         }
     }
     block
+}
+
+/// A flat shape with curves for its short lines; heights belong to vertices, which move.
+fn smooth(shape: &Shape, limit_mm: f64) -> Shape {
+    if shape.z_mm.is_some() {
+        return shape.clone();
+    }
+    Shape { path: smoothed(&shape.path, limit_mm), ..shape.clone() }
 }
 
 fn moved(path: &CutPath, by: Vec2) -> CutPath {

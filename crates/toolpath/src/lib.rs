@@ -1,7 +1,7 @@
 //! Tool paths from drawings.
 //!
 //! ```text
-//!  Drawing ─ shape by shape ─► offset ─► tag ─► lead-in, lead-out ─► passes    (Profiler reference,
+//!  Drawing ─ shape by shape ─► smooth ─► offset ─► tag ─► lead-in, lead-out ─► passes    (Profiler reference,
 //!                │                                                              "Tool path")
 //!                └─ arrays: every path again in each block, in cutting order ─► Job ─► RSM
 //! ```
@@ -28,7 +28,7 @@ mod tag;
 mod warning;
 
 pub use depth::{Depths, Heights, LowError};
-pub use job::{CutPath, Job, JobError, MOST_PATHS, job};
+pub use job::{CutPath, Job, JobError, MOST_PATHS, job, smoothed_job};
 pub use lead::{Side, lead_in, lead_out};
 pub use program::print;
 pub use relief::{Relief, print_relief};

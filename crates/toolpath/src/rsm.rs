@@ -16,6 +16,8 @@ struct Head {
     origin: Point2,
     finish: Point2,
     start: usize,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    smoothing: Option<f64>,
     paths: Vec<Origin>,
 }
 
@@ -25,7 +27,8 @@ pub fn write(job: &Job) -> String {
     let mut drawing = job.drawing.with_shapes(shapes);
     drawing.arrays = Arrays::default();
     let paths = job.paths.iter().map(|path| Origin { from: path.from, pass: path.pass }).collect();
-    let head = Head { origin: job.origin, finish: job.finish, start: job.start, paths };
+    let Job { origin, finish, start, smoothing, .. } = *job;
+    let head = Head { origin, finish, start, smoothing, paths };
     rsg::write_with(&drawing, Some(serde_json::to_value(head).unwrap_or_default()))
 }
 
@@ -41,7 +44,7 @@ pub fn read(bytes: &[u8]) -> (Job, Imported) {
         |(shape, origin): (Arc<_>, Origin)| CutPath { shape, from: origin.from, pass: origin.pass };
     let missing = numbered.skip(head.paths.len());
     let paths = shapes.into_iter().zip(origins.chain(missing)).map(path).collect();
-    let Head { origin, finish, start, .. } = head;
+    let Head { origin, finish, start, smoothing, .. } = head;
     let drawing = read.drawing.clone();
-    (Job { paths, drawing, origin, finish, start: start.max(1) }, read)
+    (Job { paths, drawing, origin, finish, start: start.max(1), smoothing }, read)
 }

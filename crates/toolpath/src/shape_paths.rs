@@ -1,4 +1,4 @@
-//! From one shape to the paths that cut it: smoothing apart, the order of the Profiler reference is
+//! From one shape, smoothed already, to the paths that cut it: the order of the Profiler reference is
 //! offset, tag, lead-in and lead-out.
 
 use crate::lead::{Side, lead_in, lead_out, with_leads};

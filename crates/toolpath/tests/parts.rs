@@ -80,3 +80,46 @@ fn pro_edit_break_tags() {
     };
     (0..4).for_each(|n| near(gap(n), 3.0));
 }
+
+/// A polygon as a clause.
+fn polygon(sides: u32, radius: f64) -> String {
+    let place = |k: u32| {
+        let turn = std::f64::consts::TAU * f64::from(k) / f64::from(sides);
+        format!("{},{}", radius * turn.cos(), radius * turn.sin())
+    };
+    let places: Vec<String> = (0..sides).map(place).collect();
+    format!("line {} close", places.join(" "))
+}
+
+/// The largest corner of a closed path, degrees.
+fn sharpest(path: &Polyarc) -> f64 {
+    let count = path.segment_count();
+    let turn = |k: usize| {
+        let (a, b) = (path.segment(k).direction(1.0), path.segment((k + 1) % count).direction(0.0));
+        a.cross(b).atan2(a.dot(b)).abs().to_degrees()
+    };
+    (0..count).map(turn).fold(0.0, f64::max)
+}
+
+fn with_smoothing(factor: f64) -> Polyarc {
+    let mut editor = Editor::default();
+    for (_, operation) in script(&format!("{}; set black offset=5", polygon(72, 50.0))).unwrap() {
+        editor.apply(&operation).unwrap();
+    }
+    let (job, warnings) = kerf_toolpath::smoothed_job(&editor.drawing, factor).unwrap();
+    assert_eq!(warnings, []);
+    job.paths[0].shape.path.clone()
+}
+
+#[test]
+fn pro_toolpath_smoothed_base() {
+    let smooth = with_smoothing(0.6);
+    for k in 0..720 {
+        let at = smooth.place_after(smooth.length() * f64::from(k) / 720.0).unwrap().at;
+        assert!((at.distance(Point2::default()) - 55.0).abs() <= 0.06, "{at:?}");
+    }
+    assert!(sharpest(&smooth) < 1.0);
+    let plain = with_smoothing(0.0);
+    let arcs = plain.segments().filter(|segment| segment.arc().is_some()).count();
+    assert_eq!((plain.segment_count(), arcs), (144, 72));
+}

@@ -7,7 +7,7 @@
 //! direction where the limit allows it. The model of motion that smooths while it moves goes by the same rules.
 
 use super::biarc::{Station, biarc};
-use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
+use crate::{Point2, Polyarc, Segment, Vec2, tol};
 
 /// Sharper corners stay; corners drawn at just the limit, with a few decimals, do not.
 const SHARP_RAD: f64 = std::f64::consts::FRAC_PI_4 + 1e-6;
@@ -164,6 +164,7 @@ fn mirrored(direction: Vec2, chord: Vec2) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Vertex;
 
     fn polygon(sides: u32, radius: f64) -> Polyarc {
         let turn = std::f64::consts::TAU / f64::from(sides);
@@ -217,8 +218,7 @@ mod tests {
     fn squares_and_arcs_stay() {
         let square = Polyarc::rectangle(Point2::new(0.0, 0.0), Point2::new(0.2, 0.2));
         assert_eq!(smoothed(&square, 1.0), square);
-        let slot =
-            Polyarc::rounded_rectangle(Point2::new(0.0, 0.0), Point2::new(9.0, 4.0), 2.0);
+        let slot = Polyarc::rounded_rectangle(Point2::new(0.0, 0.0), Point2::new(9.0, 4.0), 2.0);
         assert_eq!(smoothed(&slot, 1.0), slot);
     }
 }

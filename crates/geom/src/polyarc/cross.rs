@@ -55,6 +55,11 @@ impl Polyarc {
         found.pop()
     }
 
+    /// Whether it is closed and neither crosses nor touches itself.
+    pub fn is_simple(&self) -> bool {
+        self.closed && self.segment_count() > 1 && self.crosses_itself().is_none()
+    }
+
     /// Whether a crossing is only the joint between a segment and the next.
     fn is_joint(&self, c: &Crossing, count: usize) -> bool {
         let near = |place: &Place, segment: usize, end: bool| {

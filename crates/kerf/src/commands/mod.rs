@@ -5,6 +5,7 @@ mod convert;
 mod draw;
 mod explain;
 mod fmt;
+mod help;
 mod io;
 mod log;
 mod machine;
@@ -45,6 +46,7 @@ pub enum Command {
     Convert(convert::ConvertArgs),
     Toolpath(toolpath::ToolpathArgs),
     Explain(explain::ExplainArgs),
+    Help(help::HelpArgs),
     Wavlength(wavlength::WavlengthArgs),
     #[command(visible_alias = "reg")]
     Registry(registry::RegistryArgs),
@@ -83,5 +85,6 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Sb3(args) => sb3::run(&args),
         Command::Wavlength(args) => wavlength::run(&args),
         Command::Explain(args) => explain::run(&args),
+        Command::Help(args) => help::run(&args),
     }
 }

@@ -101,9 +101,10 @@ fn group_by_layer(file: &Path, read: &mut Imported) {
     }
 }
 
-/// The job in a file: the one of an RSM, or the one that is made of a drawing. What is noticed is told.
-pub fn job(file: &Path) -> Result<Job> {
-    let (job, warnings) = job_with_warnings(file)?;
+/// The job in a file: the one of an RSM, or the one that is made of a drawing with a smoothing factor. What
+/// is noticed is told.
+pub fn job(file: &Path, smoothing: f64) -> Result<Job> {
+    let (job, warnings) = job_with_warnings(file, smoothing)?;
     for warning in &warnings {
         eprintln!("{}: warning: {warning}", file.display());
     }
@@ -111,14 +112,25 @@ pub fn job(file: &Path) -> Result<Job> {
 }
 
 /// The same, with what was noticed while the tool paths were made.
-pub fn job_with_warnings(file: &Path) -> Result<(Job, Vec<Warning>)> {
+pub fn job_with_warnings(file: &Path, smoothing: f64) -> Result<(Job, Vec<Warning>)> {
     if extension(file) == "rsm" {
         let (job, read) = kerf_toolpath::read(&bytes(file)?);
         tell(file, &read);
+        tell_other_smoothing(file, &job, smoothing);
         return Ok((job, Vec::new()));
     }
     let reading = Reading { layers: false, scale: true, explode: true };
-    Ok(kerf_toolpath::job(&open(&[file], &reading)?)?)
+    Ok(kerf_toolpath::smoothed_job(&open(&[file], &reading)?, smoothing)?)
+}
+
+fn tell_other_smoothing(file: &Path, job: &Job, now: f64) {
+    if let Some(made) = job.smoothing.filter(|made| *made != now) {
+        let file = file.display();
+        eprintln!(
+            "{file}: warning: tool path made with other smoothing values: the factor was {made} and is {now} \
+             now; make it anew from the drawing"
+        );
+    }
 }
 
 /// A job as a part program of OpenSBP, millimetres.

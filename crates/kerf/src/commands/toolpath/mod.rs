@@ -13,6 +13,7 @@ use clap::Args;
 use coloured::Colours;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_geom::{Bounds2, Point2};
+use kerf_program::Smoothing;
 use kerf_program::Written;
 use kerf_toolpath::{Heights, Job, Warning, off_table, write};
 use std::path::{Path, PathBuf};
@@ -75,7 +76,8 @@ impl HeightArgs {
 pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let output = args.output.clone().unwrap_or_else(|| args.drawing.with_extension("rsm"));
     let heights = args.heights.heights()?;
-    let (job, mut warnings) = drawings::job_with_warnings(&args.drawing)?;
+    let smoothing = args.run.motion.smoothing.unwrap_or(Smoothing::default().factor);
+    let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, smoothing)?;
     if let Some(table) = table(args, &job)? {
         warnings.extend(off_table(&job, &table));
     }

@@ -1,0 +1,53 @@
+//! Smoothing of tool paths when they are made.
+
+#![allow(clippy::unwrap_used)]
+
+mod shop;
+
+use shop::{Did, Shop};
+
+/// A shop with a drawing of a polygon of 72 sides, radius 50, offset 5.
+fn shop() -> Shop {
+    let shop = Shop::new(&[]);
+    let place = |k: u32| {
+        let turn = std::f64::consts::TAU * f64::from(k) / 72.0;
+        format!("{},{}", 100.0 + 50.0 * turn.cos(), 100.0 + 50.0 * turn.sin())
+    };
+    let places: Vec<String> = (0..72).map(place).collect();
+    let script = format!("line {} close; set black offset=5", places.join(" "));
+    let drawn = shop.command().args(["draw", "--do", &script, "-o", "job.rsg"]).output().unwrap();
+    Did::of(drawn).exits(0);
+    shop
+}
+
+#[test]
+fn pro_smoothing_pathgen() {
+    let shop = shop();
+    let segments = |factor: &str| {
+        shop.kerf(&format!("toolpath job.rsg --smoothing {factor}")).exits(0);
+        let shapes = shop.kerf("draw job.rsm --list");
+        shapes.exits(0);
+        let shape: serde_json::Value =
+            serde_json::from_str(shapes.out().lines().next().unwrap()).unwrap();
+        let reach = shape["bounds"]["max"]["x"].as_f64().unwrap();
+        assert!((reach - 155.0).abs() < 0.06, "{reach}");
+        shape["points"].as_array().unwrap().len()
+    };
+    assert!(segments("0.6") < 10);
+    assert_eq!(segments("0"), 144);
+}
+
+#[test]
+fn pro_smoothing_recreate() {
+    let shop = shop();
+    shop.kerf("toolpath job.rsg").exits(0);
+    let warned = |options: &str| {
+        let did = shop.kerf(&format!("run job.rsm --config sim {options}"));
+        did.exits(0);
+        did.err().contains("tool path made with other smoothing values")
+    };
+    let changed = "--ramps profiler --smoothing 0.3";
+    assert!(!warned("") && warned(changed));
+    shop.kerf("toolpath job.rsg --smoothing 0.3").exits(0);
+    assert!(!warned(changed) && warned(""));
+}
