@@ -61,3 +61,29 @@ fn pro_engrave_depth() {
     assert_eq!(at_depth("set red height=-2"), [-22.0]);
     assert_eq!(at_depth("set red height=-2 pass=1"), [-21.0, -22.0]);
 }
+
+/// How steeply the cutting moves below the surface go down at most, millimetres down per millimetre along.
+fn steepest(script: &str) -> f64 {
+    let all = moves(script);
+    let at = |event: &Value, axis: &str| event["to"][axis].as_f64().unwrap();
+    let steep = |pair: &[Value]| {
+        let way = ["x", "y"].map(|axis| at(&pair[1], axis) - at(&pair[0], axis));
+        let (down, along) = (z(&pair[0]) - z(&pair[1]), way[0].hypot(way[1]));
+        if is_cut(&pair[1]) && z(&pair[1]) < SURFACE && down > 1e-6 { down / along } else { 0.0 }
+    };
+    all.windows(2).map(steep).fold(0.0, f64::max)
+}
+
+#[test]
+fn ramps_and_helices_go_down_gently_in_every_pass() {
+    assert!(steepest(&format!("{PLATE} set red height=-2")) > 1000.0);
+    for plunge in ["ramp,3", "helix,2,3"] {
+        let steep = steepest(&format!("{PLATE} set red height=-2 plunge={plunge}"));
+        // The chord of a helix is shorter than its arc.
+        let most = 3.0_f64.to_radians().tan() * std::f64::consts::FRAC_PI_2;
+        assert!(steep > 0.0 && steep <= most + 1e-3, "{plunge}: {steep}");
+        let passes = moves(&format!("{PLATE} set red height=-2 pass=1 plunge={plunge}"));
+        let depths: Vec<f64> = passes.iter().map(z).collect();
+        assert!(depths.contains(&-22.0) && depths.contains(&-21.0));
+    }
+}

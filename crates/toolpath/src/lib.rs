@@ -18,7 +18,6 @@ mod job;
 mod lead;
 mod neutral;
 mod overlap;
-mod plunge;
 mod program;
 mod relief;
 mod rsm;

@@ -3,7 +3,7 @@
 use crate::depth::depth;
 use crate::job::{CutPath, Job};
 use crate::shape_paths::Pass;
-use kerf_drawing::GroupSettings;
+use kerf_drawing::{GroupSettings, Plunge};
 use kerf_program::job;
 use std::sync::Arc;
 
@@ -22,6 +22,18 @@ impl Job {
     }
 }
 
+/// The way down of a group. Its helices lie on the side of the leads: right, unless the offset is negative.
+pub(crate) fn plunge(settings: &GroupSettings) -> job::Plunge {
+    match settings.plunge {
+        Plunge::Straight => job::Plunge::Straight,
+        Plunge::Ramp { angle_deg } => job::Plunge::Ramp { angle_deg },
+        Plunge::Helix { radius_mm, angle_deg } => {
+            let sign = if settings.offset_mm < 0.0 { -1.0 } else { 1.0 };
+            job::Plunge::Helix { radius_mm: sign * radius_mm, angle_deg }
+        }
+    }
+}
+
 fn shape(path: &CutPath, settings: &GroupSettings) -> job::JobShape {
     let shape = &path.shape;
     let z_mm = shape.z_mm.as_deref().unwrap_or_default();
@@ -30,6 +42,7 @@ fn shape(path: &CutPath, settings: &GroupSettings) -> job::JobShape {
         path: Arc::new(shape.path.clone()),
         z_mm: z_mm.into(),
         depth: depth(settings),
+        plunge: plunge(settings),
         tool: settings.tool,
         cut: settings.cut,
         speed_mm_s: settings.speed_mm_min.map(|mm_min| mm_min / 60.0),

@@ -10,12 +10,12 @@
 
 use crate::depth::{Depths, Heights};
 use crate::job::{CutPath, Job};
-use crate::lead::Side;
-use crate::plunge::{Descent, descent};
+use crate::neutral::plunge;
 use crate::shape_paths::Pass;
 use crate::warning::Warning;
-use kerf_drawing::{Group, GroupSettings, Kind};
+use kerf_drawing::{Group, Kind};
 use kerf_geom::{Point2, Polyarc, Segment};
+use kerf_program::job::Plunge;
 use kerf_program::{
     AXES, Arc, At, Axes, Command, Feed, Hold, Line, MoveKind, Printer, Sourced, ToolPathStart,
 };
@@ -86,7 +86,7 @@ impl Writing<'_> {
             (Pass::Traversal, Depths::Along(base)) => self.cut_along(path, *base, Feed::Axis),
             (_, Depths::Along(base)) => self.cut_along(path, *base, feed),
             (_, Depths::Level(levels)) => {
-                self.passes(path, levels, feed, job.drawing.settings(path.shape.group));
+                self.passes(path, levels, feed, plunge(job.drawing.settings(path.shape.group)));
             }
         }
     }
@@ -100,26 +100,24 @@ impl Writing<'_> {
         }
     }
 
-    fn passes(&mut self, path: &CutPath, levels: &[f64], feed: Feed, settings: &GroupSettings) {
-        let side = Side::of_offset(settings.offset_mm);
-        let mut now = path.shape.path.clone();
+    fn passes(&mut self, path: &CutPath, levels: &[f64], feed: Feed, plunge: Plunge) {
+        let start = path.shape.start();
         let mut before = self.surface;
         for (n, z) in levels.iter().enumerate() {
-            let start = now.start().unwrap_or_default();
-            if n > 0 && !now.closed && path.shape.kind() != Kind::Point {
+            if n > 0 && !path.shape.is_closed() && path.shape.kind() != Kind::Point {
                 self.jog_up();
                 self.jog_to(start);
             }
-            let Descent { slopes, level } = descent(settings.plunge, &now, side, before, *z);
+            let slopes = plunge.slopes(&path.shape.path, before, *z);
             let straight = if slopes.is_empty() { *z } else { before };
             self.line(MoveKind::Cut, Spot { at: start, z: straight }, Feed::Axis);
             for slope in slopes {
-                self.segment(&slope.segment, slope.z, feed);
+                self.segment(&slope.segment, slope.z_mm, feed);
             }
-            for segment in level.segments() {
+            for segment in path.shape.path.segments() {
                 self.segment(&segment, *z, feed);
             }
-            (now, before) = (level, *z);
+            before = *z;
         }
     }
 

@@ -66,6 +66,7 @@ impl Sequence {
             Small::AboveFelt(up) => return self.plunge(self.felt_mm + up, out),
             Small::Turn(degrees) => return self.rapid(Axis::C, *degrees, out),
             Small::Hand(axis, to) => return self.rapid(*axis, *to, out),
+            Small::Slope => return self.slope(out),
             Small::Follow => return self.begin_path(out),
             Small::Made => self.here.along = Along::After,
             Small::Clear => self.here.along = Along::Clear,

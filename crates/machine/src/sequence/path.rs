@@ -36,6 +36,34 @@ impl Sequence {
         }
     }
 
+    /// The height from which the tool goes down along the path or a helix, when it does: that of the pass
+    /// before, at the beginning of a path cut at one height.
+    pub(super) fn slopes_from(&self, shape: &JobShape, spot: &Spot) -> Option<f64> {
+        let Depths::Level(levels) = &self.depths else { return None };
+        let pass = self.here.pass;
+        let before = if pass == 0 { Some(&self.heights.surface_mm) } else { levels.get(pass - 1) };
+        let begins = spot.segment == 0 && spot.share == 0.0;
+        let (from, to) = (*before?, *levels.get(pass)?);
+        let slopes = begins && !shape.plunge.slopes(&shape.path, from, to).is_empty();
+        slopes.then_some(from)
+    }
+
+    /// Gives the way down to the beginning of the path at hand; whether there is one. A stop on it leaves
+    /// the path as not begun.
+    pub(super) fn slope(&mut self, out: &mut Vec<Sourced>) -> bool {
+        let job = self.job.clone();
+        let (Some(shape), Depths::Level(levels)) = (self.here.shape(&job), &self.depths) else {
+            return false;
+        };
+        let Some(to) = levels.get(self.here.pass).copied() else { return false };
+        self.followed = Followed { first: self.motions + 1, segments: Vec::new() };
+        let slopes = shape.plunge.slopes(&shape.path, self.position[Axis::Z], to);
+        for slope in &slopes {
+            self.motion(shape, &slope.segment, Some(slope.z_mm), out);
+        }
+        !slopes.is_empty()
+    }
+
     fn segment(
         &mut self,
         shape: &JobShape,
@@ -43,12 +71,24 @@ impl Sequence {
         segment: &Segment,
         out: &mut Vec<Sourced>,
     ) {
+        let along = |base: f64| base + shape.height_mm(number + 1);
+        let z = if let Depths::Along(base) = self.depths { Some(along(base)) } else { None };
+        self.followed.segments.push(number as u32);
+        self.motion(shape, segment, z, out);
+    }
+
+    /// Gives a segment, to a height or at the present one.
+    fn motion(
+        &mut self,
+        shape: &JobShape,
+        segment: &Segment,
+        z: Option<f64>,
+        out: &mut Vec<Sourced>,
+    ) {
         let to = self.job.on_table(segment.end());
         let mut axes = self.position;
         (axes[Axis::X], axes[Axis::Y]) = (to.x, to.y);
-        if let Depths::Along(base) = self.depths {
-            axes[Axis::Z] = base + shape.height_mm(number + 1);
-        }
+        axes[Axis::Z] = z.unwrap_or(axes[Axis::Z]);
         let kind = if shape.traversal { MoveKind::Jog } else { MoveKind::Cut };
         let feed = Feed::Path(self.feed(shape, segment, &axes));
         let command = match *segment {
@@ -63,7 +103,6 @@ impl Sequence {
                 Command::Arc(Arc { kind, centre, sweep_rad, to: axes, feed, chords, small: false })
             }
         };
-        self.followed.segments.push(number as u32);
         self.move_by(command, axes, out);
     }
 

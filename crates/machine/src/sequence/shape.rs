@@ -35,7 +35,7 @@ impl Sequence {
                 return steps;
             }
             steps.extend(self.turn_before_plunge(shape, &spot));
-            steps.extend(self.start(shape, z));
+            steps.extend(self.start(shape, &spot, z));
             steps.extend([Small::Follow, Small::Made]);
             steps.extend(self.end_of_cut(shape));
         }
@@ -59,18 +59,20 @@ impl Sequence {
     }
 
     /// From the height of travel to cutting.
-    fn start(&self, shape: &JobShape, z: f64) -> Vec<Small> {
+    fn start(&self, shape: &JobShape, spot: &Spot, z: f64) -> Vec<Small> {
         if self.machine.plasma.use_sequence {
             return self.plasma_start(shape);
         }
         if self.pierces(shape) {
             return self.laser_start(shape, z);
         }
+        let slope = self.slopes_from(shape, spot);
         let mut steps = self.tool_on(self.tool_of(shape));
-        steps.extend(self.down(shape, z));
+        steps.extend(self.down(shape, slope.unwrap_or(z)));
         steps.push(Small::Switch(Output::cut(shape.cut), true));
         steps.extend(self.bottom_delay(shape));
         steps.extend(self.beam_follows(shape));
+        steps.extend(slope.map(|_| Small::Slope));
         steps
     }
 

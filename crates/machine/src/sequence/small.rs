@@ -41,6 +41,8 @@ pub(crate) enum Small {
     Turn(f64),
     /// An axis moves by hand.
     Hand(Axis, f64),
+    /// Down along the path or beside it, to where it begins at the height of the pass.
+    Slope,
     /// Along the path, from where it was left.
     Follow,
     /// The path is made.

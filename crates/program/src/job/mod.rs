@@ -6,8 +6,10 @@
 //! table; heights are told as the machine's own three heights are set when the job runs.
 
 mod depth;
+mod plunge;
 
 pub use depth::{Depth, Depths, Heights, LowError};
+pub use plunge::{Plunge, Slope, helix_circle};
 
 use kerf_geom::{Point2, Polyarc, Vec2};
 use std::sync::Arc;
@@ -23,6 +25,8 @@ pub struct JobShape {
     pub z_mm: Arc<[f64]>,
     /// How deep it is cut.
     pub depth: Depth,
+    /// How the tool goes down.
+    pub plunge: Plunge,
     /// The tool control output, 1 … 3: on while the tool is down.
     pub tool: u8,
     /// The tool cut output, 1 … 3: on while material is cut.
@@ -75,6 +79,7 @@ impl JobShape {
             path: Arc::new(path),
             z_mm: Arc::default(),
             depth: Depth::Thru,
+            plunge: Plunge::Straight,
             tool: 1,
             cut: 1,
             speed_mm_s: None,
