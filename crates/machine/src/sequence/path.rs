@@ -40,6 +40,9 @@ impl Sequence {
     /// before, at the beginning of a path cut at one height.
     pub(super) fn slopes_from(&self, shape: &JobShape, spot: &Spot) -> Option<f64> {
         let Depths::Level(levels) = &self.depths else { return None };
+        if self.height_law(shape).is_some() {
+            return None;
+        }
         let pass = self.here.pass;
         let before = if pass == 0 { Some(&self.heights.surface_mm) } else { levels.get(pass - 1) };
         let begins = spot.segment == 0 && spot.share == 0.0;
