@@ -64,7 +64,8 @@ fn pro_glossary_rsg() {
     let made = shop.command().args(["draw", "--do", script, "-o", "a.rsg"]).output().unwrap();
     assert!(made.status.success());
     shop.kerf("draw a.rsg --list").exits(0).says("\"group\":\"red\"");
-    shop.kerf("toolpath a.rsg -o a.rsm --report").exits(0).says("red             6");
+    shop.kerf("toolpath a.rsg -o a.rsm").exits(0);
+    assert_eq!(shop.kerf("draw a.rsm --list").out().lines().count(), 6);
 }
 
 #[test]
