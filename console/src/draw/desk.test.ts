@@ -67,12 +67,12 @@ describe("the drawing desk without a tool", () => {
     expect(click(firstDesk, 50, 15, around([1]), true).clauses).toBe("select remove 1");
   });
 
-  it("selects by a window from the left and by crossing from the right", () => {
+  it("selects by a window from the left, by crossing from the right", () => {
     expect(drag(firstDesk, [-1, -1], [220, 150]).clauses).toBe("select window -1,-1 220,150");
     expect(drag(firstDesk, [220, 150], [-1, -1]).clauses).toBe("select crossing 220,150 -1,-1");
   });
 
-  it("lets choose between shapes on each other", () => {
+  it("pro_select_chooser: lets choose between shapes on each other", () => {
     const two = { ...around(), picking: pickingOf([a, { ...a, number: 2, group: "red" }]) };
     const { state, clauses } = click(firstDesk, 50, 15, two);
     expect(clauses).toBeUndefined();
@@ -81,7 +81,7 @@ describe("the drawing desk without a tool", () => {
     expect(escaped(state, two).state.chooser).toBeNull();
   });
 
-  it("does the last tool again with the right button, and nothing before the first", () => {
+  it("pro_select_rmb_repeat: does the last tool again with the right button, and nothing before the first", () => {
     expect(rightClicked(firstDesk, around()).state.running).toBeNull();
     const after = escaped(startTool(firstDesk, tool("move"), around()).state, around()).state;
     expect(rightClicked(after, around()).state.running?.tool.id).toBe("move");
@@ -89,7 +89,7 @@ describe("the drawing desk without a tool", () => {
 });
 
 describe("a tool on the drawing desk", () => {
-  it("places a corner exactly on another by two snaps", () => {
+  it("pro_snap_move_example: places a corner exactly on another by two snaps", () => {
     let { state } = startTool(firstDesk, tool("move"), around());
     ({ state } = click(state, 25, 0));
     ({ state } = rightClicked(state, around()));
@@ -106,7 +106,7 @@ describe("a tool on the drawing desk", () => {
     expect(done.state.running?.tool.id).toBe("point");
   });
 
-  it("turns the snap off with Q", () => {
+  it("pro_snap_none: turns the snap off with Q", () => {
     const { state } = startTool(firstDesk, tool("point"), around());
     expect(click(key(key(state, "v"), "q"), 2, 3).clauses).toBe("point 2,3");
   });
@@ -127,7 +127,7 @@ describe("a tool on the drawing desk", () => {
     expect(drag(state, [220, 150], [-1, -1]).state.running?.picked).toEqual([1, 2]);
   });
 
-  it("asks for numbers that only can be typed, and opens the entry with T or a digit", () => {
+  it("pro_edit_type_key: asks for numbers that only can be typed, and opens the entry with T or a digit", () => {
     expect(startTool(firstDesk, tool("fillet"), around()).state.entry).toBe("5");
     const { state } = startTool(firstDesk, tool("circle"), around());
     expect(key(state, "t").entry).toBe("");
@@ -139,7 +139,7 @@ describe("a tool on the drawing desk", () => {
     expect(escaped(state, around([1])).state.running).toBeNull();
   });
 
-  it("zooms and pans in the middle of a tool", () => {
+  it("pro_snap_zoom_in: zooms and pans in the middle of a tool", () => {
     const { state } = startTool(
       { ...firstDesk, size: { width: 200, height: 150 } },
       tool("line"),

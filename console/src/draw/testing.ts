@@ -1,0 +1,88 @@
+/** Hands for tests of the drawing desk. */
+
+import {
+  type Around,
+  type DeskState,
+  type Done,
+  escaped,
+  firstDesk,
+  moved,
+  pressed,
+  released,
+  rightClicked,
+  startTool,
+  typed,
+} from "./desk";
+import { shapeOf } from "./geometry/shape";
+import { boxOf, place } from "./geometry/vec";
+import { pickingOf } from "./pick";
+import { tools } from "./tools/catalog";
+import type { Tool } from "./tools/tool";
+
+export const path = (
+  number: number,
+  points: readonly number[],
+  { closed = false, group = "black" }: { closed?: boolean; group?: string } = {},
+) => shapeOf({ number, group, closed, pause: false, z: null, points: [...points] });
+
+export const rectangle = (number: number, x0: number, y0: number, x1: number, y1: number) =>
+  path(number, [x0, y0, 0, x1, y0, 0, x1, y1, 0, x0, y1, 0], { closed: true });
+
+export const tool = (id: string): Tool => {
+  const found = tools.find((other) => other.id === id);
+  if (!found) throw new Error(`no tool ${id}`);
+  return found;
+};
+
+type Shapes = Parameters<typeof pickingOf>[0];
+
+/** A hand on a desk with shapes: what it did last, and all operations that came of it. */
+export class Hand {
+  state: DeskState;
+  readonly clauses: string[] = [];
+  readonly #around: Around;
+
+  constructor(shapes: Shapes = [], selected: readonly number[] = []) {
+    this.state = { ...firstDesk, size: { width: 200, height: 150 } };
+    const box = shapes.reduce(
+      (all, { box }) => boxOf(all.min, box.max),
+      boxOf(place(0, 0), place(0, 0)),
+    );
+    this.#around = { picking: pickingOf(shapes), selected, box };
+  }
+
+  #take({ state, clauses }: Done): this {
+    this.state = state;
+    if (clauses !== undefined) this.clauses.push(clauses);
+    return this;
+  }
+
+  begin(id: string): this {
+    return this.#take(startTool(this.state, tool(id), this.#around));
+  }
+  move(x: number, y: number): this {
+    this.state = moved(this.state, place(x, y), place(0, 0));
+    return this;
+  }
+  click(x: number, y: number, adds = false): this {
+    this.#take(pressed(this.state, place(x, y)));
+    return this.move(x, y).#take(released(this.state, adds, this.#around));
+  }
+  drag(x0: number, y0: number, x1: number, y1: number): this {
+    this.#take(pressed(this.state, place(x0, y0)));
+    return this.move(x1, y1).#take(released(this.state, false, this.#around));
+  }
+  right(): this {
+    return this.#take(rightClicked(this.state, this.#around));
+  }
+  escape(): this {
+    return this.#take(escaped(this.state, this.#around));
+  }
+  keys(...names: readonly string[]): this {
+    for (const name of names) {
+      const done = typed(this.state, name, this.#around);
+      if (done) this.#take(done);
+    }
+    return this;
+  }
+}
