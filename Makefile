@@ -7,15 +7,17 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help console console-browser console-check console-test run bench bench-geometry test properties check soak fuzz format conformance book figures prepare peers
+.PHONY: help console console-browser console-check console-test rust-test run bench bench-geometry test properties check soak fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-test: prepare console-test console-browser ## run every test, once
+test: rust-test console-test console-browser ## run every test, once
+
+rust-test: prepare ## tests of everything but the console
 	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
 		/^test result:/ { passed += $$4; failed += $$6 } \
-		END { printf "all tests: %d passed, %d failed\n", passed, failed }'
+		END { printf "rust tests: %d passed, %d failed\n", passed, failed }'
 
 properties: prepare ## try the properties on new random cases
 	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \

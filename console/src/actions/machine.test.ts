@@ -1,21 +1,26 @@
 import { describe, expect, it } from "vitest";
 import { firstSnapshot } from "../../tests/standin/snapshot";
 import type { LinkStatus } from "../link/shown";
-import type { State } from "../wire/messages";
+import type { Mode, State } from "../wire/messages";
 import type { Action, World } from "./action";
 import { start } from "./job";
 import { arm, hold, resume, stop } from "./machine";
 
 const states: State[] = ["idle", "running", "jogging", "held", "asking", "stopped", "alarm"];
 
-function world(state: State, armed = true, status: LinkStatus = "open"): World {
-  const machine = { ...firstSnapshot.machine, state, armed };
+function world(
+  state: State,
+  armed = true,
+  status: LinkStatus = "open",
+  mode: Mode = "simulated",
+): World {
+  const machine = { ...firstSnapshot.machine, state, armed, mode };
   const snapshot = { ...firstSnapshot, machine };
   return { shown: { status, who: null, snapshot, roundTripMs: 1 } } as World;
 }
 
-const allowed = (action: Action, armed = true) =>
-  states.filter((state) => action.refused?.(world(state, armed)) === undefined);
+const allowed = (action: Action, armed = true, mode: Mode = "simulated") =>
+  states.filter((state) => action.refused?.(world(state, armed, "open", mode)) === undefined);
 
 describe("what can be done when", () => {
   it("STOP always", () => {
@@ -30,12 +35,17 @@ describe("what can be done when", () => {
 
   it("start only what stands, is armed and was previewed", () => {
     expect(allowed(start)).toEqual(["idle"]);
-    expect(allowed(start, false)).toEqual([]);
+    expect(allowed(start, false, "cut")).toEqual([]);
+    expect(allowed(start, true, "cut")).toEqual(["idle"]);
     const opened = { ...world("idle"), shown: { ...world("idle").shown } };
     const closed = { ...firstSnapshot, opened: null };
     expect(start.refused?.({ ...opened, shown: { ...opened.shown, snapshot: closed } })).toBe(
       "Open a file first.",
     );
+  });
+
+  it("start arms a simulated machine by itself", () => {
+    expect(allowed(start, false)).toEqual(["idle"]);
   });
 
   it("arm what stands disarmed", () => {

@@ -39,12 +39,15 @@ const PIXELS: u32 = 2400;
 /// Between two looks at the plan, seconds.
 const STEP_S: f64 = 0.005;
 
+/// A bit's name, and when it changed to what.
+type Edges = (String, Vec<(f64, bool)>);
+
 /// What a run did, line by line.
 #[derive(Default)]
 struct Lines {
     /// Positions of X, Y and Z.
     motion: [Vec<(f64, f64)>; 3],
-    switches: BTreeMap<(bool, u8), (String, Vec<(f64, bool)>)>,
+    switches: BTreeMap<(bool, u8), Edges>,
     intensity: Vec<(f64, f64)>,
     frequency: Vec<(f64, f64)>,
     end_s: f64,
