@@ -14,7 +14,8 @@ help: ## list these targets
 
 test: rust-test console-test console-browser ## run every test, once
 
-rust-test: prepare ## tests of everything but the console
+# The server is compiled with the page in it, so the page comes first.
+rust-test: prepare console ## tests of everything but the console
 	$(CARGO) test --workspace --locked --no-fail-fast | awk '{ print; fflush() } \
 		/^test result:/ { passed += $$4; failed += $$6 } \
 		END { printf "rust tests: %d passed, %d failed\n", passed, failed }'
