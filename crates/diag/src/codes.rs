@@ -2,7 +2,7 @@
 //!
 //! A code never changes its meaning and is never reused. Letters tell the room: `S` reading
 //! OpenSBP, `G` G-code, `R` running, `C` converting, `W` what `check` warns of, `F` files, `K` the configuration,
-//! `M` the machine.
+//! `M` the machine, `J` the journal.
 
 use crate::Severity;
 use serde::{Deserialize, Serialize};

@@ -395,7 +395,7 @@ fn convert_writes_over_nothing_unless_told() {
     assert_eq!(shop.read("box.nc"), "mine");
     shop.kerf("convert box.sbp box.nc --force --to grbl").exits(0);
     assert!(shop.read("box.nc").contains("for grbl"));
-    shop.kerf("convert box.sbp box.dxf").exits(2).complains("not there yet");
+    shop.kerf("convert box.sbp box.dxf").exits(2).complains("to each other");
     shop.kerf("convert none.sbp x.nc").exits(2);
 }
 

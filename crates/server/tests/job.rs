@@ -242,7 +242,8 @@ fn the_machine_is_never_shown_where_it_was_before() {
     let mut last = 0.0;
     let mut stopped = false;
     while page.shown["machine"]["state"] == "running" {
-        assert!(page.x() >= last, "{} after {last}", page.x());
+        // Two sums of the same way may differ in the last digit.
+        assert!(page.x() >= last - 1e-9, "{} after {last}", page.x());
         last = page.x();
         if last > 80.0 && !stopped {
             stopped = true;

@@ -236,7 +236,9 @@ fn language(file: &Path, controller: Controller) -> Result<Language> {
     let name = file.display().to_string();
     let Some(language) = Language::of_file(&name, controller.dialect()) else {
         let drawn = drawn::KINDS.join(" .");
-        bail!(Usage(format!("{name}: converted are .sbp .nc .tap .ngc .gcode .{drawn}")));
+        bail!(Usage(format!(
+            "{name}: .sbp .nc .tap .ngc .gcode are converted to each other, .{drawn} to .sbp"
+        )));
     };
     Ok(language)
 }

@@ -25,6 +25,8 @@ const ROOMS: &[(&str, &str)] = &[
     ("C", "Converting a program"),
     ("F", "Files"),
     ("M", "The machine"),
+    ("K", "The machine's configuration"),
+    ("J", "The journal"),
 ];
 
 /// The page of all diagnostic codes.
