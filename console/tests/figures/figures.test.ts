@@ -10,7 +10,10 @@ let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  workshop = await openWorkshop({ parts: ["03-coaster/coaster.sbp"], open: "coaster.sbp" });
+  workshop = await openWorkshop({
+    parts: ["03-coaster/coaster.sbp", "10-from-a-drawing/from-a-drawing.rsg"],
+    open: "coaster.sbp",
+  });
   page = await workshop.page();
   await page.evaluate(() => localStorage.setItem("kerf.theme", "dark"));
   await page.reload();
@@ -61,4 +64,13 @@ it("the editor", async () => {
   await page.locator(".cm-content").waitFor();
   await wait(1500);
   await picture("editor");
+});
+
+it("the drawing", async () => {
+  await page.getByRole("link", { name: "Draw" }).click();
+  await page.getByRole("button", { name: "Open…" }).click();
+  await page.getByRole("button", { name: "from-a-drawing.rsg" }).click();
+  await page.getByLabel("Tool paths").check();
+  await wait(1000);
+  await picture("drawing");
 });
