@@ -13,20 +13,9 @@ import {
   startTool,
   typed,
 } from "./desk";
-import { shapeOf } from "./geometry/shape";
 import { boxOf, place } from "./geometry/vec";
 import { pickingOf } from "./pick";
-import { tools } from "./tools/catalog";
-
-const rectangle = (number: number, x0: number, y0: number, x1: number, y1: number) =>
-  shapeOf({
-    number,
-    group: "black",
-    closed: true,
-    pause: false,
-    z: null,
-    points: [x0, y0, 0, x1, y0, 0, x1, y1, 0, x0, y1, 0],
-  });
+import { rectangle, tool } from "./testing";
 
 const a = rectangle(1, 0, 0, 50, 30);
 const b = rectangle(2, 200, 100, 260, 140);
@@ -35,12 +24,6 @@ const around = (selected: readonly number[] = []): Around => ({
   selected,
   box: boxOf(place(0, 0), place(260, 140)),
 });
-
-const tool = (id: string) => {
-  const found = tools.find((other) => other.id === id);
-  if (!found) throw new Error(`no tool ${id}`);
-  return found;
-};
 
 const click = (state: DeskState, x: number, y: number, world = around(), adds = false): Done =>
   released(moved(pressed(state, place(x, y)).state, place(x, y), place(0, 0)), adds, world);

@@ -9,6 +9,7 @@ mod plain;
 mod program;
 mod switches;
 mod tools;
+mod values;
 
 pub use bounds::{Bounds, Unit};
 
@@ -52,7 +53,8 @@ pub struct Refused {
 }
 
 /// Every area, in the order in which files are written and read.
-pub const AREAS: &[&[Area]] = &[program::AREAS, machine::AREAS, tools::AREAS, switches::AREAS];
+pub const AREAS: &[&[Area]] =
+    &[program::AREAS, values::AREAS, machine::AREAS, tools::AREAS, switches::AREAS];
 
 /// Every area.
 pub fn areas() -> impl Iterator<Item = &'static Area> {
