@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import { hueOf } from "./colours";
 import { crossesItself } from "./geometry/crossing";
 import { place } from "./geometry/vec";
+import { promptOf } from "./prompt";
 import { Hand, path, rectangle } from "./testing";
 import { tools } from "./tools/catalog";
 import { boxInSight, fitted } from "./window";
@@ -52,11 +53,30 @@ describe("selecting", () => {
     expect(hand.clauses).toEqual([]);
   });
 
-  it("pro_select_escape: Esc at the first step of any tool changes nothing", () => {
+  it("pro_select_escape: Esc at any step of any tool changes nothing", () => {
     for (const { id, asks } of tools.filter((tool) => tool.asks.length > 0)) {
-      const hand = new Hand([small]).begin(id).escape();
-      expect([id, asks.length > 0, hand.state.running, hand.clauses]).toEqual([id, true, null, []]);
+      for (let step = 0; step < asks.length; step += 1) {
+        const hand = new Hand([small]).begin(id);
+        for (let n = 0; n < step; n += 1) hand.answer();
+        const before = hand.clauses.length;
+        hand.escape();
+        expect([id, step, hand.state.running, hand.clauses.length]).toEqual([
+          id,
+          step,
+          null,
+          before,
+        ]);
+      }
     }
+  });
+
+  it("pro_snap_status: the line below lists the snaps of a place, G with a base, none for shapes", () => {
+    const hand = new Hand([small]).begin("move");
+    expect(promptOf(hand.state).keys).toBe("");
+    hand.click(10, 5).right();
+    expect(promptOf(hand.state).keys).toBe("VCMINQ");
+    hand.click(0, 0);
+    expect(promptOf(hand.state).keys).toBe("VCMINGQ");
   });
 });
 

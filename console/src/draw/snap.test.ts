@@ -58,7 +58,7 @@ describe("snaps, radius 8 mm", () => {
     expect(at(null, 98, 102)).toEqual(place(98, 102));
   });
 
-  it("pro_snap_status: offers G only with a base point", () => {
+  it("offers G only with a base point", () => {
     expect(keysAt(null)).toBe("VCMINQ");
     expect(keysAt(place(0, 0))).toBe("VCMINGQ");
   });

@@ -11,12 +11,14 @@ import {
   released,
   rightClicked,
   startTool,
+  taken,
   typed,
 } from "./desk";
 import { shapeOf } from "./geometry/shape";
 import { boxOf, place } from "./geometry/vec";
 import { pickingOf } from "./pick";
 import { tools } from "./tools/catalog";
+import { asked, giveNumber } from "./tools/running";
 import type { Tool } from "./tools/tool";
 
 export const path = (
@@ -71,6 +73,17 @@ export class Hand {
   drag(x0: number, y0: number, x1: number, y1: number): this {
     this.#take(pressed(this.state, place(x0, y0)));
     return this.move(x1, y1).#take(released(this.state, false, this.#around));
+  }
+  /** Answers whatever is asked. */
+  answer(): this {
+    const { running } = this.state;
+    const ask = running && asked(running);
+    if (!running || !ask) return this;
+    if (ask.ask === "shapes") return this.click(10, 5).right();
+    if (ask.ask === "shape") return this.click(10, 5);
+    if (ask.ask === "region") return this.drag(-5, -5, 50, 50);
+    if (ask.ask === "number") return this.#take(taken(this.state, giveNumber(running, ask.usual)));
+    return this.click(20, 30);
   }
   right(): this {
     return this.#take(rightClicked(this.state, this.#around));

@@ -152,7 +152,7 @@ it("sbp_con_shortcuts: i, k, F10 and ESC", async () => {
   }
 });
 
-it("opens every fill-in sheet", async () => {
+it("the settings page lists every command of the table", async () => {
   const table = (await (await fetch(`${workshop.address}/api/commands`)).json()) as {
     letters: string;
     parameters: unknown[];
