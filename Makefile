@@ -77,9 +77,12 @@ bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmark
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
 	target/release/kerf-bench-drawings
 
+# GEOS comes with Python's shapely, kept apart from whatever Python is there.
+SHAPELY := target/peers/shapely
 bench-geometry: ## offsets beside those of other programs; GEOS=N compares N shapes of each hard family with GEOS
-	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry
-	target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS))
+	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry --no-default-features
+	@[ -x $(SHAPELY)/bin/python3 ] || .ci/shapely $(SHAPELY)
+	PATH="$(CURDIR)/$(SHAPELY)/bin:$$PATH" target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS))
 
 peers: ## install the other programs that `make bench` compares with
 	@.ci/peers

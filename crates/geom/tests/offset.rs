@@ -230,3 +230,18 @@ fn an_arc_beyond_all_measure_is_refused() {
         assert!(offset(&shape, distance).is_err(), "{distance}");
     }
 }
+
+/// A logo had shapes drawn twice, a few nanometres apart: between them no part of an offset is missing.
+#[test]
+fn a_crack_has_no_offset() {
+    for width in [1e-3, 1e-5, 4e-6, 1e-6, 2e-7] {
+        let places = [(0., 0.), (40., 0.), (40., 20.), (40., 20. + width), (40., 40.), (0., 40.)];
+        let mut crack = Polyarc::lines(places.map(|(x, y)| p(x, y)), true);
+        let end = [(5.0, 20.0), (5.0003, 20.0 + width)].map(|(x, y)| Vertex::new(x, y, 0.));
+        crack.vertices.splice(3..3, end);
+        let found = offset(&crack, 0.5).unwrap_or_else(|why| panic!("{width}: {why}"));
+        let (n, area, _) = sums(&found);
+        let grown = 1600.0 + 160.0 * 0.5 + PI * 0.25;
+        assert!(n == 1 && (area - grown).abs() < 0.1 * width + 1e-6, "{width} {n} {area}");
+    }
+}

@@ -11,7 +11,7 @@ use super::clearance::{places, too_near};
 use super::source::Source;
 use super::{OffsetPath, Origin, raw};
 use crate::segment::square;
-use crate::{BoxTree, GeomError, Point2, Segment, Vec2};
+use crate::{Bounds2, BoxTree, GeomError, Point2, Segment, Vec2, tol};
 use std::cell::OnceCell;
 
 /// How exactly a result has to be at its distance. A hundredth of the 1e-4 mm that is promised, a
@@ -200,9 +200,20 @@ fn present(
         }
         let beyond = at + out(share) * ROOM_MM;
         let room = !source.is_nearer(beyond, distance.abs() + 0.5 * ROOM_MM);
-        if room && !coverage.is_near(at) {
+        if room && !is_behind(source, distance, at) && !coverage.is_near(at) {
             return unproved("a part is missing", at);
         }
     }
     Ok(())
+}
+
+/// Whether a place at its distance from one element belongs to the other side of a nearer one, as behind
+/// a crack that is narrower than the room that is looked for.
+fn is_behind(source: &Source, distance: f64, place: Point2) -> bool {
+    let mut near = Vec::new();
+    source.near(&Bounds2::of(place, place), distance.abs(), &mut near);
+    near.iter().any(|of| {
+        let nearer = distance.abs() - of.distance(place);
+        nearer > CHECK_MM || (nearer > tol::CONTACT_MM && right_of(of, place) * distance < 0.0)
+    })
 }
