@@ -27,12 +27,12 @@ impl Session {
             shelf.stored.learn(POSITION_LOST, Some(&letters));
         }
         let mut session = Self::new(remembered.memory);
-        session.gcode = remembered.gcode;
+        (session.gcode, session.machine_is) = (remembered.gcode, remembered.machine);
         Ok((session, remembered.whereabouts))
     }
 
-    /// Runs a program on record. `settings` are those that stay where options replace them for this
-    /// run. Without a journal it is a run like any other.
+    /// Runs a program on record. What it changes of the settings stays, unless others hold for this run
+    /// only: then `settings` are those that stay. Without a journal it is a run like any other.
     ///
     /// # Errors
     /// As the journal cannot be written: then nothing has run, or what it left is not kept.
@@ -49,6 +49,10 @@ impl Session {
             return Ok(self.run(work, options, shelf, company));
         };
         let owner = journal.own()?;
+        journal.move_settings()?;
+        if settings.is_none() {
+            journal.refresh(self)?;
+        }
         let program = match work {
             Work::Part(program) => *program,
             job @ Work::Job(..) => {
@@ -59,7 +63,7 @@ impl Session {
                 let summary = self.run(job, options, shelf, company);
                 shelf.stored.set(POSITION_LOST, lost.as_deref());
                 self.memory.settings = settings.unwrap_or_else(|| self.memory.settings.clone());
-                journal.remember(&self.memory, &self.gcode)?;
+                journal.remember_place(&self.memory, &self.gcode)?;
                 return Ok(summary);
             }
         };

@@ -29,6 +29,7 @@ mod host;
 pub mod journal;
 pub mod json;
 mod kept;
+pub mod machine_file;
 mod nudge;
 mod pace;
 mod part_log;

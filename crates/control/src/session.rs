@@ -107,6 +107,8 @@ pub struct Session {
     pub memory: kerf_sbp::Session,
     /// What G-code remembers: offsets, parameters, tools, modes.
     pub gcode: kerf_gcode::State,
+    /// What the machine is beside the settings of `memory`, which stand above those in here.
+    pub machine_is: Arc<Configuration>,
     /// The simulated machine as the last run left it.
     machine: Option<Machine>,
 }
@@ -114,7 +116,12 @@ pub struct Session {
 impl Session {
     /// A session in the state of a program's memory.
     pub fn new(memory: kerf_sbp::Session) -> Self {
-        Self { memory, gcode: kerf_gcode::State::default(), machine: None }
+        Self { memory, ..Self::default() }
+    }
+
+    /// What the machine is, with the settings in force.
+    pub fn configuration(&self) -> Configuration {
+        Configuration { program: self.memory.settings.clone(), ..(*self.machine_is).clone() }
     }
 
     /// Runs a program or a job to its end.

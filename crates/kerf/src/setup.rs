@@ -4,15 +4,15 @@ use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
 use crate::drawings;
 use crate::exit::Usage;
-use crate::machine_file::MachineFile;
+use crate::machine_file;
 use crate::memory;
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
+use kerf_control::machine_file::told;
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell, Work};
-use kerf_diag::Diagnostic;
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
 use kerf_part::Program;
@@ -33,7 +33,7 @@ pub struct Job {
     pub answers: Answers,
     /// What it leaves is kept.
     pub kept: bool,
-    /// The settings that stay, where options replace them for this run.
+    /// The settings that stay, where those of another machine hold for this run.
     pub replaced: Option<Settings>,
     /// How Kerf starts and closes.
     pub visit: Visit,
@@ -65,8 +65,10 @@ pub fn job_of(
 ) -> Result<Job> {
     let mut work = work.into();
     let (mut session, kept) = session(&args.place, preview, &mut shelf)?;
-    let given = args.place.config.is_some() || args.units.is_some();
-    let replaced = given.then(|| session.memory.settings.clone());
+    let replaced = args.place.config.is_some().then(|| session.memory.settings.clone());
+    if args.place.config.is_some() {
+        session.machine_is = machine(args.place.config.as_deref(), &args.place.data)?.into();
+    }
     let mut settings = settings(&args.place, session.memory.settings.clone())?;
     if let Some(unit) = args.units {
         settings.use_linear_unit(unit);
@@ -195,8 +197,8 @@ fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
 /// folder; else the usual one.
 pub fn machine(config: Option<&Path>, data: &DataArgs) -> Result<Configuration> {
     let Some(config) = config else {
-        let kept = MachineFile::of_data(data)?;
-        return read_machine(kept.name(), &kept.text()?);
+        let kept = machine_file::of_data(data)?;
+        return read_machine(kept.name(), &kept.text()?.unwrap_or_default());
     };
     match config.to_str().and_then(profile) {
         Some(ready) if !config.exists() => read_machine(ready.name.into(), ready.text),
@@ -206,19 +208,7 @@ pub fn machine(config: Option<&Path>, data: &DataArgs) -> Result<Configuration> 
 
 fn read_machine(name: String, text: &str) -> Result<Configuration> {
     let read = kerf_machine::file::read(&name.into(), text);
-    read.map_err(|found| Usage(told(&found).trim_end().into()).into())
-}
-
-/// Mistakes of a configuration, a line each.
-pub fn told(found: &[Diagnostic]) -> String {
-    let line = |it: &Diagnostic| {
-        let (place, code) = (&it.place, it.code);
-        format!(
-            "{}:{}:{}: {} [{code}] {}\n",
-            place.file, place.line, place.column, it.message, it.hint
-        )
-    };
-    found.iter().map(line).collect()
+    read.map_err(|found| Usage(told(&found)).into())
 }
 
 /// Settings at the start: those of a configuration, or the present ones.

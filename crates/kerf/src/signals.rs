@@ -1,13 +1,10 @@
 //! `--vcd`: the signals of a run in a file.
 
-use crate::args::PlaceArgs;
-use crate::setup;
 use anyhow::{Context, Result};
 use clap::Args;
-use kerf_control::Work;
 use kerf_control::vcd::VcdSink;
+use kerf_control::{Session, Work};
 use kerf_machine::Configuration;
-use kerf_program::Settings;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::PathBuf;
@@ -24,18 +21,11 @@ type Signals = VcdSink<BufWriter<File>>;
 
 impl VcdArgs {
     /// The machine whose signals are traced: the one that runs the work.
-    pub fn machine(
-        &self,
-        work: &Work,
-        place: &PlaceArgs,
-        settings: &Settings,
-    ) -> Result<Configuration> {
-        let machine = match (work, place.config.as_deref()) {
-            (Work::Job(_, machine), _) => return Ok((**machine).clone()),
-            (Work::Part(_), Some(config)) => setup::machine(Some(config), &place.data)?,
-            (Work::Part(_), None) => Configuration::default(),
-        };
-        Ok(Configuration { program: settings.clone(), ..machine })
+    pub fn machine(work: &Work, session: &Session) -> Configuration {
+        match work {
+            Work::Job(_, machine) => (**machine).clone(),
+            Work::Part(_) => session.configuration(),
+        }
     }
 
     /// The sink, where a file is named.

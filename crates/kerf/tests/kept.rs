@@ -30,6 +30,26 @@ fn sbp_val_persist() {
 }
 
 #[test]
+fn v_commands_and_machine_set_are_views_of_one_file() {
+    let shop = Shop::new(&[("a.sbp", "VC,.5\nMX,1\n")]);
+    std::fs::create_dir_all(shop.file("data")).unwrap();
+    shop.write("data/machine.toml", b"# mine\n[cutter]\ndiameter_mm = 6.35 # a quarter\n");
+    assert_eq!(prints(&shop, "%(23)"), "0.25");
+    shop.kerf("run a.sbp --quiet").exits(0);
+    assert_eq!(
+        shop.read("data/machine.toml"),
+        "# mine\n[cutter]\ndiameter_mm = 12.7 # a quarter\n"
+    );
+    shop.kerf("machine set cutter.diameter_mm 3.175").exits(0);
+    assert_eq!(prints(&shop, "%(23)"), "0.125");
+    shop.kerf("run a.sbp --quiet --units mm --ramps profiler").exits(0);
+    let file = shop.read("data/machine.toml");
+    assert_eq!(file, "# mine\n[cutter]\ndiameter_mm = 0.5 # a quarter\n", "no option is kept");
+    shop.write("data/machine.toml", b"[cutter]\ndiameter = 1\n");
+    shop.kerf("run a.sbp").exits(1).complains("machine.toml:2:1: there is no setting");
+}
+
+#[test]
 fn sbp_cmd_zt_persist() {
     let shop = Shop::new(&[]);
     send(&shop, &["ZT", "MX,5", "ZX"]).exits(0);

@@ -56,8 +56,11 @@ pub enum JournalError {
     /// What is kept does not lead where the run was.
     #[error("the run cannot be taken up: {0}")]
     Unfit(String),
-    /// A setting that is kept is not allowed any more.
-    #[error("a setting in the journal cannot be used: {0}; --start fresh runs without it")]
+    /// The settings of the machine have a mistake.
+    #[error(
+        "the machine's settings cannot be used: {0}; `kerf machine check` shows all mistakes, \
+             --start fresh runs without them"
+    )]
     Settings(String),
     /// Anything else that the database says.
     #[error("{}: {why}", path.display())]

@@ -1,7 +1,7 @@
-//! The journal: everything about a machine that has to outlive the process, in one SQLite file.
+//! The journal: the state of a machine that has to outlive the process, in one SQLite file.
 //!
 //! ```text
-//!  fact      settings, place, what G-code remembers, the run under way and how far it is
+//!  fact      place, homed axes, what G-code remembers, the run under way and how far it is
 //!  value     what programs and other software keep under a key
 //!  step      what the world told the run under way, in order
 //!  content   program files of that run, by the hash of their bytes
@@ -15,6 +15,7 @@
 //!   the time of the world.
 //! - One process owns the machine ([`Journal::own`]); others may look, and set values.
 //! - Order is the order of writing; no decision depends on a clock.
+//! - Settings are none of its business: they are in `machine.toml` beside it ([`settings`]).
 
 mod contents;
 mod database;
@@ -27,6 +28,7 @@ mod progress;
 mod remembered;
 mod rescue;
 mod rows;
+mod settings;
 mod tape;
 mod under_way;
 
@@ -60,6 +62,8 @@ const OWNER_FILE: &str = "owner.lock";
 pub struct Journal {
     database: Arc<Mutex<Connection>>,
     folder: Arc<Path>,
+    /// What `machine.toml` said when it was looked at last.
+    known: Arc<Mutex<settings::Known>>,
 }
 
 /// The right to move the machine; ends with the value, or with the process.
@@ -100,7 +104,8 @@ impl Journal {
         let connection = database::open(&file, access)
             .and_then(|connection| rows::check(&connection).map(|()| connection))
             .map_err(|error| error.at(&file))?;
-        Ok(Self { database: Arc::new(Mutex::new(connection)), folder: folder.into() })
+        let (database, known) = (Arc::new(Mutex::new(connection)), Arc::default());
+        Ok(Self { database, folder: folder.into(), known })
     }
 
     /// Takes the machine; nobody else may move it meanwhile.

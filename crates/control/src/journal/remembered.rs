@@ -1,11 +1,15 @@
-//! What the machine remembers between commands: settings, where it is, what G-code keeps.
+//! What the machine remembers between commands: where it is, what G-code keeps; and, beside the
+//! journal, its settings.
 
 use super::progress::{PROGRESS, Reached};
 use super::rows::{Rows, Table};
 use super::{Journal, JournalError, Placed, json, rows};
 use crate::settings_text;
+use kerf_machine::Configuration;
 use kerf_program::Settings;
+use std::sync::Arc;
 
+/// Where settings were kept before they had a file of their own.
 const SETTINGS: &str = "settings";
 const PLACE: &str = "place";
 const GCODE: &str = "gcode";
@@ -15,6 +19,8 @@ const GCODE: &str = "gcode";
 pub struct Remembered {
     /// Settings, frames, position.
     pub memory: kerf_sbp::Session,
+    /// What the machine is; the settings of V commands are those of `memory`.
+    pub machine: Arc<Configuration>,
     /// What G-code remembers.
     pub gcode: kerf_gcode::State,
     /// Whether the machine is where the memory says.
@@ -36,13 +42,16 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read, or a setting in it is no longer allowed.
     pub fn remembered(&self) -> Result<Option<Remembered>, JournalError> {
-        let [settings, place, gcode, reached] = self.read(|rows| {
+        let [place, gcode, reached] = self.read(|rows| {
             let fact = |key| rows.text(Table::Fact, key);
-            Ok([fact(SETTINGS)?, fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?])
+            Ok([fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?])
         })?;
-        let Some(settings) = settings else { return Ok(None) };
-        let settings = settings_text::read(&settings)
-            .map_err(|error| JournalError::Settings(error.message.clone()))?;
+        let (machine, told) = self.machine()?;
+        let old = if told { None } else { self.old_settings()? };
+        if place.is_none() && old.is_none() && !told {
+            return Ok(None);
+        }
+        let settings = old.unwrap_or_else(|| machine.program.clone());
         let place: Option<Placed> = self.parsed(PLACE, place)?;
         let reached: Option<Reached> = self.parsed(PROGRESS, reached)?;
         let moving = reached.as_ref().is_some_and(|reached| reached.moving);
@@ -51,7 +60,7 @@ impl Journal {
             kerf_sbp::Session { settings, frame, position, ..kerf_sbp::Session::default() };
         let whereabouts = if moving { Whereabouts::Moving } else { Whereabouts::Known };
         let gcode = self.parsed(GCODE, gcode)?.unwrap_or_default();
-        Ok(Some(Remembered { memory, gcode, whereabouts }))
+        Ok(Some(Remembered { memory, machine, gcode, whereabouts }))
     }
 
     /// Keeps what the machine remembers.
@@ -63,7 +72,32 @@ impl Journal {
         memory: &kerf_sbp::Session,
         gcode: &kerf_gcode::State,
     ) -> Result<(), JournalError> {
+        self.keep_settings(None, settings_of(memory))?;
+        self.remember_place(memory, gcode)
+    }
+
+    /// Keeps all of it but the settings.
+    pub(crate) fn remember_place(
+        &self,
+        memory: &kerf_sbp::Session,
+        gcode: &kerf_gcode::State,
+    ) -> Result<(), JournalError> {
         self.write(|rows| remember(rows, memory, gcode))
+    }
+
+    /// A journal of before has settings in it: they move into their own file.
+    pub(crate) fn move_settings(&self) -> Result<(), JournalError> {
+        let Some(old) = self.old_settings()? else { return Ok(()) };
+        if !self.machine()?.1 {
+            self.keep_settings(None, &old)?;
+        }
+        self.write(|rows| rows.set(Table::Fact, SETTINGS, None))
+    }
+
+    fn old_settings(&self) -> Result<Option<Settings>, JournalError> {
+        let text = self.read(|rows| rows.text(Table::Fact, SETTINGS))?;
+        let read = text.map(|text| settings_text::read(&text)).transpose();
+        read.map_err(|error| JournalError::Settings(error.message.clone()))
     }
 
     pub(super) fn parsed<T: serde::de::DeserializeOwned>(
@@ -77,17 +111,21 @@ impl Journal {
     }
 }
 
+/// The settings that stay: of a preview that was not left, those before it.
+pub(super) fn settings_of(memory: &kerf_sbp::Session) -> &Settings {
+    memory.before_preview.as_ref().map_or(&memory.settings, |before| &before.settings)
+}
+
 /// Of a preview that was not left, what was before it is kept.
 pub(super) fn remember(
     rows: &Rows<'_>,
     memory: &kerf_sbp::Session,
     gcode: &kerf_gcode::State,
 ) -> rows::Result<()> {
-    let (settings, frame, position): (&Settings, _, _) = match &memory.before_preview {
-        Some(before) => (&before.settings, before.frame, before.position),
-        None => (&memory.settings, memory.frame, memory.position),
+    let (frame, position) = match &memory.before_preview {
+        Some(before) => (before.frame, before.position),
+        None => (memory.frame, memory.position),
     };
-    rows.put(Table::Fact, SETTINGS, settings_text::write(settings).as_bytes())?;
     rows.put(Table::Fact, PLACE, &json(&Placed { position, frame })?)?;
     rows.put(Table::Fact, GCODE, &json(gcode)?)
 }

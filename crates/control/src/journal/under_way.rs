@@ -2,11 +2,12 @@
 
 use super::history::{self, Past};
 use super::progress::{PROGRESS, Progress, Reached};
-use super::remembered::remember;
+use super::remembered::{remember, settings_of};
 use super::rows::{self, Rows, Table};
 use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::files::Folders;
+use crate::machine_file::MACHINE_FILE;
 use crate::{RunOptions, Session, Shell, Summary};
 use kerf_part::Program;
 use kerf_program::{Settings, Status};
@@ -41,6 +42,9 @@ pub struct RunUnderWay {
     pub(crate) folders: Folders,
     /// What SHELL does.
     pub(crate) shell: Shell,
+    /// What the machine was beside the session's settings, as its file tells it.
+    #[serde(default)]
+    machine: String,
 }
 
 /// A run that was cut short: the process died.
@@ -72,6 +76,8 @@ impl CutShort {
     pub(crate) fn session(&self) -> Session {
         let mut session = Session::new(self.run.session.sbp.clone());
         session.gcode = self.run.session.gcode.clone();
+        let machine = kerf_machine::file::read(&Arc::from(MACHINE_FILE), &self.run.machine);
+        session.machine_is = Arc::new(machine.unwrap_or_default());
         session
     }
 }
@@ -100,6 +106,7 @@ impl RunUnderWay {
             settings,
             folders: shelf.folders().rooted(),
             shell: shelf.shell_allowed(),
+            machine: kerf_machine::file::write(&session.machine_is),
         }
     }
 }
@@ -109,7 +116,7 @@ impl Journal {
     pub(crate) fn begin(&self, run: &RunUnderWay, text: &str) -> Result<Tape, JournalError> {
         let earlier = self.cut_short()?;
         self.write(|rows| {
-            remember(rows, &run.remembered(), &run.session.gcode)?;
+            remember(rows, &run.session.sbp, &run.session.gcode)?;
             if run.options.program.typed {
                 // A run that was cut short can still be taken up after this.
                 if let Some(earlier) = &earlier {
@@ -134,20 +141,24 @@ impl Journal {
         session: &Session,
         summary: &Summary,
     ) -> Result<(), JournalError> {
-        let mut memory = session.memory.clone();
-        if let Some(settings) = &run.settings {
-            memory.settings = settings.clone();
-            memory.before_preview.iter_mut().for_each(|b| b.settings = Arc::new(settings.clone()));
-        }
+        // What options say holds for this run; what the run itself changed stays.
+        let kept = match run.settings {
+            Some(_) => Ok(()),
+            None => {
+                let [began, ended] = [&run.session.sbp, &session.memory].map(settings_of);
+                self.keep_settings(Some(began), ended)
+            }
+        };
         self.write(|rows| {
-            remember(rows, &memory, &session.gcode)?;
+            remember(rows, &session.memory, &session.gcode)?;
             if !run.options.program.typed {
                 forget(rows, None)?;
                 history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
-        mirror::publish(self, &Live::default())
+        mirror::publish(self, &Live::default())?;
+        kept
     }
 
     /// The run that was cut short; `None` when the last one came to its end.
@@ -188,15 +199,6 @@ impl Journal {
 }
 
 impl RunUnderWay {
-    /// What stays should the run never end.
-    fn remembered(&self) -> kerf_sbp::Session {
-        let mut memory = self.session.sbp.clone();
-        if let Some(settings) = &self.settings {
-            memory.settings = settings.clone();
-        }
-        memory
-    }
-
     fn past(&self, status: &str, seconds: f64) -> Past {
         Past {
             file: self.file.clone(),

@@ -2,10 +2,10 @@
 
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
-use crate::machine_file::MachineFile;
-use crate::{out, setup};
+use crate::{machine_file, out, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
+use kerf_control::machine_file::{MachineFile, told};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
@@ -52,7 +52,7 @@ impl Which {
 
     /// The file that changes go to.
     fn file(&self) -> Result<MachineFile> {
-        MachineFile::of(self.config.as_deref(), &self.folder())
+        machine_file::of(self.config.as_deref(), &self.folder())
     }
 }
 
@@ -114,7 +114,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             out::print(&format!("{value}\n"));
         }
         Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
-        Action::Use { name } => MachineFile::of_data(&args.which.folder())?.write(named(name)?)?,
+        Action::Use { name } => {
+            machine_file::of_data(&args.which.folder())?.write(named(name)?)?;
+        }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes } => return home(&args.which.machine()?, axes.as_deref()),
     }
@@ -140,14 +142,15 @@ fn named(name: &str) -> Result<&'static str> {
     }
 }
 
-fn set(which: &Which, setting: &Setting, value: &Value) -> Result<()> {
+fn set(which: &Which, setting: &'static Setting, value: &Value) -> Result<()> {
     let kept = which.file()?;
     let mut configuration = which.machine()?;
     setting.set(&mut configuration, value).map_err(|refused| Usage(refused.to_string()))?;
     if let Some(crossed) = contradictions(&configuration).first() {
         bail!(Usage(format!("{}; {}", crossed.message, crossed.hint)));
     }
-    kept.write(&file::edit(&kept.text()?, setting, &configuration))
+    let text = kept.text()?.unwrap_or_default();
+    Ok(kept.write(&file::edit(&text, setting, &configuration))?)
 }
 
 fn list(word: Option<&str>, configuration: &Configuration) -> Result<()> {
@@ -176,7 +179,7 @@ fn check(files: &[PathBuf]) -> Result<Exit> {
         let text = setup::read_text(path)?;
         let name = path.display().to_string().into();
         if let Err(found) = file::read(&name, &text) {
-            out::print(&setup::told(&found));
+            out::print(&format!("{}\n", told(&found)));
             worst = Exit::Failed;
         }
     }

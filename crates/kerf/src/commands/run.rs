@@ -109,7 +109,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let machine = Configuration { program: session.memory.settings.clone(), ..Default::default() };
+    let machine = session.configuration();
     let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default(), machine };
     let visit = Visit::default();
     visit.begins(&session, &mut shelf)?;
@@ -124,7 +124,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit } = job;
-    let machine = args.vcd.machine(&work, &run.place, &session.memory.settings)?;
+    let machine = VcdArgs::machine(&work, &session);
     let show = Show { name: work.name().clone(), lines: work.line_count(), talk, machine };
     if kept {
         visit.begins(&session, &mut shelf)?;
@@ -158,7 +158,7 @@ fn passed_in(
     let mut options = setup::run_options(run, &session.memory.settings, false);
     (options.program.typed, options.program.file) = (true, FileParameters::default());
     options.started = Some(clock::started());
-    let machine = Configuration { program: session.memory.settings.clone(), ..Default::default() };
+    let machine = session.configuration();
     let show = Show { name: command_passing::NAME.into(), lines: 1, talk: Talk::all(), machine };
     let vcd = VcdArgs::default();
     let again = MachineArgs { trace: None, picture: None, vcd, ..args.clone() };

@@ -7,6 +7,7 @@ use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::Shelf;
+use kerf_control::machine_file::MachineFile;
 use kerf_server::{Builders, Options, Server, Workshop};
 use std::io;
 use std::net::SocketAddr;
@@ -92,7 +93,15 @@ fn shelf(args: &ServeArgs, preview: bool) -> Result<Shelf> {
 /// The machine as it was left, and its files.
 fn workshop(args: &ServeArgs) -> Result<Workshop> {
     let mut shelf = shelf(args, false)?;
+    let config = args.place.config.as_deref();
+    // A file that is named leads, and takes what is changed here.
+    if let (Some(journal), Some(file)) = (shelf.journal(), config.filter(|path| path.is_file())) {
+        journal.use_machine_file(MachineFile::at(file));
+    }
     let (mut session, kept) = setup::session(&args.place, false, &mut shelf)?;
-    session.memory.settings = setup::settings(&args.place, session.memory.settings.clone())?;
+    if config.is_some() {
+        session.machine_is = setup::machine(config, &args.place.data)?.into();
+        session.memory.settings = session.machine_is.program.clone();
+    }
     Ok(Workshop { session, shelf, kept, started: || Some(clock::started()) })
 }

@@ -32,7 +32,7 @@ pub struct TraceArgs {
 pub fn run(args: &TraceArgs) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, true)?;
     job.options.tell_variables = args.vars;
-    let machine = args.vcd.machine(&job.work, &args.run.place, &job.session.memory.settings)?;
+    let machine = VcdArgs::machine(&job.work, &job.session);
     let lines = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
     let mut sink = (lines, args.vcd.sink(machine)?);
     let mut pace = args.run.operator.script();

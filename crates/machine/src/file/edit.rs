@@ -1,4 +1,4 @@
-//! One setting changed in a text; everything else of it, comments too, stays.
+//! Settings changed in a text; everything else of it, comments too, stays.
 
 use super::entries::entries;
 use super::{read, write};
@@ -8,14 +8,24 @@ use std::sync::Arc;
 
 /// The text with a setting as a configuration has it. Where the text has no good place for it, the
 /// whole configuration is written anew.
-pub fn edit(text: &str, setting: &Setting, wanted: &Configuration) -> String {
-    let line = format!("{} = {}\n", setting.section().1, setting.get(wanted));
-    let edited = replaced(text, setting, wanted)
-        .or_else(|| inserted(text, setting, &line))
-        .unwrap_or_else(|| appended(text, setting, &line));
-    let same =
-        read(&Arc::from(""), &edited).is_ok_and(|read| setting.get(&read) == setting.get(wanted));
+pub fn edit(text: &str, setting: &'static Setting, wanted: &Configuration) -> String {
+    edit_all(text, &[setting], wanted)
+}
+
+/// The same of several settings at once: what they say together has to make sense, not what each
+/// says beside the old values of the others.
+pub fn edit_all(text: &str, settings: &[&'static Setting], wanted: &Configuration) -> String {
+    let edited = settings.iter().fold(text.to_owned(), |text, setting| put(&text, setting, wanted));
+    let says = |read: &Configuration| settings.iter().all(|s| s.get(read) == s.get(wanted));
+    let same = read(&Arc::from(""), &edited).is_ok_and(|read| says(&read));
     if same { edited } else { write(wanted) }
+}
+
+fn put(text: &str, setting: &Setting, wanted: &Configuration) -> String {
+    let line = format!("{} = {}\n", setting.section().1, setting.get(wanted));
+    replaced(text, setting, wanted)
+        .or_else(|| inserted(text, setting, &line))
+        .unwrap_or_else(|| appended(text, setting, &line))
 }
 
 /// The value replaced where the setting stands.
@@ -85,6 +95,19 @@ mod tests {
             "no",
             "homing.x = { fitted = false }\n",
         );
+    }
+
+    #[test]
+    fn several_settings_are_changed_as_one() {
+        let text = "# heights\n[zpos]\ntop_mm = -10 # up\nsurface_mm = -20\nbottom_mm = -30\n";
+        let mut wanted = read(&Arc::from("m"), text).unwrap();
+        let settings = ["zpos.top_mm", "zpos.surface_mm", "zpos.bottom_mm"];
+        let settings = settings.map(|key| table::setting(key).unwrap());
+        for (setting, value) in settings.iter().zip([-50.0, -60.0, -70.0]) {
+            setting.set(&mut wanted, &Value::Number(value)).unwrap();
+        }
+        let expected = "# heights\n[zpos]\ntop_mm = -50 # up\nsurface_mm = -60\nbottom_mm = -70\n";
+        assert_eq!(edit_all(text, &settings, &wanted), expected);
     }
 
     #[test]

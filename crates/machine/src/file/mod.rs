@@ -9,7 +9,7 @@ mod entries;
 mod read;
 mod write;
 
-pub use edit::edit;
+pub use edit::{edit, edit_all};
 pub use read::{read, read_over};
 pub use write::{write, write_setting};
 

@@ -71,6 +71,14 @@ pub fn setting(key: &str) -> Option<&'static Setting> {
     settings().find(|setting| setting.key.eq_ignore_ascii_case(key))
 }
 
+/// The settings in which two configurations differ, in the order of the table.
+pub fn changed<'a>(
+    before: &'a Configuration,
+    after: &'a Configuration,
+) -> impl Iterator<Item = &'static Setting> + 'a {
+    settings().filter(|setting| setting.get(before) != setting.get(after))
+}
+
 impl Setting {
     /// Its value in a configuration.
     pub fn get(&self, configuration: &Configuration) -> Value {

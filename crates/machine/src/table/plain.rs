@@ -2,7 +2,7 @@
 
 use crate::settings::Words;
 use crate::value::Value;
-use kerf_program::settings::{AxisUnit, LinearUnit, PlungeSign};
+use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PlungeSign};
 use kerf_program::{Axes, Axis, AxisSet, RampModel};
 
 /// A type that a setting can have. `put` answers what was wanted where the value does not fit.
@@ -210,6 +210,11 @@ impl Words for AxisUnit {
         ("mm", Self::Linear(LinearUnit::Mm)),
         ("deg", Self::Degrees),
     ];
+}
+
+impl Words for Distance {
+    const ALL: &'static [(&'static str, Self)] =
+        &[("absolute", Self::Absolute), ("relative", Self::Relative)];
 }
 
 impl Words for PlungeSign {

@@ -48,6 +48,14 @@ const GENERAL: &[Setting] = &[
     ),
     row!(
         c,
+        "distance",
+        c.program.distance,
+        None,
+        Any,
+        "What the values of moves are: absolute (SA) locations or relative (SR) distances."
+    ),
+    row!(
+        c,
         "warning_s",
         c.program.warning_s,
         Seconds,

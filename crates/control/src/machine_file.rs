@@ -1,0 +1,242 @@
+//! `machine.toml`: the one place where it is written down what a machine is.
+//!
+//! V commands, `kerf machine set`, the Profiler tables and the forms of the console are views of it.
+//! What a V command changes is written back when the run is over, each value in its place, so that
+//! comments and everything else stay as somebody wrote them.
+
+use crate::files::{Disk, RealDisk};
+use kerf_diag::Diagnostic;
+use kerf_machine::{Configuration, Value, contradictions, file, table};
+use kerf_program::Settings;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Its name in the data folder.
+pub const MACHINE_FILE: &str = "machine.toml";
+
+/// Where the configuration of a machine lies.
+#[derive(Clone, Debug)]
+pub struct MachineFile(PathBuf);
+
+/// Why a configuration cannot be read or changed.
+#[derive(Debug, thiserror::Error)]
+pub enum MachineFileError {
+    /// The disk.
+    #[error("{}: {why}", path.display())]
+    Disk {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        why: io::Error,
+    },
+    /// Its mistakes, a line each.
+    #[error("{0}")]
+    Mistakes(String),
+    /// What a run has set does not go together.
+    #[error("{message} ({hint}); the machine's settings stay as they were")]
+    Contradiction {
+        /// What does not go together.
+        message: String,
+        /// What mends it.
+        hint: String,
+    },
+}
+
+impl MachineFile {
+    /// A file.
+    pub fn at(path: impl Into<PathBuf>) -> Self {
+        Self(path.into())
+    }
+
+    /// The one of a data folder.
+    pub fn of_data(folder: &Path) -> Self {
+        Self(folder.join(MACHINE_FILE))
+    }
+
+    /// Its name, for messages.
+    pub fn name(&self) -> String {
+        self.0.display().to_string()
+    }
+
+    /// What it says; `None` where it is not there.
+    ///
+    /// # Errors
+    /// As it cannot be read.
+    pub fn text(&self) -> Result<Option<String>, MachineFileError> {
+        match RealDisk.read(&self.0) {
+            Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(self.of_disk(error)),
+        }
+    }
+
+    /// The machine that a text of it describes.
+    ///
+    /// # Errors
+    /// Every mistake in it.
+    pub fn read(&self, text: &str) -> Result<Configuration, MachineFileError> {
+        let read = file::read(&self.name().into(), text);
+        read.map_err(|found| MachineFileError::Mistakes(told(&found)))
+    }
+
+    /// Puts a text in its place, whole or not at all.
+    ///
+    /// # Errors
+    /// As it cannot be written.
+    pub fn write(&self, text: &str) -> Result<(), MachineFileError> {
+        let folder = self.0.parent().unwrap_or(Path::new(""));
+        let made = RealDisk.make_folder(folder);
+        made.and_then(|()| RealDisk.write(&self.0, text.as_bytes())).map_err(|e| self.of_disk(e))
+    }
+
+    /// Writes back what a run has changed of the settings it began with. What somebody else changed in
+    /// the file meanwhile stays. Gives what the file says then.
+    ///
+    /// # Errors
+    /// As it cannot be written, or the changes do not go together with the rest.
+    pub fn keep(
+        &self,
+        began: &Settings,
+        settings: &Settings,
+    ) -> Result<Option<String>, MachineFileError> {
+        let text = self.text()?;
+        let (began, ended) = (of_settings(began), of_settings(settings));
+        if table::changed(&began, &ended).next().is_none() {
+            return Ok(text);
+        }
+        let before = text.unwrap_or_default();
+        let said = self.read(&before)?;
+        let mut wanted = said.clone();
+        // A value that the table does not allow holds for this visit only.
+        let mut takes =
+            |setting: &table::Setting| setting.set(&mut wanted, &tidy(setting.get(&ended))).is_ok();
+        let mut changed: Vec<_> =
+            table::changed(&began, &ended).filter(|setting| takes(setting)).collect();
+        // The unit takes that of A, B and C with it, unless they have another.
+        let beside = |it: &&'static table::Setting| {
+            it.get(&began) == it.get(&ended) && !changed.iter().any(|c| c.key == it.key)
+        };
+        let besides: Vec<_> = table::changed(&said, &wanted).filter(beside).collect();
+        for setting in besides {
+            changed.extend(setting.set(&mut wanted, &setting.get(&said)).map(|()| setting));
+        }
+        if let Some(crossed) = contradictions::contradictions(&wanted).into_iter().next() {
+            let (message, hint) = (crossed.message, crossed.hint.to_string());
+            return Err(MachineFileError::Contradiction { message, hint });
+        }
+        let after = file::edit_all(&before, &changed, &wanted);
+        if after != before {
+            self.write(&after)?;
+        }
+        Ok(Some(after))
+    }
+
+    fn of_disk(&self, why: io::Error) -> MachineFileError {
+        MachineFileError::Disk { path: self.0.clone(), why }
+    }
+}
+
+/// Numbers without the noise in the last digit that a conversion from inches leaves.
+fn tidy(value: Value) -> Value {
+    let short = |n: f64| format!("{n:.11e}").parse().unwrap_or(n);
+    match value {
+        Value::Number(n) if (short(n) - n).abs() <= 2.0 * f64::EPSILON * n.abs() => {
+            Value::Number(short(n))
+        }
+        Value::List(values) => Value::List(values.into_iter().map(tidy).collect()),
+        value => value,
+    }
+}
+
+/// Settings as a configuration whose other areas say nothing.
+fn of_settings(settings: &Settings) -> Configuration {
+    Configuration { program: settings.clone(), ..Configuration::default() }
+}
+
+/// Mistakes of a configuration, a line each.
+pub fn told(found: &[Diagnostic]) -> String {
+    let line = |it: &Diagnostic| {
+        let (place, code) = (&it.place, it.code);
+        format!(
+            "{}:{}:{}: {} [{code}] {}",
+            place.file, place.line, place.column, it.message, it.hint
+        )
+    };
+    found.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::settings_text;
+    use tempfile::tempdir;
+
+    fn after(line: &str) -> Settings {
+        settings_text::read(line).unwrap()
+    }
+
+    #[test]
+    fn what_v_commands_set_stays_in_the_file() {
+        let lines = [
+            "VC,.375,,,2,-,20",
+            "VC,,,,,+,,,,.5,.6,A,7",
+            "VD,,5,1,0,2,1",
+            "VN,,,,,2,2,3",
+            "VS,3,1,,,6,2",
+            "VR,.3,.3,,,.5,.5,,,.1,.2",
+            "VL,-1,90,-2,40,-3,5",
+            "VU,500,600,700",
+            "VB,.2,5,.9,.4",
+            "VH,,.5,10,80",
+            "VP,3,50,40,4",
+            "VI,2",
+            "SR",
+            "SW,3",
+            "SO,4,-3",
+        ];
+        for line in lines {
+            let folder = tempdir().unwrap();
+            let file = MachineFile::of_data(folder.path());
+            let wanted = after(line);
+            assert_ne!(settings_text::write(&wanted), settings_text::write(&after("")), "{line}");
+            file.keep(&Settings::default(), &wanted).unwrap();
+            let text = file.text().unwrap().unwrap();
+            let back = file.read(&text).unwrap().program;
+            assert_eq!(
+                settings_text::write(&back),
+                settings_text::write(&wanted),
+                "{line}: {text}"
+            );
+        }
+    }
+
+    #[test]
+    fn comments_and_the_changes_of_others_stay() {
+        let folder = tempdir().unwrap();
+        let file = MachineFile::of_data(folder.path());
+        let began = after("");
+        file.write(
+            "# my router\n[cutter]\ndiameter_mm = 6.35 # quarter inch\n[delays]\nend_s = 4\n",
+        )
+        .unwrap();
+        let text = file.keep(&began, &after("VC,.375")).unwrap().unwrap();
+        assert_eq!(
+            text,
+            "# my router\n[cutter]\ndiameter_mm = 9.525 # quarter inch\n[delays]\nend_s = 4\n"
+        );
+        assert_eq!(file.keep(&began, &began).unwrap().unwrap(), text, "nothing was changed");
+    }
+
+    #[test]
+    fn what_does_not_go_together_is_not_kept() {
+        let folder = tempdir().unwrap();
+        let file = MachineFile::of_data(folder.path());
+        file.write("").unwrap();
+        let mut wanted = Settings::default();
+        wanted.limits.low.0[0] = wanted.limits.high.0[0] + 1.0;
+        let error = file.keep(&Settings::default(), &wanted).unwrap_err();
+        assert!(error.to_string().starts_with("limits.low is above limits.high"), "{error}");
+        assert_eq!(file.text().unwrap().unwrap(), "");
+    }
+}
