@@ -32,10 +32,10 @@ enum Turn {
 
 impl<I: Interpreter> Runner<'_, I> {
     /// The moves that were read begin to move.
-    pub(crate) fn begin(&mut self) -> Result<(), Over> {
-        self.take_up();
+    pub(crate) fn begin(&mut self) -> Result<(), Halted> {
+        self.take_up()?;
         let moves = std::mem::take(&mut self.stack.waiting);
-        self.check(&moves)?;
+        self.check(&moves).map_err(Halted::Over)?;
         if moves.is_empty() {
             return Ok(());
         }

@@ -2,7 +2,7 @@
 
 use crate::Work;
 use crate::journal::{
-    CutShort, Journal, JournalError, Owner, Placed, RunUnderWay, Tape, Whereabouts,
+    CutShort, Journal, JournalError, KeptWork, Owner, Placed, RunUnderWay, Tape, Whereabouts,
 };
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
@@ -31,7 +31,7 @@ impl Session {
         Ok((session, remembered.whereabouts))
     }
 
-    /// Runs a program on record. What it changes of the settings stays, unless others hold for this run
+    /// Runs a program or a job on record. What it changes of the settings stays, unless others hold for this run
     /// only: then `settings` are those that stay. Without a journal it is a run like any other.
     ///
     /// # Errors
@@ -53,27 +53,14 @@ impl Session {
         if settings.is_none() {
             journal.refresh(self)?;
         }
-        let program = match work {
-            Work::Part(program) => *program,
-            job @ Work::Job(..) => {
-                // Its moves are not on record: until it is over nobody knows where the machine is.
-                let lost = shelf.stored.get(POSITION_LOST).map(str::to_owned);
-                shelf.stored.set(POSITION_LOST, Some("XYZABC"));
-                shelf.stored.keep(POSITION_LOST);
-                let summary = self.run(job, options, shelf, company);
-                shelf.stored.set(POSITION_LOST, lost.as_deref());
-                self.memory.settings = settings.unwrap_or_else(|| self.memory.settings.clone());
-                journal.remember_place(&self.memory, &self.gcode)?;
-                return Ok(summary);
-            }
-        };
         options.lines_at_once = options.lines_for(&*company.sink);
-        let run = RunUnderWay::new(self, &program, &options, settings, shelf);
-        shelf.tape = journal.begin(&run, &program.sbp.text)?;
+        let kept = KeptWork::of(&work)?;
+        let run = RunUnderWay::new(self, &kept, &options, settings, shelf);
+        shelf.tape = journal.begin(&run, &kept.bytes)?;
         // A location that is in doubt is so for everybody from now on.
         shelf.stored.keep(POSITION_LOST);
         journal.each_commit_lasts(company.pace.is_real())?;
-        let summary = self.go(program, options, shelf, company, None);
+        let summary = self.go(work, options, shelf, company, None);
         self.over(&run, &summary, shelf, &owner)?;
         Ok(summary)
     }
@@ -91,7 +78,7 @@ impl Session {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = shelf.journal().cloned().ok_or_else(nothing)?;
         let owner = journal.own()?;
-        let (program, tape) = journal.take_up(cut)?;
+        let (work, tape) = journal.take_up(cut)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
         let run = &cut.run;
         *self = cut.session();
@@ -99,7 +86,7 @@ impl Session {
         shelf.stored.begin_from(run.values.clone());
         shelf.tape = tape;
         journal.each_commit_lasts(company.pace.is_real())?;
-        let summary = self.go(program, run.options.clone(), shelf, company, Some(stands));
+        let summary = self.go(work, run.options.clone(), shelf, company, Some(stands));
         self.over(run, &summary, shelf, &owner)?;
         Ok(summary)
     }

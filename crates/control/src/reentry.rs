@@ -7,13 +7,15 @@
 //!   stands here ─┘                           └─► on along the path
 //! ```
 //!
-//! The move that was under way is made again from its start.
+//! The move that was under way is made again from its start. A job knows its own way back, that from a
+//! pause: it is only told where it was.
 
 use crate::Event;
+use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::runner::Runner;
 use kerf_motion::Move;
-use kerf_program::{Axes, Axis, Interpreter, MoveKind, OutputReason};
+use kerf_program::{Axes, Axis, Interpreter, MoveKind, OutputReason, StoppedBy};
 use std::sync::Arc;
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -46,10 +48,11 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand();
     }
 
-    /// Brings the machine back to where the run was, before the first move that was not made.
-    pub(crate) fn take_up(&mut self) {
+    /// Brings the machine back to where the run was, before the first move that was not made; or lets
+    /// the program do it.
+    pub(crate) fn take_up(&mut self) -> Result<(), Halted> {
         if !self.is_taken_up() {
-            return;
+            return Ok(());
         }
         // It may have been taken up here before, and cut short again.
         let from = self.world.shelf.tape.reentered().unwrap_or_else(|| {
@@ -58,14 +61,37 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.shelf.tape.reenter(&from);
             from
         });
+        if self.interpreter.takes_stops() {
+            return Err(self.hand_over(from.position));
+        }
         self.go_back(from.position);
+        Ok(())
+    }
+
+    /// The program finds its way back from where the machine stands.
+    fn hand_over(&mut self, from: Axes) -> Halted {
+        let began = self.world.machine.position();
+        let motion = self.stack.next_number();
+        self.world.machine.restart(from);
+        self.tell_taken_up();
+        self.world.tell(&Event::Resume { t: self.world.now() });
+        let at = kerf_program::Halted { motion, began, stands: from };
+        Halted::Taken { by: StoppedBy::PowerCut, at }
     }
 
     /// Where the machine stands, in the frames of the run.
     pub(crate) fn stands_at(&self) -> Placed {
-        let (frame, here) = (*self.world.machine.frame(), self.world.machine.position());
+        let Placed { position: here, frame } = self.world.placed();
         let position = self.reentry.map_or(here, |stands| stands.seen_from(&frame));
         Placed { position, frame }
+    }
+
+    /// A run that was taken up and is over without a move leaves the machine where it stood.
+    pub(crate) fn stay_where_it_stands(&mut self) {
+        if self.reentry.is_some() {
+            let stands = self.stands_at();
+            self.world.machine.restart(stands.position);
+        }
     }
 
     fn go_back(&mut self, from: Axes) {

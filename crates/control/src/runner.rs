@@ -316,8 +316,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             if self.stack.waiting.len() < READ_AHEAD {
                 return Flow::On;
             }
-            if let Err(over) = self.begin() {
-                return Flow::Over(over);
+            if let Err(halted) = self.begin() {
+                return self.halted(halted);
             }
         }
         match self.run_on(false) {
@@ -413,9 +413,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         loop {
             if !self.stack.waiting.is_empty()
-                && let Err(over) = self.begin()
+                && let Err(halted) = self.begin()
             {
-                return Flow::Over(over);
+                return self.halted(halted);
             }
             if let Some(halted) = self.run_on(true) {
                 return self.halted(halted);

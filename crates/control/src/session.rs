@@ -132,27 +132,28 @@ impl Session {
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Summary {
-        match work.into() {
-            Work::Part(program) => self.run_part(*program, options, shelf, company),
-            Work::Job(job, machine) => self.run_job(job, &machine, options, shelf, company),
+        let mut options = options;
+        options.lines_at_once = options.lines_for(&*company.sink);
+        self.go(work.into(), options, shelf, company, None)
+    }
+
+    /// Runs a program or a job; one that is taken up by a machine that stands at a place.
+    pub(crate) fn go(
+        &mut self,
+        work: Work,
+        options: RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+        stands: Option<Placed>,
+    ) -> Summary {
+        match work {
+            Work::Part(program) => self.run_part(*program, options, shelf, company, stands),
+            Work::Job(job, machine) => self.run_job(job, &machine, options, shelf, company, stands),
         }
     }
 
     /// Runs a program to its end. A program with errors does not start unless that is allowed.
     fn run_part(
-        &mut self,
-        program: Program,
-        options: RunOptions,
-        shelf: &mut Shelf,
-        company: Company<'_>,
-    ) -> Summary {
-        let mut options = options;
-        options.lines_at_once = options.lines_for(&*company.sink);
-        self.go(program, options, shelf, company, None)
-    }
-
-    /// Runs a program; one that is taken up by a machine that stands at a place.
-    pub(crate) fn go(
         &mut self,
         program: Program,
         options: RunOptions,
@@ -208,6 +209,7 @@ impl Session {
         options: RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
+        stands: Option<Placed>,
     ) -> Summary {
         let Company { sink, operator, pace } = company;
         let preview = options.program.preview;
@@ -224,9 +226,11 @@ impl Session {
             .doubting(lost(shelf));
         (self.memory.settings, self.memory.frame) = (settings, frame);
         let mut world = World::new(simulated, shelf, sink, operator);
-        world.previews = preview;
+        (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
         let mut runner = Runner::new(sequence, world, pace, options.limits, 0);
+        runner.reentry = stands;
         let over = runner.run();
+        runner.stay_where_it_stands();
         let Runner { interpreter, mut world, .. } = runner;
         let summary = summary(&interpreter, &mut world, over);
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
@@ -347,16 +351,12 @@ fn summary(
 }
 
 fn conclude(
-    runner: Runner<'_, Interpreter>,
+    mut runner: Runner<'_, Interpreter>,
     over: crate::runner::Over,
     variables: bool,
 ) -> (Summary, kerf_part::Session, Machine) {
-    let stands = runner.reentry.map(|_| runner.stands_at());
+    runner.stay_where_it_stands();
     let Runner { interpreter, mut world, .. } = runner;
-    if let Some(stands) = stands {
-        // It never moved.
-        world.machine.restart(stands.position);
-    }
     let summary = summary(&interpreter, &mut world, over);
     let variables = variables.then(|| variables_told(&interpreter));
     let end = end_event(&summary, &world.machine, variables);

@@ -58,6 +58,8 @@ pub(crate) struct World<'a> {
     pub typed_files: usize,
     /// Nothing is told: what happens has happened before.
     pub silent: bool,
+    /// The zero points that stay: a job has its own only while it runs.
+    pub stays: Option<Frame>,
 }
 
 impl<'a> World<'a> {
@@ -85,6 +87,7 @@ impl<'a> World<'a> {
             file_runs: false,
             typed_files: 0,
             silent: false,
+            stays: None,
         }
     }
 
@@ -135,9 +138,10 @@ impl<'a> World<'a> {
         }
     }
 
-    /// Where the machine is.
+    /// Where the machine is, and the zero points that stay.
     pub fn placed(&self) -> Placed {
-        Placed { position: self.machine.position(), frame: *self.machine.frame() }
+        let frame = self.stays.unwrap_or(*self.machine.frame());
+        Placed { position: self.machine.position(), frame }
     }
 
     /// Machine time, seconds.

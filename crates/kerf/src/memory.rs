@@ -45,6 +45,9 @@ pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Sessi
 /// Which run was cut short, and where.
 pub fn told(cut: &CutShort) -> String {
     match cut.last_move() {
+        (_, shape @ 1..) if cut.is_job() => {
+            format!("the job {} was cut short at shape {shape}", cut.file())
+        }
         (_, 0) => format!("the run of {} was cut short before its first move", cut.file()),
         (file, line) if file == cut.file() => {
             format!("the run of {file} was cut short behind line {line}")

@@ -15,7 +15,21 @@ use std::process::Command;
 /// A machine that stands at X 5.
 fn shop() -> Shop {
     let many = "&n=0\nAGAIN:\n&n=&n+1\nSetUsrVal, &n\nMX,&n\nIF &n<900 THEN GOTO AGAIN\n";
-    let shop = Shop::new(&[("a.sbp", "SA\nMX,7\n"), ("many.sbp", many), ("x.sbp", "PRINT %(1)\n")]);
+    let line = |d: String| {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900mm\" height=\"20mm\" \
+            viewBox=\"0 0 900 20\"><path d=\"M 0 10 {d}\"/></svg>"
+        )
+    };
+    let zigzag: String = (1..900).map(|x| format!("L {x} {} ", x % 19)).collect();
+    let shop = Shop::new(&[
+        ("a.sbp", "SA\nMX,7\n"),
+        ("many.sbp", many),
+        ("x.sbp", "PRINT %(1)\n"),
+        ("a.svg", &line("L 7 10".into())),
+        ("many.svg", &line(zigzag)),
+        ("repeated.toml", "[job]\nrepeats = 12\n"),
+    ]);
     shop.kerf("send MX,5 --quiet").exits(0);
     shop
 }
@@ -37,10 +51,13 @@ fn on_full_disk(shop: &Shop, kilobytes: u32, args: &str) -> Did {
 #[test]
 fn on_a_full_disk_nothing_starts() {
     let shop = shop();
-    let full = on_full_disk(&shop, 1, "run a.sbp --trace /dev/null");
-    full.exits(1).complains("disk of the data folder is full");
-    assert!(!full.out().contains("ran to its end"), "{}", full.out());
-    assert_eq!(x(&shop), "5", "what was kept is still there");
+    for work in ["a.sbp", "a.svg"] {
+        let full = on_full_disk(&shop, 1, &format!("run {work} --trace t"));
+        full.exits(1).complains("disk of the data folder is full");
+        assert!(!full.out().contains("ran to its end"), "{}", full.out());
+        assert!(!shop.file("t").exists(), "{work}: nothing begins");
+        assert_eq!(x(&shop), "5", "what was kept is still there");
+    }
 }
 
 #[test]
@@ -54,6 +71,20 @@ fn a_disk_that_fills_up_does_not_stop_a_cut() {
     let after = shop.kerf("run x.sbp --quiet");
     after.exits(0).complains("not verified");
     shop.kerf("send UD --quiet").exits(0).says("position not verified");
+}
+
+#[test]
+fn a_disk_that_fills_up_does_not_stop_a_job() {
+    let shop = shop();
+    // Whatever the operator wants is on record before it happens.
+    let wishes: String = (1..90).map(|t| format!(" --override {}@{t}", 50 + t)).collect();
+    let full = on_full_disk(&shop, 300, &format!("run many.svg --trace t{wishes}"));
+    full.complains("J001").complains("not on record").complains("disk of the data folder is full");
+    assert_eq!(full.err().matches("J001").count(), 1, "it is told once\n{}", full.err());
+    full.exits(1);
+    assert!(shop.read("t").contains("\"to\":{\"x\":899,"), "the cut was made");
+    let after = shop.kerf("run x.sbp --quiet");
+    after.exits(0).complains("not verified").complains("the job many.svg was cut short at shape 1");
 }
 
 /// `kerf` as somebody who may not write everywhere.
@@ -73,9 +104,11 @@ fn in_a_folder_that_cannot_be_written_nothing_starts() {
     if fs::metadata(env!("CARGO_BIN_EXE_kerf")).unwrap().mode() & 0o001 == 0 {
         return;
     }
-    let run = as_nobody(&shop, "run a.sbp");
-    run.exits(1).complains("data folder cannot be written").complains("--data");
-    assert!(!run.out().contains("ran to its end"), "{}", run.out());
+    for work in ["a.sbp", "a.svg"] {
+        let run = as_nobody(&shop, &format!("run {work}"));
+        run.exits(1).complains("data folder cannot be written").complains("--data");
+        assert!(!run.out().contains("ran to its end"), "{}", run.out());
+    }
     as_nobody(&shop, "sysvars").exits(0).says("  1             5  ");
     as_nobody(&shop, "run a.sbp --start fresh").exits(0).complains("values are not kept");
     fs::set_permissions(shop.file("data"), fs::Permissions::from_mode(0o755)).unwrap();
@@ -105,6 +138,42 @@ fn a_damaged_page_is_told_and_rescued() {
     shop.kerf("send UD --quiet").exits(0).says("position not verified: X Y Z");
     let again = shop.kerf("run x.sbp --quiet");
     assert!(!again.err().contains("damaged"), "{}", again.err());
+}
+
+/// Kills a job in the middle of its cut; it runs in real time.
+fn killed_job(shop: &Shop) {
+    let mut command = shop.command();
+    let args = "run many.svg --config repeated.toml --pace real --quiet";
+    let mut job = command.args(args.split_whitespace()).spawn().unwrap();
+    let journal = shop.file("data/journal.db-wal");
+    let moves = || fs::read(&journal).is_ok_and(|b| b.windows(13).any(|w| w == b"\"moving\":true"));
+    while !moves() {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    job.kill().unwrap();
+    job.wait().unwrap();
+}
+
+#[test]
+fn a_job_is_taken_up_from_a_damaged_journal_or_says_why_not() {
+    for page in 1..9 {
+        let shop = shop();
+        killed_job(&shop);
+        shop.kerf("send UD --quiet").exits(0);
+        let file = shop.file("data/journal.db");
+        let mut bytes = fs::read(&file).unwrap();
+        let Some(part) = bytes.get_mut(page * 4096..(page + 1) * 4096) else { break };
+        part.fill(0x77);
+        fs::write(&file, bytes).unwrap();
+        let run = shop.kerf("run --resume --quiet --trace t");
+        assert!(!run.err().contains("panicked"), "page {page}: {}", run.err());
+        let cuts = || shop.read("t").matches("\"to\":{\"x\":899,").count();
+        let taken_up = run.err().contains("was cut short at shape") && cuts() == 12;
+        let told = run.err().contains("was damaged") && run.err().contains("not verified")
+            || run.err().contains("no run was cut short");
+        assert!(taken_up || told, "page {page}: {}\n{}", run.out(), run.err());
+        shop.kerf("run x.sbp --quiet").exits(0);
+    }
 }
 
 #[test]

@@ -312,6 +312,8 @@ impl Machine {
         self.position = position;
         self.motors.say(self.true_position());
         (self.light, self.pwm_percent) = (false, 0.0);
+        (self.beam, self.intensity) = (Beam::Off, (0, false));
+        (self.law, self.follower) = (None, Follower::default());
         let outputs = std::mem::take(&mut self.outputs);
         let trigger = &self.settings.cutter.trigger;
         let by_itself = |n: u8| {

@@ -21,6 +21,7 @@ mod contents;
 mod database;
 mod error;
 mod history;
+mod kept_work;
 mod live;
 mod mirror;
 mod place;
@@ -34,6 +35,7 @@ mod under_way;
 
 pub use error::JournalError;
 pub use history::Past;
+pub(crate) use kept_work::KeptWork;
 pub use live::Live;
 pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;

@@ -1,6 +1,7 @@
 //! The run under way: everything needed to run it again up to where it is.
 
 use super::history::{self, Past};
+use super::kept_work::{KeptWork, WorkKind};
 use super::progress::{PROGRESS, Progress, Reached};
 use super::remembered::{remember, settings_of};
 use super::rows::{self, Rows, Table};
@@ -8,10 +9,8 @@ use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::files::Folders;
 use crate::machine_file::MACHINE_FILE;
-use crate::{RunOptions, Session, Shell, Summary};
-use kerf_part::Program;
+use crate::{RunOptions, Session, Shell, Summary, Work};
 use kerf_program::{Settings, Status};
-use kerf_sbp::Dialect;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,11 +25,12 @@ const REACHED: &str = "reached";
 pub struct RunUnderWay {
     /// The version of Kerf: another may read the same part file otherwise.
     pub version: String,
-    /// Name of the part file.
+    /// Name of the part file or job.
     pub file: String,
     /// Hash of its bytes.
     hash: String,
-    dialect: Dialect,
+    /// What the bytes are.
+    pub(super) kind: WorkKind,
     session: kerf_part::Session,
     /// Values that programs had kept.
     pub(crate) values: BTreeMap<String, String>,
@@ -62,6 +62,11 @@ impl CutShort {
         &self.run.file
     }
 
+    /// Whether a job was cut short: then its shapes are what lines are of a part file.
+    pub fn is_job(&self) -> bool {
+        self.run.kind == WorkKind::Job
+    }
+
     /// Where the last move was that was made to its end: file and line.
     pub fn last_move(&self) -> (&str, u32) {
         (&self.reached.file, self.reached.line)
@@ -86,17 +91,16 @@ impl RunUnderWay {
     /// A run that is about to begin.
     pub(crate) fn new(
         session: &Session,
-        program: &Program,
+        work: &KeptWork,
         options: &RunOptions,
         settings: Option<Settings>,
         shelf: &crate::Shelf,
     ) -> Self {
-        let sbp = &program.sbp;
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
-            file: program.name().to_string(),
-            hash: super::contents::hash(sbp.text.as_bytes()),
-            dialect: sbp.dialect,
+            file: work.name.clone(),
+            hash: work.hash(),
+            kind: work.kind,
             session: kerf_part::Session {
                 sbp: session.memory.clone(),
                 gcode: session.gcode.clone(),
@@ -113,7 +117,7 @@ impl RunUnderWay {
 
 impl Journal {
     /// A run begins. It is on record before anything moves; typed lines cannot be taken up again.
-    pub(crate) fn begin(&self, run: &RunUnderWay, text: &str) -> Result<Tape, JournalError> {
+    pub(crate) fn begin(&self, run: &RunUnderWay, bytes: &[u8]) -> Result<Tape, JournalError> {
         let earlier = self.cut_short()?;
         self.write(|rows| {
             remember(rows, &run.session.sbp, &run.session.gcode)?;
@@ -124,7 +128,7 @@ impl Journal {
                 }
             } else {
                 forget(rows, earlier.as_ref())?;
-                rows.keep_content(text.as_bytes())?;
+                rows.keep_content(bytes)?;
                 rows.put(Table::Fact, RUN, &json(run)?)?;
             }
             rows.set(Table::Fact, PROGRESS, None)
@@ -175,8 +179,8 @@ impl Journal {
         Ok(Some(CutShort { run, reached }))
     }
 
-    /// The program of a run that was cut short, and the tape of what the world told it.
-    pub(crate) fn take_up(&self, cut: &CutShort) -> Result<(Program, Tape), JournalError> {
+    /// What a run carried out that was cut short, and the tape of what the world told it.
+    pub(crate) fn take_up(&self, cut: &CutShort) -> Result<(Work, Tape), JournalError> {
         let run = &cut.run;
         let version = env!("CARGO_PKG_VERSION");
         if run.version != version {
@@ -187,18 +191,21 @@ impl Journal {
             let steps = rows.all(Table::Step)?;
             Ok((steps, rows.contents()?, rows.last(Table::Step)?))
         })?;
-        let lost = || JournalError::Unfit(format!("the text of {} was not kept", run.file));
-        let text = contents.get(&run.hash).ok_or_else(lost)?;
-        let program = kerf_part::read_as(run.file.as_str().into(), text.as_slice(), run.dialect);
+        let work = cut.work(&contents)?;
         let parse = |(_, text): (String, String)| serde_json::from_str::<Step>(&text);
         let steps: Result<Vec<Step>, _> = steps.into_iter().map(parse).collect();
         let steps = steps.map_err(|error| JournalError::Unfit(error.to_string()))?;
         let progress = Progress::new(self.clone(), last + 1);
-        Ok((program, Tape::playing(steps, contents, cut.reached.made, progress)))
+        Ok((work, Tape::playing(steps, contents, cut.reached.made, progress)))
     }
 }
 
 impl RunUnderWay {
+    /// Hash of what it carries out.
+    pub(super) fn hash(&self) -> &str {
+        &self.hash
+    }
+
     fn past(&self, status: &str, seconds: f64) -> Past {
         Past {
             file: self.file.clone(),

@@ -109,7 +109,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let machine = session.configuration();
+    let machine = journal.machine_of(&cut)?;
     let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default(), machine };
     let visit = Visit::default();
     visit.begins(&session, &mut shelf)?;

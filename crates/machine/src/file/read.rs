@@ -41,6 +41,22 @@ pub fn read_over(
     if found.is_empty() { Ok(configuration) } else { Err(found) }
 }
 
+/// A configuration as [`write`](super::write) wrote it, whatever it holds: options of a run may have made
+/// it contradict itself.
+///
+/// # Errors
+/// The first line that is none of it.
+pub fn read_back(text: &str) -> Result<Configuration, Diagnostic> {
+    let (entries, unreadable) = entries(text);
+    let source = Source { file: &"machine".into(), text };
+    if let Some(it) = unreadable.into_iter().next() {
+        return Err(Diagnostic::new(Code::NoConfiguration, source.place(&it.span), it.message));
+    }
+    let mut found = Vec::new();
+    let configuration = apply(Configuration::default(), &source, &entries, &mut found);
+    found.into_iter().next().map_or(Ok(configuration), Err)
+}
+
 /// Values are applied in the order of the table, so that a file may be written in any.
 fn apply(
     mut configuration: Configuration,

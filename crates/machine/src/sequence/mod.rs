@@ -10,6 +10,7 @@
 //!  Job ──► pass by pass ──► small steps ──► commands
 //!             ▲  shape.rs, beam.rs, plasma.rs   carry.rs, path.rs
 //!             └── stop, arc lost, estop: pause.rs ──► State (one table for all machines)
+//!                 power cut: taken_up.rs
 //! ```
 //!
 //! What a pass is made of is decided when it begins, from what then holds: a pause may have changed
@@ -28,6 +29,7 @@ mod program;
 mod shape;
 mod small;
 mod start;
+mod taken_up;
 mod words;
 
 pub use words::Word;

@@ -23,7 +23,7 @@ const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
 impl Sequence {
     /// Motion or a wait was stopped in the middle.
     pub(super) fn halt(&mut self, event: Event, why: &str, halted: &Halted) {
-        let following = self.steps.front() == Some(&Small::Follow) && self.given;
+        let following = self.is_following();
         if following {
             self.keep_place(halted);
         }
@@ -32,6 +32,11 @@ impl Sequence {
         }
         self.position = halted.stands;
         self.stop_for(event, why);
+    }
+
+    /// The path is being made.
+    pub(super) fn is_following(&self) -> bool {
+        self.steps.front() == Some(&Small::Follow) && self.given
     }
 
     /// Something is wrong with the process while the machine stands.
@@ -90,7 +95,7 @@ impl Sequence {
     }
 
     /// Back to where the job was left: router, tool, plunge, cut, each with its delay.
-    fn come_back(&self) -> Vec<Small> {
+    pub(super) fn come_back(&self) -> Vec<Small> {
         if self.stage == Stage::Waiting {
             return self.before_start();
         }

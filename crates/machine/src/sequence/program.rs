@@ -58,6 +58,7 @@ impl Interpreter for Sequence {
             StoppedBy::Input(number) => {
                 self.halt(Event::Stop, &format!("stop input {number}"), halted);
             }
+            StoppedBy::PowerCut => self.take_up(halted),
         }
     }
 

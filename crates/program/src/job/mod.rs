@@ -12,10 +12,11 @@ pub use depth::{Depth, Depths, Heights, LowError};
 pub use plunge::{Plunge, Slope, helix_circle};
 
 use kerf_geom::{Point2, Polyarc, Vec2};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// One path of a job and how it is cut.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JobShape {
     /// Number of the shape of the drawing it comes from, counted from 1: what a person knows it by.
     pub number: u32,
@@ -42,7 +43,7 @@ pub struct JobShape {
 }
 
 /// What is cut, in order, and where.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Job {
     /// The name shown to people.
     pub name: Arc<str>,

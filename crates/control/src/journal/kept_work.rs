@@ -1,0 +1,111 @@
+//! What a run carries out, as it is kept: the text of a part file, or a job with the machine whose
+//! sequence it takes.
+
+use super::contents::hash;
+use super::{CutShort, Journal, JournalError};
+use crate::Work;
+use kerf_machine::{Configuration, file};
+use kerf_program::Settings;
+use kerf_program::job::Job;
+use kerf_sbp::Dialect;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// How bytes are read back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum WorkKind {
+    /// A part file.
+    Part(Dialect),
+    /// A job.
+    Job,
+}
+
+/// Something to run and everything that decides it, as bytes.
+#[derive(Debug)]
+pub(crate) struct KeptWork {
+    /// Name shown to people.
+    pub name: String,
+    /// How the bytes are read.
+    pub kind: WorkKind,
+    /// They.
+    pub bytes: Vec<u8>,
+}
+
+/// A job as it is kept.
+#[derive(Serialize, Deserialize)]
+struct KeptJob {
+    job: Job,
+    /// The machine, as its file would be written.
+    machine: String,
+    /// What options of the run made of its settings of motion.
+    program: Settings,
+}
+
+impl KeptWork {
+    /// What is kept of something.
+    ///
+    /// # Errors
+    /// A job holds what cannot be written.
+    pub(crate) fn of(work: &Work) -> Result<Self, JournalError> {
+        let (kind, bytes) = match work {
+            Work::Part(program) => {
+                let part = &program.sbp;
+                (WorkKind::Part(part.dialect), part.text.as_bytes().to_vec())
+            }
+            Work::Job(job, machine) => {
+                let kept = KeptJob {
+                    job: (**job).clone(),
+                    machine: file::write(machine),
+                    program: machine.program.clone(),
+                };
+                let bytes = serde_json::to_vec(&kept);
+                (WorkKind::Job, bytes.map_err(|error| JournalError::Unfit(error.to_string()))?)
+            }
+        };
+        Ok(Self { name: work.name().to_string(), kind, bytes })
+    }
+
+    /// The hash of the bytes.
+    pub(super) fn hash(&self) -> String {
+        hash(&self.bytes)
+    }
+}
+
+impl CutShort {
+    /// What the run carried out.
+    pub(super) fn work(&self, contents: &BTreeMap<String, Vec<u8>>) -> Result<Work, JournalError> {
+        let run = &self.run;
+        let bytes = contents
+            .get(run.hash())
+            .ok_or_else(|| JournalError::Unfit(format!("the text of {} was not kept", run.file)))?;
+        match run.kind {
+            WorkKind::Part(dialect) => {
+                let name = run.file.as_str().into();
+                Ok(kerf_part::read_as(name, bytes.as_slice(), dialect).into())
+            }
+            WorkKind::Job => job(bytes).map_err(JournalError::Unfit),
+        }
+    }
+}
+
+fn job(bytes: &[u8]) -> Result<Work, String> {
+    let kept: KeptJob = serde_json::from_slice(bytes).map_err(|error| error.to_string())?;
+    let mut machine = file::read_back(&kept.machine).map_err(|error| error.message)?;
+    machine.program = kept.program;
+    Ok(Work::Job(Arc::new(kept.job), Arc::new(machine)))
+}
+
+impl Journal {
+    /// The machine of a run that was cut short: a job has its own, part files that of the session.
+    ///
+    /// # Errors
+    /// As the file cannot be read.
+    pub fn machine_of(&self, cut: &CutShort) -> Result<Configuration, JournalError> {
+        match cut.work(&self.read(|rows| rows.contents())?)? {
+            Work::Job(_, machine) => Ok((*machine).clone()),
+            Work::Part(_) => Ok(cut.session().configuration()),
+        }
+    }
+}
