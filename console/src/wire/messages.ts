@@ -15,17 +15,41 @@ lease: number, } | { "do": "arm",
 /** Number of the lease. */
 lease: number, } | { "do": "disarm" } | { "do": "open",
 /** Its name below the part folder. */
-name: string, } | { "do": "close" } | { "do": "run",
+name: string,
+/** How it is run. */
+parameters?: FileParameters, } | { "do": "parameters",
+/** How it is run. */
+parameters: FileParameters, } | { "do": "folder",
+/** Below the part folder that the server was given, which an empty name means. */
+name: string,
+/** As `*.sb?`; nothing keeps what is shown. */
+mask: string | null, } | { "do": "close" } | { "do": "run",
 /** Number of the lease. */
 lease: number,
-/** Its hash: what was previewed is what runs. */
+/** Its hash: what was previewed is what runs, with the parameters of then. */
 hash: string,
 /** Go through it line by line. */
 step: boolean, } | { "do": "command",
 /** Number of the lease. */
 lease: number,
 /** The line; several are a program. */
-line: string, } | { "do": "jogStart",
+line: string, } | { "do": "record",
+/** A command of OpenSBP. */
+line: string, } | { "do": "watch",
+/** Names with `&`, `$` or `#`; 50 at most. */
+names: Array<string>, } | { "do": "input",
+/** Number of the lease. */
+lease: number,
+/** Which input, from 1. */
+number: number,
+/** Whether its contact is closed. */
+on: boolean, } | { "do": "set",
+/** Number of the lease. */
+lease: number,
+/** Its key. */
+key: string,
+/** Its value, as it is written in a configuration. */
+value: string, } | { "do": "jogStart",
 /** Number of the lease. */
 lease: number,
 /** Grows with every jog of a page; one that comes behind its own stop is dropped. */
@@ -75,6 +99,8 @@ prefill: string,
 entry: boolean,
 /** 0 none, 16 critical, 32 question, 48 warning, 64 information. */
 icon: number,
+/** The file that is to be shown in the editor (FE): its name below the part folder, empty for a new one. Nothing for other questions. */
+edits: string | null,
 /** The file that asks. */
 file: string,
 /** Its line. */
@@ -101,7 +127,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -178,6 +204,9 @@ groups: Array<GroupState>,
 /** What the last operation, or reading the file, had to tell. */
 notes: Array<string>, };
 
+/** What an input is assigned to (VN). */
+export type Duty = "standard" | "limit" | "stop";
+
 /** A file of the part folder. */
 export type FileInfo = {
 /** Its name below the part folder, `/` between folders. */
@@ -190,6 +219,21 @@ bytes: number,
 changed: number,
 /** What its head tells about the job. */
 header: string | null, };
+
+/** How a part file is run: the parameters of FP. */
+export type FileParameters = {
+/** Scales X, Y and Z. */
+proportion: [number, number, number],
+/** How often the file runs, at least once. */
+repetitions: number,
+/** 0: places as written. 1: the present place is X 0, Y 0, Z 0 of the file. 2: X 0, Y 0. */
+offset: number,
+/** How far Z moves before each repetition, mm. */
+plunge: number,
+/** Leave tabs on the last repetition. */
+tabs: boolean,
+/** Z moves to 0 before the first plunge. */
+plungeFromZero: boolean, };
 
 /** Something a person should know about a file. */
 export type Finding = {
@@ -209,6 +253,13 @@ length: number,
 message: string,
 /** How to mend it. */
 hint: string, };
+
+/** The folder that part files are chosen from. */
+export type Folder = {
+/** Its name below the folder that the server was given; empty for that itself. */
+name: string,
+/** Which files lists show: `*` any characters, `?` one. */
+mask: string, };
 
 /** How the shapes of a group are cut: what the operation `set` changes. Mm, mm a minute, degrees. */
 export type GroupState = {
@@ -296,7 +347,9 @@ number: number,
 /** Whether it is on. */
 on: boolean,
 /** What it is for, when something is known. */
-label: string, };
+label: string,
+/** What it is assigned to, when it is an input. */
+duty: Duty, };
 
 /** Who drives: one at a time. Every command that moves the machine carries the number. */
 export type Lease = {
@@ -376,8 +429,10 @@ name: string, };
 export type Opened = {
 /** Its name below the part folder. */
 name: string,
-/** What it is run by: SHA-256 of its bytes, in hexadecimal digits. */
+/** What it is run by: SHA-256 of its bytes, and of its parameters where there are others than the usual, in hexadecimal digits. */
 hash: string,
+/** How it is run. */
+parameters: FileParameters,
 /** Lines. */
 lines: number,
 /** What its head tells about the job. */
@@ -474,6 +529,13 @@ why: Why,
 /** The reason and what helps, for people. */
 text: string, };
 
+/** Commands that were typed, and can be run again. */
+export type Recorder = {
+/** Whether what is typed is recorded (RA, RI). */
+on: boolean,
+/** The lines, oldest first. */
+lines: Array<string>, };
+
 /** The answer to a request. */
 export type Reply = {
 /** Of the request. */
@@ -492,6 +554,47 @@ act: Act, };
 
 /** What a device may do. Each may do what those before it may. */
 export type Role = "observer" | "operator" | "setter" | "owner";
+
+/** Settings that belong together. */
+export type SettingArea = {
+/** Its name, as people say it. */
+title: string,
+/** Manual and section that tell of it. */
+manual: string,
+/** Its settings. */
+settings: Array<SettingEntry>, };
+
+/** A setting of the machine. */
+export type SettingEntry = {
+/** Its name, dotted: `homing.x.fast_mm_s`. */
+key: string,
+/** What may be written. */
+kind: SettingKind,
+/** `mm`, `s`, `%` … or nothing. */
+unit: string,
+/** What it accepts beside its kind, in words; empty for anything of that kind. */
+bound: string,
+/** Least value, included. */
+least: number | null,
+/** Greatest value, included. */
+most: number | null,
+/** What it is in a new configuration, as it is written. */
+default: string,
+/** What it is now, as it is written. */
+value: string,
+/** What it is for. */
+doc: string, };
+
+/** What may be written for a setting. */
+export type SettingKind = { "is": "flag" } | { "is": "number",
+/** The setting may be absent. */
+none: boolean, } | { "is": "choice",
+/** As they are written. */
+words: Array<string>, } | { "is": "text" } | { "is": "list",
+/** How many. */
+length: number,
+/** The setting may be absent. */
+none: boolean, };
 
 /** The shapes of a drawing, or tool paths made of them. */
 export type ShapeList = {
@@ -554,7 +657,15 @@ clients: Array<Client>,
 /** The drawing that is open. */
 drawing: DrawingState | null,
 /** Grows when files of the part folder change. */
-files: number, };
+files: number,
+/** The folder that part files are chosen from. */
+folder: Folder,
+/** Commands that were typed. */
+recorder: Recorder,
+/** Variables that are shown while programs run, as far as they have values. */
+watched: Array<NamedValue>,
+/** Grows when the machine's configuration changes. */
+settings: number, };
 
 /** Speeds, mm or degrees a second. */
 export type Speeds = {
@@ -620,7 +731,13 @@ system: Array<SystemValue>,
 /** User variables, by name. */
 variables: Array<NamedValue>,
 /** The lines of OpenSBP that set what is set now. */
-settings: Array<string>, };
+settings: Array<string>,
+/** What helps to find a fault (UD): versions, places, switches, the last error. */
+diagnostics: Array<NamedValue>,
+/** The folder of part files and which of them lists show (FS). */
+folder: Folder,
+/** The folder of settings and logs. */
+data: string, };
 
 /** Who a page is. */
 export type Who = {

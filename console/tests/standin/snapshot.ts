@@ -1,6 +1,16 @@
 /** A snapshot as the server sends it, for tests that need no server. */
 
-import type { AxisUnits, Lamp, Snapshot } from "../../src/wire/messages";
+import type { AxisUnits, FileParameters, Lamp, Snapshot } from "../../src/wire/messages";
+
+/** How a file is run when nobody says otherwise. */
+export const usualParameters: FileParameters = {
+  proportion: [1, 1, 1],
+  repetitions: 1,
+  offset: 0,
+  plunge: 0,
+  tabs: false,
+  plungeFromZero: false,
+};
 
 const axis = (letter: string, used: boolean, unit = "in", scale = 25.4): AxisUnits => ({
   letter,
@@ -10,7 +20,12 @@ const axis = (letter: string, used: boolean, unit = "in", scale = 25.4): AxisUni
 });
 
 const lamps = (on: number[]): Lamp[] =>
-  Array.from({ length: 12 }, (_, n) => ({ number: n + 1, on: on.includes(n + 1), label: "" }));
+  Array.from({ length: 12 }, (_, n) => ({
+    number: n + 1,
+    on: on.includes(n + 1),
+    label: "",
+    duty: "standard",
+  }));
 
 type Six = [number, number, number, number, number, number];
 const place = (x: number, y: number, z: number): Six => [x * 25.4, y * 25.4, z * 25.4, 0, 0, 0];
@@ -48,6 +63,7 @@ export const firstSnapshot: Snapshot = {
   opened: {
     name: "first-cut.sbp",
     hash: "abc",
+    parameters: usualParameters,
     lines: 24,
     header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",
     preview: { state: "ready", key: "first" },
@@ -63,4 +79,8 @@ export const firstSnapshot: Snapshot = {
   clients: [],
   drawing: null,
   files: 1,
+  folder: { name: "", mask: "*.sb?" },
+  recorder: { on: true, lines: [] },
+  watched: [],
+  settings: 0,
 };

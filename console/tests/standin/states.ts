@@ -52,6 +52,7 @@ export const states: Record<string, Partial<Snapshot>> = {
       prefill: "",
       entry: false,
       icon: 48,
+      edits: null,
       file: "first-cut.sbp",
       line: 9,
       was: "running",

@@ -65,6 +65,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 let (from_s, end_s) = (self.world.now(), t0_s + plan.span_s(index).1);
                 let wish = self.pass(from_s, end_s, Some(Going { plan: &plan, index, t0_s }));
                 match wish.filter(|_| !let_go) {
+                    Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
                     Some((t_s, wish)) => {
                         self.heed_later(t_s, wish);
                         let stopped = planner.stop(plan, (t_s - t0_s).max(0.0), true);

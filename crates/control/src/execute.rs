@@ -158,7 +158,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let t0_s = self.stack.running.as_ref()?.t0_s;
         let watched = self.watched(t0_s);
         self.world.machine.foresee(&plan, t0_s);
-        let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
+        let mut halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
@@ -174,6 +174,12 @@ impl<I: Interpreter> Runner<'_, I> {
                 None => {
                     let going = Going { plan: &plan, index, t0_s };
                     if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
+                        if let Turn::Operator(Wish::Input { number, on }) = turn {
+                            self.press(number, on, t_s);
+                            let end_s = t0_s + plan.duration_s();
+                            halt = self.world.machine.first_halt(end_s, &watched);
+                            continue;
+                        }
                         let began = plan.at((t_s - t0_s).max(0.0)).position;
                         let (made, stop) = self.replan(plan, (t_s - t0_s).max(0.0), turn)?;
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
@@ -217,6 +223,7 @@ impl<I: Interpreter> Runner<'_, I> {
             Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped),
             Turn::Operator(Wish::Stop | Wish::Hold | Wish::End) => planner.stop(piece, t_s, true),
             Turn::Operator(Wish::Feed(share)) => planner.feed(piece, t_s, share),
+            Turn::Operator(Wish::Input { .. }) => None,
         }
     }
 

@@ -15,6 +15,7 @@
 //! The same program, settings, files, answers and inputs give the same events, byte for byte.
 
 pub mod answers;
+mod at_rest;
 mod by_hand;
 mod check;
 pub mod command_passing;
@@ -34,6 +35,7 @@ mod nudge;
 mod pace;
 mod part_log;
 pub mod parts;
+mod press;
 mod reentry;
 mod runner;
 mod session;
@@ -63,6 +65,7 @@ pub use nudge::{Nudge, Outside};
 pub use pace::{Doing, Going, Pace, Script, StopAt, Wish};
 pub use part_log::Started;
 pub use parts::{Listing, PartFile};
+pub use press::Press;
 pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word};
 pub use shelf::{MOST_BYTES, Shelf, Shell};
 pub use sink::{Made, Sink};

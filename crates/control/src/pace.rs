@@ -16,6 +16,13 @@ pub enum Wish {
     /// The machine ramps down, and the run is over where it stands; nobody is asked. That is how a
     /// movement ends that somebody held a key for.
     End,
+    /// The switch of an input of the simulated machine is moved.
+    Input {
+        /// Which input.
+        number: u8,
+        /// Whether its contact is closed from now on.
+        on: bool,
+    },
 }
 
 /// What the machine does while time passes.

@@ -107,19 +107,30 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Runs the program to its end.
     pub fn run(&mut self) -> Over {
-        self.world.machine.begin_file();
+        let typed = self.world.typed_files > 0;
+        if typed {
+            self.world.machine.begin_lines();
+        } else {
+            self.world.machine.begin_file();
+        }
         self.world.tell_log();
         let over = loop {
             if let Some(over) = self.turn() {
                 break over;
             }
         };
-        self.world.machine.end_file();
+        // Typed lines are no file, unless they ran one.
+        if typed && self.world.files_known() <= self.world.typed_files {
+            self.world.machine.end_lines();
+        } else {
+            self.world.machine.end_file();
+        }
         self.world.tell_log();
         self.world.flush_print();
         self.world.file_runs = false;
         let stopped = if over.status == Status::Stopped { flag::STOPPED } else { 0 };
-        self.world.tell_standing(stopped, &Vec::new);
+        let interpreter = &self.interpreter;
+        self.world.tell_standing(stopped, &Vec::new, &|| interpreter.variables());
         over
     }
 
@@ -167,7 +178,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     pub(crate) fn tell_standing(&mut self, flags: u8) {
-        self.world.tell_standing(flags, &|| self.interpreter.call_stack());
+        let interpreter = &self.interpreter;
+        self.world.tell_standing(flags, &|| interpreter.call_stack(), &|| interpreter.variables());
     }
 
     fn lost(&self, why: &str) -> Over {

@@ -18,7 +18,7 @@ use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, AxisSet, Interpreter as _};
-use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, SystemVariable, Value};
+use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sim::{Change, Inputs, Machine, Push, Sheet};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -110,7 +110,7 @@ pub struct Session {
     /// What the machine is beside the settings of `memory`, which stand above those in here.
     pub machine_is: Arc<Configuration>,
     /// The simulated machine as the last run left it.
-    machine: Option<Machine>,
+    pub(crate) machine: Option<Machine>,
 }
 
 impl Session {
@@ -253,22 +253,8 @@ impl Session {
         Ok(())
     }
 
-    /// What every system variable reads now, in order of numbers.
-    pub fn system_variables(&self, shelf: &mut Shelf) -> Vec<(SystemVariable, Value)> {
-        let (mut sink, mut operator) = ((), ());
-        let mut world = World::new(self.machine(Vec::new()), shelf, &mut sink, &mut operator);
-        let options = kerf_sbp::Options::default();
-        let program = kerf_sbp::Program::default();
-        let mut reader = kerf_sbp::Interpreter::new(program, self.memory.clone(), options);
-        let read = |variable: SystemVariable| {
-            world.settled = true;
-            let value = reader.system_variable(&mut world, variable.number);
-            (variable, value.unwrap_or(Value::Empty))
-        };
-        kerf_sbp::system_variables().map(read).collect()
-    }
-
-    fn machine(&self, inputs: Vec<Change>) -> Machine {
+    /// The simulated machine, ready for a run.
+    pub(crate) fn machine(&self, inputs: Vec<Change>) -> Machine {
         let memory = &self.memory;
         let (settings, inputs) = (Arc::new(memory.settings.clone()), Inputs::new(inputs));
         let machine = self.machine.clone().unwrap_or_default();

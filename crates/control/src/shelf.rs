@@ -11,7 +11,7 @@ use crate::{conversion, part_log};
 use kerf_program::{
     FileConversion, FileMode, FileRequest, Folder, HostError, Settings, ShellCall, SourceFile,
 };
-use kerf_sbp::PART_FILE;
+use kerf_sbp::{PART_FILE, RECORDED, RECORDING};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -240,6 +240,18 @@ impl Shelf {
         self.mask = mask.map(str::to_owned);
     }
 
+    /// Whether what is typed is recorded, and the lines, oldest first.
+    pub fn recorder(&mut self) -> (bool, Vec<String>) {
+        let lines = self.value(RECORDED).unwrap_or_default();
+        (self.value(RECORDING).as_deref() != Some("0"), lines.lines().map(str::to_owned).collect())
+    }
+
+    /// Puts a line at the end of the recorder's list.
+    pub fn record(&mut self, line: &str) {
+        let lines = kerf_sbp::with_recorded(self.recorder().1, line);
+        self.set_value(RECORDED, Some(&lines.join("\n")));
+    }
+
     /// Names of what lies in the part folder.
     pub(crate) fn names(&self) -> std::io::Result<Vec<String>> {
         self.disk.names(self.folders.parts())
@@ -276,7 +288,12 @@ impl Shelf {
         Ok(SourceFile { name: name.into(), bytes: bytes.into() })
     }
 
-    pub(crate) fn enter(&mut self, folder: Option<&str>) -> Result<String, HostError> {
+    /// Chooses the part folder (FS), by a name below the present one or a path; the one at the start
+    /// when nothing is given. Tells its path.
+    ///
+    /// # Errors
+    /// There is no such folder, or it may not be used.
+    pub fn enter(&mut self, folder: Option<&str>) -> Result<String, HostError> {
         self.folders.enter(&*self.disk, folder)?;
         Ok(self.folders.parts().display().to_string())
     }

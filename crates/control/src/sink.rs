@@ -35,6 +35,11 @@ pub trait Sink {
     fn looks_at_standing(&self) -> bool {
         false
     }
+
+    /// The variables whose values it wants to see there, with their signs: `&a`, `$b`, `#100`.
+    fn watches(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Keeps every event.
@@ -77,6 +82,10 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
     fn looks_at_standing(&self) -> bool {
         self.0.looks_at_standing() || self.1.looks_at_standing()
     }
+
+    fn watches(&self) -> Vec<String> {
+        [self.0.watches(), self.1.watches()].concat()
+    }
 }
 
 impl<S: Sink + ?Sized> Sink for &mut S {
@@ -98,6 +107,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn looks_at_standing(&self) -> bool {
         (**self).looks_at_standing()
+    }
+
+    fn watches(&self) -> Vec<String> {
+        (**self).watches()
     }
 }
 
@@ -127,6 +140,10 @@ impl<S: Sink> Sink for Option<S> {
 
     fn looks_at_standing(&self) -> bool {
         self.as_ref().is_some_and(S::looks_at_standing)
+    }
+
+    fn watches(&self) -> Vec<String> {
+        self.as_ref().map(S::watches).unwrap_or_default()
     }
 }
 

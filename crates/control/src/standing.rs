@@ -25,6 +25,8 @@ pub struct Standing {
     pub status: u8,
     /// The open files, outermost first.
     pub files: Vec<OpenFile>,
+    /// Variables that somebody wants to see: name and value; those without a value are missing.
+    pub watched: Vec<(String, String)>,
 }
 
 /// A file that is open.

@@ -10,7 +10,7 @@ use kerf_motion::Move;
 use kerf_program::{
     Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
 };
-use kerf_sim::HaltCause;
+use kerf_sim::{Change, HaltCause};
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Lets time pass until a moment, unless something stops the program before.
@@ -28,6 +28,10 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         match (wish, halt) {
+            (Some((_, Wish::Input { number, on })), _) => {
+                self.press(number, on, stood_s);
+                self.pass_until(until_s)
+            }
             (Some((_, wish)), _) if self.is_taken(wish) => {
                 self.taken(StoppedBy::Operator, &self.stood())
             }
@@ -138,7 +142,17 @@ impl<I: Interpreter> Runner<'_, I> {
                 Ok(())
             }
             Wish::End => Err(Over { status: Status::Ended, diagnostic: None }),
+            Wish::Input { number, on } => {
+                self.press(number, on, self.world.now());
+                Ok(())
+            }
         }
+    }
+
+    /// The switch of an input is moved at a moment that is not over.
+    pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) {
+        self.world.machine.press(Change { input, at_s, on });
+        self.world.tell_log();
     }
 
     /// From here on cuts run at this share of the speed asked for.

@@ -8,12 +8,13 @@ use crate::event::{AskEvent, Event, Partial, Place};
 use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
 use crate::sink::Made;
-use crate::{OpenFile, Sink, Standing, Tally, flag};
+use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::lines::{Input, Output};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
-    Answer, At, Axes, Axis, AxisSet, Command, Frame, Independent, OutputReason, Question, Settings,
+    Answer, At, Axes, Axis, AxisSet, Button, Command, Frame, Independent, OutputReason, Question,
+    Settings,
 };
 use kerf_sim::{Happening, Machine, What};
 use std::collections::BTreeSet;
@@ -107,7 +108,12 @@ impl<'a> World<'a> {
 
     /// Tells where the run stands, when anybody looks: its flags besides those of running and
     /// previewing, and the lines that are read next.
-    pub fn tell_standing(&mut self, flags: u8, lines: &dyn Fn() -> Vec<At>) {
+    pub fn tell_standing(
+        &mut self,
+        flags: u8,
+        lines: &dyn Fn() -> Vec<At>,
+        variables: &dyn Fn() -> Vec<(String, String)>,
+    ) {
         let preview = if self.previews || self.machine.draws() { flag::PREVIEW } else { 0 };
         let lines = lines();
         // A file that was read to its end still moves.
@@ -122,7 +128,21 @@ impl<'a> World<'a> {
         let open = |at: At| OpenFile { file: self.file(at), line: at.line };
         let files: Vec<OpenFile> = lines.into_iter().map(open).collect();
         let running = if files.is_empty() { 0 } else { flag::FILE_RUNNING };
-        self.sink.standing(&Standing { status: flags | running | preview, files });
+        let watched = self.watched(variables);
+        self.sink.standing(&Standing { status: flags | running | preview, files, watched });
+    }
+
+    /// The variables that somebody wants to see, in the order in which he named them.
+    fn watched(&self, variables: &dyn Fn() -> Vec<(String, String)>) -> Vec<(String, String)> {
+        let names = self.sink.watches();
+        let all = if names.is_empty() { Vec::new() } else { variables() };
+        let value = |name: &str| {
+            let bare = name.trim_start_matches('&');
+            let same = |(known, _): &&(String, String)| known.eq_ignore_ascii_case(bare);
+            let kept = || self.shelf.stored.get(name).map(str::to_owned);
+            all.iter().find(same).map(|(_, value)| value.clone()).or_else(kept)
+        };
+        names.into_iter().filter_map(|name| Some((name.clone(), value(&name)?))).collect()
     }
 
     /// Whether anybody looks at moves and arcs.
@@ -353,15 +373,7 @@ impl<'a> World<'a> {
     pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, Unanswered> {
         self.machine.warning_off();
         self.tell_log();
-        let (file, operator) = (self.file(at), &mut self.operator);
-        let (given, gives_up) = self.shelf.tape.change(Kind::Answer, || {
-            let given = operator.answer_in(question, &file, at.line);
-            let gives_up = given.is_none() && operator.gives_up();
-            (given, gives_up)
-        });
-        if gives_up {
-            return Err(Unanswered::Stopped);
-        }
+        let given = self.hear_answer(question, at)?;
         let scripted = given.is_some();
         let answer = match given {
             None => answers::unattended_answer(question),
@@ -374,6 +386,30 @@ impl<'a> World<'a> {
         };
         self.told_question(question, &answer, scripted, at);
         Ok(answer)
+    }
+
+    /// What the operator says. He may move switches of the simulated machine before; the one that the
+    /// question waits for answers it.
+    fn hear_answer(&mut self, question: &Question, at: At) -> Result<Option<String>, Unanswered> {
+        let file = self.file(at);
+        loop {
+            let operator = &mut self.operator;
+            let (given, gives_up) = self.shelf.tape.change(Kind::Answer, || {
+                let given = operator.answer_in(question, &file, at.line);
+                let gives_up = given.is_none() && operator.gives_up();
+                (given, gives_up)
+            });
+            if gives_up {
+                return Err(Unanswered::Stopped);
+            }
+            let Some(press) = given.as_deref().and_then(Press::read) else { return Ok(given) };
+            let Press { number: input, on } = press;
+            self.machine.press(kerf_sim::Change { input, on, at_s: self.now() });
+            self.tell_log();
+            if question.until.is_some_and(|(number, on)| self.machine.input(number) == on) {
+                return Ok(Some(Button::OK.word().into()));
+            }
+        }
     }
 
     /// An input that the program waits for answered for the operator.

@@ -46,7 +46,7 @@ pub use header::Header;
 pub use interp::{
     BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, Interpreter,
     LAST_ERROR, Options, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS, Session,
-    Status, Step, SystemVariable, VERSION, Variables, Watch, system_variables,
+    Status, Step, SystemVariable, VERSION, Variables, Watch, system_variables, with_recorded,
 };
 pub use named_files::NamedFile;
 pub use number::format_number;

@@ -3,6 +3,7 @@
 use crate::app::{App, Open, lock, problem};
 use crate::machine::link::Held;
 use crate::machine::{Order, reach};
+use crate::shop;
 use kerf_control::Jog;
 use kerf_program::{Axes, Axis};
 use kerf_sbp::table::{self, Group};
@@ -50,12 +51,18 @@ fn needs(act: &Act) -> Need {
             Need { role: Role::Setter, ..drive(*lease) }
         }
         Act::Command { lease, .. } => drive(*lease),
-        Act::GiveLease { lease } | Act::Arm { lease } | Act::Override { lease, .. } => {
-            holding(*lease)
-        }
+        Act::GiveLease { lease }
+        | Act::Arm { lease }
+        | Act::Override { lease, .. }
+        | Act::Input { lease, .. } => holding(*lease),
+        Act::Set { lease, .. } => Need { role: Role::Setter, ..holding(*lease) },
         Act::Answer { .. }
         | Act::TakeLease { .. }
         | Act::Open { .. }
+        | Act::Parameters { .. }
+        | Act::Folder { .. }
+        | Act::Record { .. }
+        | Act::Watch { .. }
         | Act::Close
         | Act::ClearPrinted
         | Act::Acknowledge
@@ -88,7 +95,13 @@ impl App {
             Act::TakeLease { force } => self.take_lease(who, force)?,
             Act::GiveLease { .. } => self.drop_lease("nobody drives"),
             Act::Arm { .. } => self.arm()?,
-            Act::Open { name } => self.open_file(&name)?,
+            Act::Open { name, parameters } => self.open_with(&name, parameters)?,
+            Act::Parameters { parameters } => self.run_with(parameters)?,
+            Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
+            Act::Record { line } => self.record(line)?,
+            Act::Watch { names } => self.watch(names)?,
+            Act::Input { number, on, .. } => self.press(number, on)?,
+            Act::Set { key, value, .. } => self.configure(&key, &value)?,
             Act::Close => self.close_file(),
             Act::Run { hash, step, .. } => self.run(&hash, step)?,
             Act::Command { line, .. } => self.command(line)?,
@@ -132,7 +145,7 @@ impl App {
         Ok(())
     }
 
-    fn state(&self) -> State {
+    pub fn state(&self) -> State {
         self.hub.read(|now| now.machine.state)
     }
 
@@ -239,7 +252,7 @@ impl App {
     }
 
     /// Gives the machine something to do, when it has nothing to do.
-    fn order(&self, order: Order, state: State) -> Result<(), Problem> {
+    pub fn order(&self, order: Order, state: State) -> Result<(), Problem> {
         let mut busy = false;
         self.hub.changing(|now| {
             busy = now.machine.state != State::Idle;
@@ -254,6 +267,11 @@ impl App {
         if busy {
             return Err(problem(Why::State, "the machine is busy"));
         }
+        self.send(order)
+    }
+
+    /// Gives the machine's thread something to do, after what it does now.
+    pub fn send(&self, order: Order) -> Result<(), Problem> {
         let sent = lock(&self.orders).send(order);
         sent.map_err(|_| problem(Why::Server, "the machine's thread has ended; start Kerf anew"))
     }
@@ -269,13 +287,15 @@ impl App {
         if preview.failed {
             return Err(problem(Why::Mistake, "the file has mistakes; see its messages"));
         }
-        if crate::app::hash(&self.parts.read(&open.name)?) != hash {
+        if !open.is_of(&self.parts.read(&open.name)?) {
             let text = "the file was changed since it was opened; open it again";
             return Err(problem(Why::Changed, text));
         }
         let (program, times) = (Box::new(self.program(&open)), preview.times.clone());
+        let parameters = shop::parameters(&open.parameters);
+        let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let Open { name, hash, .. } = open;
-        self.order(Order::File { program, name, hash, times, step }, State::Running)
+        self.order(Order::File { program, name, hash, times, parameters }, State::Running)
     }
 
     fn command(&self, line: String) -> Result<(), Problem> {
@@ -342,7 +362,7 @@ impl App {
     fn jog_in_question(&self, question: u32, order: &Order) -> Result<(), Problem> {
         let Order::Jog { direction, distance, speed } = order else { return Ok(()) };
         let base = Axes(self.hub.read(|now| now.motion.at.base));
-        let far = reach(&lock(&self.left).memory.settings, base, *direction, *distance);
+        let far = reach(&lock(&self.left).session.memory.settings, base, *direction, *distance);
         let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: speed.abs() };
         self.link.want(|wanted| wanted.answer = Some((question, jog.to_string())));
         Ok(())

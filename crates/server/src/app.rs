@@ -3,12 +3,13 @@
 use crate::desk::Desk;
 use crate::files::PartFolder;
 use crate::hub::Hub;
-use crate::machine::{Link, Order};
+use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
 use crate::preview::{self, Preview};
 use crate::setup::{Builders, Options};
-use kerf_control::Session;
-use kerf_wire::{Change, Opened, PreviewState, Problem, Why};
+use crate::shop;
+use kerf_control::Shelf;
+use kerf_wire::{Change, FileParameters, Opened, PreviewState, Problem, Why};
 use sha2::{Digest, Sha256};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::Sender;
@@ -28,8 +29,8 @@ pub struct App {
     pub parts: PartFolder,
     /// The file that is open.
     pub open: Mutex<Open>,
-    /// The session as the last run left it.
-    pub left: Arc<Mutex<Session>>,
+    /// What the last run left.
+    pub left: Arc<Mutex<Left>>,
     /// Builds the shelf of previews.
     pub builders: Builders,
     /// Paired devices.
@@ -49,8 +50,10 @@ pub struct Open {
     pub name: String,
     /// Its bytes, as they were previewed.
     pub bytes: Arc<[u8]>,
-    /// Their hash.
+    /// What it is run by: their hash, and that of the parameters.
     pub hash: String,
+    /// How it is run.
+    pub parameters: FileParameters,
     /// Key of the preview.
     pub key: String,
     /// The preview, when it is ready.
@@ -74,6 +77,24 @@ pub fn hash(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
 
+/// What a file is run by: the hash of its bytes, and of parameters other than the usual.
+fn hash_of(bytes: &[u8], parameters: &FileParameters) -> String {
+    if *parameters == FileParameters::default() {
+        return hash(bytes);
+    }
+    let FileParameters { proportion, repetitions, offset, plunge, tabs, plunge_from_zero } =
+        parameters;
+    let told = format!("{proportion:?} {repetitions} {offset} {plunge} {tabs} {plunge_from_zero}");
+    hash(&[bytes, told.as_bytes()].concat())
+}
+
+impl Open {
+    /// Whether these are still its bytes.
+    pub fn is_of(&self, bytes: &[u8]) -> bool {
+        *self.bytes == *bytes
+    }
+}
+
 /// Hexadecimal digits.
 pub fn hex(bytes: &[u8]) -> String {
     bytes
@@ -88,7 +109,7 @@ pub struct Parts {
     pub hub: Arc<Hub>,
     pub link: Arc<Link>,
     pub orders: Sender<Order>,
-    pub left: Arc<Mutex<Session>>,
+    pub left: Arc<Mutex<Left>>,
     pub builders: Builders,
 }
 
@@ -126,9 +147,37 @@ impl App {
     /// # Errors
     /// The file cannot be read.
     pub fn open_file(self: &Arc<Self>, name: &str) -> Result<(), Problem> {
+        self.open_with(name, FileParameters::default())
+    }
+
+    /// The same, to be run with these parameters.
+    ///
+    /// # Errors
+    /// The file cannot be read, or a parameter makes no sense.
+    pub fn open_with(
+        self: &Arc<Self>,
+        name: &str,
+        parameters: FileParameters,
+    ) -> Result<(), Problem> {
+        shop::check(&parameters)?;
         let bytes: Arc<[u8]> = self.parts.read(name)?.into();
-        let open = Open { name: name.into(), hash: hash(&bytes), bytes, ..Open::default() };
-        self.show(open);
+        let hash = hash_of(&bytes, &parameters);
+        self.show(Open { name: name.into(), hash, bytes, parameters, ..Open::default() });
+        Ok(())
+    }
+
+    /// Runs the open file with other parameters.
+    ///
+    /// # Errors
+    /// None is open, or a parameter makes no sense.
+    pub fn run_with(self: &Arc<Self>, parameters: FileParameters) -> Result<(), Problem> {
+        shop::check(&parameters)?;
+        let open = lock(&self.open).clone();
+        if open.name.is_empty() {
+            return Err(problem(Why::State, "no file is open"));
+        }
+        let hash = hash_of(&open.bytes, &parameters);
+        self.show(Open { hash, parameters, preview: None, given_up: Arc::default(), ..open });
         Ok(())
     }
 
@@ -155,6 +204,7 @@ impl App {
         let opened = Opened {
             name: open.name.clone(),
             hash: open.hash.clone(),
+            parameters: open.parameters,
             lines: text.lines().count() as u32,
             header: kerf_sbp::Header::read(&text).map(|header| header.text),
             ..Opened::default()
@@ -175,11 +225,13 @@ impl App {
     }
 
     fn preview(&self, open: Open) {
-        let session = lock(&self.left).clone();
-        let made = match (self.builders.preview)() {
+        let session = lock(&self.left).session.clone();
+        let made = match self.preview_shelf() {
             Err(error) => Err(error.to_string()),
             Ok(mut shelf) => {
-                Ok(preview::make(self.program(&open), session, &mut shelf, &open.given_up))
+                let parameters = shop::parameters(&open.parameters);
+                let program = self.program(&open);
+                Ok(preview::make(program, parameters, session, &mut shelf, &open.given_up))
             }
         };
         let state = match made {
@@ -188,6 +240,19 @@ impl App {
             Err(why) => Err(why),
         };
         self.previewed(&open, state);
+    }
+
+    /// Files as the machine sees them, which nothing changes.
+    pub fn preview_shelf(&self) -> std::io::Result<Shelf> {
+        let mut shelf = (self.builders.preview)()?;
+        let (folder, mask) = {
+            let left = lock(&self.left);
+            (left.folder.display().to_string(), left.mask.clone())
+        };
+        if shelf.enter(Some(&folder).filter(|f| !f.is_empty()).map(String::as_str)).is_ok() {
+            shelf.set_mask(Some(&mask));
+        }
+        Ok(shelf)
     }
 
     /// The preview is there, unless another file was opened meanwhile.
@@ -211,7 +276,7 @@ impl App {
     pub fn after_run(self: &Arc<Self>) {
         let memory = {
             let left = lock(&self.left);
-            (left.memory.settings.clone(), left.memory.frame)
+            (left.session.memory.settings.clone(), left.session.memory.frame)
         };
         let stale = lock(&self.open).preview.as_ref().is_some_and(|p| p.start != memory);
         if stale {

@@ -17,6 +17,7 @@
 
 mod acts;
 mod app;
+mod configure;
 mod desk;
 mod files;
 mod http;
@@ -25,6 +26,7 @@ mod machine;
 mod people;
 mod preview;
 mod setup;
+mod shop;
 mod told;
 
 pub use http::describe;
@@ -36,7 +38,7 @@ use files::PartFolder;
 use http::Peer;
 use hub::Hub;
 use kerf_wire::Snapshot;
-use machine::{Link, Order, Owner};
+use machine::{Left, Link, Order, Owner};
 use std::io;
 use std::net::SocketAddr;
 use std::sync::mpsc::{Receiver, channel};
@@ -110,7 +112,7 @@ fn machine_and_app(options: Options, builders: Builders) -> io::Result<Arc<App>>
     snapshot.drawing_only = options.drawing_only;
     snapshot.machine.name = "simulated".into();
     let hub = Arc::new(Hub::new(snapshot));
-    let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<_>>::default());
+    let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<Left>>::default());
     let (orders, waiting) = channel();
     let app: Arc<OnceLock<Weak<App>>> = Arc::default();
     let done = {
@@ -127,7 +129,7 @@ fn machine_and_app(options: Options, builders: Builders) -> io::Result<Arc<App>>
             Err(error) => return drop(ready.send(Err(error))),
         };
         let ((hub, link, left), done) = (owned, Box::new(done));
-        let owner = Owner { hub, link, workshop, parts, left, rate, done, asked: 0, run: 0 };
+        let mut owner = Owner { hub, link, workshop, parts, left, rate, done, asked: 0, run: 0 };
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

@@ -4,7 +4,8 @@ use kerf_diag::{Diagnostic, Severity};
 use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
-use kerf_wire::{AxisUnits, Positions, Speeds, Tone, Units};
+use kerf_sim::Machine;
+use kerf_wire::{AxisUnits, Duty, Io, LAMPS, Lamp, NamedValue, Positions, Speeds, Tone, Units};
 
 /// A place in every frame.
 pub fn positions(frame: &Frame, machine: Axes) -> Positions {
@@ -40,6 +41,34 @@ fn axis_units(settings: &Settings, axis: Axis) -> AxisUnits {
 pub fn speeds(settings: &Settings) -> Speeds {
     let list = |s: &PerGroup| [s.xy, s.z, s.a, s.b, s.c];
     Speeds { cut: list(&settings.speeds.cut), jog: list(&settings.speeds.jog), rpm: 0.0 }
+}
+
+/// Inputs and outputs as they are.
+pub fn io(machine: &Machine) -> Io {
+    let output = |number| {
+        let (on, label) = (machine.outputs().is_on(number), String::new());
+        Lamp { number, on, label, duty: Duty::Standard }
+    };
+    Io {
+        inputs: (1..=LAMPS as u8).map(|number| input(machine, number)).collect(),
+        outputs: (1..=LAMPS as u8).map(output).collect(),
+    }
+}
+
+/// An input as it is, whichever of the lines it is.
+pub fn input(machine: &Machine, number: u8) -> Lamp {
+    let duty = match kerf_sim::duty(number, &machine.settings().io) {
+        kerf_sim::Duty::Free => Duty::Standard,
+        kerf_sim::Duty::Limit => Duty::Limit,
+        kerf_sim::Duty::Stop => Duty::Stop,
+    };
+    let label = kerf_machine::lines::Input::of_number(number).map_or("", |line| line.name());
+    Lamp { number, on: machine.input(number), label: label.into(), duty }
+}
+
+/// Values with their names.
+pub fn named(values: impl IntoIterator<Item = (String, String)>) -> Vec<NamedValue> {
+    values.into_iter().map(|(name, value)| NamedValue { name, value }).collect()
 }
 
 /// How a diagnostic is meant.

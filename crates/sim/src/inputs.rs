@@ -17,7 +17,7 @@ pub struct Change {
 
 /// What an input does to motion (command reference, VN).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Duty {
+pub enum Duty {
     /// Nothing.
     Free,
     /// Stops motion when it is triggered and limits are active.
@@ -39,6 +39,8 @@ pub struct Inputs {
     foreseen: VecDeque<Change>,
     /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
     contact: [Option<bool>; LINES],
+    /// Switches that somebody moved by hand, and where they were left.
+    by_hand: [Option<bool>; LINES],
 }
 
 impl Inputs {
@@ -52,7 +54,25 @@ impl Inputs {
         for change in script.iter().rev() {
             contact[usize::from(change.input) - 1] = Some(!change.on);
         }
-        Self { script, done: 0, foreseen: VecDeque::new(), contact }
+        Self { script, contact, ..Self::default() }
+    }
+
+    /// The same, with switches where earlier inputs were left by hand; a script has its way.
+    #[must_use]
+    pub(crate) fn after(mut self, earlier: &Self) -> Self {
+        self.by_hand = earlier.by_hand;
+        for (contact, by_hand) in self.contact.iter_mut().zip(self.by_hand) {
+            *contact = contact.or(by_hand);
+        }
+        self
+    }
+
+    /// Somebody moves a switch at a moment that is not over yet; it stays there.
+    pub(crate) fn press(&mut self, change: Change) {
+        let Some(i) = index(change.input).filter(|_| change.at_s.is_finite()) else { return };
+        self.by_hand[i] = Some(change.on);
+        let place = self.script.partition_point(|c| c.at_s <= change.at_s).max(self.done);
+        self.script.insert(place, change);
     }
 
     /// What a program reads: ON or OFF. The emergency stop reads ON when it is pressed, however it
@@ -144,7 +164,8 @@ pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
     closed != normally_closed(number, modes)
 }
 
-pub(crate) fn duty(number: u8, modes: &IoModes) -> Duty {
+/// What an input does to motion.
+pub fn duty(number: u8, modes: &IoModes) -> Duty {
     if number == STOP_INPUT || modes.interlock == Some(number) {
         return Duty::Stop;
     }
@@ -218,6 +239,20 @@ mod tests {
         let io = modes(|m| m.inputs[4] = 4);
         assert!(Inputs::default().reads(5, &io));
         assert_eq!(Inputs::default().stopping(&io), None);
+    }
+
+    #[test]
+    fn a_switch_that_was_moved_by_hand_stays_there() {
+        let io = modes(|_| ());
+        let mut inputs = Inputs::new(vec![Change { input: 1, at_s: 5.0, on: true }]);
+        inputs.press(Change { input: 3, at_s: 2.0, on: true });
+        inputs.press(Change { input: 2, at_s: 2.0, on: true });
+        let seen: Vec<u8> = std::iter::from_fn(|| inputs.step(9.0, &io)).map(|c| c.input).collect();
+        assert_eq!(seen, [3, 2, 1]);
+        let script = vec![Change { input: 2, at_s: 1.0, on: true }];
+        let next = Inputs::new(script).after(&inputs);
+        assert!(next.reads(3, &io) && !next.reads(2, &io), "a script knows what was before");
+        assert!(!next.reads(1, &io), "what a script did is over with it");
     }
 
     #[test]

@@ -38,7 +38,7 @@ pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};
 pub use hand::Push;
-pub use inputs::{Change, Inputs};
+pub use inputs::{Change, Duty, Inputs, duty};
 pub use limits::Violation;
 pub use log::{Happening, Log, What};
 pub use machine::Machine;

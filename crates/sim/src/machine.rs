@@ -9,7 +9,7 @@ use crate::halt::{self, Halt, Watched};
 use crate::hand::Hand;
 use crate::heater::{self, Heater};
 use crate::independent::Spin;
-use crate::inputs::Inputs;
+use crate::inputs::{Change, Inputs};
 use crate::laser;
 use crate::limits::{self, Violation};
 use crate::log::{Log, What};
@@ -125,7 +125,8 @@ impl Machine {
         }
         self.heater.set_back(self.clock_s);
         self.clock_s = 0.0;
-        (self.position, self.frame, self.inputs) = (position, frame, inputs);
+        (self.position, self.frame) = (position, frame);
+        self.inputs = inputs.after(&self.inputs);
         (self.drawing_from, self.settings) = (None, settings);
         self.motors.say(self.true_position());
         self
@@ -265,17 +266,27 @@ impl Machine {
 
     /// A part file starts.
     pub fn begin_file(&mut self) {
+        self.begin_lines();
+        self.by_mode(Occasion::Start, OutputReason::Mode);
+    }
+
+    /// Lines that somebody typed begin.
+    pub fn begin_lines(&mut self) {
         self.advance(self.clock_s);
         self.overridden = false;
-        self.by_mode(Occasion::Start, OutputReason::Mode);
     }
 
     /// The part file is over.
     pub fn end_file(&mut self) {
+        self.end_lines();
+        self.by_mode(Occasion::End, OutputReason::End);
+    }
+
+    /// Lines that somebody typed are over: outputs stay as they are.
+    pub fn end_lines(&mut self) {
         self.set_light(false);
         self.land_torch();
         self.overridden = false;
-        self.by_mode(Occasion::End, OutputReason::End);
     }
 
     /// Motion was stopped by the operator, or by a stop input: then spindles and axes that move by
@@ -396,6 +407,14 @@ impl Machine {
         }
         self.clock_s = self.clock_s.max(to_s);
         self.heat(self.clock_s);
+    }
+
+    /// Somebody moves the switch of an input, now or at a moment of the motion under way; it stays
+    /// there, also for the next run.
+    pub fn press(&mut self, change: Change) {
+        let at_s = change.at_s.max(self.clock_s);
+        self.inputs.press(Change { at_s, ..change });
+        self.advance(self.clock_s);
     }
 
     /// When an input reads a state: now, or at the time of a later change. `None` for never.

@@ -1,6 +1,6 @@
 //! What a page asks for.
 
-use crate::{AXES, Op};
+use crate::{AXES, FileParameters, Op};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -57,6 +57,22 @@ pub enum Act {
     Open {
         /// Its name below the part folder.
         name: String,
+        /// How it is run.
+        #[serde(default)]
+        #[ts(optional, as = "Option<FileParameters>")]
+        parameters: FileParameters,
+    },
+    /// Runs the open file otherwise: its preview is made anew, and its hash is another.
+    Parameters {
+        /// How it is run.
+        parameters: FileParameters,
+    },
+    /// Chooses the folder of part files and which of them lists show, as FS does.
+    Folder {
+        /// Below the part folder that the server was given, which an empty name means.
+        name: String,
+        /// As `*.sb?`; nothing keeps what is shown.
+        mask: Option<String>,
     },
     /// Closes it.
     Close,
@@ -64,7 +80,7 @@ pub enum Act {
     Run {
         /// Number of the lease.
         lease: u32,
-        /// Its hash: what was previewed is what runs.
+        /// Its hash: what was previewed is what runs, with the parameters of then.
         hash: String,
         /// Go through it line by line.
         #[serde(default)]
@@ -76,6 +92,34 @@ pub enum Act {
         lease: u32,
         /// The line; several are a program.
         line: String,
+    },
+    /// Puts a line at the end of the recorder's list, without carrying it out.
+    Record {
+        /// A command of OpenSBP.
+        line: String,
+    },
+    /// Says which variables are shown while programs run. Every page sees the same.
+    Watch {
+        /// Names with `&`, `$` or `#`; 50 at most.
+        names: Vec<String>,
+    },
+    /// Moves a switch of the simulated machine. It stays there.
+    Input {
+        /// Number of the lease.
+        lease: u32,
+        /// Which input, from 1.
+        number: u8,
+        /// Whether its contact is closed.
+        on: bool,
+    },
+    /// Changes a setting of the machine's configuration.
+    Set {
+        /// Number of the lease.
+        lease: u32,
+        /// Its key.
+        key: String,
+        /// Its value, as it is written in a configuration.
+        value: String,
     },
     /// Begins to move for as long as it is renewed.
     JogStart {

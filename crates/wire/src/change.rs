@@ -1,8 +1,8 @@
 //! What the server tells without being asked.
 
 use crate::{
-    Asked, Client, DrawingState, Io, Job, Lease, Machine, Message, Motion, Opened, Overrides,
-    Reply, Snapshot, Speeds, Units, Who,
+    Asked, Client, DrawingState, Folder, Io, Job, Lease, Machine, Message, Motion, NamedValue,
+    Opened, Overrides, Recorder, Reply, Snapshot, Speeds, Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -62,6 +62,19 @@ pub enum Change {
     /// Files of the part folder changed.
     Files {
         files: u32,
+    },
+    Folder {
+        folder: Folder,
+    },
+    Recorder {
+        recorder: Recorder,
+    },
+    Watched {
+        watched: Vec<NamedValue>,
+    },
+    /// The machine's configuration changed.
+    Settings {
+        settings: u32,
     },
 }
 

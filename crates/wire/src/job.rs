@@ -23,14 +23,63 @@ pub struct FileInfo {
     pub header: Option<String>,
 }
 
+/// How a part file is run: the parameters of FP.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[ts(optional_fields = false)]
+pub struct FileParameters {
+    /// Scales X, Y and Z.
+    pub proportion: [f64; 3],
+    /// How often the file runs, at least once.
+    pub repetitions: u32,
+    /// 0: places as written. 1: the present place is X 0, Y 0, Z 0 of the file. 2: X 0, Y 0.
+    pub offset: u8,
+    /// How far Z moves before each repetition, mm.
+    pub plunge: f64,
+    /// Leave tabs on the last repetition.
+    pub tabs: bool,
+    /// Z moves to 0 before the first plunge.
+    pub plunge_from_zero: bool,
+}
+
+impl Default for FileParameters {
+    fn default() -> Self {
+        let (proportion, plunge) = ([1.0; 3], 0.0);
+        Self { proportion, repetitions: 1, offset: 0, plunge, tabs: false, plunge_from_zero: false }
+    }
+}
+
+/// The folder that part files are chosen from.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Folder {
+    /// Its name below the folder that the server was given; empty for that itself.
+    pub name: String,
+    /// Which files lists show: `*` any characters, `?` one.
+    pub mask: String,
+}
+
+/// Commands that were typed, and can be run again.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Recorder {
+    /// Whether what is typed is recorded (RA, RI).
+    pub on: bool,
+    /// The lines, oldest first.
+    pub lines: Vec<String>,
+}
+
 /// The file that is open, to be looked at and run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Opened {
     /// Its name below the part folder.
     pub name: String,
-    /// What it is run by: SHA-256 of its bytes, in hexadecimal digits.
+    /// What it is run by: SHA-256 of its bytes, and of its parameters where there are others than the
+    /// usual, in hexadecimal digits.
     pub hash: String,
+    /// How it is run.
+    pub parameters: FileParameters,
     /// Lines.
     pub lines: u32,
     /// What its head tells about the job.
@@ -116,6 +165,9 @@ pub struct Asked {
     pub entry: bool,
     /// 0 none, 16 critical, 32 question, 48 warning, 64 information.
     pub icon: u32,
+    /// The file that is to be shown in the editor (FE): its name below the part folder, empty for a new
+    /// one. Nothing for other questions.
+    pub edits: Option<String>,
     /// The file that asks.
     pub file: String,
     /// Its line.

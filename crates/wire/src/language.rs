@@ -1,5 +1,6 @@
 //! What an editor of part files and a fill-in sheet ask.
 
+use crate::Folder;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -168,6 +169,12 @@ pub struct Values {
     pub variables: Vec<NamedValue>,
     /// The lines of OpenSBP that set what is set now.
     pub settings: Vec<String>,
+    /// What helps to find a fault (UD): versions, places, switches, the last error.
+    pub diagnostics: Vec<NamedValue>,
+    /// The folder of part files and which of them lists show (FS).
+    pub folder: Folder,
+    /// The folder of settings and logs.
+    pub data: String,
 }
 
 /// What a system variable reads.

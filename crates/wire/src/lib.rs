@@ -27,20 +27,27 @@ mod machine;
 mod people;
 pub mod preview;
 mod reply;
+mod setting;
 mod snapshot;
 mod typescript;
 
 pub use act::{Act, Request};
 pub use change::{Change, ToPage};
 pub use drawing::{CutHeight, DrawingState, GroupState, Op, ShapeList, ShapePath};
-pub use job::{Asked, Call, FileInfo, Job, Message, Opened, Overrides, PreviewState, Tone};
+pub use job::{
+    Asked, Call, FileInfo, FileParameters, Folder, Job, Message, Opened, Overrides, PreviewState,
+    Recorder, Tone,
+};
 pub use language::{
     Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, NamedValue, Parameter,
     ParameterKind, SystemValue, Values,
 };
-pub use machine::{AxisUnits, Io, Lamp, Machine, Mode, Motion, Positions, Speeds, State, Units};
+pub use machine::{
+    AxisUnits, Duty, Io, Lamp, Machine, Mode, Motion, Positions, Speeds, State, Units,
+};
 pub use people::{Client, Lease, Role, Who};
 pub use reply::{Problem, Reply, Why};
+pub use setting::{SettingArea, SettingEntry, SettingKind};
 pub use snapshot::Snapshot;
 pub use typescript::typescript;
 

@@ -135,6 +135,19 @@ pub struct Speeds {
     pub rpm: f64,
 }
 
+/// What an input is assigned to (VN).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum Duty {
+    /// Nothing but what programs make of it.
+    #[default]
+    Standard,
+    /// A limit or proximity switch: it ends motion when limits are active.
+    Limit,
+    /// It stops motion, and forbids it until it is released.
+    Stop,
+}
+
 /// An input or output.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
@@ -145,6 +158,8 @@ pub struct Lamp {
     pub on: bool,
     /// What it is for, when something is known.
     pub label: String,
+    /// What it is assigned to, when it is an input.
+    pub duty: Duty,
 }
 
 /// All inputs and outputs.

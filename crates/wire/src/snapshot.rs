@@ -1,8 +1,8 @@
 //! Everything a page shows, at one moment.
 
 use crate::{
-    Asked, Change, Client, DrawingState, Io, Job, Lease, Machine, Message, Motion, Opened,
-    Overrides, Speeds, Units, VERSION,
+    Asked, Change, Client, DrawingState, Folder, Io, Job, Lease, Machine, Message, Motion,
+    NamedValue, Opened, Overrides, Recorder, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,6 +53,14 @@ pub struct Snapshot {
     pub drawing: Option<DrawingState>,
     /// Grows when files of the part folder change.
     pub files: u32,
+    /// The folder that part files are chosen from.
+    pub folder: Folder,
+    /// Commands that were typed.
+    pub recorder: Recorder,
+    /// Variables that are shown while programs run, as far as they have values.
+    pub watched: Vec<NamedValue>,
+    /// Grows when the machine's configuration changes.
+    pub settings: u32,
 }
 
 impl Default for Snapshot {
@@ -76,6 +84,10 @@ impl Default for Snapshot {
             clients: Vec::new(),
             drawing: None,
             files: 0,
+            folder: Folder::default(),
+            recorder: Recorder::default(),
+            watched: Vec::new(),
+            settings: 0,
         }
     }
 }
@@ -100,6 +112,10 @@ impl Snapshot {
             Change::Clients { clients } => self.clients = clients,
             Change::Drawing { drawing } => self.drawing = drawing,
             Change::Files { files } => self.files = files,
+            Change::Folder { folder } => self.folder = folder,
+            Change::Recorder { recorder } => self.recorder = recorder,
+            Change::Watched { watched } => self.watched = watched,
+            Change::Settings { settings } => self.settings = settings,
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::preview::PreviewInfo;
 use crate::{
-    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Request, ShapeList, ToPage, Values,
+    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Lamp, Request, SettingArea,
+    ShapeList, ToPage, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -44,6 +45,8 @@ pub fn typescript() -> String {
     declared.visit::<CommandEntry>();
     declared.visit::<FileInfo>();
     declared.visit::<Values>();
+    declared.visit::<SettingArea>();
+    declared.visit::<Lamp>();
     let head = "// Made from crates/wire by `cargo xtask wire`; changes are lost.\n";
     let texts: Vec<String> = declared.texts.into_values().collect();
     format!("{head}\n{}", on_lines(&texts.join("\n")))

@@ -53,6 +53,7 @@ macro_rules! fixed {
                 Value::Text(word) if word.eq_ignore_ascii_case($letter) => Ok(()),
                 _ => Err(concat!($letter, ", which cannot be changed").into()),
             },
+            words: |_| vec![$letter],
         }
     };
 }

@@ -28,6 +28,13 @@ pub struct Setting {
     pub doc: &'static str,
     get: fn(&Configuration) -> Value,
     put: fn(&mut Configuration, &Value) -> Result<(), String>,
+    words: fn(&Configuration) -> Vec<&'static str>,
+}
+
+impl std::fmt::Debug for Setting {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.key)
+    }
 }
 
 /// Settings that belong together, with the section of the manual that tells of them.
@@ -90,6 +97,11 @@ impl Setting {
         self.get(&Configuration::default())
     }
 
+    /// The words it accepts, when it is a choice of words; `none` where it may be absent.
+    pub fn words(&self) -> Vec<&'static str> {
+        (self.words)(&Configuration::default())
+    }
+
     /// Sets it; the configuration stays as it was where the value is refused.
     ///
     /// # Errors
@@ -120,6 +132,7 @@ macro_rules! row {
             doc: $doc,
             get: |$c| $crate::table::plain::Plain::value(&$place),
             put: |$c, value| $crate::table::plain::Plain::put(&mut $place, value),
+            words: |$c| $crate::table::plain::Plain::words(&$place),
         }
     };
 }

@@ -11,6 +11,10 @@ pub(super) trait Plain {
     fn value(&self) -> Value;
     /// Takes a value.
     fn put(&mut self, value: &Value) -> Result<(), String>;
+    /// The words it accepts, when it is a choice of words; `none` where it may be absent.
+    fn words(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
 }
 
 /// A type whose value is one number, word or text.
@@ -19,6 +23,10 @@ pub(super) trait Single: Sized {
     fn show(&self) -> Value;
     /// What a value says, or what was wanted.
     fn read(value: &Value) -> Result<Self, String>;
+    /// The words of a choice.
+    fn words() -> Vec<&'static str> {
+        Vec::new()
+    }
 }
 
 impl Single for bool {
@@ -93,6 +101,10 @@ impl<T: Words> Single for T {
             _ => Err(choices::<T>()),
         }
     }
+
+    fn words() -> Vec<&'static str> {
+        T::ALL.iter().map(|(word, _)| *word).collect()
+    }
 }
 
 /// `a, b or c`.
@@ -114,6 +126,10 @@ impl<T: Single> Plain for T {
         *self = T::read(value)?;
         Ok(())
     }
+
+    fn words(&self) -> Vec<&'static str> {
+        T::words()
+    }
 }
 
 impl<T: Single> Plain for Option<T> {
@@ -127,6 +143,10 @@ impl<T: Single> Plain for Option<T> {
             false => Some(T::read(value).map_err(|wanted| format!("{wanted}, or none"))?),
         };
         Ok(())
+    }
+
+    fn words(&self) -> Vec<&'static str> {
+        [T::words(), vec![crate::value::NONE]].concat()
     }
 }
 

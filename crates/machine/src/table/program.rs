@@ -36,6 +36,7 @@ const GENERAL: &[Setting] = &[
             c.program.use_linear_unit(unit);
             Ok(())
         },
+        words: |c| c.program.linear_unit.words(),
     },
     row!(c, "axes", c.program.axis_count, None, Range(1.0, 6.0), "How many axes there are."),
     row!(
@@ -316,6 +317,7 @@ macro_rules! dynamics_row {
             doc: $doc,
             get: |c| c.program.dynamics.as_ref().map_or_else(Value::none, |$d| $place.value()),
             put: |c, value| with_dynamics(c, value, |$d| $place.put(value)),
+            words: |_| vec![crate::value::NONE],
         }
     };
 }
@@ -346,6 +348,7 @@ const DYNAMICS: &[Setting] = &[
             c.program.dynamics.and_then(|d| d.jerk_mm_s3).map_or_else(Value::none, |j| j.value())
         },
         put: put_jerk,
+        words: |_| vec![crate::value::NONE],
     },
     dynamics_row!(
         "dynamics.tolerance_mm",

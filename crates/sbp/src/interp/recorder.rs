@@ -29,6 +29,13 @@ pub struct Replay<'a> {
     pub times: u32,
 }
 
+/// The recorder's list with another line at its end; the oldest ones fall out.
+pub fn with_recorded(mut lines: Vec<String>, line: &str) -> Vec<String> {
+    lines.push(line.trim().to_owned());
+    let first = lines.len().saturating_sub(MOST);
+    lines.split_off(first)
+}
+
 impl Context<'_> {
     /// RA, RI.
     pub(crate) fn set_recording(&mut self, on: bool) {
@@ -51,10 +58,9 @@ impl Context<'_> {
         if !self.is_recorded(node) || self.host.stored(RECORDING).as_deref() == Some("0") {
             return;
         }
-        let mut lines = self.recorded();
-        lines.push(self.program.line_text(self.at.line).trim().to_owned());
-        let first = lines.len().saturating_sub(MOST);
-        self.host.store(RECORDED, Some(&lines[first..].join("\n")));
+        let line = self.program.line_text(self.at.line);
+        let lines = with_recorded(self.recorded(), line);
+        self.host.store(RECORDED, Some(&lines.join("\n")));
     }
 
     fn is_recorded(&self, node: Node) -> bool {

@@ -9,6 +9,7 @@ use axum::extract::{Path, Query, State};
 use axum::http::header;
 use axum::response::IntoResponse;
 use axum::{Extension, Json};
+use kerf_control::parts;
 use kerf_wire::{FileInfo, Role};
 use serde::Deserialize;
 use std::sync::Arc;
@@ -19,6 +20,8 @@ pub struct Folder {
     /// Below the part folder; itself when empty.
     #[serde(default)]
     folder: String,
+    /// Which files are listed: all when nothing is given.
+    mask: Option<String>,
 }
 
 /// What a folder holds.
@@ -26,7 +29,19 @@ pub async fn list(
     State(app): State<Arc<App>>,
     Query(query): Query<Folder>,
 ) -> Result<Json<Vec<FileInfo>>, Refused> {
-    Ok(Json(aside(move || app.parts.list(&query.folder)).await?))
+    let list = move || {
+        let mut files = app.parts.list(&query.folder)?;
+        if let Some(mask) = &query.mask {
+            files.retain(|file| file.folder || parts::fits(mask, file_name(&file.name)));
+        }
+        Ok(files)
+    };
+    Ok(Json(aside(list).await?))
+}
+
+/// The last part of a name.
+fn file_name(name: &str) -> &str {
+    name.rsplit('/').next().unwrap_or(name)
 }
 
 /// A file as it is.

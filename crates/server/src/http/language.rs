@@ -2,10 +2,13 @@
 
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
+use crate::{configure, told};
 use axum::Json;
 use axum::extract::State;
+use kerf_program::settings::LINES;
 use kerf_wire::{
-    Checked, CommandEntry, Completion, Hover, NamedValue, Problem, SystemValue, Values, Why,
+    Checked, CommandEntry, Completion, Hover, Lamp, NamedValue, Problem, SettingArea, SystemValue,
+    Values, Why,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -36,7 +39,7 @@ pub struct Formatted {
 
 /// Every command, with the settings that hold now.
 pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
-    let settings = lock(&app.left).memory.settings.clone();
+    let settings = lock(&app.left).session.memory.settings.clone();
     Json(kerf_language::commands(&settings))
 }
 
@@ -45,7 +48,7 @@ pub async fn check(
     State(app): State<Arc<App>>,
     Json(edited): Json<Text>,
 ) -> Result<Json<Checked>, Refused> {
-    let unit = lock(&app.left).memory.settings.linear_unit;
+    let unit = lock(&app.left).session.memory.settings.linear_unit;
     let checked = move || Ok(kerf_language::check(&edited.name, &edited.text, unit));
     Ok(Json(aside(checked).await?))
 }
@@ -78,8 +81,8 @@ pub async fn values(State(app): State<Arc<App>>) -> Result<Json<Values>, Refused
 }
 
 fn read_values(app: &App) -> Result<Values, Problem> {
-    let session = lock(&app.left).clone();
-    let shelf = (app.builders.preview)();
+    let session = lock(&app.left).session.clone();
+    let shelf = app.preview_shelf();
     let mut shelf = shelf.map_err(|error| problem(Why::Server, error.to_string()))?;
     let system = session.system_variables(&mut shelf).into_iter().map(|(variable, value)| {
         let (name, unit) = (variable.name.into(), variable.unit.into());
@@ -93,5 +96,22 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         system: system.collect(),
         variables: variables.collect(),
         settings: kerf_sbp::table::settings_lines(&memory.settings),
+        diagnostics: told::named(session.diagnostics(&mut shelf)),
+        folder: app.hub.read(|now| now.folder.clone()),
+        data: shelf.app_path(),
     })
+}
+
+/// The configuration of the machine, as a form.
+pub async fn settings(State(app): State<Arc<App>>) -> Json<Vec<SettingArea>> {
+    Json(configure::form(&lock(&app.left).session.configuration()))
+}
+
+/// Every input of the simulated machine: those of the control box, and the lines of the ports.
+pub async fn inputs(State(app): State<Arc<App>>) -> Json<Vec<Lamp>> {
+    let session = lock(&app.left).session.clone();
+    let lamps = |machine: &kerf_sim::Machine| {
+        (1..=LINES as u8).map(|number| told::input(machine, number)).collect()
+    };
+    Json(session.look(lamps))
 }

@@ -10,7 +10,8 @@ use axum::routing::{any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
-    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Reply, ShapeList, Snapshot, Values,
+    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Lamp, Reply, SettingArea, ShapeList,
+    Snapshot, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -32,6 +33,8 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/api/drawing/paths", get(rest::tool_paths))
         .route("/api/commands", get(language::commands))
         .route("/api/values", get(language::values))
+        .route("/api/settings", get(language::settings))
+        .route("/api/inputs", get(language::inputs))
         .route("/api/language/check", post(language::check))
         .route("/api/language/complete", post(language::complete))
         .route("/api/language/hover", post(language::hover))
@@ -83,7 +86,11 @@ fn routes() -> Vec<Route> {
             body: Some(schema::<Act>),
             answer: Some(schema::<Reply>),
         },
-        looks("/api/files", "What a folder of the part folder holds: ?folder=NAME", Some(list)),
+        looks(
+            "/api/files",
+            "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?",
+            Some(list),
+        ),
         looks("/api/files/{name}", "A file of the part folder", None),
         Route {
             path: "/api/files/{name}",
@@ -97,6 +104,12 @@ fn routes() -> Vec<Route> {
         looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ShapeList>)),
         looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
+        looks(
+            "/api/settings",
+            "The configuration of the machine, to be changed with the act set",
+            Some(schema::<Vec<SettingArea>>),
+        ),
+        looks("/api/inputs", "Every input of the simulated machine", Some(schema::<Vec<Lamp>>)),
         looks("/api/commands", "The commands of OpenSBP", Some(schema::<Vec<CommandEntry>>)),
         asks(
             "/api/language/check",

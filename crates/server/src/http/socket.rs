@@ -99,7 +99,16 @@ impl Page {
 
 /// What reads files, programs or drawings; the rest is done at once.
 const fn is_slow(act: &Act) -> bool {
-    matches!(act, Act::Open { .. } | Act::Run { .. } | Act::Command { .. } | Act::Draw { .. })
+    matches!(
+        act,
+        Act::Open { .. }
+            | Act::Parameters { .. }
+            | Act::Folder { .. }
+            | Act::Set { .. }
+            | Act::Run { .. }
+            | Act::Command { .. }
+            | Act::Draw { .. }
+    )
 }
 
 fn answer(app: &Arc<App>, who: &Who, request: Request) -> Reply {

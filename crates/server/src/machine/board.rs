@@ -6,7 +6,7 @@ use crate::told;
 use kerf_control::Doing;
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
-use kerf_wire::{Call, Change, Io, Message, Motion, Speeds, Tone, Units};
+use kerf_wire::{Call, Change, Io, Message, Motion, NamedValue, Speeds, Tone, Units};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -29,6 +29,7 @@ pub struct Board {
     speeds: Speeds,
     io: Io,
     calls: Option<Vec<Call>>,
+    watched: Option<Vec<NamedValue>>,
     printed: Vec<String>,
     messages: Vec<Message>,
     /// Number of the run.
@@ -52,6 +53,7 @@ impl Board {
             speeds,
             io,
             calls: None,
+            watched: None,
             printed: Vec::new(),
             messages: Vec::new(),
             run,
@@ -87,9 +89,7 @@ impl Board {
         let speeds = Speeds { rpm, ..told::speeds(settings) };
         self.units = units;
         self.speeds = speeds;
-        let Io { inputs, outputs } = &mut self.io;
-        inputs.iter_mut().for_each(|lamp| lamp.on = machine.input(lamp.number));
-        outputs.iter_mut().for_each(|lamp| lamp.on = machine.outputs().is_on(lamp.number));
+        self.io = told::io(machine);
     }
 
     /// How far the job is and how long it takes from here, by its plan.
@@ -125,6 +125,11 @@ impl Board {
         self.calls = Some(calls);
     }
 
+    /// What the variables are that somebody wants to see.
+    pub fn watches(&mut self, watched: Vec<NamedValue>) {
+        self.watched = Some(watched);
+    }
+
     /// Tells, unless that was done a moment ago.
     pub fn tell_sometimes(&mut self) {
         if self.told.elapsed() >= TELL {
@@ -146,6 +151,9 @@ impl Board {
             if let (Some(calls), Some(job)) = (self.calls.take(), &now.job) {
                 let job = Some(kerf_wire::Job { calls, ..job.clone() });
                 put(now.job != job, Change::Job { job });
+            }
+            if let Some(watched) = self.watched.take() {
+                put(now.watched != watched, Change::Watched { watched });
             }
             let (lines, messages) =
                 (std::mem::take(&mut self.printed), std::mem::take(&mut self.messages));

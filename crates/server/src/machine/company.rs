@@ -6,11 +6,13 @@ use super::board::Board;
 use super::link::Link;
 use crate::files::PartFolder;
 use crate::hub::Hub;
+use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::{Asked, Call, Change, Machine, State, Tone};
 use std::cell::RefCell;
+use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -34,6 +36,13 @@ pub struct Shared {
 impl Shared {
     fn tell(&self) {
         self.board.borrow_mut().tell();
+    }
+
+    /// The name below the part folder of the server, of a file as a program names it.
+    fn name_from_root(&self, name: &str) -> String {
+        let folder = self.hub.read(|now| now.folder.name.clone());
+        let plain = name.is_empty() || folder.is_empty() || Path::new(name).is_absolute();
+        if plain { self.parts.name_of(name) } else { format!("{folder}/{name}") }
     }
 
     /// The machine does something else from now on.
@@ -152,12 +161,14 @@ pub struct Pages {
     stopped: bool,
     /// The last answer was a jog.
     jogged: bool,
+    /// The last answer was a switch that was moved.
+    pressed: bool,
 }
 
 impl Pages {
     /// Questions count from a number on, so that no answer goes to another run.
     pub const fn new(shared: Shared, asked: u32) -> Self {
-        Self { shared, asked, stopped: false, jogged: false }
+        Self { shared, asked, stopped: false, jogged: false, pressed: false }
     }
 
     /// How many questions were asked.
@@ -177,6 +188,10 @@ impl Pages {
                 self.stopped = true;
                 return None;
             }
+            if let Some(press) = wanted.presses.pop_front() {
+                self.pressed = true;
+                return Some(press.to_string());
+            }
             if let Some((number, words)) = wanted.answer.take()
                 && number == self.asked
                 && answers::meaning(question, &words).is_some()
@@ -194,18 +209,24 @@ impl Operator for Pages {
     }
 
     fn answer_in(&mut self, question: &Question, file: &str, line: u32) -> Option<String> {
-        // A question that is asked again after a jog is the same.
-        self.asked += u32::from(!std::mem::take(&mut self.jogged));
-        self.shared.link.lock().jog = None;
+        // A question that is asked again after a jog, or after a switch was moved, is the same.
+        let pressed = std::mem::take(&mut self.pressed);
+        self.asked += u32::from(!std::mem::take(&mut self.jogged) && !pressed);
+        if !pressed {
+            self.shared.link.lock().jog = None;
+        }
         let stopped = question.kind == QuestionKind::Hold;
         self.shared.state(if stopped { State::Stopped } else { State::Asking });
         let file = self.shared.parts.name_of(file);
-        self.show(Some(asked(self.asked, question, file, line)));
+        let edits = question.kind == QuestionKind::Editor;
+        let edits = edits.then(|| self.shared.name_from_root(&question.text));
+        let asked = asked(self.asked, question, file, line);
+        self.show(Some(Asked { edits, ..asked }));
         let answer = self.wait(question);
         self.jogged = answer.as_deref().is_some_and(|words| Jog::read(words).is_some());
         if self.jogged {
             self.shared.state(State::Jogging);
-        } else {
+        } else if !self.pressed {
             self.show(None);
             self.shared.state(State::Running);
         }
@@ -228,6 +249,7 @@ fn asked(number: u32, question: &Question, file: String, line: u32) -> Asked {
         prefill: question.prefill.clone(),
         entry: question.kind == QuestionKind::Input,
         icon: question.icon.into(),
+        edits: None,
         file,
         line,
         was: State::Running,
@@ -253,7 +275,7 @@ impl Sink for Teller {
         match event {
             Event::Print { text, .. } => board.print(text),
             Event::Message { text, .. } => board.say(Tone::Program, &**text),
-            Event::Diag(found) => board.say(crate::told::tone(found), crate::told::sentence(found)),
+            Event::Diag(found) => board.say(told::tone(found), told::sentence(found)),
             Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
             Event::Override { percent, .. } => {
                 board.feed = percent / 100.0;
@@ -279,7 +301,13 @@ impl Sink for Teller {
         let parts = &self.shared.parts;
         let call = |open: &OpenFile| Call { file: parts.name_of(&open.file), line: open.line };
         let calls = standing.files.iter().map(call).collect();
-        self.shared.board.borrow_mut().stands(calls);
+        let mut board = self.shared.board.borrow_mut();
+        board.stands(calls);
+        board.watches(told::named(standing.watched.clone()));
+    }
+
+    fn watches(&self) -> Vec<String> {
+        self.shared.link.watched()
     }
 
     fn looks_at_standing(&self) -> bool {

@@ -1,6 +1,7 @@
 //! What pages want of a machine that runs, from the threads that hear it to the one that drives.
 
-use kerf_control::Wish;
+use kerf_control::{Press, Wish};
+use std::collections::VecDeque;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -12,6 +13,8 @@ pub const DEAD_MAN: Duration = Duration::from_millis(250);
 pub struct Link {
     wanted: Mutex<Wanted>,
     changed: Condvar,
+    /// Variables that are shown while programs run.
+    watched: Mutex<Vec<String>>,
 }
 
 /// What pages want.
@@ -31,6 +34,8 @@ pub struct Wanted {
     pub answer: Option<(u32, String)>,
     /// The jog that is made.
     pub jog: Option<Held>,
+    /// Switches that are moved.
+    pub presses: VecDeque<Press>,
 }
 
 /// A key that is held.
@@ -66,7 +71,7 @@ impl Wanted {
         if let Some(held) = &mut self.jog {
             let over = held.is_over() || self.stop || self.hold;
             let told = std::mem::replace(&mut held.ending, over);
-            return (over && !told).then_some(Wish::End);
+            return if over && !told { Some(Wish::End) } else { self.pressed() };
         }
         if self.stop && !std::mem::replace(&mut self.stopping, true) {
             return Some(Wish::Stop);
@@ -74,7 +79,12 @@ impl Wanted {
         if std::mem::take(&mut self.hold) {
             return Some(Wish::Hold);
         }
-        self.feed.take().map(Wish::Feed)
+        self.pressed().or_else(|| self.feed.take().map(Wish::Feed))
+    }
+
+    /// A switch that is moved.
+    fn pressed(&mut self) -> Option<Wish> {
+        self.presses.pop_front().map(|Press { number, on }| Wish::Input { number, on })
     }
 
     /// Whether a stop is wanted; it is heard now.
@@ -95,6 +105,16 @@ impl Link {
         let result = change(&mut self.lock());
         self.changed.notify_all();
         result
+    }
+
+    /// Variables that are shown while programs run.
+    pub fn watched(&self) -> Vec<String> {
+        self.watched.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Shows other variables from now on.
+    pub fn watch(&self, names: Vec<String>) {
+        *self.watched.lock().unwrap_or_else(PoisonError::into_inner) = names;
     }
 
     /// Waits until something is wanted, or a time has passed.

@@ -7,11 +7,14 @@
 //! ```
 
 mod board;
+mod chores;
 mod company;
+mod left;
 pub mod link;
 mod owner;
 mod reach;
 
+pub use left::Left;
 pub use link::Link;
 pub use owner::{Order, Owner};
 pub use reach::reach;

@@ -2,6 +2,7 @@
 
 use super::board::{Board, Times};
 use super::company::{Clock, Pages, Shared, Teller};
+use super::left::Left;
 use super::link::Link;
 use super::reach::reach;
 use crate::files::PartFolder;
@@ -9,12 +10,15 @@ use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::journal::JournalError;
-use kerf_control::{Company, RunOptions, Session, Summary};
+use kerf_control::{Company, Press, RunOptions, Summary};
+use kerf_machine::Configuration;
+use kerf_machine::table::Setting;
 use kerf_part::Program;
 use kerf_program::{AXES, Axis, Settings};
-use kerf_sbp::Status;
+use kerf_sbp::{FileParameters, Status};
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
+use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -32,8 +36,8 @@ pub enum Order {
         hash: String,
         /// Its plan.
         times: Times,
-        /// Line by line.
-        step: bool,
+        /// How it is run.
+        parameters: FileParameters,
     },
     /// Carry out lines of OpenSBP.
     Command(String),
@@ -48,6 +52,21 @@ pub enum Order {
     },
     /// Shift the workpiece.
     Nudge(Axis, f64),
+    /// Move a switch of the simulated machine.
+    Press(Press),
+    /// Choose the part folder, and which files lists show.
+    Folder {
+        /// Its path.
+        path: PathBuf,
+        /// The mask; nothing keeps it.
+        mask: Option<String>,
+    },
+    /// Put a line at the end of the recorder's list.
+    Record(String),
+    /// Tell the watched variables.
+    Watched,
+    /// Have another configuration, of which this setting is new.
+    Configure(&'static Setting, Box<Configuration>),
 }
 
 /// The owner.
@@ -60,8 +79,8 @@ pub struct Owner {
     pub workshop: Workshop,
     /// The part folder.
     pub parts: PartFolder,
-    /// The session as the last run left it, for previews.
-    pub left: Arc<Mutex<Session>>,
+    /// What the last run left, for previews and forms.
+    pub left: Arc<Mutex<Left>>,
     /// Seconds of machine time in a second.
     pub rate: f64,
     /// Told after each order.
@@ -74,8 +93,7 @@ pub struct Owner {
 
 impl Owner {
     /// Shows where the machine stands.
-    pub fn begin(&self) {
-        self.leave();
+    pub fn begin(&mut self) {
         self.rest(State::Idle, None);
     }
 
@@ -83,9 +101,9 @@ impl Owner {
     pub fn work(mut self, orders: &Receiver<Order>) {
         for order in orders {
             match order {
-                Order::File { program, name, hash, times, step } => {
+                Order::File { program, name, hash, times, parameters } => {
                     let mut options = self.options();
-                    options.program.file.stepped = step;
+                    options.program.file = parameters;
                     let hash = Some(hash);
                     let job = Job { file: name, hash, ..Job::default() };
                     self.run(*program, options, job, times);
@@ -93,8 +111,13 @@ impl Owner {
                 Order::Command(line) => self.command(&line),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
+                Order::Press(press) => self.press(press),
+                Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
+                Order::Record(line) => self.record(&line),
+                Order::Watched => {}
+                Order::Configure(setting, wanted) => self.configure(setting, *wanted),
             }
-            self.leave();
+            self.tell_shelf();
             (self.done)();
         }
     }
@@ -152,7 +175,7 @@ impl Owner {
     }
 
     /// A run is over: what the machine is afterwards.
-    fn come_to_rest(&self, driven: Result<Summary, JournalError>) {
+    fn come_to_rest(&mut self, driven: Result<Summary, JournalError>) {
         let summary = match driven {
             Ok(summary) => summary,
             Err(error) => {
@@ -169,7 +192,9 @@ impl Owner {
     }
 
     /// The machine stands. An alarm disarms it.
-    fn rest(&self, state: State, why: Option<String>) {
+    pub(super) fn rest(&mut self, state: State, why: Option<String>) {
+        self.tell_shelf();
+        self.leave();
         let (settings, frame, position) = {
             let memory = &self.workshop.session.memory;
             (&memory.settings, &memory.frame, memory.position)
@@ -180,7 +205,9 @@ impl Owner {
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
+            let io = self.workshop.session.look(told::io);
             vec![
+                Change::Io { io },
                 Change::Motion { motion },
                 Change::Units { units: told::units(settings) },
                 Change::Speeds { speeds },
@@ -223,8 +250,13 @@ impl Owner {
 
     /// Leaves a copy of the session for previews.
     fn leave(&self) {
-        let session = self.workshop.session.clone();
-        *self.left.lock().unwrap_or_else(PoisonError::into_inner) = session;
+        let Workshop { session, shelf, .. } = &self.workshop;
+        let left = Left {
+            session: session.clone(),
+            folder: shelf.part_folder().to_owned(),
+            mask: shelf.mask().to_owned(),
+        };
+        *self.left.lock().unwrap_or_else(PoisonError::into_inner) = left;
     }
 }
 

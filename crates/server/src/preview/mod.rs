@@ -14,6 +14,7 @@ use collect::Collector;
 use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Summary, Wish};
 use kerf_part::Program;
 use kerf_program::{Axis, Frame, Settings};
+use kerf_sbp::FileParameters;
 use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, ToolPathInfo};
 use std::sync::Arc;
@@ -58,6 +59,7 @@ impl Pace for Until<'_> {
 /// Makes a preview on a copy of a session; nothing when it was given up.
 pub fn make(
     program: Program,
+    parameters: FileParameters,
     mut session: Session,
     shelf: &mut Shelf,
     given_up: &AtomicBool,
@@ -67,6 +69,7 @@ pub fn make(
     let mut sink = Collector::new(session.memory.position.first3());
     let mut options = RunOptions::default();
     options.program.preview = true;
+    options.program.file = parameters;
     options.program.max_lines = MOST_LINES;
     let company = Company { sink: &mut sink, operator: &mut (), pace: &mut Until(given_up) };
     let summary = session.run(program, options, shelf, company);

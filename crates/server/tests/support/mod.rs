@@ -269,6 +269,14 @@ impl Page {
         reply["problem"]["why"].as_str().map(str::to_owned)
     }
 
+    /// What the reply to a request says is wrong.
+    #[track_caller]
+    pub fn problem(&mut self, id: u64) -> String {
+        self.until("a reply", |page| page.replies.iter().any(|r| r["id"] == id));
+        let reply = self.replies.iter().find(|r| r["id"] == id).unwrap();
+        reply["problem"]["text"].as_str().unwrap_or_default().to_owned()
+    }
+
     /// Takes the machine and arms it.
     #[track_caller]
     pub fn drive(&mut self) {

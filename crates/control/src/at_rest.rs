@@ -1,0 +1,78 @@
+//! What can be seen of a machine that stands, and done to it, without a program.
+
+use crate::machine_file::MachineFileError;
+use crate::session::{Company, RunOptions, Session};
+use crate::shelf::Shelf;
+use crate::world::World;
+use crate::{Event, Press};
+use kerf_machine::{Configuration, Setting, file};
+use kerf_part::Program;
+use kerf_sbp::{SystemVariable, Value};
+use kerf_sim::{Change, Machine};
+use std::sync::Arc;
+
+impl Session {
+    /// Looks at the simulated machine as it stands.
+    pub fn look<T>(&self, look: impl FnOnce(&Machine) -> T) -> T {
+        look(&self.machine(Vec::new()))
+    }
+
+    /// Moves the switch of an input of the simulated machine, which stands; the switch stays there.
+    pub fn press(&mut self, press: Press) {
+        let mut machine = self.machine(Vec::new());
+        machine.press(Change { input: press.number, on: press.on, at_s: 0.0 });
+        machine.log().take().for_each(drop);
+        self.machine = Some(machine);
+    }
+
+    /// What helps to find a fault (UD): what it is and what it says, without leaving anything.
+    pub fn diagnostics(&self, shelf: &mut Shelf) -> Vec<(String, String)> {
+        let program = kerf_sbp::read_typed("UD".into(), "UD\n");
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        let mut events: Vec<Event> = Vec::new();
+        let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+        self.clone().run(Program::from(program), options, shelf, company);
+        let told = events.iter().find_map(|event| match event {
+            Event::Message { text, .. } => Some(text.clone()),
+            _ => None,
+        });
+        let parted = |line: &str| line.split_once(": ").map(|(a, b)| (a.to_owned(), b.to_owned()));
+        told.as_deref().unwrap_or_default().lines().filter_map(parted).collect()
+    }
+
+    /// Has another configuration from now on, and keeps a setting of it where that is kept.
+    ///
+    /// # Errors
+    /// It holds, but cannot be kept.
+    pub fn configure(
+        &mut self,
+        setting: &'static Setting,
+        wanted: Configuration,
+        shelf: &Shelf,
+    ) -> Result<(), MachineFileError> {
+        let told = shelf.journal().map_or(Ok(()), |journal| {
+            let kept = journal.machine_file();
+            let text = kept.text()?.unwrap_or_default();
+            kept.write(&file::edit(&text, setting, &wanted))
+        });
+        self.memory.settings = wanted.program.clone();
+        self.machine_is = Arc::new(wanted);
+        told
+    }
+
+    /// What every system variable reads now, in order of numbers.
+    pub fn system_variables(&self, shelf: &mut Shelf) -> Vec<(SystemVariable, Value)> {
+        let (mut sink, mut operator) = ((), ());
+        let mut world = World::new(self.machine(Vec::new()), shelf, &mut sink, &mut operator);
+        let options = kerf_sbp::Options::default();
+        let program = kerf_sbp::Program::default();
+        let mut reader = kerf_sbp::Interpreter::new(program, self.memory.clone(), options);
+        let read = |variable: SystemVariable| {
+            world.settled = true;
+            let value = reader.system_variable(&mut world, variable.number);
+            (variable, value.unwrap_or(Value::Empty))
+        };
+        kerf_sbp::system_variables().map(read).collect()
+    }
+}

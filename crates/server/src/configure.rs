@@ -1,0 +1,103 @@
+//! The machine's configuration: the form of all settings, and a change of one.
+
+use crate::app::{App, lock, problem};
+use crate::machine::Order;
+use kerf_machine::contradictions::contradictions;
+use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
+use kerf_machine::value::NONE;
+use kerf_machine::{Configuration, Value};
+use kerf_program::AXES;
+use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, State, Why};
+
+/// Every setting with what it is now.
+pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
+    let area = |area: &Area| SettingArea {
+        title: area.title.into(),
+        manual: area.manual.into(),
+        settings: area.rows.iter().map(|setting| entry(setting, configuration)).collect(),
+    };
+    table::areas().map(area).collect()
+}
+
+fn entry(setting: &Setting, configuration: &Configuration) -> SettingEntry {
+    let (least, most) = match setting.bounds {
+        Bounds::NotNegative => (Some(0.0), None),
+        Bounds::Range(least, most) => (Some(least), Some(most)),
+        Bounds::Any | Bounds::Positive | Bounds::PositiveOrInfinite => (None, None),
+    };
+    let bound = match setting.bounds {
+        Bounds::Any => String::new(),
+        bounds => bounds.to_string(),
+    };
+    SettingEntry {
+        key: setting.key.into(),
+        kind: kind(setting),
+        unit: setting.unit.symbol().into(),
+        bound,
+        least,
+        most,
+        default: written(&setting.default()),
+        value: written(&setting.get(configuration)),
+        doc: setting.doc.into(),
+    }
+}
+
+fn kind(setting: &Setting) -> SettingKind {
+    let words = setting.words();
+    let none = words.contains(&NONE);
+    match setting.default() {
+        Value::Flag(_) => SettingKind::Flag,
+        Value::Number(_) => SettingKind::Number { none },
+        Value::List(values) => SettingKind::List { length: values.len() as u32, none },
+        Value::Text(_) if words.is_empty() => SettingKind::Text,
+        Value::Text(_) if words == [NONE] && is_of_axes(setting) => {
+            SettingKind::List { length: AXES as u32, none }
+        }
+        // Absent at first: a number, unless there are other words.
+        Value::Text(_) if words == [NONE] => SettingKind::Number { none },
+        Value::Text(_) => {
+            SettingKind::Choice { words: words.into_iter().map(str::to_owned).collect() }
+        }
+    }
+}
+
+/// Whether a setting has a value for each axis.
+const fn is_of_axes(setting: &Setting) -> bool {
+    matches!(setting.unit, Unit::AxisSpeed | Unit::AxisAccel | Unit::AxisJerk)
+}
+
+/// A value as a person types it.
+fn written(value: &Value) -> String {
+    match value {
+        Value::Text(text) => text.clone(),
+        other => other.to_string().replace('"', ""),
+    }
+}
+
+impl App {
+    /// Changes a setting.
+    ///
+    /// # Errors
+    /// There is no such setting, it does not accept the value, or it would contradict another.
+    pub fn configure(&self, key: &str, value: &str) -> Result<(), Problem> {
+        let setting = table::setting(key).ok_or_else(|| {
+            let keys = table::settings().map(|setting| setting.key);
+            let hint = kerf_diag::did_you_mean(key, keys).unwrap_or_default();
+            problem(Why::Mistake, format!("there is no setting {key}; {hint}"))
+        })?;
+        let mut wanted = lock(&self.left).session.configuration();
+        let value = match setting.default() {
+            // A text may look like a number or a list.
+            Value::Text(_) if setting.words().is_empty() => Value::Text(value.into()),
+            _ => Value::typed(value),
+        };
+        let refused = setting.set(&mut wanted, &value).err();
+        if let Some(refused) = refused {
+            return Err(problem(Why::Mistake, refused.to_string()));
+        }
+        if let Some(crossed) = contradictions(&wanted).first() {
+            return Err(problem(Why::Mistake, format!("{}; {}", crossed.message, crossed.hint)));
+        }
+        self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
+    }
+}

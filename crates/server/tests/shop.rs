@@ -1,0 +1,232 @@
+//! What pages ask of the shop besides driving: how a file is run, its folder, the recorder, watched
+//! variables, switches of the simulated machine, the configuration.
+
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use serde_json::{Value, json};
+use support::{Page, shop};
+
+/// Sends an act that carries the lease.
+#[track_caller]
+fn drive(page: &mut Page, mut act: Value) -> Option<String> {
+    act["lease"] = page.lease.into();
+    page.act(act)
+}
+
+#[test]
+fn a_file_is_previewed_and_run_with_the_parameters_of_fp() {
+    let shop = shop(100.0, &[("a.sbp", "MX,1\nMX,0\n")]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    let plain = page.shown["opened"].clone();
+    assert_eq!(plain["parameters"]["repetitions"], 1);
+    let parameters = json!({ "proportion": [2, 1, 1], "repetitions": 3, "plunge": -1 });
+    assert_eq!(page.act(json!({ "do": "parameters", "parameters": parameters })), None);
+    page.until("another preview", |page| {
+        let opened = &page.shown["opened"];
+        opened["hash"] != plain["hash"] && opened["preview"]["state"] == "ready"
+    });
+    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
+    let info = shop.get(&format!("/api/preview/{key}")).json();
+    let far = info["bounds"][1][0].as_f64().unwrap();
+    assert!((far - 50.8).abs() < 1e-5, "twice as far: {info}");
+    assert_eq!(info["bounds"][0][2], -3.0, "three plunges");
+    // The hash of before is that of another cut.
+    let old = json!({ "do": "run", "hash": plain["hash"] });
+    assert_eq!(drive(&mut page, old).as_deref(), Some("changed"));
+    assert_eq!(page.run(), None);
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "ok");
+    let wrong =
+        [json!({ "repetitions": 0 }), json!({ "offset": 3 }), json!({ "proportion": [0, 1, 1] })];
+    for parameters in wrong {
+        let act = json!({ "do": "parameters", "parameters": parameters });
+        assert_eq!(page.act(act).as_deref(), Some("malformed"), "{parameters}");
+    }
+    let opened = json!({ "do": "open", "name": "a.sbp", "parameters": { "tabs": true } });
+    assert_eq!(page.act(opened), None);
+    assert_eq!(page.shown["opened"]["parameters"]["tabs"], true);
+}
+
+#[test]
+fn sbp_file_fs_dialog() {
+    let shop = shop(100.0, &[]);
+    let doors = shop.part("doors");
+    std::fs::create_dir(&doors).unwrap();
+    std::fs::write(doors.join("in.sbp"), "MX,3\n").unwrap();
+    std::fs::write(doors.join("notes.txt"), "x").unwrap();
+    let mut page = shop.driver();
+    assert_eq!(page.shown["folder"], json!({ "name": "", "mask": "*.sb?" }));
+    let folder = |name: &str| json!({ "do": "folder", "name": name, "mask": "*.sbp" });
+    assert_eq!(page.act(folder("doors")), None);
+    page.until("the folder", |page| page.shown["folder"]["name"] == "doors");
+    page.until_state("idle");
+    page.command("FP,in.sbp");
+    assert!((page.x() - 76.2).abs() < 1e-6, "the file of that folder: {}", page.x());
+    let names = |path: &str| {
+        let list = shop.get(path).json();
+        list.as_array().unwrap().iter().map(|f| f["name"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(names("/api/files?folder=doors&mask=*.sbp"), ["doors/in.sbp"]);
+    assert_eq!(names("/api/files?folder=doors").len(), 2);
+    let values = shop.get("/api/values").json();
+    assert_eq!(values["folder"]["name"], "doors");
+    // FS in a line tells pages as well.
+    page.command("FS,..");
+    assert_eq!(page.shown["folder"]["name"], "");
+    for name in ["..", "no", "/etc"] {
+        assert_eq!(page.act(folder(name)).as_deref(), Some("file"), "{name}");
+    }
+}
+
+#[test]
+fn the_recorder_is_shown_and_takes_lines_of_the_keypad() {
+    let shop = shop(100.0, &[]);
+    let mut page = shop.driver();
+    assert_eq!(page.shown["recorder"]["on"], true);
+    page.command("MX,1");
+    page.until("the line", |page| page.shown["recorder"]["lines"] == json!(["MX,1"]));
+    assert_eq!(page.act(json!({ "do": "record", "line": "J2,3,4" })), None);
+    page.until("the place", |page| page.shown["recorder"]["lines"] == json!(["MX,1", "J2,3,4"]));
+    page.command("RR,1");
+    assert!((page.x() - 76.2).abs() < 1e-6, "{}", page.x());
+    page.command("RI");
+    page.until("the sign", |page| page.shown["recorder"]["on"] == false);
+    page.command("RZ");
+    page.until("nothing", |page| page.shown["recorder"]["lines"] == json!([]));
+    let wrong = json!({ "do": "record", "line": "QQ,1" });
+    assert_eq!(page.act(wrong).as_deref(), Some("mistake"));
+}
+
+#[test]
+fn watched_variables_are_shown_while_a_program_runs() {
+    let text = "&a=1\nPAUSE\n&a=&a+1\n&b=\"left\"\nPAUSE\n";
+    let shop = shop(100.0, &[("a.sbp", text)]);
+    let mut page = shop.driver();
+    assert_eq!(page.act(json!({ "do": "watch", "names": ["&A", "&b", "&c"] })), None);
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    let ok = |page: &mut Page| {
+        let question = page.asked("pause");
+        page.act(json!({ "do": "answer", "question": question, "answer": "OK" }));
+        question
+    };
+    let value = |name: &str, value: &str| json!({ "name": name, "value": value });
+    let first = page.asked("pause");
+    page.until("a first value", |page| page.shown["watched"] == json!([value("&A", "1")]));
+    ok(&mut page);
+    page.until("the next pause", |page| page.shown["asked"]["number"].as_u64() > Some(first));
+    let both = json!([value("&A", "2"), value("&b", "left")]);
+    page.until("both", |page| page.shown["watched"] == both);
+    ok(&mut page);
+    page.until_state("idle");
+    assert_eq!(page.shown["watched"], both, "what a run leaves stays");
+    page.command("&b = 5");
+    page.until("the typed one", |page| page.shown["watched"][1]["value"] == "5");
+    let wrong = json!({ "do": "watch", "names": ["a"] });
+    assert_eq!(page.act(wrong).as_deref(), Some("malformed"));
+}
+
+#[test]
+fn switches_of_the_simulated_machine_are_moved_by_hand() {
+    let text = "ON INPUT(3,1) GOTO away\nMX,20\nEND\naway:\nPRINT \"handled\"\nEND\n";
+    let shop = shop(5.0, &[("a.sbp", text), ("b.sbp", "PAUSE UNTIL 2,1\nMX,2\n")]);
+    let mut page = shop.driver();
+    assert_eq!(shop.get("/api/inputs").json().as_array().unwrap().len(), 28);
+    let input = |number: u8, on: bool| json!({ "do": "input", "number": number, "on": on });
+    // While it stands; the lamp says so, and the next run finds it there.
+    assert_eq!(drive(&mut page, input(1, true)), None);
+    page.until("the lamp", |page| page.shown["io"]["inputs"][0]["on"] == true);
+    page.until_state("idle");
+    page.command("&on = %(51)");
+    let values = shop.get("/api/values").json();
+    assert_eq!(values["variables"][0]["value"], "1", "{values}");
+    // In the middle of a move.
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    page.until("a move", |page| page.x() > 5.0);
+    assert_eq!(drive(&mut page, input(3, true)), None);
+    page.until("the handler", |page| page.shown["printed"] == json!(["handled"]));
+    page.until_state("idle");
+    assert!(page.x() < 500.0, "it did not go on to 20 in: {}", page.x());
+    // While a program waits for it.
+    page.open_file("b.sbp");
+    assert_eq!(page.run(), None);
+    page.asked("pause");
+    assert_eq!(drive(&mut page, input(2, true)), None);
+    page.until("the end", |page| page.shown["job"]["ended"] == "ok");
+    page.until_state("idle");
+    assert!((page.x() - 50.8).abs() < 1e-6);
+    assert_eq!(drive(&mut page, input(29, true)).as_deref(), Some("malformed"));
+    assert_eq!(page.shown["io"]["inputs"][3]["duty"], "stop");
+}
+
+#[test]
+fn the_configuration_is_a_form_and_a_change_names_what_is_wrong() {
+    let shop = shop(100.0, &[]);
+    let mut page = shop.driver();
+    let find = |key: &str| {
+        let areas = shop.get("/api/settings").json();
+        let areas = areas.as_array().unwrap().clone();
+        let mut all = areas.iter().flat_map(|area| area["settings"].as_array().unwrap().clone());
+        all.find(|entry| entry["key"] == key).unwrap_or_else(|| panic!("{key}"))
+    };
+    let diameter = find("cutter.diameter_mm");
+    assert_eq!(diameter["unit"], "mm");
+    assert_eq!(diameter["kind"], json!({ "is": "number", "none": false }));
+    assert_eq!((&diameter["value"], &diameter["default"]), (&json!("6.35"), &json!("6.35")));
+    assert_eq!(find("units")["kind"], json!({ "is": "choice", "words": ["in", "mm"] }));
+    let set = |key: &str, value: &str| json!({ "do": "set", "key": key, "value": value });
+    let before = page.shown["settings"].clone();
+    assert_eq!(drive(&mut page, set("cutter.diameter_mm", "9.5")), None);
+    page.until("the change", |page| page.shown["settings"] != before);
+    page.until_state("idle");
+    assert_eq!(find("cutter.diameter_mm")["value"], "9.5");
+    // One machine: the V command shows it, and changes it.
+    let lines = shop.get("/api/values").json()["settings"].to_string();
+    assert!(lines.contains("VC,0.3740157"), "{lines}");
+    page.command("VC,.5");
+    assert_eq!(find("cutter.diameter_mm")["value"], "12.7");
+    assert_eq!(drive(&mut page, set("delays.router_start_s", "3")), None);
+    page.until_state("idle");
+    assert_eq!(find("delays.router_start_s")["value"], "3");
+    let id = page.send(
+        json!({ "do": "set", "lease": page.lease, "key": "cutter.diameter_mm", "value": "-1" }),
+    );
+    let refused = page.problem(id);
+    assert!(refused.contains("cutter.diameter_mm must be greater than 0"), "{refused}");
+    for (key, value) in [("cutter.diametr_mm", "1"), ("units", "ell"), ("axes", "9")] {
+        assert_eq!(drive(&mut page, set(key, value)).as_deref(), Some("mistake"), "{key} {value}");
+    }
+}
+
+#[test]
+fn diagnostics_come_with_the_values() {
+    let shop = shop(100.0, &[]);
+    let mut page = shop.driver();
+    page.command("SO,7,1");
+    let values = shop.get("/api/values").json();
+    let of = |name: &str| {
+        let all = values["diagnostics"].as_array().unwrap();
+        all.iter().find(|row| row["name"] == name).map(|row| row["value"].clone())
+    };
+    assert_eq!(of("outputs on"), Some(json!("7")));
+    assert!(of("software").is_some() && of("firmware").is_some());
+    assert!(values["data"].as_str().unwrap().contains("data"));
+}
+
+#[test]
+fn a_file_that_a_program_shows_is_named_for_the_editor() {
+    let shop = shop(100.0, &[("a.sbp", "FE,notes.txt\nMX,1\n"), ("notes.txt", "hello")]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    let question = page.asked("editor");
+    assert_eq!(page.shown["asked"]["edits"], "notes.txt");
+    assert_eq!(page.x(), 0.0, "it waits");
+    page.act(json!({ "do": "answer", "question": question, "answer": "OK" }));
+    page.until_state("idle");
+    assert!((page.x() - 25.4).abs() < 1e-6);
+}

@@ -1,0 +1,68 @@
+//! The machine's configuration as a form shows it, made from the one table of settings.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// Settings that belong together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SettingArea {
+    /// Its name, as people say it.
+    pub title: String,
+    /// Manual and section that tell of it.
+    pub manual: String,
+    /// Its settings.
+    pub settings: Vec<SettingEntry>,
+}
+
+/// A setting of the machine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SettingEntry {
+    /// Its name, dotted: `homing.x.fast_mm_s`.
+    pub key: String,
+    /// What may be written.
+    pub kind: SettingKind,
+    /// `mm`, `s`, `%` … or nothing.
+    pub unit: String,
+    /// What it accepts beside its kind, in words; empty for anything of that kind.
+    pub bound: String,
+    /// Least value, included.
+    pub least: Option<f64>,
+    /// Greatest value, included.
+    pub most: Option<f64>,
+    /// What it is in a new configuration, as it is written.
+    pub default: String,
+    /// What it is now, as it is written.
+    pub value: String,
+    /// What it is for.
+    pub doc: String,
+}
+
+/// What may be written for a setting.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "is")]
+pub enum SettingKind {
+    /// `true` or `false`.
+    Flag,
+    /// A number; where `none` is true, also the word `none`.
+    Number {
+        /// The setting may be absent.
+        none: bool,
+    },
+    /// One of these words.
+    Choice {
+        /// As they are written.
+        words: Vec<String>,
+    },
+    /// Any text.
+    Text,
+    /// Several values between brackets, with commas.
+    List {
+        /// How many.
+        length: u32,
+        /// The setting may be absent.
+        none: bool,
+    },
+}
