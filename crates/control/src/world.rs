@@ -301,7 +301,7 @@ impl<'a> World<'a> {
                 self.tell(&Event::Coolant { mist, flood, t });
             }
             // It has no overrides; the planner follows the path by its own options.
-            Command::PathControl(_) | Command::Overrides { .. } => {}
+            Command::PathControl(_) | Command::Overrides { .. } | Command::Chorded(_) => {}
             // The runner carries these out.
             Command::Line(_) | Command::Arc(_) | Command::EndStack | Command::Wait { .. } => {}
         }

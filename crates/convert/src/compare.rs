@@ -4,12 +4,16 @@
 //! move otherwise is never handed out. Lines have to be lines to the same places, arcs have to be
 //! arcs on the same circle; they may come in several parts.
 
-use kerf_program::{Arc, At, Axes, Axis, Command, Line, MoveKind, Sourced};
+use kerf_program::{Arc, At, Axes, Axis, Chorded, Command, Line, MoveKind, Sourced};
 
 /// How far places may lie apart, mm or degrees.
 pub const SAME_MM: f64 = 1e-6;
 /// How far chords may lie from an arc that could not stay one, mm.
 const CHORD_MM: f64 = 0.0051;
+/// How far the centres of arcs in other planes may lie apart, mm: what rounding its words makes.
+const CENTRE_MM: f64 = 2e-5;
+/// How much such arcs may differ in their angles, radians.
+const TURN_RAD: f64 = 1e-4;
 /// Arcs with nearer ends than this may have become lines, mm.
 const SHORT_MM: f64 = 4e-4;
 
@@ -50,7 +54,16 @@ pub fn same_motion<'a>(
     let mut pair = Pair { second, kept: None, here: how.start, how, raised: false };
     let mut first = Motions::new(first, how);
     while let Some((at, _, motion)) = first.next() {
-        pair.follow(&motion).map_err(|what| Difference { at, line: pair.second.last, what })?;
+        let compared = match (first.chorded.take(), pair.next_chorded()) {
+            (Some(arc), Some(other)) => {
+                for _ in 1..arc.chords {
+                    first.next();
+                }
+                pair.chorded(&arc, &other)
+            }
+            _ => pair.follow(&motion),
+        };
+        compared.map_err(|what| Difference { at, line: pair.second.last, what })?;
     }
     let last = At { file: 0, line: first.last };
     match pair.next() {
@@ -90,12 +103,23 @@ struct Motions<I> {
     changed: bool,
     /// Line of the last motion.
     last: u32,
+    /// The arc whose first chord the last motion is.
+    chorded: Option<Chorded>,
 }
 
 impl<'a, I: Iterator<Item = &'a Sourced>> Motions<I> {
     const fn new(commands: I, how: Comparing) -> Self {
         let (here, own) = (how.start, how.own_tool_changes);
-        Self { commands, here, own, same_mm: how.same_mm, changing: false, changed: false, last: 0 }
+        Self {
+            commands,
+            here,
+            own,
+            same_mm: how.same_mm,
+            changing: false,
+            changed: false,
+            last: 0,
+            chorded: None,
+        }
     }
 
     /// The next motion: its line, where it begins, what it is.
@@ -105,6 +129,10 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Motions<I> {
             let motion = match &sourced.command {
                 Command::Line(line) => Motion::Line(*line),
                 Command::Arc(arc) => Motion::Arc(*arc),
+                Command::Chorded(arc) => {
+                    self.chorded = Some(*arc);
+                    continue;
+                }
                 Command::ToolChange { begin } => {
                     self.changing = self.own && *begin;
                     self.changed |= self.own && !*begin;
@@ -145,6 +173,28 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
         let next = self.second.next();
         self.raised |= std::mem::take(&mut self.second.changed);
         next.map(|(_, from, motion)| (from, motion))
+    }
+
+    /// The arc that the next motions are chords of.
+    fn next_chorded(&mut self) -> Option<Chorded> {
+        if self.kept.is_none() {
+            self.kept = self.next();
+        }
+        self.second.chorded.take()
+    }
+
+    /// An arc of another plane that stayed one.
+    fn chorded(&mut self, arc: &Chorded, other: &Chorded) -> Result<(), String> {
+        for _ in 0..other.chords {
+            self.next();
+        }
+        self.here = arc.to;
+        let centres = (arc.centre[0] - other.centre[0]).hypot(arc.centre[1] - other.centre[1]);
+        let same = arc.axes == other.axes
+            && centres <= CENTRE_MM
+            && (arc.sweep_rad - other.sweep_rad).abs() <= TURN_RAD
+            && self.near(arc.to, other.to);
+        if same { Ok(()) } else { Err(format!("an arc to {} became another one", place(arc.to))) }
     }
 
     fn close(&self, a: f64, b: f64) -> bool {

@@ -18,6 +18,10 @@ use std::sync::Arc;
 /// slopes, and the seven digits of variables.
 const SAME_SHARE: f64 = 0.006;
 
+/// How far chords may lie from an arc of G18 and G19 in a drawing, mm: where one stands upright the chords
+/// beside it become half as long again, and stay within a hundredth.
+const DRAWN_MM: f64 = 0.004;
+
 /// Converts by following the program.
 pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {
     let (passage, start) = passage(source, how, hosts);
@@ -81,11 +85,11 @@ fn keep(
 
 /// What the program does, and where it was followed from.
 fn passage(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> (Passage, Axes) {
-    let odd = run(source, how, hosts, ODD);
+    let odd = run(source, how, hosts, ODD, false);
     if !ended_well(&odd) {
         return (odd, ODD);
     }
-    let zero = run(source, how, hosts, Axes::default());
+    let zero = run(source, how, hosts, Axes::default(), false);
     if says_its_places(&odd, &zero) { (odd, ODD) } else { (zero, Axes::default()) }
 }
 
@@ -94,6 +98,7 @@ pub(crate) fn run(
     how: &Conversion,
     hosts: Hosts<'_, '_>,
     start: Axes,
+    path_only: bool,
 ) -> Passage {
     hosts(&mut |host| match source.language {
         Language::OpenSbp => {
@@ -123,12 +128,15 @@ pub(crate) fn run(
             let mut settings = how.settings.clone();
             settings.axis_count = 6;
             let session = kerf_gcode::Session { settings, position: start, ..Default::default() };
+            let plain = kerf_gcode::Options::default();
             let options = kerf_gcode::Options {
                 dialect,
                 preview: true,
                 max_lines: how.sbp.max_lines,
                 proportion: how.sbp.file.proportion,
-                ..kerf_gcode::Options::default()
+                path_only,
+                tolerance_mm: if path_only { DRAWN_MM } else { plain.tolerance_mm },
+                ..plain
             };
             let mut passage = follow(kerf_gcode::Interpreter::new(program, session, options), host);
             passage.diagnostics.splice(0..0, diagnostics);
@@ -261,7 +269,7 @@ fn read_back(
         sbp: kerf_sbp::Options::default(),
         ..how.clone()
     };
-    let found = run(&again, &reading, hosts, start);
+    let found = run(&again, &reading, hosts, start, false);
     let differs = |at: At, what: String| {
         let place = Place::line(passage.file(at), at.line);
         Diagnostic::new(Code::ConversionDiffers, place, what)

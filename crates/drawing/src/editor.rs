@@ -1,6 +1,6 @@
 //! A drawing being worked on: selection, clipboard, undo.
 
-use crate::op::{OpError, Operation, Outcome, act};
+use crate::op::{OpError, Operation, Outcome, Picks, act};
 use crate::{Drawing, Shape};
 use std::sync::Arc;
 
@@ -15,6 +15,8 @@ pub struct Editor {
     pub selection: Vec<usize>,
     /// Shapes to be pasted.
     pub clipboard: Vec<Arc<Shape>>,
+    /// The order that is being picked.
+    pub picks: Picks,
     /// How near ends are to be joined when nothing else is said: as near as the last time.
     pub join_mm: f64,
     undo: Vec<Past>,
@@ -34,6 +36,7 @@ impl Default for Editor {
             drawing: Drawing::default(),
             selection: Vec::new(),
             clipboard: Vec::new(),
+            picks: Picks::default(),
             join_mm: kerf_geom::tol::JOIN_MM,
             undo: Vec::new(),
             redo: Vec::new(),
@@ -80,13 +83,15 @@ impl Editor {
         self.clipboard = draft.clipboard;
         self.join_mm = draft.join_mm;
         if draft.drawing == self.drawing {
-            self.selection = draft.selection;
+            (self.selection, self.picks) = (draft.selection, draft.picks);
             return;
         }
         let drawing = std::mem::replace(&mut self.drawing, draft.drawing);
         let selection = std::mem::replace(&mut self.selection, draft.selection);
         self.undo.push(Past { drawing, selection });
         self.redo.clear();
+        // Numbers of shapes mean others now.
+        self.picks = Picks::default();
     }
 
     fn clone_without_past(&self) -> Self {
@@ -94,6 +99,7 @@ impl Editor {
             drawing: self.drawing.clone(),
             selection: self.selection.clone(),
             clipboard: self.clipboard.clone(),
+            picks: self.picks.clone(),
             join_mm: self.join_mm,
             ..Self::default()
         }
@@ -132,6 +138,7 @@ impl Editor {
     }
 
     fn exchange(&mut self, past: Past) -> Past {
+        self.picks = Picks::default();
         Past {
             drawing: std::mem::replace(&mut self.drawing, past.drawing),
             selection: std::mem::replace(&mut self.selection, past.selection),

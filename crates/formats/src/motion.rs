@@ -55,6 +55,8 @@ struct Motion {
     from_z: f64,
     shapes: Vec<Shape>,
     levels: Vec<f64>,
+    /// Lines to come that are chords of an arc in another plane.
+    chords: u32,
 }
 
 impl Motion {
@@ -62,18 +64,23 @@ impl Motion {
         match command {
             Command::Line(Line { kind, to, .. }) => self.line(*kind, Spot::of(to)),
             Command::Arc(arc) => self.arc(arc),
+            Command::Chorded(arc) => self.chords = arc.chords,
             _ => {}
         }
     }
 
     fn line(&mut self, kind: MoveKind, to: Spot) {
         let from = std::mem::replace(&mut self.at, to);
+        let is_chord = self.chords > 0;
+        self.chords = self.chords.saturating_sub(1);
         if kind == MoveKind::Jog {
             return self.lift();
         }
         // Plunges and lifts: the next move in the plane begins a shape at the new height.
         if from.at.distance(to.at) <= tol::SAME_PLACE_MM {
-            if from.z != to.z {
+            if is_chord {
+                self.merge(from.z, to.z);
+            } else if from.z != to.z {
                 self.lift();
             }
             return;
@@ -105,6 +112,15 @@ impl Motion {
             self.cut(part, z(f64::from(n - 1) / parts), z(share));
             start = end;
         }
+    }
+
+    /// A chord that stands upright is no plunge: where an arc is steepest its two ends become one.
+    fn merge(&mut self, from_z: f64, to_z: f64) {
+        let middle = 0.5 * (from_z + to_z);
+        if let Some((_, z)) = self.run.last_mut() {
+            *z = middle;
+        }
+        self.at.z = middle;
     }
 
     fn cut(&mut self, segment: Segment, from_z: f64, to_z: f64) {

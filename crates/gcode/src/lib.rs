@@ -22,6 +22,7 @@ mod expr;
 mod format;
 mod gathered;
 mod interp;
+mod no_path;
 mod reader;
 #[cfg(test)]
 mod testing;
@@ -34,6 +35,7 @@ pub use interp::{
     CoordinateSystem, Dialect, FeedMode, Interpreter, Modal, Options, Plane, Rates, Session, Side,
     State, Tool,
 };
+pub use no_path::no_path;
 pub use reader::{looks_like_opensbp, read};
 pub use tree::Program;
 pub use writer::{Writer, Writing, write};

@@ -1,6 +1,6 @@
 //! `kerf draw` as a user has it.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -283,4 +283,66 @@ fn pictures_of_jobs_have_the_colours_of_groups_or_directions() {
     let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.png"]);
     assert_eq!(made.status.code(), Some(0));
     assert!(std::fs::read(folder.path().join("job.png")).unwrap().starts_with(b"\x89PNG"));
+}
+
+/// How many shapes a script leaves of `a.dxf`, which has three; `b.rsm` and its like have two.
+fn after_loading(folder: &Path, script: &str) -> usize {
+    let made = kerf(folder, &["draw", "a.dxf", "--do", script, "-o", "out.rsg"]);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    shapes(folder, "out.rsg").len()
+}
+
+fn folder_with_drawings() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    kerf(path, &["draw", "--do", "point 1,1; point 2,2; circle 9,9 3", "-o", "a.dxf"]);
+    kerf(path, &["draw", "--do", "rect 30,40 80,60; circle 55,50 5", "-o", "b.dxf"]);
+    kerf(path, &["draw", "b.dxf", "-o", "b.rsg"]);
+    kerf(path, &["toolpath", "b.rsg"]);
+    folder
+}
+
+#[test]
+fn pro_clipboard_loadfile() {
+    let folder = folder_with_drawings();
+    for file in ["b.dxf", "b.rsg", "b.rsm"] {
+        let script = format!("load-clipboard {file}");
+        assert_eq!(after_loading(folder.path(), &script), 3, "the drawing stays as it is");
+        let made = kerf(folder.path(), &["draw", "a.dxf", "--do", &script, "--list"]);
+        assert!(told(&made).contains(&format!("2 shapes of {file} are on the clipboard")));
+    }
+    std::fs::copy(folder.path().join("b.dxf"), folder.path().join("b.txt")).unwrap();
+    for (file, message) in [
+        ("b.txt", "the clipboard takes .dxf, .svg, .rsg and .rsm files"),
+        ("no.dxf", "cannot read"),
+    ] {
+        let script = format!("load-clipboard {file}");
+        let made = kerf(folder.path(), &["draw", "a.dxf", "--do", &script, "-o", "no.rsg"]);
+        assert!(told(&made).contains(message), "{}", told(&made));
+        assert!(!made.status.success() && !folder.path().join("no.rsg").exists());
+    }
+}
+
+#[test]
+fn pro_clipboard_dxf_via_clip() {
+    let folder = folder_with_drawings();
+    assert_eq!(after_loading(folder.path(), "load-clipboard b.dxf; paste 0,0"), 5);
+    let placed = &shapes(folder.path(), "out.rsg")[3];
+    assert_eq!(placed["bounds"]["max"], serde_json::json!({"x": 50.0, "y": 20.0}));
+    // What a program cuts goes the same way, once it is a drawing.
+    std::fs::write(folder.path().join("c.nc"), "G71\nG0 X0 Y0\nG1 X10 F500\nG1 Y10\n").unwrap();
+    kerf(folder.path(), &["draw", "c.nc", "-o", "c.rsg"]);
+    assert_eq!(after_loading(folder.path(), "load-clipboard c.rsg; paste absolute 0,0"), 4);
+}
+
+#[test]
+fn pro_sequence_full_show__list() {
+    let folder = folder_with_drawings();
+    let made = kerf(folder.path(), &["draw", "a.dxf", "--do", "pick 3; pick 1", "--list"]);
+    let text = String::from_utf8(made.stdout).unwrap();
+    let picks: Vec<_> = text
+        .lines()
+        .map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["pick"].clone())
+        .collect();
+    assert_eq!(picks, [serde_json::json!(2), serde_json::Value::Null, serde_json::json!(1)]);
 }

@@ -5,6 +5,7 @@ use kerf_control::event::MoveEvent;
 use kerf_control::files::MemoryDisk;
 use kerf_control::vcd::VcdSink;
 use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Sink, Summary, Wish, Work};
+use kerf_drawing::{Editor, script};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
@@ -45,6 +46,19 @@ pub fn t1() -> Job {
 /// JOB-T2: and a second one, (100,50)-(0,50).
 pub fn t2() -> Job {
     job([line(1, (0.0, 0.0), (100.0, 0.0)), line(2, (100.0, 50.0), (0.0, 50.0))])
+}
+
+/// The job of a drawing made by a script, as `kerf toolpath` makes it.
+pub fn drawn(clauses: &str) -> Job {
+    let mut editor = Editor::default();
+    for (number, operation) in script(clauses).expect("a script") {
+        editor.apply(&operation).unwrap_or_else(|error| panic!("clause {number}: {error}"));
+    }
+    let (job, warnings) = kerf_toolpath::job(&editor.drawing).expect("a job");
+    assert_eq!(warnings, []);
+    // By way of its file, as it is run.
+    let (read, _) = kerf_toolpath::read(kerf_toolpath::write(&job).as_bytes());
+    read.neutral("job.rsm".into())
 }
 
 /// A job to be run.

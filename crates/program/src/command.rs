@@ -78,6 +78,24 @@ pub struct Arc {
     pub small: bool,
 }
 
+/// A circle in a plane of two axes that the lines behind it follow as chords: no motion itself. What can
+/// say the arc whole takes it instead of them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Chorded {
+    /// How many lines.
+    pub chords: u32,
+    /// The axes of the plane, as indices; turning from the first to the second is counter-clockwise.
+    pub axes: [usize; 2],
+    /// Centre in these axes, machine frame.
+    pub centre: [f64; 2],
+    /// Swept angle in radians, positive counter-clockwise.
+    pub sweep_rad: f64,
+    /// Where it ends, machine frame.
+    pub to: Axes,
+    /// How fast, all of it.
+    pub feed: Feed,
+}
+
 /// What made an output change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -169,6 +187,8 @@ pub enum Command {
     Line(Line),
     /// A circular move or a helix.
     Arc(Arc),
+    /// The lines behind are chords of an arc in another plane.
+    Chorded(Chorded),
     /// From here on these settings hold (speeds, ramps, I/O modes, trigger, limits).
     Settings(Shared<Settings>),
     /// The frames changed; no motion. The sets tell which axes the program set.
@@ -316,6 +336,7 @@ impl Command {
             | Self::State { .. }
             | Self::ClearPreview
             | Self::PathControl(_)
+            | Self::Chorded(_)
             | Self::Overrides { .. }
             // S in the lines of a laser raster.
             | Self::Spindle { .. } => false,

@@ -31,8 +31,8 @@ mod tool_change;
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use beam::{Beam, IntensityLaw, LEVELS};
 pub use command::{
-    Arc, At, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason, PathControl,
-    Sourced, ToolPathStart, Turn,
+    Arc, At, Chorded, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason,
+    PathControl, Sourced, ToolPathStart, Turn,
 };
 pub use dynamics::Dynamics;
 pub use frame::Frame;

@@ -2,7 +2,7 @@
 
 use crate::acts::Done;
 use crate::app::{App, lock, problem};
-use kerf_drawing::{Drawing, Editor, Group, Shape, script};
+use kerf_drawing::{Drawing, Editor, Group, Operation, Shape, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
 use kerf_program::Printer;
@@ -38,7 +38,7 @@ impl App {
             Op::New => desk.begin(Drawing::default(), None, Vec::new()),
             Op::Open { name } => self.open_drawing(&mut desk, name)?,
             Op::Save { name } => self.save_drawing(&mut desk, name)?,
-            Op::Do { clauses } => desk.carry_out(&clauses)?,
+            Op::Do { clauses } => desk.carry_out(&self.operations(&clauses)?)?,
             Op::Undo => desk.step(Editor::undo)?,
             Op::Redo => desk.step(Editor::redo)?,
             Op::Program { name } => self.write_program(&desk, &name)?,
@@ -49,19 +49,36 @@ impl App {
     }
 
     fn open_drawing(&self, desk: &mut Desk, name: String) -> Done {
-        let bytes = self.parts.read(&name)?;
-        let read = match extension(&name).as_str() {
-            "dxf" => dxf::read(
-                &bytes,
-                &dxf::Options { scale: true, explode: true, ..Default::default() },
-            ),
-            "rsg" | "rsm" => rsg::read(&bytes),
-            "svg" => svg::read(&bytes),
-            _ => return Err(problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm")),
-        };
-        let Imported { drawing, findings, .. } = read;
+        let Imported { drawing, findings, .. } = self.read_drawing(&name)?;
         let notes = findings.into_iter().map(|found| found.text).collect();
         Ok(desk.begin(drawing, Some(name), notes))
+    }
+
+    fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
+        let read = |bytes: &[u8]| match extension(name).as_str() {
+            "dxf" => {
+                let options = dxf::Options { scale: true, explode: true, ..Default::default() };
+                Some(dxf::read(bytes, &options))
+            }
+            "rsg" | "rsm" => Some(rsg::read(bytes)),
+            "svg" => Some(svg::read(bytes)),
+            _ => None,
+        };
+        let bytes = self.parts.read(name)?;
+        read(&bytes).ok_or_else(|| problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm"))
+    }
+
+    /// The operations of clauses, with what the files of the part folder hold that they name.
+    fn operations(&self, clauses: &str) -> Result<Vec<(usize, Operation)>, Problem> {
+        let read = script(clauses).map_err(|error| problem(Why::Mistake, error.to_string()))?;
+        let with_file = |(number, operation): (usize, Operation)| {
+            let Some(file) = operation.file().map(str::to_owned) else {
+                return Ok((number, operation));
+            };
+            let Imported { drawing, .. } = self.read_drawing(&file)?;
+            Ok((number, operation.with_file(drawing)))
+        };
+        read.into_iter().map(with_file).collect()
     }
 
     fn save_drawing(&self, desk: &mut Desk, name: String) -> Done {
@@ -139,11 +156,9 @@ impl Desk {
     }
 
     /// All clauses, or none.
-    fn carry_out(&mut self, clauses: &str) -> Done {
-        let operations =
-            script(clauses).map_err(|error| problem(Why::Mistake, error.to_string()))?;
+    fn carry_out(&mut self, operations: &[(usize, Operation)]) -> Done {
         let before = self.editor.drawing.clone();
-        let outcomes = self.editor.apply_all(&operations).map_err(|(number, error)| {
+        let outcomes = self.editor.apply_all(operations).map_err(|(number, error)| {
             problem(Why::Mistake, format!("clause {number}: {error}"))
         })?;
         self.open = true;

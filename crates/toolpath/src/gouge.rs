@@ -1,18 +1,24 @@
 //! Whether a lead cuts into a part.
 
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, Kind, Shape};
+use kerf_drawing::{Drawing, Kind, Shape, crosses};
 use kerf_geom::{Bounds2, BoxTree, Point2, Polyarc, Segment};
+use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// A lead may come nearer to a contour than its offset by so much, millimetres: far above what is lost
 /// by rounding, far below what a cutter shows.
 const ALLOWED_MM: f64 = 1e-4;
+
+/// What the circle of a helix is called.
+pub(crate) const HELIX: &str = "helix";
 
 /// Places of a lead that are looked at.
 const PROBES: u32 = 32;
 
 /// All contours of a drawing, to be asked what is near.
 pub(crate) struct Contours {
+    shapes: Vec<Arc<Shape>>,
     segments: Vec<(usize, Segment)>,
     tree: BoxTree,
 }
@@ -25,7 +31,7 @@ impl Contours {
         let segments: Vec<(usize, Segment)> =
             shapes.flat_map(|(n, shape)| shape.path.segments().map(move |s| (n, s))).collect();
         let tree = BoxTree::new(segments.iter().map(|(_, segment)| segment.bounds()));
-        Self { segments, tree }
+        Self { shapes: drawing.shapes.clone(), segments, tree }
     }
 
     /// The shape whose contour a tool of that radius would cut into on a lead, if there is one.
@@ -35,16 +41,25 @@ impl Contours {
         (0..=PROBES).filter_map(probe).find_map(|place| self.nearer(place.at, reach))
     }
 
-    /// Calls `visit` with every shape whose contour lies nearer to a segment than a tool of that radius
-    /// allows.
-    pub fn passed(&self, segment: &Segment, radius: f64, mut visit: impl FnMut(usize)) {
+    /// Calls `visit` with every shape but `own` whose contour lies nearer to a segment than a tool of that
+    /// radius allows.
+    pub fn passed(&self, segment: &Segment, radius: f64, own: usize, mut visit: impl FnMut(usize)) {
         let reach = radius - ALLOWED_MM;
         self.tree.meeting(&segment.bounds().grown(reach), |n| {
             let (shape, contour) = &self.segments[n];
-            if comes_nearer(segment, 0.0, 1.0, contour, reach) {
+            if *shape != own && segment.distance_to(contour) < reach {
                 visit(*shape);
             }
         });
+    }
+
+    /// The first shape whose contour a closed path crosses.
+    fn crossed_by(&self, path: &Polyarc) -> Option<usize> {
+        let mut near = BTreeSet::new();
+        self.tree.meeting(&path.bounds(), |n| {
+            near.insert(self.segments[n].0);
+        });
+        near.into_iter().find(|n| crosses(&self.shapes[*n].path, path))
     }
 
     fn nearer(&self, place: Point2, reach: f64) -> Option<usize> {
@@ -59,24 +74,8 @@ impl Contours {
     }
 }
 
-/// Whether some place of a part of a segment lies nearer to another one than `reach`. No place of the part
-/// is farther from its middle than half its length: a part is divided until that decides.
-fn comes_nearer(segment: &Segment, from: f64, to: f64, other: &Segment, reach: f64) -> bool {
-    let middle = 0.5 * (from + to);
-    let distance = other.distance(segment.at(middle));
-    let half = 0.5 * (to - from) * segment.length();
-    if distance < reach {
-        return true;
-    }
-    if distance - half >= reach || half < ALLOWED_MM {
-        return false;
-    }
-    comes_nearer(segment, from, middle, other, reach)
-        || comes_nearer(segment, middle, to, other, reach)
-}
-
-/// Warns of leads that cut into a part. Without an offset the tool's width is not known, and nothing
-/// can be said.
+/// Warns of leads that cut into a part. Without an offset the tool's width is not known: then only the
+/// circle of a helix is looked at, whose middle alone may leave the side of the contour it lies on.
 pub(crate) fn check(
     number: usize,
     leads: &[(&str, Polyarc)],
@@ -84,16 +83,27 @@ pub(crate) fn check(
     contours: &Contours,
     warnings: &mut Vec<Warning>,
 ) {
-    if offset_mm == 0.0 {
-        return;
-    }
     for (name, lead) in leads {
-        if let Some(shape) = contours.cut_into(lead, offset_mm.abs()) {
-            let which =
-                if shape + 1 == number { "it".into() } else { format!("shape {}", shape + 1) };
+        if offset_mm == 0.0 {
+            let crossed = if *name == HELIX { contours.crossed_by(lead) } else { None };
+            warnings.extend(crossed.map(|shape| no_room(number, shape)));
+        } else if let Some(shape) = contours.cut_into(lead, offset_mm.abs()) {
+            let which = named(number, shape);
             let text =
                 format!("its {name} cuts into {which}: move the start or make the lead smaller");
             warnings.push(Warning::new(number, text));
         }
     }
+}
+
+fn named(number: usize, shape: usize) -> String {
+    if shape + 1 == number { "it".into() } else { format!("shape {}", shape + 1) }
+}
+
+fn no_room(number: usize, shape: usize) -> Warning {
+    let which = named(number, shape);
+    let text = format!(
+        "its helix has no room and cuts across {which}: move the start, make the helix smaller or take a ramp"
+    );
+    Warning::new(number, text)
 }

@@ -24,10 +24,8 @@ pub(crate) fn check(
         let (first, last) = (lead("lead-in"), lead("lead-out"));
         let count = path.path.segment_count() - last.min(path.path.segment_count());
         for segment in path.path.segments().take(count).skip(first) {
-            contours.passed(&segment, path.offset_mm.abs(), |shape| {
-                if shape + 1 != number {
-                    hit.insert(shape);
-                }
+            contours.passed(&segment, path.offset_mm.abs(), number - 1, |shape| {
+                hit.insert(shape);
             });
         }
     }

@@ -1,6 +1,7 @@
 //! From one shape, smoothed already, to the paths that cut it: the order of the Profiler reference is
 //! offset, tag, lead-in and lead-out.
 
+use crate::gouge::HELIX;
 use crate::lead::{Side, lead_in, lead_out, with_leads};
 use crate::neutral::plunge;
 use crate::tag::without_tag;
@@ -148,7 +149,7 @@ fn with_tag_and_leads(
         Plunge::Helix { radius_mm, .. } => helix_circle(&long, radius_mm),
         _ => None,
     };
-    let named = named.into_iter().chain([("helix", helix)]);
+    let named = named.into_iter().chain([(HELIX, helix)]);
     let leads = named.filter_map(|(name, lead)| Some((name, lead?))).collect();
     let z_mm = base.z_mm.map(|z| heights_along(&base.path, &z, &long));
     Some(ShapePath { pass, path: long, z_mm, offset_mm: base.offset_mm, leads })

@@ -67,3 +67,22 @@ fn what_leaves_the_table_is_told_once() {
     let right = told("rect 0,0 50,50; array block 1x4 gap 10,0");
     assert_eq!(right, ["shape 1: leaves the table: 10.000 mm at the right"]);
 }
+
+#[test]
+fn a_helix_without_room_is_told() {
+    let helix = |radius: f64| {
+        format!("rect 0,0 20,20; select 1; reverse; set black plunge=helix,{radius},3 height=-4")
+    };
+    let advice = "move the start, make the helix smaller or take a ramp";
+    // Clockwise from a corner, to the right of travel: inside, from wall to wall.
+    check(&format!("{}; start 1 0,10", helix(8.0)), &[]);
+    let it = format!("shape 1: its helix has no room and cuts across it: {advice}");
+    check(&format!("{}; start 1 0,10", helix(11.0)), &[&it]);
+    check(&format!("{}; start 1 0,2", helix(8.0)), &[&it]);
+    // A neighbour in the way.
+    let other = format!("{}; start 1 0,10; circle 12,10 1; select 2; group red", helix(8.0));
+    check(&other, &[]);
+    let other = format!("{}; start 1 0,10; circle 15,10 3; select 2; group red", helix(8.0));
+    let shape_2 = format!("shape 1: its helix has no room and cuts across shape 2: {advice}");
+    check(&other, &[&shape_2]);
+}

@@ -2,7 +2,7 @@
 
 use super::{OpError, Operation, Outcome};
 use super::{arrays, clear, clipboard, copies, draw, edit, grouping, layout, outline, path};
-use super::{sequence, vertices};
+use super::{picks, sequence, vertices};
 use crate::Editor;
 
 /// Carries out an operation on a draft of the drawing; after an error the draft is thrown away.
@@ -45,6 +45,7 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
             outcome.warnings = clear::pocket(draft, clearing, pattern)?;
         }
         O::Engrave(clearing) => outcome.warnings = clear::engrave(draft, clearing)?,
+        O::Pick { picking } => picks::pick(draft, picking)?,
         O::Sequence { order } => outcome = sequence::order(draft, order)?,
         O::Array { level, array } => arrays::set(draft, *level, *array)?,
         O::JustifyLeft => layout::left(draft),
@@ -55,6 +56,9 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Origin { at } => layout::origin(draft, *at),
         O::CadOrigin => layout::cad_origin(draft),
         O::Clip => clipboard::clip(draft)?,
+        O::LoadClipboard { file, shapes } => {
+            outcome.notes = clipboard::load(draft, file, shapes.as_deref())?;
+        }
         O::ClearClipboard => draft.clipboard.clear(),
         O::Paste { at, absolute } => clipboard::paste(draft, *at, *absolute)?,
         O::Comment { lines } => draft.drawing.set_comments(lines.clone())?,

@@ -97,12 +97,13 @@ mod tests {
         set red plunge=ramp,3 plunge=helix,4,2.5; \
         engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0; pocket all tool=5 overlap=1 climb outward; \
         pocket tool=5 overlap=1 group=blue climb zigzag=45 finish=0.2; pocket tool=5 overlap=1; sequence 3,1,2; \
-        sequence groups red,black; sequence reverse; sequence auto -1000,0; sequence level 2,1; \
+        sequence groups red,black; pick 3,1; pick groups red,black; pick remove 2; pick none; sequence picked; \
+        sequence reverse; sequence auto -1000,0; sequence level 2,1; \
         sequence travel from 0,-5 starts speed=200 accel=0 lift=2 tool-change=30 tries=9; \
         sequence travel from 0,0 speed=150 accel=500 lift=1 tool-change=60; \
         array block 2x3 gap 10,20 start tl order row-snake; \
         array job 1x1 gap 0,0 start bl order column; justify left; justify surface; \
-        justify bottom -10; rotate90; mirror-drawing; origin 10,5; origin cad; clip; \
+        justify bottom -10; rotate90; mirror-drawing; origin 10,5; origin cad; clip; load-clipboard part.rsg; \
         clear-clipboard; paste 0,0; paste absolute 100,0; comment Anna | 18 mm birch";
 
     #[test]

@@ -1,7 +1,7 @@
 //! Copies kept aside (Profiler reference, "Clipboard").
 
 use super::OpError;
-use crate::{Editor, bounds_of};
+use crate::{Editor, Shape, bounds_of};
 use kerf_geom::{Point2, Transform2};
 use std::sync::Arc;
 
@@ -9,6 +9,17 @@ pub(super) fn clip(draft: &mut Editor) -> Result<(), OpError> {
     let selected = draft.selected()?;
     draft.clipboard = selected.into_iter().map(|n| draft.drawing.shapes[n].clone()).collect();
     Ok(())
+}
+
+/// The shapes of a file that whoever sent the operation has read.
+pub(super) fn load(
+    draft: &mut Editor,
+    file: &str,
+    shapes: Option<&[Arc<Shape>]>,
+) -> Result<Vec<String>, OpError> {
+    let shapes = shapes.ok_or_else(|| OpError::NotRead(file.to_owned()))?;
+    draft.clipboard = shapes.to_vec();
+    Ok(vec![format!("{} shapes of {file} are on the clipboard", shapes.len())])
 }
 
 pub(super) fn paste(draft: &mut Editor, at: Point2, absolute: bool) -> Result<(), OpError> {

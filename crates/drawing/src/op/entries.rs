@@ -4,8 +4,8 @@
 
 use super::clear;
 use super::words::{WordError, Words, number, pair};
-use super::{Change, How, Operation, Sequencing};
-use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order, Plunge, Search};
+use super::{Change, How, Operation};
+use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order, Plunge};
 use kerf_geom::{Point2, Vec2, Vertex};
 
 /// An operation as a person writes it.
@@ -20,7 +20,7 @@ pub struct Entry {
     pub(super) read: fn(&mut Words) -> Read,
 }
 
-type Read = Result<Operation, WordError>;
+pub(super) type Read = Result<Operation, WordError>;
 
 const fn entry(
     name: &'static str,
@@ -215,12 +215,19 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "sequence",
-        "sequence 3,1,2 | sequence groups COLOUR,… | sequence reverse | sequence auto X,Y | \
+        "sequence 3,1,2 | sequence groups COLOUR,… | sequence picked | sequence reverse | sequence auto X,Y | \
          sequence level 3,1,2 | sequence travel [from X,Y] [starts] [speed=MM/S] [accel=MM/S2] \
          [lift=S] [tool-change=S] [tries=N]",
         "changes the order in which shapes are cut; travel seeks the least time between the cuts, and with \
          starts also where closed shapes begin",
-        sequence,
+        super::sequence::read,
+    ),
+    entry(
+        "pick",
+        "pick 3,1 | pick groups COLOUR,… | pick remove 3,1 | pick none",
+        "begins a new order, shape by shape or group by group, or goes on with it; removing a shape of a \
+         picked group takes the group back; `sequence picked` puts what was picked first",
+        super::picks::read,
     ),
     entry(
         "array",
@@ -259,6 +266,18 @@ pub const ENTRIES: &[Entry] = &[
     entry("clip", "clip", "puts copies of the selected shapes onto the clipboard", |_| {
         Ok(Operation::Clip)
     }),
+    entry(
+        "load-clipboard",
+        "load-clipboard FILE",
+        "puts the shapes of a .dxf, .svg, .rsg or .rsm file onto the clipboard; the drawing stays as it is",
+        |w| {
+            let file = w.rest();
+            if file.is_empty() {
+                return Err(WordError::Missing("the file"));
+            }
+            Ok(Operation::LoadClipboard { file, shapes: None })
+        },
+    ),
     entry("clear-clipboard", "clear-clipboard", "empties the clipboard", |_| {
         Ok(Operation::ClearClipboard)
     }),
@@ -355,12 +374,12 @@ fn join(w: &mut Words) -> Read {
     Ok(Operation::Join { distance_mm, merge })
 }
 
-fn group(w: &mut Words) -> Result<Group, WordError> {
+pub(super) fn group(w: &mut Words) -> Result<Group, WordError> {
     w.read("the group", "a group: black blue green cyan red magenta brown white", Group::named)
 }
 
 /// `3,5-9`.
-fn numbers(w: &mut Words) -> Result<Vec<usize>, WordError> {
+pub(super) fn numbers(w: &mut Words) -> Result<Vec<usize>, WordError> {
     w.read("the shapes", "a list of shapes such as 1,3-5", |word| {
         let ranges = word.split(',').map(range).collect::<Option<Vec<_>>>()?;
         Some(ranges.into_iter().flatten().collect())
@@ -467,50 +486,6 @@ fn plunge(word: &str) -> Option<Plunge> {
         }
         _ => None,
     }
-}
-
-fn sequence(w: &mut Words) -> Read {
-    let order = match () {
-        () if w.takes("reverse") => Sequencing::Reverse,
-        () if w.takes("auto") => Sequencing::Auto(w.point("the place to begin near")?),
-        () if w.takes("level") => Sequencing::Level(numbers(w)?),
-        () if w.takes("travel") => Sequencing::Travel(search(w)?),
-        () if w.takes("groups") => Sequencing::Groups(w.read(
-            "the groups",
-            "a list of groups such as red,black",
-            |word| word.split(',').map(Group::named).collect(),
-        )?),
-        () => Sequencing::Full(numbers(w)?),
-    };
-    Ok(Operation::Sequence { order })
-}
-
-fn search(w: &mut Words) -> Result<Search, WordError> {
-    let mut search = Search::default();
-    if w.takes("from") {
-        search.from = w.point("where the head comes from")?;
-    }
-    search.starts = w.takes("starts");
-    while w.peek().is_some() {
-        search = w.read("a setting of the search", SEARCH, |word| search_word(search, word))?;
-    }
-    Ok(search)
-}
-
-const SEARCH: &str = "starts, speed=MM/S, accel=MM/S2, lift=S, tool-change=S or tries=N";
-
-fn search_word(mut search: Search, word: &str) -> Option<Search> {
-    let (key, value) = word.split_once('=')?;
-    let rapids = &mut search.rapids;
-    match key.to_ascii_lowercase().as_str() {
-        "speed" => rapids.speed_mm_s = number(value)?,
-        "accel" => rapids.accel_mm_s2 = number(value)?,
-        "lift" => rapids.lift_s = number(value)?,
-        "tool-change" => rapids.tool_change_s = number(value)?,
-        "tries" => search.tries = Some(value.parse().ok()?),
-        _ => return None,
-    }
-    Some(search)
 }
 
 fn array(w: &mut Words) -> Read {

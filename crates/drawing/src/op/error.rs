@@ -47,8 +47,16 @@ pub enum OpError {
         /// What is the matter and what helps.
         why: String,
     },
+    /// No order is being picked.
+    #[error("nothing was picked: choose shapes or groups with `pick` first")]
+    NothingPicked,
+    /// A file that nobody has read.
+    #[error("{0} was not read: files cannot be loaded from here")]
+    NotRead(String),
     /// The clipboard is empty.
-    #[error("clipboard empty: copy shapes to it with `clip` first")]
+    #[error(
+        "clipboard empty: copy shapes to it with `clip`, or a file with `load-clipboard`, first"
+    )]
     ClipboardEmpty,
     /// A setting of a group.
     #[error("group {group}: {source}")]

@@ -18,6 +18,7 @@ mod grouping;
 mod layout;
 mod outline;
 mod path;
+mod picks;
 mod region;
 mod sequence;
 mod vertices;
@@ -29,12 +30,14 @@ pub use clear::{Clearing, Pattern};
 pub use entries::{ENTRIES, Entry};
 pub use error::{OpError, Outcome};
 
-use crate::{ArrayLevel, Choice, Group, Level};
+use crate::{ArrayLevel, Choice, Drawing, Group, Level, Shape};
 use kerf_geom::{Point2, Vec2, Vertex};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 pub(crate) use act::act;
 pub use grouping::Change;
+pub use picks::{Picking, Picks};
 pub use sequence::Sequencing;
 
 /// One thing done to a drawing. Lengths are millimetres, angles degrees, counter-clockwise; shapes
@@ -264,6 +267,11 @@ pub enum Operation {
         /// The new order.
         order: Sequencing,
     },
+    /// A step of picking a new order.
+    Pick {
+        /// What is picked or taken back.
+        picking: Picking,
+    },
     /// Sets a level of the drawing's arrays.
     Array {
         /// Which level.
@@ -293,6 +301,15 @@ pub enum Operation {
     CadOrigin,
     /// Puts copies of the selected shapes onto the clipboard.
     Clip,
+    /// Puts the shapes of a file onto the clipboard.
+    LoadClipboard {
+        /// The file. Nothing here opens it: whoever sends the operation reads it before, see
+        /// [`Operation::file`].
+        file: String,
+        /// Its shapes, once it was read.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        shapes: Option<Vec<Arc<Shape>>>,
+    },
     /// Empties the clipboard.
     ClearClipboard,
     /// Adds the shapes of the clipboard.
@@ -308,6 +325,27 @@ pub enum Operation {
         /// Its lines.
         lines: Vec<String>,
     },
+}
+
+impl Operation {
+    /// The file that has to be read before the operation can be carried out.
+    pub fn file(&self) -> Option<&str> {
+        match self {
+            Self::LoadClipboard { file, shapes: None } => Some(file),
+            _ => None,
+        }
+    }
+
+    /// The same operation with what its file holds.
+    #[must_use]
+    pub fn with_file(self, read: Drawing) -> Self {
+        match self {
+            Self::LoadClipboard { file, .. } => {
+                Self::LoadClipboard { file, shapes: Some(read.shapes) }
+            }
+            other => other,
+        }
+    }
 }
 
 /// What a choice does to the selection.

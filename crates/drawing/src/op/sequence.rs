@@ -1,8 +1,10 @@
 //! The order in which shapes are cut (Profiler reference, "Sequencing").
 
-use super::{OpError, Outcome, path};
+use super::entries::numbers;
+use super::words::{WordError, Words, number};
+use super::{OpError, Operation, Outcome, path};
 use crate::travel::{self, Search, travelled};
-use crate::{Drawing, Editor, Group, Nesting, Shape};
+use crate::{Drawing, Editor, Group, Nesting, Picks, Shape};
 use kerf_geom::Point2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -15,6 +17,8 @@ pub enum Sequencing {
     Full(Vec<usize>),
     /// Groups in this order.
     Groups(Vec<Group>),
+    /// What was picked, in the order in which it was; then nothing is picked any more.
+    Picked,
     /// The old order backwards.
     Reverse,
     /// What lies inside first; side by side by the distance of starts from a place.
@@ -32,11 +36,15 @@ pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Outco
         Sequencing::Travel(search) => by_travel(draft, search, &mut notes)?,
         Sequencing::Full(numbers) => named_first(draft, numbers)?,
         Sequencing::Groups(groups) => by_group(drawing, groups),
+        Sequencing::Picked => by_picks(draft)?,
         Sequencing::Reverse => (0..drawing.shapes.len()).rev().collect(),
         Sequencing::Auto(from) => by_distance(&drawing.shapes, *from),
         Sequencing::Level(numbers) => within_level(draft, numbers)?,
     };
     reorder(draft, &order);
+    if *sequencing == Sequencing::Picked {
+        draft.picks = Picks::default();
+    }
     Ok(Outcome { warnings: outer_before_inner(&draft.drawing.shapes), notes })
 }
 
@@ -78,6 +86,16 @@ fn named_first(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError>
     }
     order.extend((0..taken.len()).filter(|place| !taken[*place]));
     Ok(order)
+}
+
+fn by_picks(draft: &Editor) -> Result<Vec<usize>, OpError> {
+    match &draft.picks {
+        picks if picks.is_empty() => Err(OpError::NothingPicked),
+        Picks::Shapes(places) => {
+            named_first(draft, &places.iter().map(|n| n + 1).collect::<Vec<_>>())
+        }
+        Picks::Groups(groups) => Ok(by_group(&draft.drawing, groups)),
+    }
 }
 
 fn by_group(drawing: &Drawing, groups: &[Group]) -> Vec<usize> {
@@ -134,4 +152,53 @@ fn outer_before_inner(shapes: &[Arc<Shape>]) -> Vec<String> {
         format!("shape {} is cut before shape {}, which lies in it", outer + 1, inner + 1)
     };
     (0..shapes.len()).filter_map(late).map(warn).collect()
+}
+
+/// The words of `sequence`.
+pub(super) fn read(w: &mut Words) -> Result<Operation, WordError> {
+    let order = match () {
+        () if w.takes("reverse") => Sequencing::Reverse,
+        () if w.takes("auto") => Sequencing::Auto(w.point("the place to begin near")?),
+        () if w.takes("level") => Sequencing::Level(numbers(w)?),
+        () if w.takes("travel") => Sequencing::Travel(search(w)?),
+        () if w.takes("groups") => Sequencing::Groups(groups(w)?),
+        () if w.takes("picked") => Sequencing::Picked,
+        () => Sequencing::Full(numbers(w)?),
+    };
+    Ok(Operation::Sequence { order })
+}
+
+/// `red,black`.
+pub(super) fn groups(w: &mut Words) -> Result<Vec<Group>, WordError> {
+    w.read("the groups", "a list of groups such as red,black", |word| {
+        word.split(',').map(Group::named).collect()
+    })
+}
+
+fn search(w: &mut Words) -> Result<Search, WordError> {
+    let mut search = Search::default();
+    if w.takes("from") {
+        search.from = w.point("where the head comes from")?;
+    }
+    search.starts = w.takes("starts");
+    while w.peek().is_some() {
+        search = w.read("a setting of the search", SEARCH, |word| search_word(search, word))?;
+    }
+    Ok(search)
+}
+
+const SEARCH: &str = "starts, speed=MM/S, accel=MM/S2, lift=S, tool-change=S or tries=N";
+
+fn search_word(mut search: Search, word: &str) -> Option<Search> {
+    let (key, value) = word.split_once('=')?;
+    let rapids = &mut search.rapids;
+    match key.to_ascii_lowercase().as_str() {
+        "speed" => rapids.speed_mm_s = number(value)?,
+        "accel" => rapids.accel_mm_s2 = number(value)?,
+        "lift" => rapids.lift_s = number(value)?,
+        "tool-change" => rapids.tool_change_s = number(value)?,
+        "tries" => search.tries = Some(value.parse().ok()?),
+        _ => return None,
+    }
+    Some(search)
 }

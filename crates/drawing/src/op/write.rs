@@ -1,6 +1,6 @@
 //! Operations in the words that [`super::script`] reads.
 
-use super::{Change, How, Operation, Sequencing};
+use super::{Change, How, Operation, Picking, Sequencing};
 use crate::{ArrayLevel, Choice, Height, Level, Plunge, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
 use std::fmt::{Display, Formatter, Result, Write};
@@ -63,6 +63,7 @@ impl Display for Operation {
             }
             Self::Pocket { clearing, pattern } => write!(f, "pocket {clearing}{pattern}"),
             Self::Engrave(clearing) => write!(f, "engrave {clearing}"),
+            Self::Pick { picking } => write!(f, "pick {picking}"),
             Self::Sequence { order } => write!(f, "sequence {order}"),
             Self::Array { level, array } => levels(f, *level, array),
             Self::JustifyLeft => f.write_str("justify left"),
@@ -73,6 +74,7 @@ impl Display for Operation {
             Self::Origin { at } => write!(f, "origin {}", P(*at)),
             Self::CadOrigin => f.write_str("origin cad"),
             Self::Clip => f.write_str("clip"),
+            Self::LoadClipboard { file, .. } => write!(f, "load-clipboard {file}"),
             Self::ClearClipboard => f.write_str("clear-clipboard"),
             Self::Paste { at, absolute } => {
                 write!(f, "paste {}{}", if *absolute { "absolute " } else { "" }, P(*at))
@@ -169,6 +171,7 @@ impl Display for Sequencing {
                 f.write_str("groups ")?;
                 list(f, groups)
             }
+            Self::Picked => f.write_str("picked"),
             Self::Reverse => f.write_str("reverse"),
             Self::Auto(from) => write!(f, "auto {}", P(*from)),
             Self::Level(numbers) => {
@@ -176,6 +179,23 @@ impl Display for Sequencing {
                 list(f, numbers)
             }
             Self::Travel(search) => travel(f, search),
+        }
+    }
+}
+
+impl Display for Picking {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Self::None => f.write_str("none"),
+            Self::Shapes(numbers) => list(f, numbers),
+            Self::Groups(groups) => {
+                f.write_str("groups ")?;
+                list(f, groups)
+            }
+            Self::Remove(numbers) => {
+                f.write_str("remove ")?;
+                list(f, numbers)
+            }
         }
     }
 }

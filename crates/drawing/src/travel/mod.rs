@@ -79,7 +79,7 @@ pub(crate) struct Trip {
 }
 
 /// The fewest and the most tries when nothing is said: the most take about a second for 1,000 shapes.
-const TRIES: (u32, u32) = (2_000, 12_000);
+const TRIES: (u32, u32) = (2_000, 8_000);
 /// Tries for each shape when nothing is said.
 const TRIES_PER_STOP: u32 = 100;
 

@@ -1,14 +1,14 @@
 //! G2 and G3.
 //!
 //! In XY an arc stays an arc. In the other planes, and where FP stretches X and Y differently, it is
-//! given as chords that lie within the tolerance.
+//! given as chords that lie within the tolerance; those of a circle are announced as its chords.
 
 use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::Plane;
 use crate::gathered::Gathered;
 use kerf_diag::Code;
-use kerf_program::{Arc, Axes, Command, Feed, Line, MoveKind, Settings};
+use kerf_program::{Arc, Axes, Chorded, Command, Feed, Line, MoveKind, Settings};
 use std::f64::consts::{PI, TAU};
 
 /// Ends this close together make a whole turn, mm.
@@ -43,6 +43,16 @@ impl ArcWords {
             turns: g.get(b'P').unwrap_or(1.0),
         }
     }
+
+    pub(super) const fn is_clockwise(&self) -> bool {
+        self.clockwise
+    }
+
+    /// I, J and K, when all are given and nothing else.
+    pub(super) fn all_offsets(&self) -> Option<[f64; 3]> {
+        let [Some(i), Some(j), Some(k)] = self.offsets else { return None };
+        (self.radius.is_none() && self.turns == 1.0).then_some([i, j, k])
+    }
 }
 
 /// An arc in two axes of its plane.
@@ -76,6 +86,12 @@ fn agree(r1: f64, r2: f64) -> bool {
     difference <= RADII_MM || difference <= RADII_MOST_MM && difference <= RADII_SHARE * r1.max(r2)
 }
 
+/// Whether two places lie on one circle about a centre.
+pub(super) fn is_round(from: [f64; 2], centre: [f64; 2], to: [f64; 2]) -> bool {
+    let (r1, r2) = (distance(from, centre), distance(to, centre));
+    r1 > 0.0 && r2 > 0.0 && agree(r1, r2)
+}
+
 /// The sweep of an arc in XY by its centre; `None` when it is none.
 pub(super) fn checked_sweep(
     from: Axes,
@@ -84,8 +100,7 @@ pub(super) fn checked_sweep(
     clockwise: bool,
 ) -> Option<f64> {
     let (from, to) = ([from.0[0], from.0[1]], [to.0[0], to.0[1]]);
-    let (r1, r2) = (distance(from, centre), distance(to, centre));
-    (r1 > 0.0 && r2 > 0.0 && agree(r1, r2)).then(|| sweep(from, centre, to, clockwise))
+    is_round(from, centre, to).then(|| sweep(from, centre, to, clockwise))
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -128,6 +143,11 @@ impl Context<'_> {
         self.need_straight()?;
         let to = self.target(g)?;
         let plane = self.core.state.modal.plane;
+        if let Some(arc) = self.spatial(words, to)? {
+            let feed = self.feed(self.core.position, self.moving(to))?;
+            self.spatial_arc(&arc, to, feed);
+            return Ok(());
+        }
         let [u, v, w] = plane.axes();
         let flat = self.flat(words, to, [u, v, w])?;
         let feed = self.feed(self.core.position, self.moving(to))?;
@@ -284,6 +304,9 @@ impl Context<'_> {
         let proportion = self.core.options.proportion;
         let largest = proportion[u].abs().max(proportion[v].abs()).max(1.0);
         let count = chords_within(r1.max(r2), flat.sweep, self.core.options.tolerance_mm / largest);
+        if let Some(chorded) = self.chorded(flat, [u, v], to, feed, count) {
+            self.emit(Command::Chorded(chorded));
+        }
         let feed = match feed {
             Feed::Time(s) => Feed::Time(s / f64::from(count)),
             feed => feed,
@@ -306,5 +329,23 @@ impl Context<'_> {
         self.core.position = to;
         self.emit(Command::Line(Line { kind: MoveKind::Cut, to, feed }));
         Ok(())
+    }
+
+    /// What the chords of an arc follow: a circle, unless FP stretches or the system turns it.
+    fn chorded(
+        &self,
+        flat: &Flat,
+        axes: [usize; 2],
+        to: Axes,
+        feed: Feed,
+        chords: u32,
+    ) -> Option<Chorded> {
+        let [u, v] = axes;
+        let proportion = self.core.options.proportion;
+        let is_circle = proportion[u] == proportion[v] && self.core.turned.is_none();
+        let centre = [(0, u), (1, v)]
+            .map(|(n, axis)| flat.centre[n] * proportion[axis] + self.core.zero.0[axis]);
+        let sweep_rad = flat.sweep;
+        is_circle.then_some(Chorded { chords, axes, centre, sweep_rad, to, feed })
     }
 }

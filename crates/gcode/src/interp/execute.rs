@@ -54,14 +54,10 @@ impl Context<'_> {
         if let Some(tool) = g.get(b'T') {
             self.core.state.selected = tool as u32;
         }
-        self.inputs_and_outputs(g)?;
-        self.tool_change(g)?;
-        self.spindle(g)?;
-        self.keep_modes(g)?;
-        self.coolant(g);
-        self.overrides(g);
-        if g.g[ONCE] == Some(40) {
-            self.dwell(g);
+        if self.core.options.path_only {
+            self.keep_modes(g)?;
+        } else {
+            self.machine_codes(g)?;
         }
         self.plane(g)?;
         self.compensation(g)?;
@@ -74,6 +70,20 @@ impl Context<'_> {
             self.set_motion(g, motion)?;
         }
         self.stop(g)
+    }
+
+    /// What a block does besides its path.
+    fn machine_codes(&mut self, g: &Gathered) -> Result<(), Stop> {
+        self.inputs_and_outputs(g)?;
+        self.tool_change(g)?;
+        self.spindle(g)?;
+        self.keep_modes(g)?;
+        self.coolant(g);
+        self.overrides(g);
+        if g.g[ONCE] == Some(40) {
+            self.dwell(g);
+        }
+        Ok(())
     }
 
     /// The motion that this block makes, in tenths; `None` when it makes none.

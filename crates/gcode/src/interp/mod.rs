@@ -33,6 +33,7 @@ mod parameters;
 mod probe;
 mod saving;
 mod session;
+mod spatial;
 mod spline;
 mod state;
 mod step;

@@ -56,6 +56,7 @@ impl Context<'_> {
             50 | 51 => self.spline(g, motion, spline_end),
             52 | 53 => self.nurbs(g, motion),
             382..=385 => self.begin_probe(g, motion),
+            730 | 810..=890 if self.core.options.path_only => Ok(()),
             730 | 810..=890 => self.cycle(g, motion),
             _ => Ok(()),
         }

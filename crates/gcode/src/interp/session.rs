@@ -74,6 +74,10 @@ pub struct Options {
     pub spindle_output: u8,
     /// The input that a probe is wired to.
     pub probe_input: u8,
+    /// Only the path counts, as for a drawing: cycles of drilling, dwells, changes of tools, spindle and
+    /// coolant do nothing.
+    #[serde(default)]
+    pub path_only: bool,
     /// How far chords may lie from a curve that is no circle in XY, mm.
     pub tolerance_mm: f64,
     /// What X, Y and Z of the file are multiplied with (FP).
@@ -105,6 +109,7 @@ impl Default for Options {
             comments: true,
             spindle_output: 1,
             probe_input: 1,
+            path_only: false,
             tolerance_mm: 0.005,
             proportion: [1.0; 3],
             temporary_zero_mm: [0.0; 3],

@@ -101,6 +101,8 @@ pub struct Writer<'a> {
     written: [Option<String>; kerf_program::AXES],
     /// The motion word in force.
     motion: &'static str,
+    /// The plane of arcs in force.
+    plane: &'static str,
     /// The feed in force.
     feed: Option<String>,
     inverse: bool,
@@ -109,6 +111,8 @@ pub struct Writer<'a> {
     overrides: [bool; 2],
     /// It was told that an axis is linear.
     linear_told: bool,
+    /// Lines to come that an arc was written for.
+    chords_left: u32,
 }
 
 impl<'a> Writer<'a> {
@@ -125,12 +129,14 @@ impl<'a> Writer<'a> {
             position: writing.position,
             written: Default::default(),
             motion: "",
+            plane: "G17",
             feed: None,
             inverse: false,
             switches: Switches::default(),
             changing: Changing::default(),
             overrides: [true; 2],
             linear_told: false,
+            chords_left: 0,
         };
         writer.begin();
         writer
@@ -186,8 +192,10 @@ impl<'a> Writer<'a> {
 
     fn write(&mut self, command: &Command) {
         match command {
+            Command::Line(_) if self.chords_left > 0 => self.chords_left -= 1,
             Command::Line(line) => self.straight(line),
             Command::Arc(arc) => self.arc(arc),
+            Command::Chorded(arc) => self.arc_in_plane(arc),
             Command::Settings(settings) => self.use_settings(settings),
             Command::Location { frame, working, base } => {
                 if base.iter().any(|a| frame.base_zero[a] != self.frame.base_zero[a]) {

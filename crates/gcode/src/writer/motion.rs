@@ -3,7 +3,7 @@
 use super::Writer;
 use kerf_geom::{Arc2, Point2};
 use kerf_program::settings::{AxisUnit, PerGroup};
-use kerf_program::{AXES, Arc, Axes, Axis, Feed, Line, MoveKind, decimal, length_places};
+use kerf_program::{AXES, Arc, Axes, Axis, Chorded, Feed, Line, MoveKind, decimal, length_places};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -34,18 +34,19 @@ impl Writer<'_> {
     }
 
     /// The words of the axes that change; an arc names both axes of its plane.
-    fn place(&mut self, to: Axes, both: bool) -> String {
+    fn place(&mut self, to: Axes, plane: Option<[usize; 2]>) -> String {
+        let named = |axis: usize| plane.is_some_and(|plane| plane.contains(&axis));
         let (words, here) = (self.words_of(to), self.words_of(self.position));
         let mut text = String::new();
         for (i, word) in words.into_iter().enumerate() {
             let known = self.written[i].as_ref() == Some(&word);
             let still = self.written[i].is_none() && word == here[i];
-            if (!known && !still || both && i < 2) && self.lacks(i) {
+            if (!known && !still || named(i)) && self.lacks(i) {
                 self.unsaid_motion(format!(
                     "{} to {word}: grbl has X, Y and Z",
                     Axis::ALL[i].letter()
                 ));
-            } else if !known && !still || both && i < 2 {
+            } else if !known && !still || named(i) {
                 self.doubt_unit(Axis::ALL[i]);
                 let _ = write!(text, " {}{word}", Axis::ALL[i].letter());
                 self.written[i] = Some(word);
@@ -56,7 +57,7 @@ impl Writer<'_> {
 
     pub(super) fn straight(&mut self, line: &Line) {
         let from = self.position;
-        let place = self.place(line.to, false);
+        let place = self.place(line.to, None);
         self.position = line.to;
         if place.is_empty() {
             return;
@@ -74,13 +75,18 @@ impl Writer<'_> {
 
     /// A block; the motion word is written when it changes.
     fn block(&mut self, code: &'static str, words: &str) {
-        let code = if self.motion == code && code != "G2" && code != "G3" {
-            ""
-        } else {
+        let code = if self.motion == code { "" } else { code };
+        if !code.is_empty() {
             self.motion = code;
-            code
-        };
+        }
         self.line(format!("{code}{words}").trim_start());
+    }
+
+    /// The block of an arc; the plane is written when it changes.
+    fn arc_block(&mut self, plane: &'static str, motion: &'static str, words: &str) {
+        let changed = std::mem::replace(&mut self.plane, plane) != plane;
+        let plane = if changed { format!("{plane} ") } else { String::new() };
+        self.line(&format!("{plane}{motion}{words}"));
     }
 
     /// An arc, a turn at a time: not every controller counts turns.
@@ -126,7 +132,7 @@ impl Writer<'_> {
         let length = Point2::new(from.0[0], from.0[1])
             .distance(Point2::new(arc.centre[0], arc.centre[1]))
             * sweep.abs();
-        let place = self.place(arc.to, !is_turn);
+        let place = self.place(arc.to, (!is_turn).then_some([0, 1]));
         let feed = match arc.feed {
             Feed::Time(s) => Feed::Time(s * length / whole_length.max(1e-9)),
             feed => feed,
@@ -135,8 +141,40 @@ impl Writer<'_> {
         let i = self.value(0, arc.centre[0] - from.0[0]);
         let j = self.value(1, arc.centre[1] - from.0[1]);
         self.position = arc.to;
-        let code = if sweep < 0.0 { "G2" } else { "G3" };
-        self.block(code, &format!("{place} I{i} J{j}{feed}"));
+        self.motion = if sweep < 0.0 { "G2" } else { "G3" };
+        self.arc_block("G17", self.motion, &format!("{place} I{i} J{j}{feed}"));
+    }
+
+    /// An arc of G18 or G19, where it can be said in one block; else its chords follow.
+    pub(super) fn arc_in_plane(&mut self, arc: &Chorded) {
+        let [u, v] = arc.axes;
+        let plane = match (u, v) {
+            (2, 0) => "G18",
+            (1, 2) => "G19",
+            _ => return,
+        };
+        let from = self.position;
+        let (start, end) = (self.words_of(from), self.words_of(arc.to));
+        let closed = start[u] == end[u] && start[v] == end[v];
+        let turns = arc.sweep_rad.abs() / TAU;
+        if turns > 1.0 + 1e-9 || closed != (turns > 1.0 - 1e-6) {
+            return;
+        }
+        let offset = [0, 1].map(|n| arc.centre[n] - from.0[arc.axes[n]]);
+        let length = offset[0].hypot(offset[1]) * arc.sweep_rad.abs();
+        let place = self.place(arc.to, (!closed).then_some(arc.axes));
+        let [a, b] = [(u, offset[0]), (v, offset[1])].map(|(axis, offset)| {
+            let letter = char::from(b"IJK"[axis]);
+            (axis, format!(" {letter}{}", self.value(axis, offset)))
+        });
+        let offsets = if a.0 < b.0 { a.1 + &b.1 } else { b.1 + &a.1 };
+        // All of its length counts as in the plane: the axes of the plane share it.
+        let feed = self.feed(arc.feed, MoveKind::Cut, length, Axes::default());
+        self.position = arc.to;
+        self.chords_left = arc.chords;
+        self.motion = if arc.sweep_rad < 0.0 { "G2" } else { "G3" };
+        let words = format!("{place}{offsets}{feed}");
+        self.arc_block(plane, self.motion, &words);
     }
 
     fn halves(&mut self, arc: &Arc, whole_length: f64) {

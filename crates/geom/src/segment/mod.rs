@@ -7,6 +7,7 @@
 //!    end ─────┴───── start   so it lies to the right of its chord
 //! ```
 
+mod apart;
 mod bounds;
 mod meet;
 mod nearest;

@@ -5,7 +5,7 @@ use crate::exit::{Exit, Usage};
 use crate::out;
 use anyhow::{Result, bail};
 use clap::Args;
-use kerf_drawing::{Drawing, ENTRIES, Editor, Group, Kind, Operation, Shape, script};
+use kerf_drawing::{ENTRIES, Editor, Group, Kind, Operation, Shape, script};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -58,19 +58,20 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
         drawings::Reading { layers: args.layers, scale: !args.unscaled, explode: !args.no_blocks };
     let mut editor = Editor::of(drawings::open(&args.files, &reading)?);
     if let Some(text) = &args.operations {
-        carry_out(&mut editor, text)?;
+        carry_out(&mut editor, text, &reading)?;
     }
     if let Some(output) = &args.output {
         drawings::write(&editor.drawing, output)?;
     }
     if args.list {
-        list(&editor.drawing);
+        list(&editor);
     }
     Ok(Exit::Good)
 }
 
-fn carry_out(editor: &mut Editor, text: &str) -> Result<()> {
+fn carry_out(editor: &mut Editor, text: &str, reading: &drawings::Reading) -> Result<()> {
     for (number, operation) in script(text)? {
+        let operation = with_file(operation, reading)?;
         let outcome = editor.apply(&operation).map_err(|error| told(number, &operation, &error))?;
         for told in outcome.warnings.iter().chain(&outcome.notes) {
             eprintln!("clause {number} `{operation}`: {told}");
@@ -79,17 +80,30 @@ fn carry_out(editor: &mut Editor, text: &str) -> Result<()> {
     Ok(())
 }
 
+/// An operation with what its file holds, where it names one.
+fn with_file(operation: Operation, reading: &drawings::Reading) -> Result<Operation> {
+    let Some(file) = operation.file().map(PathBuf::from) else { return Ok(operation) };
+    if !drawings::is_loadable(&file) {
+        bail!("{}: the clipboard takes .dxf, .svg, .rsg and .rsm files", file.display());
+    }
+    Ok(operation.with_file(drawings::open(&[file], reading)?))
+}
+
 fn told(number: usize, operation: &Operation, why: &impl std::fmt::Display) -> anyhow::Error {
     anyhow::anyhow!("clause {number} `{operation}`: {why}")
 }
 
-fn list(drawing: &Drawing) {
-    let lines = drawing.shapes.iter().enumerate().map(|(n, shape)| line(n + 1, shape));
+/// The shapes, each with its place in the order that is being picked.
+fn list(editor: &Editor) {
+    let drawing = &editor.drawing;
+    let picked = editor.picks.shapes(drawing);
+    let pick = |n: usize| picked.iter().position(|it| *it == n).map(|at| at + 1);
+    let lines = drawing.shapes.iter().enumerate().map(|(n, shape)| line(n + 1, shape, pick(n)));
     out::print(&lines.map(|line| line.to_string() + "\n").collect::<String>());
 }
 
 /// A shape as `kerf draw --list` prints it.
-fn line(number: usize, shape: &Shape) -> Value {
+fn line(number: usize, shape: &Shape, pick: Option<usize>) -> Value {
     let path = &shape.path;
     let points: Vec<_> = path.vertices.iter().map(|v| [v.at.x, v.at.y, v.bulge]).collect();
     let bounds = path.bounds();
@@ -97,7 +111,7 @@ fn line(number: usize, shape: &Shape) -> Value {
         Kind::Point => "point",
         Kind::Polyarc => "polyarc",
     };
-    json!({
+    let mut value = json!({
         "n": number,
         "group": shape.group.name(),
         "kind": kind,
@@ -108,5 +122,9 @@ fn line(number: usize, shape: &Shape) -> Value {
         "area": if shape.is_closed() { path.signed_area() } else { 0.0 },
         "bounds": { "min": bounds.min, "max": bounds.max },
         "pause": shape.pause,
-    })
+    });
+    if let Some(pick) = pick {
+        value["pick"] = pick.into();
+    }
+    value
 }

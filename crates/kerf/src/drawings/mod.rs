@@ -172,6 +172,11 @@ pub fn is_drawing(file: &Path) -> bool {
     matches!(extension(file).as_str(), "dxf" | "svg" | "plt" | "hpg" | "hpgl" | "rsg" | "rsm")
 }
 
+/// Whether the shapes of a file can be put onto the clipboard.
+pub fn is_loadable(file: &Path) -> bool {
+    matches!(extension(file).as_str(), "dxf" | "svg" | "rsg" | "rsm")
+}
+
 /// Writes a drawing, whole or not at all.
 pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
     let extension = extension(file);

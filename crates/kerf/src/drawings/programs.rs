@@ -6,7 +6,7 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{Desk, Shelf};
 use kerf_convert::{Conversion, Language, Source};
-use kerf_formats::{Imported, motion};
+use kerf_formats::{Finding, Imported, Weight, motion};
 use kerf_gcode::Dialect;
 use kerf_program::Axes;
 use kerf_program::settings::{LinearUnit, Settings};
@@ -45,11 +45,16 @@ pub fn read(file: &Path, bytes: &[u8]) -> Result<Imported> {
             let mut shelf = Shelf::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
             follow(&mut Desk::new(&mut shelf, &mut ()))
         };
-    let passage = kerf_convert::passage(&source, &how, &mut desk, Axes::default());
+    let passage = kerf_convert::path(&source, &how, &mut desk, Axes::default());
     let shown = Diagnostics::default();
     passage.diagnostics.iter().for_each(|diagnostic| shown.show(diagnostic));
     if passage.diagnostics.iter().any(kerf_diag::Diagnostic::is_error) {
         bail!("{}: a program with errors is not drawn", file.display());
     }
-    Ok(motion::read(passage.commands(), passage.start))
+    let mut read = motion::read(passage.commands(), passage.start);
+    if let Language::Gcode(_) = from {
+        let ignored = kerf_gcode::no_path(&kerf_gcode::read(source.name, bytes));
+        read.findings.extend(ignored.map(|text| Finding { line: 0, weight: Weight::Note, text }));
+    }
+    Ok(read)
 }

@@ -4,9 +4,13 @@
 
 mod delays;
 mod estop;
+mod group;
 mod height;
 mod job;
+mod knife;
 mod laser;
+mod mark;
+mod patient;
 mod pause;
 mod plasma;
 mod signals;

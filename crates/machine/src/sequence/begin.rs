@@ -88,7 +88,10 @@ impl Sequence {
             steps.push(Small::Travel(shape.start()));
         }
         steps.push(Small::Rapid(self.heights.top_mm));
-        steps.extend(self.router_on());
+        // A first shape with a pause mark: the router waits for the operator.
+        if !self.here.shape(&self.job).is_some_and(|shape| self.is_marked(shape)) {
+            steps.extend(self.router_on());
+        }
         steps
     }
 

@@ -71,6 +71,7 @@ impl Sequence {
             Small::Made => self.here.along = Along::After,
             Small::Clear => self.here.along = Along::Clear,
             Small::Enter(state) => self.enter(*state, out),
+            Small::Mark => self.halt_at_mark(out),
             Small::Say(text) => self.give(Command::Message { text: text.clone() }, out),
             Small::Ask | Small::GiveUp => {}
         }
@@ -147,6 +148,12 @@ impl Sequence {
         self.state = state;
         let why = if state == State::Running { "".into() } else { self.why.clone() };
         self.give(Command::State { name: state.name().into(), why }, out);
+    }
+
+    fn halt_at_mark(&mut self, out: &mut Vec<Sourced>) {
+        self.marked = true;
+        self.why = format!("pause mark of shape {}", self.at().line).into();
+        self.enter(State::Paused, out);
     }
 
     /// Height control begins or ends; where it ends Z is asked for.

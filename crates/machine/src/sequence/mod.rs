@@ -92,7 +92,9 @@ pub struct Sequence {
     begun_mm: f64,
     /// Height control is on.
     controlled: bool,
-    /// The machine halted at the pause mark of this shape already.
+    /// The machine stands at the pause mark of a shape.
+    marked: bool,
+    /// It halted at the pause mark of this shape already.
     halted_before: bool,
     cut: u64,
     /// The group told last.
@@ -133,6 +135,7 @@ impl Sequence {
             felt_mm: heights.surface_mm,
             begun_mm: heights.surface_mm,
             controlled: false,
+            marked: false,
             halted_before: false,
             cut: 0,
             group: None,

@@ -11,6 +11,7 @@ use super::words::Word;
 use crate::lines::Output;
 use crate::state::{Effect, Event, State};
 use kerf_geom::Point2;
+use kerf_program::job::JobShape;
 use kerf_program::{Axis, Beam, Button, Halted, Question, QuestionKind, Status};
 use std::sync::Arc;
 
@@ -53,6 +54,7 @@ impl Sequence {
         } else if let Some(first) = self.state.on(event, self.stop_settings()) {
             self.why = why.into();
             self.state = first.state;
+            self.marked = false;
             let mut effects = first.effects;
             if let Some(stands) = self.state.on(Event::Stands, self.stop_settings()) {
                 self.state = stands.state;
@@ -66,6 +68,19 @@ impl Sequence {
             }
         }
         self.steps.push_back(Small::Ask);
+    }
+
+    /// Whether the machine halts by itself before a shape that is about to begin.
+    pub(super) fn is_marked(&self, shape: &JobShape) -> bool {
+        shape.pause && self.here.pass == 0 && !self.halted_before
+    }
+
+    /// A pause mark: the head waits over the shape, whatever cuts is off.
+    pub(super) fn mark(&self) -> Vec<Small> {
+        let off = [Effect::CutOff, Effect::RouterOff, Effect::ToolOff];
+        let mut steps: Vec<Small> = off.into_iter().flat_map(|it| self.effect(it)).collect();
+        steps.extend([Small::Mark, Small::Ask]);
+        steps
     }
 
     /// The steps of an effect; what slows motion down has happened when they are asked for.
@@ -124,7 +139,7 @@ impl Sequence {
     pub(super) fn question(&self) -> Question {
         // A pause mark is where a job is meant to wait: without an operator it goes on.
         let preparing = self.state == State::Waiting && self.why.is_empty();
-        let marked = self.state == State::Running || preparing;
+        let marked = self.marked || preparing;
         let text = match (&*self.why, marked) {
             (_, true) if preparing => format!("Start with shape {}?", self.here.nth + 1),
             (_, true) => format!("Shape {}", self.at().line),
@@ -145,13 +160,14 @@ impl Sequence {
 
     /// The operator said something.
     pub(super) fn answered(&mut self, words: String) {
-        let marked = self.state == State::Running;
         if self.state == State::Waiting {
             return self.prepared(Word::read(&words));
         }
         match Word::read(&words) {
-            Some(Word::Continue) if marked => self.halted_before = true,
-            Some(Word::Continue) => self.go_on(),
+            Some(Word::Continue) => {
+                self.halted_before |= std::mem::take(&mut self.marked);
+                self.go_on();
+            }
             Some(Word::Abort) => self.abort(),
             Some(word) => {
                 self.obey(word);

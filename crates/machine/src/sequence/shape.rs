@@ -27,8 +27,9 @@ impl Sequence {
         if let Some(spot) = self.here.spot(shape) {
             let z = self.height_at(shape, &spot);
             steps.extend(self.way_to(spot.at));
-            if shape.pause && self.here.pass == 0 && !self.halted_before {
-                steps.push(Small::Ask);
+            if self.is_marked(shape) {
+                steps.extend(self.mark());
+                return steps;
             }
             if shape.traversal {
                 steps.extend(self.traverse(z));

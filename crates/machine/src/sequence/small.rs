@@ -49,6 +49,8 @@ pub(crate) enum Small {
     Made,
     /// The tool is clear of the path.
     Clear,
+    /// The machine halts at the pause mark of the shape at hand.
+    Mark,
     /// The operator decides how it goes on.
     Ask,
     /// The job is given up.

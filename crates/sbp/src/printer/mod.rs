@@ -200,6 +200,7 @@ impl<'a> SbpPrinter<'a> {
             Command::ToolChange { .. }
             | Command::Overrides { .. }
             | Command::EndStack
+            | Command::Chorded(_)
             | Command::State { .. }
             | Command::Diagnostic(_) => {}
         }
