@@ -10,7 +10,7 @@ pub fn no_path(program: &Program) -> Option<String> {
     let mut counts: BTreeMap<(u8, u32), usize> = BTreeMap::new();
     for word in &program.words {
         let Value::Number(code) = word.value else { continue };
-        let is_plain = code >= 0.0 && code < 1000.0 && code.fract() == 0.0;
+        let is_plain = (0.0..1000.0).contains(&code) && code.fract() == 0.0;
         let code = if is_plain { code as u32 } else { continue };
         if needs_no_path(word.letter, code) {
             *counts.entry((word.letter, code)).or_default() += 1;
