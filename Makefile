@@ -71,11 +71,14 @@ figures: prepare console ## draw the pictures of README and book anew
 	    $$(cat docs/figures/timing-$$kind.txt) -o docs/figures/timing-$$kind.svg; \
 	done
 
+# Python's ezdxf, kept apart from whatever Python is there.
+EZDXF := target/peers/ezdxf
 bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
 	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench \
 	  --bin kerf-bench-drawings
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
-	target/release/kerf-bench-drawings
+	@[ -x $(EZDXF)/bin/python3 ] || .ci/venv $(EZDXF) ezdxf
+	PATH="$(CURDIR)/$(EZDXF)/bin:$$PATH" target/release/kerf-bench-drawings $(if $(RECORD),--record)
 
 # GEOS comes with Python's shapely, kept apart from whatever Python is there.
 SHAPELY := target/peers/shapely

@@ -9,6 +9,7 @@ mod gcode;
 mod huge;
 mod inputs;
 mod machine;
+mod page;
 mod record;
 mod replan;
 mod ruckig;

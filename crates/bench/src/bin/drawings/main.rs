@@ -1,25 +1,41 @@
 //! From drawing to tool path, measured: reading DXF, the order of cutting, tool paths. `make bench` builds
-//! and runs it; ezdxf reads the same file where Python has it. Processor time, least of some runs.
+//! and runs it; `--record` writes its table into `docs/benchmarks.md`. Processor time, least of some runs.
 #![allow(clippy::print_stdout)]
 
 mod bound;
 mod dxf;
+#[path = "../../page.rs"]
+mod page;
 mod paths;
 #[path = "../../../../drawing/tests/plates/mod.rs"]
 mod plates;
+mod row;
 mod travel;
 #[allow(dead_code)]
 #[path = "../../usage.rs"]
 mod usage;
 
 use anyhow::Result;
+use row::Row;
+
+const BEGIN: &str = "<!-- make bench RECORD=1 writes drawings from here -->";
+const END: &str = "<!-- drawings to here -->";
 
 fn main() -> Result<()> {
-    println!("| what | by | result | milliseconds |");
-    println!("|---|---|---|---|");
-    dxf::measure()?;
-    travel::measure();
-    paths::measure()
+    let mut rows = dxf::measure()?;
+    rows.extend(travel::measure());
+    rows.push(paths::measure()?);
+    let text = format!(
+        "{} Command: `make bench`. Processor time, the least of a few runs{}.\n\n{}",
+        page::measured(),
+        page::load(),
+        row::table(&rows)
+    );
+    println!("{text}");
+    if std::env::args().any(|word| word == "--record") {
+        page::put(BEGIN, END, &text)?;
+    }
+    Ok(())
 }
 
 /// Runs something some times and gives what it made and the least processor time, milliseconds.

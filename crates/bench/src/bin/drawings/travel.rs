@@ -1,39 +1,65 @@
 //! The order of cutting: random plates and holes to drill.
 
 use crate::bound::one_tree;
+use crate::row::Row;
 use crate::{plates, timed};
-use kerf_drawing::{Drawing, Editor, Operation, Rapids, Search, Sequencing, travelled};
+use kerf_drawing::{Drawing, Editor, Nesting, Operation, Rapids, Search, Sequencing, travelled};
 use kerf_geom::Point2;
 
 /// Length only: what the bound and other programs tell.
 const LENGTH: Rapids =
     Rapids { speed_mm_s: 1.0, accel_mm_s2: 0.0, lift_s: 0.0, tool_change_s: 0.0 };
 
-pub fn measure() {
-    for contours in [104, 311, 978] {
+/// Plates by their contours, with the way between the cuts that is asked for, metres.
+const PLATES: [(usize, f64); 3] = [(104, 2.5), (311, 8.1), (978, 27.5)];
+/// How far above the bound a way to drill may be, percent.
+const OVER: f64 = 5.0;
+
+pub fn measure() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (contours, goal_m) in PLATES {
         let plate = plates::plate(contours, 1);
         let what = format!("travel, plate with {contours} contours");
-        by(&what, "the manual's rule", &plate, &Sequencing::Auto(Point2::default()));
+        let rule = Sequencing::Auto(Point2::default());
+        rows.push(by(&what, "the manual's rule", &plate, &rule).0);
         let first = Search { tries: Some(0), ..search(Rapids::default()) };
-        by(&what, "nearest with best places", &plate, &Sequencing::Travel(first));
-        by(&what, "Kerf", &plate, &Sequencing::Travel(search(Rapids::default())));
+        rows.push(by(&what, "nearest with best places", &plate, &Sequencing::Travel(first)).0);
+        let whole = Sequencing::Travel(search(Rapids::default()));
+        let (row, way) = by(&what, "Kerf", &plate, &whole);
+        let met = way.length_mm <= goal_m * 1e3 && row.ms <= 1000.0 && way.late == 0;
+        rows.push(row.asked(format!("≤ {goal_m} m in 1 s, none late"), met));
     }
+    rows.extend(drilled());
+    rows
+}
+
+fn drilled() -> [Row; 2] {
     let drilled = plates::drilled(1000, 1);
     let what = "travel, 1,000 places to drill";
-    let length = by(what, "Kerf, least length", &drilled, &Sequencing::Travel(search(LENGTH)));
+    let (row, way) =
+        by(what, "Kerf, least length", &drilled, &Sequencing::Travel(search(LENGTH)));
     let mut places = vec![Point2::default()];
     places.extend(drilled.shapes.iter().map(|shape| shape.start()));
     let (bound, ms) = timed(1, || one_tree(&places));
-    let over = 100.0 * (length / bound - 1.0);
-    println!("| {what} | 1-tree bound | {:.2} m; Kerf {over:.1} % above | {ms:.0} |", bound / 1e3);
+    let over = 100.0 * (way.length_mm / bound - 1.0);
+    let row = Row { result: format!("{}, {over:.1} % above the bound", row.result), ..row };
+    let bound = Row::new(what, "1-tree bound", format!("{:.2} m", bound / 1e3), ms);
+    [row.asked("≤ 5 % above", over <= OVER), bound]
 }
 
 fn search(rapids: Rapids) -> Search {
     Search { starts: true, rapids, ..Search::default() }
 }
 
-/// Sequences a drawing and gives the length of the way between the cuts, millimetres.
-fn by(what: &str, who: &str, drawing: &Drawing, order: &Sequencing) -> f64 {
+/// The way between the cuts of a drawing.
+struct Way {
+    length_mm: f64,
+    /// Shapes that are cut after what lies around them.
+    late: usize,
+}
+
+/// Sequences a drawing.
+fn by(what: &str, who: &'static str, drawing: &Drawing, order: &Sequencing) -> (Row, Way) {
     let operation = Operation::Sequence { order: order.clone() };
     let (sequenced, ms) = timed(1, || {
         let mut editor = Editor::of(drawing.clone());
@@ -42,6 +68,9 @@ fn by(what: &str, who: &str, drawing: &Drawing, order: &Sequencing) -> f64 {
         editor.drawing
     });
     let way = travelled(&sequenced, Point2::default(), &Rapids::default());
-    println!("| {what} | {who} | {:.2} m, {:.0} s | {ms:.0} |", way.length_mm / 1e3, way.seconds);
-    way.length_mm
+    let nesting = Nesting::of(&sequenced.shapes);
+    let is_late = |n: &usize| nesting.parent(*n).is_some_and(|outer| outer < *n);
+    let late = (0..sequenced.shapes.len()).filter(is_late).count();
+    let result = format!("{:.2} m, {:.0} s, {late} late", way.length_mm / 1e3, way.seconds);
+    (Row::new(what, who, result, ms), Way { length_mm: way.length_mm, late })
 }
