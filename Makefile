@@ -77,14 +77,14 @@ bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmark
 	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench \
 	  --bin kerf-bench-drawings
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
-	@[ -x $(EZDXF)/bin/python3 ] || .ci/venv $(EZDXF) ezdxf
+	@[ -x $(EZDXF)/bin/python3 ] || .ci/python-peer $(EZDXF) ezdxf
 	PATH="$(CURDIR)/$(EZDXF)/bin:$$PATH" target/release/kerf-bench-drawings $(if $(RECORD),--record)
 
 # GEOS comes with Python's shapely, kept apart from whatever Python is there.
 SHAPELY := target/peers/shapely
 bench-geometry: ## offsets beside those of other programs; GEOS=N compares N shapes of each hard family with GEOS
 	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry --no-default-features
-	@[ -x $(SHAPELY)/bin/python3 ] || .ci/shapely $(SHAPELY)
+	@[ -x $(SHAPELY)/bin/python3 ] || .ci/python-peer $(SHAPELY) shapely
 	PATH="$(CURDIR)/$(SHAPELY)/bin:$$PATH" target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS))
 
 peers: ## install the other programs that `make bench` compares with

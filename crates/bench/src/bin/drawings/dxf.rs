@@ -20,8 +20,10 @@ pub fn measure() -> Result<Vec<Row>> {
     });
     let what = format!("DXF of {:.1} MB", text.len() as f64 / 1e6);
     let shapes = |count: usize| format!("{count} shapes");
-    let mut rows = vec![Row::new(&what, "Kerf", shapes(read.drawing.shapes.len()), ms)
-        .asked("≤ 100 ms", ms <= GOAL_MS)];
+    let mut rows = vec![
+        Row::new(&what, "Kerf", shapes(read.drawing.shapes.len()), ms)
+            .asked("≤ 100 ms", ms <= GOAL_MS),
+    ];
     let (read, ms) = timed(3, || ::dxf::Drawing::load(&mut text.as_bytes()));
     rows.push(Row::new(&what, "crate dxf", shapes(read?.entities().count()), ms));
     rows.extend(ezdxf(&text, &what)?);

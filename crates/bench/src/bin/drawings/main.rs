@@ -16,7 +16,6 @@ mod travel;
 mod usage;
 
 use anyhow::Result;
-use row::Row;
 
 const BEGIN: &str = "<!-- make bench RECORD=1 writes drawings from here -->";
 const END: &str = "<!-- drawings to here -->";

@@ -29,7 +29,8 @@ impl Row {
 
 /// The rows in Markdown.
 pub fn table(rows: &[Row]) -> String {
-    let mut text = String::from("| what | by | result | milliseconds | goal |\n|---|---|---|---|---|\n");
+    let mut text =
+        String::from("| what | by | result | milliseconds | goal |\n|---|---|---|---|---|\n");
     for Row { what, by, result, ms, goal } in rows {
         let goal = goal.as_ref().map_or_else(String::new, |(asked, met)| {
             format!("{asked}: {}", if *met { "met" } else { "missed" })

@@ -36,8 +36,7 @@ pub fn measure() -> Vec<Row> {
 fn drilled() -> [Row; 2] {
     let drilled = plates::drilled(1000, 1);
     let what = "travel, 1,000 places to drill";
-    let (row, way) =
-        by(what, "Kerf, least length", &drilled, &Sequencing::Travel(search(LENGTH)));
+    let (row, way) = by(what, "Kerf, least length", &drilled, &Sequencing::Travel(search(LENGTH)));
     let mut places = vec![Point2::default()];
     places.extend(drilled.shapes.iter().map(|shape| shape.start()));
     let (bound, ms) = timed(1, || one_tree(&places));
