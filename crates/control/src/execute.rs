@@ -128,6 +128,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             Some((stop, why, began)) => {
                 self.stand();
+                self.world.shelf.tape.stood(stop.share);
                 // A stop behind the last move leaves nothing to make.
                 let motion = if stop.share < 1.0 { number } else { self.stack.next_number() };
                 let at = kerf_program::Halted { motion, began, stands: stop.position };

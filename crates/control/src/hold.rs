@@ -31,7 +31,12 @@ impl<I: Interpreter> Runner<'_, I> {
         let (stood, ahead) = (self.world.machine.position(), self.mover.position());
         self.lift();
         let lifted_mm = self.world.machine.position()[Axis::Z];
-        let nudged = self.until_resumed()?;
+        let resumed = self.until_resumed(&hold_question());
+        if resumed.is_err() {
+            self.world.shelf.tape.given_up(self.world.placed());
+        }
+        let nudged = resumed?;
+        self.world.shelf.tape.goes_on();
         self.world.machine.resumed();
         self.world.machine.begin_motion();
         self.world.tell_log();
@@ -56,10 +61,11 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Does what the operator says until the run goes on; the sum of all nudges.
-    fn until_resumed(&mut self) -> Result<Axes, Over> {
+    pub(crate) fn until_resumed(&mut self, question: &Question) -> Result<Axes, Over> {
+        self.wake();
         let mut nudged = Axes::default();
         loop {
-            match self.ask(&hold_question(), self.last_move)? {
+            match self.ask(question, self.last_move)? {
                 Answer::Button(Button::Resume) => return Ok(nudged),
                 Answer::Text(words) => {
                     if let Some(nudge) = Nudge::read(&words) {
@@ -108,7 +114,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Everything that was planned and not made follows the workpiece.
-    fn shift(&mut self, by: Axes) {
+    pub(crate) fn shift(&mut self, by: Axes) {
         if by == Axes::default() {
             return;
         }

@@ -98,14 +98,13 @@ impl Session {
         shelf: &mut Shelf,
         _: &Owner,
     ) -> Result<(), JournalError> {
-        let unfit = shelf.tape.unfit().map(str::to_owned);
-        shelf.tape = Tape::default();
+        let tape: Tape = std::mem::take(&mut shelf.tape);
         let Some(journal) = shelf.journal() else { return Ok(()) };
-        if let Some(why) = unfit {
-            return Err(JournalError::Unfit(why));
+        if let Some(why) = tape.unfit() {
+            return Err(JournalError::Unfit(why.to_owned()));
         }
         journal.each_commit_lasts(true)?;
-        journal.end(run, self, summary)?;
+        journal.end(run, self, summary, &tape)?;
         journal.back_up()
     }
 }

@@ -2,21 +2,27 @@
 //! played from the [tape](crate::journal); then the machine goes back to where the cut ended.
 //!
 //! ```text
-//!           lift ┌───────── approach ────────┐
+//!           lift ┌─ ask ───── approach ──────┐
 //!                │   spindle, outputs        │ plunge
 //!   stands here ─┘                           └─► on along the path
 //! ```
 //!
-//! The move that was under way is made again from its start. A job knows its own way back, that from a
-//! pause: it is only told where it was.
+//! Of the move that was under way the rest is made, along the same path: an arc is still part of the
+//! same circle. A job knows its own way back, that from a pause: it is only told where it was.
 
 use crate::Event;
 use crate::execute::Halted;
 use crate::journal::Placed;
-use crate::runner::Runner;
+use crate::runner::{Over, Runner};
 use kerf_motion::Move;
-use kerf_program::{Axes, Axis, Interpreter, MoveKind, OutputReason, StoppedBy};
+use kerf_program::{
+    Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
+};
+use kerf_sim::WasOn;
 use std::sync::Arc;
+
+/// Of a move that was as good as made this much counts as made: the rest has a length.
+const LAST_SHARE: f64 = 1.0 - 1e-9;
 
 impl<I: Interpreter> Runner<'_, I> {
     /// The world is heard again when all has happened that happened before.
@@ -48,24 +54,23 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand();
     }
 
-    /// Brings the machine back to where the run was, before the first move that was not made; or lets
-    /// the program do it.
+    /// Brings the machine back to where the run was, before the rest that was not made; or lets the
+    /// program do it.
     pub(crate) fn take_up(&mut self) -> Result<(), Halted> {
         if !self.is_taken_up() {
             return Ok(());
         }
         // It may have been taken up here before, and cut short again.
-        let from = self.world.shelf.tape.reentered().unwrap_or_else(|| {
-            let from = self.stands_at();
+        let told = self.world.shelf.tape.reentered().unwrap_or_else(|| {
+            let stands = self.stands_at();
             self.reentry = None;
-            self.world.shelf.tape.reenter(&from);
-            from
+            self.world.shelf.tape.reenter(stands)
         });
+        self.skip(told.within);
         if self.interpreter.takes_stops() {
-            return Err(self.hand_over(from.position));
+            return Err(self.hand_over(told.place.position));
         }
-        self.go_back(from.position);
-        Ok(())
+        self.go_back(told.place.position).map_err(Halted::Over)
     }
 
     /// The program finds its way back from where the machine stands.
@@ -75,8 +80,17 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.machine.restart(from);
         self.tell_taken_up();
         self.world.tell(&Event::Resume { t: self.world.now() });
+        self.world.shelf.tape.goes_on();
         let at = kerf_program::Halted { motion, began, stands: from };
         Halted::Taken { by: StoppedBy::PowerCut, at }
+    }
+
+    /// Leaves out what was made of the first move that waits.
+    fn skip(&mut self, share: f64) {
+        let Some(first) = self.stack.waiting.first_mut().filter(|_| share > 0.0) else { return };
+        let (_, rest) = first.split(share.min(LAST_SHARE));
+        *first = rest;
+        self.world.machine.put(rest.from);
     }
 
     /// Where the machine stands, in the frames of the run.
@@ -94,21 +108,44 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    fn go_back(&mut self, from: Axes) {
+    fn go_back(&mut self, from: Axes) -> Result<(), Over> {
         let ahead = self.mover.position();
         let to = self.world.machine.position();
         let was_on = self.world.machine.restart(from);
         self.world.machine.begin_motion();
         self.tell_taken_up();
         self.lift();
-        for number in was_on {
-            self.world.machine.output(number, true, OutputReason::Program);
+        let ready = self.until_resumed(&ready_question(&was_on));
+        if ready.is_err() {
+            self.world.shelf.tape.given_up(self.world.placed());
+        }
+        let nudged = ready?;
+        self.world.shelf.tape.goes_on();
+        self.switch_on(&was_on);
+        self.approach(to.plus(nudged));
+        self.go(MoveKind::Cut, to.plus(nudged));
+        self.mover.set_position(ahead.plus(nudged));
+        self.shift(nudged);
+        self.world.tell(&Event::Resume { t: self.world.now() });
+        Ok(())
+    }
+
+    /// Outputs come on again, and have the time that the machine gives a spindle to come to speed.
+    fn switch_on(&mut self, was_on: &WasOn) {
+        for number in &was_on.outputs {
+            self.world.machine.output(*number, true, OutputReason::Program);
+        }
+        if was_on.pwm_percent > 0.0 {
+            self.world.machine.pwm(1, was_on.pwm_percent);
         }
         self.world.tell_log();
-        self.approach(to);
-        self.go(MoveKind::Cut, to);
-        self.mover.set_position(ahead);
-        self.world.tell(&Event::Resume { t: self.world.now() });
+        let seconds = self.world.machine_is.delays.router_start_s;
+        if was_on.turns() && seconds > 0.0 && !self.world.machine.draws() {
+            let t = self.world.now();
+            self.world.tell(&Event::Wait { seconds, t });
+            self.pass(t, t + seconds, None).into_iter().for_each(|wish| self.postpone(wish));
+            self.stand_until(t + seconds);
+        }
     }
 
     fn tell_taken_up(&mut self) {
@@ -126,5 +163,25 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut over = to;
         over[Axis::Z] = to[Axis::Z].max(self.world.machine.position()[Axis::Z]);
         self.go(MoveKind::Jog, over);
+    }
+}
+
+/// What the operator is asked when the tool is up, before anything turns.
+fn ready_question(was_on: &WasOn) -> Question {
+    let on: Vec<String> = was_on.outputs.iter().map(u8::to_string).collect();
+    let outputs = match on.as_slice() {
+        [] => "No output comes on".to_owned(),
+        [one] => format!("Output {one} comes on"),
+        all => format!("Outputs {} come on", all.join(", ")),
+    };
+    Question {
+        kind: QuestionKind::Hold,
+        text: format!("{outputs}, the tool goes back to where the cut ended. Is everything ready?"),
+        title: "Resume".into(),
+        buttons: vec![Button::Resume, Button::Quit],
+        default: 0,
+        prefill: String::new(),
+        icon: 0,
+        until: None,
     }
 }

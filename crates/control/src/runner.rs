@@ -475,6 +475,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.world.machine.land_torch();
         let stands = self.world.machine.position();
         self.interpreter.stopped(by, &kerf_program::Halted { stands, ..*at });
+        self.world.shelf.tape.goes_on();
         self.begin_anew(stands);
         Flow::Interrupted
     }

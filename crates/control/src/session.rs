@@ -182,6 +182,7 @@ impl Session {
         let mut world = World::new(machine, shelf, sink, operator);
         world.previews = options.program.preview;
         world.silent = stands.is_some();
+        world.machine_is = self.machine_is.clone();
         world.typed_files = depth;
         let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
         let interpreter = Interpreter::new(program, memory, read);
@@ -227,6 +228,7 @@ impl Session {
         (self.memory.settings, self.memory.frame) = (settings, frame);
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
+        world.machine_is = machine.clone();
         let mut runner = Runner::new(sequence, world, pace, options.limits, 0);
         runner.reentry = stands;
         let over = runner.run();

@@ -1,7 +1,7 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
 use crate::by_hand::Jog;
-use crate::journal::Kind;
+use crate::journal::{Kind, Placed, Turn};
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
@@ -11,6 +11,9 @@ use kerf_program::{
     Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
 };
 use kerf_sim::{Change, HaltCause};
+
+/// How often it is written down how far a move has come, seconds.
+const RECORDED_EVERY_S: f64 = 0.02;
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Lets time pass until a moment, unless something stops the program before.
@@ -27,6 +30,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let wish = self.ask_pace(self.world.now(), end_s, None);
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
+        self.world.shelf.tape.stood(1.0);
         match (wish, halt) {
             (Some((_, Wish::Input { number, on })), _) => {
                 self.press(number, on, stood_s);
@@ -60,7 +64,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Time passes and nothing moves.
-    fn stand_until(&mut self, end_s: f64) {
+    pub(crate) fn stand_until(&mut self, end_s: f64) {
         let begin_s = self.world.now();
         let end_s = end_s.max(begin_s);
         self.world.machine.advance(end_s);
@@ -98,16 +102,57 @@ impl<I: Interpreter> Runner<'_, I> {
         to_s: f64,
         going: Option<Going<'_>>,
     ) -> Option<(f64, Wish)> {
-        let (pace, tape) = (&mut self.pace, &mut self.world.shelf.tape);
-        if to_s > from_s && pace.is_real() {
-            tape.write();
+        if to_s > from_s && self.pace.is_real() {
+            self.world.shelf.tape.write();
         }
-        let doing = Doing { machine: &self.world.machine, going };
-        let wish = tape.hear_rarely(Kind::Wish, || pace.watch(from_s, to_s, &doing));
+        let wish = match self.world.shelf.tape.turn(Kind::Wish) {
+            Turn::Told(told) => told,
+            Turn::Live => self.watch(from_s, to_s, going),
+            Turn::Open(call) => {
+                let wish = self.watch_writing(from_s, to_s, going);
+                self.world.shelf.tape.heard(Kind::Wish, call, wish.as_ref());
+                if matches!(wish, Some((_, Wish::Stop | Wish::Hold))) {
+                    self.world.shelf.tape.stops();
+                }
+                wish
+            }
+        };
         if wish.is_some() {
-            tape.write();
+            self.world.shelf.tape.write();
         }
         wish
+    }
+
+    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Wish)> {
+        self.pace.watch(from_s, to_s, &Doing { machine: &self.world.machine, going })
+    }
+
+    /// While time passes as it does in the world, how far a move has come is on record: what is made
+    /// of it when the power fails is not cut again.
+    fn watch_writing(
+        &mut self,
+        from_s: f64,
+        to_s: f64,
+        going: Option<Going<'_>>,
+    ) -> Option<(f64, Wish)> {
+        let Some(under_way) = going.filter(|_| self.pace.is_real()) else {
+            return self.watch(from_s, to_s, going);
+        };
+        let slices = ((to_s - from_s) / RECORDED_EVERY_S).ceil().max(1.0) as u64;
+        let moment = |n: u64| from_s + (to_s - from_s) * n as f64 / slices as f64;
+        for slice in 1..=slices {
+            let (begin_s, end_s) = (moment(slice - 1), moment(slice));
+            let wish = self.watch(begin_s, end_s, going);
+            if wish.is_some() || slice == slices {
+                return wish;
+            }
+            let state = under_way.at(end_s);
+            if state.move_index == under_way.index {
+                let place = Placed { position: state.position, ..self.world.placed() };
+                self.world.shelf.tape.makes(state.share, place);
+            }
+        }
+        None
     }
 
     /// Keeps a wish that cannot be fulfilled now.
@@ -129,6 +174,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.is_taken(wish) {
             return self.taken(StoppedBy::Operator, &self.stood());
         }
+        self.world.shelf.tape.stood(1.0);
         self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
     }
 
@@ -173,9 +219,11 @@ impl<I: Interpreter> Runner<'_, I> {
         let pace = &mut self.pace;
         let resumed = self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t));
         let Some(resumed_s) = resumed else {
+            self.world.shelf.tape.given_up(self.world.placed());
             return Err(Over { status: Status::Stopped, diagnostic: None });
         };
         self.stand_until(resumed_s);
+        self.world.shelf.tape.goes_on();
         self.world.machine.resumed();
         self.world.tell_log();
         self.world.tell(&Event::Resume { t: self.world.now() });

@@ -10,6 +10,7 @@ use crate::shelf::Shelf;
 use crate::sink::Made;
 use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
+use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
@@ -61,6 +62,8 @@ pub(crate) struct World<'a> {
     pub silent: bool,
     /// The zero points that stay: a job has its own only while it runs.
     pub stays: Option<Frame>,
+    /// What the machine is.
+    pub machine_is: Arc<Configuration>,
 }
 
 impl<'a> World<'a> {
@@ -89,6 +92,7 @@ impl<'a> World<'a> {
             typed_files: 0,
             silent: false,
             stays: None,
+            machine_is: Arc::default(),
         }
     }
 

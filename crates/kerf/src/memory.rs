@@ -42,18 +42,19 @@ pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Sessi
     Ok(session)
 }
 
-/// Which run was cut short, and where.
+/// Which run was stopped or cut short, and where.
 pub fn told(cut: &CutShort) -> String {
+    let how = if cut.stopped() { "stopped" } else { "cut short" };
     match cut.last_move() {
         (_, shape @ 1..) if cut.is_job() => {
-            format!("the job {} was cut short at shape {shape}", cut.file())
+            format!("the job {} was {how} at shape {shape}", cut.file())
         }
-        (_, 0) => format!("the run of {} was cut short before its first move", cut.file()),
+        (_, 0) => format!("the run of {} was {how} before its first move", cut.file()),
         (file, line) if file == cut.file() => {
-            format!("the run of {file} was cut short behind line {line}")
+            format!("the run of {file} was {how} behind line {line}")
         }
         (file, line) => {
-            format!("the run of {} was cut short behind line {line} of {file}", cut.file())
+            format!("the run of {} was {how} behind line {line} of {file}", cut.file())
         }
     }
 }

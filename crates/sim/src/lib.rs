@@ -41,6 +41,6 @@ pub use hand::Push;
 pub use inputs::{Change, Duty, Inputs, duty};
 pub use limits::Violation;
 pub use log::{Happening, Log, What};
-pub use machine::Machine;
+pub use machine::{Machine, WasOn};
 pub use outputs::Outputs;
 pub use sheet::Sheet;

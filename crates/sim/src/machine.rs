@@ -27,6 +27,22 @@ use std::sync::Arc;
 /// The PWM channel of the heater.
 const HEATER_CHANNEL: u8 = 1;
 
+/// What was on when the power went off.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WasOn {
+    /// Outputs, by number.
+    pub outputs: Vec<u8>,
+    /// The PWM channel.
+    pub pwm_percent: f64,
+}
+
+impl WasOn {
+    /// Whether a spindle is among it: outputs 1 and 2, or the speed that a PWM channel sets.
+    pub fn turns(&self) -> bool {
+        self.outputs.iter().any(|n| [1, 2].contains(n)) || self.pwm_percent > 0.0
+    }
+}
+
 /// A simulated machine. See the [crate] for what it does.
 #[derive(Clone, Debug)]
 pub struct Machine {
@@ -317,12 +333,13 @@ impl Machine {
         self.by_mode(Occasion::Resume, OutputReason::Mode);
     }
 
-    /// The power was off: nothing is on, and it stands somewhere. Tells which outputs were on; the one
-    /// that follows motion and those that the trigger switches come back by themselves.
-    pub fn restart(&mut self, position: Axes) -> Vec<u8> {
+    /// The power was off: nothing is on, and it stands somewhere. Tells what was on, but for what comes
+    /// back by itself: the output that follows motion and the one that the trigger switches.
+    pub fn restart(&mut self, position: Axes) -> WasOn {
         self.position = position;
         self.motors.say(self.true_position());
-        (self.light, self.pwm_percent) = (false, 0.0);
+        self.light = false;
+        let pwm_percent = std::mem::take(&mut self.pwm_percent);
         (self.beam, self.intensity) = (Beam::Off, (0, false));
         (self.law, self.follower) = (None, Follower::default());
         let outputs = std::mem::take(&mut self.outputs);
@@ -331,7 +348,13 @@ impl Machine {
             n == MOTION_OUTPUT && self.settings.io.output4 != -4
                 || trigger.active && n == trigger.output
         };
-        (1..=SWITCHES as u8).filter(|n| outputs.is_on(*n) && !by_itself(*n)).collect()
+        let on = |n: &u8| outputs.is_on(*n) && !by_itself(*n);
+        WasOn { outputs: (1..=SWITCHES as u8).filter(on).collect(), pwm_percent }
+    }
+
+    /// It stands there, without having gone there: what led there has happened before.
+    pub const fn put(&mut self, position: Axes) {
+        self.position = position;
     }
 
     /// Limits do not stop motion any more, until the file ends.

@@ -40,7 +40,7 @@ pub use live::Live;
 pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;
 pub use remembered::{Remembered, Whereabouts};
-pub(crate) use tape::{Kind, Tape};
+pub(crate) use tape::{Kind, Tape, Turn};
 pub use under_way::{CutShort, RunUnderWay};
 
 use database::Access;

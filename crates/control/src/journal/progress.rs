@@ -18,9 +18,15 @@ pub(crate) const EVERY: Duration = Duration::from_millis(10);
 pub(crate) struct Reached {
     /// Moves made since it began.
     pub made: u64,
-    /// The machine moves: it is on the way from `place`.
+    /// How much of the move behind those is made, 0 … 1.
+    #[serde(default)]
+    pub within: f64,
+    /// The operator stopped it there and gave it up.
+    #[serde(default)]
+    pub stopped: bool,
+    /// The machine moves: it is near `place`.
     pub moving: bool,
-    /// Where the last move ended.
+    /// Where it was last.
     pub place: Placed,
     /// What other programs see, but for the machine's motion.
     #[serde(default)]
@@ -70,6 +76,18 @@ impl Progress {
     pub(crate) fn add_step(&mut self, step: Vec<u8>) {
         self.steps.push((self.next_step, step));
         self.next_step += 1;
+    }
+
+    /// The number of the next step.
+    pub(crate) const fn next_step(&self) -> i64 {
+        self.next_step
+    }
+
+    /// Forgets what the world told from a step on.
+    pub(crate) fn drop_steps(&mut self, from: i64) {
+        self.steps.retain(|(number, _)| *number < from);
+        let dropped = self.journal.write(|rows| rows.remove_from(Table::Step, from));
+        self.trouble = dropped.err().or_else(|| self.trouble.take());
     }
 
     /// Adds a file that a step speaks of; tells its name.

@@ -93,6 +93,12 @@ impl Rows<'_> {
         Ok(())
     }
 
+    /// Removes the rows of a table whose keys are numbers from one on.
+    pub(super) fn remove_from(&self, table: Table, first: i64) -> Result<()> {
+        self.0.execute(&format!("DELETE FROM {} WHERE key >= ?1", table.name()), [first])?;
+        Ok(())
+    }
+
     /// Empties a table.
     pub(super) fn clear(&self, table: Table) -> Result<()> {
         self.0.execute(&format!("DELETE FROM {}", table.name()), [])?;

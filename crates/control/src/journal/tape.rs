@@ -56,6 +56,25 @@ pub(crate) struct Step {
     told: serde_json::Value,
 }
 
+/// Who answers a question.
+pub(crate) enum Turn<T> {
+    /// The world, and nobody writes it down.
+    Live,
+    /// The tape; mostly that there was nothing.
+    Told(Option<T>),
+    /// The world; it is written down under this number.
+    Open(u64),
+}
+
+/// Where a run was taken up.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Reentered {
+    /// Where the machine stood.
+    pub place: super::Placed,
+    /// How much of the move at hand had been made.
+    pub within: f64,
+}
+
 /// What the world tells one run.
 #[derive(Debug, Default)]
 pub(crate) struct Tape {
@@ -63,6 +82,12 @@ pub(crate) struct Tape {
     calls: BTreeMap<Kind, u64>,
     /// Moves that were made before.
     made_before: u64,
+    /// How much of the next one was.
+    within_before: f64,
+    /// The step with which the operator stopped the run, until it goes on.
+    wish: Option<i64>,
+    /// Moves made when it was stopped last, and how much of the next.
+    stood: Option<(u64, f64)>,
     /// Where the run is.
     reached: Reached,
     writing: Option<Progress>,
@@ -85,11 +110,12 @@ impl Tape {
     pub(super) fn playing(
         steps: Vec<Step>,
         contents: BTreeMap<String, Vec<u8>>,
-        made_before: u64,
+        reached: &Reached,
         progress: Progress,
     ) -> Self {
         let mut tape = Self {
-            made_before,
+            made_before: reached.made,
+            within_before: reached.within,
             contents,
             silent: true,
             ..Self::recording(super::Placed::default(), progress)
@@ -148,24 +174,48 @@ impl Tape {
         kind: Kind,
         world: impl FnOnce() -> Option<T>,
     ) -> Option<T> {
+        match self.turn(kind) {
+            Turn::Live => world(),
+            Turn::Told(told) => told,
+            Turn::Open(call) => {
+                let told = world();
+                self.heard(kind, call, told.as_ref());
+                told
+            }
+        }
+    }
+
+    /// Who answers a question that the world hardly ever has an answer to.
+    pub(crate) fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> Turn<T> {
         if self.writing.is_none() {
-            return world();
+            return Turn::Live;
         }
         let call = self.calls.entry(kind).or_default();
         *call += 1;
         let call = *call;
         let next = self.played.get(&kind).and_then(VecDeque::front);
         if next.is_some_and(|step| step.call == call) {
-            return self.pop(kind);
+            return Turn::Told(self.pop(kind));
         }
-        if self.silent {
-            return None;
-        }
-        let told = world();
-        if let Some(told) = &told {
+        if self.silent { Turn::Told(None) } else { Turn::Open(call) }
+    }
+
+    /// What the world answered to such a question.
+    pub(crate) fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
+        if let Some(told) = told {
             self.add(kind, call, told);
         }
-        told
+    }
+
+    /// The step that was added last stops the run.
+    pub(crate) fn stops(&mut self) {
+        let last = self.writing.as_ref().map(|progress| progress.next_step() - 1);
+        self.wish = self.wish.or(last);
+    }
+
+    /// The run goes on after a stop.
+    pub(crate) const fn goes_on(&mut self) {
+        (self.wish, self.stood) = (None, None);
     }
 
     /// A file: its name and its bytes, which are kept once however often it is read.
@@ -235,15 +285,24 @@ impl Tape {
     }
 
     /// Where the run was taken up when it had come so far, if it was.
-    pub(crate) fn reentered(&mut self) -> Option<super::Placed> {
-        if self.is_reentered() { self.pop(Kind::Reentry) } else { None }
+    pub(crate) fn reentered(&mut self) -> Option<Reentered> {
+        if !self.is_reentered() {
+            return None;
+        }
+        // Given up meanwhile, it is where it was.
+        self.stood = Some((self.made_before, self.within_before));
+        self.pop(Kind::Reentry)
     }
 
-    /// The run is taken up, by a machine that stands at a place.
-    pub(crate) fn reenter(&mut self, from: &super::Placed) {
-        self.add(Kind::Reentry, self.reached.made, from);
-        self.reached.place = *from;
+    /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
+    pub(crate) fn reenter(&mut self, place: super::Placed) -> Reentered {
+        let told = Reentered { place, within: self.within_before };
+        self.stood = Some((self.reached.made, self.within_before));
+        self.add(Kind::Reentry, self.reached.made, &told);
+        self.stops();
+        self.reached.place = place;
         self.write();
+        told
     }
 }
 
@@ -255,7 +314,8 @@ impl Tape {
             return;
         }
         let reached = &mut self.reached;
-        (reached.made, reached.line, reached.place) = (reached.made + 1, line, place);
+        (reached.made, reached.within) = (reached.made + 1, 0.0);
+        (reached.line, reached.place) = (line, place);
         if reached.file != file {
             file.clone_into(&mut reached.file);
         }
@@ -264,6 +324,36 @@ impl Tape {
         {
             progress.pass(&self.reached);
         }
+    }
+
+    /// So much of the move under way is made; the machine is there.
+    pub(crate) fn makes(&mut self, share: f64, place: super::Placed) {
+        (self.reached.within, self.reached.place) = (share, place);
+        self.write();
+    }
+
+    /// The machine was stopped; of the move made last so much is made.
+    pub(crate) fn stood(&mut self, share: f64) {
+        let partly = share > 0.0 && share < 1.0;
+        let made = self.reached.made;
+        self.stood = Some(if partly { (made.saturating_sub(1), share) } else { (made, 0.0) });
+    }
+
+    /// The operator stopped the run and gives it up: it can be taken up as if he had not.
+    pub(crate) fn given_up(&mut self, place: super::Placed) {
+        let Some(progress) = &mut self.writing else { return };
+        if let Some(wish) = self.wish {
+            progress.drop_steps(wish);
+        }
+        let reached = &mut self.reached;
+        (reached.stopped, reached.moving, reached.place) = (true, false, place);
+        (reached.made, reached.within) = self.stood.unwrap_or((reached.made, 0.0));
+        self.write();
+    }
+
+    /// How far a run is that was given up.
+    pub(super) fn left_at(&self) -> Option<&Reached> {
+        self.reached.stopped.then_some(&self.reached)
     }
 
     /// The machine sets off from a place, or stands there.

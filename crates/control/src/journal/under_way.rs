@@ -72,6 +72,11 @@ impl CutShort {
         (&self.reached.file, self.reached.line)
     }
 
+    /// Whether the operator stopped it and gave it up; else Kerf was killed.
+    pub const fn stopped(&self) -> bool {
+        self.reached.stopped
+    }
+
     /// Whether the machine moved when it was cut short.
     pub const fn moved(&self) -> bool {
         self.reached.moving
@@ -138,12 +143,13 @@ impl Journal {
         Ok(Tape::recording(place, Progress::new(self.clone(), 1)))
     }
 
-    /// A run is over: what it left is kept.
+    /// A run is over: what it left is kept. One that was given up can still be taken up.
     pub(crate) fn end(
         &self,
         run: &RunUnderWay,
         session: &Session,
         summary: &Summary,
+        tape: &Tape,
     ) -> Result<(), JournalError> {
         // What options say holds for this run; what the run itself changed stays.
         let kept = match run.settings {
@@ -156,8 +162,11 @@ impl Journal {
         self.write(|rows| {
             remember(rows, &session.memory, &session.gcode)?;
             if !run.options.program.typed {
-                forget(rows, None)?;
                 history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
+                if let Some(reached) = tape.left_at() {
+                    return rows.put(Table::Fact, PROGRESS, &json(reached)?);
+                }
+                forget(rows, None)?;
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
@@ -196,7 +205,7 @@ impl Journal {
         let steps: Result<Vec<Step>, _> = steps.into_iter().map(parse).collect();
         let steps = steps.map_err(|error| JournalError::Unfit(error.to_string()))?;
         let progress = Progress::new(self.clone(), last + 1);
-        Ok((work, Tape::playing(steps, contents, cut.reached.made, progress)))
+        Ok((work, Tape::playing(steps, contents, &cut.reached, progress)))
     }
 }
 
@@ -219,7 +228,7 @@ impl RunUnderWay {
 
 /// Nothing is under way any more.
 fn forget(rows: &Rows<'_>, cut: Option<&CutShort>) -> rows::Result<()> {
-    if let Some(cut) = cut {
+    if let Some(cut) = cut.filter(|cut| !cut.stopped()) {
         history::add(rows, &cut.run.past("cut short", 0.0))?;
     }
     rows.clear(Table::Step)?;

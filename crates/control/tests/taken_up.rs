@@ -1,0 +1,189 @@
+//! A run that was stopped and given up, or killed in the middle of a move, is taken up at the exact
+//! place: nothing is cut twice, nothing is left out, and the path is that of the uninterrupted run.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
+
+use kerf_control::answers::Answers;
+use kerf_control::event::{MoveEvent, Place};
+use kerf_control::files::{Folders, MemoryDisk};
+use kerf_control::journal::Journal;
+use kerf_control::stored::Stored;
+use kerf_control::{Company, Event, Pace, RunOptions, Session, Shelf, StopAt, Wish};
+use kerf_program::MoveKind;
+use kerf_sbp::Status;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use tempfile::{TempDir, tempdir};
+
+/// A line, an arc, a slope down and a way back, with the spindle on.
+const PART: &str =
+    "SO,1,1\nSA\nJZ,.5\nMZ,-.2\nM3,4,0,-.2\nCG,,4,2,0,1,T,1\nM3,0,2,-.6\nMX,3\nJZ,.5\n";
+
+/// The power fails at a machine time.
+struct PowerCut(f64);
+
+impl Pace for PowerCut {
+    fn pass(&mut self, _: f64, to_s: f64) -> Option<(f64, Wish)> {
+        if to_s >= self.0 {
+            std::panic::resume_unwind(Box::new("the power fails"));
+        }
+        None
+    }
+
+    fn is_real(&self) -> bool {
+        true
+    }
+}
+
+fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
+    let disk = MemoryDisk::new([("a.sbp", PART.as_bytes())]);
+    let folders = Folders::new("".into(), Vec::new(), Vec::new());
+    let stored = Stored::of(journal.clone()).unwrap();
+    Shelf::new(Box::new(disk), folders, stored, folder.path().into())
+}
+
+/// Runs the part file on record; nothing when the power fails.
+fn run(folder: &TempDir, pace: &mut dyn Pace, answers: &str) -> (Vec<Event>, Option<Status>) {
+    let (journal, _) = Journal::open(folder.path()).unwrap();
+    let mut shelf = shelf(&journal, folder);
+    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    let (mut events, mut operator) = (Vec::new(), Answers::read(answers));
+    let company = Company { sink: &mut events, operator: &mut operator, pace };
+    let program = kerf_part::read("a.sbp".into(), PART.as_bytes());
+    let went = catch_unwind(AssertUnwindSafe(|| {
+        session.run_on_record(program, RunOptions::default(), None, &mut shelf, company).unwrap()
+    }));
+    (events, went.ok().map(|summary| summary.status))
+}
+
+fn resume(folder: &TempDir, answers: &str) -> (Vec<Event>, Status) {
+    let (journal, _) = Journal::open(folder.path()).unwrap();
+    let cut = journal.cut_short().unwrap().expect("a run to take up");
+    let mut shelf = shelf(&journal, folder);
+    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    let (mut events, mut operator) = (Vec::new(), Answers::read(answers));
+    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
+    let summary = session.resume(&cut, &mut shelf, company).unwrap();
+    (events, summary.status)
+}
+
+fn motion(event: &Event) -> Option<&MoveEvent> {
+    match event {
+        Event::Move(made) => Some(made),
+        Event::Arc(arc) => Some(&arc.made),
+        _ => None,
+    }
+}
+
+/// A motion as text, its start left out: kind, line, where to, and the circle that it is part of.
+fn told(event: &Event) -> Option<String> {
+    let made = motion(event)?;
+    let circle = match event {
+        Event::Arc(arc) => format!(" about {:.6},{:.6} {}", arc.centre.x, arc.centre.y, arc.dir),
+        _ => String::new(),
+    };
+    let Place { x, y, z, .. } = made.to;
+    Some(format!("{:?} {} {x:.6},{y:.6},{z:.6}{circle}", made.kind, made.line))
+}
+
+fn near(a: &Place, b: &Place) -> bool {
+    (a.x - b.x).abs() + (a.y - b.y).abs() + (a.z - b.z).abs() < 1e-9
+}
+
+/// What follows the point at which the run was taken up.
+fn behind(events: &[Event]) -> &[Event] {
+    let at = events.iter().position(|e| matches!(e, Event::Resume { .. })).expect("a resume");
+    &events[at..]
+}
+
+/// The rest of the cut begins where it is said to, and is the rest of the uninterrupted run.
+fn same_rest(whole: &[Event], rest: &[Event], line: u32) -> MoveEvent {
+    let whole: Vec<String> = whole.iter().filter_map(told).collect();
+    let after: Vec<String> = behind(rest).iter().filter_map(told).collect();
+    assert_eq!(after[..], whole[whole.len() - after.len()..]);
+    let first = behind(rest).iter().find_map(motion).unwrap().clone();
+    assert_eq!(first.line, line);
+    first
+}
+
+/// When a line of the uninterrupted run is half made.
+fn middle(whole: &[Event], line: u32) -> f64 {
+    let made = whole.iter().filter_map(motion).find(|made| made.line == line).unwrap();
+    0.5 * (made.t0 + made.t1)
+}
+
+fn uninterrupted() -> Vec<Event> {
+    let (whole, status) = run(&tempdir().unwrap(), &mut (), "");
+    assert_eq!(status, Some(Status::Ok));
+    whole
+}
+
+#[test]
+fn a_run_that_was_given_up_goes_on_where_it_stood() {
+    let whole = uninterrupted();
+    for line in [5, 6, 7] {
+        let folder = tempdir().unwrap();
+        let (begun, status) = run(&folder, &mut StopAt(middle(&whole, line)), "hold=Quit");
+        assert_eq!(status, Some(Status::Stopped), "line {line}");
+        let stood = begun.iter().filter_map(motion).rfind(|made| made.kind == MoveKind::Cut);
+        let (rest, status) = resume(&folder, "");
+        assert_eq!(status, Status::Ok);
+        let first = same_rest(&whole, &rest, line);
+        assert!(near(&first.from, &stood.unwrap().to), "line {line}: {first:?}");
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        assert!(journal.cut_short().unwrap().is_none(), "it is done");
+    }
+}
+
+#[test]
+fn after_a_power_cut_nothing_is_cut_twice() {
+    let whole = uninterrupted();
+    for line in [5, 6, 7] {
+        let folder = tempdir().unwrap();
+        let at_s = middle(&whole, line);
+        let (_, status) = run(&folder, &mut PowerCut(at_s), "");
+        assert_eq!(status, None, "the power failed");
+        let (rest, status) = resume(&folder, "");
+        assert_eq!(status, Status::Ok);
+        let first = same_rest(&whole, &rest, line);
+        let made = whole.iter().filter_map(motion).find(|made| made.line == line).unwrap();
+        let way = |a: &Place, b: &Place| (a.x - b.x).hypot(a.y - b.y);
+        let share = way(&made.from, &first.from) / way(&made.from, &made.to);
+        assert!((0.3..0.7).contains(&share), "line {line} goes on at {share} of its way");
+    }
+}
+
+#[test]
+fn the_way_back_is_safe() {
+    let whole = uninterrupted();
+    let folder = tempdir().unwrap();
+    run(&folder, &mut PowerCut(middle(&whole, 6)), "");
+    let (rest, _) = resume(&folder, "");
+    let steps: Vec<String> = rest
+        .iter()
+        .skip_while(|e| !matches!(e, Event::Message { .. }))
+        .take_while(|e| !matches!(e, Event::Resume { .. }))
+        .filter_map(|event| match event {
+            Event::Ask(asked) => Some(format!("ask {}", asked.text)),
+            Event::Output { n: 1, on, .. } => Some(format!("output {on}")),
+            _ => motion(event).map(|made| match made.kind {
+                MoveKind::Jog => format!("up to {:.1}", made.to.z),
+                MoveKind::Cut => format!("down to {:.1}", made.to.z),
+            }),
+        })
+        .collect();
+    let ready =
+        "ask Output 1 comes on, the tool goes back to where the cut ended. Is everything ready?";
+    assert_eq!(steps, ["up to 1.0", ready, "output true", "down to -0.2"]);
+}
+
+#[test]
+fn who_is_not_ready_can_take_it_up_later() {
+    let whole = uninterrupted();
+    let folder = tempdir().unwrap();
+    run(&folder, &mut StopAt(middle(&whole, 6)), "hold=Quit");
+    let (_, status) = resume(&folder, "hold=Quit");
+    assert_eq!(status, Status::Stopped);
+    let (rest, status) = resume(&folder, "");
+    assert_eq!(status, Status::Ok);
+    same_rest(&whole, &rest, 6);
+}
