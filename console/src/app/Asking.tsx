@@ -2,6 +2,7 @@ import { ask } from "../actions/ask";
 import { StepBar } from "../debugger/StepBar";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { QuestionDialog } from "../operator/QuestionDialog";
+import { StoppedDialog } from "../operator/StoppedDialog";
 import type { Asked } from "../wire/messages";
 import { useHands, worldOf } from "./context";
 
@@ -16,6 +17,8 @@ export function Asking({ asked }: { asked: Asked }) {
       return <StepBar asked={asked} />;
     case "keypad":
       return <KeypadSheet words={asked.text} onClose={answer} />;
+    case "hold":
+      return <StoppedDialog key={asked.number} asked={asked} />;
     default:
       return <QuestionDialog key={asked.number} asked={asked} />;
   }

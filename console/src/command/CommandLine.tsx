@@ -46,7 +46,7 @@ export function CommandLine() {
     const command = text.length > state.text.length ? commandOf(table, next.text) : undefined;
     const named = command !== undefined && command !== entry;
     if (named && isImmediate(command)) send(next);
-    else if (named && bringsSheet(command)) openSheet(command, "");
+    else if (named && bringsSheet(command)) openSheet(command, next.text);
     else setState(next);
   };
   const press = (event: KeyboardEvent) => {

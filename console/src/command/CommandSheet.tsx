@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useState } from "react";
+import { type KeyboardEvent, useRef, useState } from "react";
 import { drive } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
@@ -8,7 +8,7 @@ import "./command-sheet.css";
 import { FileButtons } from "./FileButtons";
 import { ParameterField } from "./ParameterField";
 import { isShown, lastEntries, rememberEntries, setShown } from "./preferences";
-import { firstEntries, lineOf, mistakesIn, resetEntries, withEntry } from "./sheet";
+import { firstEntries, lineOf, mistakesIn, parted, resetEntries, withEntry } from "./sheet";
 import { findCommand, useCommands } from "./table";
 
 /** The fill-in sheet of a command; settings in it are those of now. */
@@ -26,6 +26,14 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
   const line = lineOf(entry, entries);
   const close = () => hands.screen.open(null);
   const reset = () => setEntries(resetEntries(entry));
+  const form = useRef<HTMLFormElement>(null);
+  /** A comma goes on to the next field, as on the command line. */
+  const type = (n: number, text: string) => {
+    const { kept, goesOn } = parted(text, n === 0);
+    setEntries((now) => withEntry(now, n, kept));
+    const next = goesOn ? form.current?.children[n + 1] : undefined;
+    next?.querySelector<HTMLElement>("input, select, button")?.focus();
+  };
   const display = () => {
     setShown(entry.letters, !shown);
     setShownHere(!shown);
@@ -71,6 +79,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
         </Button>
       </div>
       <form
+        ref={form}
         className="sheet-fields"
         onKeyDown={keys}
         onSubmit={(event) => {
@@ -85,7 +94,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
             first={n === 0}
             value={entries[n] ?? ""}
             mistake={tried ? mistakes.get(n) : undefined}
-            onChange={(text) => setEntries((now) => withEntry(now, n, text))}
+            onChange={(text) => type(n, text)}
           />
         ))}
         <button type="submit" hidden />

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { entry, parameter } from "./fixtures";
-import { firstEntries, lineOf, mistakesIn, resetEntries, withEntry } from "./sheet";
+import { firstEntries, lineOf, mistakesIn, parted, resetEntries, withEntry } from "./sheet";
 
 const circle = entry(
   "CC",
@@ -14,6 +14,14 @@ const circle = entry(
 );
 
 describe("a fill-in sheet", () => {
+  it("takes what is typed on behind the letters of its command", () => {
+    expect(parted(",", true)).toEqual({ kept: "", goesOn: false });
+    expect(parted(", part.sbp", true)).toEqual({ kept: "part.sbp", goesOn: false });
+    expect(parted("part.sbp,", true)).toEqual({ kept: "part.sbp", goesOn: true });
+    expect(parted("2,", false)).toEqual({ kept: "2", goesOn: true });
+    expect(parted('"a,', false)).toEqual({ kept: '"a,', goesOn: false });
+  });
+
   it("opens with what was typed so far and what is usual", () =>
     expect(firstEntries(circle, ["4", "", "20"])).toEqual(["4", "T", "20", "-0.00"]));
 

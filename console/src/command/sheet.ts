@@ -68,3 +68,15 @@ export function lineOf(entry: CommandEntry, entries: Entries): string {
 /** Text with a comma in it stands in quotes. */
 const asWritten = (text: string): string =>
   text.includes(",") && !text.startsWith('"') ? `"${text}"` : text;
+
+/**
+ * What is kept of a text that is typed into a field, and whether the next field is meant: a comma parts
+ * parameters, unless it is in quotes. One that belongs to the letters of the command is nothing: the
+ * sheet came while `FP,part.sbp` was being typed.
+ */
+export function parted(text: string, first: boolean): { kept: string; goesOn: boolean } {
+  const written = first ? text.replace(/^[\s,]+/, "") : text;
+  const quotes = written.split('"').length - 1;
+  const goesOn = written.endsWith(",") && quotes % 2 === 0;
+  return { kept: goesOn ? written.slice(0, -1) : written, goesOn };
+}

@@ -22,7 +22,9 @@ export function refusal({ status, snapshot }: Shown): string | undefined {
   const { state, armed, mode } = snapshot.machine;
   if (mode === "preview") return "Nothing moves in preview: switch to move mode (SM).";
   if (!armed) return "Arm the machine first.";
-  const inFile = state === "asking" && snapshot.asked?.kind === "keypad";
+  const kind = snapshot.asked?.kind;
+  const inFile =
+    (state === "asking" && kind === "keypad") || (state === "stopped" && kind === "hold");
   if (state === "idle" || state === "jogging" || inFile) return undefined;
   return "The machine is busy.";
 }

@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { type ReactNode, useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
@@ -13,7 +13,7 @@ const icons: Record<number, string> = { 16: "✖", 32: "?", 48: "!", 64: "i" };
  * A question of the job. It belongs to the job and not to this page: any page may answer, and the
  * dialog closes on all of them when the server says so.
  */
-export function QuestionDialog({ asked }: { asked: Asked }) {
+export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode }) {
   const [entry, setEntry] = useState(asked.prefill);
   const hands = useHands();
   const answer = (words: string) =>
@@ -24,7 +24,12 @@ export function QuestionDialog({ asked }: { asked: Asked }) {
       title={titleOf(asked)}
       shape="question"
       {...(cancel ? { onClose: () => answer(cancel) } : {})}
-      foot={<Answers asked={asked} entry={entry} answer={answer} />}
+      foot={
+        <>
+          {more}
+          <Answers asked={asked} entry={entry} answer={answer} />
+        </>
+      }
     >
       <form
         className="question"

@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { drive } from "../actions/ask";
+import { ask, drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { evaluate } from "../app/expression";
 import { usedAxes } from "../app/units";
@@ -13,11 +13,20 @@ import "./tools.css";
 export function NudgeSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const units = useSnapshot("units");
+  const asked = useSnapshot("asked");
   const [step, setStep] = useState("0.01");
   if (!units) return null;
   const nudge = (axis: AxisUnits, sign: 1 | -1) => {
-    const distance = (evaluate(step, { mm: units.mm }) ?? 0) * axis.scale * sign;
-    void drive(worldOf(hands), { do: "nudge", axis: axis.letter, distance });
+    const distance = (evaluate(step, { mm: units.mm }) ?? 0) * sign;
+    if (asked?.kind === "hold") {
+      const answer = `nudge ${axis.letter} ${distance}`;
+      return void ask(worldOf(hands), { do: "answer", question: asked.number, answer });
+    }
+    void drive(worldOf(hands), {
+      do: "nudge",
+      axis: axis.letter,
+      distance: distance * axis.scale,
+    });
   };
   return (
     <Sheet title="Nudge" shape="side" onClose={onClose}>

@@ -75,6 +75,8 @@ function useFocusWithin() {
     const before = document.activeElement;
     const first = box.current?.querySelector<HTMLElement>("[data-first]");
     if (!box.current?.contains(before)) (first ?? box.current)?.focus();
+    // What is typed takes the place of what stands there.
+    if (first instanceof HTMLInputElement) first.select();
     return () => {
       if (before instanceof HTMLElement) setTimeout(() => before.focus());
     };

@@ -429,7 +429,7 @@ name: string, };
 export type Opened = {
 /** Its name below the part folder. */
 name: string,
-/** What it is run by: SHA-256 of its bytes, and of its parameters where there are others than the usual, in hexadecimal digits. */
+/** What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are others than the usual, or when the preview is ready and knows the program files that it calls. */
 hash: string,
 /** How it is run. */
 parameters: FileParameters,

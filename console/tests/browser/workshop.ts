@@ -5,6 +5,7 @@ import { copyFileSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { type Browser, chromium, type Page } from "playwright-core";
+import type { Snapshot } from "../../src/wire/messages";
 
 const root = resolve(import.meta.dirname, "../../..");
 const kerf = process.env.KERF ?? join(root, "target/debug/kerf");
@@ -18,6 +19,18 @@ export interface Workshop {
   /** Errors of every page so far. */
   readonly mistakes: string[];
   close(): Promise<void>;
+}
+
+/** What the server itself tells, past every page. */
+export async function stateOf(workshop: Workshop): Promise<Snapshot> {
+  return (await fetch(`${workshop.address}/api/state`)).json() as Promise<Snapshot>;
+}
+
+/** Asks the server past every page, as a script does; the state of its answer. */
+export async function script(workshop: Workshop, act: string, body: object = {}): Promise<number> {
+  const headers = { "content-type": "application/json" };
+  const init = { method: "POST", headers, body: JSON.stringify(body) };
+  return (await fetch(`${workshop.address}/api/do/${act}`, init)).status;
 }
 
 /** Arms the machine, so that it may move. */

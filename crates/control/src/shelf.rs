@@ -13,9 +13,10 @@ use kerf_program::{
 };
 use kerf_sbp::{PART_FILE, RECORDED, RECORDING};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 
 /// Files larger than this are no part files, bytes.
 pub const MOST_BYTES: usize = 1 << 29;
@@ -44,6 +45,8 @@ pub struct Shelf {
     pub(crate) system_log: Option<SystemLog>,
     /// Keys that were set while the tape played: they may not be in the journal yet.
     replayed: BTreeSet<String>,
+    /// Program files that were called and lie on the disk, with their bytes; kept by previews only.
+    called: Option<BTreeMap<PathBuf, Arc<[u8]>>>,
 }
 
 /// What SHELL does.
@@ -74,6 +77,7 @@ impl Shelf {
             tape,
             system_log: None,
             replayed,
+            called: None,
         }
     }
 
@@ -84,7 +88,14 @@ impl Shelf {
         stored: &Stored,
         data: PathBuf,
     ) -> Self {
-        Self::new(Box::new(Scratch::over(disk)), folders, stored.copy(), data)
+        let shelf = Self::new(Box::new(Scratch::over(disk)), folders, stored.copy(), data);
+        Self { called: Some(BTreeMap::new()), ..shelf }
+    }
+
+    /// The program files that a preview called, as it read them: those that FP and the custom commands
+    /// name. What a program wrote itself is not among them.
+    pub fn take_called(&mut self) -> BTreeMap<PathBuf, Arc<[u8]>> {
+        self.called.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
     /// Files in memory only.
@@ -285,7 +296,15 @@ impl Shelf {
         let (disk, folders) = (&*self.disk, &self.folders);
         let (name, bytes) =
             self.tape.hear_file(Kind::Source, || program_file(disk, folders, request))?;
-        Ok(SourceFile { name: name.into(), bytes: bytes.into() })
+        let bytes: Arc<[u8]> = bytes.into();
+        let path = PathBuf::from(&name);
+        if let Some(called) = &mut self.called
+            && disk.is_file(&path)
+            && !disk.is_scratch(&path)
+        {
+            called.insert(path, bytes.clone());
+        }
+        Ok(SourceFile { name: name.into(), bytes })
     }
 
     /// Chooses the part folder (FS), by a name below the present one or a path; the one at the start

@@ -3,11 +3,13 @@
 use crate::app::{App, Open, lock, problem};
 use crate::machine::link::Held;
 use crate::machine::{Order, reach};
+use crate::preview::Preview;
 use crate::shop;
 use kerf_control::Jog;
 use kerf_program::{Axes, Axis};
 use kerf_sbp::table::{self, Group};
 use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, State, Who, Why};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -287,15 +289,30 @@ impl App {
         if preview.failed {
             return Err(problem(Why::Mistake, "the file has mistakes; see its messages"));
         }
-        if !open.is_of(&self.parts.read(&open.name)?) {
-            let text = "the file was changed since it was opened; open it again";
-            return Err(problem(Why::Changed, text));
-        }
+        self.unchanged(&open, &preview)?;
         let (program, times) = (Box::new(self.program(&open)), preview.times.clone());
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let Open { name, hash, .. } = open;
         self.order(Order::File { program, name, hash, times, parameters }, State::Running)
+    }
+
+    /// What was previewed is what runs: the file, and those that it calls.
+    fn unchanged(&self, open: &Open, preview: &Preview) -> Result<(), Problem> {
+        let changed = |what: &str| {
+            let text = format!("{what} was changed since it was previewed; open the file again");
+            Err(problem(Why::Changed, text))
+        };
+        if !open.is_of(&self.parts.read(&open.name)?) {
+            return changed("the file");
+        }
+        let other = |(path, bytes): &(&PathBuf, &Arc<[u8]>)| {
+            std::fs::read(path).map_or(true, |now| now[..] != bytes[..])
+        };
+        match preview.called.iter().find(other) {
+            Some((path, _)) => changed(&self.parts.name_of(&path.display().to_string())),
+            None => Ok(()),
+        }
     }
 
     fn command(&self, line: String) -> Result<(), Problem> {

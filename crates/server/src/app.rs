@@ -5,12 +5,13 @@ use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
-use crate::preview::{self, Preview};
+use crate::preview::{self, Called, Preview};
 use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
 use kerf_wire::{Change, FileParameters, Opened, PreviewState, Problem, Why};
 use sha2::{Digest, Sha256};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -50,7 +51,8 @@ pub struct Open {
     pub name: String,
     /// Its bytes, as they were previewed.
     pub bytes: Arc<[u8]>,
-    /// What it is run by: their hash, and that of the parameters.
+    /// What it is run by: their hash, that of the parameters, and those of the files they call as soon as
+    /// the preview knows them.
     pub hash: String,
     /// How it is run.
     pub parameters: FileParameters,
@@ -102,6 +104,16 @@ pub fn hex(bytes: &[u8]) -> String {
         .flat_map(|byte| [byte >> 4, byte & 15])
         .filter_map(|n| char::from_digit(n.into(), 16))
         .collect()
+}
+
+/// What a job is named by: the hash of its file, or of the hashes of all files when it calls others.
+fn job_hash(own: String, called: &Called) -> String {
+    if called.is_empty() {
+        return own;
+    }
+    let one =
+        |(path, bytes): (&PathBuf, &Arc<[u8]>)| format!("{}\n{}\n", path.display(), hash(bytes));
+    hash((own + &called.iter().map(one).collect::<String>()).as_bytes())
 }
 
 /// What an app is made of besides its options.
@@ -262,10 +274,15 @@ impl App {
             return;
         }
         present.preview = made.as_ref().ok().cloned();
+        if let Some(preview) = &present.preview {
+            let own = hash_of(&present.bytes, &present.parameters);
+            present.hash = job_hash(own, &preview.called);
+        }
+        let job = present.hash.clone();
         self.hub.changing(|now| {
             let Some(opened) = now.opened.clone() else { return Vec::new() };
             let opened = match &made {
-                Ok(preview) => with_preview(opened, open, preview),
+                Ok(preview) => Opened { hash: job, ..with_preview(opened, open, preview) },
                 Err(why) => Opened { preview: PreviewState::Failed { why: why.clone() }, ..opened },
             };
             vec![Change::Opened { opened: Some(opened) }]

@@ -29,7 +29,7 @@ mod setup;
 mod shop;
 mod told;
 
-pub use http::describe;
+pub use http::{describe, paths};
 pub use kerf_wire::Role;
 pub use setup::{Builders, Options, Workshop};
 

@@ -1,15 +1,23 @@
 //! From the words inside to those of the messages.
 
+use kerf_control::Session;
 use kerf_diag::{Diagnostic, Severity};
 use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_sim::Machine;
-use kerf_wire::{AxisUnits, Duty, Io, LAMPS, Lamp, NamedValue, Positions, Speeds, Tone, Units};
+use kerf_wire::{
+    AxisUnits, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions, Speeds, Tone, Units,
+};
 
 /// A place in every frame.
 pub fn positions(frame: &Frame, machine: Axes) -> Positions {
     Positions { working: frame.working(machine).0, base: frame.base(machine).0, machine: machine.0 }
+}
+
+/// What running a file means: SP draws only, SM moves.
+pub const fn mode(session: &Session) -> Mode {
+    if session.memory.before_preview.is_some() { Mode::Preview } else { Mode::Simulated }
 }
 
 /// What a person reads lengths in.

@@ -75,6 +75,7 @@ fn a_stop_ramps_down_and_asks_and_the_job_goes_on_or_not() {
     assert_eq!(other.act(json!({ "do": "stop" })), None);
     page.until_state("stopped");
     page.asked("hold");
+    assert_eq!(page.shown["motion"]["speed"], 0.0);
     assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
     page.until_state("running");
     page.until("cutting", |page| page.shown["motion"]["cutting"] == true);
@@ -96,6 +97,7 @@ fn a_hold_stands_until_it_is_resumed_and_nothing_resumes_by_itself() {
     other.act(json!({ "do": "hold" }));
     page.until_state("held");
     let stood = page.shown["motion"]["at"].clone();
+    assert_eq!(page.shown["motion"]["speed"], 0.0);
     drop(other);
     std::thread::sleep(std::time::Duration::from_millis(300));
     while page.shown["clients"].as_array().unwrap().len() > 1 {

@@ -8,37 +8,23 @@ use kerf_server::{Options, Server};
 use serde_json::json;
 use support::{Page, Wanted, builders, shop, start};
 
-/// One of each route, with a method that it knows.
-const ROUTES: &[&str] = &[
-    "GET /",
-    "GET /assets/x.js",
-    "GET /api/state",
-    "POST /api/do/stop",
-    "GET /api/files",
-    "GET /api/files/a.sbp",
-    "PUT /api/files/a.sbp",
-    "GET /api/preview/x",
-    "GET /api/preview/x/0/0",
-    "GET /api/drawing/shapes",
-    "GET /api/drawing/paths",
-    "GET /api/commands",
-    "POST /api/language/check",
-    "POST /api/language/complete",
-    "POST /api/language/hover",
-    "POST /api/language/format",
-    "POST /api/pair",
-    "POST /api/pair/code",
-    "GET /api/devices",
-    "DELETE /api/devices/1",
-    "GET /api/openapi.json",
-    "GET /ws",
-];
+/// Every path of the router with every method, and what lies beside its paths.
+fn requests() -> Vec<String> {
+    let beside = ["/", "/edit", "/assets/x.js", "/api/nothing"];
+    let named = |path: &str| {
+        let part = |part: &str| if part.starts_with('{') { "x".into() } else { part.to_owned() };
+        path.split('/').map(part).collect::<Vec<_>>().join("/")
+    };
+    let paths = kerf_server::paths().into_iter().map(named).chain(beside.map(str::to_owned));
+    let methods = ["GET", "POST", "PUT", "DELETE"];
+    paths.flat_map(|path| methods.map(|method| format!("{method} {path}"))).collect()
+}
 
 #[test]
 fn a_foreign_host_is_refused_on_every_route() {
     let shop = shop(1.0, &[("a.sbp", "MX,1")]);
     let port = shop.server.address.port();
-    for route in ROUTES {
+    for route in &requests() {
         for host in [
             "evil.example".to_owned(),
             format!("evil.example:{port}"),
@@ -60,7 +46,7 @@ fn a_foreign_host_is_refused_on_every_route() {
 fn a_foreign_origin_is_refused_on_every_route() {
     let shop = shop(1.0, &[("a.sbp", "MX,1")]);
     let address = shop.server.address;
-    for route in ROUTES {
+    for route in &requests() {
         for origin in
             ["http://evil.example", "null", &format!("https://{address}"), "http://localhost"]
         {
@@ -239,6 +225,27 @@ fn the_machine_is_disarmed_at_first_and_whenever_the_driver_changes_or_goes() {
     drop(watcher);
     a.until("the driver has gone", |page| page.shown["lease"].is_null());
     a.until("disarmed", |page| page.shown["machine"]["armed"] == false);
+}
+
+#[test]
+fn files_that_a_job_calls_are_those_that_were_previewed() {
+    let main = "FP,other.sbp,,,1\nOPEN \"made.sbp\" FOR OUTPUT AS #1\nWRITE #1; \"MX,2\"\nCLOSE #1\n\
+                FP,made.sbp,,,1\n";
+    let shop = shop(50.0, &[("main.sbp", main), ("other.sbp", "MX,1")]);
+    let mut page = shop.driver();
+    page.open_file("main.sbp");
+    let before = page.shown["opened"]["hash"].clone();
+    std::fs::write(shop.part("other.sbp"), "MX,100").unwrap();
+    assert_eq!(page.run().as_deref(), Some("changed"));
+    page.open_file("main.sbp");
+    assert_ne!(page.shown["opened"]["hash"], before, "another job has another name");
+    let old = json!({ "do": "run", "lease": page.lease, "hash": before });
+    assert_eq!(page.act(old).as_deref(), Some("changed"));
+    // What a program writes itself, and then runs, is its own.
+    std::fs::write(shop.part("made.sbp"), "MX,3").unwrap();
+    assert_eq!(page.run(), None);
+    page.until("its end", |page| page.shown["job"]["ended"] == "ok");
+    assert!((page.x() - 50.8).abs() < 1e-6, "{}", page.x());
 }
 
 #[test]

@@ -75,8 +75,8 @@ pub struct Recorder {
 pub struct Opened {
     /// Its name below the part folder.
     pub name: String,
-    /// What it is run by: SHA-256 of its bytes, and of its parameters where there are others than the
-    /// usual, in hexadecimal digits.
+    /// What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are
+    /// others than the usual, or when the preview is ready and knows the program files that it calls.
     pub hash: String,
     /// How it is run.
     pub parameters: FileParameters,

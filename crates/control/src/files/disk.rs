@@ -29,6 +29,11 @@ pub trait Disk {
     /// Puts a whole file in place: afterwards it is there complete, or as it was before.
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
+    /// Whether a program wrote the file that lies there, in a space of its own.
+    fn is_scratch(&self, _: &Path) -> bool {
+        false
+    }
+
     /// Adds bytes at the end of a file; makes it where there is none.
     fn append(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 }

@@ -68,6 +68,10 @@ impl<D: Disk> Disk for Scratch<D> {
         self.written.write(path, bytes)
     }
 
+    fn is_scratch(&self, path: &Path) -> bool {
+        self.written.is_file(path)
+    }
+
     fn append(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let mut all = if self.is_file(path) { self.read(path)? } else { Vec::new() };
         all.extend(bytes);

@@ -16,7 +16,7 @@ mod routes;
 mod socket;
 
 pub use guard::Peer;
-pub use routes::{describe, router};
+pub use routes::{describe, paths, router};
 
 use axum::Json;
 use axum::http::StatusCode;

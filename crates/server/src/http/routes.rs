@@ -6,7 +6,7 @@ use crate::app::App;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
 use axum::middleware::from_fn_with_state;
-use axum::routing::{any, delete, get, post};
+use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
@@ -20,33 +20,45 @@ use std::sync::Arc;
 
 /// Every route; everything passes the guard.
 pub fn router(app: Arc<App>) -> Router {
-    let upload = get(files::read).put(files::write).layer(DefaultBodyLimit::max(MOST_BYTES));
-    Router::new()
-        .route("/ws", any(socket::socket))
-        .route("/api/state", get(rest::state))
-        .route("/api/do/{act}", post(rest::act))
-        .route("/api/files", get(files::list))
-        .route("/api/files/{*name}", upload)
-        .route("/api/preview/{key}", get(preview::info))
-        .route("/api/preview/{key}/{level}/{piece}", get(preview::piece))
-        .route("/api/drawing/shapes", get(rest::shapes))
-        .route("/api/drawing/paths", get(rest::tool_paths))
-        .route("/api/commands", get(language::commands))
-        .route("/api/values", get(language::values))
-        .route("/api/settings", get(language::settings))
-        .route("/api/inputs", get(language::inputs))
-        .route("/api/language/check", post(language::check))
-        .route("/api/language/complete", post(language::complete))
-        .route("/api/language/hover", post(language::hover))
-        .route("/api/language/format", post(language::format))
-        .route("/api/pair", post(people::pair))
-        .route("/api/pair/code", post(people::code))
-        .route("/api/devices", get(people::list))
-        .route("/api/devices/{number}", delete(people::revoke))
-        .route("/api/openapi.json", get(|| async { axum::Json(describe()) }))
+    let all = served().into_iter();
+    all.fold(Router::new(), |router, (path, methods)| router.route(path, methods))
         .fallback(get(assets::asset))
         .layer(from_fn_with_state(app.clone(), guard::guard))
         .with_state(app)
+}
+
+/// The paths of every route; what is none of them is a file of the page.
+pub fn paths() -> Vec<&'static str> {
+    served().into_iter().map(|(path, _)| path).collect()
+}
+
+/// What is served where. This is the one list.
+fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
+    let upload = get(files::read).put(files::write).layer(DefaultBodyLimit::max(MOST_BYTES));
+    vec![
+        ("/ws", any(socket::socket)),
+        ("/api/state", get(rest::state)),
+        ("/api/do/{act}", post(rest::act)),
+        ("/api/files", get(files::list)),
+        ("/api/files/{*name}", upload),
+        ("/api/preview/{key}", get(preview::info)),
+        ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
+        ("/api/drawing/shapes", get(rest::shapes)),
+        ("/api/drawing/paths", get(rest::tool_paths)),
+        ("/api/commands", get(language::commands)),
+        ("/api/values", get(language::values)),
+        ("/api/settings", get(language::settings)),
+        ("/api/inputs", get(language::inputs)),
+        ("/api/language/check", post(language::check)),
+        ("/api/language/complete", post(language::complete)),
+        ("/api/language/hover", post(language::hover)),
+        ("/api/language/format", post(language::format)),
+        ("/api/pair", post(people::pair)),
+        ("/api/pair/code", post(people::code)),
+        ("/api/devices", get(people::list)),
+        ("/api/devices/{number}", delete(people::revoke)),
+        ("/api/openapi.json", get(|| async { axum::Json(describe()) })),
+    ]
 }
 
 /// Makes the schema of a type.
@@ -195,4 +207,21 @@ fn operation(route: &Route, generator: &mut SchemaGenerator) -> Value {
         operation["requestBody"] = json!({ "content": content(body(generator)) });
     }
     operation
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_route_is_described() {
+        let described = describe();
+        let described = described["paths"].as_object().unwrap();
+        for path in paths() {
+            let own = ["/ws", "/api/openapi.json"].contains(&path);
+            assert!(own || described.contains_key(&path.replace('*', "")), "{path}");
+        }
+        assert_eq!(described.len() + 2, paths().len());
+    }
 }

@@ -83,6 +83,11 @@ impl Board {
             Motion { at, speed, t: t_s, cutting, line, made: self.made, progress, remaining };
     }
 
+    /// The machine stands.
+    pub const fn stand(&mut self) {
+        (self.motion.speed, self.motion.cutting) = (0.0, false);
+    }
+
     fn look_at(&mut self, machine: &Machine) {
         let settings = machine.settings();
         let (units, rpm) = (told::units(settings), self.speeds.rpm);

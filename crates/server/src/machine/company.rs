@@ -47,6 +47,9 @@ impl Shared {
 
     /// The machine does something else from now on.
     fn state(&self, state: State) {
+        if !matches!(state, State::Running | State::Jogging) {
+            self.board.borrow_mut().stand();
+        }
         self.tell();
         self.hub.changing(|now| {
             let machine = Machine { state, why: None, ..now.machine.clone() };

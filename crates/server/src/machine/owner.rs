@@ -201,7 +201,8 @@ impl Owner {
         };
         self.hub.changing(|now| {
             let armed = now.machine.armed && state != State::Alarm;
-            let machine = Machine { state, armed, why, ..now.machine.clone() };
+            let mode = told::mode(&self.workshop.session);
+            let machine = Machine { state, armed, why, mode, ..now.machine.clone() };
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };

@@ -17,6 +17,8 @@ use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::FileParameters;
 use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, ToolPathInfo};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -41,7 +43,12 @@ pub struct Preview {
     pub failed: bool,
     /// The settings and frame that it was made with.
     pub start: (Settings, Frame),
+    /// Other program files that it called, as they were.
+    pub called: Called,
 }
+
+/// Program files on the disk and their bytes.
+pub type Called = BTreeMap<PathBuf, Arc<[u8]>>;
 
 /// Ends a preview that nobody waits for any more.
 struct Until<'a>(&'a AtomicBool);
@@ -76,7 +83,7 @@ pub fn make(
     if given_up.load(Ordering::Relaxed) {
         return None;
     }
-    Some(Preview { failed, ..finish(sink, &summary, start) })
+    Some(Preview { failed, called: shelf.take_called(), ..finish(sink, &summary, start) })
 }
 
 fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Preview {
@@ -90,6 +97,7 @@ fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Previ
         findings: sink.findings.iter().map(kerf_language::finding).collect(),
         failed: false,
         start,
+        called: Called::new(),
     }
 }
 
