@@ -82,10 +82,11 @@ bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmark
 
 # GEOS comes with Python's shapely, kept apart from whatever Python is there.
 SHAPELY := target/peers/shapely
-bench-geometry: ## offsets beside those of other programs; GEOS=N compares N shapes of each hard family with GEOS
+bench-geometry: ## offsets beside those of others; GEOS=N compares N hard shapes a family with GEOS, PROVE=N counts proofs
 	$(CARGO) build --release --locked --package kerf-bench --bin kerf-bench-geometry --no-default-features
 	@[ -x $(SHAPELY)/bin/python3 ] || .ci/python-peer $(SHAPELY) shapely
-	PATH="$(CURDIR)/$(SHAPELY)/bin:$$PATH" target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS))
+	PATH="$(CURDIR)/$(SHAPELY)/bin:$$PATH" target/release/kerf-bench-geometry $(if $(GEOS),--geos $(GEOS)) \
+	  $(if $(PROVE),--prove $(PROVE))
 
 peers: ## install the other programs that `make bench` compares with
 	@.ci/peers

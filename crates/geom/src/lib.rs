@@ -42,7 +42,9 @@ pub use bounds2::Bounds2;
 pub use error::GeomError;
 pub use index::BoxTree;
 pub use indexed::Indexed;
-pub use offset::{CHECK_MM, OffsetPath, Origin, offset, offset_region, parallel_path};
+pub use offset::{
+    CHECK_MM, Coarse, OffsetPath, Origin, offset, offset_by_chords, offset_region, parallel_path,
+};
 pub use point::{Point2, Vec2, clock_to_vec, vec_to_clock};
 pub use polyarc::{Crossing, Place, Polyarc, Position, Vertex};
 pub use segment::{Contact, Contacts, Foot, Segment};

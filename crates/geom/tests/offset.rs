@@ -3,7 +3,8 @@
 mod families;
 
 use kerf_geom::{
-    GeomError, OffsetPath, Point2, Polyarc, Transform2, Vec2, Vertex, offset, offset_region,
+    CHECK_MM, Coarse, GeomError, OffsetPath, Point2, Polyarc, Transform2, Vec2, Vertex, offset,
+    offset_by_chords, offset_region,
 };
 use std::f64::consts::PI;
 
@@ -160,7 +161,7 @@ fn duplicates_change_nothing() {
     assert_eq!(found[0].origins[2].element, 3);
 }
 
-/// The first seeds of every family; the example `offset_families` runs many more.
+/// The first seeds of every family; `make bench-geometry PROVE=N` runs many more.
 fn every_case(count: u64, check: impl Fn(&str, u64, Polyarc, f64)) {
     for (name, make) in families::FAMILIES.iter().filter(|f| !f.0.contains("5000")) {
         for seed in 0..count {
@@ -244,4 +245,39 @@ fn a_crack_has_no_offset() {
         let grown = 1600.0 + 160.0 * 0.5 + PI * 0.25;
         assert!(n == 1 && (area - grown).abs() < 0.1 * width + 1e-6, "{width} {n} {area}");
     }
+}
+
+/// Both engines find the same offset; they share nothing but the curves that its pieces lie on. Slots that
+/// the cutter just fits have no area and may be there or not.
+#[test]
+fn the_second_engine_finds_the_same() {
+    every_case(3, |name, seed, shape, by| {
+        let (_, area, length) = sums(&offset(&shape, by).expect("an offset"));
+        let found = offset_by_chords(std::slice::from_ref(&shape), by);
+        let found = found.unwrap_or_else(|why| panic!("{name} {seed}: {why}"));
+        let (_, a, l) = sums(&found);
+        let within = Coarse::of(&found).map_or(CHECK_MM, |coarse| coarse.within_mm);
+        let close = |a: f64, b: f64| (a - b).abs() < 2.0 * within * (1.0 + length);
+        let same = close(a, area) && (close(l, length) || name == "comb");
+        assert!(same, "{name} {seed}: {area} {length}, then {a} {l}, within {within}");
+    });
+}
+
+#[test]
+fn the_second_engine_offsets_open_shapes_and_regions() {
+    let corner = Polyarc::lines([p(0., 0.), p(10., 0.), p(10., 10.)], false);
+    for (by, length) in [(-2.0, 16.0), (2.0, 20.0 + PI)] {
+        let found = offset_by_chords(std::slice::from_ref(&corner), by).expect("an offset");
+        let (n, _, long) = sums(&found);
+        assert!(n == 1 && (long - length).abs() < 1e-6, "{found:?}");
+    }
+    let island = Polyarc::circle(p(50., 50.), 20.0).reversed();
+    for by in [-5.0, -16.0, -28.0, 4.0] {
+        let region = [sq100(), island.clone()];
+        let (n, area, _) = sums(&offset_region(&region, by).expect("an offset"));
+        let (m, a, _) = sums(&offset_by_chords(&region, by).expect("an offset"));
+        assert!(n == m && (area - a).abs() < 1e-6, "{by}: {n} {area}, then {m} {a}");
+    }
+    let inconsistent = [sq100(), island.reversed()];
+    assert!(offset_by_chords(&inconsistent, 1.0).is_err());
 }

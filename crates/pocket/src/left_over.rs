@@ -13,8 +13,8 @@
 //! this finds all there is.
 
 use crate::Cutter;
-use crate::levels::{Levels, depth, inset};
-use kerf_geom::{Combine, GeomError, Polyarc, combine, offset_region};
+use crate::levels::{Levels, Offsets, depth};
+use kerf_geom::{Combine, GeomError, Polyarc, combine};
 
 /// Uncut pieces smaller than this are left, square millimetres (Profiler notes, 3.5); with tools so small
 /// that it would be much, those smaller than a thousandth of the square of the diameter.
@@ -30,12 +30,13 @@ pub(crate) fn pieces(
     region: &[Polyarc],
     cutter: &Cutter,
     levels: &Levels,
+    offsets: &mut Offsets,
 ) -> Result<Vec<Polyarc>, GeomError> {
     let mut found = Vec::new();
     // With a step below the radius there is nothing between what one ring and the next one cover.
     if cutter.step_mm() > cutter.radius_mm() {
         for level in 0..levels.rings.len() {
-            found.extend(after(region, cutter, levels, level)?);
+            found.extend(after(region, cutter, (levels, level), offsets)?);
         }
     }
     let smallest = SMALLEST_MM2.min(1e-3 * cutter.diameter_mm().powi(2));
@@ -48,12 +49,12 @@ pub(crate) fn pieces(
 fn after(
     region: &[Polyarc],
     cutter: &Cutter,
-    levels: &Levels,
-    level: usize,
+    (levels, level): (&Levels, usize),
+    offsets: &mut Offsets,
 ) -> Result<Vec<Polyarc>, GeomError> {
-    let left = inset(region, depth(cutter, level) + cutter.radius_mm())?;
+    let left = offsets.inset(region, depth(cutter, level) + cutter.radius_mm())?;
     let next = levels.rings.get(level + 1).filter(|_| !left.is_empty());
-    let uncovered = next.map(|next| uncovered(&left, next, cutter));
+    let uncovered = next.map(|next| uncovered(&left, next, cutter, offsets));
     Ok(uncovered.and_then(Result::ok).unwrap_or(left))
 }
 
@@ -61,8 +62,8 @@ fn uncovered(
     left: &[Polyarc],
     rings: &[Polyarc],
     cutter: &Cutter,
+    offsets: &mut Offsets,
 ) -> Result<Vec<Polyarc>, GeomError> {
-    let covered = offset_region(rings, cutter.radius_mm() + TOUCHING_MM)?;
-    let covered: Vec<Polyarc> = covered.into_iter().map(|found| found.path).collect();
+    let covered = offsets.outset(rings, cutter.radius_mm() + TOUCHING_MM)?;
     combine(left, &covered, Combine::Difference)
 }

@@ -48,20 +48,31 @@ pub use error::PocketError;
 pub use left_over::SMALLEST_MM2;
 pub use zigzag::{Zigzag, zigzag};
 
-use kerf_geom::{Indexed, Polyarc};
-use levels::Levels;
+use kerf_geom::{Coarse, Indexed, Polyarc};
+use levels::{Levels, Offsets};
+
+/// The paths that clear a region.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Cleared {
+    /// One for each island of places where the tool fits, or a few.
+    pub paths: Vec<Polyarc>,
+    /// Told when an offset could not be exact.
+    pub coarse: Option<Coarse>,
+}
 
 /// The paths that clear a region ring by ring, one for each island of places where the tool fits.
 /// Nothing comes of a region into which the tool does not fit.
 ///
 /// # Errors
 /// Contours that are open, broken or cross each other, and more rings than anybody cuts.
-pub fn rings(region: &[Polyarc], cutter: &Cutter, way: Way) -> Result<Vec<Polyarc>, PocketError> {
-    let levels = Levels::of(region, cutter)?;
+pub fn rings(region: &[Polyarc], cutter: &Cutter, way: Way) -> Result<Cleared, PocketError> {
+    let mut offsets = Offsets::default();
+    let levels = Levels::of(region, cutter, &mut offsets)?;
     let inside = inside::Inside::of(region, cutter);
-    let pieces = left_over::pieces(region, cutter, &levels)?;
+    let pieces = left_over::pieces(region, cutter, &levels, &mut offsets)?;
     let rings = Indexed::new(levels.rings.iter().flatten());
     let strokes = pieces.iter().filter_map(|p| stroke::covering(p, cutter, &inside, &rings));
     let islands = islands::islands(&levels, strokes.collect());
-    Ok(islands.iter().flat_map(|island| tour::paths(island, &inside, way)).collect())
+    let paths = islands.iter().flat_map(|island| tour::paths(island, &inside, way)).collect();
+    Ok(Cleared { paths, coarse: offsets.coarse })
 }

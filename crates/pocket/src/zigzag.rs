@@ -14,11 +14,11 @@
 use crate::cutter::Way;
 use crate::inside::Inside;
 use crate::islands::{Island, islands_of};
-use crate::levels::{MOST_RINGS, inset};
+use crate::levels::{MOST_RINGS, Offsets};
 use crate::route::Route;
 use crate::spans::chains;
 use crate::tour::along_walls;
-use crate::{Cutter, PocketError};
+use crate::{Cleared, Cutter, PocketError};
 use kerf_geom::{Point2, Polyarc, Transform2};
 use serde::{Deserialize, Serialize};
 
@@ -38,11 +38,7 @@ pub struct Zigzag {
 ///
 /// # Errors
 /// As [`crate::rings`], and a finish out of bounds.
-pub fn zigzag(
-    region: &[Polyarc],
-    cutter: &Cutter,
-    lines: &Zigzag,
-) -> Result<Vec<Polyarc>, PocketError> {
+pub fn zigzag(region: &[Polyarc], cutter: &Cutter, lines: &Zigzag) -> Result<Cleared, PocketError> {
     if !(0.0..=cutter.radius_mm()).contains(&lines.finish_mm) {
         let bound = "0 or more and no more than half the diameter of the tool";
         return Err(PocketError::Bound { what: "the finish", value: lines.finish_mm, bound });
@@ -53,22 +49,23 @@ pub fn zigzag(
     let turn = |rad: f64| Transform2::turned(Point2::default(), rad);
     let angle = lines.angle_deg.to_radians();
     let level: Vec<Polyarc> = region.iter().map(|contour| contour.similar(&turn(-angle))).collect();
-    let paths = cleared(&level, cutter, lines)?;
-    Ok(paths.iter().map(|path| path.similar(&turn(angle))).collect())
+    let mut found = cleared(&level, cutter, lines)?;
+    found.paths.iter_mut().for_each(|path| *path = path.similar(&turn(angle)));
+    Ok(found)
 }
 
 /// Clears a region with level lines.
-fn cleared(
-    region: &[Polyarc],
-    cutter: &Cutter,
-    lines: &Zigzag,
-) -> Result<Vec<Polyarc>, PocketError> {
+fn cleared(region: &[Polyarc], cutter: &Cutter, lines: &Zigzag) -> Result<Cleared, PocketError> {
+    let mut offsets = Offsets::default();
     let inside = Inside::of(region, cutter);
     let way = Way { climb: lines.climb, outward: false };
     let depth = cutter.first_depth_mm();
-    let walls = islands_of(&inset(region, depth)?);
-    let within =
-        if lines.finish_mm > 0.0 { inset(region, depth + lines.finish_mm)? } else { Vec::new() };
+    let walls = islands_of(&offsets.inset(region, depth)?);
+    let within = if lines.finish_mm > 0.0 {
+        offsets.inset(region, depth + lines.finish_mm)?
+    } else {
+        Vec::new()
+    };
     let mut route = Route::new(&inside);
     for wall in &walls {
         let rough = if lines.finish_mm > 0.0 { wall.part_of(&within) } else { wall.rings.clone() };
@@ -81,7 +78,7 @@ fn cleared(
         }
         route.lift();
     }
-    Ok(route.paths())
+    Ok(Cleared { paths: route.paths(), coarse: offsets.coarse })
 }
 
 /// The lines of an island, chain after chain, always the nearest one next.

@@ -18,7 +18,7 @@ fn p(x: f64, y: f64) -> Point2 {
 fn a_rectangle_is_cleared_by_one_path() {
     let region = [Polyarc::rectangle(p(0., 0.), p(100., 60.))];
     let cutter = Cutter::new(5.0, 0.1).unwrap();
-    let paths = rings(&region, &cutter, Way::default()).unwrap();
+    let paths = rings(&region, &cutter, Way::default()).unwrap().paths;
     assert_eq!(paths.len(), 1);
     check_cleared("rectangle", &region, &paths, &cutter);
 }
@@ -28,7 +28,7 @@ fn random_regions_are_cleared() {
     for seed in seeds() {
         let (region, cutter) = random_case(seed);
         let way = Way { climb: seed % 2 == 0, outward: seed % 3 == 0 };
-        let paths = rings(&region, &cutter, way).unwrap_or_else(|e| panic!("{seed}: {e}"));
+        let paths = rings(&region, &cutter, way).unwrap_or_else(|e| panic!("{seed}: {e}")).paths;
         check_cleared(&format!("seed {seed}"), &region, &paths, &cutter);
     }
 }

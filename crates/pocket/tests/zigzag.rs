@@ -16,7 +16,7 @@ fn a_rectangle_is_cleared_by_one_path() {
     let cutter = Cutter::new(5.0, 1.0).unwrap();
     for (angle_deg, finish_mm) in [(0.0, 0.0), (90.0, 0.5), (30.0, 2.5)] {
         let lines = Zigzag { angle_deg, finish_mm, climb: true };
-        let paths = zigzag(&region, &cutter, &lines).unwrap();
+        let paths = zigzag(&region, &cutter, &lines).unwrap().paths;
         assert_eq!(paths.len(), 1, "{lines:?}");
         check_cleared(&format!("{lines:?}"), &region, &paths, &cutter);
     }
@@ -36,7 +36,8 @@ fn random_regions_are_cleared() {
         let (region, cutter) = random_case(seed);
         let finish_mm = cutter.radius_mm() * [0.0, 0.3, 1.0][seed as usize % 3];
         let lines = Zigzag { angle_deg: seed as f64 * 17.0, finish_mm, climb: seed % 2 == 0 };
-        let paths = zigzag(&region, &cutter, &lines).unwrap_or_else(|e| panic!("{seed}: {e}"));
+        let paths =
+            zigzag(&region, &cutter, &lines).unwrap_or_else(|e| panic!("{seed}: {e}")).paths;
         check_cleared(&format!("seed {seed}"), &region, &paths, &cutter);
     }
 }

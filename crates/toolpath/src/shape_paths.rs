@@ -7,7 +7,7 @@ use crate::neutral::plunge;
 use crate::tag::without_tag;
 use crate::warning::Warning;
 use kerf_drawing::{GroupSettings, Kind, Shape};
-use kerf_geom::{GeomError, Polyarc, offset, parallel_path};
+use kerf_geom::{Coarse, GeomError, Polyarc, offset, parallel_path};
 use kerf_program::job::{Plunge, helix_circle};
 use serde::{Deserialize, Serialize};
 
@@ -51,7 +51,8 @@ pub(crate) fn paths(
     for side in sides(shape, settings) {
         for (pass, distance) in passes(settings) {
             match offset_paths(shape, side * distance) {
-                Ok(found) => {
+                Ok((found, coarse)) => {
+                    warnings.extend(coarse.map(|coarse| Warning::new(number, coarse.to_string())));
                     if found.is_empty() {
                         warnings.push(gone(number, side * distance));
                     }
@@ -102,22 +103,24 @@ struct Base {
     offset_mm: f64,
 }
 
-fn offset_paths(shape: &Shape, distance: f64) -> Result<Vec<Base>, GeomError> {
+fn offset_paths(shape: &Shape, distance: f64) -> Result<(Vec<Base>, Option<Coarse>), GeomError> {
     if distance == 0.0 {
         let base = Base { path: shape.path.clone(), z_mm: shape.z_mm.clone(), offset_mm: 0.0 };
-        return Ok(vec![base]);
+        return Ok((vec![base], None));
     }
     let crosses = !shape.path.self_crossings().is_empty();
-    let found = if crosses && !shape.is_closed() && shape.z_mm.is_none() {
-        vec![parallel_path(&shape.path, distance)?]
+    let (found, coarse) = if crosses && !shape.is_closed() && shape.z_mm.is_none() {
+        (vec![parallel_path(&shape.path, distance)?], None)
     } else {
-        offset(&shape.path, distance)?.into_iter().map(|found| found.path).collect()
+        let found = offset(&shape.path, distance)?;
+        let coarse = Coarse::of(&found);
+        (found.into_iter().map(|found| found.path).collect(), coarse)
     };
     let base = |path: Polyarc| {
         let z_mm = shape.z_mm.as_ref().map(|_| heights_beside(shape, &path));
         Base { path, z_mm, offset_mm: distance }
     };
-    Ok(found.into_iter().map(base).collect())
+    Ok((found.into_iter().map(base).collect(), coarse))
 }
 
 /// The height of each vertex: that of the nearest place of the shape (Profiler notes, 45).

@@ -19,7 +19,9 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Erase => edit::erase(draft)?,
         O::Fillet { radius_mm, at } => outline::fillet(draft, *radius_mm, *at)?,
         O::Chamfer { length_mm, at } => outline::chamfer(draft, *length_mm, *at)?,
-        O::Offset { distance_mm, keep } => outline::offset(draft, *distance_mm, *keep)?,
+        O::Offset { distance_mm, keep } => {
+            outcome.warnings = outline::offset(draft, *distance_mm, *keep)?;
+        }
         O::Join { distance_mm, merge } => outline::join(draft, *distance_mm, *merge)?,
         O::Break { shape, at } => outline::break_at(draft, *shape, *at)?,
         O::Trim { at } => outline::trim(draft, *at)?,

@@ -8,7 +8,7 @@ use super::words::{WordError, Words, number};
 use super::{OpError, Operation};
 use crate::{Drawing, Editor, Group, GroupSettings, Lead, Shape};
 use kerf_geom::{GeomError, Polyarc};
-use kerf_pocket::{Cutter, PocketError, Way, Zigzag};
+use kerf_pocket::{Cleared, Cutter, PocketError, Way, Zigzag};
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
 
@@ -167,12 +167,12 @@ pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Vec<Str
     clear(draft, clearing, |region, cutter| kerf_pocket::rings(region, cutter, Way::default()))
 }
 
-type Paths = Result<Vec<Polyarc>, PocketError>;
+type Found = Result<Cleared, PocketError>;
 
 fn clear(
     draft: &mut Editor,
     clearing: &Clearing,
-    paths: impl Fn(&[Polyarc], &Cutter) -> Paths,
+    paths: impl Fn(&[Polyarc], &Cutter) -> Found,
 ) -> Result<Vec<String>, OpError> {
     let cutter = Cutter::new(clearing.tool_mm, clearing.overlap_mm).map_err(OpError::Clearing)?;
     let chosen = if clearing.all { every(draft)? } else { draft.selected()? };
@@ -188,11 +188,13 @@ fn clear(
             found => found,
         };
         let found = found.map_err(|error| region.told(error))?;
-        if found.is_empty() {
-            let (number, tool) = (region.shapes[0] + 1, clearing.tool_mm);
+        let number = region.shapes[0] + 1;
+        warnings.extend(found.coarse.map(|coarse| format!("shape {number}: {coarse}")));
+        if found.paths.is_empty() {
+            let tool = clearing.tool_mm;
             warnings.push(format!("shape {number}: a tool of {tool} mm does not fit into it"));
         }
-        let shapes = found.into_iter().map(|path| Shape::flat(path).in_group(group));
+        let shapes = found.paths.into_iter().map(|path| Shape::flat(path).in_group(group));
         shapes.for_each(|shape| draft.drawing.add(shape));
     }
     draft.selection = (first..draft.drawing.shapes.len()).collect();

@@ -4,7 +4,7 @@
 use super::OpError;
 use super::edit::above_zero;
 use crate::{Editor, Shape};
-use kerf_geom::{GeomError, Point2, Polyarc, edit};
+use kerf_geom::{Coarse, GeomError, Point2, Polyarc, edit};
 use std::sync::Arc;
 
 /// Directions that differ by less make no corner, radians.
@@ -89,12 +89,20 @@ fn told(shape: usize, error: &GeomError) -> OpError {
     OpError::Shape { shape, why: error.to_string() }
 }
 
-pub(super) fn offset(draft: &mut Editor, distance: f64, keep: bool) -> Result<(), OpError> {
+pub(super) fn offset(
+    draft: &mut Editor,
+    distance: f64,
+    keep: bool,
+) -> Result<Vec<String>, OpError> {
+    let mut warnings = Vec::new();
     for place in draft.selected()?.into_iter().rev() {
         let shape = draft.drawing.shapes[place].clone();
         flat_only(place + 1, &shape)?;
         let found =
             kerf_geom::offset(&shape.path, distance).map_err(|error| told(place + 1, &error))?;
+        if let Some(coarse) = Coarse::of(&found) {
+            warnings.insert(0, format!("shape {}: {coarse}", place + 1));
+        }
         if found.is_empty() {
             let why = format!("nothing is left of it at {distance} mm");
             return Err(OpError::Shape { shape: place + 1, why });
@@ -106,7 +114,7 @@ pub(super) fn offset(draft: &mut Editor, distance: f64, keep: bool) -> Result<()
         }
         draft.replace(place, with);
     }
-    Ok(())
+    Ok(warnings)
 }
 
 /// Joined shapes take the place, group and marks of the first of their parts.

@@ -1,7 +1,6 @@
 //! Nothing of a result lies nearer to the source than it should.
 
 use super::source::Source;
-use super::validate::CHECK_MM;
 use crate::segment::square;
 use crate::{Bounds2, Point2, Segment};
 
@@ -26,8 +25,13 @@ pub(super) fn places(length: f64, distance: f64) -> usize {
 ///
 /// Neighbours on the result have the same neighbours in the source, so these are looked up once for
 /// several.
-pub(super) fn too_near(source: &Source, distance: f64, segments: &[Segment]) -> Option<Point2> {
-    let limit = distance.abs() - CHECK_MM;
+pub(super) fn too_near(
+    source: &Source,
+    distance: f64,
+    within: f64,
+    segments: &[Segment],
+) -> Option<Point2> {
+    let limit = distance.abs() - within;
     let mut near = Vec::new();
     let mut rest = segments;
     while let Some((group, after)) = split_group(rest, TOGETHER * distance.abs()) {

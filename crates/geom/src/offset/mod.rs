@@ -14,8 +14,11 @@
 //!    steps 1 to 3. Only what passes is returned; what fails is tried again where its coincidences fall
 //!    differently.
 //!
+//! 5. [`chords`]: when nothing of this passes, another engine that shares no step with it.
+//!
 //! A wrong offset is never returned: what cannot be proved right is an error that names the place.
 
+mod chords;
 mod clearance;
 mod raw;
 mod rings;
@@ -29,6 +32,7 @@ pub(crate) use raw::parallel;
 
 use crate::{BoxTree, GeomError, Point2, Polyarc, Transform2, tol};
 use source::Source;
+use std::fmt;
 
 /// What a segment of an offset is parallel to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +52,30 @@ pub struct OffsetPath {
     pub path: Polyarc,
     /// For each segment of the path what it is parallel to.
     pub origins: Vec<Origin>,
+    /// How far the path may be from its distance: [`CHECK_MM`], unless it had to be made of chords; then
+    /// a person should be told.
+    pub within_mm: f64,
+}
+
+/// An offset that could not be made exactly; its message tells a person.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coarse {
+    /// How far it may be off.
+    pub within_mm: f64,
+}
+
+impl Coarse {
+    /// What there is to tell of some paths; nothing when all are as exact as usual.
+    pub fn of(paths: &[OffsetPath]) -> Option<Self> {
+        let within_mm = paths.iter().map(|path| path.within_mm).fold(0.0, f64::max);
+        (within_mm > CHECK_MM).then_some(Self { within_mm })
+    }
+}
+
+impl fmt::Display for Coarse {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "its offset could not be made exactly: it may be off by {} mm", self.within_mm)
+    }
 }
 
 /// The offset of one polyarc: rings for a closed one, pieces for an open one. Nothing remains when the
@@ -92,6 +120,21 @@ pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPa
     Ok(found)
 }
 
+/// The same by the second engine alone, which [`offset_region`] asks when the first one fails: for those
+/// who compare the two.
+///
+/// # Errors
+/// As [`offset_region`].
+pub fn offset_by_chords(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
+    contours.iter().try_for_each(Polyarc::check)?;
+    let prepared = Prepared::new(contours)?;
+    let source = Source::new(&prepared.contours);
+    let why = GeomError::Unproved { why: "contours that bound no region", at: prepared.middle };
+    let mut found = by_chords(&source, distance).ok_or(why)?;
+    found.iter_mut().for_each(|path| prepared.restore(path));
+    Ok(found)
+}
+
 /// The path beside an open one that may cross itself: every segment moved sideways, with arcs about
 /// corners that open, cut back at those that close, and nothing else taken away. It is one path
 /// without a break, and near a crossing it comes nearer to other parts of the source than the distance.
@@ -120,7 +163,8 @@ pub fn parallel_path(source: &Polyarc, distance: f64) -> Result<Polyarc, GeomErr
 /// An offset by nothing is the contour itself.
 fn unmoved(contour: usize, path: &Polyarc) -> OffsetPath {
     let origin = |element| Origin { contour, element, corner: false };
-    OffsetPath { path: path.clone(), origins: (0..path.segment_count()).map(origin).collect() }
+    let origins = (0..path.segment_count()).map(origin).collect();
+    OffsetPath { path: path.clone(), origins, within_mm: CHECK_MM }
 }
 
 /// The contours moved to the origin, without empty segments and long arcs.
@@ -156,8 +200,9 @@ impl Prepared {
     fn proved(&self, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
         let source = Source::new(&self.contours);
         let tangle = GeomError::Unproved { why: "a tangle of crossings", at: Point2::default() };
-        let checked =
-            |found: Vec<OffsetPath>| validate::validate(&source, distance, &found).map(|()| found);
+        let checked = |found: Vec<OffsetPath>| {
+            validate::validate(&source, distance, &found, CHECK_MM).map(|()| found)
+        };
         let first = attempt(&source, distance).ok_or(tangle).and_then(checked);
         let Err(why) = first else { return first };
         self.crossing().map_or(Ok(()), Err)?;
@@ -167,7 +212,7 @@ impl Prepared {
                 return Ok(found);
             }
         }
-        Err(self.error_at_source(why))
+        by_chords(&source, distance).ok_or_else(|| self.error_at_source(why))
     }
 
     /// The offset of the turned contours, turned back.
@@ -217,6 +262,18 @@ impl Prepared {
 /// What is tried when the first attempt fails its check: the shape turned by some angle, which makes other
 /// roundings of coincident curves, and in the end an offset that differs by less than the check can see.
 const SECOND_ATTEMPTS: [(f64, f64); 4] = [(0.7, 0.0), (2.9, 0.0), (1.3, 2e-7), (0.3, -2e-7)];
+
+/// The offset of the second engine, exact or as exact as it can be; nothing when neither passes the check.
+/// That nothing is left at all has to be certain.
+fn by_chords(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
+    let mut found = chords::offset(source, distance)?;
+    let tolerances = [CHECK_MM, chords::LOOSE_MM];
+    let known = if found.is_empty() { &tolerances[..1] } else { &tolerances };
+    let passes = |within: &&f64| validate::validate(source, distance, &found, **within).is_ok();
+    let within_mm = *known.iter().find(passes)?;
+    found.iter_mut().for_each(|path| path.within_mm = within_mm);
+    Some(found)
+}
 
 /// Steps 1 to 3; nothing when the raw offset is a tangle.
 fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {

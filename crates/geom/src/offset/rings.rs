@@ -3,7 +3,7 @@
 use super::raw::{self, Piece};
 use super::slices::Slice;
 use super::source::Source;
-use super::{OffsetPath, Origin};
+use super::{CHECK_MM, OffsetPath, Origin};
 use crate::stitch::{Strand, Turn, stitch};
 use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
 
@@ -15,7 +15,7 @@ const LOOK_AHEAD: f64 = 1e-3;
 const THIN_MM: f64 = tol::SAME_PLACE_MM;
 
 /// One piece of a ring.
-type Part = (Segment, Origin);
+pub(super) type Part = (Segment, Origin);
 
 pub(super) fn rings(
     source: &Source,
@@ -100,14 +100,14 @@ fn parts_of(pieces: &[Piece], slices: &[Slice], way: &[usize]) -> Vec<Part> {
 }
 
 /// A path of parts that are worth something, or nothing.
-fn path(mut parts: Vec<Part>, closed: bool) -> Option<OffsetPath> {
+pub(super) fn path(mut parts: Vec<Part>, closed: bool) -> Option<OffsetPath> {
     parts.retain(|(s, _)| s.length() > tol::SAME_PLACE_MM);
     if parts.is_empty() || (closed && is_thin(&parts)) {
         return None;
     }
     let path = Polyarc::from_parts(parts.iter().map(|p| &p.0), closed);
     let origins = parts.iter().map(|p| p.1).collect();
-    Some(OffsetPath { path, origins })
+    Some(OffsetPath { path, origins, within_mm: CHECK_MM })
 }
 
 /// Whether a ring encloses no more than a strip along itself, as where it goes there and back.
@@ -128,7 +128,7 @@ pub(super) fn started_like_source(source: &Source, distance: f64, ring: OffsetPa
     // Usually the very place is a vertex of the ring.
     let here = |v: &Vertex| v.at.distance(wanted) <= tol::SAME_PLACE_MM;
     if let Some(vertex) = ring.path.vertices.iter().position(here) {
-        return turned(ring.path, ring.origins, vertex);
+        return turned(ring, vertex);
     }
     let Some((place, _)) = ring.path.nearest(wanted) else { return ring };
     let before = ring.path.vertices.len();
@@ -137,12 +137,12 @@ pub(super) fn started_like_source(source: &Source, distance: f64, ring: OffsetPa
     if path.vertices.len() > before {
         origins.insert(vertex, origins[vertex - 1]);
     }
-    turned(path, origins, vertex)
+    turned(OffsetPath { path, origins, ..ring }, vertex)
 }
 
 /// The ring from one of its vertices.
-fn turned(mut path: Polyarc, mut origins: Vec<Origin>, vertex: usize) -> OffsetPath {
-    path.vertices.rotate_left(vertex);
-    origins.rotate_left(vertex);
-    OffsetPath { path, origins }
+fn turned(mut ring: OffsetPath, vertex: usize) -> OffsetPath {
+    ring.path.vertices.rotate_left(vertex);
+    ring.origins.rotate_left(vertex);
+    ring
 }

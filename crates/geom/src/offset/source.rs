@@ -39,6 +39,26 @@ impl<'a> Source<'a> {
         });
     }
 
+    /// How often the contours wind round a place.
+    pub fn winding(&self, place: Point2) -> i32 {
+        self.indexed.winding(place)
+    }
+
+    /// How often they wind round places beside a segment, on the side of an offset; nothing where some of them
+    /// are open. To the left of a contour it is once more than to its right.
+    pub fn winding_beside(&self, segment: usize, distance: f64) -> Option<i32> {
+        if self.contours.iter().any(|c| !c.closed) {
+            return None;
+        }
+        let own = self.first.partition_point(|first| *first <= segment).checked_sub(1)?;
+        let (contour, place) = (&self.contours[own], self.contours[own].start()?);
+        let others =
+            self.contours.iter().enumerate().filter(|(n, c)| *n != own && c.bounds().holds(place));
+        let around: i32 = others.map(|(_, other)| other.winding(place)).sum();
+        let left = i32::from(contour.signed_area() > 0.0);
+        Some(around + left - i32::from(distance > 0.0))
+    }
+
     /// Whether some segment lies nearer to a place than `limit`.
     pub fn is_nearer(&self, place: Point2, limit: f64) -> bool {
         self.indexed.is_nearer(place, limit)

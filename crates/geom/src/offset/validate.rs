@@ -11,33 +11,53 @@ use super::clearance::{places, too_near};
 use super::source::Source;
 use super::{OffsetPath, Origin, raw};
 use crate::segment::square;
-use crate::{Bounds2, BoxTree, GeomError, Point2, Segment, Vec2, tol};
+use crate::{BoxTree, GeomError, Point2, Segment, Vec2};
 use std::cell::OnceCell;
 
 /// How exactly a result has to be at its distance. A hundredth of the 1e-4 mm that is promised, a
 /// thousand times what rounding accounts for.
 pub const CHECK_MM: f64 = 1e-6;
 
-/// A place is wrongly missing only if there is this much room beyond it. A slot exactly as wide as the
-/// tool has no room: its offset may come or go.
-const ROOM_MM: f64 = 1e-5;
+/// A place is wrongly missing only if there is so many times the tolerance of room beyond it. A slot exactly
+/// as wide as the tool has no room: its offset may come or go.
+const ROOM: f64 = 10.0;
 
 type Checked = Result<(), GeomError>;
 
-/// Whether `found` is the offset of the source.
-pub(super) fn validate(source: &Source, distance: f64, found: &[OffsetPath]) -> Checked {
+/// What is checked: against which source, at which distance, how exactly.
+#[derive(Clone, Copy)]
+struct Wanted<'a> {
+    source: &'a Source<'a>,
+    distance: f64,
+    within: f64,
+}
+
+impl Wanted<'_> {
+    fn room(&self) -> f64 {
+        ROOM * self.within
+    }
+}
+
+/// Whether `found` is the offset of the source within a tolerance, usually [`CHECK_MM`].
+pub(super) fn validate(
+    source: &Source,
+    distance: f64,
+    found: &[OffsetPath],
+    within: f64,
+) -> Checked {
+    let wanted = Wanted { source, distance, within };
     let segments: Vec<Segment> = found.iter().flat_map(|f| f.path.segments()).collect();
     if let Some(odd) = found.iter().find(|f| f.origins.len() != f.path.segment_count()) {
         return unproved("a piece without extent", odd.path.start().unwrap_or_default());
     }
     let origins = found.iter().flat_map(|f| &f.origins);
     for (segment, origin) in segments.iter().zip(origins) {
-        follows_origin(source, distance, segment, origin)?;
+        follows_origin(&wanted, segment, origin)?;
     }
-    if let Some(at) = too_near(source, distance, &segments) {
+    if let Some(at) = too_near(source, distance, within, &segments) {
         return unproved("nearer to another part of the source", at);
     }
-    complete(source, distance, &Coverage::new(source, found, segments))
+    complete(&wanted, &Coverage::new(&wanted, found, segments))
 }
 
 fn unproved(why: &'static str, at: Point2) -> Checked {
@@ -45,9 +65,10 @@ fn unproved(why: &'static str, at: Point2) -> Checked {
 }
 
 /// At the distance from what the segment says it is parallel to, on the right side, in its direction.
-fn follows_origin(source: &Source, distance: f64, segment: &Segment, origin: &Origin) -> Checked {
+fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checked {
+    let Wanted { source, distance, within } = *wanted;
     let of = &source.segments()[source.first[origin.contour] + origin.element];
-    let short = segment.start().distance(segment.end()) <= 100.0 * CHECK_MM;
+    let short = segment.start().distance(segment.end()) <= 100.0 * within;
     for at in [segment.start(), segment.at(0.5), segment.end()] {
         if !at.x.is_finite() || !at.y.is_finite() {
             return unproved("a place that is no number", at);
@@ -55,9 +76,9 @@ fn follows_origin(source: &Source, distance: f64, segment: &Segment, origin: &Or
         let off = if origin.corner {
             square(at - of.start()).sqrt() - distance.abs()
         } else {
-            right_of(of, at) - distance
+            right_of(of, at, within) - distance
         };
-        if off.abs() > CHECK_MM {
+        if off.abs().is_nan() || off.abs() > within {
             return unproved("not at its distance", at);
         }
     }
@@ -74,19 +95,18 @@ fn follows_origin(source: &Source, distance: f64, segment: &Segment, origin: &Or
 
 /// How far a place lies to the right of a segment's line or circle, if its foot lies on the segment; else
 /// not a number, which is no distance at all.
-fn right_of(of: &Segment, place: Point2) -> f64 {
+fn right_of(of: &Segment, place: Point2, within: f64) -> f64 {
     match *of {
         Segment::Line { start, end } => {
             let (along, to) = (end - start, place - start);
             let long = square(along).sqrt();
             let reach = to.dot(along) / long;
-            let beside = reach >= -CHECK_MM && reach <= long + CHECK_MM;
+            let beside = reach >= -within && reach <= long + within;
             if beside { to.cross(along) / long } else { f64::NAN }
         }
         Segment::Arc { centre, radius, sweep_rad, .. } => {
             // The foot may miss the end by rounding.
-            let near =
-                |end: Point2| (end - centre).cross(place - centre).abs() <= CHECK_MM * radius;
+            let near = |end: Point2| (end - centre).cross(place - centre).abs() <= within * radius;
             let beside = of.faces(place) || near(of.start()) || near(of.end());
             let off = square(place - centre).sqrt() - radius;
             if beside { off * sweep_rad.signum() } else { f64::NAN }
@@ -103,10 +123,13 @@ struct Coverage {
     first: Vec<usize>,
     /// All of them by place; rarely needed.
     index: OnceCell<BoxTree>,
+    within: f64,
+    room: f64,
 }
 
 impl Coverage {
-    fn new(source: &Source, found: &[OffsetPath], segments: Vec<Segment>) -> Self {
+    fn new(wanted: &Wanted, found: &[OffsetPath], segments: Vec<Segment>) -> Self {
+        let source = wanted.source;
         let of = |o: &Origin| 2 * (source.first[o.contour] + o.element) + usize::from(o.corner);
         let elements: Vec<usize> = found.iter().flat_map(|f| f.origins.iter().map(of)).collect();
         let mut first = vec![0; 2 * source.segments().len() + 1];
@@ -118,7 +141,8 @@ impl Coverage {
             order[next[element]] = number;
             next[element] += 1;
         }
-        Self { segments, order, first, index: OnceCell::new() }
+        let (within, room) = (wanted.within, wanted.room());
+        Self { segments, order, first, index: OnceCell::new(), within, room }
     }
 
     /// Whether a place lies on the result, whatever element it came from, or so near that what lies
@@ -127,7 +151,7 @@ impl Coverage {
         let boxes = || BoxTree::new(self.segments.iter().map(Segment::bounds));
         let index = self.index.get_or_init(boxes);
         let distance = |k: usize| self.segments[k].distance(place);
-        index.nearest(place, ROOM_MM, distance).is_some()
+        index.nearest(place, self.room, distance).is_some()
     }
 
     fn own(&self, element: usize, corner: bool) -> impl Iterator<Item = &Segment> {
@@ -136,7 +160,7 @@ impl Coverage {
     }
 
     fn covers(&self, element: usize, corner: bool, place: Point2) -> bool {
-        self.own(element, corner).any(|s| s.distance(place) <= CHECK_MM)
+        self.own(element, corner).any(|s| s.distance(place) <= self.within)
     }
 
     /// Between which shares of a raw curve the first segment of the result that belongs to it lies. That it
@@ -148,27 +172,28 @@ impl Coverage {
 
     /// Whether one segment of the result is the whole of a raw curve.
     fn covers_all(&self, element: usize, corner: bool, curve: &Segment) -> bool {
-        let near = |a: Point2, b: Point2| square(a - b) <= CHECK_MM * CHECK_MM;
+        let near = |a: Point2, b: Point2| square(a - b) <= self.within * self.within;
         let whole = |s: &Segment| near(s.start(), curve.start()) && near(s.end(), curve.end());
         self.own(element, corner).any(whole)
     }
 }
 
-fn complete(source: &Source, distance: f64, coverage: &Coverage) -> Checked {
+fn complete(wanted: &Wanted, coverage: &Coverage) -> Checked {
+    let Wanted { source, distance, .. } = *wanted;
     for (contour, first) in source.contours.iter().zip(&source.first) {
         let count = contour.segment_count();
         for k in 0..count {
             let segment = &source.segments()[first + k];
             if let Some(parallel) = raw::parallel(segment, distance) {
                 let out = |share| -segment.direction(share).left() * distance.signum();
-                present(source, distance, coverage, (first + k, false), &parallel, out)?;
+                present(wanted, coverage, (first + k, false), &parallel, out)?;
             }
             let before = if k > 0 { Some(k - 1) } else { contour.closed.then_some(count - 1) };
             let before = before.map(|b| &source.segments()[first + b]);
             if let Some(arc) = before.and_then(|b| raw::corner(b, segment, distance)) {
                 let centre = segment.start();
                 let out = |share| (arc.at(share) - centre) / distance.abs();
-                present(source, distance, coverage, (first + k, true), &arc, out)?;
+                present(wanted, coverage, (first + k, true), &arc, out)?;
             }
         }
     }
@@ -177,8 +202,7 @@ fn complete(source: &Source, distance: f64, coverage: &Coverage) -> Checked {
 
 /// Whether every place of a raw curve that has room beyond it is on the result.
 fn present(
-    source: &Source,
-    distance: f64,
+    wanted: &Wanted,
     coverage: &Coverage,
     (element, corner): (usize, bool),
     curve: &Segment,
@@ -187,7 +211,8 @@ fn present(
     if coverage.covers_all(element, corner, curve) {
         return Ok(());
     }
-    let count = places(curve.length(), distance);
+    let (size, room) = (wanted.distance.abs(), wanted.room());
+    let count = places(curve.length(), size);
     let [from, to] = coverage.shares(element, corner, curve);
     for k in 0..count {
         let share = (k as f64 + 0.5) / count as f64;
@@ -198,22 +223,18 @@ fn present(
         if coverage.covers(element, corner, at) {
             continue;
         }
-        let beyond = at + out(share) * ROOM_MM;
-        let room = !source.is_nearer(beyond, distance.abs() + 0.5 * ROOM_MM);
-        if room && !is_behind(source, distance, at) && !coverage.is_near(at) {
+        let has_room = !wanted.source.is_nearer(at + out(share) * room, size + 0.5 * room);
+        if has_room && !is_behind(wanted, element, at) && !coverage.is_near(at) {
             return unproved("a part is missing", at);
         }
     }
     Ok(())
 }
 
-/// Whether a place at its distance from one element belongs to the other side of a nearer one, as behind
-/// a crack that is narrower than the room that is looked for.
-fn is_behind(source: &Source, distance: f64, place: Point2) -> bool {
-    let mut near = Vec::new();
-    source.near(&Bounds2::of(place, place), distance.abs(), &mut near);
-    near.iter().any(|of| {
-        let nearer = distance.abs() - of.distance(place);
-        nearer > CHECK_MM || (nearer > tol::CONTACT_MM && right_of(of, place) * distance < 0.0)
-    })
+/// Whether a place at its distance from an element is beyond another part of the source: nearer to it, or
+/// behind a crack whose sides cannot be told apart.
+fn is_behind(wanted: &Wanted, element: usize, place: Point2) -> bool {
+    let Wanted { source, distance, within } = *wanted;
+    source.is_nearer(place, distance.abs() - within)
+        || source.winding_beside(element, distance).is_some_and(|own| source.winding(place) != own)
 }

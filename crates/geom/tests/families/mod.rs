@@ -53,6 +53,7 @@ pub const FAMILIES: &[Family] = &[
     ("noisy 1000", |seed| noisy(seed, 1000)),
     ("polyarc", polyarc),
     ("comb", comb),
+    ("cracks", cracks),
 ];
 
 fn signed(dice: &mut Dice, size: f64) -> f64 {
@@ -181,6 +182,35 @@ pub fn comb(seed: u64) -> Case {
     places.push(Point2::new(-5.0, -30.0));
     places.push(Point2::new(-5.0, 5.0));
     places.push(Point2::new(0.0, 5.0));
+    (Polyarc::lines(places, true), signed(&mut dice, distance))
+}
+
+/// A star with cracks and needles, as a logo drawn twice has them: some wider than what can be told apart,
+/// some narrower than what is checked.
+pub fn cracks(seed: u64) -> Case {
+    let mut dice = Dice::new(seed);
+    let count = dice.whole(5, 30) as usize;
+    let step = std::f64::consts::TAU / count as f64;
+    let place = |dice: &mut Dice, k: usize| {
+        let turn = (k as f64 + dice.between(-0.2, 0.2)) * step;
+        Point2::default() + Vec2::from_angle(turn) * dice.between(20.0, 40.0)
+    };
+    let corners: Vec<Point2> = (0..count).map(|k| place(&mut dice, k)).collect();
+    let mut places = Vec::new();
+    for k in 0..count {
+        places.push(corners[k]);
+        if dice.share() < 0.3 {
+            let edge = corners[(k + 1) % count] - corners[k];
+            let width = 10f64.powf(dice.between(-6.5, -1.5));
+            let mouth = corners[k] + edge * dice.between(0.2, 0.8);
+            let tip = Point2::default() + (mouth - Point2::default()) * dice.between(0.3, 1.4);
+            let across = edge * (width / edge.length());
+            places.push(mouth);
+            places.push(tip + across * dice.between(0.0, 0.9));
+            places.push(mouth + across);
+        }
+    }
+    let distance = dice.one_of(&[0.1, 0.5, 1.0, 3.0]);
     (Polyarc::lines(places, true), signed(&mut dice, distance))
 }
 

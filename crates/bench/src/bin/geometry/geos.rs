@@ -75,13 +75,13 @@ pub fn time(case: &Case) -> Result<()> {
 }
 
 /// Every family against GEOS: a difference thicker than a thousandth of the offset is a wrong offset.
-pub fn compare(count: u64) -> Result<()> {
+pub fn compare(count: u64, word: &str) -> Result<()> {
     let Some(mut geos) = Geos::start()? else { return Ok(()) };
     println!(
         "| family | shapes | wrong | not proved | worst distance / offset | worst area error / (perimeter × offset) |"
     );
     println!("|---|---|---|---|---|---|");
-    for (name, make) in FAMILIES {
+    for (name, make) in FAMILIES.iter().filter(|family| family.0.contains(word)) {
         let (mut wrong, mut failed) = (0, 0);
         let (mut worst_distance, mut worst_area) = (0.0f64, 0.0f64);
         for seed in 0..count {

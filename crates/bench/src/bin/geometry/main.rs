@@ -1,12 +1,14 @@
 //! Offsets measured beside those of other programs, in one run on one machine: speed, vertices, area.
-//! `make bench-geometry` builds and runs it; `--geos N` also compares N shapes of every hard family with
-//! GEOS, where Python has shapely.
+//! `make bench-geometry` builds and runs it; `--geos N` compares N shapes of every hard family with GEOS, where
+//! Python has shapely; `--prove N` counts the offsets of N shapes of each that fail their check. `--only WORD`
+//! takes the cases or families whose name contains a word, `--from SEED` other shapes.
 #![allow(clippy::print_stdout)]
 
 #[path = "../../../../geom/tests/families/mod.rs"]
 mod families;
 mod geos;
 mod peers;
+mod prove;
 mod shapes;
 #[allow(dead_code)]
 #[path = "../../usage.rs"]
@@ -33,22 +35,25 @@ impl Outcome {
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let number = |name: &str| {
-        let at = arguments.iter().position(|a| a == name)?;
-        arguments.get(at + 1)?.parse::<u64>().ok()
-    };
+    let value = |name: &str| arguments.get(arguments.iter().position(|a| a == name)? + 1);
+    let number = |name: &str| value(name)?.parse::<u64>().ok();
+    let word = value("--only").map_or("", |word| word);
     if let Some(count) = number("--geos") {
-        return geos::compare(count);
+        return geos::compare(count, word);
+    }
+    if let Some(count) = number("--prove") {
+        prove::families(count, word, number("--from").unwrap_or_default());
+        return Ok(());
     }
     println!("| case | by | milliseconds (least of runs) | rings | vertices | area mm² |");
     println!("|---|---|---|---|---|---|");
-    for case in shapes::cases() {
+    for case in shapes::cases().iter().filter(|case| case.name.contains(word)) {
         for (name, offset) in peers::ALL {
             let (time, outcome) = timed(|| offset(&case.contours, case.distance));
             let Outcome { rings, vertices, area } = outcome;
             println!("| {} | {name} | {time:.3} | {rings} | {vertices} | {area:.3} |", case.name);
         }
-        geos::time(&case)?;
+        geos::time(case)?;
     }
     Ok(())
 }
