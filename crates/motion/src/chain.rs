@@ -33,7 +33,7 @@ impl Clocked {
         self.clock.when(self.plan_end_s())
     }
 
-    fn plan_end_s(&self) -> f64 {
+    pub fn plan_end_s(&self) -> f64 {
         self.pieces.last().map_or(0.0, |piece| piece.duration_s())
     }
 

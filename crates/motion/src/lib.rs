@@ -55,6 +55,7 @@ mod planner;
 mod profile;
 mod profiler;
 mod ramped;
+mod rejoin;
 mod retimed;
 mod shopbot;
 mod slowing;

@@ -1,13 +1,15 @@
-//! Leaving any plan for another on the way, whatever model it comes from.
+//! Leaving a plan of the `optimal` model for another on the way.
 //!
 //! What has been planned is kept, path and all, and run by another clock ([`clock`](crate::clock)): to
 //! a stand, from there up to the plan again, or from the present speed to that of a plan with
-//! another feed, once both go through the same place in the same direction.
+//! another feed, once both go through the same place in the same direction. With a limit of jerk the
+//! clock is slowed to a lower feed, and the other plan begins there, at that speed and acceleration.
 
 use crate::chain::{Clocked, plain_clock};
 use crate::clock::{Clock, Tick};
 use crate::ease::Easing;
 use crate::moves::Move;
+use crate::optimal::{OptimalPlanner, Running};
 use crate::plan::{Law, Plan, State};
 use crate::planner::{Planner, Replanner};
 use crate::stop::Stop;
@@ -22,6 +24,9 @@ const BEHIND: usize = 512;
 /// it is asked for.
 const AT_ONCE: usize = 128;
 
+/// The same with a limit of jerk.
+const AT_ONCE_WITH_JERK: usize = 32;
+
 /// The plan with another feed is looked for at moments so far apart, seconds, and at so many.
 const LOOK_S: f64 = 1e-3;
 const LOOKS: u32 = 1000;
@@ -29,10 +34,10 @@ const LOOKS: u32 = 1000;
 /// Places and directions that differ by less are the same, mm and share of the speed.
 const SAME: f64 = 1e-6;
 
-/// A planner of any model that can be stopped and overridden.
+/// A planner of the `optimal` model that can be stopped and overridden.
 #[derive(Clone, Debug)]
-pub struct Retimed<P> {
-    planner: P,
+pub struct Retimed {
+    planner: OptimalPlanner,
     /// Moves that the planner does not have yet.
     waiting: VecDeque<Move>,
     /// What comes out next, before what the planner gives.
@@ -40,7 +45,7 @@ pub struct Retimed<P> {
     /// The clock for what the planner gives.
     clock: Option<Arc<Clock>>,
     /// The last moves that came out before the piece that came out last.
-    behind: Vec<Move>,
+    pub(crate) behind: Vec<Move>,
     /// The moves of that.
     last: Vec<Move>,
 }
@@ -55,9 +60,9 @@ struct Splice {
     clock: Clock,
 }
 
-impl<P: Planner> Retimed<P> {
+impl Retimed {
     /// Around a planner.
-    pub const fn new(planner: P) -> Self {
+    pub const fn new(planner: OptimalPlanner) -> Self {
         Self {
             planner,
             waiting: VecDeque::new(),
@@ -69,7 +74,7 @@ impl<P: Planner> Retimed<P> {
     }
 
     /// The next piece; when the planner has none, what it would give if the stack were complete.
-    fn next(&mut self) -> Option<Plan> {
+    pub(crate) fn next(&mut self) -> Option<Plan> {
         if let Some(piece) = self.known() {
             return Some(piece);
         }
@@ -92,7 +97,9 @@ impl<P: Planner> Retimed<P> {
             if self.waiting.is_empty() {
                 return None;
             }
-            let count = self.waiting.len().min(AT_ONCE);
+            let jerk = self.planner.dynamics().jerk_mm_s3;
+            let most = jerk.map_or(AT_ONCE, |_| AT_ONCE_WITH_JERK);
+            let count = self.waiting.len().min(most);
             self.waiting.drain(..count).for_each(|m| self.planner.push(m));
         }
     }
@@ -121,7 +128,7 @@ impl<P: Planner> Retimed<P> {
     }
 
     /// Stops, and plans what is left with another feed.
-    fn leave(&mut self, all: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
+    pub(crate) fn leave(&mut self, all: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
         let stop = all.stop(t_s, true)?;
         let (made, rest) = all.cut(&stop);
         self.begin_anew(rest.into_iter().map(|m| m.at_feed(share)));
@@ -156,7 +163,7 @@ impl<P: Planner> Retimed<P> {
     }
 
     /// What comes out next, from time 0 on; what the planner gives follows it, by the same clock.
-    fn go_on(&mut self, left: Option<Plan>) {
+    pub(crate) fn go_on(&mut self, left: Option<Plan>) {
         let left = left.filter(|plan| !plan.moves.is_empty());
         let end_s = left.as_ref().map_or(0.0, Plan::duration_s);
         self.clock = match &self.clock {
@@ -194,8 +201,7 @@ impl<P: Planner> Retimed<P> {
         all.law = Law::Clocked(Box::new(slowed));
         let stop = all.stop(splice.t_s, false)?;
         let (made, _) = all.cut(&stop);
-        // The other plan has what is left.
-        (self.behind, self.last) = (Vec::new(), Vec::new());
+        self.forget_made();
         let mut moves = fresh.moves.split_off(index);
         if let Some(first) = moves.first_mut() {
             *first = first.split(before).1;
@@ -204,34 +210,25 @@ impl<P: Planner> Retimed<P> {
         Some((made, stop))
     }
 
-    /// Slows to a share of the plan by the clock alone: with a limit of jerk a new plan would take too
-    /// long. Up to the next stand all is that much slower, accelerations too; what is planned after it
-    /// has the feed itself. `None` for a share above that of the plan, or without a limit of jerk.
-    fn slow_clock(&mut self, piece: &Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        let all = piece.clone().by(plain_clock());
-        let Law::Clocked(law) = &all.law else { return None };
-        let dynamics = law.dynamics().filter(|dynamics| dynamics.jerk_mm_s3.is_some())?;
-        let made = all.moves.get(all.index_at(t_s)?)?;
-        let rate = f64::from(made.at_feed(share).feed / made.feed);
-        // A smooth change that goes on is made to its end first.
-        let here = law.clock.at(t_s);
-        let from = if here.gain == 0.0 { here } else { law.clock.last() };
-        let ticks = Easing::new(law, dynamics).to_rate(from, rate).filter(|_| rate <= 1.0)?;
-        let stop = all.stop(from.t_s, false)?;
-        let ticks = ticks.into_iter().map(|tick| Tick { t_s: tick.t_s - from.t_s, ..tick });
-        let (index, before) =
-            if stop.share < 1.0 { (stop.move_index, stop.share) } else { (stop.whole(), 0.0) };
-        let left = law.left(index, before, Clock::of(ticks.collect()));
-        let (made, moves) = all.cut(&stop);
-        self.wait_with(share);
-        self.go_on(Some(Plan { moves, law: Law::Clocked(Box::new(left)) }));
-        let end_s = self.ready.as_ref().map_or(0.0, Plan::duration_s);
-        self.clock = Some(Arc::new(Clock::plain(end_s, 0.0)));
-        Some((made, stop))
+    /// The planner goes on in motion: with some moves at once, with more before all that waits.
+    pub(crate) fn run_on(&mut self, now: &[Move], later: &[Move], running: Running) {
+        later.iter().rev().for_each(|m| self.waiting.push_front(*m));
+        (self.ready, self.clock) = (None, None);
+        self.planner.run_on(now, running);
+    }
+
+    /// Whether the planner found no way from the motion in which it began.
+    pub(crate) fn is_lost(&self) -> bool {
+        self.planner.is_lost()
+    }
+
+    /// What was made counts no more: another plan has its moves.
+    pub(crate) fn forget_made(&mut self) {
+        (self.behind, self.last) = (Vec::new(), Vec::new());
     }
 
     /// Takes back from the planner what did not come out; it waits with another feed.
-    fn wait_with(&mut self, share: f32) {
+    pub(crate) fn wait_with(&mut self, share: f32) {
         let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
         let left = ready.chain(self.planner.withdraw()).collect::<Vec<Move>>();
         left.into_iter().rev().for_each(|m| self.waiting.push_front(m));
@@ -239,7 +236,7 @@ impl<P: Planner> Retimed<P> {
     }
 
     /// Takes back a plan that is not run: what lies beyond so many moves waits again.
-    fn take_back(&mut self, fresh: &[Move], beyond: usize) {
+    pub(crate) fn take_back(&mut self, fresh: &[Move], beyond: usize) {
         let left = [fresh, &self.planner.withdraw()].concat();
         left.into_iter().rev().for_each(|m| self.waiting.push_front(m));
         self.waiting.drain(..beyond.min(self.waiting.len()));
@@ -280,7 +277,7 @@ fn splice_at(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<Sp
     Some(Splice { t_s, begin, clock: Clock::of(ticks) })
 }
 
-fn speed(state: &State) -> f64 {
+pub(crate) fn speed(state: &State) -> f64 {
     dot(&state.velocity, &state.velocity).sqrt()
 }
 
@@ -289,13 +286,13 @@ fn dot(a: &Axes, b: &Axes) -> f64 {
 }
 
 /// Whether two plans are at the same place and go in the same direction.
-fn same_course(a: &State, b: &State) -> bool {
+pub(crate) fn same_course(a: &State, b: &State) -> bool {
     let near = |d: Axes| d.0.iter().all(|d| d.abs() <= SAME);
     let (v, w) = (speed(a), speed(b));
     near(a.position.minus(b.position)) && near(a.velocity.zip(b.velocity, |x, y| x / v - y / w))
 }
 
-impl<P: Planner> Planner for Retimed<P> {
+impl Planner for Retimed {
     fn push(&mut self, made: Move) {
         if self.waiting.is_empty() {
             self.planner.push(made);
@@ -326,15 +323,15 @@ impl<P: Planner> Planner for Retimed<P> {
     }
 }
 
-impl<P: Planner> Replanner for Retimed<P> {
+impl Replanner for Retimed {
     fn stop(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
         self.stop_clock(piece, t_s, ramped)
     }
 
     fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        match self.slow_clock(&piece, t_s, share) {
+        match self.planner.dynamics().jerk_mm_s3 {
             None => self.feed_clock(piece, t_s, share),
-            slowed => slowed,
+            Some(_) => self.feed_with_jerk(piece, t_s, share),
         }
     }
 }

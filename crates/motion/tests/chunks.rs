@@ -4,11 +4,11 @@
 mod walk;
 
 use kerf_motion::{
-    Model, Move, Optimal, OptimalPlanner, Plan, Planner, Profiler, ProfilerPlanner, ShopBotPlanner,
-    Span, plan_stack,
+    Model, Move, Mover, Optimal, OptimalPlanner, Plan, Planner, Profiler, ProfilerPlanner,
+    ShopBotPlanner, Span, plan_stack,
 };
 use kerf_program::settings::Ramps;
-use kerf_program::{AXES, Axes, Dynamics, Settings, Smoothing};
+use kerf_program::{AXES, At, Axes, Dynamics, Feed, Line, MoveKind, Settings, Smoothing};
 use proptest::prelude::*;
 use walk::moves;
 
@@ -163,4 +163,45 @@ fn with_a_limit_of_jerk_pieces_end_where_the_machine_stands() {
     let moves = moves(600, 4);
     assert!(check_optimal(&moves, &dynamics, 1) > 5);
     assert_eq!(check_optimal(&moves, &dynamics, 0), 1);
+}
+
+/// A raster of half-millimetre moves over a hilly surface: nowhere a stand.
+fn raster(count: u32) -> impl Iterator<Item = Move> {
+    let settings = Settings::default();
+    let mut mover = Mover::new(Axes::default(), &settings);
+    (1..=count).filter_map(move |k| {
+        let (row, place) = (k / 400, k % 400);
+        let along = f64::from(if row % 2 == 0 { place } else { 400 - place });
+        let (x, y) = (along * 0.5, f64::from(row) + (along * 0.05).sin());
+        let to = Axes::xyz(x, y, 3.0 * (x * 0.1).sin() * (y * 0.07).cos());
+        mover.line(At::default(), &Line { kind: MoveKind::Cut, to, feed: Feed::Path(60.0) })
+    })
+}
+
+#[test]
+fn with_a_limit_of_jerk_a_path_without_a_stand_is_planned_in_pieces() {
+    let dynamics = Dynamics {
+        speed_mm_s: Axes::splat(150.0),
+        accel_mm_s2: Axes::splat(700.0),
+        jerk_mm_s3: Some(Axes::splat(20_000.0)),
+        tolerance_mm: 0.02,
+    };
+    let moves: Vec<Move> = raster(1500).collect();
+    assert!(check_optimal(&moves, &dynamics, 1) > 10);
+    assert!(check_optimal(&moves, &dynamics, 100) > 10);
+    let mut planner = OptimalPlanner::new(&dynamics);
+    let (mut pushed, mut taken, mut end_s) = (0, 0, 0.0);
+    for made in raster(6000) {
+        planner.push(made);
+        pushed += 1;
+        if let Some(piece) = planner.take() {
+            taken += piece.moves().len();
+            let takes_s = piece.duration_s() - end_s;
+            assert!(takes_s < 3.0, "a piece of {takes_s} s");
+            end_s = piece.duration_s();
+            let state = piece.at(end_s - 1e-9);
+            assert!(state.path_speed_mm_s > 1.0, "stands at {:?}", state.position);
+        }
+        assert!(pushed - taken <= 400, "{pushed} pushed, {taken} taken");
+    }
 }

@@ -2,6 +2,7 @@
 //! path's slope is a polynomial.
 
 use super::kernel::{CORNER, Kernel, PARTS};
+use super::planner::padded;
 use super::track::{Track, norm};
 use crate::moves::{Basis, Move};
 
@@ -48,6 +49,11 @@ impl<const N: usize> Frame<N> {
             twist: self.twist,
         }
     }
+
+    /// The same with more axes, which stood still.
+    pub fn widen<const M: usize>(&self) -> Frame<M> {
+        Frame { slope: padded(&self.slope), bend: padded(&self.bend), twist: padded(&self.twist) }
+    }
 }
 
 /// A part of the smoothed path on which the last derivative is constant.
@@ -65,13 +71,35 @@ pub(crate) struct Cell<const N: usize> {
     pub owner: u32,
 }
 
-/// Walks along a run and gives its cells.
-pub(crate) struct Cells<'a, const N: usize> {
-    track: &'a Track,
-    widths: &'a [f64],
-    kernel: Kernel,
-    moves: &'a [Move],
-    last: usize,
+impl<const N: usize> Cell<N> {
+    /// What lies after a place in it.
+    pub fn after(&self, at_mm: f64) -> Self {
+        let way = at_mm - self.at_mm;
+        Self { at_mm, h: self.h - way, frame: self.frame.after(way), ..*self }
+    }
+
+    /// The same with more axes, which stood still.
+    pub fn widen<const M: usize>(&self) -> Cell<M> {
+        let Self { at_mm, h, straight, owner, .. } = *self;
+        Cell { at_mm, h, frame: self.frame.widen(), straight, owner }
+    }
+}
+
+/// What a walk goes on: a path as far as its widths are final.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'a> {
+    pub track: &'a Track,
+    pub widths: &'a [f64],
+    pub moves: &'a [Move],
+    /// The last vertex of the run that is known.
+    pub last: usize,
+    /// The run ends there.
+    pub ended: bool,
+}
+
+/// Walks along a run smoothed with triangles and gives its cells, as far as the path is known.
+#[derive(Clone, Debug)]
+pub(crate) struct Cells<const N: usize> {
     /// The next vertex at each of [`PLACES`] of its bump.
     next: [usize; PLACES.len()],
     /// The segment on which the walk is.
@@ -84,97 +112,94 @@ pub(crate) struct Cells<'a, const N: usize> {
     piece_mm: f64,
 }
 
-impl<'a, const N: usize> Cells<'a, N> {
-    /// The run between two vertices of width zero.
-    pub fn new(
-        track: &'a Track,
-        widths: &'a [f64],
-        kernel: Kernel,
-        moves: &'a [Move],
-        [first, last]: [usize; 2],
-    ) -> Self {
-        let slope = track.direction(first);
-        let frame = Frame { slope, bend: [0.0; N], twist: [0.0; N] };
-        let mut cells = Self {
-            track,
-            widths,
-            kernel,
-            moves,
-            last,
-            next: [last; PLACES.len()],
-            segment: first,
-            at_mm: track.at_mm[first],
-            frame,
-            age: 0,
-            pieces: 0,
-            piece_mm: 0.0,
-        };
-        cells.next = std::array::from_fn(|which| cells.corner_from(which, first + 1));
-        cells
+impl<const N: usize> Cells<N> {
+    /// A run that begins at a vertex where the machine stands.
+    pub fn new(track: &Track, first: usize) -> Self {
+        let frame = Frame { slope: track.direction(first), bend: [0.0; N], twist: [0.0; N] };
+        let next = [first + 1; PLACES.len()];
+        let at_mm = track.at_mm[first];
+        Self { next, segment: first, at_mm, frame, age: 0, pieces: 0, piece_mm: 0.0 }
     }
 
-    fn active(&self) -> bool {
+    /// The same with more axes, which stood still.
+    pub fn widen<const M: usize>(&self) -> Cells<M> {
+        Cells {
+            next: self.next,
+            segment: self.segment,
+            at_mm: self.at_mm,
+            frame: self.frame.widen(),
+            age: self.age,
+            pieces: self.pieces,
+            piece_mm: self.piece_mm,
+        }
+    }
+
+    /// The first vertex that is still needed.
+    pub fn needs(&self) -> usize {
+        self.next[END].min(self.segment)
+    }
+
+    /// Forgets the first vertices.
+    pub fn forget(&mut self, vertices: usize) {
+        self.segment -= vertices;
+        self.next.iter_mut().for_each(|vertex| *vertex -= vertices);
+    }
+
+    /// Looks again for the next vertices, among those that are known now.
+    pub fn resume(&mut self, path: &Known<'_>) {
+        self.next = std::array::from_fn(|which| self.corner_from(path, which, self.next[which]));
+    }
+
+    const fn active(&self) -> bool {
         self.next[0] > self.next[END]
     }
 
     /// The first vertex from one on, within the run, whose polynomials change at a place.
-    fn corner_from(&self, which: usize, vertex: usize) -> usize {
+    fn corner_from(&self, path: &Known<'_>, which: usize, vertex: usize) -> usize {
         let changes = |j: &usize| {
-            self.widths[*j] > 0.0
-                && match (self.kernel, which) {
-                    (_, 0 | END) => true,
-                    (Kernel::Box, _) => false,
-                    (Kernel::Triangle, PARTS) => true,
-                    _ => self.kernel.is_corner(norm(&self.track.turn::<N>(*j))),
-                }
+            path.widths[*j] > 0.0
+                && (matches!(which, 0 | PARTS | END)
+                    || Kernel::Triangle.is_corner(norm(&path.track.turn::<N>(*j))))
         };
-        if self.kernel == Kernel::Box && which != 0 && which != END {
-            return self.last;
-        }
-        (vertex..self.last).find(changes).unwrap_or(self.last)
+        (vertex..path.last).find(changes).unwrap_or(path.last.max(vertex))
     }
 
     /// Where the next bump has one of its places.
-    fn event(&self, which: usize) -> f64 {
+    fn event(&self, path: &Known<'_>, which: usize) -> f64 {
         let j = self.next[which];
-        if j >= self.last {
+        if j >= path.last {
             return f64::INFINITY;
         }
-        self.track.at_mm[j] + PLACES[which] * self.widths[j]
+        path.track.at_mm[j] + PLACES[which] * path.widths[j]
     }
 
     /// Takes all events up to here.
-    fn take_events(&mut self) {
+    fn take_events(&mut self, path: &Known<'_>) {
         for which in 0..PLACES.len() {
-            while self.event(which) <= self.at_mm + NOTHING_MM {
-                self.take(which);
-                self.next[which] = self.corner_from(which, self.next[which] + 1);
+            while self.event(path, which) <= self.at_mm + NOTHING_MM {
+                self.take(path, which);
+                self.next[which] = self.corner_from(path, which, self.next[which] + 1);
             }
         }
-        while self.segment + 1 < self.last
-            && self.track.at_mm[self.segment + 1] <= self.at_mm + NOTHING_MM
+        while self.segment + 1 < path.last
+            && path.track.at_mm[self.segment + 1] <= self.at_mm + NOTHING_MM
         {
             self.segment += 1;
         }
         if !self.active() {
-            let slope = self.track.direction(self.segment);
+            let slope = path.track.direction(self.segment);
             self.frame = Frame { slope, bend: [0.0; N], twist: [0.0; N] };
             self.age = 0;
         } else if self.age > FRESH {
-            self.frame = self.fresh();
+            self.frame = self.fresh(path);
             self.age = 0;
         }
     }
 
-    fn take(&mut self, which: usize) {
+    fn take(&mut self, path: &Known<'_>, which: usize) {
         let j = self.next[which];
-        let c = self.widths[j];
-        let turn = self.track.turn::<N>(j);
-        if self.kernel == Kernel::Box {
-            let scale = if which == 0 { 0.5 } else { -0.5 } / c;
-            return (0..N).for_each(|k| self.frame.bend[k] += scale * turn[k]);
-        }
-        let twists = self.twists(&turn, c);
+        let turn = path.track.turn::<N>(j);
+        let twists = twists(&turn, path.widths[j]);
         let scale = match which {
             PARTS => -2.0 * twists.iter().sum::<f64>(),
             _ => twists[which.min(END - which)],
@@ -182,27 +207,19 @@ impl<'a, const N: usize> Cells<'a, N> {
         (0..N).for_each(|k| self.frame.twist[k] += scale * turn[k]);
     }
 
-    /// Third derivatives of the triangles of a bump before its peak.
-    fn twists(&self, turn: &[f64; N], c: f64) -> [f64; PARTS] {
-        if self.kernel == Kernel::Box {
-            return [0.0; PARTS];
-        }
-        self.kernel.parts(norm(turn)).map(|(share, width)| share / (c * width * c * width))
-    }
-
     /// The frame here, summed over the bumps that reach here.
-    fn fresh(&self) -> Frame<N> {
-        let slope = self.track.direction(self.segment);
+    fn fresh(&self, path: &Known<'_>) -> Frame<N> {
+        let slope = path.track.direction(self.segment);
         let mut frame = Frame { slope, bend: [0.0; N], twist: [0.0; N] };
-        for j in (self.next[END]..self.next[0]).filter(|j| self.widths[*j] > 0.0) {
+        for j in (self.next[END]..self.next[0]).filter(|j| path.widths[*j] > 0.0) {
             let before = j > self.segment;
-            let offset = (self.at_mm - self.track.at_mm[j]).abs();
+            let offset = (self.at_mm - path.track.at_mm[j]).abs();
             let offset = offset.max(f64::MIN_POSITIVE) * if before { -1.0 } else { 1.0 };
-            let turn = self.track.turn::<N>(j);
-            let [_, slope, bend] = self.kernel.shape(norm(&turn), self.widths[j], offset);
+            let turn = path.track.turn::<N>(j);
+            let [_, slope, bend] = Kernel::Triangle.shape(norm(&turn), path.widths[j], offset);
             // By the places passed, not by distances, which rounding may see otherwise.
             let within = |part: &usize| (self.next[END - part]..self.next[*part]).contains(&j);
-            let twists = self.twists(&turn, self.widths[j]);
+            let twists = twists(&turn, path.widths[j]);
             let twist: f64 = (0..PARTS).filter(within).map(|part| twists[part]).sum();
             let twist = if before { twist } else { -twist };
             for (k, turn) in turn.iter().enumerate() {
@@ -214,21 +231,15 @@ impl<'a, const N: usize> Cells<'a, N> {
         frame
     }
 
-    /// Whether another speed holds after a vertex.
-    fn feed_changes(&self, vertex: usize) -> bool {
-        let of = |segment: usize| &self.moves[self.track.owner[segment] as usize];
-        let (a, b) = (of(vertex - 1), of(vertex));
-        a.basis != b.basis || a.top_mm_s() != b.top_mm_s()
-    }
-
     /// Where the interval that begins here ends.
-    fn interval_end(&self) -> f64 {
-        let events = (0..PLACES.len()).map(|which| self.event(which));
-        let mut end = events.fold(self.track.at_mm[self.last], f64::min);
+    fn interval_end(&self, path: &Known<'_>) -> f64 {
+        let at = &path.track.at_mm;
+        let events = (0..PLACES.len()).map(|which| self.event(path, which));
+        let mut end = events.fold(at[path.last], f64::min);
         let mut vertex = self.segment + 1;
-        while vertex < self.last && self.track.at_mm[vertex] < end {
-            if self.feed_changes(vertex) {
-                end = self.track.at_mm[vertex];
+        while vertex < path.last && at[vertex] < end {
+            if feed_changes(path, vertex) {
+                end = at[vertex];
             }
             vertex += 1;
         }
@@ -241,36 +252,53 @@ impl<'a, const N: usize> Cells<'a, N> {
         self.pieces = (turn / MAX_TURN_RAD).ceil().max(1.0) as u32;
         self.piece_mm = length / f64::from(self.pieces);
     }
-}
 
-impl<const N: usize> Iterator for Cells<'_, N> {
-    type Item = Cell<N>;
-
-    fn next(&mut self) -> Option<Cell<N>> {
+    /// The next cell; `None` at the end, or where the path is not known yet.
+    pub fn next(&mut self, path: &Known<'_>) -> Option<Cell<N>> {
+        let at = &path.track.at_mm;
+        // Bumps of later vertices begin after that of the last that is known.
+        let limit =
+            if path.ended { f64::INFINITY } else { at[path.last] - path.widths[path.last].abs() };
         if self.pieces == 0 {
             // Past all events: a cell of no length would divide by nothing.
-            while self.interval_end() <= self.at_mm + NOTHING_MM {
-                if self.at_mm + NOTHING_MM >= self.track.at_mm[self.last] {
+            while self.interval_end(path) <= self.at_mm + NOTHING_MM {
+                if self.at_mm + NOTHING_MM >= at[path.last].min(limit) {
                     return None;
                 }
-                self.at_mm = self.interval_end().max(self.at_mm);
-                self.take_events();
+                self.at_mm = self.interval_end(path).max(self.at_mm);
+                self.take_events(path);
             }
-            self.cut(self.interval_end() - self.at_mm);
+            let end = self.interval_end(path);
+            if end > limit {
+                return None;
+            }
+            self.cut(end - self.at_mm);
         }
         let straight = !self.active();
-        let owner = self.track.owner[self.segment];
+        let owner = path.track.owner[self.segment];
         let (at_mm, h, frame) = (self.at_mm, self.piece_mm, self.frame);
         self.frame = frame.after(h);
         self.at_mm += h;
         self.age += 1;
         self.pieces -= 1;
         if self.pieces == 0 {
-            self.at_mm = self.interval_end();
-            self.take_events();
+            self.at_mm = self.interval_end(path);
+            self.take_events(path);
         }
         Some(Cell { at_mm, h, frame, straight, owner })
     }
+}
+
+/// Third derivatives of the triangles of a bump before its peak.
+fn twists<const N: usize>(turn: &[f64; N], c: f64) -> [f64; PARTS] {
+    Kernel::Triangle.parts(norm(turn)).map(|(share, width)| share / (c * width * c * width))
+}
+
+/// Whether another speed holds after a vertex.
+fn feed_changes(path: &Known<'_>, vertex: usize) -> bool {
+    let of = |segment: usize| &path.moves[path.track.owner[segment] as usize];
+    let (a, b) = (of(vertex - 1), of(vertex));
+    a.basis != b.basis || a.top_mm_s() != b.top_mm_s()
 }
 
 /// The highest squared speed along the track at which the tool keeps the feed of a move, seen at a

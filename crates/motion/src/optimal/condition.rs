@@ -3,8 +3,9 @@
 
 use super::pieces::Row;
 
-/// Room given to a condition that is not met yet, as a share of its value.
-const RELAXED: f64 = 0.25;
+/// A condition that is not met yet is sought with so much of its limit to spare, and so strongly.
+const SPARE: f64 = 0.2;
+const PULL: f64 = 100.0;
 
 /// How far a step goes to the nearest barrier.
 pub(crate) const NEARLY: f64 = 0.95;
@@ -23,9 +24,21 @@ impl Condition {
         self.value.abs() < self.limit
     }
 
-    /// What is left on the upper and the lower side. While a limit is exceeded it counts as higher.
+    /// What is left on the upper and the lower side; below zero where the limit is exceeded.
     pub fn slacks(&self) -> [f64; 2] {
-        [slack(self.limit, self.value), slack(self.limit, -self.value)]
+        [self.limit - self.value, self.limit + self.value]
+    }
+
+    /// First and second derivative by the slack of what is minimised on a side: a logarithmic barrier,
+    /// or a parabola while the limit is exceeded.
+    pub fn force(&self, slack: f64) -> [f64; 2] {
+        if slack > 0.0 {
+            let inverse = slack.recip();
+            return [-inverse, inverse * inverse];
+        }
+        let scale = self.limit.abs().max(SPARE * self.value.abs());
+        let second = PULL / (scale * scale);
+        [second * (slack - SPARE * scale), second]
     }
 
     /// How much of a step, at most so much, can be made with room to spare.
@@ -35,17 +48,12 @@ impl Condition {
         let mut room = most;
         for (slack, change) in self.slacks().into_iter().zip([change - limit, -change - limit]) {
             // A division only where it tells something new.
-            if room * change > NEARLY * slack {
+            if slack > 0.0 && room * change > NEARLY * slack {
                 room = NEARLY * slack / change;
             }
         }
         room
     }
-}
-
-/// What a value leaves of its limit, or of a higher one while it exceeds it.
-fn slack(limit: f64, value: f64) -> f64 {
-    if value < limit { limit - value } else { RELAXED * value.abs().max(limit.abs()) }
 }
 
 pub(crate) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {

@@ -12,18 +12,32 @@
 //! are straight, the jerk is constant instead, and only its size is unknown.
 
 use super::condition::{Condition, NEARLY, dot};
+use super::grid::End;
+use super::launch::Launch;
 use super::newton::{Local, System};
 use super::pieces::{Part, Piece, Row};
 
 /// Part of the limit of jerk that is used, so that rounding never exceeds it.
-const USED: f64 = 1.0 - 1e-6;
+pub(crate) const USED: f64 = 1.0 - 1e-6;
 
 /// Most steps of the iteration, of which the first look only for a motion that keeps all limits.
 const STEPS: u32 = 150;
 const SETTLING: u32 = 10;
 
+/// The same from a motion that is given; after twice as many no way is looked for any more.
+const SETTLING_MOTION: u32 = 25;
+
 /// By how much all is slowed in each step after that.
 const SLOWER: f64 = 0.8;
+
+/// After a motion that is given the search starts at least at this share of what is expected.
+const SLOW: f64 = 0.4;
+
+/// From a motion that is given on, slowing comes into its full within this share of the way.
+const SLOWED: f64 = 0.2;
+
+/// A smaller part of a condition is rounding.
+const SETTLED: f64 = 1e-9;
 
 /// By how much in the end, should a condition still be missed by rounding.
 const SLOWER_YET: f64 = 0.9999;
@@ -41,46 +55,26 @@ const BEGIN: f64 = 0.6;
 /// What the barriers may cost at the end, as a share of the time.
 const GAP: f64 = 2e-3;
 
-/// The first or last bit of path, made with constant jerk between rest and the spline.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Launch {
-    /// Its length, mm.
-    pub way_mm: f64,
-    /// Greatest squared speed at its fast end.
-    pub most: f64,
-}
-
-impl Launch {
-    /// Over a straight bit of path, with limits along it.
-    pub fn new(way_mm: f64, accel: f64, jerk: f64) -> Self {
-        let root = (4.5 * jerk * USED * way_mm * way_mm).cbrt();
-        Self { way_mm, most: (root * root).min(1.5 * way_mm * accel) }
-    }
-
-    /// The outer ordinate as a share of the middle one of the piece that joins.
-    fn share(&self, h: f64) -> f64 {
-        1.0 / (1.0 + 2.0 * h / (3.0 * self.way_mm))
-    }
-
-    /// The jerk with which a squared speed is reached.
-    pub fn jerk(&self, x: f64) -> f64 {
-        x.powf(1.5) / (4.5 * self.way_mm * self.way_mm)
-    }
-}
-
 /// Limits, pieces and the unknowns.
 pub(crate) struct Problem<'a, const N: usize> {
     pub pieces: &'a [Piece<N>],
     pub accel: [f64; N],
     pub jerk: [f64; N],
-    pub launches: [Launch; 2],
+    pub begin: End,
+    pub end: Launch,
+    /// Squared speeds of a motion from the same beginning within the limits, in the middle of the
+    /// pieces as far as it goes; for the first pieces, so many, it has the same.
+    pub before: &'a [f64],
+    pub kept: usize,
 }
 
 impl<const N: usize> Problem<'_, N> {
-    /// Bézier ordinates of x over every piece.
-    pub fn solve(&self) -> Vec<[f64; 3]> {
+    /// Bézier ordinates of x over every piece; `None` when from a motion at the beginning no way
+    /// within the limits is found.
+    pub fn solve(&self) -> Option<Vec<[f64; 3]>> {
         let n = self.pieces.len();
         let mut b = self.start();
+        let slower = self.slower();
         let axes = |part: &Part<N>| part.moves.iter().filter(|moves| **moves).count();
         let axes: usize = self.pieces.iter().flat_map(|p| &p.parts).map(axes).sum();
         let conditions = (14 * axes + 6 * n) as f64;
@@ -92,9 +86,15 @@ impl<const N: usize> Problem<'_, N> {
             b.iter_mut().zip(&d).for_each(|(b, d)| *b += scale * d);
             found |= kept;
             if !found {
+                let settling = match self.begin {
+                    End::Rest(_) => SETTLING,
+                    End::Motion(_) if step > 2 * SETTLING_MOTION => return None,
+                    End::Motion(_) => SETTLING_MOTION,
+                };
                 // Slower is gentler: sooner or later all conditions are met.
-                let slower = if step < SETTLING { 1.0 } else { SLOWER };
-                b.iter_mut().for_each(|b| *b *= slower);
+                if step >= settling {
+                    b.iter_mut().zip(&slower).for_each(|(b, slower)| *b *= slower);
+                }
                 continue;
             }
             let sharpest = conditions / (GAP * time);
@@ -110,9 +110,24 @@ impl<const N: usize> Problem<'_, N> {
             }
         }
         while !self.newton(&b, 0.0).2 {
+            if matches!(self.begin, End::Motion(_)) {
+                return None;
+            }
             b.iter_mut().for_each(|b| *b *= SLOWER_YET);
         }
-        (0..n).map(|k| self.local(&b, k)).collect()
+        Some((0..n).map(|k| self.local(&b, k)).collect())
+    }
+
+    /// By how much each piece is slowed in a step: not at all where the motion is given.
+    fn slower(&self) -> Vec<f64> {
+        let begin = self.pieces.get(self.kept).map_or(0.0, |p| p.at_mm);
+        let end = self.pieces.last().map_or(0.0, |p| p.at_mm);
+        let full = SLOWED * (end - begin).max(f64::MIN_POSITIVE);
+        let share = |p: &Piece<N>| match self.begin {
+            End::Rest(_) => 1.0,
+            End::Motion(_) => ((p.at_mm - begin) / full).clamp(0.0, 1.0),
+        };
+        self.pieces.iter().map(|p| 1.0 - (1.0 - SLOWER) * share(p)).collect()
     }
 
     /// Where the search starts: about what the jerk allows. From a slow place x^(3/4) can grow as
@@ -124,13 +139,16 @@ impl<const N: usize> Problem<'_, N> {
             self.pieces.iter().map(|p| BEGIN * self.steady(p).powf(0.75)).collect();
         let n = z.len();
         let half = |k: usize| 0.5 * self.pieces[k].h;
-        let mut last = rate * self.launches[0].way_mm;
+        let mut last = match self.begin {
+            End::Rest(launch) => rate * launch.way_mm,
+            End::Motion([x, _]) => x.powf(0.75),
+        };
         for (k, z) in z.iter_mut().enumerate() {
             last += rate * (half(k) + if k > 0 { half(k - 1) } else { 0.0 });
             last = last.min(*z);
             *z = last;
         }
-        last = rate * self.launches[1].way_mm;
+        last = rate * self.end.way_mm;
         for (k, z) in z.iter_mut().enumerate().rev() {
             last += rate * (half(k) + if k + 1 < n { half(k + 1) } else { 0.0 });
             last = last.min(*z);
@@ -143,7 +161,20 @@ impl<const N: usize> Problem<'_, N> {
                 x[k] = 0.25 * (before[k - 1] + 2.0 * before[k] + before[k + 1]);
             }
         }
+        self.begin_with(&mut x);
         x
+    }
+
+    /// Begins with the motion before, as long as it is not slow, and goes over to what is expected.
+    fn begin_with(&self, x: &mut [f64]) {
+        let End::Motion([at, accel]) = self.begin else { return };
+        for (k, x) in x.iter_mut().enumerate() {
+            let before = self.before.get(k).copied().unwrap_or(0.0);
+            let least = SLOW * *x;
+            let near = (1.0 - before / (3.0 * least)).max(0.0);
+            *x = before + if k < self.kept { 0.0 } else { least * near * near };
+        }
+        x[0] = at + accel * self.pieces[0].h;
     }
 
     /// The squared speed that a piece allows without s̈.
@@ -160,15 +191,19 @@ impl<const N: usize> Problem<'_, N> {
 
     /// Ordinates over a piece.
     fn local(&self, b: &[f64], k: usize) -> [f64; 3] {
-        self.local_of(k, |i| b[i])
+        let mut x = self.change(b, k);
+        if let (0, End::Motion([first, _])) = (k, self.begin) {
+            x[0] = first;
+        }
+        x
     }
 
-    fn local_of(&self, k: usize, b: impl Fn(usize) -> f64) -> [f64; 3] {
+    /// How they change with the unknowns.
+    fn change(&self, b: &[f64], k: usize) -> [f64; 3] {
         let [[l0, l1], [r0, r1]] = self.shares(k);
-        let n = self.pieces.len();
-        let before = if k > 0 { l0 * b(k - 1) } else { 0.0 };
-        let after = if k + 1 < n { r1 * b(k + 1) } else { 0.0 };
-        [before + l1 * b(k), b(k), r0 * b(k) + after]
+        let before = if k > 0 { l0 * b[k - 1] } else { 0.0 };
+        let after = b.get(k + 1).map_or(0.0, |b| r1 * b);
+        [before + l1 * b[k], b[k], r0 * b[k] + after]
     }
 
     /// How the outer ordinates are made of the neighbours' middle ones.
@@ -178,9 +213,13 @@ impl<const N: usize> Problem<'_, N> {
             let whole = h(i - 1) + h(i);
             [h(i) / whole, h(i - 1) / whole]
         };
-        let left = if k > 0 { mean(k) } else { [0.0, self.launches[0].share(h(0))] };
+        let left = match self.begin {
+            _ if k > 0 => mean(k),
+            End::Rest(launch) => [0.0, launch.share(h(0))],
+            End::Motion(_) => [0.0, 0.0],
+        };
         let last = k + 1 == self.pieces.len();
-        let right = if last { [self.launches[1].share(h(k)), 0.0] } else { mean(k + 1) };
+        let right = if last { [self.end.share(h(k)), 0.0] } else { mean(k + 1) };
         [left, right]
     }
 
@@ -202,19 +241,30 @@ impl<const N: usize> Problem<'_, N> {
             }
             system.add(k, &part, &self.shares(k));
         }
+        if matches!(self.begin, End::Motion(_)) {
+            system.hold_first();
+        }
         (system, time, kept)
     }
 
     /// Calls with each condition.
-    fn conditions(&self, k: usize, x: &[f64; 3], mut each: impl FnMut(&Condition)) {
+    fn conditions(&self, k: usize, x: &[f64; 3], mut one: impl FnMut(&Condition)) {
         let piece = &self.pieces[k];
+        // What the motion at the beginning has settled nothing can change.
+        let settled = k == 0 && matches!(self.begin, End::Motion(_));
+        let mut each = |condition: &Condition| {
+            let size = condition.row.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+            if !settled || condition.row[2].abs() > SETTLED * size {
+                one(condition);
+            }
+        };
         for m in 0..3 {
             let mut cap = piece.cap;
-            if m == 0 && k == 0 {
-                cap = cap.min(self.launches[0].most);
+            if let (0, 0, End::Rest(launch)) = (m, k, &self.begin) {
+                cap = cap.min(launch.most);
             }
             if m == 2 && k + 1 == self.pieces.len() {
-                cap = cap.min(self.launches[1].most);
+                cap = cap.min(self.end.most);
             }
             // Between zero and the cap: about half of it, not farther than half of it.
             let mut row = [0.0; 3];
@@ -258,7 +308,7 @@ impl<const N: usize> Problem<'_, N> {
             if d[k] < 0.0 {
                 scale = scale.min(-NEARLY * b[k] / d[k]);
             }
-            let (x, dx) = (self.local(b, k), self.local(d, k));
+            let (x, dx) = (self.local(b, k), self.change(d, k));
             self.conditions(k, &x, |condition| scale = scale.min(condition.room(&dx, scale)));
         }
         scale

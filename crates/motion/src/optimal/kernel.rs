@@ -32,6 +32,9 @@ pub(crate) const CORNER: [(f64, f64); PARTS] = [
     (-0.02253, 0.1),
 ];
 
+/// Share of the first and last segment on which the path is straight, for the way from rest.
+const LAUNCH_SHARE: f64 = 0.25;
+
 /// Triangles that a kernel has at most.
 pub(crate) const PARTS: usize = 11;
 
@@ -74,7 +77,7 @@ impl Kernel {
     pub const fn straight_ends(self) -> f64 {
         match self {
             Self::Box => 1.0,
-            Self::Triangle => 1.0 - super::limited::LAUNCH_SHARE,
+            Self::Triangle => 1.0 - LAUNCH_SHARE,
         }
     }
 

@@ -5,21 +5,22 @@
 //! [`choice`]); the sum of polyline and bumps is a path whose derivatives are known in closed form
 //! ([`walk`], [`cells`]). Along it the fastest speed is found by a pass back and a pass forward
 //! ([`reach`], [`speeds`]). The outcome is a list of nodes between which the motion along the path
-//! has a closed form ([`timed`]). Without a limit of jerk all of it happens while the moves are read
+//! has a closed form ([`timed`]). With a limit of jerk the speed is found in windows instead
+//! ([`horizon`]), each as a convex problem ([`jerk`]). All of it happens while the moves are read
 //! ([`planner`]).
 
 mod cells;
 mod choice;
 mod condition;
+mod grid;
+mod horizon;
 mod jerk;
-mod join;
 mod kernel;
-mod limited;
+mod launch;
 mod newton;
 mod pieces;
 mod planner;
 mod reach;
-mod rests;
 mod scurve;
 mod speeds;
 mod timed;
@@ -27,21 +28,16 @@ mod track;
 mod walk;
 mod widths;
 
-pub(crate) use speeds::Node;
-pub(crate) use timed::{Push, Timed};
+pub(crate) use horizon::Way;
+pub(crate) use planner::Running;
+pub(crate) use timed::Timed;
 
 use crate::moves::Move;
-use crate::plan::{Law, Plan};
+use crate::plan::Plan;
 use crate::planner::Planner;
 use crate::shopbot::Model;
-use kerf_program::{AXES, Axes, Dynamics};
-use kernel::Kernel;
-use limited::Limited;
+use kerf_program::Dynamics;
 use planner::Stream;
-use reach::Bounds;
-use rests::Rests;
-use track::Track;
-use widths::widest;
 
 /// The fastest motion that keeps every axis within its limits and the path within the tolerance,
 /// over the whole stack.
@@ -53,113 +49,51 @@ pub struct Optimal<'a> {
 
 impl Model for Optimal<'_> {
     fn plan(&self, moves: Vec<Move>) -> Plan {
-        let Some(jerk) = self.dynamics.jerk_mm_s3 else {
-            return Stream::whole(self.dynamics, moves);
-        };
-        let mut made: Option<Timed> = None;
-        let mut begun = 0;
-        for end in rests::of(self.dynamics, &moves) {
-            let mut run = self.run(&moves[begun..end], &jerk);
-            match &mut made {
-                None => made = Some(run),
-                Some(made) => {
-                    run.delay(made.duration_s());
-                    made.join(run, begun);
-                }
-            }
-            begun = end;
-        }
-        match made {
-            None => Plan::default(),
-            Some(made) => Plan { moves, law: Law::Timed(Box::new(made)) },
-        }
+        Stream::whole(self.dynamics, moves)
     }
 }
 
-/// Plans a stack with all that the axes can do while it is read. With a limit of jerk a piece of plan
-/// ends where the machine must stand.
+/// Plans a stack with all that the axes can do while it is read.
 #[derive(Clone, Debug)]
-pub struct OptimalPlanner(Reading);
-
-#[derive(Clone, Debug)]
-enum Reading {
-    Free(Box<Stream>),
-    Limited(Box<Rests>),
-}
+pub struct OptimalPlanner(Stream);
 
 impl OptimalPlanner {
     /// For a stack that begins under these limits.
     pub fn new(dynamics: &Dynamics) -> Self {
-        Self(match dynamics.jerk_mm_s3 {
-            None => Reading::Free(Box::new(Stream::new(dynamics))),
-            Some(_) => Reading::Limited(Box::new(Rests::new(dynamics))),
-        })
+        Self(Stream::new(dynamics))
+    }
+
+    /// Forgets the stack, and goes on in motion with these moves, of which the first lie before;
+    /// under a limit of jerk.
+    pub(crate) fn run_on(&mut self, moves: &[Move], running: Running) {
+        self.0 = Stream::running(self.dynamics(), moves, running);
+    }
+
+    /// What the axes can do.
+    pub(crate) const fn dynamics(&self) -> &Dynamics {
+        &self.0.dynamics
+    }
+
+    /// Whether no way was found from the motion in which it began.
+    pub(crate) fn is_lost(&self) -> bool {
+        self.0.is_lost()
     }
 }
 
 impl Planner for OptimalPlanner {
     fn push(&mut self, made: Move) {
-        match &mut self.0 {
-            Reading::Free(stream) => stream.push(made),
-            Reading::Limited(rests) => rests.push(made),
-        }
+        self.0.push(made);
     }
 
     fn take(&mut self) -> Option<Plan> {
-        match &mut self.0 {
-            Reading::Free(stream) => stream.take(),
-            Reading::Limited(rests) => rests.take(),
-        }
+        self.0.take()
     }
 
     fn finish(&mut self) -> Option<Plan> {
-        match &mut self.0 {
-            Reading::Free(stream) => stream.finish(),
-            Reading::Limited(rests) => rests.finish(),
-        }
+        self.0.finish()
     }
 
     fn withdraw(&mut self) -> Vec<Move> {
-        match &mut self.0 {
-            Reading::Free(stream) => stream.withdraw(),
-            Reading::Limited(rests) => rests.withdraw(),
-        }
+        self.0.withdraw()
     }
-}
-
-impl Optimal<'_> {
-    /// Moves from rest to rest, with a limit of jerk. By itself, so that its plan does not depend on
-    /// what is before and after.
-    fn run(&self, moves: &[Move], jerk: &Axes) -> Timed {
-        let track = Track::of(moves, self.dynamics.tolerance_mm);
-        match track.dims {
-            3 => self.limited::<3>(track, moves, jerk),
-            _ => self.limited::<AXES>(track, moves, jerk),
-        }
-    }
-
-    fn limited<const N: usize>(&self, track: Track, moves: &[Move], jerk: &Axes) -> Timed {
-        let dynamics = *self.dynamics;
-        let kernel = Kernel::Triangle;
-        let widths = widest::<N>(&track, moves, kernel);
-        let mut nodes = vec![Node { at_mm: 0.0, v: 0.0, t_s: 0.0 }];
-        let mut pushes = vec![Push { accel: 0.0, jerk: None }];
-        let bounds = Bounds::<N>::of(&dynamics);
-        let jerk = std::array::from_fn(|k| jerk.0[k].max(1e-3));
-        let limited = Limited { track: &track, widths: &widths, moves, bounds, jerk };
-        for run in runs(&widths) {
-            limited.run(run, &mut nodes, &mut pushes);
-        }
-        Timed { track, widths, kernel, nodes, pushes, dynamics }
-    }
-}
-
-/// The runs from rest to rest, as pairs of vertices.
-fn runs(widths: &[f64]) -> impl Iterator<Item = [usize; 2]> {
-    let mut first = 0;
-    (1..widths.len()).filter(|j| widths[*j] == 0.0).map(move |last| {
-        let run = [first, last];
-        first = last;
-        run
-    })
 }

@@ -30,14 +30,14 @@ impl Local {
     }
 
     pub fn barrier(&mut self, condition: &Condition) {
-        let [upper, lower] = condition.slacks().map(f64::recip);
+        let [upper, lower] = condition.slacks().map(|slack| condition.force(slack));
         let row = &condition.row;
         match &condition.tangent {
-            None => self.add(row, upper - lower, upper * upper + lower * lower),
+            None => self.add(row, lower[0] - upper[0], upper[1] + lower[1]),
             Some(tangent) => {
                 let side = |sign: f64| std::array::from_fn(|k| tangent[k] + sign * row[k]);
-                self.add(&side(-1.0), -upper, upper * upper);
-                self.add(&side(1.0), -lower, lower * lower);
+                self.add(&side(-1.0), upper[0], upper[1]);
+                self.add(&side(1.0), lower[0], lower[1]);
             }
         }
     }
@@ -99,6 +99,16 @@ impl System {
                 }
                 self.rows[i][i - j] += sum;
             }
+        }
+    }
+
+    /// The first unknown stays what it is.
+    pub fn hold_first(&mut self) {
+        if let Some(row) = self.rows.first_mut() {
+            (*row, self.right[0]) = ([1.0, 0.0, 0.0], 0.0);
+        }
+        for (k, row) in self.rows.iter_mut().enumerate().take(3).skip(1) {
+            row[k] = 0.0;
         }
     }
 

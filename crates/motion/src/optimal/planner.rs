@@ -1,16 +1,18 @@
-//! Planning without a limit of jerk while a program is read: vertices, widths, cells and speeds each
-//! follow as far as the one before is final.
+//! Planning while a program is read: vertices, widths, cells and speeds each follow as far as the one
+//! before is final.
 //!
 //! ```text
 //!  moves ─► Track ─► Smoothing ─► Choice ─► Walk ─► Passes ─► nodes ─► pieces of plan
+//!                              └────► Cells ─────► Horizon ───┘  with a limit of jerk
 //!                    a few vertices behind          one braking distance behind
 //! ```
 
 use super::choice::Choice;
+use super::horizon::{Horizon, Way};
 use super::kernel::Kernel;
 use super::reach::{Bounds, Gate};
 use super::speeds::{Node, Passes};
-use super::timed::Timed;
+use super::timed::{Push, Timed, halve};
 use super::track::Track;
 use super::walk::{Smoothed, Walk};
 use super::widths::{REACH, Smoothing};
@@ -18,8 +20,9 @@ use crate::moves::Move;
 use crate::plan::{Law, Plan};
 use kerf_program::{AXES, Dynamics};
 
-/// So many moves are looked at together.
+/// So many moves are looked at together, and with a limit of jerk.
 const BLOCK: usize = 512;
+const BLOCK_WITH_JERK: usize = 32;
 
 /// Speeds are looked for when at least so many cells wait for theirs.
 const ENOUGH: usize = 1024;
@@ -27,10 +30,11 @@ const ENOUGH: usize = 1024;
 /// Nodes closer to the end of a move than this are at it, mm.
 const SAME_MM: f64 = 1e-9;
 
-/// Plans a stack of moves while it is read, without a limit of jerk.
+/// Plans a stack of moves while it is read.
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
-    dynamics: Dynamics,
+    pub dynamics: Dynamics,
+    block: usize,
     /// Moves of which not all is in a piece.
     moves: Vec<Move>,
     /// How many of them are on the track.
@@ -46,6 +50,36 @@ pub(crate) struct Stream {
 enum Lanes {
     Three(Box<Lane<3>>),
     All(Box<Lane<AXES>>),
+    ThreeWithJerk(Box<Horizon<3>>),
+    AllWithJerk(Box<Horizon<AXES>>),
+}
+
+/// Finds widths and speeds along a track.
+trait Speeds {
+    fn advance(&mut self, track: &Track, moves: &[Move], ended: bool);
+
+    /// The nodes that are final, and with a limit of jerk how the motion goes on after each.
+    fn nodes(&mut self) -> (&mut Vec<Node>, Option<&mut Vec<Push>>);
+
+    fn widths(&self) -> &[f64];
+
+    /// The first vertex that is still needed.
+    fn needs(&self) -> usize;
+
+    /// Forgets the first vertices.
+    fn forget(&mut self, vertices: usize);
+
+    /// Counts moves from a later one on.
+    fn count_from(&mut self, moves: usize);
+}
+
+/// Where a plan is joined that was left on the way: what it does from there on.
+#[derive(Clone, Debug)]
+pub(crate) struct Running {
+    /// The move, and how much of it lies before.
+    pub begin: (usize, f64),
+    /// Ways within the limits, at least one.
+    pub ways: Vec<Way>,
 }
 
 #[derive(Clone, Debug)]
@@ -62,21 +96,51 @@ struct Lane<const N: usize> {
 impl Stream {
     /// For a stack that begins under these limits.
     pub fn new(dynamics: &Dynamics) -> Self {
-        Self {
-            dynamics: *dynamics,
-            moves: Vec::new(),
-            seen: 0,
-            track: Track::new(3, dynamics.tolerance_mm),
-            begin: 0,
-            lanes: Lanes::Three(Box::new(Lane::new(Bounds::of(dynamics)))),
+        let (block, lanes) = match dynamics.jerk_mm_s3 {
+            None => (BLOCK, Lanes::Three(Box::new(Lane::new(Bounds::of(dynamics))))),
+            Some(_) => (BLOCK_WITH_JERK, Lanes::ThreeWithJerk(Box::new(Horizon::new(dynamics)))),
+        };
+        let track = Track::new(3, dynamics.tolerance_mm);
+        Self { dynamics: *dynamics, block, moves: Vec::new(), seen: 0, track, begin: 0, lanes }
+    }
+
+    /// Begins in motion, with a limit of jerk; the first of the moves lie before.
+    pub fn running(dynamics: &Dynamics, moves: &[Move], running: Running) -> Self {
+        let mut stream = Self::new(dynamics);
+        let (index, share) = running.begin;
+        for made in &moves[..=index] {
+            stream.moves.push(*made);
+        }
+        stream.follow(index + 1);
+        let track = &stream.track;
+        let first = track.owner.partition_point(|owner| (*owner as usize) < index);
+        let (a, b) = (track.at_mm[first], track.at_mm[track.len() - 1]);
+        let at_mm = a + share * (b - a);
+        match &mut stream.lanes {
+            Lanes::ThreeWithJerk(lane) => lane.begin_at(at_mm, running.ways),
+            Lanes::AllWithJerk(lane) => lane.begin_at(at_mm, running.ways),
+            Lanes::Three(_) | Lanes::All(_) => {}
+        }
+        for made in &moves[index + 1..] {
+            stream.push(*made);
+        }
+        stream
+    }
+
+    /// Whether no way was found from the motion in which it began.
+    pub fn is_lost(&self) -> bool {
+        match &self.lanes {
+            Lanes::ThreeWithJerk(lane) => lane.lost,
+            Lanes::AllWithJerk(lane) => lane.lost,
+            Lanes::Three(_) | Lanes::All(_) => false,
         }
     }
 
     /// The plan of a whole stack.
     pub fn whole(dynamics: &Dynamics, moves: Vec<Move>) -> Plan {
         let mut stream = Self { moves, ..Self::new(dynamics) };
-        while stream.moves.len() - stream.seen >= BLOCK {
-            stream.advance(stream.seen + BLOCK, false);
+        while stream.moves.len() - stream.seen >= stream.block {
+            stream.advance(stream.seen + stream.block, false);
         }
         stream.finish().unwrap_or_default()
     }
@@ -84,7 +148,7 @@ impl Stream {
     /// The next move of the stack.
     pub fn push(&mut self, made: Move) {
         self.moves.push(made);
-        if self.moves.len() - self.seen >= BLOCK {
+        if self.moves.len() - self.seen >= self.block {
             self.advance(self.moves.len(), false);
         }
     }
@@ -116,6 +180,16 @@ impl Stream {
     }
 
     fn advance(&mut self, moves: usize, ended: bool) {
+        self.follow(moves);
+        if ended {
+            self.track.end();
+        }
+        let Self { lanes, track, moves, .. } = self;
+        lanes.speeds_mut().advance(track, moves, ended);
+    }
+
+    /// Takes moves onto the track, up to so many.
+    fn follow(&mut self, moves: usize) {
         for i in self.seen..moves {
             if !self.track.holds(&self.moves[i]) {
                 self.track.widen();
@@ -124,37 +198,18 @@ impl Stream {
             self.track.follow(&self.moves, i);
         }
         self.seen = moves;
-        if ended {
-            self.track.end();
-        }
-        match &mut self.lanes {
-            Lanes::Three(lane) => lane.advance(&self.track, &self.moves, ended),
-            Lanes::All(lane) => lane.advance(&self.track, &self.moves, ended),
-        }
-    }
-
-    fn nodes(&mut self) -> &mut Vec<Node> {
-        match &mut self.lanes {
-            Lanes::Three(lane) => &mut lane.passes.nodes,
-            Lanes::All(lane) => &mut lane.passes.nodes,
-        }
-    }
-
-    fn widths(&self) -> &[f64] {
-        match &self.lanes {
-            Lanes::Three(lane) => &lane.choice.widths,
-            Lanes::All(lane) => &lane.choice.widths,
-        }
     }
 
     /// The last vertex at which a move ends and up to which the speed is known; `None` when there is
     /// none beyond the beginning.
     fn settled(&mut self) -> Option<usize> {
-        let at_mm = self.nodes().last()?.at_mm;
+        let (nodes, _) = self.lanes.speeds_mut().nodes();
+        let (from_mm, at_mm) = (nodes.first()?.at_mm, nodes.last()?.at_mm);
         let track = &self.track;
         let passed = track.at_mm.partition_point(|at| *at <= at_mm);
         let ends = |j: &usize| track.owner[*j] != track.owner[*j - 1];
-        (self.begin + 1..passed).rev().find(ends)
+        let settled = (self.begin + 1..passed).rev().find(ends);
+        settled.filter(|j| track.at_mm[*j] > from_mm + SAME_MM)
     }
 
     /// The plan from where the last piece ended up to a vertex at which a move ends.
@@ -164,43 +219,35 @@ impl Stream {
         let count = if whole { self.moves.len() } else { track.owner[end] as usize };
         // A chain that is broken here ends at the vertex before.
         let last = if !whole && track.breaks[end] && track.breaks[end - 1] { end - 1 } else { end };
-        let (end_mm, widths) = (track.at_mm[end], self.widths());
+        let (end_mm, widths) = (track.at_mm[end], self.lanes.speeds().widths());
         let near = |j: &usize| track.at_mm[*j] - widths[*j].abs() < end_mm;
         let beyond = (last + 1..widths.len()).take_while(near).count();
         let from = self.begin.saturating_sub(REACH);
         // And the vertex after them, for the direction after the last.
         let to = if last < end { end } else { (last + beyond + 2).min(widths.len()) };
         let part = track.part(from, to, count.saturating_sub(1));
-        let widths = widths[from..to].to_vec();
-        let nodes = cut(self.nodes(), end_mm);
+        let (widths, from_mm) = (widths[from..to].to_vec(), track.at_mm[self.begin]);
+        let (nodes, pushes) = self.lanes.speeds_mut().nodes();
+        let kernel = if pushes.is_some() { Kernel::Triangle } else { Kernel::Box };
+        let pushes = pushes.map(|pushes| cut_pushes(nodes, pushes, end_mm)).unwrap_or_default();
+        let nodes = cut(nodes, end_mm);
         let rest = self.moves.split_off(count);
         let moves = std::mem::replace(&mut self.moves, rest);
-        let timed = Timed {
-            track: part,
-            widths,
-            kernel: Kernel::Box,
-            nodes,
-            pushes: Vec::new(),
-            dynamics: self.dynamics,
-        };
+        let dynamics = self.dynamics;
+        let timed = Timed { track: part, from_mm, widths, kernel, nodes, pushes, dynamics };
         self.seen -= moves.len();
         self.track.count_from(moves.len());
+        self.lanes.speeds_mut().count_from(moves.len());
         Plan { moves, law: Law::Timed(Box::new(timed)) }
     }
 
     /// Forgets what no later piece needs, after one that ended at a vertex.
     fn forget(&mut self, end: usize) {
-        let needs = match &self.lanes {
-            Lanes::Three(lane) => lane.needs(),
-            Lanes::All(lane) => lane.needs(),
-        };
+        let needs = self.lanes.speeds().needs();
         let count = end.min(needs).saturating_sub(2 * REACH);
         self.begin = end - count;
         self.track.forget(count);
-        match &mut self.lanes {
-            Lanes::Three(lane) => lane.forget(count),
-            Lanes::All(lane) => lane.forget(count),
-        }
+        self.lanes.speeds_mut().forget(count);
     }
 }
 
@@ -225,10 +272,45 @@ fn cut(nodes: &mut Vec<Node>, at_mm: f64) -> Vec<Node> {
     made
 }
 
+/// The same for how the motion goes on after each node; in the middle between two of them a node is
+/// added.
+fn cut_pushes(nodes: &mut Vec<Node>, pushes: &mut Vec<Push>, at_mm: f64) -> Vec<Push> {
+    let index = nodes.partition_point(|n| n.at_mm < at_mm - SAME_MM);
+    if index > 0 && nodes.get(index).is_some_and(|next| next.at_mm > at_mm + SAME_MM) {
+        let (node, push) = halve(&nodes[index - 1], &pushes[index - 1], &nodes[index], at_mm);
+        nodes.insert(index, node);
+        pushes.insert(index, push);
+    }
+    let rest = pushes.split_off(index);
+    let mut made = std::mem::replace(pushes, rest);
+    made.extend(pushes.first());
+    made
+}
+
 impl Lanes {
+    fn speeds(&self) -> &dyn Speeds {
+        match self {
+            Self::Three(lane) => &**lane,
+            Self::All(lane) => &**lane,
+            Self::ThreeWithJerk(lane) => &**lane,
+            Self::AllWithJerk(lane) => &**lane,
+        }
+    }
+
+    fn speeds_mut(&mut self) -> &mut dyn Speeds {
+        match self {
+            Self::Three(lane) => &mut **lane,
+            Self::All(lane) => &mut **lane,
+            Self::ThreeWithJerk(lane) => &mut **lane,
+            Self::AllWithJerk(lane) => &mut **lane,
+        }
+    }
+
     /// All axes from here on.
     fn widen(&mut self, dynamics: &Dynamics) {
-        if let Self::Three(lane) = self {
+        if let Self::ThreeWithJerk(lane) = self {
+            *self = Self::AllWithJerk(Box::new(lane.widen(dynamics)));
+        } else if let Self::Three(lane) = self {
             *self = Self::All(Box::new(Lane {
                 bounds: Bounds::of(dynamics),
                 smoothing: lane.smoothing.widen(),
@@ -252,7 +334,9 @@ impl<const N: usize> Lane<N> {
             enough: ENOUGH,
         }
     }
+}
 
+impl<const N: usize> Speeds for Lane<N> {
     fn advance(&mut self, track: &Track, moves: &[Move], ended: bool) {
         let Self { bounds, smoothing, choice, walk, passes, .. } = self;
         let wide = smoothing.advance(track, moves, ended);
@@ -270,7 +354,14 @@ impl<const N: usize> Lane<N> {
         }
     }
 
-    /// The first vertex that is still needed.
+    fn nodes(&mut self) -> (&mut Vec<Node>, Option<&mut Vec<Push>>) {
+        (&mut self.passes.nodes, None)
+    }
+
+    fn widths(&self) -> &[f64] {
+        &self.choice.widths
+    }
+
     fn needs(&self) -> usize {
         self.walk.needs().min(self.choice.done)
     }
@@ -279,6 +370,34 @@ impl<const N: usize> Lane<N> {
         self.smoothing.forget(vertices);
         self.choice.forget(vertices);
         self.walk.forget(vertices);
+    }
+
+    fn count_from(&mut self, _: usize) {}
+}
+
+impl<const N: usize> Speeds for Horizon<N> {
+    fn advance(&mut self, track: &Track, moves: &[Move], ended: bool) {
+        Self::advance(self, track, moves, ended);
+    }
+
+    fn nodes(&mut self) -> (&mut Vec<Node>, Option<&mut Vec<Push>>) {
+        (&mut self.nodes, Some(&mut self.pushes))
+    }
+
+    fn widths(&self) -> &[f64] {
+        &self.widths
+    }
+
+    fn needs(&self) -> usize {
+        Self::needs(self)
+    }
+
+    fn forget(&mut self, vertices: usize) {
+        Self::forget(self, vertices);
+    }
+
+    fn count_from(&mut self, moves: usize) {
+        Self::count_from(self, moves);
     }
 }
 

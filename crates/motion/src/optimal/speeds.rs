@@ -34,6 +34,13 @@ impl<const N: usize> Passes<N> {
         Self { bounds, gates: Vec::new(), most: Vec::new(), y: 0.0, nodes: vec![start] }
     }
 
+    /// From a place that is passed with a squared speed.
+    pub fn running(bounds: Bounds<N>, at_mm: f64, y: f64) -> Self {
+        let mut passes = Self::new(bounds, at_mm);
+        (passes.y, passes.nodes[0].v) = (y, y.sqrt());
+        passes
+    }
+
     /// The same with more axes, which stood still.
     pub fn widen<const M: usize>(&mut self, bounds: Bounds<M>) -> Passes<M> {
         Passes {

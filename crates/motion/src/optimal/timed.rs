@@ -1,5 +1,6 @@
 //! A smoothed path with its times: where every axis is at time t.
 
+use super::horizon::Way;
 use super::kernel::Kernel;
 use super::speeds::Node;
 use super::track::{Track, norm};
@@ -23,6 +24,8 @@ pub(crate) struct Push {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Timed {
     pub track: Track,
+    /// Where the first move begins on the track; the first node may lie behind.
+    pub from_mm: f64,
     pub widths: Vec<f64>,
     pub kernel: Kernel,
     pub nodes: Vec<Node>,
@@ -52,7 +55,7 @@ impl Timed {
         };
         match self.nodes.get(later) {
             Some(b) if later > 0 && !self.pushes.is_empty() => {
-                self.pushed(later - 1, t_s - a.t_s, b)
+                pushed(a, &self.pushes[later - 1], b, t_s - a.t_s)
             }
             Some(b) if later > 0 => {
                 let accel = (b.v - a.v) / (b.t_s - a.t_s);
@@ -64,33 +67,26 @@ impl Timed {
         }
     }
 
-    /// The motion at a time since a node, where jerk is limited.
-    fn pushed(&self, node: usize, s: f64, next: &Node) -> Along {
-        let (a, push) = (&self.nodes[node], &self.pushes[node]);
-        let here = match push.jerk {
-            Some(jerk) => Along {
-                at_mm: a.at_mm + s * (a.v + s * (0.5 * push.accel + s * jerk / 6.0)),
-                v: a.v + s * (push.accel + 0.5 * s * jerk),
-                accel: push.accel + s * jerk,
-            },
-            None => {
-                let way = next.at_mm - a.at_mm;
-                let end = (next.v * next.v - a.v * a.v) / way - push.accel;
-                swing(a, push.accel, (end - push.accel) / way, s)
+    /// The motion along the path from a time on, in ways, at a rate of time; and whether they
+    /// lead to the last node: phases of constant jerk are none.
+    pub fn ways_from(&self, t_s: f64, rate: f64) -> (Vec<Way>, bool) {
+        let here = self.along(t_s);
+        let square = rate * rate;
+        let mut at = (here.at_mm, here.v * here.v, here.accel);
+        let later = self.nodes.partition_point(|n| n.t_s <= t_s);
+        let mut ways = Vec::new();
+        for k in later.max(1)..self.nodes.len() {
+            let (node, push) = (&self.nodes[k], &self.pushes[k]);
+            let (h, x) = (node.at_mm - at.0, node.v * node.v);
+            if h > 0.0 {
+                ways.push(Way { h, x: [at.1, at.1 + at.2 * h, x].map(|x| x * square) });
             }
-        };
-        Along { at_mm: between(a, next, here.at_mm), v: here.v.max(0.0), ..here }
-    }
-
-    /// When a place on the path is reached, by halving where jerk is limited.
-    fn pushed_time(&self, node: usize, at_mm: f64) -> f64 {
-        let (a, b) = (&self.nodes[node], &self.nodes[node + 1]);
-        let (mut low, mut high) = (0.0, b.t_s - a.t_s);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if self.pushed(node, middle, b).at_mm < at_mm { low = middle } else { high = middle }
+            if push.jerk.is_some() || self.pushes[k - 1].jerk.is_some() {
+                return (ways, false);
+            }
+            at = (node.at_mm, x, push.accel);
         }
-        a.t_s + high
+        (ways, true)
     }
 
     /// When a place on the path is reached.
@@ -101,18 +97,13 @@ impl Timed {
             return if later == 0 { self.start_s() } else { self.duration_s() };
         };
         if !self.pushes.is_empty() {
-            return self.pushed_time(later - 1, at_mm);
+            return halve(a, &self.pushes[later - 1], b, at_mm).0.t_s;
         }
         let accel = (b.v * b.v - a.v * a.v) / (2.0 * (b.at_mm - a.at_mm));
         let way = at_mm - a.at_mm;
         let v = (a.v * a.v + 2.0 * accel * way).max(0.0).sqrt();
         let within = if way > 0.0 { 2.0 * way / (a.v + v) } else { 0.0 };
         a.t_s + within.min(b.t_s - a.t_s)
-    }
-
-    /// Everything happens later by so much.
-    pub fn delay(&mut self, t_s: f64) {
-        self.nodes.iter_mut().for_each(|node| node.t_s += t_s);
     }
 
     /// When the first node is passed; not zero for a later piece of a stack.
@@ -122,14 +113,13 @@ impl Timed {
 
     /// Where a move begins on the track; beyond the last, where the plan ends.
     pub fn start_mm(&self, index: usize) -> f64 {
-        let end = |n: Option<&Node>| n.map_or(0.0, |n| n.at_mm);
         if index == 0 {
-            return end(self.nodes.first());
+            return self.from_mm;
         }
         let vertex = self.track.owner.partition_point(|owner| (*owner as usize) < index);
         let past = index > self.last_move();
         let at = self.track.at_mm.get(vertex).filter(|_| !past);
-        at.copied().unwrap_or_else(|| end(self.nodes.last()))
+        at.copied().unwrap_or_else(|| self.nodes.last().map_or(0.0, |n| n.at_mm))
     }
 
     fn last_move(&self) -> usize {
@@ -216,6 +206,34 @@ impl Timed {
         }
         out.map(Axes)
     }
+}
+
+/// The motion at a time since a node, where jerk is limited.
+fn pushed(a: &Node, push: &Push, next: &Node, s: f64) -> Along {
+    let here = match push.jerk {
+        Some(jerk) => Along {
+            at_mm: a.at_mm + s * (a.v + s * (0.5 * push.accel + s * jerk / 6.0)),
+            v: a.v + s * (push.accel + 0.5 * s * jerk),
+            accel: push.accel + s * jerk,
+        },
+        None => {
+            let way = next.at_mm - a.at_mm;
+            let end = (next.v * next.v - a.v * a.v) / way - push.accel;
+            swing(a, push.accel, (end - push.accel) / way, s)
+        }
+    };
+    Along { at_mm: between(a, next, here.at_mm), v: here.v.max(0.0), ..here }
+}
+
+/// A node at a place between two, where jerk is limited, and how the motion goes on after it.
+pub(crate) fn halve(a: &Node, push: &Push, b: &Node, at_mm: f64) -> (Node, Push) {
+    let (mut low, mut high) = (0.0, b.t_s - a.t_s);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if pushed(a, push, b, middle).at_mm < at_mm { low = middle } else { high = middle }
+    }
+    let Along { v, accel, .. } = pushed(a, push, b, high);
+    (Node { at_mm, v, t_s: a.t_s + high }, Push { accel, jerk: push.jerk })
 }
 
 /// A place between two nodes; before the second, when it is a stop, so that rounding does not put

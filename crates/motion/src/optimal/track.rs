@@ -47,19 +47,6 @@ impl Track {
         Self { dims, tolerance_mm: tolerance_mm.max(0.0), ..Self::default() }
     }
 
-    /// The polyline of moves.
-    pub fn of(moves: &[Move], tolerance_mm: f64) -> Self {
-        let mut track = Self::new(3, tolerance_mm);
-        for (i, m) in moves.iter().enumerate() {
-            if !track.holds(m) {
-                track.widen();
-            }
-            track.follow(moves, i);
-        }
-        track.end();
-        track
-    }
-
     /// Whether the axes that are not stored stand still in a move.
     pub fn holds(&self, m: &Move) -> bool {
         let still = |k: usize| m.from.0[k] == m.to.0[k];

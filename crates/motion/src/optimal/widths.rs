@@ -149,11 +149,6 @@ impl<const N: usize> Smoothing<N> {
         self.stop = self.stop.saturating_sub(vertices);
     }
 
-    /// For how many vertices it is known whether the machine stands there.
-    pub const fn looked_at(&self) -> usize {
-        self.turns.len()
-    }
-
     /// Finds the turns of the vertices whose next vertex is known.
     pub fn look(&mut self, track: &Track, moves: &[Move], ended: bool) {
         let known = if ended { track.len() } else { track.len().saturating_sub(1) };
@@ -328,16 +323,4 @@ pub(crate) fn back(widths: &mut [f64], at: &[f64], range: Range<usize>) {
         let most = widths[j + 1] + (at[j + 1] - at[j]);
         widths[j] = widths[j].min(most);
     }
-}
-
-/// The widest bumps of a whole path: above zero half-widths, zero where the machine stands, below
-/// zero where there is no turn and so no bump.
-pub(crate) fn widest<const N: usize>(track: &Track, moves: &[Move], kernel: Kernel) -> Vec<f64> {
-    let mut smoothing = Smoothing::<N>::new(kernel);
-    smoothing.advance(track, moves, true);
-    let signed = |j: usize| {
-        let width = smoothing.wide[j];
-        if smoothing.is_straight(j) { -width.max(f64::MIN_POSITIVE) } else { width }
-    };
-    (0..track.len()).map(signed).collect()
 }
