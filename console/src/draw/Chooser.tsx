@@ -1,5 +1,5 @@
-import { chosen } from "./desk";
-import type { Scene } from "./paint/shapes";
+import { choices, chosen } from "./desk";
+import type { Scene } from "./scene";
 import type { Desk } from "./useDesk";
 import { type Size, toPixels } from "./window";
 
@@ -11,15 +11,13 @@ interface ChooserProps {
 
 /** Small buttons in group colours, when several shapes lie under a click; in cutting order. */
 export function Chooser({ desk, scene, size }: ChooserProps) {
-  const { chooser, window, running } = desk.state;
+  const { chooser, window } = desk.state;
   if (!chooser) return null;
   const at = toPixels(window, size, chooser.at);
-  const picked = running?.picked ?? [...scene.selected];
   return (
     <div className="chooser" role="menu" style={{ translate: `${at.x + 8}px ${at.y + 8}px` }}>
-      {chooser.numbers.map((number, n) => {
+      {choices(desk.state, desk.around).map(({ number, highlighted: marked }, n) => {
         const shape = scene.shapes.find((other) => other.number === number);
-        const marked = picked.includes(number);
         return (
           <button
             key={number}

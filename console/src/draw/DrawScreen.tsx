@@ -4,45 +4,81 @@ import { DrawingHead } from "./DrawingHead";
 import { DrawingSheet } from "./DrawingSheet";
 import { startTool } from "./desk";
 import { GroupPanel } from "./GroupPanel";
-import { createOptions } from "./options";
+import { KeyButtons } from "./KeyButtons";
+import { createOptions, showsMachined } from "./options";
 import { SelectionPanel } from "./SelectionPanel";
 import { sceneOf } from "./scene";
+import { SpaceSheet } from "./space/SpaceSheet";
+import type { Aspect } from "./space/space";
 import { Toolbox } from "./Toolbox";
 import { tools } from "./tools/catalog";
 import { useDesk } from "./useDesk";
-import { useShapes, useToolPaths } from "./useDrawing";
+import { useMachined, useShapes } from "./useDrawing";
+import { ViewBar } from "./ViewBar";
 import { ViewPanel } from "./ViewPanel";
 import "./draw-screen.css";
+
+/** Where no setting says otherwise, a click picks what lies so near, pixels. */
+const usualRadius = 8;
+
+/** And ends are joined that are so near, mm. */
+const usualJoin = 0.1;
+
+const round = (value: number): number => Number(value.toFixed(6));
 
 /** The drawing: tools at the left, shapes in the middle, groups at the right. */
 export function DrawScreen() {
   const drawing = useSnapshot("drawing");
+  const pickRadius = useSnapshot("setup")?.pickRadius || usualRadius;
   const loaded = useShapes();
   const [optionsStore] = useState(createOptions);
   const options = useSyncExternalStore(optionsStore.watch, optionsStore.get);
-  const paths = useToolPaths(options.toolPaths);
+  const machined = useMachined(showsMachined(options));
   const scene = useMemo(
-    () => sceneOf(loaded, drawing, paths.shapes, options),
-    [loaded, drawing, paths, options],
+    () => sceneOf(loaded, drawing, machined, options),
+    [loaded, drawing, machined, options],
   );
-  const desk = useDesk(scene);
+  const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
+  const desk = useDesk(scene, { pickRadius, lastJoin });
+  const [aspect, setAspect] = useState<Aspect>("top");
   const wanted = useScreen("tool");
   // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time it is asked for
   useEffect(() => {
     const tool = tools.find(({ id }) => id === wanted?.id);
     if (tool) desk.act((state, around) => startTool(state, tool, around));
   }, [wanted]);
+  // Tools work on the drawing as it is seen from the top.
+  const working = desk.state.running !== null;
+  useEffect(() => {
+    if (working) setAspect("top");
+  }, [working]);
+  const bar = (
+    <ViewBar aspect={aspect} onAspect={setAspect}>
+      {aspect === "top" && <KeyButtons desk={desk} menu="window" after={focusSheet} />}
+    </ViewBar>
+  );
   return (
     <div className="draw">
       <h1 className="hidden-text">Draw</h1>
       <DrawingHead desk={desk} />
       <Toolbox desk={desk} />
-      <DrawingSheet desk={desk} scene={scene} />
+      {aspect === "top" ? (
+        <DrawingSheet desk={desk} scene={scene}>
+          {bar}
+        </DrawingSheet>
+      ) : (
+        <SpaceSheet scene={scene} aspect={aspect}>
+          {bar}
+        </SpaceSheet>
+      )}
       <div className="draw-right">
-        <SelectionPanel desk={desk} scene={scene} notes={paths.notes} />
+        <SelectionPanel desk={desk} scene={scene} notes={machined.notes} />
         <GroupPanel desk={desk} scene={scene} />
         <ViewPanel options={options} onChange={(next) => optionsStore.set(next)} />
       </div>
     </div>
   );
 }
+
+/** Keys are heard by the sheet. */
+const focusSheet = () => document.querySelector<HTMLElement>(".sheet-box")?.focus();

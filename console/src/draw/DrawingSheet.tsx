@@ -1,16 +1,29 @@
-import { type KeyboardEvent, type PointerEvent, useEffect, useMemo, useRef } from "react";
+import {
+  type KeyboardEvent,
+  type PointerEvent,
+  type ReactNode,
+  useEffect,
+  useMemo,
+  useRef,
+} from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { useSize } from "../view/useSize";
 import { Chooser } from "./Chooser";
-import { escaped, grabbed, moved, pressed, released, rightClicked, typed } from "./desk";
+import { grabbed, moved, pressed, released, rightClicked } from "./desk";
 import { EntryBox } from "./EntryBox";
 import { boxOf, type Place, place } from "./geometry/vec";
 import { overlayOf } from "./ghost";
+import { inkOf, pixelOf } from "./ink";
+import { typed } from "./keys";
 import { paintOverlay } from "./paint/overlay";
 import { paintPaper } from "./paint/paper";
 import { sheetOn } from "./paint/pen";
-import { paintBounds, paintShapes, type Scene } from "./paint/shapes";
+import { paintPicture } from "./paint/picture";
+import { paintTable } from "./paint/table";
+import { pictureOf } from "./picture";
 import { StatusBar } from "./StatusBar";
+import type { Scene } from "./scene";
+import { inDrawing, originOf, type TableItem, tableItems } from "./table";
 import type { Desk } from "./useDesk";
 import { fitted, toDrawing, zoomedAbout } from "./window";
 import "./drawing-sheet.css";
@@ -18,10 +31,11 @@ import "./drawing-sheet.css";
 interface DrawingSheetProps {
   desk: Desk;
   scene: Scene;
+  children?: ReactNode;
 }
 
 /** The shapes, and the hands that change them. */
-export function DrawingSheet({ desk, scene }: DrawingSheetProps) {
+export function DrawingSheet({ desk, scene, children }: DrawingSheetProps) {
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   useWindow(desk, scene, size.width, size.height);
@@ -73,7 +87,8 @@ export function DrawingSheet({ desk, scene }: DrawingSheetProps) {
         onDone={() => box.current?.focus()}
       />
       <Chooser desk={desk} scene={scene} size={size} />
-      <StatusBar state={desk.state} units={units} />
+      {children}
+      <StatusBar desk={desk} units={units} onPress={() => box.current?.focus()} />
     </section>
   );
 }
@@ -101,21 +116,25 @@ function Canvases({ desk, scene, unitMm }: DrawingSheetProps & { unitMm: number 
   const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
   const theme = useScreen("theme");
   const { window, size } = desk.state;
+  const picture = useMemo(() => pictureOf(scene), [scene]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
   useEffect(() => {
     const sheet = base.current && sheetOn(base.current, window, size);
     if (!sheet) return;
     const ink = inkOf(sheet.pen.canvas);
     paintPaper(sheet, unitMm, ink);
-    paintBounds(sheet, scene.box, ink);
-    paintShapes(sheet, scene, ink);
-  }, [scene, window, size, unitMm, theme]);
+    paintPicture(sheet, picture, ink);
+  }, [picture, window, size, unitMm, theme]);
+  const table = useTable(scene.options.machine);
   const overlay = useMemo(() => overlayOf(desk.state, desk.around), [desk.state, desk.around]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
   useEffect(() => {
     const sheet = over.current && sheetOn(over.current, window, size);
-    if (sheet) paintOverlay(sheet, overlay, inkOf(sheet.pen.canvas));
-  }, [overlay, window, size, theme]);
+    if (!sheet) return;
+    const ink = inkOf(sheet.pen.canvas);
+    paintOverlay(sheet, overlay, ink);
+    paintTable(sheet, table, ink);
+  }, [overlay, table, window, size, theme]);
   return (
     <>
       <canvas ref={base} className="sheet-canvas" />
@@ -124,17 +143,21 @@ function Canvases({ desk, scene, unitMm }: DrawingSheetProps & { unitMm: number 
   );
 }
 
-const inkOf = (element: Element) => {
-  const style = getComputedStyle(element);
-  return (token: string) => style.getPropertyValue(token).trim();
-};
+const noTable: readonly TableItem[] = [];
 
-function pixelOf(
-  box: Element | null,
-  { clientX, clientY }: { clientX: number; clientY: number },
-): Place {
-  const at = box?.getBoundingClientRect();
-  return place(clientX - (at?.left ?? 0), clientY - (at?.top ?? 0));
+/** The machine round the drawing, where it is wanted. */
+function useTable(wanted: boolean): readonly TableItem[] {
+  const motion = useSnapshot("motion");
+  const reach = useSnapshot("setup")?.reach;
+  const finish = useSnapshot("drawing")?.finish;
+  return useMemo(() => {
+    if (!wanted || !motion) return noTable;
+    const [origin, { machine }] = [originOf(motion), motion.at];
+    const [x, y] = finish ?? [0, 0];
+    const tool = place(machine[0], machine[1]);
+    const on = { reach: reach ?? [0, 0], origin, finish: place(x, y), tool };
+    return inDrawing(tableItems(on), origin);
+  }, [wanted, motion, reach, finish]);
 }
 
 function pointerDown(desk: Desk, event: PointerEvent<HTMLElement>, at: Place, pixel: Place): void {
@@ -147,19 +170,7 @@ function pointerDown(desk: Desk, event: PointerEvent<HTMLElement>, at: Place, pi
 /** Keys of the drawing; what they mean nothing to goes on to the page. */
 function keyed(desk: Desk, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  const meant =
-    event.key === "Escape"
-      ? desk.act(escaped)
-      : event.key === "Enter"
-        ? desk.act(rightClicked)
-        : event.key === "Delete"
-          ? erase(desk)
-          : desk.act((state, around) => typed(state, event.key.toLowerCase(), around));
-  if (meant) event.preventDefault();
-}
-
-function erase(desk: Desk): boolean {
-  if (desk.state.running || desk.around.selected.length === 0) return false;
-  desk.send("erase");
-  return true;
+  if (desk.act((state, around) => typed(state, event.key.toLowerCase(), around))) {
+    event.preventDefault();
+  }
 }

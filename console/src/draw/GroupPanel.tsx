@@ -2,7 +2,7 @@ import { useState } from "react";
 import { useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 import { GroupForm } from "./GroupForm";
-import type { Scene } from "./paint/shapes";
+import type { Scene } from "./scene";
 import type { Desk } from "./useDesk";
 
 interface GroupPanelProps {

@@ -2,7 +2,7 @@ import { useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 import { boxOfShapes, type Shape } from "./geometry/shape";
 import { isEmpty } from "./geometry/vec";
-import type { Scene } from "./paint/shapes";
+import type { Scene } from "./scene";
 import type { Desk } from "./useDesk";
 
 interface SelectionPanelProps {

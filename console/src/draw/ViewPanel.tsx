@@ -12,13 +12,13 @@ export function ViewPanel({ options, onChange }: ViewPanelProps) {
     <Panel title="View">
       <div className="view-options">
         {(Object.keys(optionWords) as ViewOption[]).map((option) => (
-          <label key={option}>
+          <label key={option} title={optionWords[option].doc}>
             <input
               type="checkbox"
               checked={options[option]}
               onChange={() => onChange({ ...options, [option]: !options[option] })}
             />
-            {optionWords[option]}
+            {optionWords[option].title}
           </label>
         ))}
       </div>

@@ -25,4 +25,4 @@ export function hueOf(shape: Shape, groupColours: boolean, crosses: boolean): Hu
 }
 
 /** The token that holds a colour. */
-export const tokenOf = (hue: Hue): string => `--draw-${hue}`;
+export const tokenOf = (hue: Hue): `--${string}` => `--draw-${hue}`;

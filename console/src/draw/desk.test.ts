@@ -11,9 +11,9 @@ import {
   released,
   rightClicked,
   startTool,
-  typed,
 } from "./desk";
 import { boxOf, place } from "./geometry/vec";
+import { typed } from "./keys";
 import { pickingOf } from "./pick";
 import { rectangle, tool } from "./testing";
 
@@ -23,6 +23,8 @@ const around = (selected: readonly number[] = []): Around => ({
   picking: pickingOf([a, b]),
   selected,
   box: boxOf(place(0, 0), place(260, 140)),
+  pickRadius: 8,
+  lastJoin: 0.1,
 });
 
 const click = (state: DeskState, x: number, y: number, world = around(), adds = false): Done =>

@@ -5,10 +5,11 @@
  * server or words for the person.
  */
 
+import type { Shape } from "./geometry/shape";
 import { type Box, distance, type Place } from "./geometry/vec";
 import { type Picking, shapesNear } from "./pick";
 import { isCrossing, shapesIn } from "./region";
-import { isSnapKey, keysAt, snapNames, snapped } from "./snap";
+import { snapNames, snapped } from "./snap";
 import {
   asked,
   baseOf,
@@ -22,11 +23,8 @@ import {
   type Step,
 } from "./tools/running";
 import { type Tool, xy } from "./tools/tool";
-import { firstStep, larger, smaller, turnedOn } from "./tools/turn";
-import { centredOn, fitted, panned, type Size, type Window, zoomedTo } from "./window";
-
-/** A click picks what lies so near, pixels. */
-export const pickRadius = 8;
+import { firstStep } from "./tools/turn";
+import { fitted, panned, type Size, type Window } from "./window";
 
 /** A press that moves less is a click, pixels. */
 const clickSlack = 4;
@@ -60,6 +58,10 @@ export interface Around {
   readonly picking: Picking;
   readonly selected: readonly number[];
   readonly box: Box;
+  /** A click picks what lies so near, pixels. */
+  readonly pickRadius: number;
+  /** The joining distance used last, in the user's unit. */
+  readonly lastJoin: number;
 }
 
 export interface Done {
@@ -82,31 +84,41 @@ export const firstDesk: DeskState = {
   entry: null,
 };
 
-const radiusOf = ({ window }: DeskState): number => pickRadius * window.mmPerPixel;
+const radiusOf = ({ window }: DeskState, { pickRadius }: Around): number =>
+  pickRadius * window.mmPerPixel;
 
 /** Takes the outcome of a tool's step into the state. Numbers that only can be typed are asked at once. */
-export function taken(state: DeskState, { running, clauses }: Step): Done {
-  const next = { ...state, running, chooser: null, entry: entryFor(running) };
+export function taken(state: DeskState, { running, clauses, look }: Step, around: Around): Done {
+  const window = look ? fitted(look, state.size, 1) : state.window;
+  const next = { ...state, window, running, chooser: null, entry: entryFor(running, around) };
   return clauses === undefined ? { state: next } : { state: next, clauses };
 }
 
-function entryFor(running: Running | null): string | null {
+function entryFor(running: Running | null, { lastJoin }: Around): string | null {
   const ask = running && asked(running);
-  return ask?.ask === "number" && !ask.from ? String(ask.usual) : null;
+  if (ask?.ask !== "number" || ask.from) return null;
+  return String(running?.tool.id === "join" ? lastJoin : ask.usual);
 }
 
 export function startTool(state: DeskState, tool: Tool, around: Around): Done {
-  return taken({ ...state, last: tool, drag: null }, begin(tool, around.selected));
+  return taken({ ...state, last: tool, drag: null }, begin(tool, around.selected), around);
 }
 
 /** The place that a click here means; nothing when a snap finds nothing. */
-export function pickPlace(state: DeskState, at: Place, { picking }: Around): Place | null {
+export function pickPlace(state: DeskState, at: Place, around: Around): Place | null {
   const { running } = state;
   const base = running && baseOf(running);
-  return snapped(running?.snap ?? null, at, picking, radiusOf(state), base);
+  return snapped(running?.snap ?? null, at, around.picking, radiusOf(state, around), base);
 }
 
-const takesPlace = (running: Running): boolean => {
+/** What a click would pick, in cutting order. */
+export const shapesUnder = (state: DeskState, at: Place, around: Around): Shape[] =>
+  shapesNear(around.picking, at, radiusOf(state, around));
+
+export const takesShape = (running: Running): boolean => asked(running)?.ask === "shape";
+
+/** Whether a click gives a place, whatever lies there. */
+export const takesPlace = (running: Running): boolean => {
   const ask = asked(running);
   return (
     ask?.ask === "place" || ask?.ask === "path" || (ask?.ask === "number" && ask.from !== undefined)
@@ -147,7 +159,7 @@ function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Do
   const { running } = state;
   if (running && takesPlace(running)) return placed(state, running, at, around);
   if (running && asked(running)?.ask === "region") return { state };
-  const near = shapesNear(around.picking, at, radiusOf(state)).map(({ number }) => number);
+  const near = shapesUnder(state, at, around).map(({ number }) => number);
   const [only] = near;
   if (near.length > 1) return { state: { ...state, chooser: { at, numbers: near } } };
   if (only !== undefined) return chosen(state, only, at, adds, around);
@@ -157,9 +169,24 @@ function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Do
 
 function placed(state: DeskState, running: Running, at: Place, around: Around): Done {
   const place = pickPlace(state, at, around);
-  if (place) return taken(state, givePlace(running, place, around.picking.shapes));
+  if (place) return taken(state, givePlace(running, place, around.picking.shapes), around);
   const name = running.snap ? snapNames[running.snap] : "place";
   return { state, words: `There is no ${name} within the selection radius.` };
+}
+
+/** One of the buttons among which a click that met several shapes lets choose. */
+export interface Choice {
+  readonly number: number;
+  /** Whether it is selected or picked already. */
+  readonly highlighted: boolean;
+}
+
+export function choices({ chooser, running }: DeskState, { selected }: Around): Choice[] {
+  const picked = running ? running.picked : selected;
+  return (chooser?.numbers ?? []).map((number) => ({
+    number,
+    highlighted: picked.includes(number),
+  }));
 }
 
 /** A shape was clicked, alone or in the chooser. */
@@ -173,7 +200,7 @@ export function chosen(
   const { running } = state;
   if (running) {
     const place = pickPlace(state, at, around) ?? at;
-    return taken(state, giveShape(running, number, place));
+    return taken(state, giveShape(running, number, place), around);
   }
   const without = around.selected.includes(number) ? "remove" : "add";
   const clauses = adds ? `select ${without} ${number}` : `select ${number}`;
@@ -187,15 +214,15 @@ function spanned(state: DeskState, from: Place, to: Place, adds: boolean, around
     return { state, clauses: `select ${adds ? "add " : ""}${how} ${xy(from)} ${xy(to)}` };
   }
   const ask = asked(running)?.ask;
-  if (ask === "region") return taken(state, giveRegion(running, from, to));
+  if (ask === "region") return taken(state, giveRegion(running, from, to), around);
   if (ask !== "shapes") return { state };
   const numbers = shapesIn(around.picking.shapes, from, to).map(({ number }) => number);
-  return taken(state, giveShapes(running, numbers));
+  return taken(state, giveShapes(running, numbers), around);
 }
 
 /** The right button, or Enter: finishes, cancels, or does the last tool again. */
 export function rightClicked(state: DeskState, around: Around): Done {
-  if (state.running) return taken(state, finish(state.running));
+  if (state.running) return taken(state, finish(state.running), around);
   return state.last ? startTool(state, state.last, around) : { state };
 }
 
@@ -204,61 +231,4 @@ export function escaped(state: DeskState, around: Around): Done {
   if (state.chooser || state.drag) return { state: { ...state, chooser: null, drag: null } };
   if (state.running) return { state: { ...state, running: null, entry: null } };
   return around.selected.length > 0 ? { state, clauses: "select none" } : { state };
-}
-
-/** A key without modifiers; nothing when it means nothing here. */
-export function typed(state: DeskState, key: string, around: Around): Done | null {
-  return (
-    windowKey(state, key, around) ??
-    snapKey(state, key) ??
-    turnKey(state, key) ??
-    entryKey(state, key)
-  );
-}
-
-/** Z, X, S and A change the window in the middle of anything. */
-function windowKey(state: DeskState, key: string, { box }: Around): Done | null {
-  const { window, size } = state;
-  const at = state.pointer ?? window.middle;
-  const to: Record<string, () => Window> = {
-    z: () => zoomedTo(window, at, 2),
-    x: () => zoomedTo(window, at, 0.5),
-    s: () => centredOn(window, at),
-    a: () => fitted(box, size),
-  };
-  const changed = to[key]?.();
-  return changed ? { state: { ...state, window: changed } } : null;
-}
-
-function snapKey(state: DeskState, key: string): Done | null {
-  const { running } = state;
-  const ask = running && asked(running)?.ask;
-  if (!running || !(takesPlace(running) || ask === "shape")) return null;
-  if (!keysAt(baseOf(running)).toLowerCase().includes(key)) return null;
-  const snap = isSnapKey(key) ? key : null;
-  return { state: { ...state, running: { ...running, snap } } };
-}
-
-function turnKey(state: DeskState, key: string): Done | null {
-  const { running, turnStep } = state;
-  if (!running?.tool.turns) return null;
-  const turn = (way: 1 | -1): Done => ({
-    state: { ...state, running: { ...running, turned: turnedOn(running.turned, turnStep, way) } },
-  });
-  const meanings: Record<string, () => Done> = {
-    arrowleft: () => turn(1),
-    arrowright: () => turn(-1),
-    arrowup: () => ({ state: { ...state, turnStep: larger(turnStep) } }),
-    arrowdown: () => ({ state: { ...state, turnStep: smaller(turnStep) } }),
-  };
-  return meanings[key]?.() ?? null;
-}
-
-/** T opens the entry; so does the beginning of a number. */
-function entryKey(state: DeskState, key: string): Done | null {
-  const { running } = state;
-  if (!running || !(takesPlace(running) || running.bending || asked(running)?.ask === "number"))
-    return null;
-  if (key === "t") return { state: { ...state, entry: "" } };
-  return /^[\d@.-]$/.test(key) ? { state: { ...state, entry: key } } : null;
 }

@@ -10,25 +10,33 @@ export function entered(state: DeskState, text: string, unitMm: number, around: 
   const { running } = state;
   if (!running) return { state: { ...state, entry: null } };
   const ask = asked(running);
-  if (running.bending) return use(state, readNumber(text), (bulge) => giveBulge(running, bulge));
-  if (ask?.ask === "number") return number(state, running, text, unitMm);
+  if (running.bending)
+    return use(state, readNumber(text), around, (bulge) => giveBulge(running, bulge));
+  if (ask?.ask === "number") return number(state, running, text, unitMm, around);
   const read = readPlace(text, unitMm, baseOf(running));
-  return use(state, read, (at) => givePlace(running, at, around.picking.shapes));
+  return use(state, read, around, (at) => givePlace(running, at, around.picking.shapes));
 }
 
-function number(state: DeskState, running: Running, text: string, unitMm: number): Done {
+function number(
+  state: DeskState,
+  running: Running,
+  text: string,
+  unitMm: number,
+  around: Around,
+): Done {
   const ask = asked(running);
   if (ask?.ask !== "number") return { state };
   const read = ask.kind === "length" ? readLength(text, unitMm) : readNumber(text);
   const refused = isWrong(read) ? undefined : ask.accepts?.(read.value);
   if (refused) return { state, words: `${ask.prompt} ${refused}.` };
-  return use(state, read, (value) => giveNumber(running, value));
+  return use(state, read, around, (value) => giveNumber(running, value));
 }
 
 function use<T>(
   state: DeskState,
   read: Read<T>,
+  around: Around,
   give: (value: T) => Parameters<typeof taken>[1],
 ): Done {
-  return isWrong(read) ? { state, words: read.wrong } : taken(state, give(read.value));
+  return isWrong(read) ? { state, words: read.wrong } : taken(state, give(read.value), around);
 }

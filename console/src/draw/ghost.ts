@@ -1,11 +1,10 @@
 /** What is drawn at the mouse while a tool is at work. */
 
-import { type Around, type DeskState, pickPlace, pickRadius } from "./desk";
+import { type Around, type DeskState, pickPlace, shapesUnder } from "./desk";
 import { bulgeThrough, type Segment } from "./geometry/segment";
 import type { Shape } from "./geometry/shape";
 import type { Place } from "./geometry/vec";
 import type { Overlay } from "./paint/overlay";
-import { shapesNear } from "./pick";
 import { asked, baseOf, type Running } from "./tools/running";
 import { noGhost } from "./tools/tool";
 
@@ -25,7 +24,7 @@ export function overlayOf(state: DeskState, around: Around): Overlay {
     region: drag?.kind === "region" && away(drag.from, drag.to, window.mmPerPixel) ? drag : null,
     snap: running?.snap && at ? at : null,
     pointer,
-    radius: running?.snap ? pickRadius : null,
+    radius: running?.snap ? around.pickRadius : null,
     square: running?.snap === "g" ? baseOf(running) : null,
   };
 }
@@ -40,11 +39,12 @@ const byNumber = (shapes: readonly Shape[], numbers: readonly number[]): Shape[]
   numbers.flatMap((number) => shapes.find((shape) => shape.number === number) ?? []);
 
 /** What a click would pick. */
-function hoveredOf({ running, pointer, drag, window }: DeskState, { picking }: Around): Shape[] {
+function hoveredOf(state: DeskState, around: Around): Shape[] {
+  const { running, pointer, drag } = state;
   const ask = running && asked(running)?.ask;
   const picks = !running || ask === "shapes" || ask === "shape";
   if (!picks || !pointer || drag) return [];
-  return shapesNear(picking, pointer, pickRadius * window.mmPerPixel);
+  return shapesUnder(state, pointer, around);
 }
 
 /** The path drawn so far, and on to the mouse. */

@@ -7,28 +7,53 @@ export interface ViewOptions {
   readonly groupColours: boolean;
   readonly starts: boolean;
   readonly vertices: boolean;
+  /** Vertices that are left out when paths are made. */
+  readonly filtered: boolean;
+  /** Curves that short lines become when paths are made. */
+  readonly smoothed: boolean;
   /** Shapes of groups that are off, dashed; without it they are not shown. */
   readonly offDashed: boolean;
   readonly toolPaths: boolean;
+  /** Paths of rough passes besides the final ones. */
+  readonly rough: boolean;
+  /** The bounds of the machine, its home, the job's origin and finish, and the tool. */
+  readonly machine: boolean;
 }
 
 export type ViewOption = keyof ViewOptions;
 
-export const optionWords: Record<ViewOption, string> = {
-  groupColours: "Group colours",
-  starts: "Starts",
-  vertices: "Vertices",
-  offDashed: "Groups that are off",
-  toolPaths: "Tool paths",
+interface OptionWords {
+  readonly title: string;
+  readonly doc: string;
+}
+
+export const optionWords: Record<ViewOption, OptionWords> = {
+  groupColours: { title: "Group colours", doc: "Instead of the colours of the directions" },
+  starts: { title: "Starts", doc: "Where each shape begins, its direction and the cutting side" },
+  vertices: { title: "Vertices", doc: "A small cross at each" },
+  filtered: { title: "Filtered", doc: "Vertices that are left out when paths are made" },
+  smoothed: { title: "Smoothed", doc: "Curves that short lines become when paths are made" },
+  offDashed: { title: "Groups off", doc: "Dashed; else they are not shown and not picked" },
+  toolPaths: { title: "Tool paths", doc: "As the machine would cut, made anew with every change" },
+  rough: { title: "Rough passes", doc: "The paths of rough passes besides the final ones" },
+  machine: { title: "Machine", doc: "Its bounds, home, origin and finish of the job, the tool" },
 };
 
 const usual: ViewOptions = {
   groupColours: false,
   starts: true,
   vertices: false,
+  filtered: false,
+  smoothed: false,
   offDashed: true,
-  toolPaths: false,
+  toolPaths: true,
+  rough: false,
+  machine: false,
 };
+
+/** Whether something is shown that the server makes of the drawing. */
+export const showsMachined = ({ toolPaths, rough, smoothed, filtered }: ViewOptions): boolean =>
+  toolPaths || rough || smoothed || filtered;
 
 const key = "kerf.draw.view";
 

@@ -2,8 +2,12 @@
 
 import { describe, expect, it } from "vitest";
 import { hueOf } from "./colours";
+import { choices } from "./desk";
 import { crossesItself } from "./geometry/crossing";
 import { place } from "./geometry/vec";
+import { overlayOf } from "./ghost";
+import { coloursOf } from "./inks";
+import { squareInk } from "./paint/overlay";
 import { promptOf } from "./prompt";
 import { Hand, path, rectangle } from "./testing";
 import { tools } from "./tools/catalog";
@@ -77,6 +81,74 @@ describe("selecting", () => {
     expect(promptOf(hand.state).keys).toBe("VCMINQ");
     hand.click(0, 0);
     expect(promptOf(hand.state).keys).toBe("VCMINGQ");
+  });
+});
+
+describe("what is seen of picking", () => {
+  const overlay = (hand: Hand) => overlayOf(hand.state, hand.around);
+  const over = [square, { ...square, number: 2, group: "red" }];
+
+  it("pro_select_lmb_point: a left click gives a place", () => {
+    expect(new Hand([]).begin("point").click(12, 34).clauses).toEqual(["point 12,34"]);
+    const snapped = new Hand([square]).begin("point").keys("v").click(99, 98);
+    expect(snapped.clauses).toEqual(["point 100,100"]);
+  });
+
+  it("pro_select_region: a drag is a region, drawn while it lasts", () => {
+    const hand = new Hand([small]).press(0, 0).move(30, 20);
+    expect(overlay(hand).region).toMatchObject({ from: place(0, 0), to: place(30, 20) });
+    expect(overlay(hand.move(50, 40)).region).toMatchObject({ to: place(50, 40) });
+    expect(hand.release().clauses).toEqual(["select window 0,0 50,40"]);
+    expect(overlay(hand).region).toBeNull();
+  });
+
+  it("pro_select_region_zoom: a region can be what is seen", () => {
+    const hand = new Hand([square]).begin("zoom-window").drag(0, 0, 50, 40);
+    const size = { width: 200, height: 150 };
+    const { min, max } = boxInSight(hand.state.window, size);
+    expect(hand.state.window.middle).toEqual(place(25, 20));
+    expect(max.x - min.x).toBeCloseTo((40 * 200) / 150, 9);
+    expect(max.y - min.y).toBeCloseTo(40, 9);
+    expect([hand.clauses, hand.state.running]).toEqual([[], null]);
+  });
+
+  it("pro_select_chooser_mark: shapes that are selected already are marked", () => {
+    const marked = (hand: Hand) => choices(hand.state, hand.around);
+    expect(marked(new Hand(over, [1]).click(50, 0))).toEqual([
+      { number: 1, highlighted: true },
+      { number: 2, highlighted: false },
+    ]);
+    const picking = new Hand(over).begin("erase").click(50, 0).choose(1).click(50, 0);
+    expect(marked(picking)[0]).toEqual({ number: 1, highlighted: true });
+    expect(picking.choose(1).state.running?.picked).toEqual([]);
+  });
+
+  it("pro_snap_ortho_cross: a blue cross-hair at the base point while picks are square to it", () => {
+    const hand = new Hand([small], [1]).begin("move").click(10, 20);
+    expect(overlay(hand).square).toBeNull();
+    expect(overlay(hand.keys("g")).square).toEqual(place(10, 20));
+    expect(new Set(coloursOf(squareInk))).toEqual(new Set(["blue"]));
+    expect(overlay(hand.keys("q")).square).toBeNull();
+    expect(overlay(hand.keys("g").click(40, 22)).square).toBeNull();
+    expect(hand.clauses).toEqual(["select 1; move from 10,20 to 40,20"]);
+  });
+
+  it("pro_snap_radius_circle: the selection radius is drawn while a snap is armed", () => {
+    const hand = new Hand([square], [1]).begin("move").move(30, 40);
+    expect(overlay(hand).radius).toBeNull();
+    expect(overlay(hand.keys("v"))).toMatchObject({ radius: 8, pointer: place(30, 40) });
+    expect(overlay(hand.keys("q")).radius).toBeNull();
+  });
+
+  it("pro_edit_join_default: the distance used last is offered", () => {
+    const hand = new Hand([small], [1]).begin("join");
+    expect(hand.state.entry).toBe("0.7");
+  });
+
+  it("pro_options_radius: the radius is that of the options", () => {
+    const picks = (radius: number, far: number) =>
+      new Hand([square], [], radius).click(50, -far).clauses.length;
+    expect([picks(8, 7.9), picks(8, 8.1), picks(12, 11.9)]).toEqual([1, 0, 1]);
   });
 });
 

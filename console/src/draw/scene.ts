@@ -1,11 +1,12 @@
 /** What the canvas shows, made from what the server tells. */
 
-import type { DrawingState, ShapeList } from "../wire/messages";
+import type { DrawingState, ShapeList, ToolPaths } from "../wire/messages";
 import { crossesItself } from "./geometry/crossing";
 import { boxOfShapes, type Shape, shapeOf } from "./geometry/shape";
+import { type Box, type Place, place } from "./geometry/vec";
 import type { ViewOptions } from "./options";
-import { hidden, type Scene } from "./paint/shapes";
 import { type Picking, pickingOf } from "./pick";
+import { hidden } from "./picture";
 
 /** The shapes of one revision, with what is costly to find out about them. */
 export interface Loaded {
@@ -22,10 +23,51 @@ export function loadedOf(list: ShapeList): Loaded {
   return { revision: list.revision, shapes, crossing };
 }
 
+/** A path of the tool. */
+export interface CutPath {
+  readonly shape: Shape;
+  readonly pass: "rough" | "final" | "traversal";
+}
+
+/** What the drawing becomes when it is machined, and what was noticed on the way. */
+export interface Machined {
+  readonly paths: readonly CutPath[];
+  readonly smoothed: readonly Shape[];
+  readonly filtered: readonly Place[];
+  readonly notes: readonly string[];
+}
+
+export const notMachined: Machined = { paths: [], smoothed: [], filtered: [], notes: [] };
+
+export function machinedOf({ paths, smoothed, filtered, notes }: ToolPaths): Machined {
+  return {
+    paths: paths.map(({ pass, ...path }) => ({ pass, shape: shapeOf(path) })),
+    smoothed: smoothed.map(shapeOf),
+    filtered: Array.from({ length: filtered.length / 2 }, (_, n) =>
+      place(filtered[2 * n] ?? 0, filtered[2 * n + 1] ?? 0),
+    ),
+    notes,
+  };
+}
+
+/** Everything about a drawing that does not move with the mouse. */
+export interface Scene extends Omit<Machined, "notes"> {
+  readonly shapes: readonly Shape[];
+  /** Numbers of closed shapes that cross themselves. */
+  readonly crossing: ReadonlySet<number>;
+  readonly selected: ReadonlySet<number>;
+  /** Groups that are switched off. */
+  readonly off: ReadonlySet<string>;
+  /** Groups whose tool path lies to the left of travel. */
+  readonly leftOf: ReadonlySet<string>;
+  readonly box: Box;
+  readonly options: ViewOptions;
+}
+
 export function sceneOf(
   { shapes, crossing }: Loaded,
   drawing: DrawingState | null | undefined,
-  toolPaths: readonly Shape[],
+  { paths, smoothed, filtered }: Machined,
   options: ViewOptions,
 ): Scene {
   const groups = drawing?.groups ?? [];
@@ -38,7 +80,9 @@ export function sceneOf(
     off: named((group) => !group.on),
     leftOf: named((group) => group.offset < 0),
     box: boxOfShapes(shapes),
-    toolPaths,
+    paths,
+    smoothed,
+    filtered,
     options,
   };
 }

@@ -2,6 +2,7 @@
 
 import {
   type Around,
+  chosen,
   type DeskState,
   type Done,
   escaped,
@@ -12,10 +13,10 @@ import {
   rightClicked,
   startTool,
   taken,
-  typed,
 } from "./desk";
 import { shapeOf } from "./geometry/shape";
 import { boxOf, place } from "./geometry/vec";
+import { typed } from "./keys";
 import { pickingOf } from "./pick";
 import { tools } from "./tools/catalog";
 import { asked, giveNumber } from "./tools/running";
@@ -42,15 +43,15 @@ type Shapes = Parameters<typeof pickingOf>[0];
 export class Hand {
   state: DeskState;
   readonly clauses: string[] = [];
-  readonly #around: Around;
+  readonly around: Around;
 
-  constructor(shapes: Shapes = [], selected: readonly number[] = []) {
+  constructor(shapes: Shapes = [], selected: readonly number[] = [], pickRadius = 8) {
     this.state = { ...firstDesk, size: { width: 200, height: 150 } };
     const box = shapes.reduce(
       (all, { box }) => boxOf(all.min, box.max),
       boxOf(place(0, 0), place(0, 0)),
     );
-    this.#around = { picking: pickingOf(shapes), selected, box };
+    this.around = { picking: pickingOf(shapes), selected, box, pickRadius, lastJoin: 0.7 };
   }
 
   #take({ state, clauses }: Done): this {
@@ -60,7 +61,7 @@ export class Hand {
   }
 
   begin(id: string): this {
-    return this.#take(startTool(this.state, tool(id), this.#around));
+    return this.#take(startTool(this.state, tool(id), this.around));
   }
   move(x: number, y: number): this {
     this.state = moved(this.state, place(x, y), place(0, 0));
@@ -68,11 +69,22 @@ export class Hand {
   }
   click(x: number, y: number, adds = false): this {
     this.#take(pressed(this.state, place(x, y)));
-    return this.move(x, y).#take(released(this.state, adds, this.#around));
+    return this.move(x, y).#take(released(this.state, adds, this.around));
+  }
+  press(x: number, y: number): this {
+    return this.#take(pressed(this.state, place(x, y)));
+  }
+  release(): this {
+    return this.#take(released(this.state, false, this.around));
+  }
+  /** Chooses a shape among those that a click met. */
+  choose(number: number): this {
+    const at = this.state.chooser?.at ?? place(0, 0);
+    return this.#take(chosen(this.state, number, at, false, this.around));
   }
   drag(x0: number, y0: number, x1: number, y1: number): this {
     this.#take(pressed(this.state, place(x0, y0)));
-    return this.move(x1, y1).#take(released(this.state, false, this.#around));
+    return this.move(x1, y1).#take(released(this.state, false, this.around));
   }
   /** Answers whatever is asked. */
   answer(): this {
@@ -82,18 +94,19 @@ export class Hand {
     if (ask.ask === "shapes") return this.click(10, 5).right();
     if (ask.ask === "shape") return this.click(10, 5);
     if (ask.ask === "region") return this.drag(-5, -5, 50, 50);
-    if (ask.ask === "number") return this.#take(taken(this.state, giveNumber(running, ask.usual)));
+    if (ask.ask === "number")
+      return this.#take(taken(this.state, giveNumber(running, ask.usual), this.around));
     return this.click(20, 30);
   }
   right(): this {
-    return this.#take(rightClicked(this.state, this.#around));
+    return this.#take(rightClicked(this.state, this.around));
   }
   escape(): this {
-    return this.#take(escaped(this.state, this.#around));
+    return this.#take(escaped(this.state, this.around));
   }
   keys(...names: readonly string[]): this {
     for (const name of names) {
-      const done = typed(this.state, name, this.#around);
+      const done = typed(this.state, name, this.around);
       if (done) this.#take(done);
     }
     return this;

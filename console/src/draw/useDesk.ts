@@ -4,8 +4,7 @@ import { useCallback, useMemo, useRef, useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
 import { type Around, type DeskState, type Done, firstDesk } from "./desk";
-import type { Scene } from "./paint/shapes";
-import { pickable } from "./scene";
+import { pickable, type Scene } from "./scene";
 
 export interface Desk {
   readonly state: DeskState;
@@ -17,13 +16,22 @@ export interface Desk {
   send(clauses: string): void;
 }
 
-export function useDesk(scene: Scene): Desk {
+/** What the server tells that hands go by. */
+export type Ways = Pick<Around, "pickRadius" | "lastJoin">;
+
+export function useDesk(scene: Scene, { pickRadius, lastJoin }: Ways): Desk {
   const hands = useHands();
   const [state, setState] = useState(firstDesk);
   const now = useRef(state);
   const around = useMemo<Around>(
-    () => ({ picking: pickable(scene), selected: [...scene.selected], box: scene.box }),
-    [scene],
+    () => ({
+      picking: pickable(scene),
+      selected: [...scene.selected],
+      box: scene.box,
+      pickRadius,
+      lastJoin,
+    }),
+    [scene, pickRadius, lastJoin],
   );
   const put = useCallback((next: DeskState) => {
     now.current = next;

@@ -3,9 +3,15 @@
 import { useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
 import { getJson } from "../link/http";
-import type { ShapeList } from "../wire/messages";
-import { type Shape, shapeOf } from "./geometry/shape";
-import { type Loaded, loadedOf, nothingLoaded } from "./scene";
+import type { ShapeList, ToolPaths } from "../wire/messages";
+import {
+  type Loaded,
+  loadedOf,
+  type Machined,
+  machinedOf,
+  nothingLoaded,
+  notMachined,
+} from "./scene";
 
 export function useShapes(): Loaded {
   const revision = useSnapshot("drawing")?.revision;
@@ -22,26 +28,22 @@ export function useShapes(): Loaded {
   return loaded;
 }
 
-/** The tool paths that the drawing would give, and what was noticed on the way. */
-export interface Paths {
-  readonly shapes: readonly Shape[];
-  readonly notes: readonly string[];
-}
-
-const noPaths: Paths = { shapes: [], notes: [] };
-
-export function useToolPaths(wanted: boolean): Paths {
+/** What the drawing becomes when it is machined, where that is wanted. */
+export function useMachined(wanted: boolean): Machined {
   const revision = useSnapshot("drawing")?.revision;
-  const [paths, setPaths] = useState(noPaths);
+  const setup = useSnapshot("setup");
+  const [machined, setMachined] = useState(notMachined);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: settings change what is made of it
   useEffect(() => {
-    if (!wanted || revision === undefined) return setPaths(noPaths);
+    if (!wanted || revision === undefined) return setMachined(notMachined);
     const gone = new AbortController();
-    getJson<ShapeList>("/api/drawing/paths", gone.signal)
-      .then(({ shapes, notes }) => setPaths({ shapes: shapes.map(shapeOf), notes }))
+    getJson<ToolPaths>("/api/drawing/paths", gone.signal)
+      .then((paths) => setMachined(machinedOf(paths)))
       .catch(
-        (error: Error) => gone.signal.aborted || setPaths({ shapes: [], notes: [error.message] }),
+        (error: Error) =>
+          gone.signal.aborted || setMachined({ ...notMachined, notes: [error.message] }),
       );
     return () => gone.abort();
-  }, [wanted, revision]);
-  return paths;
+  }, [wanted, revision, setup]);
+  return machined;
 }

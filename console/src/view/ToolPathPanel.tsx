@@ -9,6 +9,7 @@ import type { Aspect, Bounds, Vec3 } from "./camera";
 import type { Marks } from "./overlay";
 import { PlayBar } from "./PlayBar";
 import { placeAt, timeOfMoves } from "./place";
+import { stretches } from "./progress";
 import { ToolPathView } from "./ToolPathView";
 import type { ToolPath } from "./toolPath";
 import { useCamera } from "./useCamera";
@@ -137,12 +138,18 @@ function marksOf(
   film: Vec3 | undefined,
 ): Marks {
   const unit = { mm: units.mm, name: units.linear };
-  if (!path) return { tool: undefined, zero: undefined, cutter: 0, unit };
+  if (!path) return { tool: undefined, zero: undefined, made: undefined, cutter: 0, unit };
   const { origin, zero, cutter } = path.info;
   const from = (place: readonly number[]): Vec3 => [
     (place[0] ?? 0) - origin[0],
     (place[1] ?? 0) - origin[1],
     (place[2] ?? 0) - origin[2],
   ];
-  return { tool: film ?? (motion && from(motion.at.machine)), zero: from(zero), cutter, unit };
+  const tool = motion && from(motion.at.machine);
+  // A film shows the plan: how far the machine has come belongs to the run.
+  const made = film || !tool ? undefined : madeOf(path, motion, tool);
+  return { tool: film ?? tool, zero: from(zero), made, cutter, unit };
 }
+
+const madeOf = (path: ToolPath, { made }: Motion, tool: Vec3) =>
+  stretches(path.coarse, timeOfMoves(path.coarse, made), tool).find((stretch) => stretch.made);

@@ -7,6 +7,8 @@ export interface Marks {
   /** Tip of the tool, mm from the origin of the preview. */
   readonly tool: Vec3 | undefined;
   readonly zero: Vec3 | undefined;
+  /** The part of the present cut that is made. */
+  readonly made: { readonly from: Vec3; readonly to: Vec3 } | undefined;
   /** Diameter of the cutter, mm. */
   readonly cutter: number;
   /** Millimetres in the unit that the scale is labelled with, and its name. */
@@ -27,12 +29,30 @@ export function paintMarks(
   canvas.height = size.height * ratio;
   context.scale(ratio, ratio);
   paintScale(context, size, camera, marks.unit, palette);
+  if (marks.made) paintMade(context, size, camera, marks.made, palette);
   if (marks.zero) paintZero(context, project(camera, marks.zero, size), palette);
   if (marks.tool) paintTool(context, size, camera, marks.tool, marks.cutter, palette);
 }
 
 type Pen = CanvasRenderingContext2D;
 type At = { x: number; y: number };
+
+/** The line behind the tool, as wide as the path. */
+function paintMade(
+  pen: Pen,
+  size: Size,
+  camera: Camera,
+  { from, to }: NonNullable<Marks["made"]>,
+  palette: Palette,
+): void {
+  const [a, b] = [project(camera, from, size), project(camera, to, size)];
+  pen.strokeStyle = palette.done;
+  pen.lineWidth = 2.5;
+  pen.beginPath();
+  pen.moveTo(a.x, a.y);
+  pen.lineTo(b.x, b.y);
+  pen.stroke();
+}
 
 /** The quartered disc of a datum. */
 function paintZero(pen: Pen, { x, y }: At, palette: Palette): void {

@@ -19,7 +19,8 @@ export interface Place {
   readonly line: number;
 }
 
-const vertex = ({ vertices }: Piece, n: number): Vec3 => [
+/** A vertex of a piece. */
+export const vertexOf = ({ vertices }: Piece, n: number): Vec3 => [
   vertices[3 * n] ?? 0,
   vertices[3 * n + 1] ?? 0,
   vertices[3 * n + 2] ?? 0,
@@ -38,7 +39,7 @@ export function placeAt(pieces: readonly Piece[], seconds: number): Place | unde
   const piece = pieces.find(({ over }) => (over.at(-1) ?? 0) >= seconds) ?? last;
   if (!piece || piece.segments === 0) return undefined;
   const n = Math.min(firstAtLeast(piece.over, seconds), piece.segments - 1);
-  const [from, to] = [vertex(piece, n), vertex(piece, n + 1)];
+  const [from, to] = [vertexOf(piece, n), vertexOf(piece, n + 1)];
   const share = shareAt(piece, n, seconds);
   const between = (axis: 0 | 1 | 2) => from[axis] + (to[axis] - from[axis]) * share;
   return { at: [between(0), between(1), between(2)], line: piece.lines[n] ?? 0 };

@@ -77,7 +77,13 @@ lease: number,
 /** Percent of the speed asked for, 10 … 200. */
 feed: number, } | { "do": "clearPrinted" } | { "do": "acknowledge" } | { "do": "draw",
 /** What. */
-op: Op, } | { "do": "ping" };
+op: Op, } | { "do": "unlock",
+/** The password. */
+password: string, } | { "do": "protect",
+/** The password until now, where there is one. */
+password: string | null,
+/** The new one, twice; none takes the protection away. */
+new: [string, string] | null, } | { "do": "ping" };
 
 /** A question that a job waits for. It belongs to the job: any page may answer. */
 export type Asked = {
@@ -119,6 +125,15 @@ scale: number,
 /** Whether the machine has it. */
 used: boolean, };
 
+/** The smallest box round the shapes of a drawing, arcs counted exactly. */
+export type Block = {
+/** Least X and Y. */
+min: [number, number],
+/** Greatest X and Y. */
+max: [number, number],
+/** Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height. */
+z: [number, number] | null, };
+
 /** A file that a run is in. */
 export type Call = {
 /** The file. */
@@ -127,7 +142,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -172,6 +187,26 @@ doc: string, };
 /** Depth of a cut: `thru`, `3d`, or mm above the surface. */
 export type CutHeight = string | number;
 
+/** Which cut of a shape a path is. */
+export type CutPass = "rough" | "final" | "traversal";
+
+/** One path of the tool. */
+export type CutShape = {
+/** Which cut of that shape it is. */
+pass: CutPass,
+/** Number of the shape, from 1. */
+number: number,
+/** Its group: black, blue, green, cyan, red, magenta, brown, white. */
+group: string,
+/** Whether its end is its start. */
+closed: boolean,
+/** Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 is a line. */
+points: Array<number>,
+/** Height of each vertex, for a 3D shape. */
+z: Array<number> | null,
+/** Whether the machine halts before it. */
+pause: boolean, };
+
 /** The path at a level of detail. */
 export type Detail = {
 /** How far it is from the true path at most, mm. */
@@ -201,6 +236,12 @@ changed: boolean,
 clipboard: number,
 /** The eight groups and how their shapes are cut. */
 groups: Array<GroupState>,
+/** The basic block of data: bounds of the drawing before it is arrayed. Nothing without shapes. */
+block: Block | null,
+/** Where the head goes when its job is done, from the origin. */
+finish: [number, number],
+/** How near ends are joined when nothing else is said: as near as the last time. */
+join: number,
 /** What the last operation, or reading the file, had to tell. */
 notes: Array<string>, };
 
@@ -281,6 +322,8 @@ speed: number | null,
 height: CutHeight,
 /** Depth of one pass. */
 pass: number | null,
+/** Z of each pass from the machine's home. None when each point of a shape has its own height, which counts from the surface. */
+levels: Array<number>,
 /** Distance of the path, right of travel. */
 offset: number,
 /** What the rough pass leaves. */
@@ -421,7 +464,9 @@ name: string, } | { "op": "save",
 /** Its name below the part folder; `.rsg`, `.dxf` or `.svg`. */
 name: string, } | { "op": "do",
 /** The clauses. */
-clauses: string, } | { "op": "undo" } | { "op": "redo" } | { "op": "program",
+clauses: string, } | { "op": "undo" } | { "op": "redo" } | { "op": "finish",
+/** Mm from the origin. */
+at: [number, number], } | { "op": "program",
 /** Name of the program below the part folder: `.sbp` or `.nc`. */
 name: string, };
 
@@ -443,6 +488,46 @@ preview: PreviewState,
 seconds: number,
 /** What is wrong with it or worth knowing. */
 findings: Array<Finding>, };
+
+/** An operation. */
+export type OperationEntry = {
+/** Its first word. */
+name: string,
+/** What it does. */
+doc: string,
+/** The ways to say it. */
+variants: Array<OperationVariant>, };
+
+/** A part of what is said. */
+export type OperationPart = {
+/** What stands before the value: `about `, `tool=`; alone it is a word that is always said. */
+lead: string,
+/** What is entered; nothing for a word alone. */
+value: OperationValue | null,
+/** It may be left out. */
+optional: boolean,
+/** It may be said several times. */
+repeats: boolean, };
+
+/** What is entered for a part. */
+export type OperationValue = { "is": "pair" } | { "is": "vertex" } | { "is": "length",
+/** Its name in the table: `RADIUS`, `D`. */
+name: string, } | { "is": "number",
+/** Its name in the table: `ANGLE`, `FACTOR`. */
+name: string, } | { "is": "arc" } | { "is": "grid" } | { "is": "shape" } | { "is": "shapes" } | { "is": "group" } | { "is": "groups" } | { "is": "words",
+/** The words. */
+words: Array<string>, } | { "is": "wordsOr",
+/** The words. */
+words: Array<string>,
+/** Whether the number is a length. */
+length: boolean, } | { "is": "file" } | { "is": "text" };
+
+/** One way to say an operation: its parts in order, after the name. */
+export type OperationVariant = {
+/** As it is written. */
+form: string,
+/** What is said, in order. */
+parts: Array<OperationPart>, };
 
 /** The operator's overrides. */
 export type Overrides = {
@@ -596,14 +681,23 @@ length: number,
 /** The setting may be absent. */
 none: boolean, };
 
-/** The shapes of a drawing, or tool paths made of them. */
+/** Settings of the machine's configuration that pages show or follow. Mm. */
+export type Setup = {
+/** The special positions of Z, from its home. */
+heights: ZHeights,
+/** How far X and Y reach from their home; 0 is without bounds. */
+reach: [number, number],
+/** Whether changing settings asks for a password. */
+protected: boolean,
+/** A click selects what lies so near, pixels. */
+pickRadius: number, };
+
+/** The shapes of a drawing. */
 export type ShapeList = {
 /** The revision of the drawing. */
 revision: number,
 /** In the order in which they are cut. */
-shapes: Array<ShapePath>,
-/** What was noticed while tool paths were made. */
-notes: Array<string>, };
+shapes: Array<ShapePath>, };
 
 /** A path of lines and arcs, mm. */
 export type ShapePath = {
@@ -634,6 +728,8 @@ machine: Machine,
 motion: Motion,
 /** What a person reads lengths in. */
 units: Units,
+/** What the machine is set to, as far as drawings are worked on with it. */
+setup: Setup,
 /** Speeds in force. */
 speeds: Speeds,
 /** Inputs and outputs. */
@@ -713,6 +809,19 @@ seconds: number,
 /** Its first move. */
 firstMove: number, };
 
+/** What a drawing becomes when it is machined. */
+export type ToolPaths = {
+/** The revision of the drawing. */
+revision: number,
+/** The paths, in the order in which they are cut, arrays laid out. */
+paths: Array<CutShape>,
+/** Shapes whose short lines become curves, as those are machined. */
+smoothed: Array<ShapePath>,
+/** Vertices that are left out because they lie too near to the one before: X and Y by turns. */
+filtered: Array<number>,
+/** What was noticed while they were made, or why there are none. */
+notes: Array<string>, };
+
 /** What a person reads lengths in. */
 export type Units = {
 /** `in` or `mm`. */
@@ -749,4 +858,13 @@ role: Role,
 device: string, };
 
 /** The sort of reason. */
-export type Why = "malformed" | "role" | "lease" | "disarmed" | "state" | "file" | "changed" | "mistake" | "late" | "server";
+export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "mistake" | "late" | "server";
+
+/** Heights at which a job is cut. */
+export type ZHeights = {
+/** Where the tool travels. */
+top: number,
+/** The surface of the material. */
+surface: number,
+/** The lowest the tool may go; where THRU cuts. */
+bottom: number, };

@@ -12,6 +12,7 @@ const group = (name: string, change: Partial<GroupState> = {}): GroupState => ({
   speed: null,
   height: "thru",
   pass: null,
+  levels: [-30],
   offset: 0,
   rough: 0,
   tag: 0,
@@ -34,12 +35,15 @@ export const drawing: DrawingState = {
     group("blue"),
     group("green"),
     group("cyan"),
-    group("red", { height: -6, pass: 3 }),
+    group("red", { height: -6, pass: 3, levels: [-23, -26] }),
     group("magenta"),
     group("brown", { on: false }),
     group("white"),
   ],
   notes: [],
+  block: { min: [0, 0], max: [200, 120], z: null },
+  finish: [0, 0],
+  join: 0.1,
 };
 
 const shape = (number: number, group: string, closed: boolean, points: number[]): ShapePath => ({
@@ -56,7 +60,6 @@ const hole = (number: number, x: number, y: number, r: number) =>
 
 export const shapes: ShapeList = {
   revision: 1,
-  notes: [],
   shapes: [
     hole(1, 40, 40, 15),
     hole(2, 160, 40, 15),

@@ -91,6 +91,8 @@ function piece(): ArrayBuffer {
   return bytes;
 }
 
+const noPaths = { revision: 1, paths: [], smoothed: [], filtered: [], notes: [] };
+
 /** Answers what the server would. */
 export async function answer(address: string): Promise<Response> {
   const path = address.split("?")[0] ?? "";
@@ -101,5 +103,6 @@ export async function answer(address: string): Promise<Response> {
   if (path === "/api/language/complete") return Response.json([]);
   if (path === "/api/commands") return Response.json(commands);
   if (path === "/api/drawing/shapes") return Response.json(shapes);
+  if (path === "/api/drawing/paths") return Response.json(noPaths);
   return Response.json([]);
 }

@@ -58,6 +58,12 @@ export const firstSnapshot: Snapshot = {
       axis("C", false, "deg", 1),
     ],
   },
+  setup: {
+    heights: { top: -10, surface: -20, bottom: -30 },
+    reach: [2500, 1250],
+    protected: false,
+    pickRadius: 8,
+  },
   speeds: { cut: [38.1, 12.7, 25.4, 25.4, 25.4], jog: [152.4, 50.8, 50.8, 50.8, 50.8], rpm: 0 },
   io: { inputs: lamps([4]), outputs: lamps([]) },
   opened: {

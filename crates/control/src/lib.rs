@@ -35,6 +35,7 @@ mod nudge;
 mod pace;
 mod part_log;
 pub mod parts;
+pub mod password;
 mod press;
 mod reentry;
 mod runner;

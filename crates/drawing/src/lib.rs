@@ -32,8 +32,8 @@ pub use editor::Editor;
 pub use group::Group;
 pub use nesting::{Nesting, crosses};
 pub use op::{
-    Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Pattern,
-    Picking, Picks, Sequencing, script,
+    Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Part, Pattern,
+    Picking, Picks, Sequencing, Value, Variant, script,
 };
 pub use selection::Choice;
 pub use settings::{GroupSettings, Height, Lead, Plunge, SettingsError};

@@ -38,6 +38,10 @@ const fn holding(lease: u32) -> Need {
     Need { role: Role::Operator, lease: Some(lease), armed: false }
 }
 
+/// What is said where the machine is left alone.
+const DRAWING_ONLY: &str =
+    "this is not available in the editing version: only drawings are worked on here";
+
 /// What an act needs. This is the one list.
 fn needs(act: &Act) -> Need {
     match act {
@@ -58,6 +62,7 @@ fn needs(act: &Act) -> Need {
         | Act::Override { lease, .. }
         | Act::Input { lease, .. } => holding(*lease),
         Act::Set { lease, .. } => Need { role: Role::Setter, ..holding(*lease) },
+        Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
         Act::Answer { .. }
         | Act::TakeLease { .. }
         | Act::Open { .. }
@@ -87,6 +92,9 @@ impl App {
     /// Why not.
     pub fn act(self: &Arc<Self>, who: &Who, act: Act) -> Done {
         self.allow(who, needs(&act))?;
+        if matches!(&act, Act::Command { line, .. } if changes_settings(line)) {
+            self.opened(who, None)?;
+        }
         match act {
             Act::Ping => {}
             Act::Stop => self.stop(),
@@ -94,6 +102,9 @@ impl App {
             Act::Disarm => self.disarm("disarmed at a page"),
             Act::Resume { .. } => self.resume()?,
             Act::Answer { question, answer } => self.answer(question, answer)?,
+            Act::TakeLease { .. } if self.options.drawing_only => {
+                return Err(problem(Why::State, DRAWING_ONLY));
+            }
             Act::TakeLease { force } => self.take_lease(who, force)?,
             Act::GiveLease { .. } => self.drop_lease("nobody drives"),
             Act::Arm { .. } => self.arm()?,
@@ -103,7 +114,10 @@ impl App {
             Act::Record { line } => self.record(line)?,
             Act::Watch { names } => self.watch(names)?,
             Act::Input { number, on, .. } => self.press(number, on)?,
-            Act::Set { key, value, .. } => self.configure(&key, &value)?,
+            Act::Set { key, value, .. } => {
+                self.opened(who, None)?;
+                self.configure(&key, &value)?;
+            }
             Act::Close => self.close_file(),
             Act::Run { hash, step, .. } => self.run(&hash, step)?,
             Act::Command { line, .. } => self.command(line)?,
@@ -117,6 +131,8 @@ impl App {
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
             Act::Acknowledge => self.acknowledge(),
             Act::Draw { op } => return self.draw(op),
+            Act::Protect { password, new } => self.protect(who, password.as_deref(), new)?,
+            Act::Unlock { password } => self.unlock(who, &password)?,
         }
         Ok(Vec::new())
     }
@@ -126,6 +142,9 @@ impl App {
             let text =
                 format!("this needs the role {:?}, this device is {:?}", need.role, who.role);
             return Err(problem(Why::Role, text.to_lowercase()));
+        }
+        if need.lease.is_some() && self.options.drawing_only {
+            return Err(problem(Why::State, DRAWING_ONLY));
         }
         let (lease, machine) = self.hub.read(|now| (now.lease.clone(), now.machine.clone()));
         if let Some(number) = need.lease {
@@ -137,9 +156,6 @@ impl App {
                 Some(_) => return Err(problem(Why::Lease, "somebody else drives")),
                 None => return Err(problem(Why::Lease, "take the machine first")),
             }
-        }
-        if need.armed && self.options.drawing_only {
-            return Err(problem(Why::State, "only drawings are worked on here"));
         }
         if need.armed && !machine.armed {
             return Err(problem(Why::Disarmed, "the machine is disarmed: arm it first"));

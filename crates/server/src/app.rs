@@ -6,6 +6,7 @@ use crate::hub::Hub;
 use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
 use crate::preview::{self, Called, Preview};
+use crate::protect::Unlocked;
 use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
@@ -34,6 +35,8 @@ pub struct App {
     pub left: Arc<Mutex<Left>>,
     /// Builds the shelf of previews.
     pub builders: Builders,
+    /// Who gave the password of the settings.
+    pub unlocked: Unlocked,
     /// Paired devices.
     pub devices: Devices,
     /// Connected pages.
@@ -136,6 +139,7 @@ impl App {
             parts: PartFolder::new(&options.parts)?,
             devices: Devices::read(&options.data)?,
             pages: Pages::default(),
+            unlocked: Unlocked::default(),
             desk: Mutex::default(),
             open: Mutex::default(),
             previews: AtomicU32::new(0),
@@ -299,6 +303,7 @@ impl App {
         if stale {
             self.preview_again();
         }
+        self.tell_drawing();
         self.files_changed();
     }
 

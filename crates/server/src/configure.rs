@@ -7,16 +7,32 @@ use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
 use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::AXES;
-use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, State, Why};
+use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, State, Why, ZHeights};
+
+/// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
+pub const PASSWORD: &str = "options.password";
 
 /// Every setting with what it is now.
 pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
+    let shown = |setting: &&Setting| setting.key != PASSWORD;
     let area = |area: &Area| SettingArea {
         title: area.title.into(),
         manual: area.manual.into(),
-        settings: area.rows.iter().map(|setting| entry(setting, configuration)).collect(),
+        settings: area.rows.iter().filter(shown).map(|row| entry(row, configuration)).collect(),
     };
     table::areas().map(area).collect()
+}
+
+/// What pages that work on drawings go by.
+pub fn setup(configuration: &Configuration) -> Setup {
+    let (zpos, options) = (&configuration.zpos, &configuration.options);
+    let length = configuration.axes.length.0;
+    Setup {
+        heights: ZHeights { top: zpos.top_mm, surface: zpos.surface_mm, bottom: zpos.bottom_mm },
+        reach: [length[0], length[1]],
+        protected: options.password.is_some(),
+        pick_radius: options.pick_radius_px,
+    }
 }
 
 fn entry(setting: &Setting, configuration: &Configuration) -> SettingEntry {
@@ -80,7 +96,8 @@ impl App {
     /// # Errors
     /// There is no such setting, it does not accept the value, or it would contradict another.
     pub fn configure(&self, key: &str, value: &str) -> Result<(), Problem> {
-        let setting = table::setting(key).ok_or_else(|| {
+        let known = table::setting(key).filter(|setting| setting.key != PASSWORD);
+        let setting = known.ok_or_else(|| {
             let keys = table::settings().map(|setting| setting.key);
             let hint = kerf_diag::did_you_mean(key, keys).unwrap_or_default();
             problem(Why::Mistake, format!("there is no setting {key}; {hint}"))
@@ -99,5 +116,15 @@ impl App {
             return Err(problem(Why::Mistake, format!("{}; {}", crossed.message, crossed.hint)));
         }
         self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
+    }
+
+    /// The joining distance used last is the one offered next, also after a restart. Where the machine is
+    /// at work it is offered until then.
+    pub fn keep_join(&self, join_mm: f64) {
+        let mut wanted = lock(&self.left).session.configuration();
+        let Some(setting) = table::setting("options.join_mm") else { return };
+        if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
+            drop(self.order(Order::Configure(setting, Box::new(wanted)), State::Running));
+        }
     }
 }

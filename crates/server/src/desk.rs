@@ -2,29 +2,31 @@
 
 use crate::acts::Done;
 use crate::app::{App, lock, problem};
-use kerf_drawing::{Drawing, Editor, Group, Operation, Shape, script};
+use kerf_drawing::{Drawing, Editor, Operation, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
+use kerf_geom::Point2;
+use kerf_machine::Configuration;
 use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
-use kerf_toolpath::Heights;
-use kerf_wire::{
-    Change, CutHeight, DrawingState, GroupState, Op, Problem, ShapeList, ShapePath, Why,
-};
+use kerf_toolpath::{Heights, Job, Shaping, shaped_job};
+use kerf_wire::{Change, Op, Problem, Why};
 use std::sync::Arc;
 
 /// An editor and where its drawing lies.
 #[derive(Default)]
 pub struct Desk {
-    editor: Editor,
-    name: Option<String>,
+    pub(crate) editor: Editor,
+    pub(crate) name: Option<String>,
     /// Grows with every change.
-    revision: u32,
+    pub(crate) revision: u32,
     /// The drawing as it was opened or saved.
-    saved: Drawing,
+    pub(crate) saved: Drawing,
     open: bool,
-    notes: Vec<String>,
+    pub(crate) notes: Vec<String>,
+    /// Where the head goes when the job is done, from its origin.
+    pub(crate) finish: Point2,
 }
 
 impl App {
@@ -35,23 +37,72 @@ impl App {
     pub fn draw(self: &Arc<Self>, op: Op) -> Done {
         let mut desk = lock(&self.desk);
         let notes = match op {
-            Op::New => desk.begin(Drawing::default(), None, Vec::new()),
+            Op::New => self.begin(&mut desk, Drawing::default(), None, Vec::new()),
             Op::Open { name } => self.open_drawing(&mut desk, name)?,
             Op::Save { name } => self.save_drawing(&mut desk, name)?,
-            Op::Do { clauses } => desk.carry_out(&self.operations(&clauses)?)?,
+            Op::Do { clauses } => {
+                let operations = self.operations(&clauses)?;
+                self.carry_out(&mut desk, &operations)?
+            }
             Op::Undo => desk.step(Editor::undo)?,
             Op::Redo => desk.step(Editor::redo)?,
+            Op::Finish { at } => desk.finish_at(at)?,
             Op::Program { name } => self.write_program(&desk, &name)?,
         };
         desk.notes.clone_from(&notes);
-        self.hub.change(vec![Change::Drawing { drawing: Some(desk.state()) }]);
+        let drawing = Some(desk.state(&self.heights()));
+        self.hub.change(vec![Change::Drawing { drawing }]);
+        Ok(notes)
+    }
+
+    /// The heights that the machine is set to.
+    pub fn heights(&self) -> Heights {
+        let zpos = lock(&self.left).session.machine_is.zpos;
+        let (top_mm, surface_mm, bottom_mm) = (zpos.top_mm, zpos.surface_mm, zpos.bottom_mm);
+        Heights { top_mm, surface_mm, bottom_mm }
+    }
+
+    /// What is done to shapes before paths are made of them.
+    pub fn shaping(&self) -> Shaping {
+        let Configuration { program, options, .. } = lock(&self.left).session.configuration();
+        Shaping { factor: program.smoothing.factor, filter_mm: options.filter_mm }
+    }
+
+    fn begin(
+        &self,
+        desk: &mut Desk,
+        drawing: Drawing,
+        name: Option<String>,
+        notes: Vec<String>,
+    ) -> Vec<String> {
+        let join_mm = lock(&self.left).session.machine_is.options.join_mm;
+        desk.begin(drawing, name, join_mm);
+        notes
+    }
+
+    fn carry_out(&self, desk: &mut Desk, operations: &[(usize, Operation)]) -> Done {
+        let before = desk.editor.join_mm;
+        let notes = desk.carry_out(operations)?;
+        if desk.editor.join_mm.to_bits() != before.to_bits() {
+            self.keep_join(desk.editor.join_mm);
+        }
         Ok(notes)
     }
 
     fn open_drawing(&self, desk: &mut Desk, name: String) -> Done {
         let Imported { drawing, findings, .. } = self.read_drawing(&name)?;
         let notes = findings.into_iter().map(|found| found.text).collect();
-        Ok(desk.begin(drawing, Some(name), notes))
+        let finish = self.finish_of(&name)?;
+        let notes = self.begin(desk, drawing, Some(name), notes);
+        desk.finish = finish;
+        Ok(notes)
+    }
+
+    /// Where the head goes at the end of a job in a file; at its origin where it says nothing.
+    fn finish_of(&self, name: &str) -> Result<Point2, Problem> {
+        let is_job = extension(name) == "rsm";
+        let job = is_job.then(|| self.parts.read(name)).transpose()?;
+        Ok(job.map(|bytes| kerf_toolpath::read(&bytes).0.finish).unwrap_or_default())
     }
 
     fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
@@ -98,7 +149,8 @@ impl App {
 
     /// Writes the part program of the drawing's tool paths, and opens it.
     fn write_program(self: &Arc<Self>, desk: &Desk, name: &str) -> Done {
-        let (job, warnings) = desk.job()?;
+        let (job, warnings) = job(&desk.editor.drawing, self.shaping())?;
+        let job = Job { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
         // In the unit that the machine is set to: a part file of the other one refuses to run.
         let inches = self.hub.read(|now| now.units.linear == LinearUnit::Inch.symbol());
@@ -110,7 +162,7 @@ impl App {
             "nc" => Box::new(Writer::new(&writing)),
             _ => return Err(problem(Why::File, "a program is written as .sbp or .nc")),
         };
-        kerf_toolpath::print(&job, &Heights::default(), printer.as_mut()).map_err(|wrong| {
+        kerf_toolpath::print(&job, &self.heights(), printer.as_mut()).map_err(|wrong| {
             let all: Vec<_> = wrong.iter().map(ToString::to_string).collect();
             problem(Why::Mistake, all.join("; "))
         })?;
@@ -119,40 +171,24 @@ impl App {
         self.open_file(name)?;
         Ok(warnings)
     }
-
-    /// The shapes of the drawing.
-    pub fn shapes(&self) -> ShapeList {
-        let desk = lock(&self.desk);
-        let shapes = desk.editor.drawing.shapes.iter().zip(1..);
-        ShapeList {
-            revision: desk.revision,
-            shapes: shapes.map(|(shape, number)| shape_path(shape, number)).collect(),
-            notes: Vec::new(),
-        }
-    }
-
-    /// The tool paths of the drawing.
-    ///
-    /// # Errors
-    /// None can be made.
-    pub fn tool_paths(&self) -> Result<ShapeList, Problem> {
-        let desk = lock(&self.desk);
-        let (job, notes) = desk.job()?;
-        let paths = job
-            .paths
-            .iter()
-            .map(|path| ShapePath { number: path.from as u32, ..shape_path(&path.shape, 0) });
-        Ok(ShapeList { revision: desk.revision, shapes: paths.collect(), notes })
-    }
 }
 
 impl Desk {
-    fn begin(&mut self, drawing: Drawing, name: Option<String>, notes: Vec<String>) -> Vec<String> {
+    fn begin(&mut self, drawing: Drawing, name: Option<String>, join_mm: f64) {
         self.saved = drawing.clone();
         self.editor = Editor::of(drawing);
+        self.editor.join_mm = join_mm;
         (self.name, self.open) = (name, true);
+        self.finish = Point2::default();
         self.revision += 1;
-        notes
+    }
+
+    fn finish_at(&mut self, [x, y]: [f64; 2]) -> Done {
+        if !(x.is_finite() && y.is_finite()) {
+            return Err(problem(Why::Malformed, "a place has two numbers"));
+        }
+        self.finish = Point2::new(x, y);
+        Ok(Vec::new())
     }
 
     /// All clauses, or none.
@@ -171,65 +207,16 @@ impl Desk {
         self.revision += 1;
         Ok(Vec::new())
     }
-
-    fn job(&self) -> Result<(kerf_toolpath::Job, Vec<String>), Problem> {
-        let made = kerf_toolpath::job(&self.editor.drawing);
-        let (job, warnings) = made.map_err(|error| problem(Why::Mistake, error.to_string()))?;
-        Ok((job, warnings.iter().map(ToString::to_string).collect()))
-    }
-
-    fn state(&self) -> DrawingState {
-        let editor = &self.editor;
-        DrawingState {
-            name: self.name.clone(),
-            revision: self.revision,
-            shapes: editor.drawing.shapes.len() as u32,
-            selection: editor.selection.iter().map(|place| *place as u32 + 1).collect(),
-            can_undo: editor.can_undo(),
-            can_redo: editor.can_redo(),
-            changed: editor.drawing != self.saved,
-            clipboard: editor.clipboard.len() as u32,
-            groups: Group::ALL.map(|group| group_state(&editor.drawing, group)).into(),
-            notes: self.notes.clone(),
-        }
-    }
 }
 
-fn group_state(drawing: &Drawing, group: Group) -> GroupState {
-    let settings = drawing.settings(group);
-    let lead = |lead: kerf_drawing::Lead| [lead.radius_mm, lead.angle_deg];
-    GroupState {
-        name: group.name().into(),
-        on: settings.on,
-        traversal: settings.traversal,
-        double: settings.double_line,
-        tool: settings.tool,
-        cut: settings.cut,
-        speed: settings.speed_mm_min,
-        height: match settings.height {
-            kerf_drawing::Height::Thru => CutHeight::Word("thru".into()),
-            kerf_drawing::Height::ThreeD => CutHeight::Word("3d".into()),
-            kerf_drawing::Height::Mm(mm) => CutHeight::Mm(mm),
-        },
-        pass: settings.pass_mm,
-        offset: settings.offset_mm,
-        rough: settings.rough_mm,
-        tag: settings.tag_mm,
-        lead_in: lead(settings.lead_in),
-        lead_out: lead(settings.lead_out),
-    }
-}
-
-fn shape_path(shape: &Shape, number: u32) -> ShapePath {
-    let points = shape.path.vertices.iter().flat_map(|v| [v.at.x, v.at.y, v.bulge]);
-    ShapePath {
-        number,
-        group: Group::name(shape.group).into(),
-        closed: shape.is_closed(),
-        points: points.collect(),
-        z: shape.z_mm.clone(),
-        pause: shape.pause,
-    }
+/// The job of a drawing, and what was noticed.
+///
+/// # Errors
+/// Its arrays are out of all bounds.
+pub(crate) fn job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<String>), Problem> {
+    let made = shaped_job(drawing, shaping);
+    let (job, warnings) = made.map_err(|error| problem(Why::Mistake, error.to_string()))?;
+    Ok((job, warnings.iter().map(ToString::to_string).collect()))
 }
 
 fn extension(name: &str) -> String {

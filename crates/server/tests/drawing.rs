@@ -1,6 +1,6 @@
 //! Drawing through the server.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 mod support;
 
@@ -30,7 +30,7 @@ fn a_part_is_drawn_saved_and_made_a_program() {
     assert_eq!(draw(&mut page, json!({ "op": "save", "name": "part.rsg" })), None);
     page.until("saved", |page| page.shown["drawing"]["changed"] == false);
     let paths = shop.get("/api/drawing/paths").json();
-    assert_eq!(paths["shapes"][0]["number"], 1);
+    assert_eq!(paths["paths"][0]["number"], 1);
     assert_eq!(draw(&mut page, json!({ "op": "program", "name": "part.sbp" })), None);
     page.until("the program", |page| page.shown["opened"]["name"] == "part.sbp");
     assert!(shop.part("part.rsg").is_file() && shop.part("part.sbp").is_file());
@@ -67,4 +67,127 @@ fn drawings_stay_in_the_part_folder() {
         assert_eq!(draw(&mut page, json!({ "op": "save", "name": name })).as_deref(), Some("file"));
         assert_eq!(draw(&mut page, json!({ "op": "open", "name": name })).as_deref(), Some("file"));
     }
+}
+
+/// A page with a drawing made by these clauses.
+fn drawn(shop: &support::Shop, clauses: &str) -> Page {
+    let mut page = shop.driver();
+    assert_eq!(draw(&mut page, json!({ "op": "do", "clauses": clauses })), None);
+    page.until("the drawing", |page| !page.shown["drawing"].is_null());
+    page
+}
+
+#[test]
+fn pro_glossary_block() {
+    let shop = shop(50.0, &[]);
+    let page = drawn(&shop, "line 0,0,0.5 100,0; array block 2x3 gap 5,5");
+    let block = &page.shown["drawing"]["block"];
+    assert_eq!(block, &json!({ "min": [0.0, -25.0], "max": [100.0, 0.0], "z": null }));
+    let paths = shop.get("/api/drawing/paths").json();
+    assert_eq!(paths["paths"].as_array().unwrap().len(), 6, "the array is no part of the block");
+}
+
+#[test]
+fn pro_display_bounds_3d__block() {
+    let shop = shop(50.0, &[]);
+    shop.write("3d.dxf", kerf_formats::dxf::write(&in_space()).as_bytes());
+    let mut page = shop.page();
+    assert_eq!(draw(&mut page, json!({ "op": "open", "name": "3d.dxf" })), None);
+    page.until("the drawing", |page| !page.shown["drawing"].is_null());
+    let block = &page.shown["drawing"]["block"];
+    assert_eq!(block, &json!({ "min": [0.0, 0.0], "max": [10.0, 20.0], "z": [-5.0, 3.0] }));
+}
+
+/// A line in space and a flat one, which has no height.
+fn in_space() -> kerf_drawing::Drawing {
+    use kerf_geom::{Polyarc, Vertex};
+    let line = |x, y| Polyarc::open(vec![Vertex::new(0.0, 0.0, 0.0), Vertex::new(x, y, 0.0)]);
+    let space = kerf_drawing::Shape::with_heights(line(10.0, 20.0), vec![-5.0, 3.0]);
+    kerf_drawing::Drawing::of([space, kerf_drawing::Shape::flat(line(5.0, 5.0))])
+}
+
+#[test]
+fn pro_display_filtered__vertices_that_are_left_out_are_told() {
+    let shop = shop(50.0, &[]);
+    let mut page = drawn(&shop, "line 0,0 0.01,0 10,0");
+    assert_eq!(shop.get("/api/drawing/paths").json()["filtered"], json!([]));
+    page.set("options.filter_mm", "0.02");
+    assert_eq!(shop.get("/api/drawing/paths").json()["filtered"], json!([0.01, 0.0]));
+}
+
+#[test]
+fn pro_display_smoothed__shapes_that_become_curves_are_told() {
+    let shop = shop(50.0, &[]);
+    let corner = |n: i32| f64::from(n) * std::f64::consts::TAU / 72.0;
+    let points = (0..72).map(|n| format!("{},{}", 50.0 * corner(n).cos(), 50.0 * corner(n).sin()));
+    let many = points.collect::<Vec<_>>().join(" ");
+    let mut page = drawn(&shop, &format!("line {many} close; rect 200,0 300,100"));
+    let numbers = |shop: &support::Shop| {
+        let paths = shop.get("/api/drawing/paths").json();
+        paths["smoothed"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|s| s["number"].clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(numbers(&shop), [json!(1)]);
+    page.set("smoothing.factor", "0");
+    assert!(numbers(&shop).is_empty());
+}
+
+#[test]
+fn pro_display_rough__paths_say_which_cut_they_are() {
+    let shop = shop(50.0, &[]);
+    let paths = |clauses: &str| {
+        drop(drawn(&shop, clauses));
+        let paths = shop.get("/api/drawing/paths").json()["paths"].clone();
+        let least = |path: &Value| {
+            let points = path["points"].as_array().unwrap();
+            points.iter().step_by(3).filter_map(Value::as_f64).fold(f64::INFINITY, f64::min)
+        };
+        let path = |path: &Value| (path["pass"].as_str().unwrap().to_owned(), least(path));
+        paths.as_array().unwrap().iter().map(path).collect::<Vec<_>>()
+    };
+    let rough = paths("rect 0,0 100,100; set black offset=3 rough=0.5");
+    assert_eq!(rough, [("rough".into(), -3.5), ("final".into(), -3.0)]);
+}
+
+#[test]
+fn pro_display_v3d_levels__heights_follow_the_settings() {
+    let shop = shop(50.0, &[]);
+    let mut page = drawn(&shop, "rect 0,0 100,100; set red height=-2");
+    let heights = |page: &Page| page.shown["setup"]["heights"].clone();
+    assert_eq!(heights(&page), json!({ "top": -10.0, "surface": -20.0, "bottom": -30.0 }));
+    assert_eq!(page.shown["drawing"]["groups"][4]["levels"], json!([-22.0]));
+    page.set("zpos.surface_mm", "-21");
+    page.until("the surface", |page| page.shown["drawing"]["groups"][4]["levels"][0] == -23.0);
+    assert_eq!(heights(&page)["surface"], -21.0);
+}
+
+#[test]
+fn pro_edit_join_default__is_kept() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    let mut page = drawn(&shop, "line 0,0 10,0; line 10.5,0 20,0; select all; join 0.7");
+    page.until("the distance", |page| page.shown["drawing"]["join"] == 0.7);
+    let file = shop.dir.path().join("data/machine.toml");
+    page.until("the file", |_| std::fs::read_to_string(&file).is_ok_and(|t| t.contains("0.7")));
+    let support::Shop { server, dir } = shop;
+    drop((page, server));
+    let again = support::kept(dir);
+    let mut page = again.page();
+    assert_eq!(draw(&mut page, json!({ "op": "new" })), None);
+    page.until("the distance", |page| page.shown["drawing"]["join"] == 0.7);
+}
+
+#[test]
+fn sheets_are_made_from_the_table_of_operations() {
+    let shop = shop(50.0, &[]);
+    let table = shop.get("/api/drawing/operations").json();
+    let table = table.as_array().unwrap();
+    assert_eq!(table.len(), kerf_drawing::ENTRIES.len());
+    let engrave = table.iter().find(|entry| entry["name"] == "engrave").unwrap();
+    let tool = &engrave["variants"][0]["parts"][1];
+    let length = json!({ "is": "length", "name": "D" });
+    assert_eq!((&tool["lead"], &tool["value"]), (&json!("tool="), &length));
 }

@@ -1,12 +1,12 @@
 //! Who is let in, and who may move the machine.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 mod support;
 
 use kerf_server::{Options, Server};
-use serde_json::json;
-use support::{Page, Wanted, builders, shop, start};
+use serde_json::{Value, json};
+use support::{Page, Shop, Wanted, builders, shop, start};
 
 /// Every path of the router with every method, and what lies beside its paths.
 fn requests() -> Vec<String> {
@@ -260,4 +260,102 @@ fn what_was_previewed_is_what_runs() {
     page.open_file("wrong.sbp");
     assert_eq!(page.run().as_deref(), Some("mistake"));
     assert_eq!(page.x(), 0.0);
+}
+
+fn protect(page: &mut Page, password: Option<&str>, new: Value) -> Option<String> {
+    page.act(json!({ "do": "protect", "password": password, "new": new }))
+}
+
+/// A script that drives tries to change a setting: the status.
+fn filter(shop: &Shop) -> u16 {
+    assert_eq!(shop.post("/api/do/takeLease", json!({ "force": true }), &[]).status, 200);
+    let lease = shop.get("/api/state").json()["lease"]["number"].clone();
+    let body = json!({ "lease": lease, "key": "options.filter_mm", "value": "0.02" });
+    shop.post("/api/do/set", body, &[]).status
+}
+
+/// A page that drives tries to change a setting.
+fn set(page: &mut Page) -> Option<String> {
+    let act = json!({ "do": "set", "lease": page.lease, "key": "options.filter_mm", "value": "1" });
+    let told = page.act(act);
+    page.until_state("idle");
+    told
+}
+
+#[test]
+fn settings_are_protected_by_a_password() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    std::fs::write(shop.part("a.sbp"), "MX,1\n").unwrap();
+    let mut page = shop.driver();
+    assert_eq!(protect(&mut page, None, json!(["birch", "birch"])), None);
+    page.until("protection", |page| page.shown["setup"]["protected"] == true);
+    page.until_state("idle");
+    let kept = std::fs::read_to_string(shop.dir.path().join("data/machine.toml")).unwrap();
+    assert!(kept.contains("pbkdf2-sha256$") && !kept.contains("birch"), "{kept}");
+    let form = shop.get("/api/settings").json().to_string();
+    assert!(form.contains("options.filter_mm") && !form.contains("pbkdf2"), "pages never see it");
+
+    assert_eq!(set(&mut page).as_deref(), Some("password"));
+    let values = json!({ "do": "command", "lease": page.lease, "line": "VS,2" });
+    assert_eq!(page.act(values.clone()).as_deref(), Some("password"));
+    let unlock =
+        |page: &mut Page, word: &str| page.act(json!({ "do": "unlock", "password": word }));
+    assert_eq!(unlock(&mut page, "beech").as_deref(), Some("password"));
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None, "running stays possible");
+    page.until("the end", |page| page.shown["job"]["ended"] == "ok");
+    page.until_state("idle");
+
+    assert_eq!(unlock(&mut page, "birch"), None);
+    assert_eq!(set(&mut page), None);
+    assert_eq!(page.act(values), None);
+    page.until_state("idle");
+    assert_eq!(filter(&shop), 401, "another page is not let in by that");
+    assert_eq!(shop.post("/api/do/unlock", json!({ "password": "birch" }), &[]).status, 200);
+    assert_eq!(filter(&shop), 200);
+}
+
+#[test]
+fn pro_options_password_off() {
+    let shop = shop(50.0, &[]);
+    let mut page = shop.driver();
+    assert_eq!(page.shown["setup"]["protected"], false);
+    assert_eq!(set(&mut page), None);
+    for wrong in [json!(["birch", "beech"]), json!(["a", "a"])] {
+        assert_eq!(protect(&mut page, None, wrong).as_deref(), Some("mistake"));
+    }
+    assert_eq!(protect(&mut page, None, json!(["birch", "birch"])), None);
+    page.until("protection", |page| page.shown["setup"]["protected"] == true);
+    page.until_state("idle");
+    assert_eq!(protect(&mut page, None, Value::Null).as_deref(), Some("password"));
+    assert_eq!(protect(&mut page, Some("birch"), Value::Null), None);
+    page.until("no protection", |page| page.shown["setup"]["protected"] == false);
+    page.until_state("idle");
+    assert_eq!(set(&mut page), None);
+}
+
+#[test]
+fn where_only_drawings_are_worked_on_nothing_of_the_machine_is_to_be_had() {
+    let shop = start(Wanted { drawing_only: true, ..Wanted::default() });
+    let mut page = shop.page();
+    assert_eq!(page.act(json!({ "do": "takeLease", "force": false })).as_deref(), Some("state"));
+    for act in ["arm", "run", "command", "nudge", "override", "resume"] {
+        let body = json!({ "lease": 1, "hash": "", "line": "MX,1", "axis": "X", "distance": 1.0, "feed": 100.0 });
+        let known = ["lease"].into_iter().chain(match act {
+            "run" => vec!["hash"],
+            "command" => vec!["line"],
+            "nudge" => vec!["axis", "distance"],
+            "override" => vec!["feed"],
+            _ => Vec::new(),
+        });
+        let body: Value = known.map(|key| (key.to_owned(), body[key].clone())).collect();
+        let answer = shop.post(&format!("/api/do/{act}"), body, &[]);
+        let told = answer.json()["text"].as_str().unwrap_or_default().to_owned();
+        assert!(told.starts_with("this is not available in the editing version"), "{act}: {told}");
+    }
+    assert_eq!(
+        page.act(json!({ "do": "draw", "op": { "op": "do", "clauses": "rect 0,0 9,9" } })),
+        None
+    );
+    assert_eq!(page.act(json!({ "do": "draw", "op": { "op": "program", "name": "a.sbp" } })), None);
 }

@@ -1,6 +1,7 @@
 //! Everything that is cut, in order.
 
 use crate::depth::{Depths, Heights, depth};
+use crate::filter::filtered;
 use crate::gouge::{self, Contours};
 use crate::overlap;
 use crate::shape_paths::{Pass, paths};
@@ -81,9 +82,31 @@ pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
 /// # Errors
 /// As [`job`].
 pub fn smoothed_job(drawing: &Drawing, factor: f64) -> Result<(Job, Vec<Warning>), JobError> {
+    shaped_job(drawing, Shaping { factor, ..Shaping::default() })
+}
+
+/// What is done to the shapes of a drawing before paths are made of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaping {
+    /// The smoothing factor; 0 smooths nothing.
+    pub factor: f64,
+    /// Vertices nearer to each other than this are left out, millimetres; 0 none.
+    pub filter_mm: f64,
+}
+
+impl Default for Shaping {
+    fn default() -> Self {
+        Self { factor: Smoothing::default().factor, filter_mm: 0.0 }
+    }
+}
+
+/// The same with vertices left out that lie too near to each other.
+///
+/// # Errors
+/// As [`job`].
+pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warning>), JobError> {
     let mut warnings = Vec::new();
-    let smoothing = Smoothing { factor, ..Smoothing::default() };
-    let block = block(drawing, smoothing.limit_mm(), &mut warnings);
+    let block = block(drawing, shaping, &mut warnings);
     let copies = drawing.arrays.count();
     let paths = copies.saturating_mul(block.len() as u64);
     if paths > MOST_PATHS {
@@ -97,14 +120,14 @@ pub fn smoothed_job(drawing: &Drawing, factor: f64) -> Result<(Job, Vec<Warning>
         paths: laid_out.collect(),
         drawing: plain,
         start: 1,
-        smoothing: Some(factor),
+        smoothing: Some(shaping.factor),
         ..Job::default()
     };
     Ok((job, warnings))
 }
 
 /// The paths of the basic block.
-fn block(drawing: &Drawing, smooth_mm: f64, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
+fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
     let contours = Contours::of(drawing);
     overlap::crossing(drawing, warnings);
     let mut block = Vec::new();
@@ -114,7 +137,7 @@ fn block(drawing: &Drawing, smooth_mm: f64, warnings: &mut Vec<Warning>) -> Vec<
             continue;
         }
         let number = n + 1;
-        let found = paths(number, &smooth(shape, smooth_mm), settings, warnings);
+        let found = paths(number, &shaped(shape, shaping), settings, warnings);
         overlap::check(number, &found, &contours, warnings);
         // The machine halts before the shape, not before each of its paths.
         let mut pause = shape.pause;
@@ -133,12 +156,15 @@ fn block(drawing: &Drawing, smooth_mm: f64, warnings: &mut Vec<Warning>) -> Vec<
     block
 }
 
-/// A flat shape with curves for its short lines; heights belong to vertices, which move.
-fn smooth(shape: &Shape, limit_mm: f64) -> Shape {
+/// A flat shape as it is machined: without vertices that lie too near, with curves for its short lines.
+/// Heights belong to vertices, so that a 3D shape stays as it is.
+pub fn shaped(shape: &Shape, Shaping { factor, filter_mm }: Shaping) -> Shape {
     if shape.z_mm.is_some() {
         return shape.clone();
     }
-    Shape { path: smoothed(&shape.path, limit_mm), ..shape.clone() }
+    let limit_mm = Smoothing { factor, ..Smoothing::default() }.limit_mm();
+    let path = smoothed(&filtered(&shape.path, filter_mm), limit_mm);
+    Shape { path, ..shape.clone() }
 }
 
 fn moved(path: &CutPath, by: Vec2) -> CutPath {

@@ -13,6 +13,7 @@
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
 mod depth;
+mod filter;
 mod gouge;
 mod job;
 mod lead;
@@ -27,7 +28,8 @@ mod tag;
 mod warning;
 
 pub use depth::{Depths, Heights, LowError};
-pub use job::{CutPath, Job, JobError, MOST_PATHS, job, smoothed_job};
+pub use filter::{filtered, too_near};
+pub use job::{CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job};
 pub use lead::{Side, lead_in, lead_out};
 pub use program::print;
 pub use relief::{Relief, print_relief};

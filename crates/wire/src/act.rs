@@ -171,6 +171,19 @@ pub enum Act {
         /// What.
         op: Op,
     },
+    /// Gives the password of the settings: this page may change them for a while.
+    Unlock {
+        /// The password.
+        password: String,
+    },
+    /// Protects the settings with a password, or no longer.
+    Protect {
+        /// The password until now, where there is one.
+        #[serde(default)]
+        password: Option<String>,
+        /// The new one, twice; none takes the protection away.
+        new: Option<[String; 2]>,
+    },
     /// Answers only; tells whether the link works and how long it takes.
     Ping,
 }

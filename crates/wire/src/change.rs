@@ -2,7 +2,7 @@
 
 use crate::{
     Asked, Client, DrawingState, Folder, Io, Job, Lease, Machine, Message, Motion, NamedValue,
-    Opened, Overrides, Recorder, Reply, Snapshot, Speeds, Units, Who,
+    Opened, Overrides, Recorder, Reply, Setup, Snapshot, Speeds, Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -21,6 +21,9 @@ pub enum Change {
     },
     Units {
         units: Units,
+    },
+    Setup {
+        setup: Setup,
     },
     Speeds {
         speeds: Speeds,

@@ -29,6 +29,11 @@ pub enum Op {
     Undo,
     /// Makes it again.
     Redo,
+    /// Where the head goes when the job of the drawing is done.
+    Finish {
+        /// Mm from the origin.
+        at: [f64; 2],
+    },
     /// Writes a part program of its tool paths into the part folder and opens it.
     Program {
         /// Name of the program below the part folder: `.sbp` or `.nc`.
@@ -58,8 +63,26 @@ pub struct DrawingState {
     pub clipboard: u32,
     /// The eight groups and how their shapes are cut.
     pub groups: Vec<GroupState>,
+    /// The basic block of data: bounds of the drawing before it is arrayed. Nothing without shapes.
+    pub block: Option<Block>,
+    /// Where the head goes when its job is done, from the origin.
+    pub finish: [f64; 2],
+    /// How near ends are joined when nothing else is said: as near as the last time.
+    pub join: f64,
     /// What the last operation, or reading the file, had to tell.
     pub notes: Vec<String>,
+}
+
+/// The smallest box round the shapes of a drawing, arcs counted exactly.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Block {
+    /// Least X and Y.
+    pub min: [f64; 2],
+    /// Greatest X and Y.
+    pub max: [f64; 2],
+    /// Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height.
+    pub z: Option<[f64; 2]>,
 }
 
 /// How the shapes of a group are cut: what the operation `set` changes. Mm, mm a minute, degrees.
@@ -84,6 +107,9 @@ pub struct GroupState {
     pub height: CutHeight,
     /// Depth of one pass.
     pub pass: Option<f64>,
+    /// Z of each pass from the machine's home. None when each point of a shape has its own height, which
+    /// counts from the surface.
+    pub levels: Vec<f64>,
     /// Distance of the path, right of travel.
     pub offset: f64,
     /// What the rough pass leaves.
@@ -106,7 +132,7 @@ pub enum CutHeight {
     Mm(f64),
 }
 
-/// The shapes of a drawing, or tool paths made of them.
+/// The shapes of a drawing.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct ShapeList {
@@ -114,8 +140,46 @@ pub struct ShapeList {
     pub revision: u32,
     /// In the order in which they are cut.
     pub shapes: Vec<ShapePath>,
-    /// What was noticed while tool paths were made.
+}
+
+/// What a drawing becomes when it is machined.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct ToolPaths {
+    /// The revision of the drawing.
+    pub revision: u32,
+    /// The paths, in the order in which they are cut, arrays laid out.
+    pub paths: Vec<CutShape>,
+    /// Shapes whose short lines become curves, as those are machined.
+    pub smoothed: Vec<ShapePath>,
+    /// Vertices that are left out because they lie too near to the one before: X and Y by turns.
+    pub filtered: Vec<f64>,
+    /// What was noticed while they were made, or why there are none.
     pub notes: Vec<String>,
+}
+
+/// One path of the tool.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct CutShape {
+    /// The path; its number is that of the shape it comes from.
+    #[serde(flatten)]
+    pub path: ShapePath,
+    /// Which cut of that shape it is.
+    pub pass: CutPass,
+}
+
+/// Which cut of a shape a path is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum CutPass {
+    /// The first one, which leaves some material.
+    Rough,
+    /// The one that gives the part its size.
+    #[default]
+    Final,
+    /// No cut: the head only follows it.
+    Traversal,
 }
 
 /// A path of lines and arcs, mm.

@@ -24,16 +24,21 @@ mod drawing;
 mod job;
 mod language;
 mod machine;
+mod operation;
 mod people;
 pub mod preview;
 mod reply;
 mod setting;
+mod setup;
 mod snapshot;
 mod typescript;
 
 pub use act::{Act, Request};
 pub use change::{Change, ToPage};
-pub use drawing::{CutHeight, DrawingState, GroupState, Op, ShapeList, ShapePath};
+pub use drawing::{
+    Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList, ShapePath,
+    ToolPaths,
+};
 pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, Job, Message, Opened, Overrides, PreviewState,
     Recorder, Tone,
@@ -45,9 +50,11 @@ pub use language::{
 pub use machine::{
     AxisUnits, Duty, Io, Lamp, Machine, Mode, Motion, Positions, Speeds, State, Units,
 };
+pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};
 pub use reply::{Problem, Reply, Why};
 pub use setting::{SettingArea, SettingEntry, SettingKind};
+pub use setup::{Setup, ZHeights};
 pub use snapshot::Snapshot;
 pub use typescript::typescript;
 

@@ -34,6 +34,8 @@ pub enum Why {
     Malformed,
     /// The role of the device does not allow it.
     Role,
+    /// The settings are protected, and the password is missing or wrong.
+    Password,
     /// Somebody else drives, or nobody.
     Lease,
     /// The machine is not armed.

@@ -2,7 +2,7 @@
 
 use crate::{
     Asked, Change, Client, DrawingState, Folder, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Recorder, Speeds, Units, VERSION,
+    NamedValue, Opened, Overrides, Recorder, Setup, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,8 @@ pub struct Snapshot {
     pub motion: Motion,
     /// What a person reads lengths in.
     pub units: Units,
+    /// What the machine is set to, as far as drawings are worked on with it.
+    pub setup: Setup,
     /// Speeds in force.
     pub speeds: Speeds,
     /// Inputs and outputs.
@@ -72,6 +74,7 @@ impl Default for Snapshot {
             machine: Machine::default(),
             motion: Motion::default(),
             units: Units::default(),
+            setup: Setup::default(),
             speeds: Speeds::default(),
             io: Io::default(),
             opened: None,
@@ -99,6 +102,7 @@ impl Snapshot {
             Change::Machine { machine } => self.machine = machine,
             Change::Motion { motion } => self.motion = motion,
             Change::Units { units } => self.units = units,
+            Change::Setup { setup } => self.setup = setup,
             Change::Speeds { speeds } => self.speeds = speeds,
             Change::Io { io } => self.io = io,
             Change::Opened { opened } => self.opened = opened,

@@ -2,8 +2,8 @@
 
 use crate::preview::PreviewInfo;
 use crate::{
-    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Lamp, Request, SettingArea,
-    ShapeList, ToPage, Values,
+    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Lamp, OperationEntry, Request,
+    SettingArea, ShapeList, ToPage, ToolPaths, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -38,6 +38,8 @@ pub fn typescript() -> String {
     declared.visit::<Request>();
     declared.visit::<PreviewInfo>();
     declared.visit::<ShapeList>();
+    declared.visit::<ToolPaths>();
+    declared.visit::<OperationEntry>();
     declared.visit::<Checked>();
     declared.visit::<Completion>();
     declared.visit::<Hover>();

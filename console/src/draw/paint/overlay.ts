@@ -4,8 +4,9 @@ import type { Segment } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
 import type { Place } from "../geometry/vec";
 import type { Ghost } from "../tools/tool";
-import { pixel, type Sheet, trace } from "./pen";
-import { type Ink, traceShape } from "./shapes";
+import { traceShape } from "./lines";
+import { pixel, type Sheet, strokeDrawn, trace } from "./pen";
+import type { Ink } from "./picture";
 
 export interface Overlay {
   readonly hovered: readonly Shape[];
@@ -39,18 +40,11 @@ export function paintOverlay(sheet: Sheet, overlay: Overlay, ink: Ink): void {
   if (overlay.snap) paintSnap(sheet, overlay.snap, ink);
 }
 
-function paintBand(
-  { pen, ...rest }: Sheet,
-  shapes: readonly Shape[],
-  colour: string,
-  wide: number,
-) {
+function paintBand(sheet: Sheet, shapes: readonly Shape[], ink: string, width: number): void {
   if (shapes.length === 0) return;
   const path = new Path2D();
-  for (const shape of shapes) traceShape({ pen, ...rest }, path, shape);
-  pen.strokeStyle = colour;
-  pen.lineWidth = wide;
-  pen.stroke(path);
+  for (const shape of shapes) traceShape(path, shape, sheet.window.mmPerPixel);
+  strokeDrawn(sheet, path, { ink, width });
 }
 
 function paintGhost(sheet: Sheet, { ghost, ghostShapes, path }: Overlay, ink: Ink): void {
@@ -63,20 +57,10 @@ function paintGhost(sheet: Sheet, { ghost, ghostShapes, path }: Overlay, ink: In
   pen.stroke(drawn);
   if (ghost.kind !== "moved") return;
   const still = new Path2D();
-  for (const shape of ghostShapes) traceShape(sheet, still, shape);
+  for (const shape of ghostShapes) traceShape(still, shape, sheet.window.mmPerPixel);
   const moved = new Path2D();
-  moved.addPath(still, inPixels(sheet, ghost.by));
-  pen.stroke(moved);
-}
-
-/** The change of place of a ghost, made for pixels: to the drawing, changed, and back. */
-function inPixels({ window, size }: Sheet, [a, b, c, d, e, f]: readonly number[]): DOMMatrix {
-  const s = 1 / window.mmPerPixel;
-  const [x, y] = [size.width / 2 - window.middle.x * s, size.height / 2 + window.middle.y * s];
-  const toPixels = new DOMMatrix([s, 0, 0, -s, x, y]);
-  return toPixels
-    .multiply(new DOMMatrix([a ?? 1, b ?? 0, c ?? 0, d ?? 1, e ?? 0, f ?? 0]))
-    .multiply(toPixels.inverse());
+  moved.addPath(still, new DOMMatrix([...ghost.by]));
+  strokeDrawn(sheet, moved, { ink: ink("--draw-ghost"), width: 1.5 });
 }
 
 function paintNumbers(sheet: Sheet, picked: readonly Shape[], ink: Ink): void {
@@ -110,11 +94,13 @@ function paintRegion(sheet: Sheet, from: Place, to: Place, ink: Ink): void {
   pen.setLineDash([]);
 }
 
+export const squareInk = "--draw-anticlockwise";
+
 /** A blue cross-hair through the base point while picks are square to it. */
 function paintSquare(sheet: Sheet, base: Place, ink: Ink): void {
   const { pen, size } = sheet;
   const { x, y } = pixel(sheet, base);
-  pen.strokeStyle = ink("--draw-anticlockwise");
+  pen.strokeStyle = ink(squareInk);
   pen.lineWidth = 1;
   pen.beginPath();
   pen.moveTo(x, 0);

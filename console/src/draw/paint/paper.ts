@@ -3,7 +3,7 @@
 import { place } from "../geometry/vec";
 import { boxInSight } from "../window";
 import { pixel, type Sheet } from "./pen";
-import type { Ink } from "./shapes";
+import type { Ink } from "./picture";
 
 /** Grid lines are at least so far apart, pixels. */
 const leastGap = 14;

@@ -5,12 +5,14 @@ import { editTools } from "./edit";
 import { insertTools } from "./insert";
 import { orderTools } from "./order";
 import type { Menu, Tool } from "./tool";
+import { viewTools } from "./view";
 
 export const tools: readonly Tool[] = [
   ...insertTools,
   ...editTools,
   ...arrangeTools,
   ...orderTools,
+  ...viewTools,
 ];
 
 export const menus: readonly { readonly menu: Menu; readonly title: string }[] = [
@@ -19,6 +21,7 @@ export const menus: readonly { readonly menu: Menu; readonly title: string }[] =
   { menu: "arrange", title: "Arrange" },
   { menu: "path", title: "Cutting" },
   { menu: "sequence", title: "Order" },
+  { menu: "view", title: "Look" },
 ];
 
 export const toolsOf = (menu: Menu): readonly Tool[] => tools.filter((tool) => tool.menu === menu);

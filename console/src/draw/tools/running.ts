@@ -6,7 +6,7 @@
 
 import { bulgeThrough } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
-import { distance, type Place } from "../geometry/vec";
+import { type Box, distance, type Place } from "../geometry/vec";
 import type { SnapKey } from "../snap";
 import type { Answer, Ask, Tool, Vertex } from "./tool";
 
@@ -28,6 +28,8 @@ export interface Running {
 export interface Step {
   readonly running: Running | null;
   readonly clauses?: string;
+  /** What the tool wants to be seen. */
+  readonly look?: Box;
 }
 
 const fresh = (tool: Tool): Running => ({
@@ -81,6 +83,7 @@ function answer(running: Running, given: Answer): Step {
 function settle(running: Running): Step {
   const { tool, answers, turned } = running;
   if (answers.length < tool.asks.length) return { running };
+  if (tool.look) return { running: null, look: tool.look(answers) };
   const clauses = tool.clauses(answers, turned);
   if (!tool.repeats) return { running: null, clauses };
   return { running: { ...fresh(tool), answers: answers.slice(0, -1) }, clauses };

@@ -7,7 +7,7 @@
 
 import type { Segment } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
-import type { Place } from "../geometry/vec";
+import type { Box, Place } from "../geometry/vec";
 
 /** A vertex that is being drawn; the bulge belongs to the segment behind it. */
 export interface Vertex {
@@ -54,7 +54,7 @@ export type Matrix = readonly [a: number, b: number, c: number, d: number, e: nu
 
 export const noGhost: Ghost = { kind: "none" };
 
-export type Menu = "insert" | "edit" | "arrange" | "path" | "sequence";
+export type Menu = "insert" | "edit" | "arrange" | "path" | "sequence" | "view";
 
 export interface Tool {
   readonly id: string;
@@ -66,6 +66,8 @@ export interface Tool {
   readonly asks: readonly Ask[];
   /** The operations, when everything was answered. `turned` is what the arrow keys added, degrees. */
   readonly clauses: (answers: readonly Answer[], turned: number) => string;
+  /** Changes what is in sight instead of the drawing. */
+  readonly look?: (answers: readonly Answer[]) => Box;
   /** Arrow keys turn what is being moved. */
   readonly turns?: boolean;
   /** Asks the last thing again after every change. */

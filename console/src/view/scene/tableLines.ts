@@ -39,7 +39,7 @@ export function gridPoints(info: PreviewInfo): number[] {
 }
 
 /** The edge of the table and the working axes. */
-function framePoints(info: PreviewInfo): number[] {
+export function framePoints(info: PreviewInfo): number[] {
   const [x0, y0] = [info.table[0] - info.origin[0], info.table[1] - info.origin[1]];
   const [x1, y1] = [x0 + info.tableSize[0], y0 + info.tableSize[1]];
   const [zx, zy, z] = [

@@ -35,7 +35,8 @@ const fn entry(
 pub const ENTRIES: &[Entry] = &[
     entry(
         "select",
-        "select [add|remove] all|none|1,3-5|group COLOUR|window X,Y X,Y|crossing X,Y X,Y",
+        "select [add|remove] all|none | select [add|remove] SHAPES | select [add|remove] group COLOUR | \
+         select [add|remove] window X,Y X,Y | select [add|remove] crossing X,Y X,Y",
         "chooses the shapes that the next operations act on",
         select,
     ),
@@ -167,8 +168,8 @@ pub const ENTRIES: &[Entry] = &[
     }),
     entry(
         "line",
-        "line X,Y X,Y … [close]",
-        "adds lines, closed by `close`; X,Y,B lets the segment after a point be an arc of bulge B",
+        "line X,Y,B X,Y,B … [close]",
+        "adds lines, closed by `close`; with a bulge B the segment after a point is an arc, X,Y alone begins a line",
         line,
     ),
     entry("reverse", "reverse", "turns the cutting direction of the selected shapes", |_| {
@@ -194,8 +195,9 @@ pub const ENTRIES: &[Entry] = &[
     }),
     entry(
         "set",
-        "set COLOUR on|traversal|double=on|off tool=N cut=N speed=N|max height=thru|3d|Z pass=N|off \
-         offset=N rough=N tag=N lead-in=R,A lead-out=R,A plunge=straight|ramp,A|helix,R,A",
+        "set COLOUR [on=on|off] [traversal=on|off] [double=on|off] [tool=N] [cut=N] [speed=N|max] \
+         [height=thru|3d|Z] [pass=MM|off] [offset=MM] [rough=MM] [tag=MM] [lead-in=R,A] [lead-out=R,A] \
+         [plunge=straight|ramp,A|helix,R,A]",
         "changes how a group is cut; millimetres, mm/min, degrees",
         set,
     ),
@@ -208,15 +210,16 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "pocket",
-        "pocket [all] tool=D [overlap=MM] [group=COLOUR] [climb] [outward | zigzag=ANGLE [finish=MM]]",
+        "pocket [all] tool=D [overlap=MM] [group=COLOUR] [climb] [outward] | \
+         pocket [all] tool=D [overlap=MM] [group=COLOUR] [climb] zigzag=ANGLE [finish=MM]",
         "as engrave, the other way round with climb, from the middle to the wall with outward; with zigzag \
          in lines at an angle, and then along the walls, where they leave so much to finish",
         clear::read_pocket,
     ),
     entry(
         "sequence",
-        "sequence 3,1,2 | sequence groups COLOUR,… | sequence picked | sequence reverse | sequence auto X,Y | \
-         sequence level 3,1,2 | sequence travel [from X,Y] [starts] [speed=MM/S] [accel=MM/S2] \
+        "sequence SHAPES | sequence groups COLOURS | sequence picked | sequence reverse | sequence auto X,Y | \
+         sequence level SHAPES | sequence travel [from X,Y] [starts] [speed=MM/S] [accel=MM/S2] \
          [lift=S] [tool-change=S] [tries=N]",
         "changes the order in which shapes are cut; travel seeks the least time between the cuts, and with \
          starts also where closed shapes begin",
@@ -224,7 +227,7 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "pick",
-        "pick 3,1 | pick groups COLOUR,… | pick remove 3,1 | pick none",
+        "pick SHAPES | pick groups COLOURS | pick remove SHAPES | pick none",
         "begins a new order, shape by shape or group by group, or goes on with it; removing a shape of a \
          picked group takes the group back; `sequence picked` puts what was picked first",
         super::picks::read,
@@ -292,7 +295,7 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "comment",
-        "comment WORDS [| WORDS …]",
+        "comment WORDS",
         "sets the comments of the drawing, lines divided by |",
         |w| {
             let text = w.rest();

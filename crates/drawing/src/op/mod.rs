@@ -14,6 +14,7 @@ mod draw;
 mod edit;
 mod entries;
 mod error;
+mod form;
 mod grouping;
 mod layout;
 mod outline;
@@ -29,6 +30,7 @@ pub use clause::{ClauseError, script};
 pub use clear::{Clearing, Pattern};
 pub use entries::{ENTRIES, Entry};
 pub use error::{OpError, Outcome};
+pub use form::{Part, Value, Variant};
 
 use crate::{ArrayLevel, Choice, Drawing, Group, Level, Shape};
 use kerf_geom::{Point2, Vec2, Vertex};

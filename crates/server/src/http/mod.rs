@@ -37,6 +37,7 @@ impl IntoResponse for Refused {
     fn into_response(self) -> Response {
         let status = match self.0.why {
             Why::Malformed => StatusCode::BAD_REQUEST,
+            Why::Password => StatusCode::UNAUTHORIZED,
             Why::Role | Why::Lease | Why::Disarmed => StatusCode::FORBIDDEN,
             Why::File => StatusCode::NOT_FOUND,
             Why::State | Why::Changed | Why::Late => StatusCode::CONFLICT,

@@ -5,7 +5,9 @@ use super::{Refused, aside};
 use crate::app::{App, problem};
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
-use kerf_wire::{Act, Problem, Reply, Role, ShapeList, Snapshot, Who, Why};
+use kerf_wire::{
+    Act, OperationEntry, Problem, Reply, Role, ShapeList, Snapshot, ToolPaths, Who, Why,
+};
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -67,7 +69,12 @@ pub async fn shapes(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refu
     Ok(Json(aside(move || Ok(app.shapes())).await?))
 }
 
-/// The tool paths of the drawing.
-pub async fn tool_paths(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refused> {
-    Ok(Json(aside(move || app.tool_paths()).await?))
+/// What the drawing becomes when it is machined.
+pub async fn tool_paths(State(app): State<Arc<App>>) -> Result<Json<ToolPaths>, Refused> {
+    Ok(Json(aside(move || Ok(app.tool_paths())).await?))
+}
+
+/// The operations of drawings, as forms.
+pub async fn operations() -> Json<Vec<OperationEntry>> {
+    Json(crate::operations::operations())
 }

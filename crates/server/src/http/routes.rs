@@ -10,8 +10,8 @@ use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
-    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Lamp, Reply, SettingArea, ShapeList,
-    Snapshot, Values,
+    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Lamp, OperationEntry, Reply,
+    SettingArea, ShapeList, Snapshot, ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -45,6 +45,7 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
         ("/api/drawing/shapes", get(rest::shapes)),
         ("/api/drawing/paths", get(rest::tool_paths)),
+        ("/api/drawing/operations", get(rest::operations)),
         ("/api/commands", get(language::commands)),
         ("/api/values", get(language::values)),
         ("/api/settings", get(language::settings)),
@@ -89,6 +90,7 @@ const fn asks(path: &'static str, doc: &'static str, body: Schema, answer: Schem
 /// Every route that scripts may like.
 fn routes() -> Vec<Route> {
     let list = schema::<Vec<FileInfo>>;
+    let operations = schema::<Vec<OperationEntry>>;
     vec![
         looks("/api/state", "Everything that pages show", Some(schema::<Snapshot>)),
         Route {
@@ -114,7 +116,8 @@ fn routes() -> Vec<Route> {
         looks("/api/preview/{key}", "The preview of the open file", Some(schema::<PreviewInfo>)),
         looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
         looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
-        looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ShapeList>)),
+        looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ToolPaths>)),
+        looks("/api/drawing/operations", "What can be done to a drawing", Some(operations)),
         looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
         looks(
             "/api/settings",

@@ -52,6 +52,7 @@ async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
     }
     working.abort();
     app.pages.remove(who.client);
+    app.unlocked.remove(who.client);
     app.gone(who.client);
     tell_clients(&app);
 }

@@ -51,6 +51,7 @@ impl Owner {
         let name = self.parts.name_of(&shelf.part_folder().display().to_string());
         let folder = Folder { name, mask: shelf.mask().to_owned() };
         let watched = self.watched();
+        let setup = crate::configure::setup(&self.workshop.session.configuration());
         let other = {
             let (before, now) = (&crate::app::lock(&self.left).session, &self.workshop.session);
             before.memory.settings != now.memory.settings || before.machine_is != now.machine_is
@@ -61,6 +62,7 @@ impl Owner {
             put(now.recorder != recorder, Change::Recorder { recorder });
             put(now.folder != folder, Change::Folder { folder });
             put(now.watched != watched, Change::Watched { watched });
+            put(now.setup != setup, Change::Setup { setup });
             put(other, Change::Settings { settings: now.settings.wrapping_add(1) });
             changes
         });

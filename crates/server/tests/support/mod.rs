@@ -3,6 +3,7 @@
 #![allow(dead_code, clippy::unwrap_used)]
 
 use kerf_control::files::{Folders, RealDisk};
+use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{Session, Shelf};
 use kerf_server::{Builders, Options, Server, Workshop};
@@ -31,11 +32,12 @@ pub struct Wanted {
     pub lan: bool,
     pub files: Vec<(&'static str, &'static str)>,
     pub settings: fn(&mut kerf_program::Settings),
+    pub drawing_only: bool,
 }
 
 impl Default for Wanted {
     fn default() -> Self {
-        Self { rate: 1.0, lan: false, files: Vec::new(), settings: |_| {} }
+        Self { rate: 1.0, lan: false, files: Vec::new(), settings: |_| {}, drawing_only: false }
     }
 }
 
@@ -57,7 +59,7 @@ pub fn start(wanted: Wanted) -> Shop {
         names: Vec::new(),
         parts: parts.clone(),
         data: dir.path().join("data"),
-        drawing_only: false,
+        drawing_only: wanted.drawing_only,
         open: None,
         rate: wanted.rate,
     };
@@ -82,7 +84,39 @@ pub fn builders(parts: &Path, settings: fn(&mut kerf_program::Settings)) -> Buil
     Builders { workshop: Arc::new(workshop), preview: Arc::new(preview) }
 }
 
+/// A machine that is kept in a folder: a server on it again knows what was set.
+pub fn kept(dir: TempDir) -> Shop {
+    let (parts, data) = (dir.path().join("parts"), dir.path().join("data"));
+    std::fs::create_dir_all(&parts).unwrap();
+    let (own, kept) = (parts.canonicalize().unwrap(), data.clone());
+    let workshop = move || {
+        let journal = Journal::open(&kept).unwrap().0;
+        let folders = Folders::new(own.clone(), Vec::new(), Vec::new());
+        let stored = Stored::of(journal.clone()).unwrap();
+        let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, kept.clone());
+        let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
+        Ok(Workshop { session, shelf, kept: true, started: || None })
+    };
+    let options = Options {
+        listen: SocketAddr::from(([127, 0, 0, 1], 0)),
+        lan: false,
+        names: Vec::new(),
+        parts: parts.clone(),
+        data,
+        drawing_only: false,
+        open: None,
+        rate: 1.0,
+    };
+    let builders = Builders { workshop: Arc::new(workshop), ..builders(&parts, |_| {}) };
+    Shop { server: Server::start(options, builders).unwrap(), dir }
+}
+
 impl Shop {
+    /// Puts a file into the part folder.
+    pub fn write(&self, name: &str, bytes: &[u8]) {
+        std::fs::write(self.part(name), bytes).unwrap();
+    }
+
     pub fn part(&self, name: &str) -> PathBuf {
         self.dir.path().join("parts").join(name)
     }
@@ -314,6 +348,16 @@ impl Page {
 
     pub fn x(&self) -> f64 {
         self.shown["motion"]["at"]["working"][0].as_f64().unwrap()
+    }
+
+    /// Changes a setting, and waits until it holds.
+    #[track_caller]
+    pub fn set(&mut self, key: &str, value: &str) {
+        let before = self.shown["settings"].clone();
+        let act = json!({ "do": "set", "lease": self.lease, "key": key, "value": value });
+        assert_eq!(self.act(act), None);
+        self.until("the setting", |page| page.shown["settings"] != before);
+        self.until_state("idle");
     }
 
     /// The question that is open: number and kind.

@@ -1,0 +1,16 @@
+/** Tools that change what is in sight. */
+
+import { boxOf } from "../geometry/vec";
+import { regionOf, type Tool } from "./tool";
+
+const zoomWindow: Tool = {
+  id: "zoom-window",
+  title: "Zoom window",
+  doc: "Shows a region as large as it fits.",
+  menu: "view",
+  asks: [{ ask: "region", prompt: "Region" }],
+  clauses: () => "",
+  look: ([region]) => boxOf(regionOf(region).from, regionOf(region).to),
+};
+
+export const viewTools: readonly Tool[] = [zoomWindow];

@@ -1,0 +1,106 @@
+//! The password of the settings: who may change them.
+
+use crate::app::{App, lock, problem};
+use crate::configure::PASSWORD;
+use crate::machine::Order;
+use kerf_control::password;
+use kerf_machine::{Value, table};
+use kerf_wire::{Problem, State, Who, Why};
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+/// How long a page may change settings after it gave the password.
+const OPEN: Duration = Duration::from_secs(15 * 60);
+
+/// Pages and scripts that gave the password, and until when it counts.
+#[derive(Debug, Default)]
+pub struct Unlocked(Mutex<BTreeMap<u32, Instant>>);
+
+impl Unlocked {
+    fn has(&self, client: u32) -> bool {
+        lock(&self.0).get(&client).is_some_and(|until| *until > Instant::now())
+    }
+
+    fn add(&self, client: u32) {
+        let now = Instant::now();
+        let mut open = lock(&self.0);
+        open.retain(|_, until| *until > now);
+        open.insert(client, now + OPEN);
+    }
+
+    /// Somebody has gone, and so has what they were allowed.
+    pub fn remove(&self, client: u32) {
+        lock(&self.0).remove(&client);
+    }
+
+    fn clear(&self) {
+        lock(&self.0).clear();
+    }
+}
+
+impl App {
+    /// Protects settings with a password, or no longer.
+    ///
+    /// # Errors
+    /// The old password is missing, the new one is too short or not the same twice.
+    pub fn protect(
+        &self,
+        who: &Who,
+        password: Option<&str>,
+        new: Option<[String; 2]>,
+    ) -> Result<(), Problem> {
+        self.opened(who, password)?;
+        let kept = new.map(|[new, again]| kept(&new, &again)).transpose()?;
+        let Some(setting) = table::setting(PASSWORD) else { return Ok(()) };
+        let mut wanted = lock(&self.left).session.configuration();
+        let value = kept.map_or_else(Value::none, Value::Text);
+        setting
+            .set(&mut wanted, &value)
+            .map_err(|error| problem(Why::Mistake, error.to_string()))?;
+        self.unlocked.clear();
+        self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
+    }
+
+    /// Takes the password: whoever gave it may change settings for a while.
+    ///
+    /// # Errors
+    /// It is wrong.
+    pub fn unlock(&self, who: &Who, password: &str) -> Result<(), Problem> {
+        self.opened(who, Some(password))?;
+        self.unlocked.add(who.client);
+        Ok(())
+    }
+
+    /// Whether somebody may change settings.
+    ///
+    /// # Errors
+    /// The settings are protected, and the password is missing or wrong.
+    pub fn opened(&self, who: &Who, password: Option<&str>) -> Result<(), Problem> {
+        let kept = lock(&self.left).session.machine_is.options.password.clone();
+        let Some(kept) = kept else { return Ok(()) };
+        match password {
+            Some(given) if password::fits(&kept, given) => Ok(()),
+            Some(_) => Err(problem(Why::Password, "this is not the password of the settings")),
+            None if self.unlocked.has(who.client) => Ok(()),
+            None => {
+                Err(problem(Why::Password, "the settings are protected: give the password first"))
+            }
+        }
+    }
+}
+
+/// What is kept of a new password.
+fn kept(new: &str, again: &str) -> Result<String, Problem> {
+    if new != again {
+        return Err(problem(Why::Mistake, "the two passwords are not the same"));
+    }
+    if new.chars().count() < password::SHORTEST {
+        let text = format!("a password has {} characters at least", password::SHORTEST);
+        return Err(problem(Why::Mistake, text));
+    }
+    let mut salt = [0; 16];
+    getrandom::fill(&mut salt)
+        .map_err(|_| problem(Why::Server, "this computer gives no random numbers"))?;
+    Ok(password::kept(new, salt))
+}

@@ -1,0 +1,31 @@
+//! What the machine is set to, as far as drawings are worked on with it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// Settings of the machine's configuration that pages show or follow. Mm.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Setup {
+    /// The special positions of Z, from its home.
+    pub heights: ZHeights,
+    /// How far X and Y reach from their home; 0 is without bounds.
+    pub reach: [f64; 2],
+    /// Whether changing settings asks for a password.
+    pub protected: bool,
+    /// A click selects what lies so near, pixels.
+    pub pick_radius: f64,
+}
+
+/// Heights at which a job is cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct ZHeights {
+    /// Where the tool travels.
+    pub top: f64,
+    /// The surface of the material.
+    pub surface: f64,
+    /// The lowest the tool may go; where THRU cuts.
+    pub bottom: f64,
+}
