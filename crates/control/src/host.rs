@@ -1,7 +1,8 @@
 //! What a program asks, answered by the world it runs in.
 
 use crate::world::World;
-use kerf_program::{AXES, Answer, FileConversion, Host, HostError, Question};
+use kerf_program::settings::LinearUnit;
+use kerf_program::{AXES, Answer, FileConversion, Host, HostError, Question, ToolCall};
 use std::task::Poll;
 
 /// Version number that `%(49)` reads: the simulated machine has no firmware.
@@ -56,6 +57,19 @@ impl Host for World<'_> {
             return Ok(());
         }
         self.shelf.put_data(PROBLEM_LOG, text).map_err(HostError::Refused)
+    }
+
+    fn forget_system_log(&mut self) -> Result<(), HostError> {
+        if self.previews {
+            return Ok(());
+        }
+        let settings = self.machine.settings().clone();
+        self.shelf.begin_system_log_anew(&settings, self.machine.draws())
+    }
+
+    fn tool(&mut self, call: &ToolCall) -> Result<Vec<String>, HostError> {
+        let metric = self.machine.settings().linear_unit == LinearUnit::Mm;
+        self.shelf.tool(call, metric)
     }
 
     fn firmware(&mut self) -> i32 {

@@ -193,8 +193,60 @@ impl Shelf {
     /// Puts a file into the data folder, whole or not at all.
     pub(crate) fn put_data(&mut self, name: &str, text: &str) -> Result<(), String> {
         let (disk, path) = (&mut self.disk, self.data.join(name));
-        let put = || disk.write(&path, text.as_bytes()).map_err(|error| error.to_string());
+        let put = || {
+            let folder = path.parent().map_or(Ok(()), |folder| disk.make_folder(folder));
+            folder.and_then(|()| disk.write(&path, text.as_bytes())).map_err(|e| e.to_string())
+        };
         self.tape.change(Kind::Log, put)
+    }
+
+    /// The text of a file of the data folder.
+    pub(crate) fn data_text(&self, name: &str) -> Option<String> {
+        let bytes = self.disk.read(&self.data.join(name)).ok()?;
+        Some(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// The text of a file of the data folder, for tests.
+    pub fn data_file(&self, name: &str) -> Option<String> {
+        self.data_text(name)
+    }
+
+    /// Names in a folder of the data folder.
+    pub(crate) fn names_in_data(&self, folder: &str) -> Vec<String> {
+        self.disk.names(&self.data.join(folder)).unwrap_or_default()
+    }
+
+    /// A program file of the data folder.
+    pub(crate) fn data_source(&mut self, name: &str) -> Result<SourceFile, HostError> {
+        let (disk, path) = (&*self.disk, self.data.join(name));
+        let (name, bytes) = self.tape.hear_file(Kind::Source, || {
+            let bytes = disk.read(&path).map_err(|e| cannot("read", &path, &e))?;
+            Ok((path.display().to_string(), bytes))
+        })?;
+        Ok(SourceFile { name: name.into(), bytes: bytes.into() })
+    }
+
+    /// Writes a file that a tool made, whole or not at all.
+    pub(crate) fn put_made(
+        &mut self,
+        folder: Folder,
+        name: &str,
+        text: &str,
+    ) -> Result<(), HostError> {
+        let path = match folder {
+            Folder::Custom => {
+                let folder = self.folders.custom().ok_or_else(|| {
+                    HostError::Refused("there is no folder of custom cuts".into())
+                })?;
+                let made = self.disk.make_folder(folder);
+                made.map_err(|e| cannot("make", folder, &e))?;
+                folder.join(name)
+            }
+            _ => self.folders.find(&*self.disk, folder, name, Purpose::Write)?,
+        };
+        let disk = &mut self.disk;
+        let write = || disk.write(&path, text.as_bytes()).map_err(|e| cannot("write", &path, &e));
+        self.tape.change(Kind::Close, write)
     }
 
     /// Adds to the log of a part file, which lies beside it. A file that comes with the program has
@@ -293,6 +345,9 @@ impl Shelf {
     }
 
     pub(crate) fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
+        if request.folder == Folder::Settings {
+            return self.settings_source(&request.name);
+        }
         let (disk, folders) = (&*self.disk, &self.folders);
         let (name, bytes) =
             self.tape.hear_file(Kind::Source, || program_file(disk, folders, request))?;
@@ -409,7 +464,7 @@ impl std::fmt::Debug for Shelf {
 fn shipped(request: &FileRequest) -> Option<(String, Vec<u8>)> {
     let name = match request.folder {
         Folder::Custom => Some(request.name.as_str()),
-        Folder::Parts => None,
+        Folder::Parts | Folder::Settings => None,
     };
     let name = name.map(str::to_owned).or_else(|| custom_name(&request.name))?;
     let file = Shipped::find(&name)?;

@@ -65,6 +65,18 @@ macro_rules! answered_by_the_shelf {
             std::task::Poll::Ready(self.shelf.shell(call))
         }
 
+        fn settings_files(&mut self) -> Vec<String> {
+            self.shelf.settings_files()
+        }
+
+        fn keep_settings(
+            &mut self,
+            name: &str,
+            text: &str,
+        ) -> Result<String, kerf_program::HostError> {
+            self.shelf.keep_settings(name, text)
+        }
+
         fn user_path(&mut self) -> String {
             self.shelf.user_path()
         }

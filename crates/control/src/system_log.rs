@@ -11,7 +11,7 @@
 
 use crate::part_log::{Started, clock};
 use crate::shelf::Shelf;
-use kerf_program::Settings;
+use kerf_program::{HostError, Settings};
 use std::time::Instant;
 
 /// Name of the file in the data folder.
@@ -63,6 +63,17 @@ impl Shelf {
         let line = log.mode(draws);
         self.system_log = Some(log);
         self.log(settings, &line);
+    }
+
+    /// What was logged so far is deleted, and a new log begun.
+    pub(crate) fn begin_system_log_anew(
+        &mut self,
+        settings: &Settings,
+        draws: bool,
+    ) -> Result<(), HostError> {
+        self.put_data(SYSTEM_LOG, "").map_err(HostError::Refused)?;
+        self.log_mode(settings, draws);
+        Ok(())
     }
 
     /// The session is over.

@@ -5,6 +5,8 @@ use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
 use kerf_control::{Pace, Script, Wish};
 use kerf_program::{Question, QuestionKind};
 use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, OnceLock};
@@ -19,12 +21,33 @@ pub struct Person {
     script: Answers,
     /// What somebody types at the terminal.
     keyboard: Option<Keyboard>,
+    /// The program that shows files (UN), and the folder they lie in.
+    editor: Option<(String, PathBuf)>,
 }
 
 impl Person {
     /// `present` when somebody sits at a terminal.
     pub fn new(script: Answers, present: bool, pace: &RealPace) -> Self {
-        Self { script, keyboard: present.then(|| Keyboard::new(pace.pressed.clone())) }
+        let keyboard = present.then(|| Keyboard::new(pace.pressed.clone()));
+        Self { script, keyboard, editor: None }
+    }
+
+    /// The same, with a program that shows files below a folder.
+    #[must_use]
+    pub fn with_editor(mut self, editor: Option<(String, PathBuf)>) -> Self {
+        self.editor = editor;
+        self
+    }
+
+    /// Shows the file of FE until the person closes it.
+    fn shows(&self, question: &Question) -> Option<String> {
+        let (program, folder) = self.editor.as_ref().filter(|_| self.keyboard.is_some())?;
+        let edits = question.kind == QuestionKind::Editor;
+        let closed = edits.then(|| edit(program, folder, &question.text))?;
+        if let Err(error) = closed {
+            eprintln!("kerf: cannot start {program}: {error}");
+        }
+        Some("OK".into())
     }
 }
 
@@ -96,10 +119,21 @@ fn shown(question: &Question, line: u32) -> String {
     }
 }
 
+/// Shows a file of a folder in a program, and waits until it is closed.
+fn edit(program: &str, folder: &Path, name: &str) -> io::Result<()> {
+    let mut command = Command::new(program);
+    if !name.is_empty() {
+        command.arg(folder.join(name));
+    }
+    command.status().map(drop)
+}
+
 impl Operator for Person {
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
         let scripted = self.script.answer(question, line);
-        scripted.or_else(|| self.keyboard.as_ref()?.ask(question, line))
+        scripted
+            .or_else(|| self.shows(question))
+            .or_else(|| self.keyboard.as_ref()?.ask(question, line))
     }
 }
 

@@ -123,6 +123,34 @@ fn sbp_val_vd_syslog() {
 }
 
 #[test]
+fn sbp_cmd_uv() {
+    let shop = shop();
+    shop.kerf("settings load metric-2440x1220 --quiet").exits(0);
+    let shown = shop.kerf("settings show").exits(0).out();
+    let told = shop.kerf("send UV --quiet").exits(0).out();
+    for letters in ["VD", "VB", "VC", "VI", "VL", "VN", "VH", "VP", "VR", "VS", "VU", "FS"] {
+        let line = shown.lines().find(|line| line.starts_with(&format!("{letters},")));
+        let line = line.unwrap_or_else(|| panic!("{letters} in {shown}"));
+        assert!(told.contains(line), "{line} in {told}");
+    }
+    assert!(shown.starts_with("VD,,3,1,"), "in millimetres: {shown}");
+    assert!(shown.lines().any(|line| line.starts_with("FS,/")), "the part folder: {shown}");
+}
+
+#[test]
+fn sbp_cmd_us__at_the_command_line() {
+    let shop = shop();
+    shop.kerf("send VS,3,1.5 --quiet").exits(0);
+    shop.kerf("settings save mine --quiet").exits(0);
+    let before = shop.kerf("settings show").out();
+    shop.kerf("send VS,1 --quiet").exits(0);
+    shop.kerf("settings load mine --quiet").exits(0);
+    assert_eq!(shop.kerf("settings show").out(), before);
+    shop.kerf("settings list").exits(0).says("mine.sbd").says("simulated-96x48.sbd");
+    shop.kerf("run data/settings/mine.sbd --quiet").exits(0);
+}
+
+#[test]
 fn sbp_cmd_ud__problem_log() {
     let shop = shop();
     shop.kerf("run fails.sbp --quiet").exits(1);
@@ -132,7 +160,9 @@ fn sbp_cmd_ud__problem_log() {
         .says("uValue: seven")
         .says("last error: fails.sbp:1:")
         .says("inputs on")
-        .says("port: ");
+        .says("port: ")
+        .says("driver: simulated")
+        .says("firmware: ");
     let kept = shop.read("data/problem.log");
     assert!(kept.contains("last error: fails.sbp:1:") && kept.contains("\nVS,"), "{kept}");
 }

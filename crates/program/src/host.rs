@@ -138,6 +138,8 @@ pub enum Folder {
     Parts,
     /// The folder of custom cuts (`CustomN.sbc`).
     Custom,
+    /// The folder of settings files (`.sbd`).
+    Settings,
 }
 
 /// A program file that was read.
@@ -169,6 +171,15 @@ pub struct ShellCall {
     pub display: u8,
     /// Wait until it ends.
     pub wait: bool,
+}
+
+/// A virtual tool that a program starts (T commands).
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ToolCall {
+    /// The letter behind the T.
+    pub letter: char,
+    /// What it is given, as it stands in the line.
+    pub arguments: String,
 }
 
 /// Why the host did not do what was asked.
@@ -289,6 +300,41 @@ pub trait Host {
         Ok(())
     }
 
+    /// Names of the settings files there are (UR).
+    fn settings_files(&mut self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Keeps a settings file (US); returns where.
+    fn keep_settings(&mut self, name: &str, _text: &str) -> Result<String, HostError> {
+        Err(HostError::Disabled(format!("{name}: settings files are not kept here")))
+    }
+
+    /// Begins the system log anew (UR).
+    fn forget_system_log(&mut self) -> Result<(), HostError> {
+        Ok(())
+    }
+
+    /// Starts a virtual tool, and waits for it unless it runs beside; returns what a person should know.
+    fn tool(&mut self, call: &ToolCall) -> Result<Vec<String>, HostError> {
+        Err(HostError::NotFound(no_such_tool(call.letter)))
+    }
+
+    /// Loads the firmware of the controller (UI); returns what was loaded.
+    fn install_firmware(&mut self) -> Result<String, HostError> {
+        Err(HostError::Refused("no firmware on the simulated machine".into()))
+    }
+
+    /// What drives the machine.
+    fn driver(&mut self) -> String {
+        "simulated machine".into()
+    }
+
     /// Version number of the firmware, `%(49)`.
     fn firmware(&mut self) -> i32;
+}
+
+/// What is told of a letter that no tool has.
+pub fn no_such_tool(letter: char) -> String {
+    format!("no such tool: T{letter}")
 }

@@ -44,7 +44,7 @@ pub use expr::{
 pub use format::{format, format_as};
 pub use header::Header;
 pub use interp::{
-    BeforePreview, Dialect, FileParameters, FilePlace, GcodeDone, GcodeDue, Interpreter,
+    BeforePreview, Dialect, EDITOR, FileParameters, FilePlace, GcodeDone, GcodeDue, Interpreter,
     LAST_ERROR, Options, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS, Session,
     Status, Step, SystemVariable, VERSION, Variables, Watch, system_variables, with_recorded,
 };

@@ -7,8 +7,8 @@ pub(crate) use rows::{check, check_as, rows};
 use crate::{Interpreter, Options, Session, Status, Step, Value, read_as};
 use kerf_diag::Diagnostic;
 use kerf_program::{
-    Answer, Axes, Axis, Command, FileMode, FileRequest, Host, HostError, Line, MoveKind, Question,
-    ShellCall, SourceFile, Sourced,
+    Answer, Axes, Axis, Command, FileMode, FileRequest, Folder, Host, HostError, Line, MoveKind,
+    Question, ShellCall, SourceFile, Sourced, ToolCall, no_such_tool,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -39,6 +39,14 @@ pub(crate) struct FakeHost {
     /// Whatever may wait waits once; `hesitated` says that it did.
     pub(crate) hesitant: bool,
     pub(crate) hesitated: bool,
+    /// Letters of virtual tools, and how they were called.
+    pub(crate) tools: String,
+    pub(crate) called: Vec<String>,
+    /// Settings files by name.
+    pub(crate) settings: BTreeMap<String, String>,
+    pub(crate) log_forgotten: bool,
+    /// What UI loads.
+    pub(crate) firmware: Option<&'static str>,
 }
 
 impl FakeHost {
@@ -94,8 +102,11 @@ impl Host for FakeHost {
         Poll::Ready(self.answers.remove(0))
     }
     fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        let text = self
-            .files
+        let files = match request.folder {
+            Folder::Settings => &self.settings,
+            _ => &self.files,
+        };
+        let text = files
             .get(&key(&request.name))
             .ok_or_else(|| HostError::NotFound(request.name.clone()))?;
         Ok(SourceFile { name: request.name.as_str().into(), bytes: text.as_bytes().into() })
@@ -158,6 +169,29 @@ impl Host for FakeHost {
     }
     fn firmware(&mut self) -> i32 {
         0
+    }
+    fn settings_files(&mut self) -> Vec<String> {
+        self.settings.keys().cloned().collect()
+    }
+    fn keep_settings(&mut self, name: &str, text: &str) -> Result<String, HostError> {
+        let name = format!("{name}.sbd");
+        self.settings.insert(name.clone(), text.into());
+        Ok(name)
+    }
+    fn forget_system_log(&mut self) -> Result<(), HostError> {
+        self.log_forgotten = true;
+        Ok(())
+    }
+    fn tool(&mut self, call: &ToolCall) -> Result<Vec<String>, HostError> {
+        if !self.tools.contains(call.letter) {
+            return Err(HostError::NotFound(no_such_tool(call.letter)));
+        }
+        self.called.push(format!("{}:{}", call.letter, call.arguments));
+        Ok(Vec::new())
+    }
+    fn install_firmware(&mut self) -> Result<String, HostError> {
+        let none = || HostError::Refused("no firmware on the simulated machine".into());
+        self.firmware.map(str::to_owned).ok_or_else(none)
     }
 }
 

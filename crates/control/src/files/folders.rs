@@ -62,6 +62,11 @@ impl Folders {
         &self.parts
     }
 
+    /// The folder that custom cuts are written into.
+    pub fn custom(&self) -> Option<&Path> {
+        self.custom.first().map(PathBuf::as_path)
+    }
+
     /// Changes the current part folder; `None` goes back to the one at the start.
     pub fn enter(&mut self, disk: &dyn Disk, name: Option<&str>) -> Result<(), HostError> {
         self.parts = match name {
@@ -113,7 +118,8 @@ impl Folders {
             return Ok(vec![(PathBuf::from("/"), name.trim_start_matches('/').to_owned())]);
         }
         let bases = match folder {
-            Folder::Parts => vec![self.parts.clone()],
+            // Settings files are no part of it: whoever has the data folder knows them.
+            Folder::Parts | Folder::Settings => vec![self.parts.clone()],
             Folder::Custom => {
                 let inside = walk(disk, &self.start, CUSTOM);
                 self.custom.iter().cloned().chain([inside]).collect()

@@ -35,7 +35,7 @@ shipped! {
 shipped! {
     /// Settings of machines: part files that set how they are wired.
     MACHINES in "machines":
-    "prs.sbd" "prt.sbd"
+    "desktop-24x18.sbd" "metric-2440x1220.sbd" "prs.sbd" "prt.sbd" "simulated-96x48.sbd"
 }
 
 impl Shipped {

@@ -18,6 +18,7 @@ mod samples;
 mod sb3;
 mod send;
 mod serve;
+mod settings;
 mod sysvars;
 mod time;
 mod timing;
@@ -35,6 +36,7 @@ pub enum Command {
     Run(run::RunCommand),
     Send(send::SendArgs),
     Serve(serve::ServeArgs),
+    Settings(settings::SettingsArgs),
     Check(check::CheckArgs),
     Preview(preview::PreviewArgs),
     Plot(plot::PlotArgs),
@@ -65,6 +67,7 @@ pub fn run(command: Command) -> Result<Exit> {
         Command::Run(args) => run::run(&args),
         Command::Send(args) => send::run(&args),
         Command::Serve(args) => serve::run(&args),
+        Command::Settings(args) => settings::run(args),
         Command::Check(args) => check::run(&args),
         Command::Preview(args) => preview::run(&args),
         Command::Plot(args) => plot::run(&args),

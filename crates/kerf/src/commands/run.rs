@@ -110,7 +110,13 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     }
     let answers = setup::answers(run)?;
     let machine = journal.machine_of(&cut)?;
-    let show = Show { name: cut.file().into(), lines: 0, talk: Talk::default(), machine };
+    let show = Show {
+        name: cut.file().into(),
+        lines: 0,
+        talk: Talk::default(),
+        machine,
+        editor: editor(&shelf),
+    };
     let visit = Visit::default();
     visit.begins(&session, &mut shelf)?;
     let exit = attended(args, run, show, answers, |company| {
@@ -125,7 +131,13 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit } = job;
     let machine = VcdArgs::machine(&work, &session);
-    let show = Show { name: work.name().clone(), lines: work.line_count(), talk, machine };
+    let show = Show {
+        name: work.name().clone(),
+        lines: work.line_count(),
+        talk,
+        machine,
+        editor: editor(&shelf),
+    };
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
@@ -159,7 +171,13 @@ fn passed_in(
     (options.program.typed, options.program.file) = (true, FileParameters::default());
     options.started = Some(clock::started());
     let machine = session.configuration();
-    let show = Show { name: command_passing::NAME.into(), lines: 1, talk: Talk::all(), machine };
+    let show = Show {
+        name: command_passing::NAME.into(),
+        lines: 1,
+        talk: Talk::all(),
+        machine,
+        editor: editor(shelf),
+    };
     let vcd = VcdArgs::default();
     let again = MachineArgs { trace: None, picture: None, vcd, ..args.clone() };
     attended(&again, run, show, setup::answers(run)?, |company| {
@@ -176,6 +194,14 @@ struct Show {
     talk: Talk,
     /// Whose signals are traced.
     machine: Configuration,
+    /// The program that shows files, and the folder they lie in.
+    editor: Option<(String, PathBuf)>,
+}
+
+/// The program that UN named.
+fn editor(shelf: &Shelf) -> Option<(String, PathBuf)> {
+    let program = shelf.stored.get(kerf_sbp::EDITOR)?;
+    Some((program.to_owned(), shelf.part_folder().to_owned()))
 }
 
 /// Something runs, with whoever sits at the terminal.
@@ -195,7 +221,7 @@ fn attended<'a>(
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
-    let mut operator = Person::new(answers, person, &pace);
+    let mut operator = Person::new(answers, person, &pace).with_editor(show.editor);
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
     let (summary, session) = runs(company)?;

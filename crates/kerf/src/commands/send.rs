@@ -35,6 +35,15 @@ pub struct SendArgs {
     run: RunArgs,
 }
 
+/// Carries out lines that another command stands for.
+pub fn carry_out(text: &str, machine: MachineArgs, run: RunArgs) -> Result<Exit> {
+    machine.check()?;
+    let shelf = setup::shelf(Path::new(""), &run.place, false)?;
+    let mut job = setup::job_of(kerf_sbp::read_typed("typed".into(), text), shelf, &run, false)?;
+    job.options.program.typed = true;
+    on_machine(job, &machine, &run, Talk::all())
+}
+
 pub fn run(args: &SendArgs) -> Result<Exit> {
     args.machine.check()?;
     let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;

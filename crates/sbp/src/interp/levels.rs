@@ -40,11 +40,13 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// The file itself, or the one with `.sbp` added when the name has no extension.
+    /// The file itself, or the one with `.sbp` (`.sbd` of settings) added when the name has no
+    /// extension.
     fn source(&mut self, request: &FileRequest) -> Result<SourceFile, Stop> {
         let found = match self.host.source(request) {
             Err(HostError::NotFound(_)) if extension(&request.name).is_none() => {
-                let name = format!("{}.sbp", request.name);
+                let usual = if request.folder == Folder::Settings { "sbd" } else { "sbp" };
+                let name = format!("{}.{usual}", request.name);
                 self.host.source(&FileRequest { folder: request.folder, name })
             }
             found => found,

@@ -52,7 +52,7 @@ pub use context::{Context, Stop};
 pub use gcode::{FilePlace, GcodeDone, GcodeDue};
 pub use kerf_program::{Status, Step, Watch};
 pub use recorder::{RECORDED, RECORDING, Replay, with_recorded};
-pub use registry::{LAST_ERROR, PART_FILE, POSITION_LOST, SPINDLE_STATUS, USER_VALUE};
+pub use registry::{EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, SPINDLE_STATUS, USER_VALUE};
 pub use session::{BeforePreview, Dialect, FileParameters, Options, Session};
 pub use sysvar::{SystemVariable, VERSION, system_variables};
 pub use variables::Variables;

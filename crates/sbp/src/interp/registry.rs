@@ -20,6 +20,9 @@ pub const PART_FILE: &str = "uPartFile";
 
 pub use kerf_program::SPINDLE_STATUS;
 
+/// Key of the program that shows files (UN); the built-in editor without one.
+pub const EDITOR: &str = "Editor";
+
 /// Key of the error that ended a run last, with its place.
 pub const LAST_ERROR: &str = "LastError";
 

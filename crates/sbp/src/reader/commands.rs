@@ -15,7 +15,7 @@ impl CommandIndex {
     pub(super) fn new(dialect: Dialect) -> Self {
         let mut index = vec![None; 36 * 36];
         let own = table::fabmo::SPECS.iter().filter(|_| dialect == Dialect::Fabmo);
-        for spec in table::commands().chain(own) {
+        for spec in table::tools::ADDED.iter().chain(table::commands()).chain(own) {
             let letters = spec.letters.as_bytes();
             if let (Some(a), Some(b)) = (letters.first(), letters.get(1))
                 && let Some(slot) = slot(*a, *b)

@@ -11,7 +11,9 @@ mod moves;
 mod recorder;
 mod setting;
 mod settings;
+mod settings_files;
 mod spec;
+pub(crate) mod tools;
 mod utilities;
 mod values;
 mod zero;
@@ -23,9 +25,15 @@ pub use utilities::settings_lines;
 /// Every command, group by group.
 pub fn commands() -> impl Iterator<Item = &'static CommandSpec> {
     let lists = [cuts::SPECS, files::SPECS, &moves::SPECS, &zero::SPECS];
-    let more = [&utilities::SPECS[..], &elsewhere::SPECS, &recorder::SPECS];
+    let more = [&utilities::SPECS[..], &elsewhere::SPECS, &recorder::SPECS, &tools::SPECS];
+    let files = settings_files::SPECS.iter();
     let singles = [&moves::OTHERS[..], &settings::SPECS, &values::SPECS];
-    lists.into_iter().chain(more).flatten().chain(singles.into_iter().flatten().copied())
+    lists
+        .into_iter()
+        .chain(more)
+        .flatten()
+        .chain(files)
+        .chain(singles.into_iter().flatten().copied())
 }
 
 /// The command of two letters, in any case.

@@ -87,6 +87,7 @@ fn values(c: &mut Context<'_>) -> String {
 
 fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
     let mut lines = vec![format!("software: {}", crate::VERSION)];
+    lines.push(format!("driver: {}", c.host.driver()));
     lines.push(format!("firmware: {}", c.host.firmware()));
     lines.push(format!("port: {}", c.settings().driver.port));
     lines.push(format!("working: {}", places(c, |c, axis| c.core.working()[axis])));

@@ -38,6 +38,8 @@ pub const ROOMS: &[Room] = &[
     at(1.0, Half::Shared, "kerf-program"),
     // Between `program` and `sbp`: the interpreter asks it for the moves of a Cut command.
     at(1.5, Half::Machine, "kerf-cut"),
+    // It writes part files and reads none.
+    at(1.5, Half::Machine, "kerf-tools"),
     at(2.0, Half::Machine, "kerf-sbp"),
     at(2.0, Half::Machine, "kerf-gcode"),
     // Both languages meet here, and only here.

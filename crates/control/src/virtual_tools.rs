@@ -1,0 +1,66 @@
+//! Virtual tools: those of Kerf make files in the folders of the machine, those that somebody added
+//! are programs that are started (`virtualtools.ini` in the data folder).
+
+use crate::shelf::Shelf;
+use kerf_program::{FileRequest, Folder, HostError, ShellCall, ToolCall, no_such_tool};
+use kerf_tools::{AddIn, Made, Mistake, Place, Tool, add_ins, tool};
+
+/// Name of the file of added tools in the data folder.
+pub const ADD_INS: &str = "virtualtools.ini";
+
+impl Shelf {
+    /// Tools that somebody added, and what is wrong with their file: line and words.
+    pub fn add_ins(&self) -> (Vec<AddIn>, Vec<(usize, String)>) {
+        add_ins(&self.data_text(ADD_INS).unwrap_or_default())
+    }
+
+    /// Starts a tool; returns what a person should know.
+    pub(crate) fn tool(&mut self, call: &ToolCall, metric: bool) -> Result<Vec<String>, HostError> {
+        if let Some(tool) = tool(call.letter) {
+            let entered = tool.read_line(&call.arguments);
+            let told = |found: &Mistake| format!("{}: {}", found.field, found.text);
+            let made = self.use_tool(tool, &entered, metric)?.map_err(|found| {
+                HostError::Refused(found.iter().map(told).collect::<Vec<_>>().join("; "))
+            })?;
+            let names = made.files.iter().map(|file| format!("{} was written", file.name));
+            return Ok(names.chain(made.notes).collect());
+        }
+        let (added, _) = self.add_ins();
+        let Some(added) = added.into_iter().find(|tool| tool.letter == call.letter) else {
+            return Err(HostError::NotFound(no_such_tool(call.letter)));
+        };
+        let line = format!("{} {}", added.command, call.arguments).trim_end().to_owned();
+        self.shell(&ShellCall { line, display: 1, wait: added.wait })?;
+        Ok(Vec::new())
+    }
+
+    /// Makes the files of a tool of Kerf and writes them; or what is wrong with what was entered.
+    ///
+    /// # Errors
+    /// A file cannot be written.
+    pub fn use_tool(
+        &mut self,
+        tool: &Tool,
+        entered: &[(String, String)],
+        metric: bool,
+    ) -> Result<Result<Made, Vec<Mistake>>, HostError> {
+        let shelf = std::cell::RefCell::new(&mut *self);
+        let read = |name: &str| {
+            let request = FileRequest { folder: Folder::Parts, name: name.into() };
+            let source = shelf.borrow_mut().source(&request).ok()?;
+            Some(String::from_utf8_lossy(&source.bytes).into_owned())
+        };
+        let made = match tool.make(entered, metric, &read) {
+            Ok(made) => made,
+            Err(mistakes) => return Ok(Err(mistakes)),
+        };
+        for file in &made.files {
+            let folder = match file.place {
+                Place::Parts => Folder::Parts,
+                Place::Custom => Folder::Custom,
+            };
+            self.put_made(folder, &file.name, &file.text)?;
+        }
+        Ok(Ok(made))
+    }
+}

@@ -1,0 +1,274 @@
+//! Settings files: saved, loaded, those that come with Kerf; and the virtual tools, on a machine.
+
+#![allow(clippy::unwrap_used, non_snake_case)]
+
+use kerf_control::files::{Folders, MACHINES, MemoryDisk};
+use kerf_control::stored::Stored;
+use kerf_control::{Company, Event, RunOptions, Session, Shelf, Summary};
+use kerf_program::settings::LinearUnit;
+use kerf_sbp::Status;
+use std::path::PathBuf;
+
+/// A machine with files in memory.
+struct Shop {
+    session: Session,
+    shelf: Shelf,
+}
+
+impl Shop {
+    fn new(files: &[(&str, &str)]) -> Self {
+        let files = [&[("parts/here.txt", "")], files].concat();
+        let disk = MemoryDisk::new(files.iter().map(|(name, text)| (*name, text.as_bytes())));
+        let folders = Folders::new("parts".into(), vec!["custom".into()], Vec::new());
+        let shelf = Shelf::new(Box::new(disk), folders, Stored::default(), PathBuf::from("data"));
+        Self { session: Session::default(), shelf }
+    }
+
+    fn types(&mut self, line: &str) -> (Summary, Vec<Event>) {
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        let program = kerf_sbp::read_typed("typed".into(), &format!("{line}\n"));
+        let mut events: Vec<Event> = Vec::new();
+        let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+        let summary = self.session.run(program, options, &mut self.shelf, company);
+        (summary, events)
+    }
+
+    #[track_caller]
+    fn does(&mut self, line: &str) -> Vec<Event> {
+        let (summary, events) = self.types(line);
+        assert!(summary.error.is_none(), "{line}: {:?}", summary.error);
+        events
+    }
+}
+
+#[test]
+fn sbp_cmd_us() {
+    let mut shop = Shop::new(&[]);
+    shop.does("VC,.375");
+    shop.does("VS,2.5,1.25");
+    shop.does("US,mine");
+    let saved = shop.session.memory.settings.clone();
+    shop.does("VS,1,1");
+    shop.does("VC,.5");
+    shop.does("UR,mine,0");
+    assert_eq!(shop.session.memory.settings, saved, "exactly");
+    // The file runs as a part file, too.
+    let source = shop.shelf.settings_files();
+    assert!(source.contains(&"mine.sbd".to_owned()), "{source:?}");
+}
+
+#[test]
+fn sbp_cmd_ur_machines() {
+    let names: Vec<_> = MACHINES.iter().map(|file| file.name).collect();
+    for name in ["simulated-96x48.sbd", "metric-2440x1220.sbd", "desktop-24x18.sbd"] {
+        assert!(names.contains(&name), "{name}");
+        let mut shop = Shop::new(&[]);
+        shop.does(&format!("UR,{name},0"));
+        let text = MACHINES.iter().find(|file| file.name == name).unwrap().text;
+        for letters in ["VL", "VU", "VS", "VR", "VP"] {
+            assert!(text.lines().any(|line| line.starts_with(letters)), "{name}: {letters}");
+        }
+        let settings = &shop.session.memory.settings;
+        let (unit, table) = (settings.linear_unit, settings.limits.high.first3());
+        match name {
+            "simulated-96x48.sbd" => {
+                assert_eq!((unit, table[0].round()), (LinearUnit::Inch, 2438.0));
+            }
+            "metric-2440x1220.sbd" => assert_eq!((unit, table[1]), (LinearUnit::Mm, 1220.0)),
+            _ => assert_eq!(table[0].round(), 610.0),
+        }
+    }
+}
+
+#[test]
+fn sbp_cmd_ur() {
+    let mut shop = Shop::new(&[("data/settings/own.sbd", "VC,.75\n")]);
+    assert!(shop.shelf.settings_files().len() > 4);
+    shop.does("UR,own,0");
+    assert!((shop.session.memory.settings.cutter.diameter_mm - 19.05).abs() < 1e-9);
+    let (summary, _) = shop.types("UR,none of these,0");
+    assert_eq!(summary.status, Status::Failed);
+    assert!(summary.error.unwrap().message.contains("simulated-96x48.sbd"), "it lists them");
+}
+
+#[test]
+fn sbp_cmd_ur_clearlog() {
+    let log = "data/SbSys.log";
+    let mut shop = Shop::new(&[(log, "old line\n")]);
+    shop.does("UR,simulated-96x48,0");
+    assert_eq!(shop.shelf.data_file("SbSys.log").as_deref(), Some("old line\n"), "no: kept");
+    shop.does("UR,simulated-96x48,1");
+    assert_eq!(shop.shelf.data_file("SbSys.log").as_deref(), Some(""), "yes: begun anew");
+}
+
+#[test]
+fn sbp_tool_td() {
+    let mut shop = Shop::new(&[]);
+    shop.does("TD, holes=2 3 1; 6 3 .25 .5, bit=.25, passes=2, thickness=.5, file=drilled");
+    let text = shop.shelf.text("drilled.sbp").unwrap();
+    assert!(text.contains("CP,1,2,3,I"), "{text}");
+    let events = shop.does("FP,drilled.sbp");
+    // The cutter goes round on .375 about 2,3 for a hole of 1, and to the bottom in two passes.
+    let arcs: Vec<_> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Arc(arc) => Some((arc.centre.x, arc.made.to.z)),
+            _ => None,
+        })
+        .collect();
+    assert!(arcs.iter().all(|(x, _)| (x - 2.0).abs() < 1e-6), "{arcs:?}");
+    let lowest = events.iter().fold(0.0_f64, |low, event| match event {
+        Event::Move(made) => low.min(made.to.z),
+        Event::Arc(arc) => low.min(arc.made.to.z),
+        _ => low,
+    });
+    assert!((lowest + 0.5).abs() < 1e-6, "{lowest}");
+}
+
+#[test]
+fn sbp_tool_tf() {
+    let mut shop = Shop::new(&[]);
+    shop.does("TF, blank_width=4, blank_length=10, spacing=1, width=.5, edge=.25, passes=2");
+    let events = shop.does("FP,flutes.sbp");
+    let mut rows: Vec<i64> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Move(made) if made.to.z < -0.01 => Some((made.to.y * 1000.0).round() as i64),
+            _ => None,
+        })
+        .collect();
+    rows.dedup();
+    assert_eq!(rows, [500, 1500, 2500, 3500], "parallel, and evenly placed");
+}
+
+#[test]
+fn sbp_tool_ti() {
+    let mut shop = Shop::new(&[]);
+    shop.does("TI, how=turn by, angle=45");
+    assert!(shop.shelf.text("indexer.sbp").unwrap().contains("MB,45"));
+    shop.does("VD,,5");
+    shop.does("FP,indexer.sbp");
+    assert!((shop.session.memory.position.0[4] - 45.0).abs() < 1e-6);
+}
+
+#[test]
+fn sbp_tool_tu() {
+    let mut shop = Shop::new(&[]);
+    let events = shop.does("TU, x=10, y=6, bit=2, depth=.1");
+    let told = events.iter().any(|event| match event {
+        Event::Message { text, .. } => text.contains("Level the Z axis"),
+        _ => false,
+    });
+    assert!(told, "the warning");
+    let events = shop.does("FP,surface.sbp");
+    // Every place of the area lies within the cutter's radius of the path at the depth.
+    let mut path: Vec<[f64; 2]> = Vec::new();
+    for event in &events {
+        if let Event::Move(made) = event
+            && (made.to.z + 0.1).abs() < 1e-6
+        {
+            for n in 0..=20 {
+                let share = f64::from(n) / 20.0;
+                let at = |a: f64, b: f64| a + (b - a) * share;
+                path.push([at(made.from.x, made.to.x), at(made.from.y, made.to.y)]);
+            }
+        }
+    }
+    for x in 0..=20 {
+        for y in 0..=12 {
+            let at = [f64::from(x) * 0.5, f64::from(y) * 0.5];
+            // The corners stay round: a cutter is.
+            let corner = [at[0].min(10.0 - at[0]), at[1].min(6.0 - at[1])];
+            if corner[0] + corner[1] < 0.9 {
+                continue;
+            }
+            let near = |p: &[f64; 2]| (p[0] - at[0]).hypot(p[1] - at[1]) < 1.05;
+            assert!(path.iter().any(near), "{at:?} was not planed");
+        }
+    }
+    assert!(path.iter().all(|p| p[0] > 0.9 && p[0] < 9.1), "it stays in the area");
+}
+
+#[test]
+fn sbp_tool_th() {
+    let mut shop = Shop::new(&[("parts/door.sbp", "MX,1\nEND\n"), ("parts/warm.sbp", "MY,2\n")]);
+    shop.does("TH, file=door, contact=Ann, material=birch, before=warm.sbp");
+    let text = shop.shelf.text("door.sbp").unwrap();
+    assert!(text.starts_with("'Contact: Ann\n'Material: birch\nFP,warm.sbp\n"), "{text}");
+    assert_eq!(shop.shelf.text("door.bak").as_deref(), Some("MX,1\nEND\n"));
+    assert!(kerf_sbp::Header::read(&text).unwrap().text.contains("Ann"));
+    shop.does("FP,door.sbp");
+    let at = shop.session.memory.position.first3();
+    assert!((at[0] - 25.4).abs() < 1e-6 && (at[1] - 50.8).abs() < 1e-6, "{at:?}");
+}
+
+#[test]
+fn sbp_tool_ts() {
+    let mut shop = Shop::new(&[]);
+    shop.does("TS, machine=Big one, plate_input=1, plate_thickness=.25, x_input=5, x_offset=1, y_offset=2");
+    // A machine that stands somewhere finds its zeros by the files that read what was recorded.
+    shop.does("M3,3,4,1");
+    let change = |input, at_s, on| kerf_sim::Change { input, at_s, on };
+    let inputs = vec![change(5, 2.0, true), change(3, 6.0, true), change(1, 16.0, true)];
+    let options = RunOptions { inputs, ..RunOptions::default() };
+    let program = kerf_sbp::read("home.sbp".into(), b"C3\nC2\n");
+    let mut events: Vec<Event> = Vec::new();
+    let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+    let summary = shop.session.run(program, options, &mut shop.shelf, company);
+    assert!(summary.error.is_none(), "{:?}", summary.error);
+    let set: Vec<_> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Location { set, .. } => Some(set.clone()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(set.len(), 3, "{events:#?}");
+    let near = |n: usize, axis: char, value: f64| (set[n][&axis] - value).abs() < 1e-6;
+    assert!(near(0, 'x', -1.0) && near(1, 'y', -2.0) && near(2, 'z', 0.25), "{set:?}");
+}
+
+/// A shop on a real disk, whose programs may be started, with these added tools.
+#[cfg(unix)]
+fn shop_on_disk(folder: &std::path::Path, ini: &str) -> Shop {
+    let (parts, data) = (folder.join("parts"), folder.join("data"));
+    std::fs::create_dir_all(&parts).unwrap();
+    std::fs::create_dir_all(&data).unwrap();
+    std::fs::write(data.join("virtualtools.ini"), ini).unwrap();
+    let folders = Folders::new(parts, Vec::new(), Vec::new());
+    let disk = Box::new(kerf_control::files::RealDisk);
+    let shelf = Shelf::new(disk, folders, Stored::default(), data);
+    let shelf = shelf.with_shell(kerf_control::Shell::Started);
+    Shop { session: Session::default(), shelf }
+}
+
+#[cfg(unix)]
+#[test]
+fn sbp_tool_call_params() {
+    let folder = tempfile::tempdir().unwrap();
+    let ini = "[Q]\nCommand = sleep .3; echo > told.txt\n[V]\nCommand = sleep 5; echo\nWait = 0\n";
+    let mut shop = shop_on_disk(folder.path(), ini);
+    let told = || std::fs::read_to_string(folder.path().join("parts/told.txt")).unwrap();
+    shop.does("TQ, 1500, small, 2");
+    assert_eq!(told(), "1500, small, 2\n", "the file waited for it");
+    shop.does("&some_value=7");
+    shop.does("TQ, &some_value");
+    assert_eq!(told(), "7\n");
+    let began = std::time::Instant::now();
+    shop.does("TV, 1");
+    assert!(began.elapsed().as_secs_f64() < 4.0, "one that runs beside is not waited for");
+}
+
+#[test]
+fn sbp_tool_system__built_in_and_added() {
+    let ini = "[Q]\nName = Nesting\nCommand = nest\n[D]\nCommand = other\n";
+    let mut shop = Shop::new(&[("data/virtualtools.ini", ini)]);
+    let (added, mistakes) = shop.shelf.add_ins();
+    assert_eq!((added.len(), &*added[0].name), (1, "Nesting"));
+    assert_eq!(mistakes, [(4, "TD is taken".to_owned())]);
+    let (summary, _) = shop.types("TQ, 1500, small, 2");
+    assert!(summary.error.unwrap().message.contains("disabled"), "programs have to be allowed");
+    let (summary, _) = shop.types("TX");
+    assert!(summary.error.unwrap().message.contains("no such tool: TX"));
+}

@@ -1,0 +1,87 @@
+//! `kerf settings`: what the V commands are set to, and files of it.
+
+use super::send;
+use crate::exit::Exit;
+use crate::{out, setup};
+use anyhow::Result;
+use clap::{Args, Subcommand};
+use std::path::Path;
+
+/// Shows, saves and loads the settings of the V commands, as UV, US and UR do
+///
+/// Settings files (.sbd) lie in the folder `settings` of the data folder; some come with Kerf. They are
+/// part files that set a machine.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  kerf settings show\n  kerf settings save mine\n  \
+    kerf settings load simulated-96x48")]
+pub struct SettingsArgs {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Subcommand)]
+enum Action {
+    /// Prints the lines that set what is set now, and the part folder
+    Show(Lined),
+    /// Lists the settings files
+    List(Lined),
+    /// Saves the settings into a file
+    Save(Named),
+    /// Runs a settings file
+    Load {
+        #[command(flatten)]
+        named: Named,
+        /// Begins the system log anew
+        #[arg(long)]
+        delete_log: bool,
+    },
+}
+
+#[derive(Args)]
+struct Lined {
+    #[command(flatten)]
+    run: crate::args::RunArgs,
+}
+
+#[derive(Args)]
+struct Named {
+    /// Its name
+    name: String,
+    #[command(flatten)]
+    machine: super::run::MachineArgs,
+    #[command(flatten)]
+    run: crate::args::RunArgs,
+}
+
+pub fn run(args: SettingsArgs) -> Result<Exit> {
+    match args.action {
+        Action::Show(Lined { run }) => show(&run),
+        Action::List(Lined { run }) => {
+            let shelf = setup::shelf(Path::new(""), &run.place, true)?;
+            out::print(&(shelf.settings_files().join("\n") + "\n"));
+            Ok(Exit::Good)
+        }
+        Action::Save(named) => typed(|name| format!("US,{name}"), named),
+        Action::Load { named, delete_log } => {
+            typed(|name| format!("UR,{name},{}", u8::from(delete_log)), named)
+        }
+    }
+}
+
+/// The lines of UV.
+fn show(run: &crate::args::RunArgs) -> Result<Exit> {
+    let mut place = run.place.clone();
+    place.start = place.start.or(Some(crate::args::Start::Kept));
+    let mut shelf = setup::shelf(Path::new(""), &place, true)?;
+    let (session, _) = setup::session(&place, true, &mut shelf)?;
+    let settings = setup::settings(&place, session.memory.settings.clone())?;
+    let mut lines = kerf_sbp::table::settings_lines(&settings);
+    lines.push(format!("FS,{},{}", shelf.user_path(), shelf.mask()));
+    out::print(&(lines.join("\n") + "\n"));
+    Ok(Exit::Good)
+}
+
+fn typed(line: impl FnOnce(&str) -> String, named: Named) -> Result<Exit> {
+    let Named { name, machine, run } = named;
+    send::carry_out(&(line(&name) + "\n"), machine, run)
+}

@@ -1,0 +1,182 @@
+//! Settings files and what belongs to the installation: US, UR, UN, UI.
+
+use super::utilities::settings_lines;
+use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
+use crate::interp::{Arguments, Context, EDITOR, FileParameters, Stop};
+use kerf_diag::Code;
+use kerf_program::{Answer, Button, Command, FileRequest, Folder, QuestionKind};
+use std::sync::Arc;
+
+pub(super) static SPECS: &[CommandSpec] = &[
+    CommandSpec::new(
+        "US",
+        "Save settings",
+        Group::Utilities,
+        &[ParamSpec::keep("Name", Kind::File).about("Blank: asks for one.")],
+        Stack::Ends,
+        "Saves all major settings into a settings file (.sbd), which is a part file that sets them.",
+        save,
+    ),
+    CommandSpec::new(
+        "UR",
+        "Load settings",
+        Group::Utilities,
+        &[
+            ParamSpec::keep("Name", Kind::File).about("Blank: asks which of those there are."),
+            ParamSpec::keep("Delete system log", Kind::OneOf(&[0, 1]))
+                .about("1 begins the system log anew, 0 keeps it. Blank: asks."),
+        ],
+        Stack::Ends,
+        "Runs a settings file: everything is set as it says.",
+        load,
+    ),
+    CommandSpec::new(
+        "UN",
+        "Name the editor",
+        Group::Utilities,
+        &[ParamSpec::keep("Program", Kind::File).about("Blank: the built-in editor.")],
+        Stack::Ends,
+        "Names the program that FE starts at a terminal.",
+        |c, a| {
+            let program = a.text(0).map(|name| name.trim().to_owned()).filter(|n| !n.is_empty());
+            c.host.store(EDITOR, program.as_deref());
+            Ok(())
+        },
+    ),
+    CommandSpec::new(
+        "UI",
+        "Install firmware",
+        Group::Utilities,
+        &[],
+        Stack::Ends,
+        "Loads the firmware of a controller that has one.",
+        install,
+    ),
+];
+
+fn save(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    c.settle()?;
+    let name = match named(a) {
+        Some(name) => name,
+        None => {
+            let text = "Save the settings under which name?";
+            entered(c, text, "")?
+        }
+    };
+    let head = ["'Settings of Kerf.".to_owned()];
+    let lines: Vec<String> = head.into_iter().chain(settings_lines(c.settings())).collect();
+    let kept = c.host.keep_settings(&name, &(lines.join("\n") + "\n"));
+    let path = kept.map_err(|e| c.refused(e))?;
+    c.emit(Command::Message { text: format!("the settings are in {path}").into() });
+    Ok(())
+}
+
+/// A line asks once: what comes after the first answer is a line of its own.
+fn load(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    c.settle()?;
+    let delete = match a.whole(1) {
+        Some(delete) => delete == 1,
+        None => {
+            let text = "Delete the system log first?";
+            let question = c.question(QuestionKind::Msgbox, text, &[Button::No, Button::Yes]);
+            c.ask(&question)? == Answer::Button(Button::Yes)
+        }
+    };
+    if delete {
+        c.host.forget_system_log().map_err(|e| c.refused(e))?;
+    }
+    match named(a) {
+        Some(name) => run(c, name),
+        None if a.whole(1).is_some() => {
+            let files = c.host.settings_files();
+            let text = format!("Load which settings? {}", files.join(", "));
+            let name = entered(c, &text, files.first().map_or("", String::as_str))?;
+            run(c, name)
+        }
+        None => {
+            let line = crate::read_as(Arc::from("UR"), b"UR,,0", c.core.options.dialect);
+            c.open_level(Arc::new(line), FileParameters::default());
+            Ok(())
+        }
+    }
+}
+
+fn run(c: &mut Context<'_>, name: String) -> Result<(), Stop> {
+    c.call_file(FileRequest { folder: Folder::Settings, name }, FileParameters::default())
+}
+
+fn named(a: &Arguments) -> Option<String> {
+    a.text(0).map(|name| name.trim().to_owned()).filter(|name| !name.is_empty())
+}
+
+/// A name that the operator enters; Cancel ends the run.
+fn entered(c: &mut Context<'_>, text: &str, prefill: &str) -> Result<String, Stop> {
+    let question = c.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel]);
+    let question = kerf_program::Question { prefill: prefill.into(), ..question };
+    match c.ask(&question)? {
+        Answer::Text(name) if !name.trim().is_empty() => Ok(name.trim().to_owned()),
+        Answer::Text(_) => {
+            Err(c.fail(Code::MissingParameter, "the name of a settings file expected"))
+        }
+        Answer::Button(_) => Err(c.terminated()),
+    }
+}
+
+/// UI: asks first, a controller without firmware is worse than an old one.
+fn install(c: &mut Context<'_>, _: &Arguments) -> Result<(), Stop> {
+    c.settle()?;
+    let text = "Load the controller's firmware now? Do not cut the power meanwhile.";
+    let question = c.question(QuestionKind::Msgbox, text, &[Button::Yes, Button::No]);
+    if c.ask(&question)? != Answer::Button(Button::Yes) {
+        return Ok(());
+    }
+    let loaded = c.host.install_firmware().map_err(|e| c.refused(e))?;
+    c.emit(Command::Message { text: format!("firmware loaded: {loaded}").into() });
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{FakeHost, run_with};
+    use crate::{Session, testing::run};
+    use kerf_program::{Answer, Button};
+
+    #[test]
+    fn settings_come_back_from_their_file() {
+        let ran = run("VC,.375⏎US,mine⏎VC,.5⏎UR,mine,0⏎&d=%(30)");
+        assert!(ran.error.is_none(), "{:?}", ran.error);
+        let kept = &ran.host.settings["mine.sbd"];
+        assert!(kept.lines().any(|line| line.starts_with("VC,0.375")), "{kept}");
+        assert!((ran.session.settings.cutter.diameter_mm - 9.525).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_log_is_asked_for_then_the_file() {
+        let mut host = FakeHost::default();
+        host.settings.insert("one.sbd".into(), "VC,1\n".into());
+        host.answers = [Answer::Button(Button::Yes), Answer::Text("one".into())].into();
+        let ran = run_with("UR", host, Session::default());
+        assert!(ran.error.is_none(), "{:?}", ran.error);
+        assert!(ran.host.log_forgotten);
+        assert!(ran.host.asked[1].text.contains("one.sbd"), "{:?}", ran.host.asked);
+        assert!((ran.session.settings.cutter.diameter_mm - 25.4).abs() < 1e-9);
+        let ran = run("UR,no such,0");
+        ran.fails_with("no such");
+    }
+
+    #[test]
+    fn the_editor_is_named_and_forgotten() {
+        let ran = run("UN,/usr/bin/nano");
+        assert_eq!(ran.host.stored["Editor"], "/usr/bin/nano");
+        assert!(!run("UN,/usr/bin/nano⏎UN").host.stored.contains_key("Editor"));
+    }
+
+    #[test]
+    fn firmware_is_loaded_where_there_is_some() {
+        let mut host = FakeHost { firmware: Some("4.2"), ..FakeHost::default() };
+        host.answers = [Answer::Button(Button::Yes)].into();
+        let ran = run_with("UI", host, Session::default());
+        assert!(format!("{:?}", ran.commands).contains("firmware loaded: 4.2"));
+        run("UI").fails_with("no firmware on the simulated machine");
+    }
+}

@@ -1,0 +1,106 @@
+//! T commands: virtual tools, those of Kerf and those that somebody added.
+
+use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
+use crate::interp::{Arguments, Context, Stop};
+use kerf_diag::Code;
+use kerf_program::{Command, HostError, ToolCall, no_such_tool};
+
+const fn value(name: &'static str) -> ParamSpec {
+    ParamSpec::keep(name, Kind::Text)
+}
+
+/// What a tool is started with.
+const VALUES: &[ParamSpec] = &[
+    value("Value 1").about(
+        "Handed to the tool as it is. Tools of Kerf take KEY=VALUE, or values in the order of their form.",
+    ),
+    value("Value 2"),
+    value("Value 3"),
+    value("Value 4"),
+    value("Value 5"),
+    value("Value 6"),
+    value("Value 7"),
+    value("Value 8"),
+    value("Value 9"),
+    value("Value 10"),
+    value("Value 11"),
+    value("Value 12"),
+    value("Value 13"),
+    value("Value 14"),
+    value("Value 15"),
+    value("Value 16"),
+    value("Value 17"),
+    value("Value 18"),
+];
+
+macro_rules! tools {
+    ($($letters:literal $letter:literal $name:literal $doc:literal)*) => {
+        [$(CommandSpec::new($letters, $name, Group::Tools, VALUES, Stack::Ends, $doc, |c, a| {
+            start(c, $letter, a)
+        })),*]
+    };
+}
+
+pub(super) static SPECS: [CommandSpec; 8] = tools! {
+    "TC" 'C' "Copy machine" "Makes a file by probing an object."
+    "TD" 'D' "Drill press" "Makes a part file that drills holes."
+    "TF" 'F' "Fluter" "Makes a part file that cuts flutes."
+    "TH" 'H' "Header writer" "Writes a head into a part file."
+    "TI" 'I' "Indexer" "Makes a part file that turns the indexer."
+    "TS" 'S' "Setup" "Records how the machine is equipped for zeroing."
+    "TT" 'T' "Typesetter" "Makes a part file that carves text."
+    "TU" 'U' "Tabletop surfacer" "Makes a part file that planes the table."
+};
+
+/// The letters that are left for tools which somebody adds.
+pub(crate) static ADDED: [CommandSpec; 17] = tools! {
+    "TA" 'A' "Added tool" "" "TB" 'B' "Added tool" "" "TE" 'E' "Added tool" ""
+    "TG" 'G' "Added tool" "" "TJ" 'J' "Added tool" "" "TK" 'K' "Added tool" ""
+    "TL" 'L' "Added tool" "" "TM" 'M' "Added tool" "" "TN" 'N' "Added tool" ""
+    "TO" 'O' "Added tool" "" "TP" 'P' "Added tool" "" "TQ" 'Q' "Added tool" ""
+    "TV" 'V' "Added tool" "" "TW" 'W' "Added tool" "" "TX" 'X' "Added tool" ""
+    "TY" 'Y' "Added tool" "" "TZ" 'Z' "Added tool" ""
+};
+
+fn start(c: &mut Context<'_>, letter: char, a: &Arguments) -> Result<(), Stop> {
+    c.settle()?;
+    let last = (0..VALUES.len()).rev().find(|n| a.given(*n)).map_or(0, |n| n + 1);
+    let value = |n: usize| a.text(n).map_or(String::new(), |text| text.trim().to_owned());
+    let arguments = (0..last).map(value).collect::<Vec<_>>().join(", ");
+    match c.host.tool(&ToolCall { letter, arguments }) {
+        Ok(notes) => {
+            let message = |text: String| Command::Message { text: text.into() };
+            notes.into_iter().for_each(|note| c.emit(message(note)));
+            Ok(())
+        }
+        Err(HostError::NotFound(what)) if what == no_such_tool(letter) => {
+            let hint = "tools are added in virtualtools.ini, in the data folder";
+            Err(c.fail_at(c.span, Code::NotSupported, what, hint))
+        }
+        Err(error) => Err(c.refused(error)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{FakeHost, run_with};
+    use crate::{Session, testing::run};
+
+    #[test]
+    fn tools_get_what_stands_behind_their_letters() {
+        let host = FakeHost { tools: "CQ".into(), ..FakeHost::default() };
+        let ran = run_with(
+            "&some_value=7⏎TC, 1500, small, 2⏎TQ, &some_value⏎TQ",
+            host,
+            Session::default(),
+        );
+        assert!(ran.error.is_none(), "{:?}", ran.error);
+        assert_eq!(ran.host.called, ["C:1500, small, 2", "Q:7", "Q:"]);
+    }
+
+    #[test]
+    fn letters_without_a_tool_are_told() {
+        run("MX,1⏎TQ,1").fails_with("no such tool: TQ");
+        run("TZ").fails_with("virtualtools.ini");
+    }
+}
