@@ -56,7 +56,7 @@ impl Editor {
     /// Why it cannot be; then nothing is changed.
     pub fn apply(&mut self, operation: &Operation) -> Result<Outcome, OpError> {
         let mut draft = self.clone_without_past();
-        let outcome = act(&mut draft, operation)?;
+        let outcome = self.carry_out(&mut draft, operation)?;
         self.take(draft);
         Ok(outcome)
     }
@@ -72,10 +72,36 @@ impl Editor {
         let mut draft = self.clone_without_past();
         let mut outcomes = Vec::with_capacity(operations.len());
         for (number, operation) in operations {
-            outcomes.push(act(&mut draft, operation).map_err(|error| (*number, error))?);
+            let made = self.carry_out(&mut draft, operation);
+            outcomes.push(made.map_err(|error| (*number, error))?);
         }
         self.take(draft);
         Ok(outcomes)
+    }
+
+    /// Carries an operation out on a draft, and sees that what it made can be drawn.
+    fn carry_out(&self, draft: &mut Self, operation: &Operation) -> Result<Outcome, OpError> {
+        let before = draft.drawing.shapes.clone();
+        let placed = |error| match error {
+            OpError::Shape { shape, at: None, why } => {
+                let found = shape.checked_sub(1).and_then(|place| before.get(place));
+                OpError::Shape { shape, at: found.and_then(|found| found.path.start()), why }
+            }
+            other => other,
+        };
+        let outcome = act(draft, operation).map_err(placed)?;
+        for (place, shape) in draft.drawing.shapes.iter().enumerate() {
+            // Shapes that were not touched are the same ones, and were looked at before.
+            if before.get(place).is_some_and(|old| Arc::ptr_eq(old, shape)) {
+                continue;
+            }
+            shape.path.check().map_err(|error| OpError::Shape {
+                shape: place + 1,
+                at: None,
+                why: format!("it would have a {error}"),
+            })?;
+        }
+        Ok(outcome)
     }
 
     /// Takes a draft over. What it changed of the drawing can be undone.
@@ -223,5 +249,44 @@ impl Editor {
         }
         self.selection = (first..self.drawing.shapes.len()).collect();
         Ok(())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::script;
+
+    fn after(clauses: &str) -> Result<Editor, String> {
+        let mut editor = Editor::default();
+        for (_, operation) in script(clauses).map_err(|error| error.to_string())? {
+            editor.apply(&operation).map_err(|error| error.to_string())?;
+        }
+        Ok(editor)
+    }
+
+    #[test]
+    fn what_no_machine_reaches_is_not_drawn() {
+        let told = |clauses: &str| after(clauses).unwrap_err();
+        let far = "farther than a million metres from the origin";
+        for clauses in [
+            "circle 1e308,0 1e308",
+            "circle 0,0 5; select all; scale 1e300",
+            "circle 0,0 5; select all; move 1e12,0",
+            "line 0,0,1e300 5,5",
+            "rect 0,0 5,5; select all; array rect 2x2 spacing 1e300,0",
+        ] {
+            let told = told(clauses);
+            assert!(told.starts_with("shape ") && told.contains("vertex"), "{clauses}: {told}");
+        }
+        assert!(told("point 2e9,0").contains(far), "{}", told("point 2e9,0"));
+    }
+
+    #[test]
+    fn a_refusal_names_the_place_of_its_shape() {
+        let hole = "rect 0,0 9,9; circle 50.12345,5 2; select 2; offset -3";
+        let told = after(hole).unwrap_err();
+        assert_eq!(told, "shape 2 at 52.123,5: nothing is left of it at -3 mm");
     }
 }

@@ -33,7 +33,7 @@ pub use group::Group;
 pub use nesting::{Nesting, crosses};
 pub use op::{
     Change, ClauseError, Clearing, ENTRIES, Entry, How, OpError, Operation, Outcome, Part, Pattern,
-    Picking, Picks, Sequencing, Value, Variant, script,
+    Picking, Picks, Sequencing, Value, Variant, script, spot,
 };
 pub use selection::Choice;
 pub use settings::{GroupSettings, Height, Lead, Plunge, SettingsError};

@@ -1,7 +1,7 @@
 //! Which shape lies within which.
 
 use crate::Shape;
-use kerf_geom::{Bounds2, Place, Polyarc, Position, tol};
+use kerf_geom::{Bounds2, BoxTree, Place, Polyarc, Position, tol};
 use std::sync::Arc;
 
 /// The shapes of a drawing as a forest: a closed shape is the parent of what lies directly inside
@@ -96,25 +96,32 @@ struct Finder<'a> {
     areas: Vec<f64>,
     /// Shapes from the smallest to the largest area.
     by_area: Vec<usize>,
+    /// Their boxes, and at which place of `by_area` each is.
+    tree: BoxTree,
+    ranks: Vec<usize>,
     across: Vec<(usize, usize)>,
     same: Vec<(usize, usize)>,
 }
 
 impl<'a> Finder<'a> {
     fn of(shapes: &'a [Arc<Shape>]) -> Self {
-        let boxes = shapes.iter().map(|shape| shape.path.bounds()).collect();
+        let boxes: Vec<Bounds2> = shapes.iter().map(|shape| shape.path.bounds()).collect();
         let areas: Vec<f64> = shapes.iter().map(|shape| area(shape)).collect();
         let mut by_area: Vec<usize> = (0..shapes.len()).filter(|n| areas[*n] > 0.0).collect();
         by_area.sort_by(|a, b| areas[*a].total_cmp(&areas[*b]));
-        Self { shapes, boxes, areas, by_area, across: Vec::new(), same: Vec::new() }
+        let ranked: Vec<Bounds2> = by_area.iter().map(|n| boxes[*n]).collect();
+        let ranks = BoxTree::order(&ranked);
+        let tree = BoxTree::new(ranks.iter().map(|rank| ranked[*rank]));
+        let (across, same) = (Vec::new(), Vec::new());
+        Self { shapes, boxes, areas, by_area, tree, ranks, across, same }
     }
 
     /// The smallest closed shape around a shape. Equal shapes do not contain each other.
     fn parent_of(&mut self, inner: usize) -> Option<usize> {
         let (least, most) = self.like(inner);
         let from = self.by_area.partition_point(|n| self.areas[*n] < least);
-        for at in from..self.by_area.len() {
-            let outer = self.by_area[at];
+        for rank in self.ranks_near(inner, from) {
+            let outer = self.by_area[rank];
             let equal = self.areas[outer] <= most && self.areas[inner] > 0.0;
             if equal && outer <= inner {
                 continue;
@@ -130,6 +137,18 @@ impl<'a> Finder<'a> {
         None
     }
 
+    /// The shapes whose boxes meet that of a shape, as places of `by_area` from one on, in order.
+    fn ranks_near(&self, shape: usize, from: usize) -> Vec<usize> {
+        let mut near = Vec::new();
+        self.tree.meeting(&self.boxes[shape], |n| {
+            if self.ranks[n] >= from {
+                near.push(self.ranks[n]);
+            }
+        });
+        near.sort_unstable();
+        near
+    }
+
     /// Between which areas a shape is as large as another: a strip along its box as wide as two places
     /// that are one may be apart.
     fn like(&self, shape: usize) -> (f64, f64) {
@@ -139,9 +158,6 @@ impl<'a> Finder<'a> {
     }
 
     fn relation(&self, outer: usize, inner: usize) -> Relation {
-        if !self.boxes[outer].meets(&self.boxes[inner]) {
-            return Relation::Apart;
-        }
         relation(&self.shapes[outer].path, &self.shapes[inner].path)
     }
 }

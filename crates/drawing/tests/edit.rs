@@ -84,7 +84,10 @@ fn pro_edit_fillet() {
 #[test]
 fn pro_edit_fillet_limit() {
     let error = refused("line 0,0 9,0 9,9; select all", "fillet 10");
-    assert!(error.contains("shape 1: a segment is shorter than the fillet needs"), "{error}");
+    assert!(
+        error.contains("shape 1 at 0,0: a segment is shorter than the fillet needs"),
+        "{error}"
+    );
     // A corner of 60 degrees: the trim of 17.32 is longer than its 15 mm.
     let sharp = "line 0,0 15,0 7.5,12.990381; select all";
     assert!(refused(sharp, "fillet 10").contains("shorter"));

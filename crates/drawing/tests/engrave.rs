@@ -131,10 +131,13 @@ fn pro_engrave_holes() {
 fn pro_engrave_directions() {
     let wrong = "line 0,0 0,60 100,60 100,0 close";
     let told = refused(wrong, ENGRAVE);
-    assert!(told.starts_with("shape 1: directions not set"), "{told}");
+    assert!(told.starts_with("shape 1 at 0,0: directions not set"), "{told}");
     assert_eq!(engraved(wrong, &format!("directions auto; {ENGRAVE}")).len(), 1);
     let hole = refused(&format!("{PLATE}; circle 50,30 10"), ENGRAVE);
-    assert!(hole.starts_with("shape 2: directions not set: a hole must run clockwise"), "{hole}");
+    assert!(
+        hole.starts_with("shape 2 at 60,30: directions not set: a hole must run clockwise"),
+        "{hole}"
+    );
 }
 
 #[test]
@@ -157,8 +160,8 @@ fn what_bounds_no_area_is_told() {
     let told = run(&mut editor, "engrave all tool=5 overlap=0.1 group=red");
     let left_out = "only closed flat shapes bound an area; it is left out";
     let expected = [
-        format!("shape 2: {left_out}"),
-        format!("shape 3: {left_out}"),
+        format!("shape 2 at 10,10: {left_out}"),
+        format!("shape 3 at 5,5: {left_out}"),
         "shape 4: a tool of 5 mm does not fit into it".into(),
     ];
     assert_eq!(told, expected);
@@ -197,7 +200,7 @@ fn shapes_that_cross_are_one_area() {
 #[test]
 fn the_loops_of_a_shape_that_crosses_itself_are_engraved() {
     let (area, told) = cleared("line 0,0 20,20 20,0 0,21 close; select all; directions auto");
-    assert_eq!(told, ["shape 1 crosses itself"]);
+    assert_eq!(told, ["shape 1 at 0,0 crosses itself"]);
     assert!((area - 205.0).abs() < 10.0, "{area}");
 }
 

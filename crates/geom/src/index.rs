@@ -11,6 +11,9 @@
 
 use crate::{Bounds2, Point2};
 
+/// Steps along each side when boxes are put in order of their places.
+const STEPS: f64 = 65535.0;
+
 const FAN: usize = 4;
 
 /// Boxes that can be asked for those near a place or meeting another box.
@@ -39,6 +42,24 @@ impl BoxTree {
             levels.push(boxes.len());
         }
         Self { boxes, levels }
+    }
+
+    /// An order of boxes in which neighbours in the plane are neighbours, for those that come in none: a
+    /// tree over boxes scattered at random is none. The order is that of Morton (1966).
+    pub fn order(boxes: &[Bounds2]) -> Vec<usize> {
+        let mut whole = Bounds2::default();
+        boxes.iter().for_each(|b| whole.merge(b));
+        let size = whole.size();
+        let step = |value: f64, from: f64, long: f64| {
+            if long > 0.0 { ((value - from) / long * STEPS).clamp(0.0, STEPS) as u32 } else { 0 }
+        };
+        let code = |b: &Bounds2| {
+            let (x, y) = (0.5 * (b.min.x + b.max.x), 0.5 * (b.min.y + b.max.y));
+            spread(step(x, whole.min.x, size.x)) | spread(step(y, whole.min.y, size.y)) << 1
+        };
+        let mut order: Vec<usize> = (0..boxes.len()).collect();
+        order.sort_by_cached_key(|n| code(&boxes[*n]));
+        order
     }
 
     /// How many boxes were put in.
@@ -221,6 +242,14 @@ impl BoxTree {
     }
 }
 
+/// The bits of a number of 16 bits with a gap before each.
+const fn spread(value: u32) -> u32 {
+    let value = (value | value << 8) & 0x00FF_00FF;
+    let value = (value | value << 4) & 0x0F0F_0F0F;
+    let value = (value | value << 2) & 0x3333_3333;
+    (value | value << 1) & 0x5555_5555
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -253,5 +282,19 @@ mod tests {
             let least = (0..n).map(measure).min_by(f64::total_cmp);
             assert_eq!(tree.nearest(place, f64::INFINITY, measure).map(|b| b.1), least);
         }
+    }
+
+    #[test]
+    fn neighbours_in_order_are_neighbours_in_the_plane() {
+        let at = |k: usize| Point2::new((k * 37 % 64) as f64, (k * 37 / 64 % 64) as f64);
+        let boxes: Vec<Bounds2> = (0..4096).map(|k| Bounds2::of(at(k), at(k))).collect();
+        let order = BoxTree::order(&boxes);
+        let mut all = order.clone();
+        all.sort_unstable();
+        assert_eq!(all, (0..4096).collect::<Vec<_>>());
+        let step = |pair: &[usize]| at(pair[0]).distance(at(pair[1]));
+        let mean = order.windows(2).map(step).sum::<f64>() / 4095.0;
+        assert!(mean < 3.0, "{mean}");
+        assert_eq!(BoxTree::order(&[]), Vec::<usize>::new());
     }
 }

@@ -170,7 +170,7 @@ fn a_job_below_z_bottom_is_refused_with_its_shape() {
     let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.sbp"]);
     assert_eq!(made.status.code(), Some(1));
     assert!(
-        told(&made).contains("shape 1: it would be cut at -13, below ZBottom"),
+        told(&made).contains("shape 1 at 0,0: it would be cut at -13, below ZBottom"),
         "{}",
         told(&made)
     );
@@ -255,7 +255,7 @@ fn a_report_tells_lengths_and_times_of_groups() {
     let sum: f64 = groups.iter().map(|group| group["seconds"].as_f64().unwrap()).sum();
     assert!(sum > 0.5 * total && sum <= total + 1e-6, "{sum} of {total}");
     let warnings = told["warnings"].as_array().unwrap();
-    let left = "shape 2: leaves the table: 3.000 mm at the left, 2.000 mm at the right, 3.000 mm at the front";
+    let left = "shape 2 at 0,-3: leaves the table: 3.000 mm at the left, 2.000 mm at the right, 3.000 mm at the front";
     assert_eq!(warnings, &[serde_json::Value::from(left)]);
 }
 
@@ -345,4 +345,36 @@ fn pro_sequence_full_show__list() {
         .map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["pick"].clone())
         .collect();
     assert_eq!(picks, [serde_json::json!(2), serde_json::Value::Null, serde_json::json!(1)]);
+}
+
+#[cfg(unix)]
+#[test]
+fn the_drawing_on_disk_outlives_a_full_disk_and_a_kill() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = || std::fs::read(folder.path().join("a.rsg")).unwrap();
+    kerf(folder.path(), &["draw", "--do", "rect 0,0 10,10", "-o", "a.rsg"]);
+    let before = read();
+    let grow = "select all; array rect 30x30 spacing 1,1";
+    // A bound on the size of files fails as a full disk does.
+    let program = env!("CARGO_BIN_EXE_kerf");
+    let full =
+        format!("trap '' XFSZ; ulimit -f 8; exec '{program}' draw a.rsg --do '{grow}' -o a.rsg");
+    let shell = Command::new("sh").current_dir(folder.path()).args(["-c", &full]).output().unwrap();
+    assert_eq!(shell.status.code(), Some(1), "{}", told(&shell));
+    assert!(told(&shell).contains("cannot write a.rsg"), "{}", told(&shell));
+    assert_eq!(read(), before);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left beside it");
+    kerf(folder.path(), &["draw", "a.rsg", "--do", grow, "-o", "b.rsg"]);
+    let after = std::fs::read(folder.path().join("b.rsg")).unwrap();
+    for moment in 0..40 {
+        let args = ["draw", "a.rsg", "--do", grow, "-o", "a.rsg"];
+        let mut child =
+            Command::new(program).current_dir(folder.path()).args(args).spawn().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(2 * moment));
+        let _ = child.kill();
+        child.wait().unwrap();
+        let now = read();
+        assert!(now == before || now == after, "half a drawing after {moment}: {}", now.len());
+        std::fs::write(folder.path().join("a.rsg"), &before).unwrap();
+    }
 }

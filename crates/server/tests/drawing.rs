@@ -191,3 +191,22 @@ fn sheets_are_made_from_the_table_of_operations() {
     let length = json!({ "is": "length", "name": "D" });
     assert_eq!((&tool["lead"], &tool["value"]), (&json!("tool="), &length));
 }
+
+#[test]
+fn pro_clipboard_loadfile__in_the_console() {
+    let shop = shop(50.0, &[]);
+    let mut page = shop.driver();
+    draw(&mut page, json!({ "op": "do", "clauses": "rect 0,0 5,5; point 9,9" }));
+    draw(&mut page, json!({ "op": "save", "name": "b.dxf" }));
+    draw(&mut page, json!({ "op": "new" }));
+    let load = json!({ "op": "do", "clauses": "load-clipboard b.dxf" });
+    assert_eq!(draw(&mut page, load), None);
+    page.until("the clipboard", |page| page.shown["drawing"]["clipboard"] == 2);
+    assert_eq!(page.shown["drawing"]["shapes"], 0);
+    draw(&mut page, json!({ "op": "do", "clauses": "paste 0,0" }));
+    page.until("the shapes", |page| page.shown["drawing"]["shapes"] == 2);
+    for name in ["../b.dxf", "b.exe"] {
+        let load = json!({ "op": "do", "clauses": format!("load-clipboard {name}") });
+        assert_eq!(draw(&mut page, load).as_deref(), Some("file"));
+    }
+}

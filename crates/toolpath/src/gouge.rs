@@ -2,7 +2,7 @@
 
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Kind, Shape, crosses};
-use kerf_geom::{Bounds2, BoxTree, Point2, Polyarc, Segment};
+use kerf_geom::{Bounds2, BoxTree, Polyarc, Segment};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -12,9 +12,6 @@ const ALLOWED_MM: f64 = 1e-4;
 
 /// What the circle of a helix is called.
 pub(crate) const HELIX: &str = "helix";
-
-/// Places of a lead that are looked at.
-const PROBES: u32 = 32;
 
 /// All contours of a drawing, to be asked what is near.
 pub(crate) struct Contours {
@@ -26,28 +23,50 @@ pub(crate) struct Contours {
 impl Contours {
     /// The closed shapes of a drawing.
     pub fn of(drawing: &Drawing) -> Self {
-        let closed = |shape: &Shape| shape.is_closed() && shape.kind() == Kind::Polyarc;
-        let shapes = drawing.shapes.iter().enumerate().filter(|(_, shape)| closed(shape));
-        let segments: Vec<(usize, Segment)> =
-            shapes.flat_map(|(n, shape)| shape.path.segments().map(move |s| (n, s))).collect();
+        let closed = |n: &usize| {
+            let shape = &drawing.shapes[*n];
+            shape.is_closed() && shape.kind() == Kind::Polyarc
+        };
+        let shapes: Vec<usize> = (0..drawing.shapes.len()).filter(closed).collect();
+        let boxes: Vec<Bounds2> = shapes.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
+        let segments: Vec<(usize, Segment)> = BoxTree::order(&boxes)
+            .into_iter()
+            .map(|place| shapes[place])
+            .flat_map(|n| drawing.shapes[n].path.segments().map(move |s| (n, s)))
+            .collect();
         let tree = BoxTree::new(segments.iter().map(|(_, segment)| segment.bounds()));
         Self { shapes: drawing.shapes.clone(), segments, tree }
     }
 
-    /// The shape whose contour a tool of that radius would cut into on a lead, if there is one.
+    /// The first shape whose contour a tool of that radius would cut into on a lead.
     fn cut_into(&self, lead: &Polyarc, radius: f64) -> Option<usize> {
-        let reach = radius - ALLOWED_MM;
-        let probe = |n: u32| lead.place_after(lead.length() * f64::from(n) / f64::from(PROBES));
-        (0..=PROBES).filter_map(probe).find_map(|place| self.nearer(place.at, reach))
+        let mut first: Option<usize> = None;
+        for segment in lead.segments() {
+            self.nearer(&segment, radius, |shape| {
+                first = Some(first.map_or(shape, |least| least.min(shape)));
+            });
+        }
+        first
     }
 
-    /// Calls `visit` with every shape but `own` whose contour lies nearer to a segment than a tool of that
-    /// radius allows.
-    pub fn passed(&self, segment: &Segment, radius: f64, own: usize, mut visit: impl FnMut(usize)) {
+    /// Calls `visit` with every shape whose contour lies nearer to a segment than a tool of that radius
+    /// allows.
+    pub fn nearer(&self, segment: &Segment, radius: f64, mut visit: impl FnMut(usize)) {
+        self.nearer_of(segment, radius, |_| true, &mut visit);
+    }
+
+    /// The same for those shapes that `wanted` lets pass.
+    pub fn nearer_of(
+        &self,
+        segment: &Segment,
+        radius: f64,
+        wanted: impl Fn(usize) -> bool,
+        mut visit: impl FnMut(usize),
+    ) {
         let reach = radius - ALLOWED_MM;
         self.tree.meeting(&segment.bounds().grown(reach), |n| {
             let (shape, contour) = &self.segments[n];
-            if *shape != own && segment.distance_to(contour) < reach {
+            if wanted(*shape) && segment.distance_to(contour) < reach {
                 visit(*shape);
             }
         });
@@ -60,17 +79,6 @@ impl Contours {
             near.insert(self.segments[n].0);
         });
         near.into_iter().find(|n| crosses(&self.shapes[*n].path, path))
-    }
-
-    fn nearer(&self, place: Point2, reach: f64) -> Option<usize> {
-        let mut found: Option<usize> = None;
-        self.tree.meeting(&Bounds2::of(place, place).grown(reach), |n| {
-            let (shape, segment) = &self.segments[n];
-            if segment.distance(place) < reach {
-                found = Some(found.map_or(*shape, |least| least.min(*shape)));
-            }
-        });
-        found
     }
 }
 

@@ -5,6 +5,7 @@ use crate::filter::filtered;
 use crate::gouge::{self, Contours};
 use crate::overlap;
 use crate::shape_paths::{Pass, paths};
+use crate::twice;
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_geom::fit::smoothed;
@@ -107,6 +108,7 @@ impl Default for Shaping {
 pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warning>), JobError> {
     let mut warnings = Vec::new();
     let block = block(drawing, shaping, &mut warnings);
+    let warnings = warnings.into_iter().map(|told: Warning| told.placed(&drawing.shapes)).collect();
     let copies = drawing.arrays.count();
     let paths = copies.saturating_mul(block.len() as u64);
     if paths > MOST_PATHS {
@@ -129,6 +131,8 @@ pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warni
 /// The paths of the basic block.
 fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
     let contours = Contours::of(drawing);
+    let twins = twice::twins(drawing);
+    twice::told(&twins, warnings);
     overlap::crossing(drawing, warnings);
     let mut block = Vec::new();
     for (n, shape) in drawing.shapes.iter().enumerate() {
@@ -138,7 +142,7 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
         }
         let number = n + 1;
         let found = paths(number, &shaped(shape, shaping), settings, warnings);
-        overlap::check(number, &found, &contours, warnings);
+        overlap::check(number, &found, &contours, &twins, warnings);
         // The machine halts before the shape, not before each of its paths.
         let mut pause = shape.pause;
         for path in found {
@@ -182,8 +186,10 @@ impl Job {
     /// The pass that would go below ZBottom, with the shape it belongs to.
     pub fn depths(&self, path: &CutPath, heights: &Heights) -> Result<Depths, Warning> {
         let settings = self.drawing.settings(path.shape.group);
-        Depths::of(depth(settings), heights)
-            .map_err(|error| Warning::new(path.from, error.to_string()))
+        Depths::of(depth(settings), heights).map_err(|error| Warning {
+            at: path.shape.path.start(),
+            ..Warning::new(path.from, error.to_string())
+        })
     }
 
     /// Length of the cutting paths of each group, millimetres, in the order of the groups.

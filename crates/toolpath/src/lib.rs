@@ -25,6 +25,7 @@ mod rsm;
 mod shape_paths;
 mod table;
 mod tag;
+mod twice;
 mod warning;
 
 pub use depth::{Depths, Heights, LowError};

@@ -13,8 +13,10 @@ pub(crate) fn check(
     number: usize,
     paths: &[ShapePath],
     contours: &Contours,
+    twins: &[Option<usize>],
     warnings: &mut Vec<Warning>,
 ) {
+    let of = |shape: usize| twins[shape].unwrap_or(shape);
     let mut hit = BTreeSet::new();
     for path in paths.iter().filter(|path| path.pass == Pass::Final && path.offset_mm != 0.0) {
         let lead = |name| {
@@ -24,7 +26,9 @@ pub(crate) fn check(
         let (first, last) = (lead("lead-in"), lead("lead-out"));
         let count = path.path.segment_count() - last.min(path.path.segment_count());
         for segment in path.path.segments().take(count).skip(first) {
-            contours.passed(&segment, path.offset_mm.abs(), number - 1, |shape| {
+            // Not itself; and what is drawn twice is told as that.
+            let other = |shape| of(shape) != of(number - 1);
+            contours.nearer_of(&segment, path.offset_mm.abs(), other, |shape| {
                 hit.insert(shape);
             });
         }
@@ -47,12 +51,15 @@ pub(crate) fn crossing(drawing: &Drawing, warnings: &mut Vec<Warning>) {
         shape.is_closed() && settings.on && !settings.traversal
     };
     let parts: Vec<usize> = (0..drawing.shapes.len()).filter(part).collect();
+    let boxes: Vec<_> = parts.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
+    let parts: Vec<usize> = BoxTree::order(&boxes).into_iter().map(|place| parts[place]).collect();
     let path = |n: usize| &drawing.shapes[parts[n]].path;
     let tree = BoxTree::new((0..parts.len()).map(|n| path(n).bounds()));
     let mut crossed = Vec::new();
     tree.own_pairs(|a, b| {
         if crosses(path(a), path(b)) {
-            crossed.push((parts[a.min(b)] + 1, parts[a.max(b)] + 1));
+            let (a, b) = (parts[a], parts[b]);
+            crossed.push((a.min(b) + 1, a.max(b) + 1));
         }
     });
     crossed.sort_unstable();

@@ -6,7 +6,7 @@ use crate::lead::{Side, lead_in, lead_out, with_leads};
 use crate::neutral::plunge;
 use crate::tag::without_tag;
 use crate::warning::Warning;
-use kerf_drawing::{GroupSettings, Kind, Shape};
+use kerf_drawing::{GroupSettings, Kind, Shape, spot};
 use kerf_geom::{Coarse, GeomError, Polyarc, offset, parallel_path};
 use kerf_program::job::{Plunge, helix_circle};
 use serde::{Deserialize, Serialize};
@@ -93,7 +93,11 @@ fn gone(number: usize, distance: f64) -> Warning {
 }
 
 fn failed(number: usize, error: &GeomError) -> Warning {
-    Warning::new(number, format!("offset failed: {error}: no path"))
+    let why = match error {
+        GeomError::Crosses { at, .. } => format!("it crosses itself{}", spot(Some(*at))),
+        other => other.to_string(),
+    };
+    Warning::new(number, format!("offset failed: {why}: no path"))
 }
 
 /// A path beside a shape, with heights, before tag and leads.

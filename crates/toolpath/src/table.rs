@@ -16,7 +16,8 @@ pub fn off_table(job: &Job, table: &Bounds2) -> Vec<Warning> {
     let outside = job.paths.iter().filter_map(|path| {
         let bounds = path.shape.path.bounds();
         (!room.holds_box(&bounds) && told.insert(path.from)).then(|| {
-            Warning::new(path.from, format!("leaves the table: {}", how_far(&bounds, table)))
+            let text = format!("leaves the table: {}", how_far(&bounds, table));
+            Warning { at: path.shape.path.start(), ..Warning::new(path.from, text) }
         })
     });
     outside.collect()

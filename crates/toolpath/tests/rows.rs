@@ -98,7 +98,10 @@ fn pro_toolpath_offset_arc() {
 fn pro_toolpath_offset_gone() {
     let (paths, told) =
         told(&format!("{CLOCKWISE}; circle 300,0 5; select 2; group red; set black offset=60"));
-    assert_eq!((paths, told.as_str()), (1, "shape 1: too small for an offset of 60 mm: no path"));
+    assert_eq!(
+        (paths, told.as_str()),
+        (1, "shape 1 at 0,0: too small for an offset of 60 mm: no path")
+    );
 }
 
 #[test]
@@ -173,7 +176,7 @@ fn pro_toolpath_leadin_plunge() {
 fn pro_toolpath_leadin_gouge() {
     let (paths, told) = told(&format!("{CLOCKWISE}; set black offset=5 lead-in=10,90"));
     assert_eq!(paths, 1, "the path is made all the same");
-    assert!(told.starts_with("shape 1: its lead-in cuts into it"), "{told}");
+    assert!(told.starts_with("shape 1 at 0,0: its lead-in cuts into it"), "{told}");
     let path = only(&format!("{CLOCKWISE}; start 1 0,50; set black offset=5 lead-in=10,90"));
     at(path.start(), 15.0, 40.0);
 }
@@ -234,7 +237,10 @@ fn pro_toolpath_selfloop() {
 fn pro_toolpath_selfloop_warn() {
     let (paths, told) = told("line 0,0 100,100 100,0 0,100 close; set black offset=5");
     assert_eq!(paths, 0);
-    assert!(told.starts_with("shape 1: offset failed: "), "{told}");
+    assert!(
+        told.starts_with("shape 1 at 0,0: offset failed: it crosses itself at 50,50"),
+        "{told}"
+    );
 }
 
 #[test]
@@ -262,7 +268,10 @@ fn pro_toolpath_offset_3d_refuse() {
     let mut source = Drawing::of([Shape::with_heights(path, vec![0.0, -1.0, -2.0, -3.0])]);
     source.groups[0].offset_mm = 5.0;
     let (job, warnings) = job(&source).unwrap();
-    assert!(job.paths.is_empty() && warnings[0].to_string().starts_with("shape 1: offset failed"));
+    assert!(
+        job.paths.is_empty()
+            && warnings[0].to_string().starts_with("shape 1 at 0,0: offset failed")
+    );
 }
 
 #[test]

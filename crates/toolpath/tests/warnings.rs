@@ -29,8 +29,8 @@ fn parts_nearer_than_the_tool_is_wide_are_told() {
     };
     check(&two(6.0), &[]);
     let both = [
-        format!("shape 1: its cut takes from shape 2: {NEAR}"),
-        format!("shape 2: its cut takes from shape 1: {NEAR}"),
+        format!("shape 1 at 0,0: its cut takes from shape 2: {NEAR}"),
+        format!("shape 2 at 55.9,0: its cut takes from shape 1: {NEAR}"),
     ];
     check(&two(5.9), &[&both[0], &both[1]]);
     // Without an offset nobody knows how wide the tool is.
@@ -43,13 +43,13 @@ fn a_hole_too_near_the_edge_is_told() {
     check(plate, &[]);
     // The cut of the hole stays inside it; a cut on the wrong side of it does not.
     let wrong = "rect 0,0 50,50; circle 25,12 10; set black offset=3";
-    check(wrong, &[&format!("shape 2: its cut takes from shape 1: {NEAR}")]);
+    check(wrong, &[&format!("shape 2 at 35,12: its cut takes from shape 1: {NEAR}")]);
 }
 
 #[test]
 fn parts_that_overlap_are_told() {
     let crossed = "rect 0,0 50,50; rect 40,40 90,90";
-    check(crossed, &["shape 1: it crosses shape 2: the parts overlap"]);
+    check(crossed, &["shape 1 at 0,0: it crosses shape 2: the parts overlap"]);
     check(&format!("{crossed}; select 2; group red; set red on=off"), &[]);
     check("rect 0,0 50,50; line 40,40 90,90", &[]);
 }
@@ -62,10 +62,10 @@ fn what_leaves_the_table_is_told_once() {
         off_table(&job, &table).iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     assert!(told("rect 0,0 100,80").is_empty());
-    let left = "shape 1: leaves the table: 3.000 mm at the left, 3.000 mm at the front";
+    let left = "shape 1 at 0,-3: leaves the table: 3.000 mm at the left, 3.000 mm at the front";
     assert_eq!(told("rect 0,0 50,50; set black offset=3"), [left]);
     let right = told("rect 0,0 50,50; array block 1x4 gap 10,0");
-    assert_eq!(right, ["shape 1: leaves the table: 10.000 mm at the right"]);
+    assert_eq!(right, ["shape 1 at 60,0: leaves the table: 10.000 mm at the right"]);
 }
 
 #[test]
@@ -76,13 +76,33 @@ fn a_helix_without_room_is_told() {
     let advice = "move the start, make the helix smaller or take a ramp";
     // Clockwise from a corner, to the right of travel: inside, from wall to wall.
     check(&format!("{}; start 1 0,10", helix(8.0)), &[]);
-    let it = format!("shape 1: its helix has no room and cuts across it: {advice}");
+    let it = format!("shape 1 at 0,10: its helix has no room and cuts across it: {advice}");
     check(&format!("{}; start 1 0,10", helix(11.0)), &[&it]);
-    check(&format!("{}; start 1 0,2", helix(8.0)), &[&it]);
+    check(&format!("{}; start 1 0,2", helix(8.0)), &[&it.replace("0,10", "0,2")]);
     // A neighbour in the way.
     let other = format!("{}; start 1 0,10; circle 12,10 1; select 2; group red", helix(8.0));
     check(&other, &[]);
     let other = format!("{}; start 1 0,10; circle 15,10 3; select 2; group red", helix(8.0));
-    let shape_2 = format!("shape 1: its helix has no room and cuts across shape 2: {advice}");
+    let shape_2 =
+        format!("shape 1 at 0,10: its helix has no room and cuts across shape 2: {advice}");
     check(&other, &[&shape_2]);
+}
+
+#[test]
+fn what_is_drawn_twice_is_told_once() {
+    let twice = |number: usize, at: &str| {
+        format!("shape {number} at {at}: it is drawn twice, as shape 1 is: erase one of them")
+    };
+    // The other way round, from another corner, with an offset and without.
+    let two = "rect 0,0 50,50; line 50,50 0,50 0,0 50,0 close; select 2; reverse";
+    check(two, &[&twice(2, "50,50")]);
+    check(&format!("{two}; set black offset=-3"), &[&twice(2, "50,50")]);
+    check("line 0,0 9,0; line 9,0 0,0", &[&twice(2, "9,0")]);
+    check("point 1,1; point 1,1; point 1,1", &[&twice(2, "1,1"), &twice(3, "1,1")]);
+    // Cut by two groups, once each; and not quite the same.
+    check("rect 0,0 50,50; select all; copy-to red", &[]);
+    check("line 0,0 9,0; line 0,0 9,0.01; line 0,0,0.1 9,0", &[]);
+    let (_, warnings) = job(&drawn("point 0,0; select all; array rect 10x10 spacing 0,0")).unwrap();
+    assert_eq!(warnings.len(), 21);
+    assert_eq!(warnings[20].text, "it and 78 more are drawn twice");
 }

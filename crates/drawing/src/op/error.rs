@@ -1,6 +1,7 @@
 //! Why an operation was not carried out, and what was noticed when it was.
 
 use crate::{CommentError, SettingsError};
+use kerf_geom::Point2;
 use thiserror::Error;
 
 /// What an operation that succeeded has to tell.
@@ -10,6 +11,12 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// What the user may like to know, a sentence each.
     pub notes: Vec<String>,
+}
+
+/// A place as it stands behind the number of a shape: ` at 10,5.25`; nothing for none.
+pub fn spot(at: Option<Point2>) -> String {
+    let thousandths = |value: f64| (value * 1e3).round() / 1e3 + 0.0;
+    at.map_or_else(String::new, |at| format!(" at {},{}", thousandths(at.x), thousandths(at.y)))
 }
 
 /// Why an operation was not carried out. The drawing is as it was.
@@ -40,10 +47,12 @@ pub enum OpError {
     #[error("{0} are the same place")]
     SamePlace(&'static str),
     /// A shape cannot be what the operation needs.
-    #[error("shape {shape}: {why}")]
+    #[error("shape {shape}{}: {why}", spot(*.at))]
     Shape {
         /// Its number.
         shape: usize,
+        /// Where it begins; whoever carries the operation out fills it in.
+        at: Option<Point2>,
         /// What is the matter and what helps.
         why: String,
     },

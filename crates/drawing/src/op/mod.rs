@@ -29,7 +29,7 @@ mod write;
 pub use clause::{ClauseError, script};
 pub use clear::{Clearing, Pattern};
 pub use entries::{ENTRIES, Entry};
-pub use error::{OpError, Outcome};
+pub use error::{OpError, Outcome, spot};
 pub use form::{Part, Value, Variant};
 
 use crate::{ArrayLevel, Choice, Drawing, Group, Level, Shape};

@@ -81,12 +81,13 @@ fn flat_only(shape: usize, found: &Shape) -> Result<(), OpError> {
     }
     Err(OpError::Shape {
         shape,
+        at: None,
         why: "only flat shapes can be changed so; it is a 3D shape".into(),
     })
 }
 
 fn told(shape: usize, error: &GeomError) -> OpError {
-    OpError::Shape { shape, why: error.to_string() }
+    OpError::Shape { shape, at: None, why: error.to_string() }
 }
 
 pub(super) fn offset(
@@ -105,7 +106,7 @@ pub(super) fn offset(
         }
         if found.is_empty() {
             let why = format!("nothing is left of it at {distance} mm");
-            return Err(OpError::Shape { shape: place + 1, why });
+            return Err(OpError::Shape { shape: place + 1, at: None, why });
         }
         let beside = |path| Shape { path, start_inserted: false, ..shape.as_ref().clone() };
         let mut with: Vec<Shape> = found.into_iter().map(|found| beside(found.path)).collect();

@@ -1,6 +1,6 @@
 //! Areas that shapes bound: outer shapes with their holes.
 
-use super::OpError;
+use super::{OpError, spot};
 use crate::{Drawing, Kind, Nesting, Shape};
 use kerf_geom::{Combine, GeomError, Polyarc, combine, outline};
 use kerf_pocket::PocketError;
@@ -24,7 +24,8 @@ impl Region {
             _ => 0,
         };
         let place = self.shapes.get(contour).or(self.shapes.first());
-        OpError::Shape { shape: place.map_or(0, |place| place + 1), why: error.to_string() }
+        let shape = place.map_or(0, |place| place + 1);
+        OpError::Shape { shape, at: None, why: error.to_string() }
     }
 
     /// The same area without crossings and touches.
@@ -56,7 +57,8 @@ pub(super) fn regions(
     let (closed, others): (Vec<usize>, Vec<usize>) =
         chosen.iter().partition(|place| bounds_an_area(&drawing.shapes[**place]));
     let left_out = |place: &usize| {
-        format!("shape {}: only closed flat shapes bound an area; it is left out", place + 1)
+        let at = spot(drawing.shapes[*place].path.start());
+        format!("shape {}{at}: only closed flat shapes bound an area; it is left out", place + 1)
     };
     let mut warnings: Vec<String> = others.iter().map(left_out).collect();
     let shape = |place: &usize| drawing.shapes[*place].clone();
@@ -115,7 +117,10 @@ impl Layout {
     fn crossings(&self, warnings: &mut Vec<String>) {
         let number = |n: usize| self.places[n] + 1;
         let themselves = (0..self.shapes.len()).filter(|n| self.crosses_itself[*n]);
-        warnings.extend(themselves.map(|n| format!("shape {} crosses itself", number(n))));
+        warnings.extend(themselves.map(|n| {
+            let at = spot(self.shapes[n].path.start());
+            format!("shape {}{at} crosses itself", number(n))
+        }));
         let others = self.nesting.across().iter().map(|(a, b)| {
             format!(
                 "shapes {} and {} cross each other: their areas are one",
@@ -163,5 +168,5 @@ fn directed(number: usize, shape: &Shape, outer: bool) -> Result<(), OpError> {
     let (what, wanted) =
         if outer { ("an outer shape", "counter-clockwise") } else { ("a hole", "clockwise") };
     let why = format!("directions not set: {what} must run {wanted}; use `directions auto` first");
-    Err(OpError::Shape { shape: number, why })
+    Err(OpError::Shape { shape: number, at: None, why })
 }

@@ -128,7 +128,7 @@ fn within_level(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError
     };
     if let Some(other) = level.iter().find(|n| nesting.parent(**n) != parent) {
         let why = format!("it does not lie in the same shape as shape {}", level[0] + 1);
-        return Err(OpError::Shape { shape: other + 1, why });
+        return Err(OpError::Shape { shape: other + 1, at: None, why });
     }
     level.extend(nesting.children(parent).filter(|n| !numbers.contains(&(n + 1))));
     let top = |n: usize| ancestor_in(&nesting, n, parent);

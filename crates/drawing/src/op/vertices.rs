@@ -93,7 +93,7 @@ pub(super) fn delete(draft: &mut Editor, shape: usize, at: &[Point2]) -> Result<
     let (_, found) = draft.shape(shape)?;
     if found.z_mm.is_some() {
         let why = "vertices can be deleted from flat shapes only; it is a 3D shape".into();
-        return Err(OpError::Shape { shape, why });
+        return Err(OpError::Shape { shape, at: None, why });
     }
     change(draft, shape, |path| {
         let mut vertices = Vec::new();
@@ -123,7 +123,7 @@ fn change(
 ) -> Result<(), OpError> {
     let (place, found) = draft.shape(shape)?;
     let mut changed: Shape = found.as_ref().clone();
-    make(&mut changed.path).map_err(|why| OpError::Shape { shape, why })?;
+    make(&mut changed.path).map_err(|why| OpError::Shape { shape, at: None, why })?;
     changed.start_inserted = false;
     draft.drawing.shapes[place] = Arc::new(changed);
     Ok(())
