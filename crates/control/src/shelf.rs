@@ -43,6 +43,9 @@ pub struct Shelf {
     pub(crate) tape: Tape,
     /// The log of the session, where one is wanted.
     pub(crate) system_log: Option<SystemLog>,
+    /// Where the server of this machine is reached, and the part file that a tool made last.
+    url: Option<String>,
+    pub(crate) made: Option<String>,
     /// Keys that were set while the tape played: they may not be in the journal yet.
     replayed: BTreeSet<String>,
     /// Program files that were called and lie on the disk, with their bytes; kept by previews only.
@@ -76,6 +79,8 @@ impl Shelf {
             mask: None,
             tape,
             system_log: None,
+            url: None,
+            made: None,
             replayed,
             called: None,
         }
@@ -102,6 +107,16 @@ impl Shelf {
     pub fn in_memory(disk: MemoryDisk) -> Self {
         let folders = Folders::new(PathBuf::new(), vec!["custom".into()], Vec::new());
         Self::new(Box::new(disk), folders, Stored::default(), PathBuf::new())
+    }
+
+    /// Programs that are started are told where the server of this machine is reached.
+    pub fn reached_at(&mut self, url: &str) {
+        self.url = Some(url.to_owned());
+    }
+
+    /// The part file that a tool made since this was asked last.
+    pub fn take_made(&mut self) -> Option<String> {
+        self.made.take()
     }
 
     /// The same with another answer to SHELL.
@@ -406,7 +421,8 @@ impl Shelf {
 
     pub(crate) fn shell(&mut self, call: &ShellCall) -> Result<(), HostError> {
         let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
-        self.tape.change(Kind::Shell, || start(shell, &folder, call))
+        let told = [("KERF_URL", self.url.clone()), ("KERF_DATA", Some(self.app_path()))];
+        self.tape.change(Kind::Shell, || start(shell, &folder, call, told))
     }
 
     /// Folder of the user's data.
@@ -421,7 +437,12 @@ impl Shelf {
 }
 
 /// Starts an external program.
-fn start(shell: Shell, folder: &Path, call: &ShellCall) -> Result<(), HostError> {
+fn start(
+    shell: Shell,
+    folder: &Path,
+    call: &ShellCall,
+    told: [(&str, Option<String>); 2],
+) -> Result<(), HostError> {
     match shell {
         Shell::Started => {}
         Shell::Skipped => return Ok(()),
@@ -432,6 +453,7 @@ fn start(shell: Shell, folder: &Path, call: &ShellCall) -> Result<(), HostError>
     }
     let mut command = shell_command(&call.line);
     command.current_dir(folder).stdin(Stdio::null());
+    command.envs(told.into_iter().filter_map(|(name, value)| Some((name, value?))));
     let started = if call.wait { command.status().map(drop) } else { command.spawn().map(drop) };
     started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
 }

@@ -61,6 +61,8 @@ impl Shelf {
             };
             self.put_made(folder, &file.name, &file.text)?;
         }
+        let first = made.files.first().filter(|file| file.place == Place::Parts);
+        self.made = first.map(|file| self.part_folder().join(&file.name).display().to_string());
         Ok(Ok(made))
     }
 }

@@ -1,8 +1,9 @@
 //! The command table as fill-in sheets show it.
 
 use kerf_program::Settings;
-use kerf_program::settings::AxisUnit;
+use kerf_program::settings::{AxisUnit, LinearUnit};
 use kerf_sbp::table::{self, Bound, CommandSpec, Default, Group, Kind, ParamSpec, Unit};
+use kerf_tools::{AddIn, Field, Tool};
 use kerf_wire::{CommandEntry, Parameter, ParameterKind};
 
 /// Bounds of lengths are in inches, as the manuals have them.
@@ -22,7 +23,62 @@ fn entry(spec: &CommandSpec, settings: &Settings) -> CommandEntry {
         group: group(spec.group).into(),
         doc: spec.doc.into(),
         moves: matches!(spec.group, Group::Move | Group::Jog | Group::Cut),
-        parameters: spec.params.iter().map(|param| parameter(param, settings)).collect(),
+        parameters: match tool_of(spec.letters) {
+            Some(tool) => tool.fields.iter().map(|field| tool_field(field, settings)).collect(),
+            None => spec.params.iter().map(|param| parameter(param, settings)).collect(),
+        },
+    }
+}
+
+/// The virtual tool of two letters: its sheet is its form.
+fn tool_of(letters: &str) -> Option<&'static Tool> {
+    letters.strip_prefix('T')?.chars().next().and_then(kerf_tools::tool)
+}
+
+/// A program that somebody added as a tool, as the menu shows it.
+pub fn added(tool: &AddIn) -> CommandEntry {
+    let values = Parameter {
+        name: "Values".into(),
+        kind: ParameterKind::Text,
+        doc: "Handed to the program as they are.".into(),
+        ..Parameter::default()
+    };
+    CommandEntry {
+        letters: format!("T{}", tool.letter),
+        name: tool.name.clone(),
+        group: group(Group::Tools).into(),
+        doc: format!("Starts {}", tool.command),
+        moves: false,
+        parameters: vec![values],
+    }
+}
+
+fn tool_field(field: &Field, settings: &Settings) -> Parameter {
+    let metric = settings.linear_unit == LinearUnit::Mm;
+    let (kind, least, most) = match field.kind {
+        kerf_tools::Kind::Length(least) => (ParameterKind::Number, Some(least), None),
+        kerf_tools::Kind::Number(least, most) => (ParameterKind::Number, Some(least), Some(most)),
+        kerf_tools::Kind::Whole(least, most) => {
+            (ParameterKind::Whole, Some(f64::from(least)), Some(f64::from(most)))
+        }
+        kerf_tools::Kind::Choice(words) => {
+            let words = words.iter().map(|word| (*word).to_owned()).collect();
+            (ParameterKind::Choice { words }, None, None)
+        }
+        kerf_tools::Kind::Text => (ParameterKind::Text, None, None),
+        kerf_tools::Kind::File => (ParameterKind::File, None, None),
+    };
+    let length = matches!(field.kind, kerf_tools::Kind::Length(_));
+    let default = field.shown_default(metric);
+    Parameter {
+        name: field.label.into(),
+        kind,
+        unit: if length { settings.linear_unit.symbol().into() } else { String::new() },
+        default: Some(default).filter(|default| !default.is_empty()),
+        least: least.filter(|least| least.is_finite()),
+        most,
+        doc: field.doc.into(),
+        ..Parameter::default()
     }
 }
 
@@ -135,7 +191,6 @@ fn bound(bound: Bound, user: &dyn Fn(f64) -> f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kerf_program::settings::LinearUnit;
 
     fn of(letters: &str, settings: &Settings) -> Option<CommandEntry> {
         commands(settings).into_iter().find(|entry| entry.letters == letters)
@@ -149,6 +204,18 @@ mod tests {
         let parameters = cc.map(|entry| entry.parameters).unwrap_or_default();
         assert_eq!(parameters.len(), 12);
         assert_eq!(parameters.iter().filter(|p| p.required).count(), 1);
+    }
+
+    #[test]
+    fn the_sheet_of_a_tool_is_its_form() {
+        let mut settings = Settings::default();
+        settings.use_linear_unit(LinearUnit::Mm);
+        let td = of("TD", &settings).map(|entry| entry.parameters).unwrap_or_default();
+        let bit = td.iter().find(|p| p.name == "Bit diameter");
+        assert!(bit.is_some_and(|p| p.unit == "mm" && p.default.as_deref() == Some("6.35")));
+        let zero = td.iter().find(|p| p.name == "Z zero").map(|p| p.kind.clone());
+        let words = vec!["surface".to_owned(), "table".to_owned()];
+        assert_eq!(zero, Some(ParameterKind::Choice { words }));
     }
 
     #[test]

@@ -17,6 +17,6 @@ mod hover;
 mod word;
 
 pub use check::{check, finding};
-pub use commands::commands;
+pub use commands::{added, commands};
 pub use complete::complete;
 pub use hover::hover;

@@ -10,6 +10,7 @@ use crate::protect::Unlocked;
 use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
+use kerf_control::journal::Journal;
 use kerf_wire::{Change, FileParameters, Opened, PreviewState, Problem, Why};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
@@ -258,6 +259,11 @@ impl App {
         self.previewed(&open, state);
     }
 
+    /// What survives, where anything does.
+    pub fn journal(&self) -> Option<Journal> {
+        lock(&self.left).journal.clone()
+    }
+
     /// Files as the machine sees them, which nothing changes.
     pub fn preview_shelf(&self) -> std::io::Result<Shelf> {
         let mut shelf = (self.builders.preview)()?;
@@ -293,8 +299,12 @@ impl App {
         });
     }
 
-    /// A run is over: a preview that no longer begins where the machine stands is made again.
-    pub fn after_run(self: &Arc<Self>) {
+    /// A run is over. A file that a tool made is opened; a preview that no longer begins where the machine stands is made again.
+    pub fn after_run(self: &Arc<Self>, made: Option<String>) {
+        if let Some(name) = made {
+            // It was written a moment ago; where it cannot be read nothing is opened.
+            drop(self.open_file(&name));
+        }
         let memory = {
             let left = lock(&self.left);
             (left.session.memory.settings.clone(), left.session.memory.frame)

@@ -73,7 +73,7 @@ impl Server {
         let runtime = Runtime::new()?;
         let listener = runtime.block_on(TcpListener::bind(options.listen))?;
         let address = listener.local_addr()?;
-        let app = machine_and_app(options, builders)?;
+        let app = machine_and_app(options, builders, format!("http://{address}"))?;
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }
@@ -110,7 +110,7 @@ impl Drop for Server {
 }
 
 /// Starts the machine's thread, and makes what requests share.
-fn machine_and_app(options: Options, builders: Builders) -> io::Result<Arc<App>> {
+fn machine_and_app(options: Options, builders: Builders, url: String) -> io::Result<Arc<App>> {
     let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
     snapshot.drawing_only = options.drawing_only;
     snapshot.machine.name = "simulated".into();
@@ -120,7 +120,7 @@ fn machine_and_app(options: Options, builders: Builders) -> io::Result<Arc<App>>
     let app: Arc<OnceLock<Weak<App>>> = Arc::default();
     let done = {
         let app = app.clone();
-        move || app.get().and_then(Weak::upgrade).map_or((), |app| app.after_run())
+        move |made| app.get().and_then(Weak::upgrade).map_or((), |app| app.after_run(made))
     };
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();
@@ -128,7 +128,10 @@ fn machine_and_app(options: Options, builders: Builders) -> io::Result<Arc<App>>
     let rate = options.rate;
     let run = move |waiting: Receiver<Order>| {
         let workshop = match build() {
-            Ok(workshop) => workshop,
+            Ok(mut workshop) => {
+                workshop.shelf.reached_at(&url);
+                workshop
+            }
             Err(error) => return drop(ready.send(Err(error))),
         };
         let ((hub, link, left), done) = (owned, Box::new(done));

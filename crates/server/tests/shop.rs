@@ -1,7 +1,7 @@
 //! What pages ask of the shop besides driving: how a file is run, its folder, the recorder, watched
 //! variables, switches of the simulated machine, the configuration.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 mod support;
 
@@ -229,4 +229,109 @@ fn a_file_that_a_program_shows_is_named_for_the_editor() {
     page.act(json!({ "do": "answer", "question": question, "answer": "OK" }));
     page.until_state("idle");
     assert!((page.x() - 25.4).abs() < 1e-6);
+}
+
+/// A server whose machine is kept.
+fn kept_shop() -> support::Shop {
+    support::kept(tempfile::tempdir().unwrap())
+}
+
+#[test]
+fn sbp_ctl_reg__over_http() {
+    let shop = kept_shop();
+    let put = |key: &str, value: &str| {
+        shop.ask(
+            &format!("PUT /api/registry/{key}"),
+            &[("Content-Type", "text/plain")],
+            value.as_bytes(),
+        )
+    };
+    let get = |key: &str| {
+        let answer = shop.get(&format!("/api/registry/{key}"));
+        (answer.status, String::from_utf8(answer.body).unwrap())
+    };
+    assert_eq!(put("ShopBot/UserData/uValue", "seven").status, 200);
+    assert_eq!(get("ShopBot/UserData/uValue"), (200, "seven".into()));
+    assert_eq!(get("ShopBot/UserData/Status"), (200, "0".into()));
+    let mut page = shop.driver();
+    let lease = page.lease;
+    let line = "GetUsrVal &a\nPAUSE\nSetUsrVal eight";
+    assert_eq!(page.act(json!({ "do": "command", "lease": lease, "line": line })), None);
+    let question = page.asked("pause");
+    let status: u32 = get("Status").1.parse().unwrap();
+    assert_eq!(status & 8, 8, "it pauses: {status}");
+    page.act(json!({ "do": "answer", "question": question, "answer": "OK" }));
+    page.until_state("idle");
+    assert_eq!(get("uValue"), (200, "eight".into()));
+    assert_eq!(shop.get("/api/values").json()["variables"][0]["value"], "seven");
+    let all = shop.get("/api/registry").json().to_string();
+    assert!(all.contains("OutPutSwitches"), "{all}");
+    assert_eq!(put("uValue", "").status, 200);
+    assert_eq!(get("uValue").0, 404);
+}
+
+#[test]
+fn sbp_ctl_reg_ucommand__in_the_server() {
+    let shop = kept_shop();
+    let put = |value: &str| shop.ask("PUT /api/registry/uCommand", &[], value.as_bytes());
+    let mut page = shop.page();
+    put("MX,1");
+    page.until("a warning", |page| page.shown["messages"].to_string().contains("disarmed"));
+    assert_eq!(page.x(), 0.0);
+    page.drive();
+    put("MX,2");
+    page.until("the move", |page| (page.x() - 50.8).abs() < 1e-6);
+    page.until_state("idle");
+    assert_eq!(shop.get("/api/registry/uCommand").status, 404, "it is carried out once");
+    // What a program writes into the watched file counts as well.
+    let data = shop.dir.path().join("data");
+    std::fs::write(data.join("new"), "uCommand=MX,3\n").unwrap();
+    std::fs::rename(data.join("new"), data.join("registry.in")).unwrap();
+    page.until("the move", |page| (page.x() - 76.2).abs() < 1e-6);
+    put("QQ,1");
+    page.until("a refusal", |page| page.shown["messages"].to_string().contains("QQ,1"));
+}
+
+#[test]
+fn sbp_tool_system() {
+    let shop = kept_shop();
+    let data = shop.dir.path().join("data");
+    let letters = || {
+        let all = shop.get("/api/commands").json();
+        let tool = |c: &&Value| c["group"] == "tools";
+        all.as_array()
+            .unwrap()
+            .iter()
+            .filter(tool)
+            .map(|c| c["letters"].clone())
+            .collect::<Vec<_>>()
+    };
+    assert!(letters().contains(&json!("TD")) && !letters().contains(&json!("TQ")));
+    std::fs::create_dir_all(shop.part("data")).unwrap();
+    let ini = "[Q]\nName = Nesting\nCommand = echo $KERF_URL > told.txt; echo\n";
+    for folder in [data, shop.part("data")] {
+        std::fs::write(folder.join("virtualtools.ini"), ini).unwrap();
+    }
+    assert!(letters().contains(&json!("TQ")), "the menu shows it");
+    let mut page = shop.driver();
+    page.command("TQ, 1");
+    let told = std::fs::read_to_string(shop.part("told.txt")).unwrap();
+    assert_eq!(told.trim(), format!("http://{}", shop.server.address), "it can reach the machine");
+    page.command("TX");
+    let error = page.shown["job"]["error"]["message"].as_str().unwrap();
+    assert!(error.contains("no such tool"), "{error}");
+}
+
+#[test]
+fn what_a_tool_makes_is_opened_and_previewed() {
+    let shop = kept_shop();
+    let mut page = shop.driver();
+    page.command("TD,24,12,.5,2 3 1; 6 3 .25,.25,.5,2,no,surface,in,drilled.sbp");
+    page.until("the preview", |page| {
+        let opened = &page.shown["opened"];
+        opened["name"] == "drilled.sbp" && opened["preview"]["state"] == "ready"
+    });
+    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
+    let info = shop.get(&format!("/api/preview/{key}")).json();
+    assert!((info["bounds"][0][2].as_f64().unwrap() + 12.7).abs() < 1e-3, "{info}");
 }

@@ -1,6 +1,6 @@
 //! What was entered into a form, checked field by field.
 
-use crate::field::{Field, Kind};
+use crate::field::{Field, INCH_MM, Kind};
 use std::collections::BTreeMap;
 
 /// What is wrong with a field.
@@ -25,9 +25,6 @@ pub struct Entries<'a> {
     metric: bool,
     read: &'a dyn Fn(&str) -> Option<String>,
 }
-
-/// Millimetres in an inch.
-const INCH_MM: f64 = 25.4;
 
 impl<'a> Entries<'a> {
     /// Checks what was entered; fields that were not keep their defaults.
@@ -57,7 +54,7 @@ impl<'a> Entries<'a> {
         let mut values = BTreeMap::new();
         for field in fields {
             let value = given(field).filter(|value| !value.is_empty());
-            let value = value.map_or_else(|| default(field, metric), str::to_owned);
+            let value = value.map_or_else(|| field.shown_default(metric), str::to_owned);
             match read_value(field, &value) {
                 Ok(value) => drop(values.insert(field.key, value)),
                 Err(wanted) => {
@@ -98,15 +95,6 @@ impl<'a> Entries<'a> {
     /// The text of a file in the part folder.
     pub fn file(&self, name: &str) -> Option<String> {
         (self.read)(name)
-    }
-}
-
-/// What stands in a field at first: lengths in the unit of the form.
-fn default(field: &Field, metric: bool) -> String {
-    let Kind::Length(_) = field.kind else { return field.default.into() };
-    match field.default.parse::<f64>() {
-        Ok(inches) if metric => format!("{}", (inches * INCH_MM * 1e4).round() / 1e4),
-        _ => field.default.into(),
     }
 }
 

@@ -1,5 +1,8 @@
 //! What a form asks.
 
+/// Millimetres in an inch.
+pub const INCH_MM: f64 = 25.4;
+
 /// A field of a form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
@@ -86,6 +89,15 @@ pub const fn file(default: &'static str) -> Field {
 }
 
 impl Field {
+    /// What stands in it at first: lengths in millimetres or inches.
+    pub fn shown_default(&self, metric: bool) -> String {
+        let Kind::Length(_) = self.kind else { return self.default.into() };
+        match self.default.parse::<f64>() {
+            Ok(inches) if metric => format!("{}", (inches * INCH_MM * 1e4).round() / 1e4),
+            _ => self.default.into(),
+        }
+    }
+
     /// The same with a word about it.
     pub const fn about(mut self, doc: &'static str) -> Self {
         self.doc = doc;

@@ -109,7 +109,7 @@ pub struct CommandEntry {
 }
 
 /// A parameter.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Parameter {
     /// Its name.
@@ -135,10 +135,11 @@ pub struct Parameter {
 }
 
 /// What may be written for a parameter.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", tag = "is")]
 pub enum ParameterKind {
     /// A number.
+    #[default]
     Number,
     /// A whole number.
     Whole,

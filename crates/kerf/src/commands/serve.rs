@@ -3,6 +3,7 @@
 use crate::args::PlaceArgs;
 use crate::clock;
 use crate::exit::Exit;
+use crate::visit::Visit;
 use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
@@ -102,6 +103,10 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     if config.is_some() {
         session.machine_is = setup::machine(config, &args.place.data)?.into();
         session.memory.settings = session.machine_is.program.clone();
+    }
+    if kept {
+        // The log begins, and a command that was passed in before is forgotten.
+        Visit::default().begins(&session, &mut shelf)?;
     }
     Ok(Workshop { session, shelf, kept, started: || Some(clock::started()) })
 }

@@ -40,7 +40,10 @@ pub struct Formatted {
 /// Every command, with the settings that hold now.
 pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
     let settings = lock(&app.left).session.memory.settings.clone();
-    Json(kerf_language::commands(&settings))
+    let mut all = kerf_language::commands(&settings);
+    let added = app.preview_shelf().map(|shelf| shelf.add_ins().0).unwrap_or_default();
+    all.extend(added.iter().map(kerf_language::added));
+    Json(all)
 }
 
 /// What is wrong with a text.

@@ -11,6 +11,7 @@ mod guard;
 mod language;
 mod people;
 mod preview;
+mod registry;
 mod rest;
 mod routes;
 mod socket;

@@ -1,7 +1,7 @@
 //! The routes, and their description for scripts (OpenAPI).
 
 use super::language::{Formatted, Spot};
-use super::{assets, files, guard, language, people, preview, rest, socket};
+use super::{assets, files, guard, language, people, preview, registry, rest, socket};
 use crate::app::App;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
@@ -10,8 +10,8 @@ use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
-    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Lamp, OperationEntry, Reply,
-    SettingArea, ShapeList, Snapshot, ToolPaths, Values,
+    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Lamp, NamedValue, OperationEntry,
+    Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -50,6 +50,8 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/values", get(language::values)),
         ("/api/settings", get(language::settings)),
         ("/api/inputs", get(language::inputs)),
+        ("/api/registry", get(registry::list)),
+        ("/api/registry/{*key}", get(registry::get).put(registry::set)),
         ("/api/language/check", post(language::check)),
         ("/api/language/complete", post(language::complete)),
         ("/api/language/hover", post(language::hover)),
@@ -124,6 +126,19 @@ fn routes() -> Vec<Route> {
             "The configuration of the machine, to be changed with the act set",
             Some(schema::<Vec<SettingArea>>),
         ),
+        looks(
+            "/api/registry",
+            "Values that programs and other software keep, and the status",
+            Some(schema::<Vec<NamedValue>>),
+        ),
+        looks("/api/registry/{key}", "One of them, as text", None),
+        Route {
+            path: "/api/registry/{key}",
+            method: "put",
+            doc: "Sets one of them to the text of the body; an empty one removes it",
+            body: None,
+            answer: None,
+        },
         looks("/api/inputs", "Every input of the simulated machine", Some(schema::<Vec<Lamp>>)),
         looks("/api/commands", "The commands of OpenSBP", Some(schema::<Vec<CommandEntry>>)),
         asks(

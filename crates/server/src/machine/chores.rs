@@ -3,13 +3,45 @@
 use super::owner::Owner;
 use crate::setup::Workshop;
 use crate::told;
-use kerf_control::Press;
+use kerf_control::{Press, command_passing};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
-use kerf_wire::{Change, Folder, NamedValue, Recorder, State, Tone};
+use kerf_wire::{Change, Folder, Machine, NamedValue, Recorder, State, Tone};
 use std::path::Path;
 
 impl Owner {
+    /// A command that other software passed in (`uCommand`), when it may be carried out now. It is
+    /// taken away in any case: one that was left would surprise whoever arms the machine.
+    pub(super) fn passed_in(&mut self) -> Option<String> {
+        let journal = self.workshop.shelf.journal()?;
+        let taken = journal.take_in().and_then(|()| command_passing::take(journal));
+        let told = match taken {
+            Ok(None) => return None,
+            Ok(Some(Ok(line))) => match self.may_run() {
+                true => return Some(line),
+                false => {
+                    format!("{line} was passed in and not carried out: the machine is disarmed")
+                }
+            },
+            Ok(Some(Err(why))) => why,
+            Err(error) => error.to_string(),
+        };
+        self.hub.say(Tone::Warning, format!("{}: {told}", command_passing::COMMAND));
+        None
+    }
+
+    /// Whether the machine is armed and idle; from now on it is busy.
+    fn may_run(&self) -> bool {
+        let mut may = false;
+        self.hub.changing(|now| {
+            may = now.machine.armed && now.machine.state == State::Idle;
+            self.link.begin();
+            let machine = Machine { state: State::Running, why: None, ..now.machine.clone() };
+            if may { vec![Change::Machine { machine }] } else { Vec::new() }
+        });
+        may
+    }
+
     /// Moves a switch of the machine, which stands.
     pub(super) fn press(&mut self, press: Press) {
         self.workshop.session.press(press);

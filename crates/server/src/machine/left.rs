@@ -1,6 +1,7 @@
 //! What the owner of the machine leaves for others to look at, whenever it is done with something.
 
 use kerf_control::Session;
+use kerf_control::journal::Journal;
 use std::path::PathBuf;
 
 /// The machine and its files as the last run left them.
@@ -10,6 +11,8 @@ pub struct Left {
     pub session: Session,
     /// The part folder that FS chose.
     pub folder: PathBuf,
+    /// What survives.
+    pub journal: Option<Journal>,
     /// Which files lists show.
     pub mask: String,
 }

@@ -20,8 +20,9 @@ use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
-use std::sync::mpsc::Receiver;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 /// What the machine is to do next.
 #[derive(Debug)]
@@ -69,6 +70,9 @@ pub enum Order {
     Configure(&'static Setting, Box<Configuration>),
 }
 
+/// How often it is looked whether other software passed a command in.
+const LOOK: Duration = Duration::from_millis(100);
+
 /// The owner.
 pub struct Owner {
     /// Who is told.
@@ -83,8 +87,8 @@ pub struct Owner {
     pub left: Arc<Mutex<Left>>,
     /// Seconds of machine time in a second.
     pub rate: f64,
-    /// Told after each order.
-    pub done: Box<dyn Fn() + Send>,
+    /// Told after each order, with the file that a tool made.
+    pub done: Box<dyn Fn(Option<String>) + Send>,
     /// Questions that were asked so far.
     pub asked: u32,
     /// Runs so far.
@@ -99,7 +103,15 @@ impl Owner {
 
     /// Works until nobody gives orders any more.
     pub fn work(mut self, orders: &Receiver<Order>) {
-        for order in orders {
+        loop {
+            let order = match orders.recv_timeout(LOOK) {
+                Ok(order) => order,
+                Err(RecvTimeoutError::Timeout) => match self.passed_in() {
+                    Some(line) => Order::Command(line),
+                    None => continue,
+                },
+                Err(RecvTimeoutError::Disconnected) => break,
+            };
             match order {
                 Order::File { program, name, hash, times, parameters } => {
                     let mut options = self.options();
@@ -118,7 +130,8 @@ impl Owner {
                 Order::Configure(setting, wanted) => self.configure(setting, *wanted),
             }
             self.tell_shelf();
-            (self.done)();
+            let made = self.workshop.shelf.take_made();
+            (self.done)(made.map(|path| self.parts.name_of(&path)));
         }
     }
 
@@ -256,6 +269,7 @@ impl Owner {
             session: session.clone(),
             folder: shelf.part_folder().to_owned(),
             mask: shelf.mask().to_owned(),
+            journal: shelf.journal().cloned(),
         };
         *self.left.lock().unwrap_or_else(PoisonError::into_inner) = left;
     }

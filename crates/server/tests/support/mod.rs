@@ -95,6 +95,7 @@ pub fn kept(dir: TempDir) -> Shop {
         let stored = Stored::of(journal.clone()).unwrap();
         let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, kept.clone());
         let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
+        let shelf = shelf.with_shell(kerf_control::Shell::Started);
         Ok(Workshop { session, shelf, kept: true, started: || None })
     };
     let options = Options {

@@ -1,0 +1,63 @@
+//! The values that programs and other software keep, under the names of the external control.
+
+use super::guard::Caller;
+use super::rest::demand;
+use super::{Refused, aside};
+use crate::app::{App, problem};
+use axum::extract::{Path, State};
+use axum::{Extension, Json};
+use kerf_wire::{NamedValue, Problem, Role, Why};
+use std::sync::Arc;
+
+/// Longest value, bytes.
+const LONGEST: usize = 1 << 16;
+
+/// Every key with its value: what the machine is doing first.
+pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<NamedValue>>, Refused> {
+    Ok(Json(aside(move || values(&app)).await?))
+}
+
+/// The value of a key; a path before the last / is left out.
+pub async fn get(State(app): State<Arc<App>>, Path(key): Path<String>) -> Result<String, Refused> {
+    let found = aside(move || {
+        let key = last_part(&key).to_owned();
+        let value = values(&app)?.into_iter().find(|value| value.name == key);
+        value.ok_or_else(|| problem(Why::File, format!("{key} has no value")))
+    });
+    Ok(found.await?.value)
+}
+
+/// Sets the value of a key; an empty one removes it.
+pub async fn set(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Path(key): Path<String>,
+    value: String,
+) -> Result<Json<()>, Refused> {
+    demand(&caller, Role::Operator)?;
+    let set = move || {
+        if value.len() > LONGEST {
+            return Err(problem(Why::Malformed, "the value is too long"));
+        }
+        let journal = app.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
+        let value = Some(value.trim_end()).filter(|value| !value.is_empty());
+        journal.set_value(last_part(&key), value).map_err(server)
+    };
+    Ok(Json(aside(set).await?))
+}
+
+fn values(app: &App) -> Result<Vec<NamedValue>, Problem> {
+    let Some(journal) = app.journal() else { return Ok(Vec::new()) };
+    let live = journal.live().map_err(server)?;
+    let live = live.values().map(|(name, value)| (name.to_owned(), value.to_string()));
+    let kept = journal.values().map_err(server)?;
+    Ok(crate::told::named(live.into_iter().chain(kept)))
+}
+
+fn server(error: kerf_control::journal::JournalError) -> Problem {
+    problem(Why::Server, error.to_string())
+}
+
+fn last_part(key: &str) -> &str {
+    key.rsplit('/').next().unwrap_or(key)
+}
