@@ -18,6 +18,7 @@ mod out;
 mod parse;
 mod picture;
 mod progress;
+mod remote;
 mod report;
 mod setup;
 mod signals;

@@ -1,6 +1,6 @@
 //! What editors and fill-in sheets ask.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 mod support;
 
@@ -30,4 +30,45 @@ fn a_text_is_checked_completed_explained_and_formatted() {
     assert!(ask("hover", at)["text"].as_str().unwrap().contains('X'));
     let formatted = ask("format", json!({ "name": "a.sbp", "text": "mx,1\n" }));
     assert_eq!(formatted["text"], "MX,1\n");
+}
+
+/// What the fill-in sheet of a command shows of a parameter, after a line was typed.
+#[track_caller]
+fn shown_after(line: &str, parameter: usize) -> String {
+    let shop = shop(100.0, &[]);
+    shop.driver().command(line);
+    let commands = shop.get("/api/commands").json();
+    let commands = commands.as_array().unwrap();
+    let sheet = commands.iter().find(|c| c["letters"] == line[..2]).unwrap();
+    sheet["parameters"][parameter - 1]["present"].as_str().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn sbp_val_vr_3d__in_its_sheet() {
+    assert_eq!(shown_after("VR,,,,,,,,,,,200", 11), "200");
+}
+
+#[test]
+fn sbp_val_vr_mindist__in_its_sheet() {
+    assert_eq!(shown_after("VR,,,,,,,,,,,,.05", 12), "0.05");
+}
+
+#[test]
+fn sbp_val_vr_corner__in_its_sheet() {
+    assert_eq!(shown_after("VR,,,,,,,,,,,,,90", 13), "90");
+}
+
+#[test]
+fn sbp_val_vd_params__in_its_sheet() {
+    let line = "VD,,4,1,2,2,,1,2.54,0,1,1,0,0,8800,4600,0,1,0";
+    let shop = shop(100.0, &[]);
+    shop.driver().command(line);
+    let commands = shop.get("/api/commands").json();
+    let vd = commands.as_array().unwrap().iter().find(|c| c["letters"] == "VD").unwrap().clone();
+    let given: Vec<&str> = line.split(',').skip(1).collect();
+    for (n, wanted) in given.into_iter().enumerate().filter(|(_, wanted)| !wanted.is_empty()) {
+        let parameter = &vd["parameters"][n];
+        assert_eq!(parameter["present"], wanted, "{parameter}");
+        assert!(!parameter["name"].as_str().unwrap().is_empty());
+    }
 }

@@ -3,6 +3,7 @@
 use super::run::{MachineArgs, on_machine};
 use crate::args::RunArgs;
 use crate::exit::Exit;
+use crate::remote::Remote;
 use crate::report::Talk;
 use crate::setup;
 use anyhow::{Context, Result};
@@ -26,6 +27,9 @@ pub struct SendArgs {
     /// The lines
     #[arg(required_unless_present = "again", value_name = "LINE", allow_hyphen_values = false)]
     lines: Vec<String>,
+    /// Sends them to a running `kerf serve` at this address [default: KERF_URL, where it is set]
+    #[arg(long, value_name = "URL")]
+    server: Option<String>,
     /// Carries out the lines sent last, once more
     #[arg(long, conflicts_with = "lines")]
     again: bool,
@@ -44,8 +48,23 @@ pub fn carry_out(text: &str, machine: MachineArgs, run: RunArgs) -> Result<Exit>
     on_machine(job, &machine, &run, Talk::all())
 }
 
+/// Has a running server carry the lines out.
+fn remotely(url: &str, lines: &str) -> Result<Exit> {
+    let ended = Remote::new(url)?.send(lines)?;
+    eprintln!("kerf: {ended}");
+    Ok(match ended.as_str() {
+        "ok" | "ended" => Exit::Good,
+        "failed" => Exit::Failed,
+        _ => Exit::Stopped,
+    })
+}
+
 pub fn run(args: &SendArgs) -> Result<Exit> {
     args.machine.check()?;
+    let named = std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
+    if let (Some(url), false) = (args.server.clone().or(named), args.again) {
+        return remotely(&url, &args.lines.join("\n"));
+    }
     let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
     let text = if args.again {
         shelf.text(FILE).with_context(|| format!("nothing was sent before: there is no {FILE}"))?
