@@ -38,6 +38,9 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,
+    /// The version for editing alone: nothing that moves or switches a machine
+    #[arg(long, global = true)]
+    edit_only: bool,
 }
 
 /// What stands below the list of commands.
@@ -55,7 +58,8 @@ Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the co
 3 stopped by the operator or a limit";
 
 fn main() -> ExitCode {
-    match commands::run(Cli::parse().command) {
+    let Cli { command, edit_only } = Cli::parse();
+    match commands::run(command.restricted(edit_only)) {
         Ok(exit) => exit.into(),
         Err(error) => {
             eprintln!("kerf: {error:#}");

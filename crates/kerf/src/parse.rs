@@ -155,6 +155,15 @@ pub fn size(text: &str) -> Result<[f64; 2], String> {
     }
 }
 
+/// A place as X,Y.
+pub fn place(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[x, y]) if [x, y].iter().all(|n| n.is_finite()) => Ok([x, y]),
+        _ => Err("give a place as X,Y".into()),
+    }
+}
+
 /// Three numbers as X,Y,Z, all greater than 0.
 pub fn three_positive(text: &str) -> Result<[f64; 3], String> {
     let all = three(text)?;

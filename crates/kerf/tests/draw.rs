@@ -77,7 +77,7 @@ fn what_cannot_be_read_is_told() {
     let output = kerf(folder.path(), &["draw", "missing.dxf", "--list"]);
     assert_eq!(output.status.code(), Some(2));
     let output = kerf(folder.path(), &["draw", "photo.dxf"]);
-    assert!(told(&output).contains("name an output with -o, or --list"));
+    assert!(told(&output).contains("name an output with -o photo.rsg, or --list"));
 }
 
 #[test]
@@ -376,5 +376,173 @@ fn the_drawing_on_disk_outlives_a_full_disk_and_a_kill() {
         let now = read();
         assert!(now == before || now == after, "half a drawing after {moment}: {}", now.len());
         std::fs::write(folder.path().join("a.rsg"), &before).unwrap();
+    }
+}
+
+#[test]
+fn pro_files_dxf_in() {
+    let folder = folder_with_drawings();
+    let output = kerf(folder.path(), &["draw", "a.dxf", "--do", "select all; group red"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told(&output).contains("name an output with -o a.rsg"), "{}", told(&output));
+    kerf(folder.path(), &["draw", "a.dxf", "--do", "select all; group red", "-o", "a.rsg"]);
+    assert_eq!(shapes(folder.path(), "a.rsg")[0]["group"], "red", "augmented and kept");
+}
+
+/// Entities and the bounds of their vertices as ezdxf has them; nothing where it is not installed.
+fn by_ezdxf(folder: &Path, file: &str) -> Option<(u64, u64, Vec<f64>)> {
+    let script = "
+import sys, json, ezdxf
+from ezdxf import bbox
+drawing = ezdxf.readfile(sys.argv[1])
+audit = drawing.audit()
+box = bbox.extents(drawing.modelspace(), fast=False)
+corners = list(box.extmin)[:2] + list(box.extmax)[:2]
+print(json.dumps([len(audit.errors) + len(audit.fixes), len(drawing.modelspace()), corners]))
+";
+    let python = Command::new("python3").current_dir(folder).args(["-c", script, file]).output();
+    let text = python.ok().filter(|run| run.status.success())?.stdout;
+    serde_json::from_slice(&text).ok()
+}
+
+/// Every line of a file is DXF; what is Kerf's own stands in comments.
+fn only_comments_are_our_own(folder: &Path, file: &str) {
+    let text = std::fs::read_to_string(folder.join(file)).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    for pair in lines.chunks(2).filter(|pair| pair[1].starts_with("KERF ")) {
+        assert_eq!(pair[0].trim(), "999");
+    }
+}
+
+#[test]
+fn pro_files_rsg_dxf() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "rect 10,20 110,80; circle 60,50 15; point 3,4; select 2; group red; comment birch; \
+                  set red offset=3; array block 2x3 gap 5,5";
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    only_comments_are_our_own(folder.path(), "job.rsg");
+    let own = shapes(folder.path(), "job.rsg");
+    if let Some((mistakes, count, corners)) = by_ezdxf(folder.path(), "job.rsg") {
+        assert_eq!((mistakes, count as usize), (0, own.len()));
+        for (found, expected) in corners.iter().zip([3.0, 4.0, 110.0, 80.0]) {
+            assert!((found - expected).abs() < 1e-6, "{corners:?}");
+        }
+    }
+    // Renamed, it is a drawing like any other: geometry and order, without what is Kerf's own.
+    std::fs::copy(folder.path().join("job.rsg"), folder.path().join("plain.dxf")).unwrap();
+    let plain = shapes(folder.path(), "plain.dxf");
+    let boxes =
+        |all: &[serde_json::Value]| all.iter().map(|s| s["bounds"].clone()).collect::<Vec<_>>();
+    assert_eq!(boxes(&plain), boxes(&own));
+}
+
+#[test]
+fn pro_files_rsm_dxf() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = "line 0,0 100,0 100,100 0,100 close; array block 2x3 gap 10,10";
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    kerf(folder.path(), &["toolpath", "job.rsg"]);
+    only_comments_are_our_own(folder.path(), "job.rsm");
+    if let Some((mistakes, count, corners)) = by_ezdxf(folder.path(), "job.rsm") {
+        assert_eq!((mistakes, count), (0, 6));
+        assert_eq!(corners, [0.0, 0.0, 320.0, 210.0]);
+    }
+    let text = std::fs::read_to_string(folder.path().join("job.rsm")).unwrap();
+    assert_eq!(text.lines().filter(|line| *line == "POLYLINE").count(), 6);
+}
+
+#[test]
+fn pro_files_rsm_edit() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |args: &[&str]| kerf(folder.path(), args);
+    run(&["draw", "--do", "rect 0,0 10,10; circle 50,50 5", "-o", "job.rsg"]);
+    run(&["toolpath", "job.rsg"]);
+    let edited = run(&["draw", "job.rsm", "--do", "select 2; move 0,30", "-o", "job.rsm"]);
+    assert_eq!(edited.status.code(), Some(0), "{}", told(&edited));
+    let caution = "caution: tool paths were changed by hand";
+    assert_eq!(told(&edited).matches(caution).count(), 1, "{}", told(&edited));
+    let bounds = |file: &str| shapes(folder.path(), file)[1]["bounds"]["max"]["y"].clone();
+    assert_eq!(bounds("job.rsm"), 85.0);
+    let made = run(&["toolpath", "job.rsg"]);
+    assert_eq!(made.status.code(), Some(1));
+    assert!(told(&made).contains("--force makes them anew"), "{}", told(&made));
+    assert_eq!(bounds("job.rsm"), 85.0, "it is as it was");
+    assert_eq!(run(&["toolpath", "job.rsg", "-o", "other.rsm"]).status.code(), Some(0));
+    assert_eq!(run(&["toolpath", "job.rsg", "--force"]).status.code(), Some(0));
+    assert_eq!(bounds("job.rsm"), 55.0);
+    // Made anew it is nobody's work any more.
+    assert_eq!(run(&["toolpath", "job.rsg"]).status.code(), Some(0));
+}
+
+/// Ends of the moves of a job, working coordinates, and the shapes that are cut.
+fn traced(folder: &Path, file: &str) -> (Vec<[f64; 2]>, Vec<u64>, Vec<serde_json::Value>) {
+    let run =
+        kerf(folder, &["trace", file, "--config", "sim", "--units", "mm", "--ramps", "profiler"]);
+    assert_eq!(run.status.code(), Some(0), "{}", told(&run));
+    let text = String::from_utf8(run.stdout).unwrap();
+    let events: Vec<serde_json::Value> =
+        text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let moves: Vec<_> = events.iter().filter(|event| event["e"] == "move").collect();
+    let end =
+        |event: &&serde_json::Value| ["x", "y"].map(|axis| event["to"][axis].as_f64().unwrap());
+    let ends = moves.iter().map(end).collect();
+    let cuts = moves.iter().filter(|event| event["kind"] == "cut");
+    let mut lines: Vec<u64> = cuts.map(|event| event["line"].as_u64().unwrap()).collect();
+    lines.dedup();
+    let places = events.into_iter().filter(|event| event["e"] == "location").collect();
+    (ends, lines, places)
+}
+
+#[test]
+fn pro_files_rsm_origin() {
+    let folder = tempfile::tempdir().unwrap();
+    kerf(folder.path(), &["draw", "--do", "line 0,0 50,0", "-o", "job.rsg"]);
+    let place = ["toolpath", "job.rsg", "--origin", "300,200", "--finish", "25,20"];
+    assert_eq!(kerf(folder.path(), &place).status.code(), Some(0));
+    // Opened again: the machine stands at home, which lies 300, 200 from the origin.
+    let (ends, _, places) = traced(folder.path(), "job.rsm");
+    assert_eq!(ends.last(), Some(&[25.0, 20.0]));
+    assert_eq!((&places[0]["set"]["x"], &places[0]["set"]["y"]), (&(-300).into(), &(-200).into()));
+    // Saved again without a word, both stay.
+    kerf(folder.path(), &["toolpath", "job.rsm", "-o", "again.rsm"]);
+    let (ends, _, again) = traced(folder.path(), "again.rsm");
+    assert_eq!((ends.last(), &again[0]["set"]), (Some(&[25.0, 20.0]), &places[0]["set"]));
+}
+
+#[test]
+fn pro_files_rsm_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let lines: Vec<String> = (1..=6).map(|n| format!("line 0,{n} 50,{n}")).collect();
+    kerf(folder.path(), &["draw", "--do", &lines.join("; "), "-o", "job.rsg"]);
+    kerf(folder.path(), &["toolpath", "job.rsg"]);
+    let saved = kerf(folder.path(), &["toolpath", "job.rsm", "-o", "job.rsm", "--begin-with", "5"]);
+    assert_eq!(saved.status.code(), Some(0), "{}", told(&saved));
+    assert_eq!(traced(folder.path(), "job.rsm").1, [5, 6]);
+    let beyond = kerf(folder.path(), &["toolpath", "job.rsg", "--begin-with", "7"]);
+    assert_eq!(beyond.status.code(), Some(2));
+    assert!(told(&beyond).contains("--begin-with 7: the job has 6 paths"));
+}
+
+#[test]
+fn pro_files_editonly() {
+    let folder = folder_with_drawings();
+    let run = |words: &str| {
+        let args: Vec<&str> = words.split(' ').collect();
+        kerf(folder.path(), &args)
+    };
+    for words in ["draw a.dxf -o c.rsg", "toolpath c.rsg", "preview c.rsg -o c.svg", "send --help"]
+    {
+        let done = run(&format!("{words} --edit-only"));
+        assert_eq!(done.status.code(), Some(0), "{words}: {}", told(&done));
+    }
+    for words in ["run c.rsm", "machine home", "machine set zpos.top_mm -5", "io", "registry get a"]
+    {
+        let refused = run(&format!("--edit-only {words}"));
+        assert_eq!(refused.status.code(), Some(2), "{words}");
+        assert!(
+            told(&refused).contains("not available in editing version") || words == "io",
+            "{words}: {}",
+            told(&refused)
+        );
     }
 }

@@ -44,6 +44,8 @@ pub struct Job {
     pub start: usize,
     /// The smoothing factor that the paths were made with; nothing for paths that were not made.
     pub smoothing: Option<f64>,
+    /// Whether its paths were changed by hand since they were made.
+    pub edited: bool,
 }
 
 /// Why there is no job.
@@ -180,6 +182,26 @@ fn moved(path: &CutPath, by: Vec2) -> CutPath {
 }
 
 impl Job {
+    /// The paths as shapes of a drawing, to be changed by hand.
+    pub fn as_drawing(&self) -> Drawing {
+        self.drawing.with_shapes(self.paths.iter().map(|path| path.shape.clone()).collect())
+    }
+
+    /// The same job with the shapes of a drawing as its paths. A path that stayed, or that has as many
+    /// neighbours as before, still knows the shape it comes from.
+    #[must_use]
+    pub fn edited(self, drawing: &Drawing) -> Self {
+        let as_many = drawing.shapes.len() == self.paths.len();
+        let of = |n: usize, shape: &Arc<Shape>| {
+            let same = self.paths.iter().find(|path| Arc::ptr_eq(&path.shape, shape));
+            let before = same.or(self.paths.get(n).filter(|_| as_many));
+            let (from, pass) = before.map_or((n + 1, Pass::Final), |path| (path.from, path.pass));
+            CutPath { shape: shape.clone(), from, pass }
+        };
+        let paths = drawing.shapes.iter().enumerate().map(|(n, shape)| of(n, shape)).collect();
+        Self { paths, drawing: drawing.with_shapes(Vec::new()), edited: true, ..self }
+    }
+
     /// The heights at which a path is cut, or why it cannot be.
     ///
     /// # Errors

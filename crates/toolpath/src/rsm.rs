@@ -18,6 +18,8 @@ struct Head {
     start: usize,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     smoothing: Option<f64>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    edited: bool,
     paths: Vec<Origin>,
 }
 
@@ -27,8 +29,8 @@ pub fn write(job: &Job) -> String {
     let mut drawing = job.drawing.with_shapes(shapes);
     drawing.arrays = Arrays::default();
     let paths = job.paths.iter().map(|path| Origin { from: path.from, pass: path.pass }).collect();
-    let Job { origin, finish, start, smoothing, .. } = *job;
-    let head = Head { origin, finish, start, smoothing, paths };
+    let Job { origin, finish, start, smoothing, edited, .. } = *job;
+    let head = Head { origin, finish, start, smoothing, edited, paths };
     rsg::write_with(&drawing, Some(serde_json::to_value(head).unwrap_or_default()))
 }
 
@@ -44,7 +46,8 @@ pub fn read(bytes: &[u8]) -> (Job, Imported) {
         |(shape, origin): (Arc<_>, Origin)| CutPath { shape, from: origin.from, pass: origin.pass };
     let missing = numbered.skip(head.paths.len());
     let paths = shapes.into_iter().zip(origins.chain(missing)).map(path).collect();
-    let Head { origin, finish, start, smoothing, .. } = head;
+    let Head { origin, finish, start, smoothing, edited, .. } = head;
     let drawing = read.drawing.clone();
-    (Job { paths, drawing, origin, finish, start: start.max(1), smoothing }, read)
+    let start = start.max(1);
+    (Job { paths, drawing, origin, finish, start, smoothing, edited }, read)
 }

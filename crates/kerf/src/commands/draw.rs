@@ -7,7 +7,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use kerf_drawing::{ENTRIES, Editor, Group, Kind, Operation, Shape, script};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Opens drawings, changes them and writes them
 ///
@@ -21,7 +21,7 @@ pub struct DrawArgs {
     /// What to do, clauses divided by semicolons
     #[arg(long = "do", value_name = "OP; OP; …")]
     operations: Option<String>,
-    /// The drawing to write: .rsg, .dxf or .svg
+    /// The drawing to write: .rsg, .dxf or .svg; .rsm when the paths of an .rsm are changed by hand
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
     /// Prints the shapes as JSON, one a line
@@ -52,7 +52,16 @@ fn help() -> String {
 
 pub fn run(args: &DrawArgs) -> Result<Exit> {
     if args.output.is_none() && !args.list {
-        bail!(Usage("nothing to do with the drawing: name an output with -o, or --list".into()));
+        let proposed = args.files.first().map(|file| file.with_extension("rsg"));
+        let proposed = proposed.map_or_else(String::new, |file| format!(" {}", file.display()));
+        bail!(Usage(format!(
+            "nothing to do with the drawing: name an output with -o{proposed}, or --list"
+        )));
+    }
+    if let (Some(output), [file]) = (&args.output, args.files.as_slice())
+        && [output.as_path(), file].iter().all(|it| drawings::extension(it) == "rsm")
+    {
+        return edit_job(args, file, output);
     }
     let reading =
         drawings::Reading { layers: args.layers, scale: !args.unscaled, explode: !args.no_blocks };
@@ -63,6 +72,19 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
     if let Some(output) = &args.output {
         drawings::write(&editor.drawing, output)?;
     }
+    if args.list {
+        list(&editor);
+    }
+    Ok(Exit::Good)
+}
+
+/// Changes the paths of a job by hand.
+fn edit_job(args: &DrawArgs, file: &Path, output: &Path) -> Result<Exit> {
+    let job = drawings::job_to_edit(file)?;
+    let mut editor = Editor::of(job.as_drawing());
+    let reading = drawings::Reading { layers: false, scale: true, explode: true };
+    carry_out(&mut editor, args.operations.as_deref().unwrap_or_default(), &reading)?;
+    drawings::write_edited(job, &editor.drawing, output)?;
     if args.list {
         list(&editor);
     }

@@ -26,8 +26,8 @@ mod toolpath;
 mod trace;
 mod wavlength;
 
-use crate::exit::Exit;
-use anyhow::Result;
+use crate::exit::{Exit, Usage};
+use anyhow::{Result, bail};
 use clap::Subcommand;
 
 /// What `kerf` can be told to do.
@@ -61,9 +61,26 @@ pub enum Command {
     Io(io::IoArgs),
 }
 
+impl Command {
+    /// The command as the version for editing alone has it; what it has not is refused.
+    pub fn restricted(self, edit_only: bool) -> Result<Self> {
+        let moves_a_machine = matches!(
+            self,
+            Self::Run(_) | Self::Sb3(_) | Self::Machine(_) | Self::Io(_) | Self::Registry(_)
+        );
+        match self {
+            _ if edit_only && moves_a_machine => {
+                bail!(Usage("not available in editing version".into()))
+            }
+            Self::Serve(args) => Ok(Self::Serve(args.drawing_only(edit_only))),
+            other => Ok(other),
+        }
+    }
+}
+
 /// Does it.
-pub fn run(command: Command) -> Result<Exit> {
-    match command {
+pub fn run(command: Result<Command>) -> Result<Exit> {
+    match command? {
         Command::Run(args) => run::run(&args),
         Command::Send(args) => send::run(&args),
         Command::Serve(args) => serve::run(&args),

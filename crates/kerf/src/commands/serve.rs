@@ -44,6 +44,13 @@ pub struct ServeArgs {
     place: PlaceArgs,
 }
 
+impl ServeArgs {
+    /// The same for drawings only, when that is wanted.
+    pub fn drawing_only(self, wanted: bool) -> Self {
+        Self { drawing_only: self.drawing_only || wanted, ..self }
+    }
+}
+
 pub fn run(args: &ServeArgs) -> Result<Exit> {
     let server = Server::start(options(args)?, builders(args)).context("cannot serve")?;
     out::print(&format!("Kerf's console is at http://{}\n", server.address));

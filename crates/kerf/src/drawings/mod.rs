@@ -172,6 +172,30 @@ pub fn is_drawing(file: &Path) -> bool {
     matches!(extension(file).as_str(), "dxf" | "svg" | "plt" | "hpg" | "hpgl" | "rsg" | "rsm")
 }
 
+/// Writes the paths of a job that were changed by hand.
+pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
+    eprintln!(
+        "{}: caution: tool paths were changed by hand; making them anew from the drawing loses that",
+        file.display()
+    );
+    RealDisk
+        .write(file, kerf_toolpath::write(&job.edited(drawing)).as_bytes())
+        .with_context(|| format!("cannot write {}", file.display()))
+}
+
+/// The job in a file, to be changed by hand.
+pub fn job_to_edit(file: &Path) -> Result<Job> {
+    let (job, read) = kerf_toolpath::read(&bytes(file)?);
+    tell(file, &read);
+    Ok(job)
+}
+
+/// Whether a file is a job that was changed by hand.
+pub fn is_edited(file: &Path) -> bool {
+    extension(file) == "rsm"
+        && fs::read(file).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
+}
+
 /// Whether the shapes of a file can be put onto the clipboard.
 pub fn is_loadable(file: &Path) -> bool {
     matches!(extension(file).as_str(), "dxf" | "svg" | "rsg" | "rsm")

@@ -43,6 +43,18 @@ pub struct ToolpathArgs {
     /// The table that nothing may leave, mm from the origin [default: that of --config]
     #[arg(long, value_name = "X,Y", value_parser = parse::size)]
     table: Option<[f64; 2]>,
+    /// Where the drawing's origin lies on the table, mm from home
+    #[arg(long, value_name = "X,Y", value_parser = parse::place, allow_hyphen_values = true)]
+    origin: Option<[f64; 2]>,
+    /// Where the head goes at the end, mm from the origin
+    #[arg(long, value_name = "X,Y", value_parser = parse::place, allow_hyphen_values = true)]
+    finish: Option<[f64; 2]>,
+    /// The path with which the job begins, from 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    begin_with: Option<u32>,
+    /// Writes over a job whose paths were changed by hand
+    #[arg(long)]
+    force: bool,
     #[command(flatten)]
     heights: HeightArgs,
     #[command(flatten)]
@@ -78,6 +90,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let heights = args.heights.heights()?;
     let smoothing = args.run.motion.smoothing.unwrap_or(Smoothing::default().factor);
     let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, smoothing)?;
+    let job = args.placed(job)?;
     if let Some(table) = table(args, &job)? {
         warnings.extend(off_table(&job, &table));
     }
@@ -98,8 +111,29 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
+impl ToolpathArgs {
+    /// The job where it is cut, and where it begins.
+    fn placed(&self, mut job: Job) -> Result<Job> {
+        let point = |[x, y]: [f64; 2]| Point2::new(x, y);
+        job.origin = self.origin.map_or(job.origin, point);
+        job.finish = self.finish.map_or(job.finish, point);
+        job.start = self.begin_with.map_or(job.start, |first| first as usize);
+        if job.start > job.paths.len().max(1) {
+            let (start, count) = (job.start, job.paths.len());
+            bail!(Usage(format!("--begin-with {start}: the job has {count} paths")));
+        }
+        Ok(job)
+    }
+}
+
 /// Writes the job or its program, whole or not at all.
 fn keep(args: &ToolpathArgs, output: &Path, job: &Job, heights: &Heights) -> Result<()> {
+    if !args.force && args.drawing != output && drawings::is_edited(output) {
+        bail!(
+            "{}: its paths were changed by hand; --force makes them anew, -o names another file",
+            output.display()
+        );
+    }
     let text = match drawings::extension(output).as_str() {
         "rsm" => write(job),
         "sbp" => told(output, drawings::part_program(&args.drawing, job, heights)?),
