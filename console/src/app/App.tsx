@@ -5,12 +5,13 @@ import { HelpScreen } from "../help/HelpScreen";
 import { SettingsScreen } from "../settings/SettingsScreen";
 import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
-import { type Hands, HandsContext, useScreen, useShown } from "./context";
+import { type Hands, HandsContext, useScreen, useShown, useSnapshot } from "./context";
 import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
 import { PairScreen } from "./PairScreen";
+import { shownIn } from "./routes";
 import { TopStrip } from "./TopStrip";
 
 /** The strip with STOP, one screen, and what lies over it; the strip is never covered. */
@@ -54,7 +55,8 @@ function Body() {
 }
 
 function Route() {
-  const route = useScreen("route");
+  const drawingOnly = useSnapshot("drawingOnly") ?? false;
+  const route = shownIn(useScreen("route"), drawingOnly);
   switch (route) {
     case "/":
       return <OperatorScreen />;

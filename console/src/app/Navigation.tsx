@@ -1,26 +1,29 @@
-import { useHands, useScreen } from "./context";
-import { routes } from "./routes";
+import { useHands, useScreen, useSnapshot } from "./context";
+import { routes, shownIn } from "./routes";
 import "./navigation.css";
 
 export function Navigation() {
   const { screen } = useHands();
-  const here = useScreen("route");
+  const drawingOnly = useSnapshot("drawingOnly") ?? false;
+  const here = shownIn(useScreen("route"), drawingOnly);
   return (
     <nav className="nav" aria-label="Screens">
       <img className="nav-mark" src="/kerf.svg" alt="Kerf" width="28" height="28" />
-      {routes.map(({ path, title }) => (
-        <a
-          key={path}
-          href={path}
-          aria-current={path === here ? "page" : undefined}
-          onClick={(event) => {
-            event.preventDefault();
-            screen.go(path);
-          }}
-        >
-          {title}
-        </a>
-      ))}
+      {routes
+        .filter(({ path }) => shownIn(path, drawingOnly) === path)
+        .map(({ path, title }) => (
+          <a
+            key={path}
+            href={path}
+            aria-current={path === here ? "page" : undefined}
+            onClick={(event) => {
+              event.preventDefault();
+              screen.go(path);
+            }}
+          >
+            {title}
+          </a>
+        ))}
     </nav>
   );
 }

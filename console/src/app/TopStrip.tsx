@@ -1,4 +1,5 @@
 import { ArmButton } from "./ArmButton";
+import { useSnapshot } from "./context";
 import { HoldButton } from "./HoldButton";
 import { LeaseChip } from "./LeaseChip";
 import { ModeChip } from "./ModeChip";
@@ -13,12 +14,19 @@ import "./top-strip.css";
  * Libraries that hide the page behind an overlay leave a "top layer" alone.
  */
 export function TopStrip() {
+  const drawingOnly = useSnapshot("drawingOnly") ?? false;
   return (
     <header className="strip" data-react-aria-top-layer="true">
       <Navigation />
-      <ModeChip />
-      <StateWord />
-      <ArmButton />
+      {drawingOnly ? (
+        <p className="strip-words">Drawings only: the machine is left alone</p>
+      ) : (
+        <>
+          <ModeChip />
+          <StateWord />
+          <ArmButton />
+        </>
+      )}
       <div className="strip-end">
         <LeaseChip />
         <HoldButton />

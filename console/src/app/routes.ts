@@ -15,3 +15,10 @@ export function routeOf(pathname: string): Route {
   const [, first = ""] = pathname.split("/");
   return routes.find((route) => route.path === `/${first}`)?.path ?? "/";
 }
+
+/** Screens of somebody who only draws. */
+const drawing: readonly Route[] = ["/draw", "/edit", "/help"];
+
+/** The screen that is shown: where the machine is left alone, none of the machine's. */
+export const shownIn = (route: Route, drawingOnly: boolean): Route =>
+  drawingOnly && !drawing.includes(route) ? "/draw" : route;

@@ -5,6 +5,7 @@ import { DrawingSheet } from "./DrawingSheet";
 import { startTool } from "./desk";
 import { GroupPanel } from "./GroupPanel";
 import { KeyButtons } from "./KeyButtons";
+import { Operations } from "./operations/Operations";
 import { createOptions, showsMachined } from "./options";
 import { SelectionPanel } from "./SelectionPanel";
 import { sceneOf } from "./scene";
@@ -40,6 +41,7 @@ export function DrawScreen() {
   );
   const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
   const desk = useDesk(scene, { pickRadius, lastJoin });
+  const [operation, setOperation] = useState<string | null>(null);
   const [aspect, setAspect] = useState<Aspect>("top");
   const wanted = useScreen("tool");
   // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time it is asked for
@@ -61,7 +63,7 @@ export function DrawScreen() {
     <div className="draw">
       <h1 className="hidden-text">Draw</h1>
       <DrawingHead desk={desk} />
-      <Toolbox desk={desk} />
+      <Toolbox desk={desk} onOperation={setOperation} />
       {aspect === "top" ? (
         <DrawingSheet desk={desk} scene={scene}>
           {bar}
@@ -76,6 +78,7 @@ export function DrawScreen() {
         <GroupPanel desk={desk} scene={scene} />
         <ViewPanel options={options} onChange={(next) => optionsStore.set(next)} />
       </div>
+      <Operations open={operation} onOpen={setOperation} />
     </div>
   );
 }

@@ -13,10 +13,13 @@ type Asking = "open" | "save" | "program";
 export function DrawingHead({ desk }: { desk: Desk }) {
   const hands = useHands();
   const drawing = useSnapshot("drawing");
+  const drawingOnly = useSnapshot("drawingOnly") ?? false;
   const [asking, setAsking] = useState<Asking | null>(null);
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
   const program = async (name: string) => {
-    if (await draw({ op: "program", name })) hands.screen.go("/");
+    if (!(await draw({ op: "program", name }))) return;
+    if (drawingOnly) hands.screen.tell(`${name} is written into the part folder.`);
+    else hands.screen.go("/");
   };
   return (
     <header className="drawing-head">

@@ -48,7 +48,7 @@ export function DrawingSheet({ desk, scene, children }: DrawingSheetProps) {
   const place = (event: { clientX: number; clientY: number }) =>
     toDrawing(desk.state.window, size, pixelOf(box.current, event));
   return (
-    <section className="sheet-panel" aria-label="Drawing">
+    <section className="sheet-panel" aria-label="Sheet">
       <div
         ref={box}
         className={desk.state.running ? "sheet-box sheet-picking" : "sheet-box"}

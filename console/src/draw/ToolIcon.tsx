@@ -35,6 +35,13 @@ const paths: Record<string, string> = {
   "no-pause": "M5 3v10M11 3v10M2 2l12 12",
   sequence: "M2 4h1v8M7 5c3-3 4 1 0 7h4",
   "sequence-auto": "M2 14 5 9 9 11 14 3M11 3h3v3",
+  "zoom-window": "M7 2a5 5 0 1 0 .01 0M11 11l4 4M5 7h4M7 5v4",
+  engrave: "M2 2h12v12H2zM5 5h6v6H5zM8 8h.01",
+  pocket: "M2 2h12v12H2zM2 6h12M14 10H2",
+  array: "M2 2h5v5H2zM9 2h5v5H9zM2 9h5v5H2zM9 9h5v5H9z",
+  set: "M3 4h10M3 8h10M3 12h10M6 2.500v3M11 6.500v3M5 10.500v3",
+  justify: "M2 1v13h13M5 4h6v7H5z",
+  all: "M3 8h.01M8 8h.01M13 8h.01",
   "sequence-reverse": "M4 2v12M1 11l3 3 3-3M12 14V2M9 5l3-3 3 3",
 };
 

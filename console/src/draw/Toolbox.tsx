@@ -5,8 +5,24 @@ import type { Tool } from "./tools/tool";
 import type { Desk } from "./useDesk";
 import "./toolbox.css";
 
-/** Every tool, by menu. */
-export function Toolbox({ desk }: { desk: Desk }) {
+interface ToolboxProps {
+  desk: Desk;
+  /** Opens the sheet of an operation; blank is the list of all. */
+  onOperation: (name: string) => void;
+}
+
+/** Operations that are wanted often and have no tool for the hand. */
+const sheets: readonly { readonly name: string; readonly title: string; readonly doc: string }[] = [
+  { name: "engrave", title: "Engrave…", doc: "Clears areas ring by ring" },
+  { name: "pocket", title: "Pocket…", doc: "Clears areas in rings or in lines" },
+  { name: "array", title: "Array…", doc: "Of shapes, of the drawing, of the whole job" },
+  { name: "sequence", title: "Order…", doc: "By travel, by groups, by levels" },
+  { name: "set", title: "Settings…", doc: "Offset, leads, tag, depth, plunge of a group" },
+  { name: "justify", title: "Justify…", doc: "The drawing at the origin" },
+];
+
+/** Every tool, by menu, then sheets of operations. */
+export function Toolbox({ desk, onOperation }: ToolboxProps) {
   return (
     <nav className="toolbox" aria-label="Drawing tools">
       {menus.map(({ menu, title }) => (
@@ -19,6 +35,31 @@ export function Toolbox({ desk }: { desk: Desk }) {
           </div>
         </section>
       ))}
+      <section aria-label="Operations">
+        <h2>Operations</h2>
+        <div className="toolbox-tools">
+          {sheets.map(({ name, title, doc }) => (
+            <button
+              key={name}
+              type="button"
+              className="tool-button"
+              title={doc}
+              onClick={() => onOperation(name)}
+            >
+              <ToolIcon id={name} />
+              <span>{title}</span>
+            </button>
+          ))}
+          <button
+            type="button"
+            className="tool-button toolbox-more"
+            onClick={() => onOperation("")}
+          >
+            <ToolIcon id="all" />
+            <span>All operations…</span>
+          </button>
+        </div>
+      </section>
     </nav>
   );
 }

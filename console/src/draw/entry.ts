@@ -13,10 +13,14 @@ export type Read<T> = { readonly value: T } | { readonly wrong: string };
 
 export const isWrong = <T>(read: Read<T>): read is { readonly wrong: string } => "wrong" in read;
 
+/** Parts of a millimetre that nobody can type on purpose are left out. */
+const finest = 1e9;
+
 const readAs = (text: string, unitMm: number): Read<number> => {
   const value = evaluate(text, { mm: unitMm });
   if (value === undefined) return { wrong: `“${text.trim()}” is no number.` };
-  return { value: value * unitMm };
+  // Units of units: 2mm in inches is 2 mm again, not 1.9999999999999998.
+  return { value: Math.round(value * unitMm * finest) / finest };
 };
 
 /** A length: millimetres. `unitMm` is the user's unit. */

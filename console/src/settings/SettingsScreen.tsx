@@ -6,6 +6,7 @@ import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Devices } from "./Devices";
+import { Password } from "./Password";
 import "./settings.css";
 import { SheetsAppearChoice } from "./SheetsAppearChoice";
 
@@ -19,6 +20,7 @@ export function SettingsScreen() {
         <div className="settings-column">
           <ThisBrowser />
           {owner && <Devices />}
+          <Password />
           <About />
         </div>
         <MachineSettings />

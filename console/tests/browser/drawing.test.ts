@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
+import { deskKeys } from "../../src/draw/keys";
 import { openWorkshop, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -88,5 +89,89 @@ it("draws a part from nothing and cuts it, with typed places and keys", async ()
   await page.keyboard.press("Control+y");
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("1");
   await cut(page);
+  expect(workshop.mistakes).toEqual([]);
+});
+
+/** A drawing of one rectangle. */
+async function withRectangle(page: Page): Promise<{ x: number; y: number }> {
+  await begin(page);
+  const op = { op: "do", clauses: "rect 10,10 60,40; select 1" };
+  await page.request.post(`${workshop.address}/api/do/draw`, { data: { op } });
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("1");
+  const sheet = await page.getByRole("application").boundingBox();
+  if (!sheet) throw new Error("there is no sheet");
+  return sheet;
+}
+
+it("pro_select_cursor: a red cross-hair while something is to be picked, and nowhere else", async () => {
+  const page = await workshop.page();
+  await withRectangle(page);
+  const cursor = (selector: string) =>
+    page.locator(selector).evaluate((element) => getComputedStyle(element).cursor);
+  expect(await cursor(".sheet-box")).not.toContain("crosshair");
+  await page.getByRole("button", { name: "Move", exact: true }).click();
+  expect(await cursor(".sheet-box")).toMatch(/%23e0202b.*crosshair/);
+  for (const other of [".drawing-head", ".draw-right", ".toolbox"]) {
+    expect(await cursor(other)).not.toContain("crosshair");
+  }
+  await page.getByRole("button", { name: "All operations…" }).click();
+  expect(await cursor(".sheet")).not.toContain("crosshair");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Give the tool up" }).click();
+  expect(await cursor(".sheet-box")).not.toContain("crosshair");
+});
+
+it("pro_select_menus: everything that a key does has a button, which does the same", async () => {
+  const page = await workshop.page();
+  const sheet = await withRectangle(page);
+  const buttons = async () =>
+    page.locator("[data-key]").evaluateAll((all) => all.map((one) => one.getAttribute("data-key")));
+  const idle = await buttons();
+  await page.getByRole("button", { name: "Move", exact: true }).click();
+  await page.mouse.click(sheet.x + 200, sheet.y + 300);
+  const seen = new Set([...idle, ...(await buttons())]);
+  expect(deskKeys.map(({ key }) => key).filter((key) => !seen.has(key))).toEqual([]);
+  await page.locator('[data-key="g"]').click();
+  await page.locator(".sheet-status-keys span", { hasText: "square to the base point" }).waitFor();
+  await page.locator('[data-key="q"]').click();
+  await page.locator('[data-key="arrowup"]').click();
+  await page.locator('[data-key="arrowleft"]').click();
+  await page.getByText("turned 2°").waitFor();
+  await page.locator('[data-key="t"]').click();
+  await page.getByPlaceholder("x,y").waitFor();
+  await page.keyboard.press("Escape");
+  await page.locator('[data-key="escape"]').click();
+  await page.locator('[data-key="delete"]').click();
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("1");
+});
+
+it("pro_edit_type_key: Esc in the entry leads back to the mouse", async () => {
+  const page = await workshop.page();
+  const sheet = await withRectangle(page);
+  await page.getByRole("button", { name: "Move", exact: true }).click();
+  await page.keyboard.press("t");
+  await page.getByPlaceholder("x,y").fill("0,0");
+  await page.keyboard.press("Escape");
+  await expect.poll(() => page.getByPlaceholder("x,y").count()).toBe(0);
+  await page.mouse.click(sheet.x + 200, sheet.y + 300);
+  await page.getByText("Where it goes").waitFor();
+  await page.keyboard.press("t");
+  await page.getByPlaceholder("x,y").fill("@5mm,5mm");
+  await page.keyboard.press("Enter");
+  await expect.poll(async () => (await shapesOf(page))[0]?.slice(0, 3)).toEqual([15, 15, 0]);
+});
+
+it("shows the drawing from the side, from the end and in 3D, and goes back to the top for a tool", async () => {
+  const page = await workshop.page();
+  await withRectangle(page);
+  for (const view of ["Side", "End", "3D"]) {
+    await page.getByRole("radio", { name: view }).click();
+    await page.getByRole("application", { name: "View of the drawing" }).waitFor();
+    await page.getByText(/^z-plane/).waitFor();
+  }
+  await page.getByRole("button", { name: "Move", exact: true }).click();
+  await page.getByRole("application", { name: "Shapes of the drawing" }).waitFor();
   expect(workshop.mistakes).toEqual([]);
 });

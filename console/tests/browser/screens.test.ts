@@ -32,7 +32,7 @@ async function violations(): Promise<string[]> {
 }
 
 const themes = ["light", "dark", "contrast"];
-const routes = ["/", "/edit", "/settings", "/help"];
+const routes = ["/", "/edit", "/draw", "/settings", "/help"];
 
 it.each(themes.flatMap((theme) => routes.map((route) => [theme, route] as const)))(
   "has nothing in anybody's way: %s %s",

@@ -47,7 +47,7 @@ export function SpaceSheet({ scene, aspect, children }: SpaceSheetProps) {
   useEffect(() => box.current?.focus(), []);
   const at = (event: { clientX: number; clientY: number }) => pixelOf(box.current, event);
   return (
-    <section className="sheet-panel" aria-label="Drawing">
+    <section className="sheet-panel" aria-label="Sheet">
       <div
         ref={box}
         className="sheet-box"

@@ -1,0 +1,197 @@
+import { useState } from "react";
+import { useHands, useSnapshot } from "../../app/context";
+import { Button } from "../../ui/Button";
+import { Choice } from "../../ui/Choice";
+import { Field } from "../../ui/Field";
+import { Pick } from "../../ui/Pick";
+import { Sheet } from "../../ui/Sheet";
+import type { OperationEntry, OperationPart } from "../../wire/messages";
+import { groups } from "../colours";
+import { clauseOf, type Entries, exampleOf, firstEntries, labelsOf } from "./form";
+import "./operations.css";
+
+interface OperationSheetProps {
+  entry: OperationEntry;
+  onClose: () => void;
+}
+
+/** An operation of the table as a form, for numbers that no hand shows. */
+export function OperationSheet({ entry, onClose }: OperationSheetProps) {
+  const hands = useHands();
+  const units = useSnapshot("units");
+  const selected = useSnapshot("drawing")?.selection ?? [];
+  const given = { mm: units?.mm ?? 1, selected };
+  const [which, setWhich] = useState("0");
+  const parts = entry.variants[Number(which)]?.parts ?? [];
+  const [entries, setEntries] = useState<Entries>(() => firstEntries(parts, given));
+  const [tried, setTried] = useState(false);
+  const [told, setTold] = useState<Told>(nothingTold);
+  const made = clauseOf(entry, parts, entries, given);
+  const wrong = "wrong" in made && tried ? made.wrong : new Map<number, string>();
+  const choose = (next: string) => {
+    setWhich(next);
+    setEntries(firstEntries(entry.variants[Number(next)]?.parts ?? [], given));
+    setTried(false);
+    setTold(nothingTold);
+  };
+  const apply = async () => {
+    setTried(true);
+    if ("wrong" in made) return;
+    const op = { op: "do" as const, clauses: made.clause };
+    const { problem, notes } = await hands.link.ask({ do: "draw", op });
+    if (problem) return setTold({ refused: true, texts: [problem.text] });
+    if (notes.length > 0) return setTold({ refused: false, texts: notes });
+    onClose();
+  };
+  const labels = labelsOf(parts);
+  return (
+    <Sheet
+      title={titleOf(entry)}
+      shape="side"
+      onClose={onClose}
+      foot={
+        <>
+          <code className="operation-clause">{"clause" in made ? made.clause : entry.name}</code>
+          <Button onPress={onClose}>Close</Button>
+          <Button look="primary" onPress={() => void apply()}>
+            Apply
+          </Button>
+        </>
+      }
+    >
+      <form
+        className="operation-form"
+        onSubmit={(event) => {
+          event.preventDefault();
+          void apply();
+        }}
+      >
+        <p className="operation-doc">{sentence(entry.doc)}</p>
+        {entry.variants.length > 1 && (
+          <Pick
+            label="How"
+            value={which}
+            options={entry.variants.map(({ form }, n) => ({ value: String(n), words: form }))}
+            onChange={choose}
+          />
+        )}
+        {parts.map((part, n) => (
+          <PartField
+            // biome-ignore lint/suspicious/noArrayIndexKey: parts have no other name, and stay in place
+            key={`${which} ${n}`}
+            part={part}
+            label={labels[n] ?? ""}
+            unit={units?.linear ?? "mm"}
+            text={entries[n] ?? ""}
+            error={wrong.get(n)}
+            first={n === 0}
+            onChange={(text) => setEntries(entries.map((old, k) => (k === n ? text : old)))}
+          />
+        ))}
+        <Outcome told={told} />
+        <button type="submit" hidden />
+      </form>
+    </Sheet>
+  );
+}
+
+/** What came of it: why it was not done, or what was noticed although it was. */
+interface Told {
+  readonly refused: boolean;
+  readonly texts: readonly string[];
+}
+
+const nothingTold: Told = { refused: false, texts: [] };
+
+function Outcome({ told: { refused, texts } }: { told: Told }) {
+  if (texts.length === 0) return null;
+  return (
+    <div
+      className={refused ? "operation-told operation-refused" : "operation-told operation-done"}
+      role="alert"
+    >
+      <p>{refused ? "Nothing was changed:" : "Done. What was noticed:"}</p>
+      <ul>
+        {texts.map((text) => (
+          <li key={text}>{sentence(text)}</li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+export const titleOf = ({ name }: OperationEntry): string => sentence(name.replaceAll("-", " "));
+
+const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+interface PartFieldProps {
+  part: OperationPart;
+  label: string;
+  unit: string;
+  text: string;
+  error: string | undefined;
+  first: boolean;
+  onChange: (text: string) => void;
+}
+
+function PartField({ part, label, unit, text, error, first, onChange }: PartFieldProps) {
+  const { value, optional } = part;
+  if (!value) {
+    // A word that is always said needs no field.
+    if (!optional) return null;
+    return (
+      <label className="operation-check">
+        <input
+          type="checkbox"
+          checked={text !== ""}
+          onChange={() => onChange(text === "" ? "on" : "")}
+        />
+        {label}
+      </label>
+    );
+  }
+  if (value.is === "words" || value.is === "group") {
+    return <WordField {...{ label, text, optional, onChange }} words={wordsOf(value)} />;
+  }
+  const lengths = ["pair", "vertex", "length", "arc"].includes(value.is);
+  return (
+    <Field
+      label={label}
+      value={text}
+      onChange={onChange}
+      isRequired={!optional}
+      unit={lengths ? unit : ""}
+      placeholder={exampleOf(part)}
+      error={error}
+      first={first}
+    />
+  );
+}
+
+const wordsOf = (value: { is: string; words?: readonly string[] }): readonly string[] =>
+  value.words ?? groups;
+
+interface WordFieldProps {
+  label: string;
+  text: string;
+  words: readonly string[];
+  optional: boolean;
+  onChange: (text: string) => void;
+}
+
+function WordField({ label, text, words, optional, onChange }: WordFieldProps) {
+  const options = [
+    ...(optional ? [{ value: "", words: "as it is" }] : []),
+    ...words.map((word) => ({ value: word, words: word })),
+  ];
+  return (
+    <div className="operation-words">
+      <span className="field-label">{label}</span>
+      {options.length > 4 ? (
+        <Pick label={label} options={options} value={text} onChange={onChange} />
+      ) : (
+        <Choice label={label} options={options} value={text} onChange={onChange} />
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,179 @@
+/** The form of an operation as values: what is entered, what is wrong with it, the clause it makes. */
+
+import type { OperationEntry, OperationPart, OperationValue } from "../../wire/messages";
+import { isWrong, type Read, readLength, readNumber } from "../entry";
+import { num } from "../tools/tool";
+
+/** What is entered for each part; a word alone is `on` or blank. */
+export type Entries = readonly string[];
+
+export interface Given {
+  /** Millimetres in the user's unit of length. */
+  readonly mm: number;
+  readonly selected: readonly number[];
+}
+
+/** What a form shows first: shapes that are selected, and words that are usual. */
+export const firstEntries = (parts: readonly OperationPart[], given: Given): Entries =>
+  parts.map((part) => firstEntry(part, given));
+
+function firstEntry({ value, optional }: OperationPart, { selected }: Given): string {
+  switch (value?.is) {
+    case "shape":
+      return String(selected[0] ?? "");
+    case "shapes":
+      return selected.join(",");
+    case "words":
+      return optional ? "" : (value.words[0] ?? "");
+    case "group":
+      return optional ? "" : "black";
+    case undefined:
+      return optional ? "" : "on";
+    default:
+      return "";
+  }
+}
+
+const titles: Record<string, string> = {
+  D: "Diameter",
+  MM: "Length",
+  Z: "Height",
+  B: "Bulge",
+  N: "Number",
+};
+
+const named: Partial<Record<OperationValue["is"], string>> = {
+  pair: "Place",
+  vertex: "Vertices",
+  arc: "Radius, angle",
+  grid: "Rows x columns",
+  shape: "Shape",
+  shapes: "Shapes",
+  group: "Group",
+  groups: "Groups",
+  words: "Which",
+  file: "File",
+  text: "Words",
+};
+
+const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
+
+function nameOf(value: OperationValue | null): string {
+  if (value?.is === "length" || value?.is === "number") {
+    return titles[value.name] ?? capital(value.name.toLowerCase());
+  }
+  return (value && named[value.is]) ?? "";
+}
+
+/** What stands before each field; the same words twice are counted. */
+export function labelsOf(parts: readonly OperationPart[]): string[] {
+  const found: string[] = [];
+  for (const { lead, value } of parts) {
+    const word = lead.replace(/[= ]+$/, "");
+    const plain = word === "" ? nameOf(value) : capital(word.replaceAll("-", " "));
+    const before = found.filter((label) => label.replace(/ \d+$/, "") === plain).length;
+    found.push(before > 0 ? `${plain} ${before + 1}` : plain);
+  }
+  return found;
+}
+
+/** An example of what may be entered. */
+export function exampleOf({ value, repeats }: OperationPart): string {
+  const one: Partial<Record<OperationValue["is"], string>> = {
+    pair: "x,y",
+    vertex: "x,y or x,y,bulge",
+    arc: "5,90",
+    grid: "2x3",
+    shape: "1",
+    shapes: "1,3-5",
+    groups: "red,black",
+    file: "part.dxf",
+  };
+  if (value?.is === "wordsOr") return `${value.words.join(" or ")}, or a number`;
+  const example = (value && one[value.is]) ?? "";
+  return repeats && value ? `${example} …, blanks between` : example;
+}
+
+/** A clause, or what is wrong with the parts, by their places. */
+export type Made = { readonly clause: string } | { readonly wrong: ReadonlyMap<number, string> };
+
+export function clauseOf(
+  { name }: Pick<OperationEntry, "name">,
+  parts: readonly OperationPart[],
+  entries: Entries,
+  { mm }: Given,
+): Made {
+  const wrong = new Map<number, string>();
+  const words = parts.flatMap((part, n) => {
+    const read = said(part, (entries[n] ?? "").trim(), mm);
+    if (!isWrong(read)) return read.value;
+    wrong.set(n, read.wrong);
+    return [];
+  });
+  return wrong.size > 0 ? { wrong } : { clause: [name, ...words].join(" ") };
+}
+
+/** The words of a part; none for one that is left out. */
+function said(
+  { lead, value, optional, repeats }: OperationPart,
+  text: string,
+  mm: number,
+): Read<string[]> {
+  if (text === "") return optional ? { value: [] } : { wrong: "This has to be given." };
+  if (!value) return { value: [lead] };
+  const pieces = repeats ? text.split(/\s+/) : [text];
+  const found: string[] = [];
+  for (const piece of pieces) {
+    const read = written(value, piece, mm);
+    if (isWrong(read)) return read;
+    found.push(`${lead}${read.value}`);
+  }
+  return { value: found };
+}
+
+/** A value as operations read it: millimetres, no blanks. */
+function written(value: OperationValue, text: string, mm: number): Read<string> {
+  switch (value.is) {
+    case "pair":
+      return list(text, [mm, mm]);
+    case "vertex":
+      return list(text, text.split(",").length === 3 ? [mm, mm, 1] : [mm, mm]);
+    case "arc":
+      return list(text, [mm, 1]);
+    case "length":
+      return number(text, mm);
+    case "number":
+      return number(text, 1);
+    case "wordsOr":
+      return value.words.includes(text.toLowerCase())
+        ? { value: text.toLowerCase() }
+        : number(text, value.length ? mm : 1);
+    case "grid":
+      return /^\d+x\d+$/i.test(text)
+        ? { value: text.toLowerCase() }
+        : { wrong: "Rows x columns, such as 2x3." };
+    case "shapes":
+    case "groups":
+      return { value: text.replaceAll(" ", "") };
+    default:
+      return { value: text };
+  }
+}
+
+function number(text: string, unit: number): Read<string> {
+  const read = unit === 1 ? readNumber(text) : readLength(text, unit);
+  return isWrong(read) ? read : { value: num(read.value) };
+}
+
+function list(text: string, units: readonly number[]): Read<string> {
+  const pieces = text.split(",");
+  if (pieces.length !== units.length)
+    return { wrong: `${units.length} numbers with commas between.` };
+  const found: string[] = [];
+  for (const [n, piece] of pieces.entries()) {
+    const read = number(piece, units[n] ?? 1);
+    if (isWrong(read)) return read;
+    found.push(read.value);
+  }
+  return { value: found.join(",") };
+}
