@@ -142,7 +142,7 @@ fn command(question: &Question, words: &str) -> bool {
     match question.kind {
         QuestionKind::Hold => Nudge::read(words).is_some() || Jog::read(words).is_some(),
         QuestionKind::Keypad => Jog::read(words).is_some(),
-        QuestionKind::Paused => Word::read(words).is_some(),
+        QuestionKind::Paused => Word::read(words).is_some() || Jog::read(words).is_some(),
         QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,
     }

@@ -2,10 +2,13 @@
 //!
 //! They are answers to its question, which is asked again afterwards, until it gets another answer.
 
-use crate::runner::Runner;
-use crate::{Going, Wish};
+use crate::runner::{Over, Runner};
+use crate::{Event, Going, Wish};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::lines::Input;
 use kerf_motion::{Move, planner};
-use kerf_program::{AXES, Axes, Feed, Interpreter, Line, MoveKind};
+use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
+use kerf_sim::{Halt, HaltCause, Watched};
 use std::fmt;
 
 /// A movement for as long as somebody holds a key.
@@ -39,57 +42,181 @@ impl fmt::Display for Jog {
 }
 
 impl<I: Interpreter> Runner<'_, I> {
-    /// Moves until the way is made or somebody lets go. Nothing of the program moves. A way that would
-    /// leave the table limits is not made.
+    /// Moves until the way is made, a bound is reached, a limit switch stops it, or somebody lets go.
+    /// Nothing of the program moves. A switch that is on already does not stop it again: whoever presses
+    /// the key once more means it (command reference, VN).
     pub(crate) fn jog(&mut self, jog: Jog) {
-        self.mover.set_position(self.world.machine.position());
-        let to = self.world.machine.position().plus(jog.by);
+        let here = self.world.machine.position();
+        self.mover.set_position(here);
+        let (to, end) = self.within_bounds(here, jog.by);
         let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
-        let Some(mut made) = self.mover.line(self.last_move, &line) else { return };
-        made.speed_mm_s *= jog.speed.max(0.01);
-        if self.world.machine.first_outside(&[made]).is_none() && !self.world.machine.draws() {
-            self.make_while_held(made);
+        if self.world.machine.draws() {
+            return;
+        }
+        let driven = self.mover.line(self.last_move, &line).map(|mut made| {
+            made.speed_mm_s *= jog.speed.max(0.01);
+            let settings = self.world.machine.settings().clone();
+            self.drive(made, &settings, None)
+        });
+        let said = match driven {
+            None | Some(Driven::There) => end,
+            Some(Driven::Limit(n)) => Some(format!("stopped by limit input {n}")),
+            Some(Driven::StopInput(n)) => Some(format!("stopped by stop input {n}")),
+            Some(Driven::Wish(wish)) => {
+                self.heed_later(self.world.now(), wish);
+                None
+            }
+            Some(Driven::Edge(_) | Driven::EmergencyStop) => None,
+        };
+        if let Some(text) = said {
+            self.world.tell(&Event::Message { text: text.into(), t: self.world.now() });
         }
         self.mover.set_position(self.world.machine.position());
     }
 
-    fn make_while_held(&mut self, made: Move) {
+    /// The end of a way, or the first bound on it; and what is said at the bound.
+    fn within_bounds(&self, from: Axes, by: Axes) -> (Axes, Option<String>) {
+        let (mut share, mut said) = (1.0, None);
+        for axis in Axis::ALL.into_iter().filter(|axis| by[*axis] != 0.0) {
+            let (low, high) = self.world.machine.room(axis);
+            let end = if by[axis] > 0.0 { high } else { low };
+            let room = ((end - from[axis]) / by[axis]).max(0.0);
+            if room < share {
+                share = room;
+                let shown = self.world.place(Axes::splat(end)).of(axis);
+                let shown = kerf_sbp::format_number(shown);
+                said = Some(format!("Out of bounds: {} ends at {shown}", axis.letter()));
+            }
+        }
+        (from.zip(by, |from, by| from + by * share), said)
+    }
+
+    /// Makes a move beside the program, until it is made or something stops it.
+    pub(crate) fn drive(
+        &mut self,
+        made: Move,
+        settings: &Settings,
+        switch: Option<Watched>,
+    ) -> Driven {
+        self.world.shelf.tape.moves(true, self.world.placed());
         let t0_s = self.world.machine.begin_motion();
         self.world.tell_log();
-        let mut planner = planner(self.world.machine.settings());
+        let mut planner = planner(settings);
         planner.push(made);
+        let mut driven = None;
         while let Some(mut plan) = planner.finish() {
-            let mut let_go = false;
+            let watched = self.watched_by_hand(switch);
+            self.world.machine.foresee(&plan, t0_s);
+            let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
             let mut index = 0;
             while index < plan.moves().len() {
-                let (from_s, end_s) = (self.world.now(), t0_s + plan.span_s(index).1);
-                let wish = self.pass(from_s, end_s, Some(Going { plan: &plan, index, t0_s }));
-                match wish.filter(|_| !let_go) {
-                    Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-                    Some((t_s, wish)) => {
-                        self.heed_later(t_s, wish);
-                        let stopped = planner.stop(plan, (t_s - t0_s).max(0.0), true);
-                        let Some((ramp_down, _)) = stopped else { return };
-                        (plan, let_go) = (ramp_down, true);
-                    }
-                    None => {
-                        self.make_one(&plan, index, t0_s);
-                        index += 1;
-                    }
-                }
+                let end_s = t0_s + plan.span_s(index).1;
+                let going = Going { plan: &plan, index, t0_s };
+                let stops = driven.is_some();
+                let until = self.driven_until(halt, end_s, going, stops, switch.is_some());
+                let Some((t_s, why, ramped)) = until else {
+                    self.make_one(&plan, index, t0_s);
+                    index += 1;
+                    continue;
+                };
+                let at_s = (t_s - t0_s).max(0.0);
+                driven = Some(why.at(plan.at(at_s).position));
+                let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
+                self.world.machine.foresee(&ramp_down, t0_s);
+                plan = ramp_down;
             }
-            if let_go {
+            if driven.is_some() {
                 break;
             }
         }
         self.world.machine.rest();
         self.world.tell_log();
+        self.world.shelf.tape.moves(false, self.world.placed());
+        driven.unwrap_or(Driven::There)
+    }
+
+    /// The switch that is sought first, then the emergency stop.
+    fn watched_by_hand(&self, switch: Option<Watched>) -> Vec<Watched> {
+        let input = Input::EmergencyStop.number();
+        let on = self.world.machine_is.estop.active;
+        let emergency = Watched { input, on, ramped: true, level_from_s: None };
+        switch.into_iter().chain([emergency]).collect()
+    }
+
+    /// Lets time pass up to a moment, unless something stops the machine before.
+    fn driven_until(
+        &mut self,
+        halt: Option<Halt>,
+        end_s: f64,
+        going: Going<'_>,
+        stops: bool,
+        seeks: bool,
+    ) -> Option<(f64, Driven, bool)> {
+        let halt = halt.filter(|halt| !stops && halt.t_s <= end_s);
+        let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
+        loop {
+            match self.pass(self.world.now(), until_s, Some(going)) {
+                Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
+                Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
+                Some(_) => {}
+                None => break,
+            }
+        }
+        let halt = halt?;
+        let why = match halt.cause {
+            HaltCause::Watch(0) if seeks => Driven::Edge(Axes::default()),
+            HaltCause::Watch(_) => Driven::EmergencyStop,
+            HaltCause::Limit(n) => Driven::Limit(n),
+            HaltCause::Stop(n) => Driven::StopInput(n),
+        };
+        Some((halt.t_s, why, halt.ramped))
+    }
+
+    /// What ends a motion by hand for good.
+    pub(crate) fn interrupted(&self, driven: &Driven) -> Over {
+        let why = match driven {
+            Driven::Limit(n) => format!("stopped by limit input {n}"),
+            Driven::StopInput(n) => format!("stopped by stop input {n}"),
+            Driven::EmergencyStop => "emergency stop".to_owned(),
+            _ => return Over { status: Status::Stopped, diagnostic: None },
+        };
+        let place = Place::line(self.world.file(At::default()), 0);
+        let diagnostic = Some(Box::new(Diagnostic::new(Code::InputStop, place, why)));
+        let limit = matches!(driven, Driven::Limit(_));
+        Over { status: if limit { Status::Limit } else { Status::Stopped }, diagnostic }
     }
 
     /// Letting go is done with; everything else is wanted of the program.
     fn heed_later(&mut self, t_s: f64, wish: Wish) {
         if wish != Wish::End {
             self.postpone((t_s, wish));
+        }
+    }
+}
+
+/// How a motion by hand ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Driven {
+    /// At its end.
+    There,
+    /// The switch that was sought changed there.
+    Edge(Axes),
+    /// The operator wants something.
+    Wish(Wish),
+    /// A limit input.
+    Limit(u8),
+    /// A stop input.
+    StopInput(u8),
+    /// The emergency stop.
+    EmergencyStop,
+}
+
+impl Driven {
+    /// With the place at which it happened.
+    const fn at(self, place: Axes) -> Self {
+        match self {
+            Self::Edge(_) => Self::Edge(place),
+            other => other,
         }
     }
 }

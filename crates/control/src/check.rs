@@ -30,7 +30,7 @@ pub fn check(
     let mut findings = Findings::default();
     let program = match work.into() {
         Work::Part(program) => *program,
-        job @ Work::Job(..) => {
+        job @ (Work::Job(..) | Work::Hand(..)) => {
             let company = Company { sink: &mut findings, operator, pace: &mut () };
             let summary = session.clone().run(job, options, shelf, company);
             return findings.checked(Some(summary));

@@ -82,6 +82,15 @@ pub enum Event {
         /// When.
         t: f64,
     },
+    /// An axis was homed.
+    Homed {
+        /// The axis, as people call it.
+        axis: &'static str,
+        /// How many steps the last home was off.
+        steps: i64,
+        /// When.
+        t: f64,
+    },
     /// The machine entered a state: `running`, `paused`, `estop`, `idle` …
     State {
         /// Its name.
@@ -339,6 +348,13 @@ pub struct Place {
     pub a: f64,
     pub b: f64,
     pub c: f64,
+}
+
+impl Place {
+    /// The value of an axis.
+    pub fn of(&self, axis: kerf_program::Axis) -> f64 {
+        [self.x, self.y, self.z, self.a, self.b, self.c][axis.index()]
+    }
 }
 
 impl From<kerf_program::Axes> for Place {

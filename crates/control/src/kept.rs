@@ -8,6 +8,7 @@ use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use kerf_program::{Axis, Settings};
 use kerf_sbp::POSITION_LOST;
+use kerf_sim::Machine;
 
 impl Session {
     /// What a journal remembers of the machine, a new machine where it remembers nothing; and whether
@@ -28,6 +29,9 @@ impl Session {
         }
         let mut session = Self::new(remembered.memory);
         (session.gcode, session.machine_is) = (remembered.gcode, remembered.machine);
+        session.homed = remembered.homed;
+        let machine = Machine::default().equipped(&session.machine_is, session.homed);
+        session.machine = Some(machine.with_truth(&remembered.truth));
         Ok((session, remembered.whereabouts))
     }
 
@@ -54,6 +58,14 @@ impl Session {
             journal.refresh(self)?;
         }
         options.lines_at_once = options.lines_for(&*company.sink);
+        let Company { sink, operator, pace } = company;
+        let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+        if let Some(summary) =
+            self.before_run_on_record(&work, &options, shelf, before, &journal)?
+        {
+            return Ok(summary);
+        }
+        let company = Company { sink, operator, pace };
         let kept = KeptWork::of(&work)?;
         let run = RunUnderWay::new(self, &kept, &options, settings, shelf);
         shelf.tape = journal.begin(&run, &kept.bytes)?;
@@ -62,6 +74,38 @@ impl Session {
         journal.each_commit_lasts(company.pace.is_real())?;
         let summary = self.go(work, options, shelf, company, None);
         self.over(&run, &summary, shelf, &owner)?;
+        Ok(summary)
+    }
+
+    /// A move by hand, or what comes before another run. Its moves are not on record: until it is over
+    /// nobody knows where the machine is.
+    fn before_run_on_record(
+        &mut self,
+        work: &Work,
+        options: &RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+        journal: &Journal,
+    ) -> Result<Option<Summary>, JournalError> {
+        let lost = shelf.stored.get(POSITION_LOST).map(str::to_owned);
+        let moves = matches!(work, Work::Hand(..)) || self.homes_before(work, options);
+        if moves {
+            shelf.stored.set(POSITION_LOST, Some("XYZABC"));
+            shelf.stored.keep(POSITION_LOST);
+        }
+        let summary = match work {
+            Work::Hand(errand, machine) => {
+                let options = options.clone();
+                Some(self.run_hand(*errand, machine, options, None, shelf, company))
+            }
+            _ => self.before_run(work, options, shelf, company),
+        };
+        if moves {
+            shelf.stored.set(POSITION_LOST, lost.as_deref());
+            self.location_is_known(shelf);
+            shelf.stored.keep(POSITION_LOST);
+            journal.remember_place(self)?;
+        }
         Ok(summary)
     }
 

@@ -17,7 +17,7 @@ use kerf_machine::{Configuration, Sequence};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Axis, AxisSet, Interpreter as _};
+use kerf_program::{AXES, Axis, AxisSet, Interpreter as _};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sim::{Change, Inputs, Machine, Push, Sheet};
 use serde::{Deserialize, Serialize};
@@ -109,6 +109,10 @@ pub struct Session {
     pub gcode: kerf_gcode::State,
     /// What the machine is beside the settings of `memory`, which stand above those in here.
     pub machine_is: Arc<Configuration>,
+    /// Axes that were homed since their location was lost last.
+    pub homed: AxisSet,
+    /// Runs have begun since Kerf was started.
+    pub(crate) begun: bool,
     /// The simulated machine as the last run left it.
     pub(crate) machine: Option<Machine>,
 }
@@ -134,7 +138,12 @@ impl Session {
     ) -> Summary {
         let mut options = options;
         options.lines_at_once = options.lines_for(&*company.sink);
-        self.go(work.into(), options, shelf, company, None)
+        let (work, Company { sink, operator, pace }) = (work.into(), company);
+        let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+        match self.before_run(&work, &options, shelf, before) {
+            Some(summary) => summary,
+            None => self.go(work, options, shelf, Company { sink, operator, pace }, None),
+        }
     }
 
     /// Runs a program or a job; one that is taken up by a machine that stands at a place.
@@ -149,6 +158,9 @@ impl Session {
         match work {
             Work::Part(program) => self.run_part(*program, options, shelf, company, stands),
             Work::Job(job, machine) => self.run_job(job, &machine, options, shelf, company, stands),
+            Work::Hand(errand, machine) => {
+                self.run_hand(errand, &machine, options, None, shelf, company)
+            }
         }
     }
 
@@ -172,6 +184,7 @@ impl Session {
         if options.program.preview && !self.memory.settings.view.start_actual {
             self.draw_from_zero();
         }
+        self.tell_not_homed(&self.machine_is, &options, sink);
         let log = PartLog::begin(self, &options.program, options.started);
         let depth = usize::from(options.program.typed);
         let machine = self.machine(options.inputs).pushed(options.pushes).doubting(lost(shelf));
@@ -197,6 +210,7 @@ impl Session {
         }
         runner.write_system_log();
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
+        machine.unverified().iter().for_each(|axis| self.homed.remove(axis));
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
         summary
     }
@@ -216,12 +230,13 @@ impl Session {
         let preview = options.program.preview;
         let mode = if preview { "preview" } else { "move" };
         sink.event(&Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" });
+        self.tell_not_homed(machine, &options, sink);
         let sequence = Sequence::new(job, machine.clone(), self.memory.position);
         let settings =
             std::mem::replace(&mut self.memory.settings, (**sequence.settings()).clone());
         let frame = std::mem::take(&mut self.memory.frame);
         let simulated = self
-            .machine(options.inputs)
+            .machine_like(machine, options.inputs, AxisSet::first(AXES))
             .with_sheet(options.sheet)
             .pushed(options.pushes)
             .doubting(lost(shelf));
@@ -257,10 +272,21 @@ impl Session {
 
     /// The simulated machine, ready for a run.
     pub(crate) fn machine(&self, inputs: Vec<Change>) -> Machine {
+        self.machine_like(&self.machine_is, inputs, self.homed)
+    }
+
+    /// The same with another configuration; its lengths bound these axes.
+    pub(crate) fn machine_like(
+        &self,
+        machine_is: &Configuration,
+        inputs: Vec<Change>,
+        bounded: AxisSet,
+    ) -> Machine {
         let memory = &self.memory;
         let (settings, inputs) = (Arc::new(memory.settings.clone()), Inputs::new(inputs));
         let machine = self.machine.clone().unwrap_or_default();
         let machine = machine.again(memory.position, memory.frame, settings, inputs);
+        let machine = machine.equipped(machine_is, bounded);
         match &memory.before_preview {
             Some(before) => machine.drawing_from(before.position),
             None => machine,
@@ -304,7 +330,7 @@ impl Session {
 }
 
 /// The axes whose locations are not verified.
-fn lost(shelf: &Shelf) -> AxisSet {
+pub(crate) fn lost(shelf: &Shelf) -> AxisSet {
     let letters = shelf.stored.get(POSITION_LOST).unwrap_or_default();
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
 }
@@ -323,7 +349,7 @@ pub const fn dialect_word(dialect: Dialect) -> &'static str {
     }
 }
 
-fn summary(
+pub(crate) fn summary(
     interpreter: &impl kerf_program::Interpreter,
     world: &mut World<'_>,
     over: crate::runner::Over,
@@ -356,7 +382,7 @@ fn conclude(
     (summary, memory, world.machine)
 }
 
-fn end_event(
+pub(crate) fn end_event(
     summary: &Summary,
     machine: &Machine,
     vars: Option<BTreeMap<String, VarValue>>,

@@ -86,6 +86,11 @@ impl<I: Interpreter> Runner<'_, I> {
         let [reached, limit] =
             [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
         let letter = violation.axis.letter();
+        if violation.soft {
+            return format!(
+                "Out of bounds: {letter} would reach {reached}, it ends at {limit} (from home)"
+            );
+        }
         format!(
             "{letter} would reach {reached}, the table limit is {limit} (table base coordinates)"
         )

@@ -262,12 +262,18 @@ impl<I: Interpreter> Runner<'_, I> {
     /// What the operator answers to the question that is open; at a keypad he moves the tool before.
     fn answer_of_operator(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
         let Some(question) = self.world.question.take() else { return Ok(None) };
+        let hands = [QuestionKind::Keypad, QuestionKind::Paused].contains(&question.kind);
         loop {
             let answer = self.world.ask_now(&question, at)?;
             match &answer {
-                Answer::Text(words) if question.kind == QuestionKind::Keypad => {
-                    Jog::read(words).into_iter().for_each(|jog| self.jog(jog));
-                }
+                Answer::Text(words) if hands => match Jog::read(words) {
+                    Some(jog) => {
+                        self.jog(jog);
+                        self.interpreter.moved(self.world.machine.position());
+                    }
+                    None if question.kind == QuestionKind::Keypad => {}
+                    None => return Ok(Some(answer)),
+                },
                 _ => return Ok(Some(answer)),
             }
         }

@@ -1,6 +1,6 @@
-//! What a machine is given to do: a part file or a job.
+//! What a machine is given to do: a part file, a job, or a move by hand.
 
-use kerf_machine::Configuration;
+use kerf_machine::{Configuration, Errand};
 use kerf_part::Program;
 use kerf_program::job::Job;
 use std::sync::Arc;
@@ -12,14 +12,17 @@ pub enum Work {
     Part(Box<Program>),
     /// A job, and the machine whose cutting sequence it takes.
     Job(Arc<Job>, Arc<Configuration>),
+    /// A move by hand on that machine.
+    Hand(Errand, Arc<Configuration>),
 }
 
 impl Work {
     /// Name shown to people.
-    pub fn name(&self) -> &Arc<str> {
+    pub fn name(&self) -> Arc<str> {
         match self {
-            Self::Part(program) => program.name(),
-            Self::Job(job, _) => &job.name,
+            Self::Part(program) => program.name().clone(),
+            Self::Job(job, _) => job.name.clone(),
+            Self::Hand(errand, _) => errand.name().into(),
         }
     }
 
@@ -28,6 +31,7 @@ impl Work {
         match self {
             Self::Part(program) => program.line_count(),
             Self::Job(job, _) => job.shapes.iter().map(|s| s.number as usize).max().unwrap_or(0),
+            Self::Hand(..) => 0,
         }
     }
 }

@@ -223,6 +223,10 @@ codes! {
         "The move leaves the limits of VL while limit checking is on.";
     InputStop "M002" Error "stopped by an input"
         "A limit or stop input became active while the machine moved.";
+    NoHome "M003" Error "a home switch did not come"
+        "While an axis was homed its switch did not change within the length of the axis and a tenth more. The axis is not homed, nor are those that would have followed. Look at the switch, its wire, `axis.length` and the end at which `homing` says it sits.";
+    NotHomed "M004" Error "the machine was not homed"
+        "The machine is set to run only after its axes were homed (`homing.before_runs`). Home them with `kerf machine home`, or at the question.";
     NotConverted "C001" Warning "not in the other language"
         "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
     StartTaken "C002" Note "the program goes on from where the tool stands"

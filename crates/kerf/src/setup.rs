@@ -85,6 +85,7 @@ pub fn job_of(
         }
         // A job takes what the options say of motion from the settings, the rest from the machine.
         Work::Job(_, machine) => Arc::make_mut(machine).program = settings.clone(),
+        Work::Hand(..) => {}
     }
     let in_mm = |push: &Push| Push { by: push.by * settings.axis_scale(push.axis), ..*push };
     options.sheet = args.sheet;

@@ -24,7 +24,7 @@ impl VcdArgs {
     pub fn machine(work: &Work, session: &Session) -> Configuration {
         match work {
             Work::Job(_, machine) => (**machine).clone(),
-            Work::Part(_) => session.configuration(),
+            Work::Part(_) | Work::Hand(..) => session.configuration(),
         }
     }
 

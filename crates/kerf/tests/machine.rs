@@ -135,13 +135,82 @@ fn pro_io_vcd() {
     assert!(text.contains("$var wire 1 \" xstep $end") && text.lines().count() > 2 * 2500);
 }
 
+/// A data folder with the machine of the notes.
+fn sim() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    told(folder.path(), &["use", "sim"]);
+    folder
+}
+
 #[test]
 fn homing_tells_each_step() {
-    let folder = tempfile::tempdir().unwrap();
-    let steps = told(folder.path(), &["home", "x", "--config", "sim"]);
+    let folder = sim();
+    assert!(told(folder.path(), &["pos"]).starts_with("x  0.000 not homed\n"));
+    let steps = told(folder.path(), &["home", "x"]);
     let lines: Vec<&str> = steps.lines().collect();
-    assert!(lines[0].ends_with("-121.250, up to 50.000/s, switch at -120.000"), "{steps}");
-    assert!(lines[3].contains(" to  -117.000, "), "{steps}");
-    let output = kerf(folder.path(), &["home", "x"]);
-    assert!(output.stdout.is_empty(), "no switch, no search");
+    assert!(lines[0].ends_with(" x      0.000 to  -121.250, up to 50.000/s"), "{steps}");
+    assert!(lines.last().unwrap().starts_with("x -"), "{steps}");
+    assert!(told(folder.path(), &["pos"]).starts_with("x  0.000 homed\ny  0.000 not homed\n"));
+    assert!(told(folder.path(), &["home", "x"]).ends_with("x 0 steps\n"), "as it was left");
+    let without = tempfile::tempdir().unwrap();
+    assert_eq!(told(without.path(), &["home", "x"]), "", "no switch, no search");
+}
+
+#[test]
+fn moves_by_hand_go_on_where_the_last_ended() {
+    let folder = sim();
+    told(folder.path(), &["set", "job.origin_mm", "300,200"]);
+    told(folder.path(), &["move", "to", "10,20,-5"]);
+    assert!(told(folder.path(), &["pos"]).starts_with("x  310.000 not homed\ny  220.000 "));
+    told(folder.path(), &["move", "to", "5,,1", "--relative"]);
+    told(folder.path(), &["move", "hold", "x+", "--for", "1"]);
+    assert!(told(folder.path(), &["pos"]).starts_with("x  365.000 "));
+    let cut = told(folder.path(), &["move", "cut-to", "100,0", "--cut"]);
+    assert!(cut.contains(", cut\n"), "{cut}");
+    assert!(told(folder.path(), &["pos"]).starts_with("x  400.000 not homed\ny  200.000 "));
+    let output = kerf(folder.path(), &["move", "to", "9000,0"]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(message.contains("Out of bounds: x would reach 9300.000"), "{message}");
+}
+
+#[test]
+fn pro_move_arrows_pct__range() {
+    let folder = sim();
+    for percent in ["0", "101"] {
+        refused(folder.path(), &["move", "hold", "x+", "--speed", percent], "1..=100");
+        refused(folder.path(), &["move", "hold", "x+", "--accel", percent], "1..=100");
+    }
+}
+
+#[test]
+fn pro_zpos_set() {
+    let folder = sim();
+    told(folder.path(), &["move", "to", ",,-12"]);
+    assert_eq!(told(folder.path(), &["zset", "top"]), "zpos.top_mm = -12\n");
+    assert_eq!(told(folder.path(), &["get", "zpos.top_mm"]), "-12\n");
+    let text = std::fs::read_to_string(folder.path().join("machine.toml")).unwrap();
+    assert!(text.contains("top_mm = -12\n") && text.contains("surface_mm = -20\n"));
+    refused(folder.path(), &["zset", "surface", "-8"], "zpos.surface_mm (-8) is above zpos.top_mm");
+}
+
+#[test]
+fn pro_zpos_adjust() {
+    let folder = sim();
+    assert_eq!(
+        told(folder.path(), &["zset", "bottom", "--by", "-0.5"]),
+        "zpos.bottom_mm = -30.5\n"
+    );
+    assert_eq!(told(folder.path(), &["zset", "bottom", "--by", "+0.5"]), "zpos.bottom_mm = -30\n");
+}
+
+#[test]
+fn pro_zpos_home_before_set() {
+    let folder = sim();
+    let homed =
+        |told: String| told.lines().any(|line| line.starts_with("z ") && line.ends_with(" steps"));
+    assert!(!homed(told(folder.path(), &["zset", "top", "-11"])));
+    told(folder.path(), &["set", "homing.at_job_start", "z"]);
+    let steps = told(folder.path(), &["zset", "bottom", "-32"]);
+    assert!(homed(steps.clone()) && steps.ends_with("zpos.bottom_mm = -32\n"), "{steps}");
 }

@@ -9,9 +9,9 @@ use kerf_drawing::{Editor, script};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
-use kerf_machine::{Configuration, file};
+use kerf_machine::{Configuration, Errand, file};
 use kerf_program::job::{Job, JobShape};
-use kerf_program::{Axes, MoveKind};
+use kerf_program::{Axes, AxisSet, MoveKind};
 use kerf_sim::{Change, Sheet};
 use std::sync::Arc;
 
@@ -61,9 +61,13 @@ pub fn drawn(clauses: &str) -> Job {
     read.neutral("job.rsm".into())
 }
 
-/// A job to be run.
+/// A job to be run, or a move by hand.
 pub struct JobRun {
     job: Job,
+    errand: Option<Errand>,
+    homed: AxisSet,
+    /// What stays of what was run before.
+    session: Option<Session>,
     machine: Configuration,
     wishes: Vec<(f64, Wish)>,
     answers: String,
@@ -83,10 +87,13 @@ pub struct JobTrace {
 }
 
 impl JobRun {
-    /// A job on SIM, which stands at its home.
+    /// A job on SIM, which was homed and stands at its home.
     pub fn new(job: Job) -> Self {
         Self {
             job,
+            errand: None,
+            homed: AxisSet::first(3),
+            session: None,
             machine: sim(),
             wishes: Vec::new(),
             answers: String::new(),
@@ -94,6 +101,32 @@ impl JobRun {
             sheet: None,
             at: Axes::default(),
         }
+    }
+
+    /// A move by hand on SIM.
+    pub fn hand(errand: Errand) -> Self {
+        Self { errand: Some(errand), ..Self::new(Job::default()) }
+    }
+
+    /// Nothing was homed.
+    #[must_use]
+    pub const fn unhomed(mut self) -> Self {
+        self.homed = AxisSet::EMPTY;
+        self
+    }
+
+    /// On the machine as another run left it.
+    #[must_use]
+    pub fn after(mut self, before: &JobTrace) -> Self {
+        self.session = Some(before.session.clone());
+        self
+    }
+
+    /// A key is let go at a time.
+    #[must_use]
+    pub fn let_go(mut self, at_s: f64) -> Self {
+        self.wishes.push((at_s, Wish::End));
+        self
     }
 
     /// Changes settings.
@@ -168,15 +201,24 @@ impl JobRun {
     }
 
     fn run_into(self, sink: &mut dyn Sink) -> (Summary, Session) {
-        let mut session = Session::default();
-        session.memory.position = self.at;
+        let mut session = self.session.unwrap_or_else(|| {
+            let mut session = Session::default();
+            session.homed = self.homed;
+            session.memory.position = self.at;
+            session
+        });
         let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
         let mut operator = Answers::read(&self.answers);
         let mut pace = Script::new(self.wishes, Vec::new());
         let company = Company { sink, operator: &mut operator, pace: &mut pace };
         let options =
             RunOptions { inputs: self.inputs, sheet: self.sheet, ..RunOptions::default() };
-        let work = Work::Job(Arc::new(self.job), Arc::new(self.machine));
+        let machine = Arc::new(self.machine);
+        session.machine_is = machine.clone();
+        let work = match self.errand {
+            Some(errand) => Work::Hand(errand, machine),
+            None => Work::Job(Arc::new(self.job), machine),
+        };
         let summary = session.run(work, options, &mut shelf, company);
         (summary, session)
     }
@@ -241,6 +283,24 @@ impl JobTrace {
             format!("{:.3}-{:.3}{ends}", made.t0, made.t1)
         };
         self.events.iter().filter_map(motion).map(shown).collect()
+    }
+
+    /// What people are told.
+    pub fn messages(&self) -> Vec<String> {
+        let told = |event: &Event| match event {
+            Event::Message { text, .. } => Some(text.to_string()),
+            _ => None,
+        };
+        self.events.iter().filter_map(told).collect()
+    }
+
+    /// Axes that were homed, and how many steps the last home was off: `x 3 steps`.
+    pub fn homed(&self) -> Vec<String> {
+        let told = |event: &Event| match event {
+            Event::Homed { axis, steps, .. } => Some(format!("{axis} {steps} steps")),
+            _ => None,
+        };
+        self.events.iter().filter_map(told).collect()
     }
 
     /// States as `5.940 paused`, with why.

@@ -13,6 +13,7 @@
 pub mod contradictions;
 pub mod driver;
 pub mod file;
+pub mod hand;
 pub mod homing;
 mod levels;
 pub mod lines;
@@ -24,6 +25,7 @@ pub mod table;
 pub mod value;
 pub mod wiring;
 
+pub use hand::{Errand, Hand, Held};
 pub use sequence::Sequence;
 pub use settings::Configuration;
 pub use state::State;

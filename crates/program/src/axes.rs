@@ -129,6 +129,18 @@ impl AxisSet {
         Axis::ALL.into_iter().take(n).fold(Self::EMPTY, Self::with)
     }
 
+    /// The axes of both.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The axes that the other set has not.
+    #[must_use]
+    pub const fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
     /// Whether the axis is in the set.
     pub const fn contains(self, axis: Axis) -> bool {
         self.0 & (1 << axis.index()) != 0

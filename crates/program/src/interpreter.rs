@@ -121,6 +121,9 @@ pub trait Interpreter: Send {
     /// [`interrupt`](Self::interrupt) that follows.
     fn fired(&mut self, _halted: &Halted) {}
 
+    /// Tells that somebody moved the machine by hand while the program asked something.
+    fn moved(&mut self, _position: Axes) {}
+
     /// Tells that the machine, stopped in the middle, was nudged by so much, machine frame: the working
     /// zero and every place that the program knows lie elsewhere, what it calls them stays.
     fn nudge(&mut self, by: Axes);

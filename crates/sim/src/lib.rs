@@ -15,6 +15,7 @@
 //! positions in the machine frame.
 
 pub mod bench;
+mod carriages;
 pub mod chance;
 pub mod driver;
 mod follower;

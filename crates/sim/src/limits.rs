@@ -11,10 +11,12 @@ pub struct Violation {
     pub move_index: usize,
     /// The axis.
     pub axis: Axis,
-    /// Farthest value it would reach, table base coordinates.
+    /// Farthest value it would reach, table base coordinates; of a soft bound machine coordinates.
     pub reached: f64,
-    /// The limit, table base coordinates.
+    /// The limit, in the same coordinates.
     pub limit: f64,
+    /// It is the end of an axis, not of the table.
+    pub soft: bool,
 }
 
 /// Slack for rounding, mm or degrees: a thousandth of a step of any machine.
@@ -35,7 +37,7 @@ pub fn first_outside(
             let starts = |value: f64| (made.from[axis] - value).abs() <= SLACK;
             let outside = |reached: f64, limit| {
                 let reached = reached - zero;
-                Some(Violation { move_index, axis, reached, limit })
+                Some(Violation { move_index, axis, reached, limit, soft: false })
             };
             let (bottom, top) = (limits.low[axis], limits.high[axis]);
             if low[axis] - zero < bottom - SLACK && !starts(low[axis]) {
@@ -47,6 +49,21 @@ pub fn first_outside(
             }
         })
     })
+}
+
+/// The first move whose path leaves the lengths of the axes, which are counted from home.
+pub fn first_out_of_bounds(
+    moves: &[Move],
+    bounds: &[Option<(f64, f64)>; AXES],
+) -> Option<Violation> {
+    if bounds.iter().all(Option::is_none) {
+        return None;
+    }
+    let free = (f64::NEG_INFINITY, f64::INFINITY);
+    let ends = bounds.map(|bound| bound.unwrap_or(free));
+    let (low, high) = (Axes(ends.map(|end| end.0)), Axes(ends.map(|end| end.1)));
+    let found = first_outside(moves, Axes::default(), &Limits { low, high, check: true }, AXES);
+    found.map(|violation| Violation { soft: true, ..violation })
 }
 
 /// Lowest and highest value of each axis on the way, the bulge of arcs included.

@@ -1,9 +1,11 @@
 //! The machine itself.
 
 mod drive;
+mod home;
 mod job;
 mod torch;
 
+use crate::carriages::Carriages;
 use crate::follower::Follower;
 use crate::halt::{self, Halt, Watched};
 use crate::hand::Hand;
@@ -11,13 +13,12 @@ use crate::heater::{self, Heater};
 use crate::independent::Spin;
 use crate::inputs::{Change, Inputs};
 use crate::laser;
-use crate::limits::{self, Violation};
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
 use crate::sheet::Sheet;
 use crate::trigger;
-use kerf_motion::{Move, Plan, Span};
+use kerf_motion::{Plan, Span};
 use kerf_program::settings::{LINES, Mode, SWITCHES};
 use kerf_program::{
     AXES, Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Independent, OutputReason, Settings,
@@ -65,6 +66,10 @@ pub struct Machine {
     /// Axes that may have been moved by hand while they had none.
     unverified: AxisSet,
     hand: Hand,
+    /// Where the axes truly are.
+    carriages: Carriages,
+    /// Where each axis may go, machine frame.
+    bounds: [Option<(f64, f64)>; AXES],
     /// Factors of coarser steps.
     coarse: [u8; AXES],
     pwm_percent: f64,
@@ -111,6 +116,8 @@ impl Machine {
             powered: true,
             unverified: AxisSet::EMPTY,
             hand: Hand::default(),
+            carriages: Carriages::default(),
+            bounds: [None; AXES],
             coarse: [1; AXES],
             pwm_percent: 0.0,
             beam: Beam::Off,
@@ -144,6 +151,7 @@ impl Machine {
         (self.position, self.frame) = (position, frame);
         self.inputs = inputs.after(&self.inputs);
         (self.drawing_from, self.settings) = (None, settings);
+        self.put_home_switches();
         self.motors.say(self.true_position());
         self
     }
@@ -467,16 +475,6 @@ impl Machine {
         (!self.draws() && self.input(interlock)).then_some(interlock)
     }
 
-    /// The first move of a stack that would leave the table, unless limits are off or overridden.
-    pub fn first_outside(&self, moves: &[Move]) -> Option<Violation> {
-        let limits = &self.settings.limits;
-        if !limits.check || self.overridden {
-            return None;
-        }
-        let axes = usize::from(self.settings.axis_count);
-        limits::first_outside(moves, self.frame.base_zero, limits, axes)
-    }
-
     /// Motion is about to start: the warning comes first. Returns when motion starts, seconds.
     pub fn begin_motion(&mut self) -> f64 {
         if !self.draws() {
@@ -510,6 +508,7 @@ impl Machine {
         }
         self.shine(t0_s, plan, span);
         self.follow_sheet(t0_s, plan, span);
+        self.carriages.moved(self.position, span.made.to);
         self.position = span.made.to;
         if !self.draws() {
             self.advance(t0_s + span.t1_s);

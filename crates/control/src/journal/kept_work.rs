@@ -63,6 +63,10 @@ impl KeptWork {
                 let bytes = serde_json::to_vec(&kept);
                 (WorkKind::Job, bytes.map_err(|error| JournalError::Unfit(error.to_string()))?)
             }
+            // A move by hand is told anew.
+            Work::Hand(..) => {
+                return Err(JournalError::Unfit("moves by hand are not taken up".into()));
+            }
         };
         Ok(Self { name: work.name().to_string(), kind, bytes })
     }
@@ -105,7 +109,7 @@ impl Journal {
     pub fn machine_of(&self, cut: &CutShort) -> Result<Configuration, JournalError> {
         match cut.work(&self.read(|rows| rows.contents())?)? {
             Work::Job(_, machine) => Ok((*machine).clone()),
-            Work::Part(_) => Ok(cut.session().configuration()),
+            Work::Part(_) | Work::Hand(..) => Ok(cut.session().configuration()),
         }
     }
 }

@@ -4,15 +4,17 @@
 use super::progress::{PROGRESS, Reached};
 use super::rows::{Rows, Table};
 use super::{Journal, JournalError, Placed, json, rows};
-use crate::settings_text;
+use crate::{Session, settings_text};
 use kerf_machine::Configuration;
-use kerf_program::Settings;
+use kerf_program::{Axis, AxisSet, Settings};
 use std::sync::Arc;
 
 /// Where settings were kept before they had a file of their own.
 const SETTINGS: &str = "settings";
 const PLACE: &str = "place";
 const GCODE: &str = "gcode";
+const HOMED: &str = "homed";
+const TRUTH: &str = "truth";
 
 /// What the machine remembers.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +27,10 @@ pub struct Remembered {
     pub gcode: kerf_gcode::State,
     /// Whether the machine is where the memory says.
     pub whereabouts: Whereabouts,
+    /// Axes that were homed.
+    pub homed: AxisSet,
+    /// How far the simulated machine is from where it is believed to be.
+    pub truth: Vec<Vec<f64>>,
 }
 
 /// Whether the machine is where it is believed to be.
@@ -42,9 +48,9 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read, or a setting in it is no longer allowed.
     pub fn remembered(&self) -> Result<Option<Remembered>, JournalError> {
-        let [place, gcode, reached] = self.read(|rows| {
+        let [place, gcode, reached, homed, truth] = self.read(|rows| {
             let fact = |key| rows.text(Table::Fact, key);
-            Ok([fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?])
+            Ok([fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?, fact(HOMED)?, fact(TRUTH)?])
         })?;
         let (machine, told) = self.machine()?;
         let old = if told { None } else { self.old_settings()? };
@@ -60,7 +66,12 @@ impl Journal {
             kerf_sbp::Session { settings, frame, position, ..kerf_sbp::Session::default() };
         let whereabouts = if moving { Whereabouts::Moving } else { Whereabouts::Known };
         let gcode = self.parsed(GCODE, gcode)?.unwrap_or_default();
-        Ok(Some(Remembered { memory, machine, gcode, whereabouts }))
+        let truth = self.parsed(TRUTH, truth)?.unwrap_or_default();
+        // Whoever does not know where an axis is does not know its home either.
+        let homed = homed.filter(|_| !moving).unwrap_or_default();
+        let homed = homed.chars().filter_map(Axis::from_letter);
+        let homed = homed.fold(AxisSet::EMPTY, AxisSet::with);
+        Ok(Some(Remembered { memory, machine, gcode, whereabouts, homed, truth }))
     }
 
     /// Keeps what the machine remembers.
@@ -73,16 +84,15 @@ impl Journal {
         gcode: &kerf_gcode::State,
     ) -> Result<(), JournalError> {
         self.keep_settings(None, settings_of(memory))?;
-        self.remember_place(memory, gcode)
+        self.write(|rows| remember(rows, memory, gcode))
     }
 
-    /// Keeps all of it but the settings.
-    pub(crate) fn remember_place(
-        &self,
-        memory: &kerf_sbp::Session,
-        gcode: &kerf_gcode::State,
-    ) -> Result<(), JournalError> {
-        self.write(|rows| remember(rows, memory, gcode))
+    /// Keeps where the machine is, and all that belongs to it.
+    pub(crate) fn remember_place(&self, session: &Session) -> Result<(), JournalError> {
+        self.write(|rows| {
+            remember(rows, &session.memory, &session.gcode)?;
+            remember_homed(rows, session)
+        })
     }
 
     /// A journal of before has settings in it: they move into their own file.
@@ -108,6 +118,16 @@ impl Journal {
         let parse = |text: String| serde_json::from_str(&text);
         let damaged = |error| rows::Trouble::Damaged(format!("{name}: {error}"));
         text.map(parse).transpose().map_err(|error| self.located(damaged(error)))
+    }
+}
+
+/// Which axes are homed, and what only the simulated machine knows.
+pub(super) fn remember_homed(rows: &Rows<'_>, session: &Session) -> rows::Result<()> {
+    let homed: String = session.homed.iter().map(Axis::letter).collect();
+    rows.put(Table::Fact, HOMED, homed.as_bytes())?;
+    match &session.machine {
+        Some(machine) => rows.put(Table::Fact, TRUTH, &json(&machine.truth())?),
+        None => Ok(()),
     }
 }
 

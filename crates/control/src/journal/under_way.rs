@@ -3,7 +3,7 @@
 use super::history::{self, Past};
 use super::kept_work::{KeptWork, WorkKind};
 use super::progress::{PROGRESS, Progress, Reached};
-use super::remembered::{remember, settings_of};
+use super::remembered::{remember, remember_homed, settings_of};
 use super::rows::{self, Rows, Table};
 use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
@@ -161,6 +161,7 @@ impl Journal {
         };
         self.write(|rows| {
             remember(rows, &session.memory, &session.gcode)?;
+            remember_homed(rows, session)?;
             if !run.options.program.typed {
                 history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
                 if let Some(reached) = tape.left_at() {

@@ -1,6 +1,7 @@
 //! `kerf machine`: the configuration of a machine.
 
 use crate::args::DataArgs;
+use crate::commands::by_hand::{self, Height, MoveArgs};
 use crate::exit::{Exit, Usage};
 use crate::{machine_file, out, setup};
 use anyhow::{Result, bail};
@@ -9,9 +10,8 @@ use kerf_control::machine_file::{MachineFile, told};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
-use kerf_machine::{Configuration, Value, file, homing};
-use kerf_program::{AXES, Axis, AxisSet};
-use kerf_sim::bench::Bench;
+use kerf_machine::{Configuration, Value, file};
+use kerf_program::Axis;
 use std::path::PathBuf;
 
 /// Shows and changes what a machine is like: axes, motors, heights, delays, inputs and the rest
@@ -21,7 +21,8 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf machine profiles\n  kerf machine use router-96x48\n  \
     kerf machine set delays.router_start_s 2\n  kerf machine list homing\n  \
-    kerf machine show > mine.toml\n  kerf machine check mine.toml")]
+    kerf machine show > mine.toml\n  kerf machine home\n  kerf machine move to 10,20,-5 --flat\n  \
+      kerf machine check mine.toml")]
 pub struct MachineArgs {
     #[command(subcommand)]
     action: Action,
@@ -34,14 +35,14 @@ pub struct MachineArgs {
 pub struct Which {
     /// Configuration: a file, or the name of a ready-made machine
     #[arg(long, value_name = "FILE", global = true)]
-    config: Option<PathBuf>,
+    pub config: Option<PathBuf>,
     /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
     #[arg(long, value_name = "DIR", global = true)]
     data: Option<PathBuf>,
 }
 
 impl Which {
-    fn folder(&self) -> DataArgs {
+    pub fn folder(&self) -> DataArgs {
         DataArgs { folder: self.data.clone() }
     }
 
@@ -96,11 +97,27 @@ enum Action {
     },
     /// Lists the axes with their motors, lengths, speeds and switches
     Axes,
-    /// Homes axes of the simulated machine and tells each step
+    /// Homes axes and tells each step
     Home {
         /// Their letters, as xyz; all that have a switch when not given
         axes: Option<String>,
     },
+    /// Moves the machine by hand: to home, to the job origin, to a place, as a key that is held
+    Move(MoveArgs),
+    /// Records the height at which Z is as top, surface or bottom
+    Zset {
+        /// Which
+        #[arg(value_enum)]
+        height: Height,
+        /// Goes to this height first, millimetres from home
+        #[arg(allow_hyphen_values = true, conflicts_with = "by")]
+        to: Option<f64>,
+        /// Puts the height by so much instead, negative down
+        #[arg(long, allow_hyphen_values = true, value_name = "MM")]
+        by: Option<f64>,
+    },
+    /// Prints where the axes are, and which are homed
+    Pos,
 }
 
 pub fn run(args: &MachineArgs) -> Result<Exit> {
@@ -118,7 +135,10 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             machine_file::of_data(&args.which.folder())?.write(named(name)?)?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
-        Action::Home { axes } => return home(&args.which.machine()?, axes.as_deref()),
+        Action::Home { axes } => return by_hand::home(&args.which, axes.as_deref()),
+        Action::Move(moves) => return by_hand::moves(&args.which, moves),
+        Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
+        Action::Pos => return by_hand::pos(&args.which),
     }
     Ok(Exit::Good)
 }
@@ -195,50 +215,6 @@ fn profiles(name: Option<&str>) -> Result<()> {
         out::print(&format!("{:<16} {}\n", profile.name, profile.about()));
     }
     Ok(())
-}
-
-/// Homes axes on the bench of the simulated machine.
-fn home(c: &Configuration, letters: Option<&str>) -> Result<Exit> {
-    let axes = match letters {
-        Some(letters) => named_axes(c, letters)?,
-        None => AxisSet::first(AXES),
-    };
-    let mut bench = Bench::new(c);
-    let found = homing::home(c, &mut bench, axes);
-    let mut legs = bench.legs();
-    legs.sort_by(|a, b| a.span_s[0].total_cmp(&b.span_s[0]));
-    for leg in legs {
-        let name = c.motors.axis_name(leg.axis);
-        let edge = leg.edge.map(|at| format!(", switch at {at:.3}")).unwrap_or_default();
-        let [from_s, to_s] = leg.span_s;
-        let (from, to, peak) = (leg.from, leg.to, leg.peak);
-        let moved = format!("{from_s:8.3} to {to_s:8.3} s  {name:<2} {from:9.3} to {to:9.3}");
-        out::print(&format!("{moved}, up to {peak:.3}/s{edge}\n"));
-    }
-    match found {
-        Ok(homed) => {
-            for it in homed {
-                let name = c.motors.axis_name(it.axis);
-                out::print(&format!("{name} {} steps\n", it.difference_steps));
-            }
-            Ok(Exit::Good)
-        }
-        Err(error) => {
-            eprintln!("kerf: {error}");
-            Ok(Exit::Failed)
-        }
-    }
-}
-
-fn named_axes(c: &Configuration, letters: &str) -> Result<AxisSet> {
-    let of_letter = |letter: char| {
-        let is_called = |axis: &Axis| c.motors.axis_name(*axis).starts_with(letter);
-        Axis::ALL.into_iter().find(is_called).or_else(|| Axis::from_letter(letter))
-    };
-    letters.chars().try_fold(AxisSet::EMPTY, |set, letter| match of_letter(letter) {
-        Some(axis) => Ok(set.with(axis)),
-        None => bail!(Usage(format!("there is no axis {letter}"))),
-    })
 }
 
 /// A line for each axis that a motor drives.

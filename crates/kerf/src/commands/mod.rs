@@ -1,5 +1,6 @@
 //! The subcommands, one file each.
 
+mod by_hand;
 mod check;
 mod convert;
 mod draw;

@@ -132,7 +132,7 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
     let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit } = job;
     let machine = VcdArgs::machine(&work, &session);
     let show = Show {
-        name: work.name().clone(),
+        name: work.name(),
         lines: work.line_count(),
         talk,
         machine,

@@ -232,7 +232,7 @@ fn pro_job_jig_cycle() {
 fn a_job_outside_the_table_does_not_begin() {
     let outside = JobRun::new(t1()).job(|job| job.origin = Point2::new(2450.0, 0.0)).run();
     assert!(outside.moves().is_empty() && outside.edges().is_empty());
-    assert_eq!(outside.refused(), "shape 1 reaches X 2550.000, outside the table");
+    assert_eq!(outside.refused(), "Out of bounds: shape 1 reaches X 2550.000");
 }
 
 #[test]

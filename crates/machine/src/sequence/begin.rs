@@ -3,6 +3,7 @@
 use super::Sequence;
 use super::place::{Along, Here, Stage, passes};
 use super::small::Small;
+use crate::homing::soft_bounds;
 use crate::lines::Output;
 use crate::settings::Configuration;
 use crate::state::{Event, State};
@@ -18,8 +19,15 @@ use std::sync::Arc;
 /// The job where it is cut, and how often: Start may take the present position as origin.
 pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
     let mut placed = (*job).clone();
+    let [origin, finish] =
+        [machine.job.origin_mm, machine.job.finish_mm].map(|[x, y]| Point2::new(x, y));
     if machine.job.change_origin_at_start {
         placed.origin = Point2::new(position[Axis::X], position[Axis::Y]);
+    } else if placed.origin == Point2::default() {
+        placed.origin = origin;
+    }
+    if placed.finish == Point2::default() {
+        placed.finish = finish;
     }
     placed.repeats = placed.repeats.max(machine.job.repeats);
     Arc::new(placed)
@@ -27,7 +35,7 @@ pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> 
 
 /// What the planner works with: millimetres, the machine's own model of motion, nothing that part
 /// files switch beside it.
-pub(super) fn settings(machine: &Configuration) -> Settings {
+pub fn settings(machine: &Configuration) -> Settings {
     let mut settings = machine.program.clone();
     settings.use_linear_unit(LinearUnit::Mm);
     settings.ramp_model = settings.ramp_model.or(Some(RampModel::Profiler));
@@ -202,16 +210,14 @@ impl Sequence {
             let (axis, value) = outside?;
             let letter = axis.letter();
             let message =
-                format!("shape {} reaches {letter} {value:.3}, outside the table", shape.number);
+                format!("Out of bounds: shape {} reaches {letter} {value:.3}", shape.number);
             Some((Code::OutsideLimits, shape.number, message))
         })
     }
 
     /// How far an axis may go, machine frame; `None` when it has no bounds.
     pub(super) fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
-        let length = self.machine.axes.length[axis];
-        let bounded = self.machine.axes.limit_movement && length > 0.0;
-        bounded.then(|| if axis == Axis::Z { [-length, 0.0] } else { [0.0, length] })
+        soft_bounds(&self.machine, axis).map(Into::into)
     }
 
     /// Where the job stands in its file: the number of the shape.

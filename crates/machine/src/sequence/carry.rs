@@ -8,7 +8,7 @@ use crate::lines::{Input, Output};
 use crate::state::State;
 use kerf_geom::Point2;
 use kerf_program::{
-    Answer, Axes, Axis, Command, Feed, HeightLaw, Host, Line, MoveKind, Sourced, Step,
+    Answer, Axes, Axis, Command, Feed, HeightLaw, Host, Line, MoveKind, Settings, Sourced, Step,
 };
 use std::sync::Arc;
 use std::task::Poll;
@@ -212,12 +212,7 @@ impl Sequence {
 
     /// The speed of a straight way at which the first axis reaches its own.
     pub(super) fn rapid_mm_s(&self, to: Axes) -> f64 {
-        let way = to.minus(self.position);
-        let length = way.first3().iter().map(|v| v * v).sum::<f64>().sqrt();
-        let length = if length > 0.0 { length } else { way.0[3..].iter().map(|v| v.abs()).sum() };
-        let own = self.settings.axis_dynamics().speed_mm_s;
-        let time = way.zip(own, |way, own| way.abs() / own).0.into_iter().fold(0.0, f64::max);
-        if time > 0.0 { length / time } else { f64::INFINITY }
+        rapid_mm_s(&self.settings, to.minus(self.position))
     }
 
     /// The operator decides how it goes on.
@@ -234,4 +229,13 @@ impl Sequence {
             }
         }
     }
+}
+
+/// The speed of a straight way at which the first axis reaches its own.
+pub(crate) fn rapid_mm_s(settings: &Settings, way: Axes) -> f64 {
+    let length = way.first3().iter().map(|v| v * v).sum::<f64>().sqrt();
+    let length = if length > 0.0 { length } else { way.0[3..].iter().map(|v| v.abs()).sum() };
+    let own = settings.axis_dynamics().speed_mm_s;
+    let time = way.zip(own, |way, own| way.abs() / own).0.into_iter().fold(0.0, f64::max);
+    if time > 0.0 { length / time } else { f64::INFINITY }
 }

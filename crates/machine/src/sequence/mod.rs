@@ -32,6 +32,8 @@ mod start;
 mod taken_up;
 mod words;
 
+pub use begin::settings as planner_settings;
+pub(crate) use carry::rapid_mm_s;
 pub use words::Word;
 
 use crate::lines::Output;

@@ -62,6 +62,10 @@ impl Interpreter for Sequence {
         }
     }
 
+    fn moved(&mut self, position: Axes) {
+        self.position = position;
+    }
+
     fn nudge(&mut self, _by: Axes) {}
 
     fn carried_out(&mut self, _motion: u64) {}

@@ -4,6 +4,18 @@ use super::words;
 use kerf_program::{AXES, Axis, AxisSet};
 
 words! {
+    /// What happens when a run begins and an axis with a home switch was not homed.
+    BeforeRuns {
+        /// It begins, with a note.
+        Tell = "tell",
+        /// The operator is asked whether to home first.
+        Ask = "ask",
+        /// It does not begin.
+        Refuse = "refuse",
+    }
+}
+
+words! {
     /// The end of an axis at which its switch sits.
     HomeEnd {
         /// Left, front, bottom, clockwise: the search goes in the negative direction.
@@ -39,6 +51,8 @@ pub struct Homing {
     pub separate_y: bool,
     /// The second head moves by this further, mm, after it is off its switch.
     pub z2_adjustment_mm: f64,
+    /// What happens when a run begins before the axes were homed.
+    pub before_runs: BeforeRuns,
     /// Axes homed when the program starts.
     pub at_program_start: AxisSet,
     /// Axes homed when a job starts.
@@ -66,6 +80,7 @@ impl Default for Homing {
             separate_x: false,
             separate_y: false,
             z2_adjustment_mm: 0.0,
+            before_runs: BeforeRuns::Tell,
             at_program_start: AxisSet::EMPTY,
             at_job_start: AxisSet::EMPTY,
         }

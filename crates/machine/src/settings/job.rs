@@ -5,6 +5,10 @@
 pub struct JobSettings {
     /// Each Start takes the present position as job origin.
     pub change_origin_at_start: bool,
+    /// Where the job origin lies, X and Y from machine home, mm.
+    pub origin_mm: [f64; 2],
+    /// Where the head goes when a job is done, X and Y from the job origin, mm.
+    pub finish_mm: [f64; 2],
     /// How often a job is cut.
     pub repeats: u32,
     /// The input shared with W home starts jobs, or is the door that must be shut.
@@ -19,6 +23,8 @@ impl Default for JobSettings {
     fn default() -> Self {
         Self {
             change_origin_at_start: false,
+            origin_mm: [0.0; 2],
+            finish_mm: [0.0; 2],
             repeats: 1,
             external_start: false,
             two_jigs: false,

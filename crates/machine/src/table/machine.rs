@@ -129,6 +129,7 @@ macro_rules! homing {
             row!(c, "homing.separate_x", c.homing.separate_x, None, Any, "The two motors of X are homed one by one after they were homed together."),
             row!(c, "homing.separate_y", c.homing.separate_y, None, Any, "The same for Y."),
             row!(c, "homing.z2_adjustment_mm", c.homing.z2_adjustment_mm, Mm, Any, "The second head moves by this further after it is off its switch."),
+            row!(c, "homing.before_runs", c.homing.before_runs, None, Any, "When a run begins and axes with a switch were not homed: tell, ask whether to home first, or refuse."),
             row!(c, "homing.at_program_start", c.homing.at_program_start, None, Any, "Axes homed when the program starts: a list of x, y, z, a, b, w."),
             row!(c, "homing.at_job_start", c.homing.at_job_start, None, Any, "Axes homed when a job starts."),
         ]

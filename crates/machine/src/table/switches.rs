@@ -58,6 +58,22 @@ const ESTOP: &[Setting] = &[row!(
 const JOB: &[Setting] = &[
     row!(
         c,
+        "job.origin_mm",
+        c.job.origin_mm,
+        Mm,
+        Any,
+        "Where the job origin lies: X and Y from home. A job that has one of its own keeps it."
+    ),
+    row!(
+        c,
+        "job.finish_mm",
+        c.job.finish_mm,
+        Mm,
+        Any,
+        "Where the head goes when a job is done: X and Y from the job origin."
+    ),
+    row!(
+        c,
         "job.change_origin_at_start",
         c.job.change_origin_at_start,
         None,

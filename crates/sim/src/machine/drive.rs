@@ -48,6 +48,7 @@ impl Machine {
     pub(super) fn push(&mut self, push: Push) {
         let by = if self.powered || self.draws() { 0.0 } else { push.by };
         self.hand.astray[push.axis] += by;
+        self.carriages.pushed(push.axis, by, self.position);
         let what = What::Pushed { axis: push.axis, by };
         self.log.add(push.at_s.max(self.clock_s), what);
     }

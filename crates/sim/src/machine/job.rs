@@ -96,7 +96,19 @@ impl Machine {
 
     /// Motion will follow this plan from a moment on: what the sensors will tell is worked out.
     pub fn foresee(&mut self, plan: &Plan, t0_s: f64) {
-        let Some(sheet) = self.sheet.filter(|_| !self.draws()) else { return };
+        if self.draws() {
+            return;
+        }
+        let mut all = self.foreseen_switches(plan, t0_s);
+        if let Some(sheet) = self.sheet {
+            all.extend(self.foreseen_sensors(plan, t0_s, sheet));
+        }
+        all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+        self.inputs.foresee(all);
+    }
+
+    /// What the sensors of the head will tell of a sheet.
+    fn foreseen_sensors(&self, plan: &Plan, t0_s: f64, sheet: Sheet) -> Vec<Change> {
         let close = |t_s: f64| {
             let at = plan.at(t_s).position;
             at[Axis::Z] <= sheet.height_mm(at[Axis::X], at[Axis::Y])
@@ -111,9 +123,8 @@ impl Machine {
             let input = Input::ZHigh.number();
             let flips = flips(from_s.max(0.0), to_s, &high).into_iter();
             all.extend(flips.map(|(t_s, on)| Change { input, at_s: t0_s + t_s, on }));
-            all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
         }
-        self.inputs.foresee(all);
+        all
     }
 
     /// The output of a jig switches its start switch off.

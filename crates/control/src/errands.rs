@@ -1,0 +1,233 @@
+//! Moves by hand as runs, and the homing that comes before other runs.
+
+use crate::runner::{Over, Runner};
+use crate::session::{Company, RunOptions, Session, Summary, end_event, lost, summary};
+use crate::shelf::Shelf;
+use crate::world::World;
+use crate::{Event, Sink, Work};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::settings::homing::BeforeRuns;
+use kerf_machine::{Configuration, Errand, Hand};
+use kerf_program::{
+    AXES, Answer, At, Axis, AxisSet, Button, Command, Interpreter as _, Question, QuestionKind,
+    Status,
+};
+use kerf_sbp::POSITION_LOST;
+use std::sync::Arc;
+
+impl Session {
+    /// Does an errand to its end. Settings of part files stay what they were.
+    pub(crate) fn run_hand(
+        &mut self,
+        errand: Errand,
+        machine: &Arc<Configuration>,
+        options: RunOptions,
+        asks: Option<Question>,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Summary {
+        let Company { sink, operator, pace } = company;
+        let mode = if options.program.preview { "preview" } else { "move" };
+        let file = errand.name().into();
+        sink.event(&Event::Start { file, units: "mm", mode, dialect: "hand" });
+        let hand = Hand::new(errand, machine.clone(), self.memory.position, self.memory.frame);
+        let settings = std::mem::replace(&mut self.memory.settings, (**hand.settings()).clone());
+        let all = AxisSet::first(AXES);
+        let simulated = self.machine_like(machine, options.inputs, all);
+        let simulated = simulated.pushed(options.pushes).doubting(lost(shelf));
+        self.memory.settings = settings;
+        let mut world = World::new(simulated, shelf, sink, operator);
+        (world.previews, world.machine_is) = (options.program.preview, machine.clone());
+        let mut runner = Runner::new(hand, world, pace, options.limits, 0);
+        let over = match errand {
+            Errand::FindHome(axes) => {
+                let found = runner.asked(asks).and_then(|()| runner.find_home(axes, self.homed));
+                found.map_or_else(|over| runner.told(over), |homed| self.are_homed(homed))
+            }
+            _ => runner.run(),
+        };
+        let Runner { interpreter, mut world, .. } = runner;
+        let summary = summary(&interpreter, &mut world, over);
+        world.tell(&Event::End(end_event(&summary, &world.machine, None)));
+        (self.memory.position, self.memory.frame) =
+            (world.machine.position(), *world.machine.frame());
+        self.machine = Some(world.machine);
+        summary
+    }
+
+    fn are_homed(&mut self, axes: AxisSet) -> Over {
+        axes.iter().for_each(|axis| self.homed.insert(axis));
+        Over { status: Status::Ok, diagnostic: None }
+    }
+
+    /// What comes before a run: homing, where the machine is set so, or where the operator wants it.
+    /// Gives how that ended when the run is not to begin.
+    pub(crate) fn before_run(
+        &mut self,
+        work: &Work,
+        options: &RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Option<Summary> {
+        let machine = match work {
+            Work::Part(_) if options.program.typed => return None,
+            Work::Part(program) if program.has_errors() => return None,
+            Work::Part(_) => Arc::new(self.configuration()),
+            Work::Job(_, machine) => machine.clone(),
+            Work::Hand(..) => return None,
+        };
+        if options.program.preview {
+            return None;
+        }
+        let homing = &machine.homing;
+        let first = !std::mem::replace(&mut self.begun, true);
+        let at_start = if first { homing.at_program_start } else { AxisSet::EMPTY };
+        let mut axes = fitted(&machine, homing.at_job_start.union(at_start));
+        let missing = self.not_homed(&machine).without(axes);
+        let asks = match homing.before_runs {
+            BeforeRuns::Ask if !missing.is_empty() => {
+                axes = axes.union(missing);
+                Some(home_question(&names(&machine, missing)))
+            }
+            _ => None,
+        };
+        if homing.before_runs == BeforeRuns::Refuse && !missing.is_empty() {
+            return Some(self.not_begun(work, &machine, missing, company.sink));
+        }
+        if axes.is_empty() {
+            return None;
+        }
+        let errand = Errand::FindHome(axes);
+        let inputs = RunOptions { inputs: options.inputs.clone(), ..RunOptions::default() };
+        let homed = self.run_hand(errand, &machine, inputs, asks, shelf, company);
+        self.location_is_known(shelf);
+        // Whoever says No goes on without.
+        let goes_on = matches!(homed.status, Status::Ok | Status::Ended);
+        (!goes_on).then_some(homed)
+    }
+
+    /// Whether homing comes before a run.
+    pub(crate) fn homes_before(&self, work: &Work, options: &RunOptions) -> bool {
+        let homing = match work {
+            Work::Part(_) if options.program.typed => return false,
+            Work::Part(_) => self.machine_is.homing,
+            Work::Job(_, machine) => machine.homing,
+            Work::Hand(..) => return true,
+        };
+        let asks = homing.before_runs == BeforeRuns::Ask;
+        let axes = homing.at_job_start.union(homing.at_program_start);
+        !options.program.preview && (asks || !axes.is_empty())
+    }
+
+    /// Axes that have a home switch and were not homed.
+    pub fn not_homed(&self, machine: &Configuration) -> AxisSet {
+        fitted(machine, AxisSet::first(AXES)).without(self.homed)
+    }
+
+    /// What is homed is no longer in doubt.
+    pub(crate) fn location_is_known(&self, shelf: &mut Shelf) {
+        let doubted = lost(shelf).without(self.homed);
+        let letters: String = doubted.iter().map(Axis::letter).collect();
+        shelf.stored.set(POSITION_LOST, Some(&*letters).filter(|it| !it.is_empty()));
+    }
+
+    /// Tells which axes are not homed, where the machine has switches for them.
+    pub(crate) fn tell_not_homed(
+        &self,
+        machine: &Configuration,
+        options: &RunOptions,
+        sink: &mut dyn Sink,
+    ) {
+        let missing = self.not_homed(machine);
+        if !missing.is_empty() && !options.program.preview && !options.program.typed {
+            let text = format!("not homed: {}", names(machine, missing));
+            sink.event(&Event::Message { text: text.into(), t: 0.0 });
+        }
+    }
+
+    fn not_begun(
+        &mut self,
+        work: &Work,
+        machine: &Configuration,
+        missing: AxisSet,
+        sink: &mut dyn Sink,
+    ) -> Summary {
+        let place = Place::line(work.name(), 0);
+        let message = format!("{} must be homed first", names(machine, missing));
+        let why = Diagnostic::new(Code::NotHomed, place, message).hint("kerf machine home");
+        sink.event(&Event::Diag(Box::new(why.clone())));
+        let summary = Summary {
+            status: Status::Failed,
+            seconds: 0.0,
+            lines: 0,
+            tally: crate::Tally::default(),
+            unit: self.memory.settings.linear_unit,
+            error: Some(Box::new(why)),
+        };
+        let stands = self.machine.get_or_insert_default();
+        sink.event(&Event::End(end_event(&summary, stands, None)));
+        summary
+    }
+}
+
+impl Runner<'_, Hand> {
+    /// Asks whether to home first; `Ended` goes on without.
+    fn asked(&mut self, question: Option<Question>) -> Result<(), Over> {
+        let Some(question) = question else { return Ok(()) };
+        let status = match self.ask(&question, At::default())? {
+            Answer::Button(Button::Yes) => return Ok(()),
+            Answer::Button(Button::No) => Status::Ended,
+            _ => Status::Stopped,
+        };
+        Err(Over { status, diagnostic: None })
+    }
+
+    /// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
+    /// home; of one that was not they stay where they were on the table.
+    fn find_home(&mut self, axes: AxisSet, before: AxisSet) -> Result<AxisSet, Over> {
+        let (homed, shift) = self.home(axes)?;
+        let mut frame = *self.world.machine.frame();
+        let mut set = AxisSet::EMPTY;
+        for axis in homed.iter().map(|it| it.axis) {
+            if !before.contains(axis) && !set.contains(axis) {
+                frame.working_zero[axis] -= shift[axis];
+            }
+            frame.base_zero[axis] = 0.0;
+            set.insert(axis);
+        }
+        let location = Command::Location { frame, working: set, base: set };
+        self.world.perform(location);
+        Ok(set)
+    }
+
+    fn told(&mut self, over: Over) -> Over {
+        if let Some(why) = &over.diagnostic {
+            self.world.tell_diagnostic((**why).clone());
+        }
+        over
+    }
+}
+
+/// Those of the axes that have a home switch.
+fn fitted(machine: &Configuration, axes: AxisSet) -> AxisSet {
+    let fitted = axes.iter().filter(|axis| machine.homing.of(*axis).fitted);
+    fitted.fold(AxisSet::EMPTY, AxisSet::with)
+}
+
+fn names(machine: &Configuration, axes: AxisSet) -> String {
+    let names: Vec<_> = axes.iter().map(|axis| machine.motors.axis_name(axis)).collect();
+    names.join(", ")
+}
+
+fn home_question(axes: &str) -> Question {
+    Question {
+        kind: QuestionKind::Msgbox,
+        text: format!("Not homed: {axes}. Home now? No runs without."),
+        title: "Homing".into(),
+        buttons: vec![Button::Yes, Button::No, Button::Cancel],
+        default: 2,
+        prefill: String::new(),
+        icon: 32,
+        until: None,
+    }
+}

@@ -1,0 +1,140 @@
+//! Finding home on the machine itself: the procedure of [`kerf_machine::homing`], each search a planned
+//! motion that a home switch ends.
+
+use crate::Event;
+use crate::by_hand::Driven;
+use crate::runner::{Over, Runner};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::homing::{self, Axle, Homed, Rig, Sought, Which};
+use kerf_machine::lines::Input;
+use kerf_machine::sequence::planner_settings;
+use kerf_motion::Mover;
+use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, Settings, Status};
+use kerf_sim::{Machine, Watched};
+
+impl<I: Interpreter> Runner<'_, I> {
+    /// Homes axes that have a switch, and tells how far the last home was off. With them goes by how much
+    /// the zero of each axis has moved.
+    pub(crate) fn home(&mut self, axes: AxisSet) -> Result<(Vec<Homed>, Axes), Over> {
+        let machine = self.world.machine_is.clone();
+        let settings = planner_settings(&machine);
+        let mut rig =
+            OnMachine { runner: self, settings, axis: Axis::X, over: None, shift: Axes::default() };
+        let found = homing::home(&machine, &mut rig, axes);
+        let (over, shift) = (rig.over.take(), rig.shift);
+        self.world.machine.move_alone(None);
+        self.mover.set_position(self.world.machine.position());
+        match (over, found) {
+            (Some(over), _) => Err(over),
+            (None, Ok(homed)) => {
+                self.tell_homed(&homed);
+                Ok((homed, shift))
+            }
+            (None, Err(missing)) => {
+                let place = Place::line(self.world.file(At::default()), 0);
+                let hint = "nothing moves on; look at the switch and at the length of the axis";
+                let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
+                Err(Over { status: Status::Failed, diagnostic: Some(Box::new(why)) })
+            }
+        }
+    }
+
+    fn tell_homed(&mut self, homed: &[Homed]) {
+        let t = self.world.now();
+        for it in homed {
+            let axis = self.world.machine_is.motors.axis_name(it.axis);
+            self.world.tell(&Event::Homed { axis, steps: it.difference_steps, t });
+        }
+    }
+}
+
+/// The machine as the homing procedure moves it.
+struct OnMachine<'a, 'b, I> {
+    runner: &'a mut Runner<'b, I>,
+    settings: Settings,
+    axis: Axis,
+    /// Why nothing moves any more.
+    over: Option<Over>,
+    /// By how much zero has moved.
+    shift: Axes,
+}
+
+impl<I: Interpreter> Rig for OnMachine<'_, '_, I> {
+    fn axle(&mut self, axis: Axis) -> &mut dyn Axle {
+        self.axis = axis;
+        self
+    }
+}
+
+impl<I: Interpreter> OnMachine<'_, '_, I> {
+    fn place(&self) -> f64 {
+        self.runner.world.machine.position()[self.axis]
+    }
+
+    fn machine(&mut self) -> &mut Machine {
+        &mut self.runner.world.machine
+    }
+
+    /// Moves the axis, until a switch reads a state; tells where that was.
+    fn drive(&mut self, which: Which, to: f64, speed: f64, until: Option<bool>) -> Option<f64> {
+        if self.over.is_some() {
+            return None;
+        }
+        let (axis, from) = (self.axis, self.runner.world.machine.position());
+        self.machine().move_alone(match which {
+            Which::All => None,
+            Which::One(motor) => Some((axis, motor)),
+        });
+        let mut there = from;
+        there[axis] = to;
+        let line = Line { kind: MoveKind::Jog, to: there, feed: Feed::Path(speed.abs()) };
+        let made = Mover::new(from, &self.settings).line(At::default(), &line)?;
+        let switch = until.zip(Machine::home_line(axis)).map(|(on, line)| line.number_when(on));
+        match self.runner.drive(made, &self.settings, switch) {
+            Driven::Edge(place) => Some(place[axis]),
+            Driven::There => None,
+            driven => {
+                self.over = Some(self.runner.interrupted(&driven));
+                None
+            }
+        }
+    }
+}
+
+/// What is waited for at a switch.
+trait Switch {
+    fn number_when(self, on: bool) -> Watched;
+}
+
+impl Switch for Input {
+    fn number_when(self, on: bool) -> Watched {
+        Watched { input: self.number(), on, ramped: true, level_from_s: None }
+    }
+}
+
+impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
+    fn switch(&self, which: Which) -> bool {
+        self.runner.world.machine.home_switch(self.axis, which)
+    }
+
+    fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought {
+        let from = self.place();
+        if self.switch(which) == until {
+            return Sought { edge: Some(from), stopped: from };
+        }
+        let edge = self.drive(which, from + speed.signum() * most, speed, Some(until));
+        Sought { edge, stopped: self.place() }
+    }
+
+    fn go(&mut self, which: Which, to: f64, speed: f64) {
+        self.drive(which, to, speed, None);
+    }
+
+    fn zero(&mut self, _: Which) {
+        if self.over.is_none() {
+            let axis = self.axis;
+            self.shift[axis] += self.place();
+            self.machine().zero(axis);
+        }
+    }
+}

@@ -1,0 +1,325 @@
+//! `kerf machine home`, `move`, `zset` and `pos`: the machine moved by hand.
+
+use crate::args::{PlaceArgs, Start};
+use crate::commands::machine::Which;
+use crate::exit::{Exit, Usage};
+use crate::operator::{Clock, Person, RealPace};
+use crate::{machine_file, out, setup};
+use anyhow::{Result, bail};
+use clap::{Args, Subcommand};
+use kerf_control::answers::Answers;
+use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Sink, Wish, Work};
+use kerf_machine::hand::cut_move;
+use kerf_machine::{Configuration, Errand, Held, Value, file, table};
+use kerf_program::{AXES, Axis, AxisSet, MoveKind};
+use std::io::{self, IsTerminal};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Moves the machine by hand.
+#[derive(Args)]
+pub struct MoveArgs {
+    #[command(subcommand)]
+    way: Way,
+    /// Takes as long as the machine does
+    #[arg(long, global = true)]
+    real: bool,
+}
+
+#[derive(Subcommand)]
+enum Way {
+    /// To home on some axes, Z first
+    Home {
+        /// Their letters, as xy; all when not given
+        axes: Option<String>,
+    },
+    /// To the job origin in X and Y
+    Origin,
+    /// To the finish position of jobs in X and Y
+    Finish,
+    /// To a place: X and Y from the job origin, the others from home, millimetres
+    To {
+        /// X,Y,Z; an axis left empty stays
+        #[arg(allow_hyphen_values = true)]
+        place: String,
+        /// From where the tool is
+        #[arg(long)]
+        relative: bool,
+        /// X and Y first, then the others
+        #[arg(long)]
+        flat: bool,
+    },
+    /// To a place in X and Y, from the job origin
+    CutTo {
+        /// X,Y
+        #[arg(allow_hyphen_values = true)]
+        place: String,
+        /// Cuts, as a job of one line
+        #[arg(long)]
+        cut: bool,
+    },
+    /// As an arrow key that is held: x+, x-, y+x- …
+    Hold {
+        /// Which way
+        #[arg(allow_hyphen_values = true)]
+        way: String,
+        /// Percent of the highest speed of each axis
+        #[arg(long, default_value_t = 25, value_parser = clap::value_parser!(u8).range(1..=100))]
+        speed: u8,
+        /// Percent of the highest acceleration of each axis
+        #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u8).range(1..=100))]
+        accel: u8,
+        /// How long the key is held, seconds; until a bound when not given
+        #[arg(long = "for", value_name = "SECONDS")]
+        seconds: Option<f64>,
+    },
+}
+
+/// A special height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Height {
+    Top,
+    Surface,
+    Bottom,
+}
+
+impl Height {
+    const fn key(self) -> &'static str {
+        match self {
+            Self::Top => "zpos.top_mm",
+            Self::Surface => "zpos.surface_mm",
+            Self::Bottom => "zpos.bottom_mm",
+        }
+    }
+}
+
+/// The machine, while it is moved by hand.
+struct Shop {
+    session: Session,
+    shelf: Shelf,
+    machine: Arc<Configuration>,
+    real: bool,
+}
+
+impl Shop {
+    fn open(which: &Which, real: bool) -> Result<Self> {
+        let (config, data) = (which.config.clone(), which.folder());
+        let place = PlaceArgs {
+            config,
+            parts: None,
+            custom: None,
+            allow_path: Vec::new(),
+            data,
+            start: Some(Start::Kept),
+            allow_shell: false,
+        };
+        let mut shelf = setup::shelf(Path::new(""), &place, false)?;
+        let (mut session, _) = setup::session(&place, false, &mut shelf)?;
+        let machine = match which.config {
+            Some(_) => which.machine()?,
+            None => session.configuration(),
+        };
+        let machine = Arc::new(machine);
+        session.machine_is = machine.clone();
+        Ok(Self { session, shelf, machine, real })
+    }
+
+    /// Does something and prints each step of it.
+    fn does(&mut self, work: Work, wishes: Vec<(f64, Wish)>) -> Result<Exit> {
+        let clock = if self.real { Clock::Real } else { Clock::Fast };
+        let mut pace = RealPace::new(clock, Script::new(wishes, Vec::new()))?;
+        let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &pace);
+        let mut steps = Steps { machine: self.machine.clone(), edge: None };
+        let company = Company { sink: &mut steps, operator: &mut operator, pace: &mut pace };
+        let (settings, shelf) = (Some(self.session.memory.settings.clone()), &mut self.shelf);
+        let options = RunOptions::default();
+        let summary = self.session.run_on_record(work, options, settings, shelf, company)?;
+        if let Some(error) = summary.error {
+            eprintln!("kerf: {}", error.message);
+        }
+        Ok(summary.status.into())
+    }
+
+    fn errand(&mut self, errand: Errand, wishes: Vec<(f64, Wish)>) -> Result<Exit> {
+        self.does(Work::Hand(errand, self.machine.clone()), wishes)
+    }
+}
+
+/// Homes axes; all that have a switch when not told which.
+pub fn home(which: &Which, letters: Option<&str>) -> Result<Exit> {
+    let mut shop = Shop::open(which, false)?;
+    let axes = axes_named(&shop.machine, letters, AxisSet::first(AXES))?;
+    shop.errand(Errand::FindHome(axes), Vec::new())
+}
+
+pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
+    let mut shop = Shop::open(which, args.real)?;
+    let mut wishes = Vec::new();
+    let errand = match &args.way {
+        Way::Home { axes } => {
+            let there = |axis: &Axis| !shop.machine.motors.of_axis(*axis).is_empty();
+            let all = Axis::ALL.into_iter().filter(there).fold(AxisSet::EMPTY, AxisSet::with);
+            Errand::Home(axes_named(&shop.machine, axes.as_deref(), all)?)
+        }
+        Way::Origin => Errand::Origin,
+        Way::Finish => Errand::Finish,
+        Way::To { place, relative, flat } => {
+            Errand::To { place: numbers(place)?, relative: *relative, flat: *flat }
+        }
+        Way::CutTo { place, cut } => {
+            let [Some(x), Some(y), ..] = numbers(place)? else { bail!(Usage("give X,Y".into())) };
+            if *cut {
+                let job = cut_move(&shop.machine, shop.session.memory.position, [x, y]);
+                let machine = shop.machine.clone();
+                return shop.does(Work::Job(Arc::new(job), machine), wishes);
+            }
+            Errand::CutMoveTo([x, y])
+        }
+        Way::Hold { way, speed, accel, seconds } => {
+            wishes.extend(seconds.map(|seconds| (seconds, Wish::End)));
+            let [speed, accel] = [*speed, *accel].map(|percent| f64::from(percent) / 100.0);
+            Errand::Held(Held { way: ways(&shop.machine, way)?, speed, accel, sets_bottom: false })
+        }
+    };
+    shop.errand(errand, wishes)
+}
+
+/// Records where Z is as one of its special heights, or puts the height by a distance.
+pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> Result<Exit> {
+    let mut shop = Shop::open(which, false)?;
+    let setting = table::setting(height.key());
+    let Some(setting) = setting else { bail!("no setting {}", height.key()) };
+    let exit = if by.is_none() { drive_there(&mut shop, to)? } else { Exit::Good };
+    if exit != Exit::Good {
+        return Ok(exit);
+    }
+    let before = setting.get(&shop.machine);
+    let z = match (by, before) {
+        (Some(by), Value::Number(before)) => before + by,
+        _ => shop.session.memory.position[Axis::Z],
+    };
+    let kept = machine_file::of(which.config.as_deref(), &which.folder())?;
+    let text = kept.text()?.unwrap_or_default();
+    let mut wanted = (*shop.machine).clone();
+    let tidy = (z * 1e6).round() / 1e6;
+    setting.set(&mut wanted, &Value::Number(tidy)).map_err(|refused| Usage(refused.to_string()))?;
+    if let Some(crossed) = kerf_machine::contradictions::contradictions(&wanted).first() {
+        bail!(Usage(format!("{}; {}", crossed.message, crossed.hint)));
+    }
+    kept.write(&file::edit(&text, setting, &wanted))?;
+    out::print(&format!("{} = {tidy}\n", height.key()));
+    Ok(Exit::Good)
+}
+
+/// Z is homed first where jobs home it; then it goes to the height that is to be recorded.
+fn drive_there(shop: &mut Shop, to: Option<f64>) -> Result<Exit> {
+    let stood = shop.session.memory.position[Axis::Z];
+    let homes = shop.machine.homing.at_job_start.contains(Axis::Z);
+    let mut shift = 0.0;
+    if homes {
+        let exit = shop.errand(Errand::FindHome(AxisSet::EMPTY.with(Axis::Z)), Vec::new())?;
+        if exit != Exit::Good {
+            return Ok(exit);
+        }
+        shift = stood;
+    }
+    let Some(z) = to.or(homes.then_some(shift)) else { return Ok(Exit::Good) };
+    // Z bottom is being set: it does not bound the way.
+    let mut free = (*shop.machine).clone();
+    free.zpos.bottom_mm = free.zpos.bottom_mm.min(z);
+    let machine = std::mem::replace(&mut shop.machine, Arc::new(free));
+    let mut place = [None; AXES];
+    place[Axis::Z.index()] = Some(z);
+    let exit = shop.errand(Errand::To { place, relative: false, flat: false }, Vec::new());
+    shop.machine = machine;
+    exit
+}
+
+/// Where the axes are, and which are homed.
+pub fn pos(which: &Which) -> Result<Exit> {
+    let shop = Shop::open(which, false)?;
+    let position = shop.session.memory.position;
+    for axis in Axis::ALL {
+        if shop.machine.motors.of_axis(axis).is_empty() {
+            continue;
+        }
+        let homed = if shop.session.homed.contains(axis) { "homed" } else { "not homed" };
+        let name = shop.machine.motors.axis_name(axis);
+        out::print(&format!("{name:<2} {:.3} {homed}\n", position[axis] + 0.0));
+    }
+    Ok(Exit::Good)
+}
+
+/// Prints motions, homed axes and messages.
+struct Steps {
+    machine: Arc<Configuration>,
+    /// The switch that changed during the motion at hand.
+    edge: Option<f64>,
+}
+
+impl Sink for Steps {
+    fn event(&mut self, event: &Event) {
+        match event {
+            Event::Input { t, .. } => self.edge = Some(*t),
+            Event::Move(made) => {
+                for axis in Axis::ALL {
+                    let (from, to) = (made.from.of(axis), made.to.of(axis));
+                    if (from - to).abs() > 1e-9 {
+                        let name = self.machine.motors.axis_name(axis);
+                        let kind = if made.kind == MoveKind::Cut { ", cut" } else { "" };
+                        let (t0, t1) = (made.t0, made.t1);
+                        let span = format!("{t0:8.3} to {t1:8.3} s");
+                        let way = format!("{name:<2} {from:9.3} to {to:9.3}");
+                        out::print(&format!("{span}  {way}, up to {:.3}/s{kind}\n", made.speed));
+                    }
+                }
+                if let Some(t) = self.edge.take() {
+                    out::print(&format!("{t:8.3} s  a switch changed\n"));
+                }
+            }
+            Event::Homed { axis, steps, .. } => out::print(&format!("{axis} {steps} steps\n")),
+            Event::Message { text, .. } => out::print(&format!("{text}\n")),
+            _ => {}
+        }
+    }
+}
+
+/// Axes by their letters.
+pub fn axes_named(c: &Configuration, letters: Option<&str>, all: AxisSet) -> Result<AxisSet> {
+    let Some(letters) = letters else { return Ok(all) };
+    letters.chars().try_fold(AxisSet::EMPTY, |set, letter| Ok(set.with(named(c, letter)?)))
+}
+
+fn named(c: &Configuration, letter: char) -> Result<Axis> {
+    let is_called = |axis: &Axis| c.motors.axis_name(*axis).starts_with(letter);
+    let axis = Axis::ALL.into_iter().find(is_called).or_else(|| Axis::from_letter(letter));
+    axis.ok_or_else(|| Usage(format!("there is no axis {letter}")).into())
+}
+
+/// `10,20,-5`; empty places stay.
+fn numbers(text: &str) -> Result<[Option<f64>; AXES]> {
+    let mut all = [None; AXES];
+    for (i, word) in text.split(',').enumerate() {
+        let Some(place) = all.get_mut(i) else { bail!(Usage("six axes at the most".into())) };
+        if !word.trim().is_empty() {
+            let number = word.trim().parse().ok().filter(|n: &f64| n.is_finite());
+            *place = Some(number.ok_or_else(|| Usage(format!("'{word}' is no number")))?);
+        }
+    }
+    Ok(all)
+}
+
+/// `x+`, `x+y-`: which way each axis goes.
+fn ways(c: &Configuration, text: &str) -> Result<[i8; AXES]> {
+    let mut all = [0; AXES];
+    let letters: Vec<char> = text.chars().filter(|c| *c != ',').collect();
+    for pair in letters.chunks(2) {
+        let &[letter, sign] = pair else { bail!(Usage("an axis and + or -, as x+".into())) };
+        all[named(c, letter)?.index()] = match sign {
+            '+' => 1,
+            '-' => -1,
+            _ => bail!(Usage("an axis and + or -, as x+".into())),
+        };
+    }
+    Ok(all)
+}

@@ -1,0 +1,254 @@
+//! Area `move`: moves by hand; and what belongs to them of zpos, axes and pause.
+
+use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
+use kerf_machine::hand::cut_move;
+use kerf_machine::{Errand, Held};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Status};
+
+fn axes(letters: &str) -> AxisSet {
+    letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
+}
+
+/// With the job origin at (300, 200).
+fn placed(errand: Errand) -> JobRun {
+    JobRun::hand(errand).with(|machine| machine.job.origin_mm = [300.0, 200.0])
+}
+
+fn to(place: [f64; 3], relative: bool, flat: bool) -> Errand {
+    let mut all = [None; AXES];
+    all.iter_mut().zip(place).for_each(|(it, value)| *it = Some(value));
+    Errand::To { place: all, relative, flat }
+}
+
+/// A key that is held: which way, and shares of speed and acceleration.
+fn key(x: i8, y: i8, z: i8, speed: f64, accel: f64) -> JobRun {
+    let way = [x, y, z, 0, 0, 0];
+    JobRun::hand(Errand::Held(Held { way, speed, accel, sets_bottom: false }))
+}
+
+#[test]
+fn pro_move_home() {
+    let run = |letters| JobRun::hand(Errand::Home(axes(letters))).at(500.0, 300.0, -25.0).run();
+    assert_eq!(run("xy").rests(), [0.0, 0.0, -25.0]);
+    let all = run("xyz");
+    assert_eq!(all.rests(), [0.0, 0.0, 0.0]);
+    let moves: Vec<_> =
+        all.moves().iter().map(|m| m.split_once(' ').unwrap().1.to_owned()).collect();
+    assert_eq!(moves, ["z0", "x0 y0"]);
+}
+
+#[test]
+fn pro_zpos_home() {
+    let trace = JobRun::hand(Errand::Home(axes("z"))).at(10.0, 0.0, -25.0).run();
+    assert_eq!(trace.rests(), [10.0, 0.0, 0.0]);
+}
+
+#[test]
+fn pro_axes_powerup_home() {
+    let start = |machine: &mut kerf_machine::Configuration| {
+        machine.simulated.start_at[..2].copy_from_slice(&[500.0, 300.0]);
+    };
+    let away = JobRun::hand(to([40.0, 30.0, 0.0], true, false)).with(start).unhomed().run();
+    assert_eq!(away.rests(), [40.0, 30.0, 0.0]);
+    let back = JobRun::hand(Errand::Home(axes("xy"))).with(start).after(&away).run();
+    assert_eq!(back.rests(), [0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn pro_move_origin() {
+    let low = placed(Errand::Origin).at(0.0, 0.0, -25.0).run();
+    assert_eq!(low.rests(), [300.0, 200.0, -10.0]);
+    assert!(low.moves()[0].ends_with(" z-10"), "up first: {:?}", low.moves());
+    assert_eq!(placed(Errand::Origin).at(0.0, 0.0, -5.0).run().rests(), [300.0, 200.0, -5.0]);
+}
+
+#[test]
+fn pro_move_finish() {
+    let finish = |m: &mut kerf_machine::Configuration| m.job.finish_mm = [25.0, 20.0];
+    let trace = placed(Errand::Finish).with(finish).at(0.0, 0.0, -25.0).run();
+    assert_eq!(trace.rests(), [325.0, 220.0, -10.0]);
+    assert!(trace.moves()[0].ends_with(" z-10"));
+}
+
+#[test]
+fn pro_move_arrows_xy() {
+    let trace = key(1, 0, 0, 0.25, 1.0).let_go(1.0).run();
+    // 50 mm/s at 1000 mm/s/s: 48.75 at release, 0.05 s and 1.25 mm to rest.
+    assert_eq!(trace.moves(), ["0.000-1.050 x50"]);
+    for (x, y) in [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)] {
+        let trace = key(x, y, 0, 0.25, 1.0).at(500.0, 500.0, 0.0).let_go(1.0).run();
+        let [rx, ry, _] = trace.rests();
+        let expected = (500.0 + 50.0 * f64::from(x), 500.0 + 50.0 * f64::from(y));
+        assert!((rx - expected.0).abs() + (ry - expected.1).abs() < 0.9, "{x},{y}: {rx} {ry}");
+        assert!(x == 0 || y == 0 || ((rx - 500.0).abs() - (ry - 500.0).abs()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn pro_move_arrows_z() {
+    let up = key(0, 0, 1, 0.25, 1.0).at(5.0, 5.0, -25.0).let_go(0.5).run();
+    assert!(up.rests()[2] > -25.0 && up.rests()[..2] == [5.0, 5.0]);
+    let down = key(0, 0, -1, 0.25, 1.0).at(5.0, 5.0, -25.0).run();
+    assert_eq!(down.rests(), [5.0, 5.0, -30.0]);
+    assert_eq!(down.messages(), ["Out of bounds: z ends at -30.000"]);
+}
+
+#[test]
+fn pro_zpos_bottom_limit() {
+    let down = key(0, 0, -1, 0.1, 1.0).at(0.0, 0.0, -28.0).run();
+    assert_eq!((down.rests()[2], down.messages().len()), (-30.0, 1));
+    let held = Held { way: [0, 0, -1, 0, 0, 0], speed: 0.1, accel: 1.0, sets_bottom: true };
+    let set = JobRun::hand(Errand::Held(held)).at(0.0, 0.0, -30.0).let_go(0.4).run();
+    assert!((set.rests()[2] + 32.0).abs() < 1e-6, "{:?}", set.rests());
+}
+
+#[test]
+fn pro_move_arrows_pct() {
+    let trace = key(1, 0, 0, 0.25, 0.5).let_go(1.0).run();
+    assert_eq!(trace.moves(), ["0.000-1.100 x50"]);
+    let slow = key(1, 0, 0, 0.125, 1.0).let_go(1.0).run();
+    assert_eq!(slow.moves(), ["0.000-1.025 x25"]);
+}
+
+#[test]
+fn pro_move_arrows_limit() {
+    let trace = key(1, 0, 0, 0.25, 1.0).at(2490.0, 0.0, 0.0).run();
+    assert_eq!(trace.rests()[0], 2500.0);
+    assert_eq!(trace.messages(), ["Out of bounds: x ends at 2500.000"]);
+    let free = key(1, 0, 0, 0.25, 1.0).at(2490.0, 0.0, 0.0).let_go(1.0);
+    let free = free.with(|machine| machine.axes.limit_movement = false).run();
+    assert_eq!((free.rests()[0], free.messages().len()), (2540.0, 0));
+}
+
+#[test]
+fn pro_axes_limit_unhomed() {
+    let start = |machine: &mut kerf_machine::Configuration| {
+        machine.simulated.start_at[..2].copy_from_slice(&[500.0, 300.0]);
+    };
+    let right = key(1, 0, 0, 1.0, 1.0).with(start).unhomed().run();
+    assert_eq!(right.rests()[0], 2500.0, "from where it was switched on");
+    let homed = JobRun::hand(Errand::FindHome(axes("x"))).with(start).unhomed().run();
+    let truly = homed.session.look(|machine| machine.truth()[0][0]);
+    assert!((truly + 117.0).abs() < 0.01, "zero is at the switch: {truly}");
+    let right = key(1, 0, 0, 1.0, 1.0).with(start).after(&homed).run();
+    assert_eq!(right.rests()[0], 2500.0);
+}
+
+#[test]
+fn pro_axes_limit_on() {
+    let trace = JobRun::new(job([line(1, (0.0, 0.0), (2600.0, 0.0))])).run();
+    assert_eq!(trace.summary.status, Status::Failed);
+    assert!(trace.refused().starts_with("Out of bounds: "), "{}", trace.refused());
+    assert!(trace.moves().is_empty() && trace.edges().is_empty());
+    let by_hand = JobRun::hand(to([2600.0, 0.0, 0.0], false, false)).run();
+    assert_eq!(by_hand.refused(), "Out of bounds: x would reach 2600.000");
+    assert_eq!(by_hand.rests(), [0.0, 0.0, 0.0]);
+}
+
+#[test]
+fn pro_axes_limit_off() {
+    let off = |machine: &mut kerf_machine::Configuration| machine.axes.limit_movement = false;
+    let trace = JobRun::new(job([line(1, (0.0, 0.0), (2600.0, 0.0))])).with(off).run();
+    assert_eq!(trace.summary.status, Status::Ok);
+    assert!(trace.moves().iter().any(|made| made.ends_with(" x2600")), "{:?}", trace.moves());
+    assert_eq!(trace.messages(), [""; 0]);
+}
+
+#[test]
+fn pro_axes_axes__by_hand() {
+    let trace = JobRun::hand(to([0.0, 0.0, 1.0], true, false)).at(0.0, 0.0, -5.0).run();
+    assert_eq!(trace.rests(), [0.0, 0.0, -4.0]);
+}
+
+#[test]
+fn pro_move_cutmoveto() {
+    let trace = placed(Errand::CutMoveTo([100.0, 50.0])).at(0.0, 0.0, -25.0).run();
+    assert_eq!(trace.rests(), [400.0, 250.0, -10.0]);
+    assert_eq!(trace.edges(), [""; 0]);
+}
+
+#[test]
+fn pro_move_cutmoveto_cut() {
+    let made = cut_move(&kerf_ledger::jobs::sim(), Axes::default(), [100.0, 0.0]);
+    let (trace, whole) = (JobRun::new(made).run(), JobRun::new(t1()).run());
+    let cut = |trace: &JobTrace| {
+        let edges = trace.edges();
+        let [on, off] =
+            ["router+", "router-"].map(|e| edges.iter().position(|x| x.ends_with(e)).unwrap());
+        edges[on..=off].to_vec()
+    };
+    assert_eq!(cut(&trace), cut(&whole));
+    assert_eq!(trace.moves()[..], whole.moves()[..trace.moves().len()]);
+    assert_eq!(trace.rests(), [100.0, 0.0, -10.0], "no finish move");
+}
+
+#[test]
+fn pro_move_moveto_abs() {
+    assert_eq!(placed(to([10.0, 20.0, -5.0], false, false)).run().rests(), [310.0, 220.0, -5.0]);
+}
+
+#[test]
+fn pro_move_moveto_rel() {
+    let trace = JobRun::hand(to([5.0, 0.0, 1.0], true, false)).at(10.0, 20.0, -5.0).run();
+    assert_eq!(trace.rests(), [15.0, 20.0, -4.0]);
+}
+
+#[test]
+fn pro_move_moveto_2d() {
+    let trace = JobRun::hand(to([10.0, 20.0, -5.0], false, true)).at(0.0, 0.0, -10.0).run();
+    let moves: Vec<_> =
+        trace.moves().iter().map(|m| m.split_once(' ').unwrap().1.to_owned()).collect();
+    assert_eq!(moves, ["x10 y20", "z-5"]);
+}
+
+#[test]
+fn pro_move_moveto_3d() {
+    let trace = JobRun::hand(to([10.0, 20.0, -5.0], false, false)).at(0.0, 0.0, -10.0).run();
+    assert_eq!(trace.moves().len(), 1, "one straight way: {:?}", trace.moves());
+    assert_eq!(trace.rests(), [10.0, 20.0, -5.0]);
+}
+
+/// MoveTo (100, 0, −25) from (0, 0, −25), stopped on the way.
+fn stopped_move(raise: bool, z: f64) -> JobTrace {
+    JobRun::hand(to([100.0, 0.0, z], false, false))
+        .with(|machine| machine.pause.raise = raise)
+        .at(0.0, 0.0, z)
+        .stop(0.3)
+        .run()
+}
+
+#[test]
+fn pro_pause_raise_moveto() {
+    assert_eq!(stopped_move(true, -25.0).rests()[2], -10.0);
+    assert_eq!(stopped_move(false, -25.0).rests()[2], -25.0);
+    assert_eq!(stopped_move(true, -5.0).rests()[2], -5.0, "it is not lowered");
+    assert!(stopped_move(true, -25.0).rests()[0] < 100.0);
+    let on = JobRun::hand(to([100.0, 0.0, -25.0], false, false)).at(0.0, 0.0, -25.0);
+    assert_eq!(on.stop(0.3).say("resume").run().rests(), [100.0, 0.0, -25.0]);
+}
+
+#[test]
+fn pro_pause_stopkey__moves_by_hand() {
+    let trace = stopped_move(false, -25.0);
+    assert_eq!(trace.summary.status, Status::Stopped);
+    // 0.2 s to 200 mm/s, 0.1 s at it, 0.2 s to rest.
+    assert_eq!(trace.moves(), ["0.000-0.500 x60"]);
+    let key = key(1, 0, 0, 1.0, 1.0).stop(0.3).run();
+    assert_eq!(key.moves(), ["0.000-0.500 x60"]);
+}
+
+#[test]
+fn pro_pause_arrows() {
+    let run = |say: &str| JobRun::new(t1()).stop(5.34).say(say).run();
+    let trace = run("jog 0,200,0,0,0,0 1 \u{23ce} resume");
+    let moves = trace.moves();
+    let at = moves.iter().position(|made| made.ends_with(" y200")).expect("the way out");
+    assert!(moves[at + 1].ends_with(" y0"), "and back: {moves:?}");
+    let out_s: f64 = moves[at].split('-').next().unwrap().parse().unwrap();
+    let on = trace.edges().into_iter().filter(|edge| edge.contains("router+"));
+    assert!(on.last().unwrap().split(' ').next().unwrap().parse::<f64>().unwrap() > out_s);
+    assert_eq!(trace.summary.status, Status::Ok);
+    // No further than the table.
+    let far = run("jog 0,5000,0,0,0,0 1");
+    assert_eq!(far.rests(), [50.0, 1250.0, -10.0]);
+}

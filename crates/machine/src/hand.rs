@@ -1,0 +1,446 @@
+//! Moves by hand: what a person has the machine do beside jobs and part files (Profiler reference,
+//! "Changing the Tool Position").
+//!
+//! A [`Hand`] is an interpreter like a job: it is stepped, gives commands, and is stopped and goes on by
+//! the same table of states.
+
+use crate::homing::soft_bounds;
+use crate::sequence::{Word, planner_settings, rapid_mm_s};
+use crate::settings::Configuration;
+use crate::state::{Effect, Event, State, StopSettings};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_geom::{Point2, Polyarc};
+use kerf_program::job::{Job, JobShape};
+use kerf_program::{
+    AXES, Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Frame, Halted, Host, Interpreter,
+    Line, MoveKind, Question, QuestionKind, Settings, Sourced, Status, Step, StoppedBy, Watch,
+};
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::task::Poll;
+
+/// Places closer than this are the same, mm or degrees.
+const SAME: f64 = 1e-9;
+
+/// Without a bound a key that is held moves so far, mm or degrees.
+const FAR: f64 = 10_000.0;
+
+/// What a person wants.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Errand {
+    /// Find the home switches of these axes.
+    FindHome(AxisSet),
+    /// To home on these axes, Z first.
+    Home(AxisSet),
+    /// To the job origin in X and Y, Z at least at Z top.
+    Origin,
+    /// To the finish position of jobs, in the same way.
+    Finish,
+    /// To a place; axes without a value stay.
+    To {
+        /// X and Y from the job origin, the others from home; or all from where the tool is.
+        place: [Option<f64>; AXES],
+        /// From where the tool is.
+        relative: bool,
+        /// X and Y first, then the others; else all together.
+        flat: bool,
+    },
+    /// In X and Y at Z top, from the job origin.
+    CutMoveTo([f64; 2]),
+    /// For as long as a key is held.
+    Held(Held),
+}
+
+impl Errand {
+    /// What it is called.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::FindHome(_) => "homing",
+            Self::Home(_) => "move to home",
+            Self::Origin => "move to origin",
+            Self::Finish => "move to finish",
+            Self::To { .. } => "move to",
+            Self::CutMoveTo(_) => "cut move to",
+            Self::Held(_) => "key",
+        }
+    }
+}
+
+/// A key that is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Held {
+    /// Which way, −1, 0 or 1 an axis.
+    pub way: [i8; AXES],
+    /// Share of the highest speeds, 0.01 … 1.
+    pub speed: f64,
+    /// Share of the highest accelerations, 0.01 … 1.
+    pub accel: f64,
+    /// Z may go below Z bottom, which is being set.
+    pub sets_bottom: bool,
+}
+
+/// An errand being done.
+#[derive(Clone, Debug)]
+pub struct Hand {
+    errand: Errand,
+    machine: Arc<Configuration>,
+    settings: Arc<Settings>,
+    frame: Frame,
+    position: Axes,
+    /// Places still to go to.
+    legs: VecDeque<Axes>,
+    /// Where the rest leads, while the machine is stopped.
+    rest: Option<VecDeque<Axes>>,
+    given: bool,
+    begun: bool,
+    state: State,
+    motions: u64,
+    /// What is said when it is done.
+    note: Option<Arc<str>>,
+    over: Option<(Status, Option<Box<Diagnostic>>)>,
+}
+
+impl Hand {
+    /// An errand of a machine that stands at a position, machine frame.
+    pub fn new(errand: Errand, machine: Arc<Configuration>, position: Axes, frame: Frame) -> Self {
+        let mut settings = planner_settings(&machine);
+        if let (Errand::Held(held), Some(dynamics)) = (errand, &mut settings.dynamics) {
+            let share = held.accel.clamp(0.01, 1.0);
+            dynamics.accel_mm_s2 = dynamics.accel_mm_s2.zip(Axes::default(), |a, _| a * share);
+        }
+        let mut hand = Self {
+            errand,
+            settings: Arc::new(settings),
+            machine,
+            frame,
+            position,
+            legs: VecDeque::new(),
+            rest: None,
+            given: false,
+            begun: false,
+            state: State::Running,
+            motions: 0,
+            note: None,
+            over: None,
+        };
+        hand.legs = hand.ways();
+        hand
+    }
+
+    /// Where it leads, one straight way after the other.
+    fn ways(&mut self) -> VecDeque<Axes> {
+        let here = self.position;
+        let job = &self.machine.job;
+        match self.errand {
+            Errand::FindHome(_) => VecDeque::new(),
+            Errand::Home(axes) => {
+                let mut up = here;
+                if axes.contains(Axis::Z) {
+                    up[Axis::Z] = 0.0;
+                }
+                let mut home = up;
+                axes.iter().for_each(|axis| home[axis] = 0.0);
+                [up, home].into()
+            }
+            Errand::Origin => self.over_the_table([0.0; 2]),
+            Errand::Finish => self.over_the_table(job.finish_mm),
+            Errand::CutMoveTo(place) => self.over_the_table(place),
+            Errand::To { place, relative, flat } => {
+                let mut to = here;
+                for (axis, value) in Axis::ALL.into_iter().zip(place) {
+                    let Some(value) = value else { continue };
+                    let zero = match axis {
+                        _ if relative => here[axis],
+                        Axis::X => job.origin_mm[0],
+                        Axis::Y => job.origin_mm[1],
+                        _ => 0.0,
+                    };
+                    to[axis] = zero + value;
+                }
+                let mut level = to;
+                if flat {
+                    (2..AXES).for_each(|i| level.0[i] = here.0[i]);
+                }
+                [level, to].into()
+            }
+            Errand::Held(held) => [self.as_far_as_allowed(held)].into(),
+        }
+    }
+
+    /// Up to Z top where the tool is lower, then to a place from the job origin.
+    fn over_the_table(&self, [x, y]: [f64; 2]) -> VecDeque<Axes> {
+        let [x0, y0] = self.machine.job.origin_mm;
+        let mut up = self.position;
+        up[Axis::Z] = up[Axis::Z].max(self.machine.zpos.top_mm);
+        let mut there = up;
+        (there[Axis::X], there[Axis::Y]) = (x0 + x, y0 + y);
+        [up, there].into()
+    }
+
+    /// Where a key that is held leads: to the first bound on its way.
+    fn as_far_as_allowed(&mut self, held: Held) -> Axes {
+        let ways = Axis::ALL.into_iter().map(|axis| (axis, f64::from(held.way[axis.index()])));
+        let mut far = FAR;
+        for (axis, way) in ways.clone().filter(|(_, way)| *way != 0.0) {
+            let (low, high) = self.allowed(axis, held.sets_bottom);
+            let end = if way > 0.0 { high } else { low };
+            let room = ((end - self.position[axis]) * way).max(0.0);
+            if room < far {
+                far = room;
+                let name = self.machine.motors.axis_name(axis);
+                self.note = Some(format!("Out of bounds: {name} ends at {end:.3}").into());
+            }
+        }
+        let mut to = self.position;
+        ways.for_each(|(axis, way)| to[axis] += way * far);
+        to
+    }
+
+    /// Where an axis may go, machine frame: the soft bounds, the table limits while they are checked,
+    /// Z no lower than Z bottom.
+    fn allowed(&self, axis: Axis, sets_bottom: bool) -> (f64, f64) {
+        let free = (f64::NEG_INFINITY, f64::INFINITY);
+        let (mut low, mut high) = soft_bounds(&self.machine, axis).unwrap_or(free);
+        let limits = &self.machine.program.limits;
+        if limits.check {
+            let zero = self.frame.base_zero[axis];
+            low = low.max(limits.low[axis] + zero);
+            high = high.min(limits.high[axis] + zero);
+        }
+        if axis == Axis::Z && !sets_bottom && self.machine.axes.limit_movement {
+            low = low.max(self.machine.zpos.bottom_mm);
+        }
+        (low, high)
+    }
+
+    /// Why it is not done: it leads out of bounds.
+    fn refusal(&self) -> Option<Box<Diagnostic>> {
+        if matches!(self.errand, Errand::Held(_)) {
+            return None;
+        }
+        let to = self.legs.back()?;
+        let outside = Axis::ALL.into_iter().find(|axis| {
+            let (low, high) = self.allowed(*axis, false);
+            let moves = (to[*axis] - self.position[*axis]).abs() > SAME;
+            moves && !(low - SAME..=high + SAME).contains(&to[*axis])
+        })?;
+        let (low, high) = self.allowed(outside, false);
+        let name = self.machine.motors.axis_name(outside);
+        let reached = to[outside];
+        let message = format!("Out of bounds: {name} would reach {reached:.3}");
+        let hint = format!("{name} goes from {low:.3} to {high:.3}");
+        let place = Place::line(self.errand.name().into(), 0);
+        Some(Box::new(Diagnostic::new(Code::OutsideLimits, place, message).hint(hint)))
+    }
+
+    fn stop_settings(&self) -> StopSettings {
+        StopSettings::profiler(self.machine.pause.raise)
+    }
+
+    fn give(&self, command: Command, out: &mut Vec<Sourced>) {
+        out.push(Sourced { at: At::default(), command });
+    }
+
+    fn end(&mut self, status: Status, why: Option<Box<Diagnostic>>) -> Step {
+        self.over = Some((status, why.clone()));
+        Step::Done(status, why)
+    }
+
+    fn begin(&mut self, out: &mut Vec<Sourced>) -> Step {
+        self.begun = true;
+        if let Some(why) = self.refusal() {
+            return self.end(Status::Failed, Some(why));
+        }
+        self.give(Command::Settings(self.settings.clone()), out);
+        Step::Ran
+    }
+
+    /// The next straight way.
+    fn go(&mut self, to: Axes, out: &mut Vec<Sourced>) {
+        let share =
+            if let Errand::Held(held) = self.errand { held.speed.clamp(0.01, 1.0) } else { 1.0 };
+        let mm_s = share * rapid_mm_s(&self.settings, to.minus(self.position));
+        let line = Line { kind: MoveKind::Jog, to, feed: Feed::Path(mm_s) };
+        self.motions += 1;
+        (self.position, self.given) = (to, true);
+        self.give(Command::Line(line), out);
+    }
+
+    fn is_at(&self, place: &Axes) -> bool {
+        Axis::ALL.into_iter().all(|axis| (place[axis] - self.position[axis]).abs() <= SAME)
+    }
+
+    fn carry_on(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        if self.given {
+            if host.settle().is_pending() {
+                return Step::Waiting;
+            }
+            self.given = false;
+            self.legs.pop_front();
+            return Step::Ran;
+        }
+        match self.legs.front().copied() {
+            Some(to) if self.is_at(&to) => drop(self.legs.pop_front()),
+            Some(to) => self.go(to, out),
+            None if self.rest.is_some() => return self.ask(host, out),
+            None => {
+                if let Some(text) = self.note.take() {
+                    self.give(Command::Message { text }, out);
+                }
+                return self.end(Status::Ok, None);
+            }
+        }
+        Step::Ran
+    }
+
+    /// What follows on a stop: the table says whether the tool rises; the rest of the way is kept.
+    fn halt(&mut self, halted: &Halted) {
+        self.position = halted.stands;
+        self.given = false;
+        let Some(stopping) = self.state.on(Event::Stop, self.stop_settings()) else { return };
+        let Some(stands) = stopping.state.on(Event::Stands, self.stop_settings()) else { return };
+        self.state = stands.state;
+        let mut rest = std::mem::take(&mut self.legs);
+        rest.push_front(halted.stands);
+        self.rest = Some(rest);
+        let (top, mut up) = (self.machine.zpos.top_mm, halted.stands);
+        if stands.effects.contains(&Effect::Raise) && up[Axis::Z] < top {
+            up[Axis::Z] = top;
+            self.legs.push_back(up);
+        }
+    }
+
+    fn ask(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        let words = match host.ask(&paused()) {
+            Poll::Pending => return Step::Waiting,
+            Poll::Ready(Answer::Text(words)) => words,
+            Poll::Ready(Answer::Button(button)) => button.word().to_owned(),
+        };
+        match Word::read(&words) {
+            Some(Word::Continue) => {
+                let Some(next) = self.state.on(Event::Continue, self.stop_settings()) else {
+                    return Step::Ran;
+                };
+                self.state = next.state;
+                self.legs = self.rest.take().unwrap_or_default();
+                let mut over = self.position;
+                if let Some(place) = self.legs.front() {
+                    (over[Axis::X], over[Axis::Y]) = (place[Axis::X], place[Axis::Y]);
+                    self.legs.push_front(over);
+                }
+                let (name, why) = (self.state.name().into(), "".into());
+                self.give(Command::State { name, why }, out);
+            }
+            Some(Word::Abort) => return self.end(Status::Stopped, None),
+            _ => {}
+        }
+        Step::Ran
+    }
+}
+
+fn paused() -> Question {
+    Question {
+        kind: QuestionKind::Paused,
+        text: "Paused".into(),
+        title: "Move".into(),
+        buttons: vec![Button::Resume, Button::Quit],
+        default: 1,
+        prefill: String::new(),
+        icon: 0,
+        until: None,
+    }
+}
+
+/// CutMoveTo with cutting: a job of one line from where the tool is, cut through, that ends at its end.
+pub fn cut_move(machine: &Configuration, position: Axes, [x, y]: [f64; 2]) -> Job {
+    let [x0, y0] = machine.job.origin_mm;
+    let (origin, to) = (Point2::new(x0, y0), Point2::new(x, y));
+    let from = Point2::new(position[Axis::X] - x0, position[Axis::Y] - y0);
+    let shape = JobShape::through(1, Polyarc::lines([from, to], false));
+    Job { name: "cut move to".into(), shapes: [shape].into(), origin, finish: to, ..Job::default() }
+}
+
+impl Interpreter for Hand {
+    fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        match &self.over {
+            Some((status, why)) => Step::Done(*status, why.clone()),
+            None if !self.begun => self.begin(out),
+            None => self.carry_on(host, out),
+        }
+    }
+
+    fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        for _ in 0..lines.max(1) {
+            match self.step(host, out) {
+                Step::Ran => {}
+                other => return other,
+            }
+        }
+        Step::Ran
+    }
+
+    fn interrupt(&mut self, _: &Watch, _: Option<u64>, position: Axes) {
+        self.position = position;
+    }
+
+    fn takes_stops(&self) -> bool {
+        true
+    }
+
+    /// A key is let go for good; every other way is kept.
+    fn stopped(&mut self, _: StoppedBy, halted: &Halted) {
+        if matches!(self.errand, Errand::Held(_)) {
+            (self.position, self.over) = (halted.stands, Some((Status::Ended, None)));
+            return;
+        }
+        self.halt(halted);
+    }
+
+    fn nudge(&mut self, _: Axes) {}
+
+    fn carried_out(&mut self, _: u64) {}
+
+    fn stop(&mut self, _: &mut dyn Host, _: &mut Vec<Sourced>) -> Step {
+        self.end(Status::Stopped, None)
+    }
+
+    fn limit(&mut self, _: &mut dyn Host, _: &mut Vec<Sourced>) -> Step {
+        self.end(Status::Limit, None)
+    }
+
+    fn watches(&self) -> Vec<Watch> {
+        Vec::new()
+    }
+
+    fn file_name(&self, file: u32) -> Option<Arc<str>> {
+        (file == 0).then(|| self.errand.name().into())
+    }
+
+    fn call_stack(&self) -> Vec<At> {
+        vec![At::default()]
+    }
+
+    fn motions(&self) -> u64 {
+        self.motions
+    }
+
+    fn lines(&self) -> u64 {
+        0
+    }
+
+    fn settings(&self) -> &Arc<Settings> {
+        &self.settings
+    }
+
+    fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    fn position(&self) -> Axes {
+        self.position
+    }
+
+    fn variables(&self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+}
