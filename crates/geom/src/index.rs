@@ -1,12 +1,12 @@
 //! Finding segments by place: a tree of boxes in the order of travel.
 //!
-//! Neighbours on a path are neighbours in the plane, so four consecutive boxes under one make a good
-//! tree without any sorting: it is built in one pass and costs a third of the boxes on top.
+//! Neighbours on a path are neighbours in the plane, so eight consecutive boxes under one make a good
+//! tree without any sorting: it is built in one pass and costs a seventh of the boxes on top.
 //!
 //! ```text
-//! level 2            ┌───────────────┐
-//! level 1      ┌───┬───┬───┬───┐    ...
-//! level 0     0123 4567 ...          boxes of the segments
+//! level 2            ┌───────────────────┐
+//! level 1      ┌────────┬────────┬───    ...
+//! level 0     01234567 89...                  boxes of the segments
 //! ```
 
 use crate::{Bounds2, Point2};
@@ -14,7 +14,10 @@ use crate::{Bounds2, Point2};
 /// Steps along each side when boxes are put in order of their places.
 const STEPS: f64 = 65535.0;
 
-const FAN: usize = 4;
+const FAN: usize = 8;
+
+/// So few boxes are faster looked at one by one.
+const FEW: usize = 16;
 
 /// Boxes that can be asked for those near a place or meeting another box.
 #[derive(Clone, Debug, Default)]
@@ -28,14 +31,17 @@ pub struct BoxTree {
 impl BoxTree {
     /// The tree over boxes in the order of travel.
     pub fn new(leaves: impl IntoIterator<Item = Bounds2>) -> Self {
-        let mut boxes: Vec<Bounds2> = leaves.into_iter().collect();
-        let mut levels = vec![0, boxes.len()];
+        let leaves = leaves.into_iter();
+        let mut boxes = Vec::with_capacity(leaves.size_hint().0 * FAN / (FAN - 1) + FAN);
+        boxes.extend(leaves);
+        let mut levels = Vec::with_capacity(8);
+        levels.extend([0, boxes.len()]);
         let mut from = 0;
         while boxes.len() - from > 1 {
             let to = boxes.len();
             for group in (from..to).step_by(FAN) {
-                let mut whole = boxes[group];
-                boxes[group + 1..to.min(group + FAN)].to_vec().iter().for_each(|b| whole.merge(b));
+                let mut whole: Bounds2 = boxes[group];
+                boxes[group + 1..to.min(group + FAN)].iter().for_each(|b| whole.merge(b));
                 boxes.push(whole);
             }
             from = to;
@@ -102,7 +108,10 @@ impl BoxTree {
         enter: impl Fn(&Bounds2) -> bool,
         mut visit: impl FnMut(usize) -> bool,
     ) -> bool {
-        self.is_empty() || self.search_in(self.top(), 0, &enter, &mut visit)
+        if self.len() <= FEW {
+            return (0..self.len()).all(|n| !enter(&self.boxes[n]) || visit(n));
+        }
+        self.search_in(self.top(), 0, &enter, &mut visit)
     }
 
     fn search_in(
@@ -220,7 +229,12 @@ impl BoxTree {
 
     /// As [`BoxTree::own_pairs`], until `visit` returns false; whether it never did.
     pub fn own_pairs_while(&self, mut visit: impl FnMut(usize, usize) -> bool) -> bool {
-        self.is_empty() || self.own_pairs_in(self.top(), 0, &mut visit)
+        if self.len() <= FEW {
+            let mut meets =
+                |a: usize, b: usize| !self.boxes[a].meets(&self.boxes[b]) || visit(a, b);
+            return (0..self.len()).all(|a| (a + 1..self.len()).all(|b| meets(a, b)));
+        }
+        self.own_pairs_in(self.top(), 0, &mut visit)
     }
 
     fn own_pairs_in(

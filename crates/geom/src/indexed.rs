@@ -15,8 +15,9 @@ pub struct Indexed {
 impl Indexed {
     /// The segments of all contours, numbered through.
     pub fn new<'a>(contours: impl IntoIterator<Item = &'a Polyarc>) -> Self {
-        let segments: Vec<Segment> =
-            contours.into_iter().flat_map(|contour| contour.segments()).collect();
+        let mut segments = Vec::new();
+        // Contour by contour, as each knows how many it has.
+        contours.into_iter().for_each(|contour| segments.extend(contour.segments()));
         let tree = BoxTree::new(segments.iter().map(Segment::bounds));
         Self { segments, tree }
     }

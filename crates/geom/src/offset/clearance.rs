@@ -4,22 +4,12 @@ use super::source::Source;
 use crate::segment::square;
 use crate::{Bounds2, Point2, Segment};
 
-/// Places on each segment are looked at this densely, as a share of the distance. Between two of them a
-/// corner of the source could reach 3 % too near; corners are therefore held against segments as well.
-const SPACING: f64 = 0.5;
-/// But not more places than this on one segment.
-const MOST_PLACES: usize = 64;
 /// A segment shorter than this share of the distance is looked at in its middle only: a corner between
-/// two such places is 0.1 % of the distance too near at most, and its neighbours' places show it.
+/// two such places is 0.1 % of the distance too near at most, and its neighbours show it.
 const SHORT: f64 = 0.1;
 /// So many neighbours are asked about together, as long as they keep within a share of the distance.
 const MOST_TOGETHER: usize = 8;
 const TOGETHER: f64 = 0.25;
-
-/// How many places of a curve are looked at.
-pub(super) fn places(length: f64, distance: f64) -> usize {
-    (length / (distance.abs() * SPACING)).ceil().clamp(1.0, MOST_PLACES as f64) as usize
-}
 
 /// A place of the segments that lies too near to the source, if one is found.
 ///
@@ -67,8 +57,6 @@ fn near_one(segment: &Segment, limit: f64, distance: f64, near: &[Segment]) -> O
     if square(segment.end() - segment.start()) < (SHORT * distance).powi(2) {
         return Some(segment.at(0.5)).filter(too_near);
     }
-    let count = places(segment.length(), distance);
-    let inner = (0..count).map(|k| segment.at((k as f64 + 0.5) / count as f64));
-    let place = inner.chain([segment.end()]).find(too_near);
-    place.or_else(|| near.iter().map(Segment::start).find(|at| segment.is_nearer(*at, limit)))
+    // Where exactly does not matter much; that it is somewhere does.
+    near.iter().any(|s| segment.comes_nearer(s, limit)).then(|| segment.at(0.5))
 }

@@ -149,7 +149,8 @@ pub fn parallel_path(source: &Polyarc, distance: f64) -> Result<Polyarc, GeomErr
         return Err(GeomError::TooFewVertices { found: source.vertices.len(), needed: 2 });
     }
     let mut pieces = Vec::new();
-    raw::append(0, &source, distance, &mut pieces);
+    let segments: Vec<_> = source.segments().collect();
+    raw::append(0, (&segments, source.closed), distance, &mut pieces);
     let joints = if source.closed { pieces.len() } else { pieces.len().saturating_sub(1) };
     let broken = pieces[..joints].iter().find(|piece| piece.next.is_none());
     if let Some(piece) = broken {
@@ -279,7 +280,8 @@ fn by_chords(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
 fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
     let mut pieces = Vec::new();
     for (number, contour) in source.contours.iter().enumerate() {
-        raw::append(number, contour, distance, &mut pieces);
+        let own = source.of_contour(number);
+        raw::append(number, (own, contour.closed), distance, &mut pieces);
     }
     let mut tree = slices::index(&pieces);
     if slices::is_crowded(&tree) {

@@ -7,6 +7,7 @@
 //! ```
 
 use super::Origin;
+use crate::segment::square;
 use crate::{Point2, Polyarc, Segment, Vec2, tol};
 
 /// A parallel line or arc, or the arc about a corner.
@@ -22,17 +23,22 @@ pub(super) struct Piece {
 const NO_CORNER_MM: f64 = tol::CONTACT_MM;
 
 /// The raw offset of one contour, appended to `pieces`.
-pub(super) fn append(contour: usize, source: &Polyarc, distance: f64, pieces: &mut Vec<Piece>) {
+pub(super) fn append(
+    contour: usize,
+    (segments, closed): (&[Segment], bool),
+    distance: f64,
+    pieces: &mut Vec<Piece>,
+) {
     let first = pieces.len();
-    let count = source.segment_count();
-    let segments: Vec<Segment> = source.segments().collect();
+    let count = segments.len();
+    pieces.reserve(2 * count);
     for (number, segment) in segments.iter().enumerate() {
         let origin = Origin { contour, element: number, corner: false };
         if let Some(parallel) = parallel(segment, distance) {
             link_to_last(pieces, first, parallel.start());
             pieces.push(Piece { segment: parallel, origin, next: None });
         }
-        if number + 1 < count || source.closed {
+        if number + 1 < count || closed {
             let after = &segments[(number + 1) % count];
             if let Some(arc) = corner(segment, after, distance) {
                 link_to_last(pieces, first, arc.start());
@@ -41,20 +47,24 @@ pub(super) fn append(contour: usize, source: &Polyarc, distance: f64, pieces: &m
             }
         }
     }
-    if source.closed && pieces.len() > first {
+    if closed && pieces.len() > first {
         let (start, end) = (pieces[first].segment.start(), pieces[pieces.len() - 1].segment.end());
-        if start.distance(end) <= tol::SAME_PLACE_MM {
+        if is_near(start, end) {
             let last = pieces.len() - 1;
             pieces[last].next = Some(first);
         }
     }
-    trim_closing_corners(source.closed, first, pieces);
+    trim_closing_corners(closed, first, pieces);
+}
+
+fn is_near(a: Point2, b: Point2) -> bool {
+    square(a - b) <= tol::SAME_PLACE_MM * tol::SAME_PLACE_MM
 }
 
 fn link_to_last(pieces: &mut [Piece], first: usize, start: Point2) {
     let next = pieces.len();
     if let Some(last) = pieces[first..].last_mut()
-        && last.segment.end().distance(start) <= tol::SAME_PLACE_MM
+        && is_near(last.segment.end(), start)
     {
         last.next = Some(next);
     }
@@ -65,7 +75,12 @@ fn link_to_last(pieces: &mut [Piece], first: usize, start: Point2) {
 pub(crate) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
     match *segment {
         Segment::Line { start, end } => {
-            let right = -(end - start).normalized()?.left() * distance;
+            let way = end - start;
+            let long = square(way).sqrt();
+            if long == 0.0 {
+                return None;
+            }
+            let right = -way.left() * (distance / long);
             Some(Segment::line(start + right, end + right))
         }
         Segment::Arc { start, end, centre, radius, sweep_rad } => {
@@ -83,6 +98,9 @@ pub(crate) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
 /// The arc about the corner between two segments, when it opens on the side of the offset.
 pub(super) fn corner(before: &Segment, after: &Segment, distance: f64) -> Option<Segment> {
     let (u, v) = (before.direction(1.0), after.direction(0.0));
+    if u.dot(v) > 0.0 && u.cross(v) * distance <= 0.0 {
+        return None;
+    }
     let mut turn_rad = u.cross(v).atan2(u.dot(v));
     // A path that turns back on the spot opens on both sides.
     if std::f64::consts::PI - turn_rad.abs() < 1e-9 {
@@ -106,6 +124,9 @@ fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
     }
     let own = &mut pieces[first..];
     let joints = if closed { count } else { count - 1 };
+    if own[..joints].iter().all(|piece| piece.next.is_some()) {
+        return;
+    }
     let mut cuts: Vec<Option<[f64; 2]>> = vec![None; joints];
     for (k, cut) in cuts.iter_mut().enumerate() {
         let next = (k + 1) % count;

@@ -1,7 +1,7 @@
 //! Slices joined into rings, with their starts put where the source starts.
 
 use super::raw::{self, Piece};
-use super::slices::Slice;
+use super::slices::{Slice, Stretch};
 use super::source::Source;
 use super::{CHECK_MM, OffsetPath, Origin};
 use crate::stitch::{Strand, Turn, stitch};
@@ -23,14 +23,24 @@ pub(super) fn rings(
     pieces: &[Piece],
     slices: &[Slice],
 ) -> Vec<OffsetPath> {
+    let mut found = Vec::new();
+    let (whole, cut): (Vec<&Slice>, Vec<&Slice>) = slices.iter().partition(|slice| slice.ring);
+    for ring in whole {
+        let parts = parts_of(pieces, &ring.parts);
+        found.extend(path(parts, true).map(|path| started_like_source(source, distance, path)));
+    }
+    if cut.is_empty() {
+        return found;
+    }
     let look = LOOK_AHEAD * distance.abs();
-    let strands: Vec<Strand> = slices.iter().map(|s| strand(pieces, s, look)).collect();
+    let strands: Vec<Strand> = cut.iter().map(|s| strand(pieces, s, look)).collect();
     // The sharpest turn is the one away from the source: see the drawing in `stitch`.
     let turn = if distance > 0.0 { Turn::Right } else { Turn::Left };
     let open = source.contours.iter().any(|c| !c.closed);
     let stitched = stitch(&strands, turn, open);
-    let collect = |way: &Vec<usize>| -> Vec<Part> { parts_of(pieces, slices, way) };
-    let mut found = Vec::new();
+    let collect = |way: &Vec<usize>| -> Vec<Part> {
+        parts_of(pieces, way.iter().flat_map(|&n| &cut[n].parts))
+    };
     for way in &stitched.loops {
         let parts = collect(way);
         if let Some(path) = path(parts, true) {
@@ -44,7 +54,7 @@ pub(super) fn rings(
 }
 
 fn strand(pieces: &[Piece], slice: &Slice, look: f64) -> Strand {
-    let part = |&(k, from, to): &(usize, f64, f64)| pieces[k].segment.part(from, to);
+    let part = |&(k, from, to): &Stretch| pieces[k].segment.part(from, to);
     let parts = &slice.parts;
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Strand::default() };
     let (first, last) = (part(first), part(last));
@@ -65,7 +75,7 @@ fn leaves(first: &Segment, look: f64) -> Vec2 {
     (first.at(share) - first.start()).normalized().unwrap_or_else(|| first.direction(0.0))
 }
 
-fn middle(pieces: &[Piece], parts: &[(usize, f64, f64)], mut left: f64) -> Point2 {
+fn middle(pieces: &[Piece], parts: &[Stretch], mut left: f64) -> Point2 {
     for &(k, from, to) in parts {
         let long = pieces[k].segment.length() * (to - from);
         if left <= long && long > 0.0 {
@@ -77,9 +87,10 @@ fn middle(pieces: &[Piece], parts: &[(usize, f64, f64)], mut left: f64) -> Point
 }
 
 /// The parts of a way, stretches of one piece in one.
-fn parts_of(pieces: &[Piece], slices: &[Slice], way: &[usize]) -> Vec<Part> {
-    let mut merged: Vec<(usize, f64, f64)> = Vec::new();
-    for &(k, from, to) in way.iter().flat_map(|&n| &slices[n].parts) {
+fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) -> Vec<Part> {
+    let way = way.into_iter();
+    let mut merged: Vec<Stretch> = Vec::with_capacity(way.size_hint().0);
+    for &(k, from, to) in way {
         match merged.last_mut() {
             Some(last) if last.0 == k && (from - last.2).abs() < 1e-9 => last.2 = to,
             _ => merged.push((k, from, to)),

@@ -13,12 +13,16 @@ const TOO_NEAR_MM: f64 = 1e-8;
 /// A slice nearer by less than this is certainly right; in between it is kept if its neighbours need it.
 const SURE_MM: f64 = 1e-10;
 
+/// A piece's number and the shares between which it belongs to something.
+pub(super) type Stretch = (usize, f64, f64);
+
 /// A stretch of consecutive pieces without crossings inside.
 #[derive(Debug)]
 pub(super) struct Slice {
-    /// Piece numbers and the shares between which they belong to the slice.
-    pub parts: Vec<(usize, f64, f64)>,
+    pub parts: Vec<Stretch>,
     pub sure: bool,
+    /// It was cut nowhere and comes back to where it begins.
+    pub ring: bool,
 }
 
 /// Where on pieces the raw offset is cut.
@@ -48,10 +52,16 @@ pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f6
     }
 }
 
+/// Fewer pieces than this are never many too many.
+const FEW: usize = 200;
+
 /// Whether pieces crowd together, so that most of them must be buried. A quick look at a part of the path
 /// tells enough.
 pub(super) fn is_crowded(tree: &BoxTree) -> bool {
-    let step = tree.len() / 256 + 1;
+    if tree.len() < FEW {
+        return false;
+    }
+    let step = tree.len() / 32 + 1;
     let (mut asked, mut pairs) = (0usize, 0usize);
     for k in (0..tree.len()).step_by(step) {
         asked += 1;
@@ -66,6 +76,9 @@ pub(super) fn index(pieces: &[Piece]) -> BoxTree {
     BoxTree::new(pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }))
 }
 
+/// Curves whose directions differ by less at their joint are tangent.
+const TANGENT_RAD: f64 = 1e-9;
+
 /// More cuts than this for each piece come only from a source that crosses itself all over.
 const MOST_CUTS_EACH: usize = 200;
 
@@ -75,6 +88,9 @@ fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
     let mut cuts = Cuts::new();
     let most = MOST_CUTS_EACH * (pieces.len() + 100);
     let all = tree.own_pairs_while(|a, b| {
+        if goes_on(pieces, a, b) || goes_on(pieces, b, a) {
+            return true;
+        }
         let contacts = pieces[a].segment.meet(&pieces[b].segment);
         for c in contacts.iter() {
             let joint = |from: usize, to: usize, end: f64, start: f64| {
@@ -103,6 +119,20 @@ fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
     Some(cuts)
 }
 
+/// Whether a piece goes on into another so that they share nothing but their joint: two lines, or curves
+/// that are tangent there.
+fn goes_on(pieces: &[Piece], from: usize, to: usize) -> bool {
+    let (before, after) = (&pieces[from], &pieces[to]);
+    if before.next != Some(to) || after.next == Some(from) {
+        return false;
+    }
+    let (u, v) = (before.segment.direction(1.0), after.segment.direction(0.0));
+    let lines =
+        |a: &Segment, b: &Segment| matches!((a, b), (Segment::Line { .. }, Segment::Line { .. }));
+    let onward = u.dot(v) > 0.0;
+    onward && (lines(&before.segment, &after.segment) || u.cross(v).abs() < TANGENT_RAD)
+}
+
 fn at_end(segment: &Segment, share: f64) -> bool {
     (1.0 - share) * segment.length() <= tol::SAME_PLACE_MM
 }
@@ -121,26 +151,26 @@ pub(super) fn valid_slices(
 ) -> Option<Vec<Slice>> {
     let cuts = cuts(pieces, tree, extra)?;
     let mut slices = Vec::new();
-    for parts in sliced(pieces, &cuts) {
+    for (parts, ring) in sliced(pieces, &cuts) {
         let probe = probe(pieces, &parts);
         if source.is_nearer(probe, distance.abs() - TOO_NEAR_MM) {
             continue;
         }
         let sure = !source.is_nearer(probe, distance.abs() - SURE_MM);
-        slices.push(Slice { parts, sure });
+        slices.push(Slice { parts, sure, ring });
     }
     Some(slices)
 }
 
 /// The middle of the longest part.
-fn probe(pieces: &[Piece], parts: &[(usize, f64, f64)]) -> Point2 {
+fn probe(pieces: &[Piece], parts: &[Stretch]) -> Point2 {
     let long = |p: &(usize, f64, f64)| pieces[p.0].segment.length() * (p.2 - p.1);
     let longest = parts.iter().max_by(|a, b| long(a).total_cmp(&long(b)));
     longest.map_or(Point2::default(), |&(k, from, to)| pieces[k].segment.at((from + to) * 0.5))
 }
 
 /// Cuts the chains of pieces; a chain without any cut is a closed slice of its own.
-fn sliced(pieces: &[Piece], cuts: &Cuts) -> Vec<Vec<(usize, f64, f64)>> {
+fn sliced(pieces: &[Piece], cuts: &Cuts) -> Vec<(Vec<Stretch>, bool)> {
     let mut first_cut = vec![0; pieces.len() + 1];
     cuts.iter().for_each(|c| first_cut[c.0 + 1] += 1);
     (0..pieces.len()).for_each(|k| first_cut[k + 1] += first_cut[k]);
@@ -148,7 +178,7 @@ fn sliced(pieces: &[Piece], cuts: &Cuts) -> Vec<Vec<(usize, f64, f64)>> {
     let mut preceded = vec![false; pieces.len()];
     pieces.iter().filter_map(|p| p.next).for_each(|n| preceded[n] = true);
     let mut seen = vec![false; pieces.len()];
-    let mut slices = Vec::new();
+    let (mut slices, mut current) = (Vec::new(), Vec::new());
     // A chain begins where nothing precedes it; a ring anywhere, best where it is cut.
     let begins = |k: &usize| !preceded[*k];
     let cut = |k: &usize| !cuts_of(*k).is_empty();
@@ -157,19 +187,24 @@ fn sliced(pieces: &[Piece], cuts: &Cuts) -> Vec<Vec<(usize, f64, f64)>> {
         if seen[start] {
             continue;
         }
-        chain(pieces, start, &cuts_of, &mut seen, &mut slices);
+        let begin = slices.len();
+        let whole = chain(pieces, start, &cuts_of, &mut seen, &mut current);
+        slices.extend(current.drain(..).map(|parts| (parts, false)));
+        if let (true, [only]) = (whole, &mut slices[begin..]) {
+            only.1 = true;
+        }
     }
     slices
 }
 
+/// Cuts one chain into slices, of which there are none yet; whether it is a ring that was cut nowhere.
 fn chain<'c>(
     pieces: &[Piece],
     start: usize,
     cuts_of: &impl Fn(usize) -> &'c [(usize, f64)],
     seen: &mut [bool],
-    slices: &mut Vec<Vec<(usize, f64, f64)>>,
-) {
-    let begin = slices.len();
+    slices: &mut Vec<Vec<Stretch>>,
+) -> bool {
     let mut current = Vec::new();
     let mut at = Some(start);
     let mut ring = false;
@@ -187,7 +222,7 @@ fn chain<'c>(
             }
             if !current.is_empty() {
                 slices.push(std::mem::take(&mut current));
-            } else if slices.len() == begin {
+            } else if slices.is_empty() {
                 // A cut at the very start: the ring begins here and must not be closed over it.
                 slices.push(Vec::new());
             }
@@ -198,16 +233,16 @@ fn chain<'c>(
         }
         at = pieces[k].next;
     }
+    let whole = ring && slices.is_empty();
     if !current.is_empty() {
-        if ring && slices.len() > begin {
+        if ring && !slices.is_empty() {
             // The last stretch of a ring runs on into the first.
-            let head = std::mem::take(&mut slices[begin]);
+            let head = std::mem::take(&mut slices[0]);
             current.extend(head);
         }
         slices.push(current);
     }
     // What stands in for a cut without length has done its work.
-    let mut kept = slices.split_off(begin);
-    kept.retain(|s| !s.is_empty());
-    slices.append(&mut kept);
+    slices.retain(|slice| !slice.is_empty());
+    whole
 }

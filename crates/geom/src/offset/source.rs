@@ -27,6 +27,12 @@ impl<'a> Source<'a> {
         &self.indexed.segments
     }
 
+    /// Those of one contour.
+    pub fn of_contour(&self, number: usize) -> &[Segment] {
+        let end = self.first.get(number + 1).copied().unwrap_or(self.segments().len());
+        &self.segments()[self.first[number]..end]
+    }
+
     /// The segments that may lie nearer than `limit` to something within bounds.
     pub fn near(&self, bounds: &Bounds2, limit: f64, found: &mut Vec<Segment>) {
         let (middle, half) = (bounds.centre(), square(bounds.size()).sqrt() * 0.5);

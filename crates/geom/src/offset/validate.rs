@@ -2,12 +2,12 @@
 //!
 //! - *At its distance, on its side*: each segment says what it is parallel to; that is held against the
 //!   source.
-//! - *Nowhere nearer*: places of each segment are looked up in the source. Two strands that cross would
+//! - *Nowhere nearer*: each segment is held against all of the source that is near. Two strands that cross would
 //!   each come too near to the other's source just behind the crossing, so rings that pass are simple.
 //! - *Complete*: the parallel of each source segment and the arc of each corner is walked; where it has
 //!   room on its far side it must belong to the result.
 
-use super::clearance::{places, too_near};
+use super::clearance::too_near;
 use super::source::Source;
 use super::{OffsetPath, Origin, raw};
 use crate::segment::square;
@@ -21,6 +21,11 @@ pub const CHECK_MM: f64 = 1e-6;
 /// A place is wrongly missing only if there is so many times the tolerance of room beyond it. A slot exactly
 /// as wide as the tool has no room: its offset may come or go.
 const ROOM: f64 = 10.0;
+
+/// Parallels and arcs of corners are walked in steps of this share of the distance.
+const SPACING: f64 = 0.5;
+/// But not in more steps than this.
+const MOST_PLACES: f64 = 64.0;
 
 type Checked = Result<(), GeomError>;
 
@@ -46,7 +51,8 @@ pub(super) fn validate(
     within: f64,
 ) -> Checked {
     let wanted = Wanted { source, distance, within };
-    let segments: Vec<Segment> = found.iter().flat_map(|f| f.path.segments()).collect();
+    let mut segments: Vec<Segment> = Vec::new();
+    found.iter().for_each(|f| segments.extend(f.path.segments()));
     if let Some(odd) = found.iter().find(|f| f.origins.len() != f.path.segment_count()) {
         return unproved("a piece without extent", odd.path.start().unwrap_or_default());
     }
@@ -69,7 +75,11 @@ fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checke
     let Wanted { source, distance, within } = *wanted;
     let of = &source.segments()[source.first[origin.contour] + origin.element];
     let short = segment.start().distance(segment.end()) <= 100.0 * within;
-    for at in [segment.start(), segment.at(0.5), segment.end()] {
+    let middle = segment.at(0.5);
+    // What holds at both ends of a line beside a line holds between them.
+    let lines = matches!((segment, of), (Segment::Line { .. }, Segment::Line { .. }));
+    let places = [segment.start(), segment.end(), middle];
+    for at in places.into_iter().take(if lines && !origin.corner { 2 } else { 3 }) {
         if !at.x.is_finite() || !at.y.is_finite() {
             return unproved("a place that is no number", at);
         }
@@ -83,14 +93,24 @@ fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checke
         }
     }
     // Lines are at their distance between their ends as well, arcs when they turn about the same centre:
-    // that is what the middle shows. It remains that travel goes the way of the source.
-    let (middle, along) = (segment.at(0.5), segment.direction(0.5));
+    // that is what the middle shows. It remains that travel goes the way of the source. In the middle of
+    // an arc it is that of its chord.
+    let along = segment.end() - segment.start();
     let forward = if origin.corner {
         (middle - of.start()).cross(along) * distance > 0.0
     } else {
-        of.direction(of.nearest(middle).share).dot(along) > 0.9
+        let (onward, way) = (beside(of, middle), along);
+        onward.dot(way) > 0.9 * (square(onward) * square(way)).sqrt()
     };
     if forward || short { Ok(()) } else { unproved("on the wrong side", segment.at(0.5)) }
+}
+
+/// The way along a segment where a place lies beside it, of any length.
+fn beside(of: &Segment, place: Point2) -> Vec2 {
+    match *of {
+        Segment::Line { start, end } => end - start,
+        Segment::Arc { centre, sweep_rad, .. } => (place - centre).left() * sweep_rad.signum(),
+    }
 }
 
 /// How far a place lies to the right of a segment's line or circle, if its foot lies on the segment; else
@@ -131,7 +151,8 @@ impl Coverage {
     fn new(wanted: &Wanted, found: &[OffsetPath], segments: Vec<Segment>) -> Self {
         let source = wanted.source;
         let of = |o: &Origin| 2 * (source.first[o.contour] + o.element) + usize::from(o.corner);
-        let elements: Vec<usize> = found.iter().flat_map(|f| f.origins.iter().map(of)).collect();
+        let mut elements: Vec<usize> = Vec::with_capacity(segments.len());
+        found.iter().for_each(|f| elements.extend(f.origins.iter().map(of)));
         let mut first = vec![0; 2 * source.segments().len() + 1];
         elements.iter().for_each(|e| first[e + 1] += 1);
         (1..first.len()).for_each(|e| first[e] += first[e - 1]);
@@ -212,7 +233,7 @@ fn present(
         return Ok(());
     }
     let (size, room) = (wanted.distance.abs(), wanted.room());
-    let count = places(curve.length(), size);
+    let count = (curve.length() / (size * SPACING)).ceil().clamp(1.0, MOST_PLACES) as usize;
     let [from, to] = coverage.shares(element, corner, curve);
     for k in 0..count {
         let share = (k as f64 + 0.5) / count as f64;

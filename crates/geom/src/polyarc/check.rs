@@ -1,7 +1,8 @@
 //! What has to hold before anything is computed, and the tidying that makes it hold.
 
 use super::{Polyarc, Vertex};
-use crate::{GeomError, tol};
+use crate::segment::square;
+use crate::{GeomError, Point2, tol};
 
 impl Polyarc {
     /// Whether every number is finite and every place, the tops of arcs too, within
@@ -50,6 +51,7 @@ impl Polyarc {
 
     /// Tidied and with short arcs, and for each segment of the result the segment it was a part of.
     pub(crate) fn tidied_with_names(&self) -> (Self, Vec<usize>) {
+        let near = |a: Point2, b: Point2| square(a - b) <= tol::SAME_PLACE_MM * tol::SAME_PLACE_MM;
         let mut names = Vec::with_capacity(self.vertices.len());
         let mut ready =
             Self { vertices: Vec::with_capacity(self.vertices.len()), ..Self::default() };
@@ -58,7 +60,7 @@ impl Polyarc {
         for (number, v) in self.vertices.iter().enumerate() {
             let is_last = number == count;
             match ready.vertices.last_mut() {
-                Some(last) if last.at.distance(v.at) <= tol::SAME_PLACE_MM => {
+                Some(last) if near(last.at, v.at) => {
                     last.bulge = v.bulge;
                     names.pop();
                 }

@@ -7,7 +7,12 @@ impl Segment {
     /// The smallest upright rectangle around the path.
     pub fn bounds(&self) -> Bounds2 {
         let mut bounds = Bounds2::of(self.start(), self.end());
-        if let Self::Arc { centre, radius, .. } = *self {
+        if let Self::Arc { start, end, centre, radius, sweep_rad } = *self {
+            // Within a quarter of the circle between two poles there is none.
+            let (from, to) = (start - centre, end - centre);
+            if sweep_rad.abs() < 3.0 && from.x * to.x > 0.0 && from.y * to.y > 0.0 {
+                return bounds;
+            }
             for (dx, dy) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)] {
                 let pole = centre + Vec2::new(dx, dy) * radius;
                 if self.faces(pole) {

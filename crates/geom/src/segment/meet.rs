@@ -63,15 +63,20 @@ impl Segment {
     /// The share of the path at a place of the supporting line or circle, when that place lies on the
     /// path or within [`tol::CONTACT_MM`] of its ends.
     fn share_within(&self, place: Point2) -> Option<f64> {
+        // Most places that are asked about are far from an arc, which is seen without its angle.
+        let near = |end: Point2| square(place - end) <= 4.0 * tol::CONTACT_MM * tol::CONTACT_MM;
+        if !(self.faces(place) || near(self.start()) || near(self.end())) {
+            return None;
+        }
         let share = self.share_of(place);
         let slack = tol::CONTACT_MM / self.length();
         (-slack <= share && share <= 1.0 + slack).then(|| share.clamp(0.0, 1.0))
     }
 
     fn take(&self, other: &Self, at: Point2, into: &mut Contacts) {
-        if let (Some(on_first), Some(on_second)) = (self.share_within(at), other.share_within(at)) {
-            into.push(Contact { at, on_first, on_second });
-        }
+        let Some(on_first) = self.share_within(at) else { return };
+        let Some(on_second) = other.share_within(at) else { return };
+        into.push(Contact { at, on_first, on_second });
     }
 }
 

@@ -10,6 +10,7 @@
 mod apart;
 mod bounds;
 mod meet;
+mod near;
 mod nearest;
 
 pub use meet::{Contact, Contacts};

@@ -1,7 +1,8 @@
 //! Offsets measured beside those of other programs, in one run on one machine: speed, vertices, area.
 //! `make bench-geometry` builds and runs it; `--geos N` compares N shapes of every hard family with GEOS, where
 //! Python has shapely; `--prove N` counts the offsets of N shapes of each that fail their check. `--only WORD`
-//! takes the cases or families whose name contains a word, `--from SEED` other shapes.
+//! takes the cases or families whose name contains a word, `--by NAME` one of
+//! the programs, `--from SEED` other shapes.
 #![allow(clippy::print_stdout)]
 
 #[path = "../../../../geom/tests/families/mod.rs"]
@@ -38,6 +39,7 @@ fn main() -> Result<()> {
     let value = |name: &str| arguments.get(arguments.iter().position(|a| a == name)? + 1);
     let number = |name: &str| value(name)?.parse::<u64>().ok();
     let word = value("--only").map_or("", |word| word);
+    let by = value("--by").map_or("", |by| by);
     if let Some(count) = number("--geos") {
         return geos::compare(count, word);
     }
@@ -48,12 +50,14 @@ fn main() -> Result<()> {
     println!("| case | by | milliseconds (least of runs) | rings | vertices | area mm² |");
     println!("|---|---|---|---|---|---|");
     for case in shapes::cases().iter().filter(|case| case.name.contains(word)) {
-        for (name, offset) in peers::ALL {
+        for (name, offset) in peers::ALL.iter().filter(|peer| peer.0.contains(by)) {
             let (time, outcome) = timed(|| offset(&case.contours, case.distance));
             let Outcome { rings, vertices, area } = outcome;
             println!("| {} | {name} | {time:.3} | {rings} | {vertices} | {area:.3} |", case.name);
         }
-        geos::time(case)?;
+        if "GEOS".contains(by) {
+            geos::time(case)?;
+        }
     }
     Ok(())
 }
