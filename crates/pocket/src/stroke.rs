@@ -8,11 +8,8 @@ use crate::Cutter;
 use crate::inside::Inside;
 use kerf_geom::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
 
-/// Arcs of an edge are looked at every so many radians. Between two places the edge lies further out
-/// by less than 1/800 of its radius, which is part of the margin.
-const SPACING_RAD: f64 = 0.1;
-
-/// What covers is to reach this share of the radius further than it must.
+/// What covers is to reach this share of the tool's radius further than it must. Arcs of an edge are looked at
+/// so densely that between two places they lie further out by half of it.
 const MARGIN: f64 = 2e-3;
 
 /// A path that covers a piece; nothing when the rings cover it after all. A closed path is the edge of
@@ -37,8 +34,9 @@ struct Edge {
 
 impl Edge {
     fn of(piece: &Polyarc, cutter: &Cutter) -> Self {
-        let places = piece.segments().flat_map(places).collect();
-        Self { places, reach: cutter.radius_mm() * (1.0 - MARGIN) }
+        let tool = cutter.radius_mm();
+        let places = piece.segments().flat_map(|segment| places(segment, MARGIN * tool)).collect();
+        Self { places, reach: tool * (1.0 - MARGIN) }
     }
 
     fn covered_by(&self, stroke: &Segment) -> bool {
@@ -110,11 +108,15 @@ impl Edge {
     }
 }
 
-/// The places of a segment that are looked at, without its start.
-fn places(segment: Segment) -> impl Iterator<Item = Point2> {
+/// The places of a segment that are looked at, without its start. An arc of radius r rises r·u²/8 above the
+/// chord over a small angle u: half the margin at most.
+fn places(segment: Segment, margin: f64) -> impl Iterator<Item = Point2> {
     let count = match segment {
         Segment::Line { .. } => 1,
-        Segment::Arc { sweep_rad, .. } => (sweep_rad.abs() / SPACING_RAD).ceil().max(1.0) as usize,
+        Segment::Arc { radius, sweep_rad, .. } => {
+            let step = 2.0 * (margin / radius).sqrt();
+            (sweep_rad.abs() / step).ceil().max(1.0) as usize
+        }
     };
     (1..=count).map(move |k| segment.at(k as f64 / count as f64))
 }
@@ -131,4 +133,22 @@ fn least(holds: impl Fn(f64) -> bool) -> f64 {
         if holds(middle) { high = middle } else { low = middle }
     }
     high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A flat arc of a wide corner once rose above what was looked at.
+    #[test]
+    fn wide_arcs_are_looked_at_densely() {
+        for radius in [0.5, 5.0, 80.0] {
+            let at = |turn: f64| Point2::default() + Vec2::from_angle(turn) * radius;
+            let arc = Segment::bulged(at(0.0), at(0.9), (0.9f64 / 4.0).tan());
+            let looked: Vec<Point2> = [arc.start()].into_iter().chain(places(arc, 0.01)).collect();
+            let rise =
+                |pair: &[Point2]| radius - pair[0].midpoint(pair[1]).distance(Point2::default());
+            assert!(looked.windows(2).map(rise).all(|rise| rise <= 0.005 + 1e-9), "{radius}");
+        }
+    }
 }

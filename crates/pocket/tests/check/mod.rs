@@ -14,6 +14,8 @@ pub struct Seen {
     pub uncut_mm2: f64,
     /// The largest piece of it.
     pub largest_mm2: f64,
+    /// A place of that piece.
+    pub largest_at: Point2,
     /// Area that can be reached.
     pub reached_mm2: f64,
     /// How far the tool's edge comes out of the region at most, millimetres.
@@ -22,12 +24,23 @@ pub struct Seen {
 
 /// Looks at the places of a grid with so many of them along the longer side.
 pub fn look(region: &[Polyarc], paths: &[Polyarc], radius: f64, count: usize) -> Seen {
-    let contours = Indexed::new(region);
-    let cuts = Indexed::new(paths);
     let mut bounds = Bounds2::default();
     region.iter().for_each(|contour| bounds.merge(&contour.bounds()));
     let size = bounds.size();
-    let cell = size.x.max(size.y) / count as f64;
+    look_within(region, paths, radius, (bounds, size.x.max(size.y) / count as f64))
+}
+
+/// Looks at the places of a grid within bounds that are so far apart. What can be reached only from
+/// outside the bounds is not seen.
+pub fn look_within(
+    region: &[Polyarc],
+    paths: &[Polyarc],
+    radius: f64,
+    (bounds, cell): (Bounds2, f64),
+) -> Seen {
+    let contours = Indexed::new(region);
+    let cuts = Indexed::new(paths);
+    let size = bounds.size();
     let (nx, ny) = ((size.x / cell) as usize + 1, (size.y / cell) as usize + 1);
     let place = |x: usize, y: usize| {
         Point2::new(
@@ -46,9 +59,11 @@ pub fn look(region: &[Polyarc], paths: &[Polyarc], radius: f64, count: usize) ->
         .collect();
     let area = |cells: usize| cells as f64 * cell * cell;
     let count = |list: &[bool]| area(list.iter().filter(|yes| **yes).count());
+    let (most, first) = largest(&uncut, nx, ny);
     Seen {
         uncut_mm2: count(&uncut),
-        largest_mm2: area(largest(&uncut, nx, ny)),
+        largest_mm2: area(most),
+        largest_at: place(first % nx, first / nx),
         reached_mm2: count(&reached),
         out_mm: out(&cuts, &contours, radius),
     }
@@ -80,10 +95,10 @@ fn dilated(set: &[bool], nx: usize, ny: usize, reach: f64) -> Vec<bool> {
     (0..nx * ny).map(near).collect()
 }
 
-/// How many cells the largest piece has.
-fn largest(set: &[bool], nx: usize, ny: usize) -> usize {
+/// How many cells the largest piece has, and one of them.
+fn largest(set: &[bool], nx: usize, ny: usize) -> (usize, usize) {
     let mut seen = vec![false; set.len()];
-    let mut most = 0;
+    let mut most = (0, 0);
     for start in 0..set.len() {
         let (mut open, mut size) = (vec![start], 0);
         while let Some(k) = open.pop() {
@@ -97,7 +112,9 @@ fn largest(set: &[bool], nx: usize, ny: usize) -> usize {
                 row.flat_map(|x| (y.saturating_sub(1)..(y + 2).min(ny)).map(move |y| y * nx + x)),
             );
         }
-        most = most.max(size);
+        if size > most.0 {
+            most = (size, start);
+        }
     }
     most
 }
