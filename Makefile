@@ -73,12 +73,14 @@ figures: prepare console ## draw the pictures of README and book anew
 
 # Python's ezdxf, kept apart from whatever Python is there.
 EZDXF := target/peers/ezdxf
-bench: prepare peers ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
+bench: prepare peers console ## measure speed and memory; RECORD=1 writes docs/benchmarks.md
 	$(CARGO) build --release --locked --package kerf --package kerf-bench --bin kerf --bin kerf-bench \
 	  --bin kerf-bench-drawings
 	target/release/kerf-bench $(if $(RECORD),--record) $(INPUT)
 	@[ -x $(EZDXF)/bin/python3 ] || .ci/python-peer $(EZDXF) ezdxf
 	PATH="$(CURDIR)/$(EZDXF)/bin:$$PATH" target/release/kerf-bench-drawings $(if $(RECORD),--record)
+	@.ci/browser
+	cd console && KERF="$(CURDIR)/target/release/kerf" npm run --silent bench
 
 # GEOS comes with Python's shapely, kept apart from whatever Python is there.
 SHAPELY := target/peers/shapely
