@@ -181,6 +181,10 @@ impl<I: Interpreter> Runner<'_, I> {
                             halt = self.world.machine.first_halt(end_s, &watched);
                             continue;
                         }
+                        if self.is_overtaken(turn) {
+                            self.stand_back(&plan.moves()[index..]);
+                            return None;
+                        }
                         let began = plan.at((t_s - t0_s).max(0.0)).position;
                         let (made, stop) = self.replan(plan, (t_s - t0_s).max(0.0), turn)?;
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
@@ -194,11 +198,21 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             self.make_one(&plan, index, t0_s);
             if turned.as_ref().is_none_or(|(stop, ..)| index < stop.whole()) {
-                self.stack.made_one();
+                self.stack.made_one(plan.moves()[index].to);
             }
             index += 1;
         }
         turned
+    }
+
+    /// Whether the power went while the machine was about to do what the operator wants.
+    fn is_overtaken(&mut self, turn: Turn) -> bool {
+        let Turn::Operator(wish) = turn else { return false };
+        let overtaken = self.is_taken_up();
+        if overtaken {
+            self.overtaken(wish);
+        }
+        overtaken
     }
 
     /// Lets time pass up to a moment, unless an input or the operator wants something before.

@@ -119,7 +119,7 @@ impl<I: Interpreter> Runner<'_, I> {
             return;
         }
         self.stack.stand_back();
-        self.stack.waiting.iter_mut().for_each(|made| made.shift(by));
+        self.stack.shift(by);
         self.interpreter.nudge(by);
         self.nudged = Some(self.nudged.unwrap_or_default().plus(by));
     }

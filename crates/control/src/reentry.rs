@@ -10,10 +10,10 @@
 //! Of the move that was under way the rest is made, along the same path: an arc is still part of the
 //! same circle. A job knows its own way back, that from a pause: it is only told where it was.
 
-use crate::Event;
 use crate::execute::Halted;
 use crate::journal::Placed;
-use crate::runner::{Over, Runner};
+use crate::runner::{Flow, Over, Runner};
+use crate::{Event, Wish};
 use kerf_motion::Move;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
@@ -54,6 +54,17 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand();
     }
 
+    /// What the operator wanted just before the power went, and did not see happen: a run that is taken
+    /// up is not stopped for it.
+    pub(crate) fn overtaken(&mut self, wish: Wish) {
+        match wish {
+            Wish::Feed(share) => self.override_feed(share),
+            Wish::End => self.postpone((self.world.now(), wish)),
+            // An input is what it is now.
+            Wish::Stop | Wish::Hold | Wish::Input { .. } => {}
+        }
+    }
+
     /// Brings the machine back to where the run was, before the rest that was not made; or lets the
     /// program do it.
     pub(crate) fn take_up(&mut self) -> Result<(), Halted> {
@@ -71,6 +82,18 @@ impl<I: Interpreter> Runner<'_, I> {
             return Err(self.hand_over(told.place.position));
         }
         self.go_back(told.place.position).map_err(Halted::Over)
+    }
+
+    /// A program that finds its own way back does so at once: nothing goes on before the tool is clear.
+    pub(crate) fn take_up_at_rest(&mut self) -> Option<Over> {
+        if !(self.interpreter.takes_stops() && self.stack.is_empty()) {
+            return None;
+        }
+        let halted = self.take_up().err()?;
+        match self.halted(halted) {
+            Flow::Over(over) => Some(over),
+            Flow::On | Flow::Interrupted => None,
+        }
     }
 
     /// The program finds its way back from where the machine stands.

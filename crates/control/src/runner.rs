@@ -144,6 +144,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         self.nudged = None;
         self.wake();
+        if let Some(over) = self.take_up_at_rest() {
+            return Some(self.ended(over));
+        }
         let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
         self.learn_files();
         self.trail.goes_on(self.interpreter.call_stack());
@@ -219,9 +222,14 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             drop(self.flush());
         }
         self.trail.goes_on(self.interpreter.call_stack());
+        let mut last = Vec::new();
         match over.status {
-            Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut self.out)),
-            Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut self.out)),
+            Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut last)),
+            Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut last)),
+            // A job leaves nothing on, however it ends.
+            _ if self.interpreter.takes_stops() => {
+                drop(self.interpreter.stop(&mut self.world, &mut last));
+            }
             Status::Ok | Status::Ended | Status::Failed => {}
         }
         if let Some(diagnostic) = &over.diagnostic {
@@ -233,6 +241,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             }
         }
         self.drop_motion(over.status);
+        last.into_iter().for_each(|sourced| self.world.perform(sourced.command));
         over
     }
 
@@ -450,7 +459,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         flow
     }
 
-    fn halted(&mut self, halted: Halted) -> Flow {
+    pub(crate) fn halted(&mut self, halted: Halted) -> Flow {
         match halted {
             Halted::Watch { index, at } => self.interrupt(index, &at),
             Halted::Taken { by, at } => self.taken(by, &at),

@@ -6,7 +6,7 @@
 //! marks: they are carried out between two moves while the machine moves on.
 
 use kerf_motion::{Move, Replanner};
-use kerf_program::Sourced;
+use kerf_program::{Axes, Sourced};
 use std::collections::VecDeque;
 
 /// A stack of so many moves begins to move although it was not read to its end: the manual's rule
@@ -24,6 +24,8 @@ pub(crate) struct Stack {
     /// Number of each motion command that was read and not made; kept only while something may
     /// interrupt.
     numbers: VecDeque<u64>,
+    /// Where each move ends that was read and not made: an override makes it in several pieces.
+    ends: VecDeque<Axes>,
     /// Number of the last motion command that was made.
     pub last_number: Option<u64>,
     /// How many moves were read, and made.
@@ -54,6 +56,7 @@ impl Stack {
     pub fn push(&mut self, made: Move, number: Option<u64>) {
         self.read += 1;
         self.numbers.extend(number);
+        self.ends.push_back(made.to);
         match &mut self.running {
             Some(running) => running.planner.push(made),
             None => self.waiting.push(made),
@@ -71,10 +74,20 @@ impl Stack {
         if due { self.marks.pop_front().map(|(_, sourced)| sourced) } else { None }
     }
 
-    /// A move was made to its end.
-    pub fn made_one(&mut self) {
+    /// A move was made, or a piece of it, that ends at a place.
+    pub fn made_one(&mut self, to: Axes) {
+        if self.ends.front().is_some_and(|end| !end.same_place(&to)) {
+            return;
+        }
+        self.ends.pop_front();
         self.made += 1;
         self.last_number = self.numbers.pop_front();
+    }
+
+    /// Everything that was not made lies elsewhere.
+    pub fn shift(&mut self, by: Axes) {
+        self.waiting.iter_mut().for_each(|made| made.shift(by));
+        self.ends.iter_mut().for_each(|end| *end = end.plus(by));
     }
 
     /// Number of the motion command that is made next, or of which a part is left.

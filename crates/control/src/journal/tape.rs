@@ -73,6 +73,9 @@ pub(crate) struct Reentered {
     pub place: super::Placed,
     /// How much of the move at hand had been made.
     pub within: f64,
+    /// How many steps were told before.
+    #[serde(default)]
+    told: u64,
 }
 
 /// What the world tells one run.
@@ -80,6 +83,8 @@ pub(crate) struct Reentered {
 pub(crate) struct Tape {
     played: BTreeMap<Kind, VecDeque<Step>>,
     calls: BTreeMap<Kind, u64>,
+    /// Steps that were told, re-entries aside.
+    told: u64,
     /// Moves that were made before.
     made_before: u64,
     /// How much of the next one was.
@@ -255,6 +260,7 @@ impl Tape {
 
     fn pop<T: DeserializeOwned>(&mut self, kind: Kind) -> Option<T> {
         let step = self.played.get_mut(&kind)?.pop_front()?;
+        self.count(kind);
         match serde_json::from_value(step.told) {
             Ok(told) => Some(told),
             Err(error) => {
@@ -270,6 +276,9 @@ impl Tape {
     }
 
     fn add(&mut self, kind: Kind, call: u64, told: &impl Serialize) {
+        if self.writing.is_some() {
+            self.count(kind);
+        }
         let Some(progress) = &mut self.writing else { return };
         let step = serde_json::to_value(told).map(|told| Step { kind, call, told });
         match step.and_then(|step| serde_json::to_vec(&step)) {
@@ -278,10 +287,20 @@ impl Tape {
         }
     }
 
+    fn count(&mut self, kind: Kind) {
+        self.told += u64::from(kind != Kind::Reentry);
+    }
+
     /// Whether the run was taken up here before, and cut short again.
     pub(crate) fn is_reentered(&self) -> bool {
+        self.next_reentry().is_some_and(|told| told.told == self.told)
+    }
+
+    /// The next time at which the run was taken up, when as many moves were made by then as are now.
+    fn next_reentry(&self) -> Option<Reentered> {
         let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
-        next.is_some_and(|step| step.call == self.reached.made)
+        let next = next.filter(|step| step.call == self.reached.made)?;
+        serde_json::from_value(next.told.clone()).ok()
     }
 
     /// Where the run was taken up when it had come so far, if it was.
@@ -296,7 +315,7 @@ impl Tape {
 
     /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
     pub(crate) fn reenter(&mut self, place: super::Placed) -> Reentered {
-        let told = Reentered { place, within: self.within_before };
+        let told = Reentered { place, within: self.within_before, told: self.told };
         self.stood = Some((self.reached.made, self.within_before));
         self.add(Kind::Reentry, self.reached.made, &told);
         self.stops();

@@ -1,5 +1,6 @@
 //! Carrying out small steps: which commands each gives, and when it is over.
 
+use super::pause::RELEASE_S;
 use super::place::Along;
 use super::small::Small;
 use super::start::PATIENCE_S;
@@ -54,6 +55,7 @@ impl Sequence {
             Small::Wait(seconds) => return self.wait(*seconds, out),
             Small::Await(awaited) => return self.wait(awaited.timeout_s, out),
             Small::AwaitJig => return self.wait(PATIENCE_S, out),
+            Small::Release => return self.wait(RELEASE_S, out),
             Small::Beam(beam) => self.give(Command::Beam(beam.clone()), out),
             Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
             Small::Height(law) => return self.control_height(law.clone(), out),
@@ -100,6 +102,7 @@ impl Sequence {
             Some(Small::Feel(_)) => input == Input::WHome,
             Some(Small::Lower(_)) => input == Input::ZHigh,
             Some(Small::AwaitJig) => true,
+            Some(Small::Release) => input == Input::EmergencyStop,
             _ => false,
         };
         if expected {
@@ -221,10 +224,17 @@ impl Sequence {
             Poll::Pending => Step::Waiting,
             Poll::Ready(answer) => {
                 self.pop();
-                self.answered(match answer {
+                let words = match answer {
                     Answer::Text(words) => words,
                     Answer::Button(button) => button.word().to_owned(),
-                });
+                };
+                let pressed =
+                    host.input(Input::EmergencyStop.number()) == self.machine.estop.active;
+                if self.state == State::Emergency {
+                    self.answered_in_emergency(&words, pressed);
+                } else {
+                    self.answered(&words);
+                }
                 Step::Ran
             }
         }

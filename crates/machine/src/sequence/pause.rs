@@ -18,6 +18,9 @@ use std::sync::Arc;
 /// Cut outputs.
 const CUTS: [Output; 3] = [Output::Cut1, Output::Cut2, Output::Cut3];
 
+/// So long the emergency stop is waited for to be released before the operator is asked again, seconds.
+pub(super) const RELEASE_S: f64 = 0.5;
+
 /// Tool outputs.
 const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
 
@@ -158,12 +161,34 @@ impl Sequence {
         }
     }
 
-    /// The operator said something.
-    pub(super) fn answered(&mut self, words: String) {
-        if self.state == State::Waiting {
-            return self.prepared(Word::read(&words));
+    /// The operator said something in an emergency: nothing moves before the stop is released and he has
+    /// acknowledged it.
+    pub(super) fn answered_in_emergency(&mut self, words: &str, pressed: bool) {
+        match Word::read(words) {
+            Some(Word::Abort) => return self.abort(),
+            Some(Word::Continue) if !pressed => {
+                if let Some(next) = self.state.on(Event::Acknowledge, self.stop_settings()) {
+                    self.state = next.state;
+                }
+                self.why = "emergency stop released".into();
+                self.steps.push_back(Small::Enter(self.state));
+            }
+            Some(Word::Continue | Word::Move(..)) => {
+                let text = if pressed { "release the emergency stop" } else { "acknowledge first" };
+                self.steps.extend([Small::Say(text.into()), Small::Release]);
+            }
+            Some(word) => self.obey(word),
+            None => {}
         }
-        match Word::read(&words) {
+        self.steps.push_back(Small::Ask);
+    }
+
+    /// The operator said something.
+    pub(super) fn answered(&mut self, words: &str) {
+        if self.state == State::Waiting {
+            return self.prepared(Word::read(words));
+        }
+        match Word::read(words) {
             Some(Word::Continue) => {
                 self.halted_before |= std::mem::take(&mut self.marked);
                 self.go_on();
@@ -178,11 +203,6 @@ impl Sequence {
     }
 
     fn go_on(&mut self) {
-        if self.state == State::Emergency
-            && let Some(next) = self.state.on(Event::Acknowledge, self.stop_settings())
-        {
-            self.state = next.state;
-        }
         let Some(next) = self.state.on(Event::Continue, self.stop_settings()) else { return };
         self.state = next.state;
         self.why = Arc::default();

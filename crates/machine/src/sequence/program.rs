@@ -38,7 +38,7 @@ impl Interpreter for Sequence {
         for output in Output::ALL.iter().filter(|output| watch.drops.contains(&output.number())) {
             self.on &= !super::bit(*output);
         }
-        if input == Input::EmergencyStop {
+        if input == Input::EmergencyStop && watch.on == self.machine.estop.active {
             self.halt(Event::EmergencyStop, "emergency stop", &halted);
         } else if self.came(input, halted.began) {
             self.position = position;
@@ -128,6 +128,7 @@ impl Sequence {
         match self.steps.front() {
             Some(Small::Await(awaited)) => vec![Watch::level(awaited.input.number(), true, 0.0)],
             Some(Small::AwaitJig) => self.jig_watches().into(),
+            Some(Small::Release) => vec![self.release()],
             Some(Small::Lower(_)) => vec![Watch::level(Input::ZHigh.number(), false, 0.0)],
             Some(Small::Feel(_)) => vec![Watch::level(close, true, 0.0)],
             Some(Small::Follow) if self.machine.plasma.use_sequence => vec![
@@ -144,6 +145,11 @@ impl Sequence {
         let (input, active) = (Input::EmergencyStop.number(), self.machine.estop.active);
         let drops = cuts.into_iter().map(Output::number).collect();
         Watch { drops, ..Watch::level(input, active, 0.0) }
+    }
+
+    /// The emergency stop is released.
+    fn release(&self) -> Watch {
+        Watch::level(Input::EmergencyStop.number(), !self.machine.estop.active, 0.0)
     }
 
     fn all_off(&mut self, out: &mut Vec<Sourced>) {

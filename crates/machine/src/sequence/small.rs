@@ -14,6 +14,8 @@ pub(crate) enum Small {
     Wait(f64),
     /// An input is waited for.
     Await(Awaited),
+    /// The emergency stop is waited for to be released, for a moment.
+    Release,
     /// One of the jigs is waited for.
     AwaitJig,
     /// Intensity.

@@ -41,7 +41,7 @@ impl Word {
         let speed = |word: &str| number(word).filter(|v| *v > 0.0).map(|v| v / PER_MIN);
         match words.as_slice() {
             [first] => match *first {
-                "continue" | "resume" | "start" | "ok" => Some(Self::Continue),
+                "continue" | "resume" | "start" | "ok" | "acknowledge" => Some(Self::Continue),
                 "abort" | "quit" | "end" | "cancel" => Some(Self::Abort),
                 "next" | "+" => Some(Self::Next),
                 "previous" | "-" => Some(Self::Previous),

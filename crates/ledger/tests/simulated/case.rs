@@ -1,0 +1,233 @@
+//! One case: what is run on which machine, and what happens to it.
+
+use crate::dice::Dice;
+use crate::watch::Allowed;
+use crate::{jobs, programs};
+use kerf_control::{RunOptions, Wish, Work};
+use kerf_machine::Configuration;
+use kerf_machine::lines::Input;
+use kerf_program::job::{Job, Plunge};
+use kerf_program::{Axes, Dynamics, RampModel, Settings};
+use kerf_sim::{Change, Sheet};
+use std::fmt;
+use std::sync::Arc;
+
+/// What is run.
+#[derive(Clone, Debug)]
+pub enum What {
+    Part { name: &'static str, text: String },
+    Job(Box<Job>, Box<Configuration>),
+}
+
+/// A case.
+#[derive(Clone, Debug)]
+pub struct Case {
+    pub seed: u64,
+    pub what: What,
+    /// Settings of the session.
+    pub settings: Settings,
+    /// What the inputs do, by the share of the time that the run takes when nothing happens.
+    pub inputs: Vec<(u8, f64, bool)>,
+    pub wishes: Vec<(f64, Wish)>,
+    /// The share of all that a run does after which its process dies, one by one.
+    pub kills: Vec<f64>,
+    /// Somebody moved the machine by hand, and told where it is now.
+    pub pushed: Vec<Axes>,
+    pub sheet: Option<Sheet>,
+}
+
+impl Case {
+    pub fn of(seed: u64) -> Self {
+        let mut dice = Dice::new(seed);
+        let (what, settings) = match dice.below(5) {
+            0 | 1 => (part("a.sbp", programs::sbp(&mut dice)), settings(&mut dice)),
+            2 => (part("a.nc", programs::gcode(&mut dice)), settings(&mut dice)),
+            _ => {
+                let machine = jobs::machine(&mut dice);
+                let job = jobs::random(&mut dice);
+                (What::Job(Box::new(job), Box::new(machine)), Settings::default())
+            }
+        };
+        let mut case = Self {
+            seed,
+            what,
+            settings,
+            inputs: Vec::new(),
+            wishes: Vec::new(),
+            kills: Vec::new(),
+            pushed: Vec::new(),
+            sheet: None,
+        };
+        case.happen(&mut dice);
+        case
+    }
+
+    /// What happens to it.
+    fn happen(&mut self, dice: &mut Dice) {
+        for _ in 0..dice.of(&[0, 0, 1, 2]) {
+            let wish = match dice.below(8) {
+                0 => Wish::Feed(dice.between(0.3, 1.8) as f32),
+                1 => Wish::Hold,
+                2 if dice.happens(30) => Wish::End,
+                _ => Wish::Stop,
+            };
+            self.wishes.push((dice.between(0.0, 1.0), wish));
+        }
+        for _ in 0..dice.of(&[0, 0, 0, 0, 1, 2]) {
+            let input = match &self.what {
+                What::Part { .. } => dice.of(&[1, 2, 3, 4]),
+                What::Job(..) => dice.of(&[
+                    Input::EmergencyStop.number(),
+                    Input::EndBottomDelay.number(),
+                    Input::ZLow.number(),
+                    4,
+                ]),
+            };
+            let at = dice.between(0.0, 1.0);
+            self.inputs.extend([(input, at, true), (input, at + dice.between(0.0, 0.2), false)]);
+        }
+        for _ in 0..dice.of(&[0, 1, 1, 2, 3]) {
+            self.kills.push(dice.between(0.0, 1.0));
+            let by = |dice: &mut Dice| dice.of(&[0.0, 0.0, 3.0, -2.0]);
+            self.pushed.push(Axes::xyz(by(dice), by(dice), by(dice)));
+        }
+        self.lay_sheet(dice);
+    }
+
+    /// A torch and height control need something to feel, and an arc that burns.
+    fn lay_sheet(&mut self, dice: &mut Dice) {
+        let What::Job(_, machine) = &self.what else { return };
+        if machine.plasma.use_sequence || machine.height.on {
+            let [slope_x, slope_y] = [0, 0].map(|_| dice.between(-0.002, 0.002));
+            self.sheet = Some(Sheet { slope_x, slope_y, ..Sheet::flat(-22.0) });
+            self.inputs.insert(0, (Input::EndBottomDelay.number(), 0.0, true));
+        }
+    }
+
+    /// Whether the path is the same whenever the process dies: nothing changes it on the way.
+    pub fn keeps_its_path(&self) -> bool {
+        let early = |(_, at, _): &(u8, f64, bool)| *at == 0.0;
+        // A way down along the path is made again when it is left.
+        let slopes = match &self.what {
+            // The sensor of a torch may stop a job that the other run does not.
+            What::Job(_, machine) if machine.plasma.use_sequence => true,
+            What::Job(job, _) => job.shapes.iter().any(|shape| shape.plunge != Plunge::Straight),
+            What::Part { .. } => false,
+        };
+        !slopes
+            && self.inputs.iter().all(early)
+            && !self.wishes.iter().any(|(_, w)| *w == Wish::End)
+    }
+
+    /// Whether heights of the path are planned ones.
+    pub fn keeps_heights(&self) -> bool {
+        match &self.what {
+            What::Job(_, machine) => !machine.height.on && !machine.plasma.use_sequence,
+            What::Part { .. } => true,
+        }
+    }
+
+    pub fn work(&self) -> Work {
+        match &self.what {
+            What::Part { name, text } => kerf_part::read((*name).into(), text.as_bytes()).into(),
+            What::Job(job, machine) => {
+                Work::Job(Arc::new((**job).clone()), Arc::new((**machine).clone()))
+            }
+        }
+    }
+
+    /// How it is run when it takes so long by itself, seconds.
+    pub fn options(&self, takes_s: f64) -> RunOptions {
+        let change = |&(input, at, on): &(u8, f64, bool)| Change { input, at_s: at * takes_s, on };
+        let mut options = RunOptions {
+            inputs: self.inputs.iter().map(change).collect(),
+            sheet: self.sheet,
+            ..RunOptions::default()
+        };
+        options.program.max_lines = 4000;
+        options
+    }
+
+    pub fn allowed(&self) -> Allowed {
+        let feeds = self.wishes.iter().map(|(_, wish)| match wish {
+            Wish::Feed(share) => f64::from(*share),
+            _ => 1.0,
+        });
+        let feed = feeds.fold(1.0, f64::max);
+        // A smoothed path is measured in chords.
+        let smooth = self.settings.ramp_model == Some(RampModel::Optimal);
+        let (hair, jump_mm) = if smooth { (2e-3, 0.02) } else { (1e-6, 1e-6) };
+        match &self.what {
+            What::Part { .. } => {
+                let limits = self.settings.limits;
+                Allowed {
+                    bounds: limits.check.then_some([limits.low, limits.high]),
+                    axis_mm_s: self.settings.dynamics.map(|dynamics| dynamics.speed_mm_s),
+                    feed,
+                    hair,
+                    jump_mm,
+                    job: false,
+                    z_wanders: false,
+                }
+            }
+            What::Job(_, machine) => {
+                let length = machine.axes.length;
+                let low = Axes::xyz(0.0, 0.0, -length.0[2]);
+                let high = Axes::xyz(length.0[0], length.0[1], 0.0);
+                Allowed {
+                    bounds: machine.axes.limit_movement.then_some([low, high]),
+                    axis_mm_s: Some(machine.program.axis_dynamics().speed_mm_s),
+                    feed,
+                    hair,
+                    jump_mm,
+                    job: true,
+                    z_wanders: !self.keeps_heights(),
+                }
+            }
+        }
+    }
+}
+
+fn part(name: &'static str, text: String) -> What {
+    What::Part { name, text }
+}
+
+/// A machine for part files, inches.
+fn settings(dice: &mut Dice) -> Settings {
+    let mut settings = Settings::default();
+    let inch = |v: f64| v * 25.4;
+    settings.limits.check = dice.happens(60);
+    settings.limits.low = Axes([inch(-1.0), inch(-1.0), inch(-2.0), inch(-9.0), -360.0, -360.0]);
+    settings.limits.high = Axes([inch(11.0), inch(11.0), inch(2.0), inch(9.0), 360.0, 360.0]);
+    settings.warning_s = dice.of(&[0.0, 1.0]);
+    settings.ask_spindle = false;
+    // Inputs 3 and 4: nothing, a limit, a stop.
+    settings.io.inputs[2] = dice.of(&[0, 1]);
+    settings.io.inputs[3] = dice.of(&[0, 3]);
+    let model = dice.of(&[RampModel::Shopbot, RampModel::Profiler, RampModel::Optimal]);
+    settings.ramp_model = Some(model);
+    if model != RampModel::Shopbot {
+        settings.dynamics = Some(Dynamics::usual(&settings.speeds));
+    }
+    settings
+}
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "seed {}", self.seed)?;
+        match &self.what {
+            What::Part { name, text } => writeln!(f, "{name}:\n{text}")?,
+            What::Job(job, machine) => {
+                let text = kerf_machine::file::write(machine);
+                let set = text.lines().filter(|line| !line.starts_with('#'));
+                let usual = kerf_machine::file::write(&kerf_ledger::jobs::sim());
+                let own: Vec<&str> = set.filter(|line| !usual.contains(line)).collect();
+                writeln!(f, "{job:#?}\n{}", own.join("\n"))?;
+            }
+        }
+        writeln!(f, "{:?} limits {}", self.settings.ramp_model, self.settings.limits.check)?;
+        let (inputs, wishes) = (&self.inputs, &self.wishes);
+        writeln!(f, "inputs {inputs:?}\nwishes {wishes:?}\nkills {:?}", self.kills)?;
+        writeln!(f, "pushed {:?}\nsheet {:?}", self.pushed, self.sheet)
+    }
+}

@@ -1,0 +1,272 @@
+//! A case lived through: once without a kill, once with kills and resumes, on a journal of its own.
+
+use crate::case::{Case, What};
+use crate::path::{Piece, difference, same};
+use crate::programs::SUB;
+use crate::watch::{Doom, Killed, Seen, Watch};
+use kerf_control::answers::Operator;
+use kerf_control::files::{Folders, RealDisk};
+use kerf_control::journal::Journal;
+use kerf_control::stored::Stored;
+use kerf_control::{Company, Event, Pace, Session, Shelf, Summary, Wish, json};
+use kerf_program::settings::Resolution;
+use kerf_program::{Axes, Axis, Question, QuestionKind, Status};
+use std::cell::RefCell;
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::Path;
+use tempfile::TempDir;
+
+/// What a case came to.
+pub struct Lived {
+    pub kills: u64,
+    pub resumes: u64,
+    /// The path of the killed run was held against that of the other.
+    pub compared: bool,
+}
+
+/// The operator: what he wants and when, whatever process runs.
+struct Person<'a> {
+    doom: &'a Doom,
+    wishes: &'a RefCell<Vec<(f64, Wish)>>,
+}
+
+impl Pace for Person<'_> {
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+        self.doom.tick();
+        let mut wishes = self.wishes.borrow_mut();
+        let (at_s, wish) = wishes.pop_if(|(at_s, _)| to_s > from_s && to_s >= *at_s)?;
+        Some((at_s.max(from_s), wish))
+    }
+
+    /// Every move is on record before it begins.
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        Some(held_s + 0.5)
+    }
+}
+
+/// So often.
+const PATIENCE: u32 = 60;
+
+/// Answers everything so that the run goes on.
+struct Helpful<'a>(&'a Doom, u32);
+
+impl Operator for Helpful<'_> {
+    fn answer(&mut self, question: &Question, _line: u32) -> Option<String> {
+        self.0.tick();
+        self.1 += 1;
+        let word = match question.kind {
+            QuestionKind::Input => "2",
+            QuestionKind::Msgbox => "Yes",
+            QuestionKind::Limit => return None,
+            QuestionKind::Hold => "Resume",
+            // What does not go away by itself.
+            QuestionKind::Paused if self.1 > PATIENCE => "abort",
+            QuestionKind::Paused => "continue",
+            _ => "OK",
+        };
+        Some(word.into())
+    }
+}
+
+/// One life of a case.
+struct Life<'a> {
+    case: &'a Case,
+    folder: TempDir,
+    doom: Doom,
+    wishes: RefCell<Vec<(f64, Wish)>>,
+    takes_s: f64,
+}
+
+/// What a process left.
+struct Process {
+    seen: Seen,
+    /// `None`: it was killed.
+    summary: Option<Summary>,
+    /// Where it began and where it ended.
+    from: Axes,
+    to: Axes,
+    took_up: bool,
+}
+
+impl<'a> Life<'a> {
+    fn new(case: &'a Case, takes_s: f64) -> Self {
+        let shm = Path::new("/dev/shm");
+        let folder = if shm.is_dir() { TempDir::new_in(shm) } else { TempDir::new() }.unwrap();
+        fs::write(folder.path().join("sub.sbp"), SUB).unwrap();
+        let mut wishes: Vec<_> =
+            case.wishes.iter().map(|(share, wish)| (share * takes_s, *wish)).collect();
+        wishes.sort_by(|a, b| b.0.total_cmp(&a.0));
+        Self { case, folder, doom: Doom::default(), wishes: RefCell::new(wishes), takes_s }
+    }
+
+    /// A process: begins the case, or takes it up; `None` when there is nothing left to do.
+    fn process(&self, pushed: Axes) -> Option<Process> {
+        let data = self.folder.path().join("data");
+        let (journal, told) = Journal::open(&data).unwrap();
+        assert!(told.is_empty(), "the journal was damaged: {told:?}");
+        if !journal.history().unwrap().is_empty() {
+            return None;
+        }
+        let cut = journal.cut_short().unwrap();
+        let folders = Folders::new(self.folder.path().into(), Vec::new(), Vec::new());
+        let stored = Stored::of(journal.clone()).unwrap();
+        let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, data);
+        let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+        let kept = session.memory.settings.clone();
+        if cut.is_some() {
+            session.memory.position = self.within(session.memory.position.plus(pushed));
+        } else {
+            session.memory.settings = self.case.settings.clone();
+        }
+        let from = session.memory.position;
+        let mut watch =
+            Watch { doom: &self.doom, allowed: self.case.allowed(), seen: Seen::default() };
+        let mut person = Person { doom: &self.doom, wishes: &self.wishes };
+        let mut helpful = Helpful(&self.doom, 0);
+        let ran = catch_unwind(AssertUnwindSafe(|| {
+            let company = Company { sink: &mut watch, operator: &mut helpful, pace: &mut person };
+            match &cut {
+                Some(cut) => session.resume(cut, &mut shelf, company).unwrap(),
+                None => {
+                    let (work, options) = (self.case.work(), self.case.options(self.takes_s));
+                    let kept = Some(kept);
+                    session.run_on_record(work, options, kept, &mut shelf, company).unwrap()
+                }
+            }
+        }));
+        let summary = match ran {
+            Ok(summary) => Some(summary),
+            Err(death) if death.is::<Killed>() => None,
+            Err(failure) => {
+                talk(&watch.seen);
+                resume_unwind(failure);
+            }
+        };
+        talk(&watch.seen);
+        let to = session.memory.position;
+        Some(Process { seen: watch.seen, summary, from, to, took_up: cut.is_some() })
+    }
+
+    /// A place on the table near one.
+    fn within(&self, at: Axes) -> Axes {
+        let Some([low, high]) = self.case.allowed().bounds else { return at };
+        let mut at = at;
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            at[axis] = at[axis].clamp(low[axis], high[axis]);
+        }
+        at
+    }
+}
+
+/// What a process did, for whoever looks for the reason of a failure (KERF_SIM_TALK).
+fn talk(seen: &Seen) {
+    if std::env::var_os("KERF_SIM_TALK").is_some() {
+        eprintln!("--- a process");
+        seen.events.iter().for_each(|event| eprintln!("{}", json::to_string(event)));
+    }
+}
+
+/// Lives through a case.
+pub fn live(case: &Case) -> Lived {
+    let quiet = Case { inputs: early(case), wishes: Vec::new(), ..case.clone() };
+    let plain = Life::new(&quiet, 0.0).process(Axes::default()).unwrap();
+    plain.check_location(case);
+    let takes_s = plain.summary.as_ref().unwrap().seconds;
+    let whole = Life::new(case, takes_s).process(Axes::default()).unwrap();
+    whole.check_location(case);
+    killed(case, takes_s, &whole)
+}
+
+/// Inputs that are on from the beginning.
+fn early(case: &Case) -> Vec<(u8, f64, bool)> {
+    case.inputs.iter().filter(|(_, at, _)| *at == 0.0).copied().collect()
+}
+
+/// Everything that one run of a case tells.
+pub fn events(case: &Case) -> Vec<Event> {
+    Life::new(case, 30.0).process(Axes::default()).unwrap().seen.events
+}
+
+fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
+    let life = Life::new(case, takes_s);
+    let all = whole.seen.events.len() as f64;
+    let mut lived = Lived { kills: 0, resumes: 0, compared: false };
+    let mut done: Vec<Piece> = Vec::new();
+    let mut kills = case.kills.iter().zip(&case.pushed);
+    let mut pushed = Axes::default();
+    let status = loop {
+        let kill = kills.next();
+        life.doom.after(kill.map_or(0, |(share, _)| 1 + (share * all) as u64));
+        let Some(process) = life.process(pushed) else { break None };
+        life.doom.after(0);
+        pushed = kill.map(|(_, by)| *by).unwrap_or_default();
+        lived.resumes += u64::from(process.took_up);
+        follow_on(&mut done, &process.seen.pieces);
+        if let Some(summary) = process.summary {
+            break Some(summary.status);
+        }
+        lived.kills += 1;
+    };
+    if case.keeps_its_path() && status.is_none_or(|status| status == whole.status()) {
+        let different = difference(&whole.seen.pieces, &done, case.keeps_heights());
+        assert!(different.is_none(), "the path differs: {}", different.unwrap_or_default());
+        lived.compared = true;
+    }
+    if case.keeps_its_path() && whole.status() == Status::Ok {
+        assert!(status.is_none_or(|status| status == Status::Ok), "it ended as {status:?}");
+    }
+    lived
+}
+
+/// Adds what the next process cut. The move under way is made again from its start.
+fn follow_on(done: &mut Vec<Piece>, next: &[Piece]) {
+    if let (Some(last), Some(first)) = (done.last(), next.first())
+        && !same(last.to, first.from)
+        && same(last.from, first.from)
+    {
+        done.pop();
+    }
+    done.extend(next);
+}
+
+impl Process {
+    fn status(&self) -> Status {
+        self.summary.as_ref().unwrap().status
+    }
+
+    /// The location is the sum of all motion, and of all steps.
+    fn check_location(&self, case: &Case) {
+        let (way, moved) = (self.seen.way, self.to.minus(self.from));
+        let Some(Event::End(end)) = self.seen.events.last() else { panic!("no end") };
+        let resolution = match &case.what {
+            What::Part { .. } => &case.settings.resolution,
+            What::Job(_, machine) => &machine.program.resolution,
+        };
+        let allowed = case.allowed();
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            if allowed.z_wanders && axis == Axis::Z {
+                continue;
+            }
+            let off = (way[axis] - moved[axis]).abs();
+            assert!(
+                off < 4.0 * allowed.jump_mm,
+                "{axis:?} moved by {} and is at {}",
+                way[axis],
+                moved[axis]
+            );
+            let steps = turned(resolution, axis, moved[axis]);
+            let made = end.steps[axis.index()] as f64;
+            assert!((steps - made).abs() <= 1.0, "{axis:?}: {made} steps, not {steps}");
+        }
+    }
+}
+
+/// Steps of a way.
+fn turned(resolution: &Resolution, axis: Axis, way: f64) -> f64 {
+    way * resolution.steps_per_unit[axis]
+}

@@ -1,0 +1,207 @@
+//! What has to hold at any time of any run.
+
+use crate::path::Piece;
+use kerf_control::{Event, Made, Sink};
+use kerf_machine::lines::Output;
+use kerf_program::{Axes, Axis};
+use std::cell::Cell;
+use std::collections::BTreeSet;
+
+/// Looks at the plan of a move, beside its ends.
+const LOOKS: u32 = 5;
+
+/// No run of a case tells so much.
+const MOST: usize = 20_000;
+
+/// The process is dead.
+pub struct Killed;
+
+/// Counts down to the death of a process. Everything that a run does in the world passes it.
+#[derive(Debug, Default)]
+pub struct Doom(Cell<u64>);
+
+impl Doom {
+    /// Dies with so many things done; 0 never.
+    pub fn after(&self, count: u64) {
+        self.0.set(count);
+    }
+
+    /// One thing is done.
+    pub fn tick(&self) {
+        match self.0.get() {
+            0 => {}
+            1 => {
+                self.0.set(0);
+                std::panic::resume_unwind(Box::new(Killed));
+            }
+            left => self.0.set(left - 1),
+        }
+    }
+}
+
+/// What a run may do.
+#[derive(Clone, Copy, Debug)]
+pub struct Allowed {
+    /// Bounds of the machine frame, where there are any.
+    pub bounds: Option<[Axes; 2]>,
+    /// Speed of each axis, where it is known what they can do.
+    pub axis_mm_s: Option<Axes>,
+    /// Share of a speed asked for that the operator allows: a plan slows down to a lesser one.
+    pub feed: f64,
+    /// Share by which rounding of the path may exceed it.
+    pub hair: f64,
+    /// How far a move may begin beside the end of the one before: where a smoothed path is left.
+    pub jump_mm: f64,
+    /// It is a job: the machine's states say which outputs may be on.
+    pub job: bool,
+    /// Z follows a sheet: its plan is not where it is.
+    pub z_wanders: bool,
+}
+
+/// Watches one process.
+pub struct Watch<'a> {
+    pub doom: &'a Doom,
+    pub allowed: Allowed,
+    pub seen: Seen,
+}
+
+/// What one process did.
+#[derive(Debug, Default)]
+pub struct Seen {
+    /// Things that happened.
+    pub events: Vec<Event>,
+    /// The cuts.
+    pub pieces: Vec<Piece>,
+    /// Sum of all motion.
+    pub way: Axes,
+    /// Where the last move ended.
+    pub at: Option<Axes>,
+    /// Machine time of the last thing.
+    pub t: f64,
+    /// Outputs that are on.
+    on: BTreeSet<u8>,
+    intensity: u8,
+    /// A stop input ended it.
+    stopped: bool,
+}
+
+impl Seen {
+    /// What must be off, is.
+    #[track_caller]
+    fn off(&self, outputs: &[Output], when: &str) {
+        for output in outputs {
+            let number = output.number();
+            assert!(!self.on.contains(&number), "{} is on: {when} at {}", output.name(), self.t);
+        }
+        assert_eq!(self.intensity, 0, "intensity: {when} at {}", self.t);
+    }
+
+    fn entered(&mut self, state: &str) {
+        use Output::{Cut1, Cut2, Cut3, Router};
+        match state {
+            "paused" => self.off(&[Cut1, Cut2, Cut3, Router], "paused"),
+            "estop" | "alarm" | "idle" => self.off(Output::ALL, state),
+            _ => {}
+        }
+    }
+}
+
+impl Sink for Watch<'_> {
+    fn event(&mut self, event: &Event) {
+        self.doom.tick();
+        let seen = &mut self.seen;
+        match event {
+            Event::Output { n, on, t, .. } => {
+                (*on).then(|| seen.on.insert(*n));
+                (!on).then(|| seen.on.remove(n));
+                seen.passes(*t);
+            }
+            Event::Intensity { value, t, .. } => {
+                seen.intensity = *value;
+                seen.passes(*t);
+            }
+            Event::State { state, .. } if self.allowed.job => seen.entered(state),
+            Event::Stop { by: "stop", .. } if !self.allowed.job => {
+                seen.stopped = true;
+            }
+            Event::End(end) => {
+                assert!(end.t >= 0.0 && end.t.is_finite(), "{}", end.t);
+                if self.allowed.job {
+                    seen.off(Output::ALL, &format!("the end, {:?}", end.status));
+                }
+                let spins = seen.on.contains(&1) || seen.on.contains(&2);
+                assert!(!(seen.stopped && spins), "a spindle after a stop input");
+                assert!(!seen.on.contains(&4) || self.allowed.job, "motion output at the end");
+            }
+            _ => {}
+        }
+        if !matches!(event, Event::Height { .. } | Event::Intensity { .. }) {
+            seen.events.push(event.clone());
+        }
+        assert!(seen.events.len() < MOST, "it goes on for ever: {event:?}");
+    }
+
+    fn made(&mut self, made: &Made<'_>) {
+        let it = made.span.made;
+        let joins = |at: Axes| {
+            let apart = at.minus(it.from);
+            let axes = Axis::ALL.into_iter().filter(|axis| {
+                // What an axis does beside the plan.
+                !(self.allowed.z_wanders && *axis == Axis::Z)
+            });
+            axes.map(|axis| apart[axis].abs()).fold(0.0, f64::max) < self.allowed.jump_mm
+        };
+        assert!(self.seen.at.is_none_or(joins), "a jump from {:?} to {:?}", self.seen.at, it.from);
+        self.seen.way = self.seen.way.plus(it.to.minus(it.from));
+        self.seen.at = Some(it.to);
+        self.seen.t = made.t0_s + made.span.t1_s;
+        let top_mm_s = self.allowed.feed * self.allowed.top_mm_s(made);
+        for look in 0..=LOOKS {
+            let share = f64::from(look) / f64::from(LOOKS);
+            let t_s = made.span.t0_s + (made.span.t1_s - made.span.t0_s) * share;
+            let state = made.plan.at(t_s);
+            self.allowed.place(state.position);
+            self.allowed.speed(&state.velocity, state.path_speed_mm_s, top_mm_s);
+        }
+        self.allowed.place(it.to);
+        self.seen.pieces.extend(Piece::of(made));
+    }
+}
+
+impl Seen {
+    fn passes(&mut self, t: f64) {
+        self.t = self.t.max(t);
+    }
+}
+
+impl Allowed {
+    /// The speed that is asked for; in a rounded corner that of either move.
+    fn top_mm_s(&self, made: &Made<'_>) -> f64 {
+        if self.jump_mm < 1e-3 {
+            return made.span.made.speed_mm_s;
+        }
+        let (moves, index) = (made.plan.moves(), made.span.index);
+        let near = &moves[index.saturating_sub(1)..(index + 2).min(moves.len())];
+        near.iter().map(|made| made.speed_mm_s).fold(0.0, f64::max)
+    }
+
+    fn place(&self, at: Axes) {
+        let Some([low, high]) = self.bounds else { return };
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let inside = at[axis] >= low[axis] - 1e-6 && at[axis] <= high[axis] + 1e-6;
+            assert!(inside, "{axis:?} at {} is outside the limits", at[axis]);
+        }
+    }
+
+    fn speed(&self, velocity: &Axes, along: f64, top: f64) {
+        assert!(along <= top * (1.0 + self.hair) + 1e-6, "{along} mm/s where {top} are allowed");
+        let Some(most) = self.axis_mm_s else { return };
+        for axis in Axis::ALL {
+            let (is, may) = (velocity[axis].abs(), most[axis]);
+            assert!(
+                is <= may * (1.0 + self.hair) + 1e-6,
+                "{axis:?}: {is} mm/s where {may} are allowed"
+            );
+        }
+    }
+}
