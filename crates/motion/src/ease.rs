@@ -25,6 +25,9 @@ const STILL_MM_S: f64 = 1e-9;
 const ACCEL_SLACK: f64 = 1.002;
 const JERK_SLACK: f64 = 1.02;
 
+/// A change that breaks a limit mostly shows at moments so many times farther apart.
+const COARSE: f64 = 8.0;
+
 /// Parts of constant third derivative of a smooth change.
 const PARTS: usize = 24;
 
@@ -147,7 +150,7 @@ impl<'a> Easing<'a> {
         let mut takes_s = self.at_least(&state, jerk).max(2.0 * STEP_S);
         for _ in 0..TRIALS {
             let ticks = smooth(from, goal, takes_s);
-            if self.holds(&ticks, jerk) {
+            if self.holds(&ticks, jerk, COARSE * STEP_S) && self.holds(&ticks, jerk, STEP_S) {
                 return ticks;
             }
             takes_s *= LONGER;
@@ -162,9 +165,9 @@ impl<'a> Easing<'a> {
     }
 
     /// Whether no axis exceeds its acceleration and jerk, by sampling.
-    fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES]) -> bool {
+    fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES], step_s: f64) -> bool {
         let (Some(first), Some(last)) = (ticks.first(), ticks.last()) else { return true };
-        let steps = ((last.t_s - first.t_s) / STEP_S).ceil().max(1.0) as usize;
+        let steps = ((last.t_s - first.t_s) / step_s).ceil().max(1.0) as usize;
         let h = (last.t_s - first.t_s) / steps as f64;
         let accel = |tick: &Tick| {
             let state = self.plan.planned(tick.plan_s);

@@ -23,6 +23,10 @@ use std::sync::Arc;
 /// So many moves behind are enough for the same path.
 const BEHIND: usize = 64;
 
+/// When the machine will stand within this, seconds, it is let come to that stand first: it brakes
+/// already, and there may be no other way.
+const STANDS_SOON_S: f64 = 0.25;
+
 /// Slower than this is at rest, mm/s.
 const REST_MM_S: f64 = 1e-3;
 
@@ -41,6 +45,14 @@ impl Retimed {
         let Some((slowed, joins)) = self.slowed(&mut all, t_s, share) else {
             return self.leave(all, t_s, share);
         };
+        if let Some(end_s) = slowed.stands_soon(&joins) {
+            all.law = Law::Clocked(Box::new(slowed));
+            let stop = all.stop(end_s, false)?;
+            let (made, rest) = all.cut(&stop);
+            self.wait_with(share);
+            self.begin_anew(rest.into_iter().map(|m| m.at_feed(share)));
+            return Some((made, stop));
+        }
         self.wait_with(share);
         self.behind.drain(..self.behind.len().saturating_sub(BEHIND));
         let old = slowed.planned(joins.plan_s);
@@ -109,6 +121,17 @@ fn goes_on(fresh: &Plan, old: &State, rate: f64) -> Option<Clocked> {
 }
 
 impl Clocked {
+    /// When the machine stands, if that is soon after a moment.
+    fn stands_soon(&self, from: &Tick) -> Option<f64> {
+        let timed = self.pieces.iter().filter_map(|piece| match &piece.law {
+            Law::Timed(timed) => Some(&timed.nodes),
+            _ => None,
+        });
+        let stand = timed.flatten().find(|node| node.v == 0.0 && node.t_s > from.plan_s)?;
+        let end_s = self.clock.when(stand.t_s);
+        (end_s < from.t_s + STANDS_SOON_S).then_some(end_s)
+    }
+
     /// The motion along the path from a moment on, by a clock whose rate stays, as far as it is known.
     fn ways(&self, from: &Tick) -> Vec<Way> {
         let ends = |piece: &&Arc<Plan>| piece.duration_s() <= from.plan_s;

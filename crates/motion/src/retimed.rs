@@ -136,7 +136,7 @@ impl Retimed {
     }
 
     /// Another stack, from a stand, before all that waits.
-    fn begin_anew(&mut self, moves: impl Iterator<Item = Move>) {
+    pub(crate) fn begin_anew(&mut self, moves: impl Iterator<Item = Move>) {
         (self.ready, self.clock) = (None, None);
         moves.for_each(|m| self.planner.push(m));
     }
@@ -230,8 +230,9 @@ impl Retimed {
     /// Takes back from the planner what did not come out; it waits with another feed.
     pub(crate) fn wait_with(&mut self, share: f32) {
         let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
-        let left = ready.chain(self.planner.withdraw()).collect::<Vec<Move>>();
-        left.into_iter().rev().for_each(|m| self.waiting.push_front(m));
+        let mut left: VecDeque<Move> = ready.chain(self.planner.withdraw()).collect();
+        left.append(&mut self.waiting);
+        self.waiting = left;
         self.waiting.iter_mut().for_each(|m| *m = m.at_feed(share));
     }
 

@@ -187,3 +187,11 @@ fn the_path_after_a_hold_is_the_path_without() {
         assert!(off(near) < 0.006, "{place:?} is off by {}", off(near));
     }
 }
+
+#[test]
+fn another_feed_just_before_a_stand_keeps_the_limits() {
+    for seed in [4u64, 10] {
+        let turns = [(2.47835, Turn::Hold), (1.38107, Turn::Feed(1.888)), (2.64457, Turn::Hold)];
+        check(&path(seed * 7919 + 3, 60), Some(10_000.0), &turns);
+    }
+}

@@ -33,9 +33,15 @@ use kerf_program::Dynamics;
 const BRAKES: f64 = 1.5;
 
 /// A window is so many times as long as braking takes; the first one after another feed less, to be
-/// ready soon.
+/// ready soon, and each that follows by a factor more.
 const LONG: f64 = 3.0;
 const SHORT: f64 = 1.6;
+const LONGER: f64 = 1.3;
+
+/// What the barriers may cost at the end, as a share of the time; and in short windows, of which
+/// little is final.
+const GAP: f64 = 2e-3;
+const GAP_SHORT: f64 = 2e-2;
 
 /// Windows have at least so many cells.
 const LEAST: usize = 96;
@@ -206,7 +212,8 @@ impl<const N: usize> Horizon<N> {
             };
             self.forget_cells(at_mm);
             if matches!(self.begin, Begin::Motion(..)) {
-                (self.long, self.enough) = (LONG, LEAST);
+                self.long = (self.long * LONGER).min(LONG);
+                self.enough = if self.is_short() { LEAST_SHORT } else { LEAST };
             }
         }
     }
@@ -257,8 +264,10 @@ impl<const N: usize> Horizon<N> {
         let pieces = window.pieces(&lengths);
         let (accel, jerk, kept) = (self.bounds.accel, self.jerk, lengths.len());
         let before = self.before(first.at_mm, &pieces);
-        let problem = Problem { pieces: &pieces, accel, jerk, begin, end, before: &before, kept };
-        let Some(ordinates) = problem.solve() else { return self.give_up(first.at_mm) };
+        let gap = if self.is_short() { GAP_SHORT } else { GAP };
+        let problem =
+            Problem { pieces: &pieces, accel, jerk, begin, end, before: &before, kept, gap };
+        let Some(ordinates) = problem.solve() else { return self.give_up(first.at_mm, ended) };
         if let End::Rest(launch) = begin {
             self.launch(launch, ordinates[0][0]);
         }
@@ -274,6 +283,11 @@ impl<const N: usize> Horizon<N> {
         self.go(&ways[..count]);
         self.begin = Begin::Motion(ways[count..].to_vec(), Some(end));
         Some(pieces[count].at_mm)
+    }
+
+    /// Whether windows are short, to be ready soon.
+    fn is_short(&self) -> bool {
+        self.long < LONG
     }
 
     /// The first ways of the motion with which it begins.
@@ -322,10 +336,16 @@ impl<const N: usize> Horizon<N> {
     }
 
     /// Runs on as the last window said, to its stand.
-    fn give_up(&mut self, at_mm: f64) -> Option<f64> {
+    fn give_up(&mut self, at_mm: f64, ended: bool) -> Option<f64> {
         let Begin::Motion(ways, end) = std::mem::replace(&mut self.begin, Begin::Rest) else {
             return None;
         };
+        if end.is_none() && !ended && self.is_short() {
+            // With more of the path a way may be found.
+            self.begin = Begin::Motion(ways, end);
+            self.long *= LONGER;
+            return None;
+        }
         self.go(&ways);
         let at_mm = at_mm + ways.iter().map(|way| way.h).sum::<f64>();
         let Some(end) = end else {

@@ -52,9 +52,6 @@ const CENTRED: f64 = 0.3;
 /// Where the search starts, as a share of what is expected.
 const BEGIN: f64 = 0.6;
 
-/// What the barriers may cost at the end, as a share of the time.
-const GAP: f64 = 2e-3;
-
 /// Limits, pieces and the unknowns.
 pub(crate) struct Problem<'a, const N: usize> {
     pub pieces: &'a [Piece<N>],
@@ -66,6 +63,8 @@ pub(crate) struct Problem<'a, const N: usize> {
     /// pieces as far as it goes; for the first pieces, so many, it has the same.
     pub before: &'a [f64],
     pub kept: usize,
+    /// What the barriers may cost at the end, as a share of the time.
+    pub gap: f64,
 }
 
 impl<const N: usize> Problem<'_, N> {
@@ -97,7 +96,7 @@ impl<const N: usize> Problem<'_, N> {
                 }
                 continue;
             }
-            let sharpest = conditions / (GAP * time);
+            let sharpest = conditions / (self.gap * time);
             let settled = weight >= sharpest && scale >= 1.0;
             calm = if settled { calm + 1 } else { 0 };
             if calm == CALM {
@@ -165,7 +164,8 @@ impl<const N: usize> Problem<'_, N> {
         x
     }
 
-    /// Begins with the motion before, as long as it is not slow, and goes over to what is expected.
+    /// Begins with the motion before, as long as it is not slow, and goes over to what is expected; at
+    /// the end as slow as it takes to stand there.
     fn begin_with(&self, x: &mut [f64]) {
         let End::Motion([at, accel]) = self.begin else { return };
         for (k, x) in x.iter_mut().enumerate() {
@@ -173,6 +173,18 @@ impl<const N: usize> Problem<'_, N> {
             let least = SLOW * *x;
             let near = (1.0 - before / (3.0 * least)).max(0.0);
             *x = before + if k < self.kept { 0.0 } else { least * near * near };
+        }
+        let moves =
+            |axis: &usize| self.pieces.iter().any(|p| p.parts.iter().any(|p| p.moves[*axis]));
+        let least = |limits: &[f64; N]| {
+            (0..N).filter(moves).map(|axis| limits[axis]).fold(f64::INFINITY, f64::min)
+        };
+        let (rate, gain) = ((4.5 * least(&self.jerk)).sqrt(), 2.0 * least(&self.accel));
+        let mut left = self.end.way_mm;
+        for (piece, x) in self.pieces.iter().zip(x.iter_mut()).skip(self.kept).rev() {
+            left += piece.h;
+            let most = (BEGIN * rate * left).powf(4.0 / 3.0);
+            *x = x.min(most).min(BEGIN * gain * left);
         }
         x[0] = at + accel * self.pieces[0].h;
     }
