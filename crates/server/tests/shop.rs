@@ -335,3 +335,31 @@ fn what_a_tool_makes_is_opened_and_previewed() {
     let info = shop.get(&format!("/api/preview/{key}")).json();
     assert!((info["bounds"][0][2].as_f64().unwrap() + 12.7).abs() < 1e-3, "{info}");
 }
+
+#[test]
+fn sbp_flow_exit_shopbot__in_the_server() {
+    let shop = shop(100.0, &[("a.sbp", "VS,9\nSO,3,1\nMX,1\nEXIT SHOPBOT\nMX,9\n")]);
+    let mut page = shop.driver();
+    let before = page.shown["speeds"].clone();
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    page.until("the end", |page| page.shown["job"]["ended"] == "ended");
+    page.until_state("idle");
+    assert!(page.shown["messages"].to_string().contains("closed by part file"));
+    assert!((page.x() - 25.4).abs() < 1e-6, "earlier moves are made, later ones not");
+    assert_eq!(page.shown["speeds"], before, "settings are given back");
+    assert_eq!(page.shown["io"]["outputs"][2]["on"], false, "outputs are off");
+    page.command("MX,2");
+    assert!((page.x() - 50.8).abs() < 1e-6, "the server stays");
+}
+
+#[test]
+fn variables_are_changed_and_added_by_their_lines() {
+    let shop = shop(100.0, &[]);
+    let mut page = shop.driver();
+    page.command("&A = 2");
+    page.command("&A = 3\n&B = \"four\"");
+    let values = shop.get("/api/values").json();
+    let variables = values["variables"].to_string();
+    assert!(variables.contains(r#""value":"3""#) && variables.contains("four"), "{variables}");
+}

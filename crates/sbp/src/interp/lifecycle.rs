@@ -4,7 +4,7 @@ use super::registry::{CLEARED_VALUE, PART_FILE};
 use super::{Context, Core, Dialect, Status, Step, Stop};
 use crate::tree::Span;
 use kerf_diag::Code;
-use kerf_program::{At, Host, Sourced};
+use kerf_program::{At, Command, Host, Sourced};
 
 /// Turns the outcome of a line into a step.
 pub(super) fn after(
@@ -123,6 +123,15 @@ impl Context<'_> {
     pub(super) fn end_run(&mut self, status: Status) -> Stop {
         self.end_tabs();
         self.settle().err().unwrap_or(Stop::Finished(status))
+    }
+
+    /// EXIT SHOPBOT: as the end of everything, and whoever looks is told why Kerf closes.
+    pub(super) fn exit(&mut self) -> Stop {
+        let over = self.end_run(Status::Ended);
+        if matches!(over, Stop::Finished(_)) {
+            self.emit(Command::Message { text: "closed by part file".into() });
+        }
+        over
     }
 
     /// VS, VI, VU and limits go back to what they were; VO and the VC trigger end.

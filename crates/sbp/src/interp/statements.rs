@@ -44,7 +44,8 @@ impl Context<'_> {
                 self.end_file();
                 Ok(())
             }
-            Statement::EndAll | Statement::ExitShopbot => Err(self.end_run(Status::Ended)),
+            Statement::EndAll => Err(self.end_run(Status::Ended)),
+            Statement::ExitShopbot => Err(self.exit()),
             Statement::OnInput { switch, state, action } => {
                 self.on_input(switch, state, action.is_some())
             }
