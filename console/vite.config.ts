@@ -9,6 +9,7 @@ export default defineConfig({
   // The server puts a new number in its place whenever it hands the page out.
   html: { cspNonce: "__KERF_NONCE__" },
   build: { target: "es2022", assetsInlineLimit: 0, chunkSizeWarningLimit: 800 },
+  worker: { format: "es" },
   server: { proxy: { "/api": { target: server }, "/ws": { target: server, ws: true } } },
   test: { include: ["src/**/*.test.ts"], environment: "node" },
 });

@@ -28,6 +28,8 @@ export const openScratch = sheetAction({ kind: "scratch" }, "Scratch pad", ["i"]
 export const openCalculator = sheetAction({ kind: "calculator" }, "Calculator", ["F10"]);
 export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
 export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
+export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);
+export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
 export const openPalette: Action = {
   ...sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]),
   everywhere: true,
@@ -65,6 +67,8 @@ export const goActions: readonly Action[] = [
   openCalculator,
   openNudge,
   openValues,
+  openRecorder,
+  openInputs,
   openPalette,
   ...themeActions,
   ...faceActions,

@@ -49,7 +49,7 @@ describe("what can be done when", () => {
   });
 
   it("arm what stands disarmed", () => {
-    expect(allowed(arm, false)).toEqual(["idle"]);
+    expect(allowed(arm, false)).toEqual(["idle", "held", "asking", "stopped"]);
     expect(allowed(arm, true)).toEqual([]);
   });
 

@@ -16,6 +16,7 @@ export function unless(states: readonly State[], words: string) {
 }
 
 export const whenIdle = unless(["idle"], "The machine is busy.");
+const whenStanding = unless(["idle", "held", "stopped", "asking"], "The machine is busy.");
 
 /** Refused unless the machine stands, armed. */
 export function unlessReady(world: World): string | undefined {
@@ -27,8 +28,22 @@ export const stop: Action = {
   id: "machine.stop",
   title: "Stop",
   section: "machine",
-  keys: ["Space"],
   run: (world) => void ask(world, { do: "stop" }),
+};
+
+/** The space bar stops; while nothing moves in preview it leads to the large picture and back. */
+export const spaceBar: Action = {
+  ...stop,
+  id: "machine.space",
+  title: "Stop; in preview the large picture, and back",
+  keys: ["Space"],
+  run: (world) => {
+    stop.run(world);
+    const machine = machineOf(world);
+    if (machine?.mode === "preview" && machine.state === "idle") {
+      world.screen.enlarge(!world.screen.get().large);
+    }
+  },
 };
 
 export const hold: Action = {
@@ -52,7 +67,8 @@ export const arm: Action = {
   id: "machine.arm",
   title: "Arm the machine",
   section: "machine",
-  refused: (world) => whenIdle(world) ?? (machineOf(world)?.armed ? "It is armed." : undefined),
+  // A page that was loaded again while a job stands arms the machine to go on.
+  refused: (world) => whenStanding(world) ?? (machineOf(world)?.armed ? "It is armed." : undefined),
   run: (world) => void drive(world, { do: "arm" }),
 };
 
@@ -92,6 +108,9 @@ export function command(id: string, title: string, line: string): Action {
   };
 }
 
+export const preview = command("machine.preview", "Preview mode: files are only drawn", "SP");
+export const moveMode = command("machine.move", "Move mode: files are cut", "SM");
+export const clearPreview = command("machine.clear", "Clear the preview", "SP");
 export const zeroXY = command("machine.zero.xy", "Zero X and Y", "Z2");
 export const home = command("machine.home", "Go home", "JH");
 
@@ -105,12 +124,15 @@ export const whyOf = (snapshot: Snapshot | null): string => snapshot?.machine.wh
 
 export const machineActions: readonly Action[] = [
   stop,
+  spaceBar,
   hold,
   resume,
   arm,
   disarm,
   acknowledge,
   takeControl,
+  preview,
+  moveMode,
   home,
   zeroXY,
   ...zeroAxis,

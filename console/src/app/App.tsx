@@ -2,10 +2,12 @@ import { lazy, Suspense } from "react";
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
 import { HelpScreen } from "../help/HelpScreen";
+import { MessageWindow } from "../operator/MessageWindow";
 import { SettingsScreen } from "../settings/SettingsScreen";
 import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown, useSnapshot } from "./context";
+import { FollowedFace } from "./FollowedFace";
 import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
@@ -46,6 +48,8 @@ function Body() {
           <Route />
         </Suspense>
       </main>
+      <MessageWindow />
+      <FollowedFace />
       {sheet && <OpenSheet sheet={sheet} />}
       {asked && <Asking asked={asked} />}
       <LostLink />

@@ -4,9 +4,10 @@ import { useShown } from "./context";
 
 /** Allows motion, or forbids it, while the machine stands. */
 export function ArmButton() {
-  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const state = useShown((shown) => shown.snapshot?.machine.state);
   const armed = useShown((shown) => shown.snapshot?.machine.armed);
-  if (!idle) return null;
+  const idle = state === "idle";
+  if (!idle && (armed || state !== "held")) return null;
   return armed ? (
     <ActionButton action={disarm} size="small">
       Disarm

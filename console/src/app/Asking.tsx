@@ -1,5 +1,6 @@
 import { ask } from "../actions/ask";
 import { StepBar } from "../debugger/StepBar";
+import { EditorBar } from "../editor/EditorBar";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { QuestionDialog } from "../operator/QuestionDialog";
 import { StoppedDialog } from "../operator/StoppedDialog";
@@ -17,6 +18,8 @@ export function Asking({ asked }: { asked: Asked }) {
       return <StepBar asked={asked} />;
     case "keypad":
       return <KeypadSheet words={asked.text} onClose={answer} />;
+    case "editor":
+      return <EditorBar key={asked.number} asked={asked} />;
     case "hold":
       return <StoppedDialog key={asked.number} asked={asked} />;
     default:
@@ -25,4 +28,4 @@ export function Asking({ asked }: { asked: Asked }) {
 }
 
 /** Whether a question takes the screen behind it away. */
-export const covers = ({ kind }: Asked): boolean => kind !== "step";
+export const covers = ({ kind }: Asked): boolean => kind !== "step" && kind !== "editor";

@@ -1,5 +1,7 @@
+import { attempt } from "../actions/action";
+import { moveMode, preview } from "../actions/machine";
 import type { Mode } from "../wire/messages";
-import { useShown } from "./context";
+import { useHands, useShown, worldOf } from "./context";
 import "./mode-chip.css";
 
 const words: Record<Mode, string> = { preview: "PREVIEW", simulated: "SIMULATED", cut: "CUT" };
@@ -10,14 +12,21 @@ const meaning: Record<Mode, string> = {
   cut: "A real machine moves.",
 };
 
-/** What running a file means: told by word, colour and pattern. */
+/** What running a file means: told by word, colour and pattern. A press changes between preview and cut. */
 export function ModeChip() {
+  const hands = useHands();
   const mode = useShown((shown) => shown.snapshot?.machine.mode);
   if (!mode) return null;
+  const other = mode === "preview" ? moveMode : preview;
   return (
-    <span className={`mode mode-${mode}`} title={meaning[mode]}>
+    <button
+      type="button"
+      className={`mode mode-${mode}`}
+      title={`${meaning[mode]} A press changes to: ${other.title}.`}
+      onClick={() => attempt(other, worldOf(hands))}
+    >
       <span className="mode-pattern" aria-hidden="true" />
       <span>{words[mode]}</span>
-    </span>
+    </button>
   );
 }

@@ -2,8 +2,11 @@ import { CommandSheet } from "../command/CommandSheet";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { FilePicker } from "../operator/FilePicker";
 import { CalculatorSheet } from "../tools/CalculatorSheet";
+import { ConfirmSheet } from "../tools/ConfirmSheet";
+import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
+import { RecorderSheet } from "../tools/RecorderSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { useHands } from "./context";
@@ -29,6 +32,12 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
     case "palette":
       return <Palette onClose={close} />;
     case "values":
-      return <ValuesSheet onClose={close} />;
+      return <ValuesSheet key={sheet.which} first={sheet.which} onClose={close} />;
+    case "recorder":
+      return <RecorderSheet onClose={close} />;
+    case "inputs":
+      return <InputsSheet onClose={close} />;
+    case "confirm":
+      return <ConfirmSheet action={sheet.action} onClose={close} />;
   }
 }

@@ -11,8 +11,14 @@ export type Sheet =
   | { readonly kind: "keypad" }
   | { readonly kind: "nudge" }
   | { readonly kind: "calculator" }
-  | { readonly kind: "values" }
+  | {
+      readonly kind: "values";
+      readonly which?: "variables" | "system" | "settings" | "diagnostics";
+    }
   | { readonly kind: "scratch" }
+  | { readonly kind: "recorder" }
+  | { readonly kind: "inputs" }
+  | { readonly kind: "confirm"; readonly action: string }
   | { readonly kind: "palette" };
 
 export type Face = "easy" | "full";
@@ -24,6 +30,12 @@ export interface ScreenState {
   readonly sheet: Sheet | null;
   /** Lines of the open file at which going line by line halts. */
   readonly breakpoints: readonly number[];
+  /** The tool path takes the whole screen. */
+  readonly large: boolean;
+  /** The page of the help that was asked for: the letters of its command. */
+  readonly topic: string;
+  /** What the editor was asked to show: a new value each time; an empty name is an empty page. */
+  readonly edits: { readonly name: string } | null;
   /** The drawing tool that was asked for; a new value each time. */
   readonly tool: { readonly id: string } | null;
   /** What the person has to know of what was just refused; the newest last. */
@@ -42,6 +54,11 @@ export interface Screen extends Store<ScreenState> {
   takeTool(id: string): void;
   wear(theme: Theme): void;
   face(face: Face): void;
+  enlarge(large: boolean): void;
+  /** Goes to a page of the help. */
+  explain(topic: string): void;
+  /** Goes to the editor with a file. */
+  edit(name: string): void;
   mark(breakpoints: readonly number[]): void;
   /** Shows a notice for a while. */
   tell(text: string): void;
@@ -62,6 +79,9 @@ export function createScreen(): Screen {
     face: localStorage.getItem(faceKey) === "full" ? "full" : "easy",
     sheet: null,
     breakpoints: [],
+    large: false,
+    topic: "HQ",
+    edits: null,
     tool: null,
     notices: [],
   });
@@ -89,6 +109,15 @@ export function createScreen(): Screen {
     face(face) {
       localStorage.setItem(faceKey, face);
       store.update((now) => ({ ...now, face }));
+    },
+    enlarge: (large) => store.update((now) => ({ ...now, large })),
+    explain(topic) {
+      this.go("/help");
+      store.update((now) => ({ ...now, topic }));
+    },
+    edit(name) {
+      this.go("/edit");
+      store.update((now) => ({ ...now, edits: { name } }));
     },
     mark: (breakpoints) => store.update((now) => ({ ...now, breakpoints })),
     tell(text) {

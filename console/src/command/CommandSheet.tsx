@@ -8,7 +8,15 @@ import "./command-sheet.css";
 import { FileButtons } from "./FileButtons";
 import { ParameterField } from "./ParameterField";
 import { isShown, lastEntries, rememberEntries, setShown } from "./preferences";
-import { firstEntries, lineOf, mistakesIn, parted, resetEntries, withEntry } from "./sheet";
+import {
+  firstEntries,
+  lineOf,
+  mistakesIn,
+  parted,
+  resetEntries,
+  sheetOrder,
+  withEntry,
+} from "./sheet";
 import { findCommand, useCommands } from "./table";
 
 /** The fill-in sheet of a command; settings in it are those of now. */
@@ -31,7 +39,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
   const type = (n: number, text: string) => {
     const { kept, goesOn } = parted(text, n === 0);
     setEntries((now) => withEntry(now, n, kept));
-    const next = goesOn ? form.current?.children[n + 1] : undefined;
+    const next = goesOn ? form.current?.children[sheetOrder(entry).indexOf(n) + 1] : undefined;
     next?.querySelector<HTMLElement>("input, select, button")?.focus();
   };
   const display = () => {
@@ -59,9 +67,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
         <>
           <code className="sheet-line">{line}</code>
           <Button onPress={() => void navigator.clipboard?.writeText(line)}>Copy as line</Button>
-          {entry.letters === "FP" && (
-            <FileButtons line={line} file={entries[0] ?? ""} onDone={close} />
-          )}
+          {entry.letters === "FP" && <FileButtons line={line} entries={entries} onDone={close} />}
           <Button onPress={run} look="primary">
             {entry.letters === "FP" ? "Cut" : "OK"}
           </Button>
@@ -87,9 +93,9 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
           void run();
         }}
       >
-        {entry.parameters.map((parameter, n) => (
+        {shownParameters(entry).map(({ parameter, n }) => (
           <ParameterField
-            key={parameter.name}
+            key={`${n} ${parameter.name}`}
             parameter={parameter}
             first={n === 0}
             value={entries[n] ?? ""}
@@ -101,6 +107,14 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       </form>
     </Sheet>
   );
+}
+
+/** Parameters in the order of the sheet, with their places in the line; those of the past are left out. */
+function shownParameters(entry: CommandEntry) {
+  return sheetOrder(entry).flatMap((n) => {
+    const parameter = entry.parameters[n];
+    return parameter && parameter.kind.is !== "obsolete" ? [{ parameter, n }] : [];
+  });
 }
 
 interface RecallProps {

@@ -1,20 +1,25 @@
 import { ask, drive } from "../actions/ask";
-import { useHands, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
+import { type Entries, fileParameters } from "./sheet";
 
 interface FileButtonsProps {
   /** The line that the sheet makes: `FP,part.sbp,2`. */
   line: string;
-  file: string;
+  entries: Entries;
   onDone: () => void;
 }
 
 /** What else can be done with a file than to cut it: look at it, go through it line by line. */
-export function FileButtons({ line, file, onDone }: FileButtonsProps) {
+export function FileButtons({ line, entries, onDone }: FileButtonsProps) {
   const hands = useHands();
-  const name = file.trim();
+  const name = (entries[0] ?? "").trim();
+  const folder = useSnapshot("folder")?.name ?? "";
+  const units = useSnapshot("units");
   const preview = async () => {
-    if (await ask(worldOf(hands), { do: "open", name })) onDone();
+    const below = folder === "" ? name : `${folder}/${name}`;
+    const parameters = fileParameters(entries, units?.mm ?? 1);
+    if (await ask(worldOf(hands), { do: "open", name: below, parameters })) onDone();
   };
   const step = async () => {
     const stepped = line.replace(/^FP/, "FG");

@@ -13,20 +13,26 @@ const opens: Record<string, Sheet> = {
   FP: { kind: "files" },
   UU: { kind: "calculator" },
   SI: { kind: "scratch" },
-  UV: { kind: "values" },
-  UL: { kind: "values" },
-  UD: { kind: "values" },
+  UV: { kind: "values", which: "settings" },
+  UL: { kind: "values", which: "variables" },
+  UD: { kind: "values", which: "diagnostics" },
 };
 
-/** Commands that lead to the editor. */
+/** Commands that lead to the editor: with the last file, or with an empty page. */
 const edits = ["FE", "FN", "FG"];
+
+/** Commands that open a page of the help. */
+const explains = /^H[A-Z]$/;
 
 export function execute(world: World, text: string): void {
   const letters = lettersOf(text) ?? "";
   const given = argumentsOf(text);
   const sheet = given.length === 0 ? opens[letters] : undefined;
   if (sheet) world.screen.open(sheet);
-  else if (edits.includes(letters)) world.screen.go("/edit");
+  else if (explains.test(letters)) world.screen.explain(letters);
+  else if (letters === "FN") world.screen.edit("");
+  else if (letters === "FE" && given[0]) world.screen.edit(given[0]);
+  else if (edits.includes(letters) && given.length === 0) world.screen.go("/edit");
   else carryOut(world, text, given);
 }
 

@@ -23,6 +23,7 @@ describe("the command line", () => {
     expect(type("mx,2").text).toBe("MX,2");
     expect(type("mx 2").text).toBe("MX,2");
     expect(type("m2,1,2").text).toBe("M2,1,2");
+    expect(type("m2,,3").text).toBe("M2,,3");
     expect(type("mh").text).toBe("mh");
     expect(type("&x=3").text).toBe("&x=3");
   });

@@ -13,6 +13,8 @@ export interface LineState {
   readonly history: readonly string[];
   /** Place in the history; its length while a new line is typed. */
   readonly at: number;
+  /** The comma behind the letters came by itself: one that is typed now is the same. */
+  readonly parted?: boolean;
 }
 
 export const emptyLine: LineState = { text: "", history: [], at: 0 };
@@ -51,10 +53,12 @@ export function parameterAt(entry: CommandEntry, text: string): Parameter | unde
 export function typed(state: LineState, text: string, table: readonly CommandEntry[]): LineState {
   const grows = text.length === state.text.length + 1 && text.startsWith(state.text);
   const named = grows && text.length === 2 ? commandOf(table, text) : undefined;
-  if (named && named.parameters.length > 0) return { ...state, text: `${text.toUpperCase()},` };
+  if (named && named.parameters.length > 0) {
+    return { ...state, text: `${text.toUpperCase()},`, parted: true };
+  }
   // The separator that came by itself is not written twice.
-  const doubled = grows && /^[A-Z][A-Z0-9],[\s,]$/.test(text);
-  return { ...state, text: doubled ? state.text : text };
+  const doubled = grows && state.parted === true && /^[A-Z][A-Z0-9],[\s,]$/.test(text);
+  return { ...state, text: doubled ? state.text : text, parted: false };
 }
 
 /** Whether a command acts without ENTER: it has nothing more to be told. */

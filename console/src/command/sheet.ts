@@ -1,7 +1,7 @@
 /** A fill-in sheet as values: what is entered, what is wrong with it, the line it makes. */
 
 import { evaluate } from "../app/expression";
-import type { CommandEntry, Parameter } from "../wire/messages";
+import type { CommandEntry, FileParameters, Parameter } from "../wire/messages";
 
 /** What is entered for each parameter, in the order of the part file; blank is not given. */
 export type Entries = readonly string[];
@@ -18,6 +18,16 @@ export const resetEntries = (entry: CommandEntry): Entries => firstEntries(entry
 
 export const withEntry = (entries: Entries, n: number, text: string): Entries =>
   entries.map((old, k) => (k === n ? text : old));
+
+/** What is seldom said stands last on a sheet, wherever it stands in the line. */
+const seldom = /^Feature$/;
+
+/** The order in which a sheet shows its parameters, by their places in the line. */
+export function sheetOrder({ parameters }: CommandEntry): number[] {
+  const places = parameters.map((_, n) => n);
+  const last = (n: number) => seldom.test(parameters[n]?.name ?? "");
+  return [...places.filter((n) => !last(n)), ...places.filter(last)];
+}
 
 /** What is wrong with an entry; nothing when it may be sent. */
 export function mistakeIn(parameter: Parameter, text: string): string | undefined {
@@ -79,4 +89,17 @@ export function parted(text: string, first: boolean): { kept: string; goesOn: bo
   const quotes = written.split('"').length - 1;
   const goesOn = written.endsWith(",") && quotes % 2 === 0;
   return { kept: goesOn ? written.slice(0, -1) : written, goesOn };
+}
+
+/** What the sheet of FP says about how a file is run; lengths are in a unit of so many millimetres. */
+export function fileParameters(entries: Entries, mm: number): FileParameters {
+  const number = (n: number, usual: number) => evaluate(entries[n]?.trim() ?? "") ?? usual;
+  return {
+    proportion: [number(1, 1), number(2, 1), number(3, 1)],
+    repetitions: number(4, 1),
+    offset: number(5, 0),
+    plunge: number(6, 0) * mm,
+    tabs: number(7, 0) !== 0,
+    plungeFromZero: number(8, 0) !== 0,
+  };
 }

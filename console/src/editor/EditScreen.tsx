@@ -1,7 +1,8 @@
 import { useEffect, useState } from "react";
 import { ask } from "../actions/ask";
 import { openFiles } from "../actions/go";
-import { useHands, useSnapshot, worldOf } from "../app/context";
+import { useHands, useScreen, useSnapshot, worldOf } from "../app/context";
+import { Watched } from "../debugger/Watched";
 import { readFile, writeFile } from "../link/http";
 import { useRunningLine } from "../operator/useRunningLine";
 import { ActionButton } from "../ui/ActionButton";
@@ -26,12 +27,22 @@ export function EditScreen() {
   const name = open?.name;
   // biome-ignore lint/correctness/useExhaustiveDependencies: reads when another file is opened
   useEffect(() => {
-    if (name === undefined || isChanged(file)) return;
+    if (name === undefined || isChanged(file) || hands.screen.get().edits) return;
     readFile(name).then(
       (text) => setFile(opened(name, text)),
       (error: Error) => hands.screen.tell(error.message),
     );
   }, [name]);
+
+  const asked = useScreen("edits");
+  useEffect(() => {
+    if (!asked) return;
+    if (asked.name === "") return setFile(newFile);
+    readFile(asked.name).then(
+      (text) => setFile(opened(asked.name, text)),
+      (error: Error) => hands.screen.tell(error.message),
+    );
+  }, [asked, hands]);
 
   const save = async (as: string | null) => {
     if (as === null) return setNaming(true);
@@ -39,7 +50,8 @@ export function EditScreen() {
       await writeFile(as, file.text);
       setFile((now) => saved(now, as));
       setNaming(false);
-      await ask(worldOf(hands), { do: "open", name: as });
+      // While a program waits for the editor, it stays the open file.
+      if (asked === null) await ask(worldOf(hands), { do: "open", name: as });
     } catch (error) {
       hands.screen.tell(String(error));
     }
@@ -62,16 +74,19 @@ export function EditScreen() {
       </header>
       {naming && <SaveAs first={file.name ?? ""} onSave={save} onCancel={() => setNaming(false)} />}
       <DebugBar changed={isChanged(file)} />
-      <CodeEditor
-        key={file.name}
-        name={file.name ?? "new.sbp"}
-        text={file.text}
-        running={running}
-        onChange={(text) => setFile((now) => edited(now, text))}
-        onFindings={setFindings}
-        onBreakpoints={hands.screen.mark}
-        onSave={() => void save(file.name)}
-      />
+      <div className="edit-body">
+        <CodeEditor
+          key={file.name}
+          name={file.name ?? "new.sbp"}
+          text={file.text}
+          running={running}
+          onChange={(text) => setFile((now) => edited(now, text))}
+          onFindings={setFindings}
+          onBreakpoints={hands.screen.mark}
+          onSave={() => void save(file.name)}
+        />
+        <Watched />
+      </div>
       <FindingList findings={findings} />
     </div>
   );

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "react";
-import { leased } from "../actions/ask";
+import { ask, leased } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { useDisplay } from "../app/display";
 import { evaluate } from "../app/expression";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
@@ -37,7 +38,9 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
   const units = useSnapshot("units");
   const speeds = useSnapshot("speeds");
   const [manner, setManner] = useState<Manner>("hold");
-  const [step, setStep] = useState("0.1");
+  const fixed = useDisplay()?.fixedMm;
+  const [typed, setStep] = useState<string | null>(null);
+  const step = typed ?? String(Number(((fixed ?? 2.54) / (units?.mm ?? 25.4)).toFixed(4)));
   const [places, setPlaces] = useState<readonly string[] | null>(null);
   const [pendant, setPendant] = useState(false);
   const may = useMayMove();
@@ -49,8 +52,12 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
     jog.hold({ direction, speed: fast ? 1 : slowShare(speeds, direction), distance });
   };
   const begin = (way: Way, fast: boolean) => move(directions[way], fast);
-  const keep = (axes: number) =>
-    motion && units && setPlaces((now) => [...(now ?? []), recorded(axes, motion, units.axes)]);
+  const keep = (axes: number) => {
+    if (!motion || !units) return;
+    const line = recorded(axes, motion, units.axes);
+    setPlaces((now) => [...(now ?? []), line]);
+    void ask(worldOf(hands), { do: "record", line });
+  };
   const letter = (key: string): boolean => {
     if (key.toLowerCase() === "d") setManner(manner === "hold" ? "distance" : "hold");
     else if (key.toLowerCase() === "e") setPendant((now) => !now);

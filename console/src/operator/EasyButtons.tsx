@@ -1,7 +1,8 @@
 import type { Action } from "../actions/action";
 import { openFiles, openKeypad } from "../actions/go";
 import { singleStep, start } from "../actions/job";
-import { home, zeroAxis, zeroXY } from "../actions/machine";
+import { home, moveMode, preview, zeroAxis, zeroXY } from "../actions/machine";
+import { useShown } from "../app/context";
 import { ActionButton } from "../ui/ActionButton";
 import { FaceSwitch } from "./FaceSwitch";
 import "./easy-buttons.css";
@@ -16,26 +17,46 @@ interface Easy {
 
 const [, , zeroZ] = zeroAxis;
 
+/** Buttons that lead to a sheet or a screen of their own. */
+const openSettings: Action = {
+  id: "easy.settings",
+  title: "Settings",
+  section: "go",
+  run: ({ screen }) => screen.go("/settings"),
+};
+
+/** Zeros ask first where one press sets them. */
+export const asking = (action: Action): Action => ({
+  ...action,
+  run: ({ screen }) => screen.open({ kind: "confirm", action: action.id }),
+});
+
 const buttons: readonly Easy[] = [
   { action: openKeypad, words: "Move tool", command: "SK" },
-  { action: zeroXY, words: "Zero X Y", command: "Z2" },
-  ...(zeroZ ? [{ action: zeroZ, words: "Zero Z", command: "ZZ" }] : []),
+  { action: asking(zeroXY), words: "Zero X Y", command: "Z2" },
+  ...(zeroZ ? [{ action: asking(zeroZ), words: "Zero Z", command: "ZZ" }] : []),
   { action: home, words: "Home", command: "JH" },
   { action: openFiles, words: "Choose file", command: "FP" },
   { action: start, words: "Cut part", command: "FP" },
+  { action: preview, words: "Preview", command: "SP" },
   { action: singleStep, words: "Single step", command: "FG" },
+  { action: openSettings, words: "Settings", command: "VD" },
 ];
 
 /** The EASY face: buttons, no commands. */
 export function EasyButtons() {
+  const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
+  const back = { action: moveMode, words: "Cut mode", command: "SM" };
   return (
     <nav className="easy" aria-label="EASY">
-      {buttons.map(({ action, words, command }) => (
-        <ActionButton key={action.id} action={action} className="easy-button">
-          {words}
-          <small>{command}</small>
-        </ActionButton>
-      ))}
+      {buttons
+        .map((easy) => (easy.action === preview && previews ? back : easy))
+        .map(({ action, words, command }) => (
+          <ActionButton key={action.id} action={action} className="easy-button">
+            {words}
+            <small>{command}</small>
+          </ActionButton>
+        ))}
       <FaceSwitch />
     </nav>
   );

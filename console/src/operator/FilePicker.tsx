@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { ask } from "../actions/ask";
-import { useHands, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo } from "../wire/messages";
@@ -12,14 +12,22 @@ import "./file-picker.css";
 /** Chooses a file of the part folder. */
 export function FilePicker() {
   const hands = useHands();
-  const [folder, setFolder] = useState("");
+  const kept = useSnapshot("folder");
+  const [folder, setFolder] = useState(kept?.name ?? "");
   const [mask, setMask] = useState("");
   const files = useFiles(folder);
   const close = () => hands.screen.open(null);
   const choose = async (file: FileInfo) => {
     if (file.folder) return setFolder(file.name);
+    // Where a file is chosen, the next one is looked for (FS).
+    if (folder !== kept?.name)
+      await ask(worldOf(hands), { do: "folder", name: folder, mask: null });
     if (hands.screen.get().face === "full") {
-      return hands.screen.open({ kind: "command", letters: "FP", given: [file.name] });
+      return hands.screen.open({
+        kind: "command",
+        letters: "FP",
+        given: [file.name.split("/").at(-1) ?? ""],
+      });
     }
     if (await ask(worldOf(hands), { do: "open", name: file.name })) close();
   };

@@ -1,14 +1,25 @@
+import { useHands } from "../app/context";
 import { CommandLine } from "../command/CommandLine";
 import { CommandMenus } from "../command/CommandMenus";
+import { RecorderMark } from "../tools/RecorderSheet";
 import { FaceSwitch } from "./FaceSwitch";
 import "./full-bar.css";
 
 /** The FULL face: menus and the command line. */
 export function FullBar() {
+  const { screen } = useHands();
   return (
     <div className="full">
       <div className="full-top">
         <CommandMenus />
+        <button
+          type="button"
+          className="full-recorder"
+          title="Recorded commands"
+          onClick={() => screen.open({ kind: "recorder" })}
+        >
+          <RecorderMark /> Recorder
+        </button>
         <FaceSwitch />
       </div>
       <CommandLine />

@@ -1,4 +1,4 @@
-import { useSnapshot } from "../app/context";
+import { useHands, useShown, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Lamp } from "../wire/messages";
 import "./lamps.css";
@@ -16,9 +16,22 @@ export function Lamps() {
 }
 
 function Row({ title, word, lamps }: { title: string; word: string; lamps: readonly Lamp[] }) {
+  const { screen } = useHands();
+  const simulated = useShown((shown) => shown.snapshot?.machine.mode !== "cut");
   return (
     <div className="lamps-row">
-      <h3>{title}</h3>
+      {word === "Input" && simulated ? (
+        <button
+          type="button"
+          className="lamps-press"
+          title="Move the switches of the simulated machine"
+          onClick={() => screen.open({ kind: "inputs" })}
+        >
+          {title}
+        </button>
+      ) : (
+        <h3>{title}</h3>
+      )}
       <ol>
         {lamps.map((lamp) => (
           <li

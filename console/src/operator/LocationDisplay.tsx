@@ -1,11 +1,12 @@
 import { useState } from "react";
 import { zeroAxis } from "../actions/machine";
-import { useSnapshot } from "../app/context";
+import { useScreen, useSnapshot } from "../app/context";
 import { locationText, usedAxes } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { AxisUnits, Positions } from "../wire/messages";
+import { asking } from "./EasyButtons";
 import "./location-display.css";
 
 type Frame = "working" | "base";
@@ -49,7 +50,8 @@ interface AxisRowProps {
 
 function AxisRow({ axis, at, positions, frame }: AxisRowProps) {
   const other = frame === "working" ? "base" : "working";
-  const zero = zeroAxis[at];
+  const easy = useScreen("face") === "easy";
+  const zero = zeroAxis[at] && easy ? asking(zeroAxis[at]) : zeroAxis[at];
   const text = locationText(positions[frame][at] ?? 0, axis);
   return (
     <li className="location-axis">

@@ -30,8 +30,14 @@ export function StatusPanel() {
           </tr>
         </thead>
         <tbody>
-          <SpeedRow title="Move" speeds={speeds.cut} units={units} now={motion.speed} />
-          <SpeedRow title="Jog" speeds={speeds.jog} units={units} />
+          <SpeedRow
+            title="Move"
+            letters="MS"
+            speeds={speeds.cut}
+            units={units}
+            now={motion.speed}
+          />
+          <SpeedRow title="Jog" letters="JS" speeds={speeds.jog} units={units} />
         </tbody>
       </table>
     </Panel>
@@ -63,15 +69,27 @@ function DistanceMode({ absolute: on }: { absolute: boolean }) {
 
 interface SpeedRowProps {
   title: string;
+  /** The command that changes them. */
+  letters: string;
   speeds: Speeds["cut"];
   units: Units;
   now?: number;
 }
 
-function SpeedRow({ title, speeds, units, now }: SpeedRowProps) {
+function SpeedRow({ title, letters, speeds, units, now }: SpeedRowProps) {
+  const { screen } = useHands();
   return (
     <tr>
-      <th scope="row">{title}</th>
+      <th scope="row">
+        <button
+          type="button"
+          className="status-change"
+          title={`Change the ${title.toLowerCase()} speeds (${letters})`}
+          onClick={() => screen.open({ kind: "command", letters, given: [] })}
+        >
+          {title}
+        </button>
+      </th>
       <td>{speedText(speeds[0], units)}</td>
       <td>{speedText(speeds[1], units)}</td>
       {now !== undefined && (

@@ -10,15 +10,15 @@ const carriageReturn = 13;
 const batch = 20_000;
 
 export interface LineIndex {
-  readonly bytes: Uint8Array;
+  readonly bytes: Uint8Array<ArrayBuffer>;
   /** Where each line begins; one more for the end. */
-  readonly starts: Uint32Array;
+  readonly starts: Uint32Array<ArrayBuffer>;
 }
 
 const pause = () => new Promise<void>((resolve) => setTimeout(resolve));
 
 /** Finds the lines of a text that is known to have about so many. */
-export async function indexLines(bytes: Uint8Array): Promise<LineIndex> {
+export async function indexLines(bytes: Uint8Array<ArrayBuffer>): Promise<LineIndex> {
   let starts = new Uint32Array(1024);
   let count = 1;
   for (let at = bytes.indexOf(newline); at >= 0; at = bytes.indexOf(newline, at + 1)) {

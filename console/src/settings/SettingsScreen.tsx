@@ -6,6 +6,7 @@ import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Devices } from "./Devices";
+import { MachineForm } from "./MachineForm";
 import { Password } from "./Password";
 import "./settings.css";
 import { SheetsAppearChoice } from "./SheetsAppearChoice";
@@ -23,7 +24,10 @@ export function SettingsScreen() {
           <Password />
           <About />
         </div>
-        <MachineSettings />
+        <div className="settings-machines">
+          <MachineForm />
+          <MachineSettings />
+        </div>
       </div>
     </div>
   );
@@ -69,7 +73,7 @@ function MachineSettings() {
   const table = useCommands();
   const entries = [...inMenu(table, "values"), ...inMenu(table, "settings")];
   return (
-    <Panel title="Machine" className="settings-machine">
+    <Panel title="Commands that change settings" className="settings-machine">
       <ul className="settings-sheets">
         {entries
           .filter(({ parameters }) => parameters.length > 0)

@@ -1,18 +1,26 @@
 import { useState } from "react";
 import { drive } from "../actions/ask";
-import { useHands, useShown, worldOf } from "../app/context";
+import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { refusal } from "../keypad/useMayMove";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
+import { RecordedLines } from "./RecordedLines";
 import "./tools.css";
 
 const key = "kerf.scratch";
+
+/** An empty pad takes the lines that were sent last, to be written anew. */
+const recalled = (text: string, lines: readonly string[]): string =>
+  text.trim() === "" ? lines.slice(-10).join("\n") : text;
 
 /** The scratch pad (SI): lines of OpenSBP and G-code, run as a small program. */
 export function ScratchSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const [text, setText] = useState(() => localStorage.getItem(key) ?? "");
   const refused = useShown(refusal);
+  const recorder = useSnapshot("recorder");
+  const [listed, setListed] = useState(false);
+  const run = (line: string) => void drive(worldOf(hands), { do: "command", line });
   const write = (next: string) => {
     localStorage.setItem(key, next);
     setText(next);
@@ -24,11 +32,14 @@ export function ScratchSheet({ onClose }: { onClose: () => void }) {
       foot={
         <>
           <span className="scratch-refused">{refused}</span>
+          <Button onPress={() => setListed((now) => !now)} aria-keyshortcuts="Alt+L">
+            Last lines <kbd>Alt L</kbd>
+          </Button>
           <Button onPress={() => write("")}>Empty</Button>
           <Button
             look="go"
             isDisabled={refused !== undefined || text.trim() === ""}
-            onPress={() => void drive(worldOf(hands), { do: "command", line: text })}
+            onPress={() => run(text)}
           >
             Run
           </Button>
@@ -44,7 +55,14 @@ export function ScratchSheet({ onClose }: { onClose: () => void }) {
         placeholder={"J2, 0, 0\nMZ, -0.1\nG1 X2 F60"}
         value={text}
         onChange={(event) => write(event.target.value)}
+        onKeyDown={(event) => {
+          if (!event.altKey || event.key.toLowerCase() !== "l") return;
+          event.preventDefault();
+          write(recalled(text, recorder?.lines ?? []));
+          setListed(true);
+        }}
       />
+      {listed && <RecordedLines lines={recorder?.lines ?? []} onRun={run} />}
     </Sheet>
   );
 }

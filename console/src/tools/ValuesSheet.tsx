@@ -7,18 +7,19 @@ import { Sheet } from "../ui/Sheet";
 import type { Values } from "../wire/messages";
 import "./tools.css";
 
-type Kind = "variables" | "system" | "settings";
+type Kind = "variables" | "system" | "settings" | "diagnostics";
 
 const kinds: readonly { value: Kind; words: string }[] = [
   { value: "variables", words: "Variables (UL)" },
-  { value: "system", words: "System (UD)" },
   { value: "settings", words: "Settings (UV)" },
+  { value: "diagnostics", words: "Diagnostics (UD)" },
+  { value: "system", words: "System" },
 ];
 
 /** What the machine remembers: user variables, system variables, settings. */
-export function ValuesSheet({ onClose }: { onClose: () => void }) {
+export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onClose: () => void }) {
   const values = useValues();
-  const [kind, setKind] = useState<Kind>("variables");
+  const [kind, setKind] = useState<Kind>(first ?? "variables");
   const [wanted, setWanted] = useState("");
   const rows = values ? rowsOf(values, kind) : [];
   const found = rows.filter((row) => row.join(" ").toLowerCase().includes(wanted.toLowerCase()));
@@ -47,7 +48,9 @@ export function ValuesSheet({ onClose }: { onClose: () => void }) {
 }
 
 /** Name, value and what it is. */
-function rowsOf(values: Values, kind: Kind): [string, string, string][] {
+type Row = [string, string, string];
+
+function rowsOf(values: Values, kind: Kind): Row[] {
   switch (kind) {
     case "variables":
       return values.variables.map(({ name, value }) => [name, value, ""]);
@@ -58,7 +61,13 @@ function rowsOf(values: Values, kind: Kind): [string, string, string][] {
         unit ? `${name}, ${unit}` : name,
       ]);
     case "settings":
-      return values.settings.map((line) => [line, "", ""]);
+      return [
+        ["Part folder", values.folder.name || "the folder of the server", values.folder.mask],
+        ["Data folder", values.data, ""],
+        ...values.settings.map((line): Row => [line, "", ""]),
+      ];
+    case "diagnostics":
+      return values.diagnostics.map(({ name, value }) => [name, value, ""]);
   }
 }
 
@@ -66,10 +75,11 @@ function rowsOf(values: Values, kind: Kind): [string, string, string][] {
 function useValues(): Values | null {
   const { screen } = useHands();
   const ended = useSnapshot("job")?.ended;
+  const changes = useSnapshot("settings");
   const [values, setValues] = useState<Values | null>(null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: a job that ended left other values
   useEffect(() => {
     getJson<Values>("/api/values").then(setValues, (error: Error) => screen.tell(error.message));
-  }, [ended, screen]);
+  }, [ended, changes, screen]);
   return values;
 }

@@ -1,12 +1,15 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ToggleButton } from "react-aria-components";
-import { useSnapshot } from "../app/context";
+import { clearPreview } from "../actions/machine";
+import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
+import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { Motion, PreviewInfo } from "../wire/messages";
 import type { Aspect, Bounds, Vec3 } from "./camera";
 import type { Marks } from "./overlay";
+import { PathFacts } from "./PathFacts";
 import { PlayBar } from "./PlayBar";
 import { placeAt, timeOfMoves } from "./place";
 import { stretches } from "./progress";
@@ -43,6 +46,9 @@ export function ToolPathPanel() {
   const seconds = path?.info.seconds ?? 0;
   const [playback, setPlayback] = usePlayback(seconds);
   const [stock, setStock] = useState(false);
+  const { screen } = useHands();
+  const large = useScreen("large");
+  const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(
     () => marksOf(path, motion, units ?? { mm: 1, linear: "mm" }, film),
@@ -52,7 +58,7 @@ export function ToolPathPanel() {
   return (
     <Panel
       title="Tool path"
-      className="path-panel"
+      className={`path-panel ${large ? "path-large" : ""}`}
       aside={
         <div className="path-tools">
           <Choice
@@ -67,6 +73,18 @@ export function ToolPathPanel() {
           <Button size="small" onPress={() => bounds && look(aspect, bounds, size)}>
             Fit
           </Button>
+          {previews && (
+            <ActionButton action={clearPreview} size="small">
+              Clear
+            </ActionButton>
+          )}
+          <ToggleButton
+            className="button button-small"
+            isSelected={large}
+            onChange={screen.enlarge}
+          >
+            Large
+          </ToggleButton>
         </div>
       }
     >
@@ -91,6 +109,7 @@ export function ToolPathPanel() {
         />
         <PathWords path={path} opened={opened?.name} preview={preview} />
       </div>
+      {path && units && <PathFacts info={path.info} units={units} />}
       {path && <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />}
     </Panel>
   );

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import { useScreen } from "../app/context";
 import type { Camera, Size } from "./camera";
 import { type Marks, paintMarks } from "./overlay";
+import type { Told } from "./scene/orders";
 import { PathScene } from "./scene/PathScene";
 import type { Palette } from "./scene/palette";
 import type { ToolPath } from "./toolPath";
@@ -20,13 +21,13 @@ interface ToolPathViewProps {
 
 /** The picture: lines below, marks above. */
 export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPathViewProps) {
-  const lines = useRef<HTMLCanvasElement>(null);
+  const lines = useRef<HTMLDivElement>(null);
   const above = useRef<HTMLCanvasElement>(null);
-  const { scene, palette } = useScene(lines);
+  const { scene, palette, told } = useScene(lines);
   useEffect(() => scene?.show(path), [scene, path]);
   const shape = path?.info;
   // biome-ignore lint/correctness/useExhaustiveDependencies: pieces that arrive change no material
-  useEffect(() => scene?.simulate(stock ? path : null), [scene, stock, shape]);
+  useEffect(() => scene?.simulate(stock), [scene, stock, shape]);
   useEffect(() => {
     if (scene) scene.now = now;
   }, [scene, now]);
@@ -36,26 +37,34 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
   }, [palette, size, camera, marks]);
   return (
     <>
-      <canvas ref={lines} className="path-lines" role="img" aria-label={describe(path)} />
+      <div
+        ref={lines}
+        className="path-lines"
+        data-path={path ? (told.whole ? "all" : "some") : "none"}
+        data-pictures={told.pictures}
+        role="img"
+        aria-label={describe(path)}
+      />
       <canvas ref={above} className="path-marks" />
     </>
   );
 }
 
 /** The scene of a canvas, painted anew when the theme changes. */
-function useScene(canvas: React.RefObject<HTMLCanvasElement | null>) {
+function useScene(host: React.RefObject<HTMLDivElement | null>) {
   const theme = useScreen("theme");
   const [scene, setScene] = useState<PathScene | null>(null);
+  const [told, setTold] = useState<Told>({ pictures: 0, whole: false });
   const [palette, setPalette] = useState<Palette | null>(null);
   useEffect(() => {
-    if (!canvas.current) return;
-    const made = new PathScene(canvas.current);
+    if (!host.current) return;
+    const made = new PathScene(host.current, setTold);
     setScene(made);
     return () => made.dispose();
-  }, [canvas]);
+  }, [host]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the theme is what changes the colours
   useEffect(() => setPalette(scene?.paint() ?? null), [scene, theme]);
-  return { scene, palette };
+  return { scene, palette, told };
 }
 
 /** What somebody who does not see the picture is told of it. */

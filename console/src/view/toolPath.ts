@@ -1,7 +1,6 @@
 /**
- * A tool path as it arrives: first coarse, so that there is a picture at once, then all of it.
- *
- * The coarse level stays: it is what is drawn while the picture moves and what places are looked up in.
+ * A tool path as it arrives: coarse, so that there is a picture at once. All of it is the painter's, who
+ * fetches it; what is here is drawn while the picture moves, and places are looked up in it.
  */
 
 import { createStore, type Store } from "../app/store";
@@ -16,9 +15,8 @@ export interface ToolPath {
   readonly info: PreviewInfo;
   /** What is drawn while the picture moves. */
   readonly coarse: readonly Piece[];
-  /** The whole path, piece by piece as it arrives; the coarse one when that is all there is. */
-  readonly fine: readonly Piece[];
-  readonly complete: boolean;
+  /** Where all of it can be fetched; nothing when the coarse one is all there is. */
+  readonly whole: string | null;
 }
 
 /** The finest level that is still swift; the coarsest when none is. */
@@ -48,12 +46,7 @@ async function load(key: string, path: Store<ToolPath | null>, signal: AbortSign
   const level = coarseLevel(info.details);
   const coarse: Piece[] = [];
   for await (const piece of piecesOf(root, info, level, signal)) coarse.push(piece);
-  path.set({ info, coarse, fine: level === 0 ? coarse : [], complete: level === 0 });
-  if (level === 0) return;
-  for await (const piece of piecesOf(root, info, 0, signal)) {
-    path.update((now) => now && { ...now, fine: [...now.fine, piece] });
-  }
-  path.update((now) => now && { ...now, complete: true });
+  path.set({ info, coarse, whole: level === 0 ? null : root });
 }
 
 async function* piecesOf(root: string, info: PreviewInfo, level: number, signal: AbortSignal) {

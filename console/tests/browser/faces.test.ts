@@ -31,9 +31,12 @@ it("sbp_con_easy: every button shows the command that does the same, and does it
     "HomeJH",
     "Choose fileFP",
     "Cut partFP",
+    "PreviewSP",
     "Single stepFG",
+    "SettingsVD",
   ]);
   await page.getByRole("button", { name: /^Zero X Y/ }).click();
+  await page.getByRole("dialog").getByRole("button", { name: "Zero X and Y" }).click();
   await page.locator(".job-name", { hasText: "finished" }).waitFor();
   await ready();
 });

@@ -1,187 +1,58 @@
-/**
- * The picture of a tool path on a canvas.
- *
- * While it moves, the coarse path is drawn; when it stands, the whole of it, a piece a frame, so that
- * no frame is long. Nothing is drawn when nothing changed.
- */
+/** The page's end of the picture of a tool path: a canvas whose painter works on a thread of its own. */
 
-import {
-  type BufferGeometry,
-  type Line,
-  OrthographicCamera,
-  Scene,
-  Vector2,
-  WebGLRenderer,
-} from "three";
 import type { Camera, Size } from "../camera";
 import type { ToolPath } from "../toolPath";
-import { CutStock } from "./cutStock";
+import type { Order, Told } from "./orders";
 import { type Palette, paletteOf } from "./palette";
-import { PathLines } from "./pathLines";
-import { PathMaterial } from "./pathMaterial";
-import { TableLines } from "./tableLines";
-
-/** How long the picture has to stand before all of it is drawn, milliseconds. */
-const stillMs = 160;
-/** Vertices up to which a path is drawn wide. */
-const wideUpTo = 60_000;
-/** Half the depth of what is seen, mm. */
-const farMm = 1e5;
 
 export class PathScene {
-  readonly #renderer: WebGLRenderer;
-  readonly #canvas: HTMLCanvasElement;
-  readonly #eye = new OrthographicCamera();
-  readonly #ground = new Scene();
-  readonly #table = new TableLines();
-  readonly #material = new PathMaterial();
-  readonly #coarse = new PathLines(this.#material);
-  readonly #fine = new PathLines(this.#material);
-  #vertices = 0;
-  #shown: ToolPath["coarse"] | undefined;
-  #size: Size = { width: 0, height: 0 };
-  #now = 0;
-  #stock: CutStock | null = null;
-  #carving = 0;
-  #queue: readonly Line[] = [];
-  #frame = 0;
-  #still = 0;
+  readonly #canvas = document.createElement("canvas");
+  readonly #painter = new Worker(new URL("./painterWorker.ts", import.meta.url), {
+    type: "module",
+  });
 
-  constructor(canvas: HTMLCanvasElement) {
-    this.#canvas = canvas;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.#renderer.autoClear = false;
-    this.#ground.add(this.#table.group);
-    this.paint();
+  /** Puts its canvas into an element; `told` hears of every picture. */
+  constructor(host: HTMLElement, told: (told: Told) => void) {
+    host.append(this.#canvas);
+    this.#painter.addEventListener("message", ({ data }: MessageEvent<Told>) => told(data));
+    const canvas = this.#canvas.transferControlToOffscreen();
+    const ratio = Math.min(devicePixelRatio, 2);
+    const begin: Order = { do: "begin", canvas, ratio, palette: paletteOf(host) };
+    this.#painter.postMessage(begin, [canvas]);
   }
 
   /** Takes the colours of the theme over. */
   paint(): Palette {
     const palette = paletteOf(this.#canvas);
-    this.#renderer.setClearColor(palette.paper);
-    this.#table.paint(palette);
-    this.#material.paint(palette);
-    this.#stock?.mesh.paint(palette);
-    this.#moved();
+    this.#tell({ do: "paint", palette });
     return palette;
   }
 
   show(path: ToolPath | null): void {
-    this.#coarse.show(path?.coarse ?? []);
-    this.#fine.show(path?.fine ?? []);
-    if (path) {
-      this.#table.show(path.info);
-      const [low, high] = path.info.bounds ?? [];
-      const z = path.info.origin[2];
-      this.#material.heights = [(low?.[2] ?? 0) - z, (high?.[2] ?? 1) - z];
-    }
-    // Pieces that arrive are drawn together when all are there.
-    const first = path?.coarse !== this.#shown;
-    this.#shown = path?.coarse;
-    if (first || path?.complete) this.#moved();
+    const coarse = path && { info: path.info, pieces: path.coarse };
+    this.#tell({ do: "show", path: coarse, whole: path?.whole ?? null });
   }
 
   /** Everything before this planned time is made. */
   set now(seconds: number) {
-    this.#now = seconds;
-    this.#material.now = seconds;
-    this.#carve();
-    this.#moved();
+    this.#tell({ do: "now", seconds });
   }
 
-  /** Shows the material that is cut, or only the path. */
-  simulate(path: ToolPath | null): void {
-    this.#stock?.dispose();
-    this.#stock = path && new CutStock(path);
-    this.#stock?.mesh.paint(paletteOf(this.#canvas));
-    this.#carve();
-    this.#moved();
-  }
-
-  /** Cuts on for a part of a frame, and again in the next until all is cut. */
-  #carve(): void {
-    cancelAnimationFrame(this.#carving);
-    if (!this.#stock || this.#stock.carve(this.#now)) return;
-    this.#carving = requestAnimationFrame(() => {
-      this.#carve();
-      this.#moved();
-    });
+  /** Shows the material that is cut of the path that is shown, or only the path. */
+  simulate(on: boolean): void {
+    this.#tell({ do: "simulate", on });
   }
 
   look(camera: Camera, size: Size): void {
-    this.#resize(size);
-    const [x, y] = [(size.width * camera.mmPerPixel) / 2, (size.height * camera.mmPerPixel) / 2];
-    Object.assign(this.#eye, { left: -x, right: x, top: y, bottom: -y, near: -farMm, far: farMm });
-    this.#eye.position.set(...camera.target);
-    this.#eye.rotation.set(camera.tiltRad, 0, camera.yawRad, "ZXY");
-    this.#eye.updateProjectionMatrix();
-    this.#moved();
-  }
-
-  /** A canvas is made anew when its size is set, so only when it is another. */
-  #resize(size: Size): void {
-    if (size.width === this.#size.width && size.height === this.#size.height) return;
-    this.#size = size;
-    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.#renderer.setSize(size.width, size.height, false);
+    this.#tell({ do: "look", camera, size });
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.#frame);
-    cancelAnimationFrame(this.#carving);
-    clearTimeout(this.#still);
-    this.#stock?.dispose();
-    this.#coarse.clear();
-    this.#fine.clear();
-    this.#renderer.dispose();
+    this.#painter.terminate();
+    this.#canvas.remove();
   }
 
-  /** Something is different: the swift picture at once, all of it when it stands. */
-  #moved(): void {
-    clearTimeout(this.#still);
-    const swift = this.#fine.lines.length <= 1;
-    this.#draw(swift && this.#fine.lines.length > 0 ? this.#fine.lines : this.#coarse.lines);
-    if (!swift) this.#still = window.setTimeout(() => this.#draw(this.#fine.lines), stillMs);
-  }
-
-  #draw(lines: readonly Line[]): void {
-    this.#vertices = lines.reduce((sum, { geometry }) => sum + verticesOf(geometry), 0);
-    this.#queue = lines;
-    cancelAnimationFrame(this.#frame);
-    this.#frame = requestAnimationFrame(() => {
-      this.#renderer.clear();
-      this.#renderer.render(this.#ground, this.#eye);
-      if (this.#stock) this.#renderer.render(this.#stock.mesh.mesh, this.#eye);
-      this.#next();
-    });
-  }
-
-  /** Paths that are not long are drawn two pixels wide. */
-  #paint(line: Line): void {
-    const { x, y } = this.#renderer.getDrawingBufferSize(new Vector2());
-    const wide = this.#vertices <= wideUpTo;
-    const shifts = wide
-      ? [
-          [0, 0],
-          [2 / x, 0],
-          [0, 2 / y],
-          [2 / x, 2 / y],
-        ]
-      : [[0, 0]];
-    for (const [across = 0, up = 0] of shifts) {
-      this.#material.shift = [across, up];
-      this.#renderer.render(line, this.#eye);
-    }
-  }
-
-  /** Draws one piece and asks for a frame for the rest. */
-  #next(): void {
-    const [line, ...rest] = this.#queue;
-    this.#queue = rest;
-    if (!line) return;
-    this.#paint(line);
-    if (rest.length > 0) this.#frame = requestAnimationFrame(() => this.#next());
+  #tell(order: Order): void {
+    this.#painter.postMessage(order);
   }
 }
-
-const verticesOf = (geometry: BufferGeometry): number => geometry.getAttribute("position").count;

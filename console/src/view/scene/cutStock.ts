@@ -1,7 +1,7 @@
 /** The material of a path and the surface that shows it. */
 
 import { Stock, type StockShape } from "../stock";
-import type { ToolPath } from "../toolPath";
+import type { CoarsePath } from "./orders";
 import { StockMesh } from "./stockMesh";
 
 /** Segments that are cut in one frame. */
@@ -13,9 +13,9 @@ const margin = 1.5;
 export class CutStock {
   readonly mesh: StockMesh;
   readonly #stock: Stock;
-  readonly #path: ToolPath;
+  readonly #path: CoarsePath;
 
-  constructor(path: ToolPath) {
+  constructor(path: CoarsePath) {
     this.#path = path;
     this.#stock = new Stock(shapeOf(path));
     this.mesh = new StockMesh(this.#stock);
@@ -23,7 +23,7 @@ export class CutStock {
 
   /** Cuts what is made at a planned time. Tells whether that is all. */
   carve(seconds: number): boolean {
-    this.#stock.aim(this.#path.coarse, seconds);
+    this.#stock.aim(this.#path.pieces, seconds);
     const all = this.#stock.cutOn(swift);
     this.mesh.show();
     return all;
@@ -34,7 +34,7 @@ export class CutStock {
   }
 }
 
-function shapeOf({ info }: ToolPath): StockShape {
+function shapeOf({ info }: CoarsePath): StockShape {
   const [low, high] = info.bounds ?? [info.zero, info.zero];
   const beyond = Math.max(info.cutter, 1) * margin;
   return {

@@ -15,17 +15,25 @@ function geometryOf(piece: Piece): BufferGeometry {
   const geometry = new BufferGeometry();
   const over = ofEnds(piece.over, new Float32Array(vertices));
   const kinds = ofEnds(piece.kinds, new Uint8Array(vertices));
-  geometry.setAttribute("position", new BufferAttribute(piece.vertices, 3));
-  geometry.setAttribute("over", new BufferAttribute(over, 1));
-  geometry.setAttribute("kind", new BufferAttribute(kinds, 1));
+  geometry.setAttribute("position", kept(new BufferAttribute(piece.vertices, 3)));
+  geometry.setAttribute("over", kept(new BufferAttribute(over, 1)));
+  geometry.setAttribute("kind", kept(new BufferAttribute(kinds, 1)));
   return geometry;
+}
+
+const nothing = new Float32Array(0);
+
+/** What the graphics card has is not kept a second time. */
+function kept(attribute: BufferAttribute): BufferAttribute {
+  return attribute.onUpload(() => {
+    attribute.array = nothing;
+  });
 }
 
 /** The lines of one level of detail. */
 export class PathLines {
   readonly group = new Group();
   readonly #material: PathMaterial;
-  #pieces: readonly Piece[] = [];
 
   constructor(material: PathMaterial) {
     this.#material = material;
@@ -35,21 +43,20 @@ export class PathLines {
     return this.group.children.filter((child) => child instanceof Line);
   }
 
-  /** Shows these pieces; those that are there already stay as they are. */
+  /** Shows these pieces and no others. */
   show(pieces: readonly Piece[]): void {
-    const kept = this.#pieces.every((piece, n) => piece === pieces[n]) ? this.#pieces.length : 0;
-    if (kept === 0) this.clear();
-    for (const piece of pieces.slice(kept)) {
-      const line = new Line(geometryOf(piece), this.#material);
-      line.frustumCulled = false;
-      this.group.add(line);
-    }
-    this.#pieces = pieces;
+    this.clear();
+    for (const piece of pieces) this.add(piece);
+  }
+
+  add(piece: Piece): void {
+    const line = new Line(geometryOf(piece), this.#material);
+    line.frustumCulled = false;
+    this.group.add(line);
   }
 
   clear(): void {
     for (const line of this.lines) line.geometry.dispose();
     this.group.clear();
-    this.#pieces = [];
   }
 }

@@ -1,0 +1,57 @@
+/** What the machine's display settings (VD) say about this page. */
+
+import { useEffect, useState } from "react";
+import { getJson } from "../link/http";
+import type { SettingArea } from "../wire/messages";
+import { useSnapshot } from "./context";
+
+export interface DisplaySettings {
+  /** Comments of files are shown in the message screen (7). */
+  readonly comments: boolean;
+  /** The distance that the keypad moves, mm (8). */
+  readonly fixedMm: number;
+  /** Place and size of the message screen, pixels (12 to 15). */
+  readonly message: readonly [number, number, number, number];
+  /** EASY, else FULL (18). */
+  readonly easy: boolean;
+}
+
+/** Fifteen twips are a pixel. */
+export const twips = 15;
+
+/** The values of a list as it is written in a configuration. */
+const numbersIn = (text: string): number[] =>
+  text
+    .replace(/[[\]]/g, "")
+    .split(",")
+    .map((part) => Number(part));
+
+export function readDisplay(areas: readonly SettingArea[]): DisplaySettings {
+  const all = areas.flatMap(({ settings }) => settings);
+  const value = (key: string) => all.find((entry) => entry.key === key)?.value ?? "";
+  const [x = 0, y = 0, width = 8800, height = 4600] = numbersIn(value("display.message_twips"));
+  return {
+    comments: value("display.comments") === "true",
+    fixedMm: Number(value("display.keypad_fixed_mm")) || 2.54,
+    message: [x / twips, y / twips, width / twips, height / twips],
+    easy: value("display.easy") !== "false",
+  };
+}
+
+/** The display settings, read anew when settings change; nothing before they came. */
+export function useDisplay(): DisplaySettings | null {
+  const changes = useSnapshot("settings");
+  const [display, setDisplay] = useState<DisplaySettings | null>(null);
+  useEffect(() => {
+    if (changes === undefined) return;
+    let wanted = true;
+    getJson<SettingArea[]>("/api/settings").then(
+      (areas) => wanted && setDisplay(readDisplay(areas)),
+      () => undefined,
+    );
+    return () => {
+      wanted = false;
+    };
+  }, [changes]);
+  return display;
+}

@@ -1,0 +1,248 @@
+/** The pages of the help, each by the letters of the command that opens it. */
+
+import type { ReactNode } from "react";
+import { useHands, useSnapshot } from "../app/context";
+import { useCommands } from "../command/table";
+import { Button } from "../ui/Button";
+import { CommandReference } from "./CommandReference";
+import { KeyLists } from "./KeyLists";
+
+export interface Topic {
+  readonly letters: string;
+  readonly title: string;
+  readonly page: () => ReactNode;
+}
+
+export const topics: readonly Topic[] = [
+  { letters: "HQ", title: "Quick start", page: QuickStart },
+  { letters: "HU", title: "User guide", page: UserGuide },
+  { letters: "HC", title: "Command reference", page: CommandReference },
+  { letters: "HR", title: "Commands on a page", page: OnePage },
+  { letters: "HE", title: "For writing part files", page: ForEditing },
+  { letters: "HK", title: "Keys", page: KeyLists },
+  { letters: "HT", title: "Troubleshooting", page: Troubleshooting },
+  { letters: "HN", title: "Ask for help", page: AskForHelp },
+  { letters: "HB", title: "Bulletins", page: Bulletins },
+  { letters: "HW", title: "On the web", page: Web },
+  { letters: "HA", title: "About", page: About },
+];
+
+function QuickStart() {
+  return (
+    <ol className="help-steps">
+      <li>
+        <b>Choose a file</b> on the operator's screen (Ctrl O). Its tool path appears; ▶ plays it.
+      </li>
+      <li>
+        <b>Arm the machine</b> in the strip at the top. Until then nothing moves.
+      </li>
+      <li>
+        <b>Move the tool</b> with the keypad (K) over the corner of the stock and set the zeros of
+        X, Y and Z there.
+      </li>
+      <li>
+        <b>Start.</b> The program asks what it has to ask; Hold pauses it, STOP ends the motion and
+        asks whether to go on.
+      </li>
+      <li>On the simulated machine all of this is done without anything that could break.</li>
+    </ol>
+  );
+}
+
+function UserGuide() {
+  return (
+    <div className="help-guide">
+      <h3>Operate</h3>
+      <p>
+        Location, tool path, program and messages of the job on one screen. EASY has buttons, FULL
+        menus and the command line. The chip PREVIEW, SIMULATED or CUT says what running a file
+        means, and changes it.
+      </p>
+      <h3>Edit</h3>
+      <p>
+        Part files are checked while they are written. A click beside a line number sets a
+        breakpoint; “Go line by line” asks before every line, and watched variables show what they
+        hold.
+      </p>
+      <h3>Draw</h3>
+      <p>
+        Shapes, their groups and tool paths, and the part program that is made of them: with the
+        mouse, by keys, or by typed places.
+      </p>
+      <h3>Settings</h3>
+      <p>
+        How this browser shows things, devices that may connect, and every setting of the machine,
+        in the unit that is set.
+      </p>
+    </div>
+  );
+}
+
+/** Every command in a line, to be printed. */
+function OnePage() {
+  const table = useCommands();
+  return (
+    <>
+      <Button onPress={() => print()}>Print</Button>
+      <ul className="help-one-page">
+        {table.map(({ letters, name }) => (
+          <li key={letters}>
+            <code>{letters}</code> {name}
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+/** The parameters of each command in the order of part files, a column each. */
+function ForEditing() {
+  const table = useCommands().filter(({ parameters }) => parameters.length > 0);
+  return (
+    <section className="help-columns-page" aria-label="Parameters in their order">
+      <table>
+        <tbody>
+          {table.map(({ letters, parameters }) => (
+            <tr key={letters}>
+              <th scope="row">{letters}</th>
+              {parameters.map(({ name, required }, n) => (
+                // biome-ignore lint/suspicious/noArrayIndexKey: the place is what tells them apart
+                <td key={n}>
+                  {name}
+                  {required && "*"}
+                </td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
+
+const troubles: readonly [string, string][] = [
+  [
+    "No link to the machine",
+    "The program on the machine has ended, or the network is gone. What is shown is old; a job goes on without the page. Start Kerf again, or bring the network back: the page connects by itself.",
+  ],
+  [
+    "The machine is disarmed",
+    "So it is after a start, an alarm, or when the page that drove has gone. Look that all is clear, then press Arm.",
+  ],
+  [
+    "Somebody else drives",
+    "One page drives at a time. “Take control” takes it over; STOP works from every page all the same.",
+  ],
+  [
+    "The keypad moves by steps only",
+    "The link takes longer than 150 ms: a hand that lets go would be heard too late.",
+  ],
+  [
+    "The file was changed since it was previewed",
+    "What runs is what was looked at. Open the file again.",
+  ],
+  [
+    "The machine does not know where it is",
+    "After a power cut its places are not verified (UD). Zero the axes or home them before you cut.",
+  ],
+  [
+    "Limits are reached",
+    "The table limits (VL) or a limit switch ended the motion. Acknowledge the alarm, move the tool away with the keypad.",
+  ],
+];
+
+function Troubleshooting() {
+  return (
+    <dl className="help-troubles">
+      {troubles.map(([what, help]) => (
+        <div key={what}>
+          <dt>{what}</dt>
+          <dd>{help}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+/** What whoever helps has to know, to be sent by the person himself. */
+function AskForHelp() {
+  const { link } = useHands();
+  const snapshot = link.shown.get().snapshot;
+  const said = snapshot?.messages.slice(-20).map(({ tone, text }) => `${tone}: ${text}`) ?? [];
+  const text = [
+    `Kerf ${snapshot?.kerf}, machine ${snapshot?.machine.name} (${snapshot?.machine.mode})`,
+    `State: ${snapshot?.machine.state} ${snapshot?.machine.why ?? ""}`,
+    `File: ${snapshot?.opened?.name ?? "none"}, last job: ${snapshot?.job?.ended ?? "none"}`,
+    `Browser: ${navigator.userAgent}`,
+    "Problem log:",
+    ...said,
+  ].join("\n");
+  const file = `data:text/plain;charset=utf-8,${encodeURIComponent(text)}`;
+  return (
+    <>
+      <p>
+        This is what helps others to help you. Nothing of it is sent by Kerf: save it, and add what
+        you did and what you expected.
+      </p>
+      <pre className="help-request">{text}</pre>
+      <a className="button" href={file} download="problem.log">
+        Save problem.log
+      </a>
+    </>
+  );
+}
+
+const project = "https://example.invalid/kerf";
+
+function Bulletins() {
+  return (
+    <p>
+      News of each version are in the{" "}
+      <a href={`${project}/releases`} target="_blank" rel="noreferrer">
+        list of changes
+      </a>
+      , known problems in the{" "}
+      <a href={`${project}/issues`} target="_blank" rel="noreferrer">
+        list of issues
+      </a>
+      . Both open on the web, in a new tab.
+    </p>
+  );
+}
+
+function Web() {
+  return (
+    <p>
+      Kerf's home is{" "}
+      <a href={project} target="_blank" rel="noreferrer">
+        {project}
+      </a>
+      , which opens in a new tab.
+    </p>
+  );
+}
+
+function About() {
+  const kerf = useSnapshot("kerf");
+  const machine = useSnapshot("machine");
+  return (
+    <dl className="help-troubles">
+      <div>
+        <dt>Version</dt>
+        <dd>Kerf {kerf}</dd>
+      </div>
+      <div>
+        <dt>Driver</dt>
+        <dd>{machine?.name}</dd>
+      </div>
+      <div>
+        <dt>Licence</dt>
+        <dd>MIT or Apache-2.0, as you choose</dd>
+      </div>
+      <div>
+        <dt>Safety</dt>
+        <dd>This page is no safety device: a machine needs an emergency stop that is wired.</dd>
+      </div>
+    </dl>
+  );
+}

@@ -1,0 +1,121 @@
+import { type PointerEvent, useEffect, useRef, useState } from "react";
+import { drive } from "../actions/ask";
+import { clearPrinted } from "../actions/job";
+import { useHands, useScreen, useSnapshot, worldOf } from "../app/context";
+import { type DisplaySettings, twips, useDisplay } from "../app/display";
+import { ActionButton } from "../ui/ActionButton";
+import { Button } from "../ui/Button";
+import { Tail } from "../ui/Tail";
+import "./message-window.css";
+
+/**
+ * The message screen of part files: PRINT opens it, and comments do where VD says so. VD keeps its place
+ * and size.
+ */
+export function MessageWindow() {
+  const display = useDisplay();
+  const [open, setOpen] = useOpened(display);
+  const here = useScreen("route") === "/";
+  if (!open || !display || !here) return null;
+  return <Opened key={display.message.join()} display={display} onClose={() => setOpen(false)} />;
+}
+
+/** What the program said: its comments, when they are wanted, and what it printed. */
+function useSaid(comments: boolean): { lines: readonly string[]; printed: number; notes: number } {
+  const printed = useSnapshot("printed") ?? [];
+  const messages = useSnapshot("messages") ?? [];
+  const run = useSnapshot("job")?.run ?? 0;
+  const notes = messages.filter((message) => message.tone === "program" && message.run === run);
+  const said = comments ? notes.map(({ text }) => text) : [];
+  return { lines: [...said, ...printed], printed: printed.length, notes: said.length };
+}
+
+/** Open as soon as something is said; closed by a VD without comments, until the next word. */
+function useOpened(display: DisplaySettings | null) {
+  const comments = display?.comments ?? false;
+  const { printed, notes } = useSaid(comments);
+  const [open, setOpen] = useState(false);
+  const job = useSnapshot("job");
+  const told = job?.ended && /^\s*VD/i.test(job.command ?? "") ? job.run : 0;
+  const before = useRef<{ said: number; told: number }>(undefined);
+  const said = printed + notes;
+  useEffect(() => {
+    if (!display) return;
+    // What was said before this page came is in the list; it opens nothing.
+    const { current = { said: display.comments ? 0 : said, told } } = before;
+    if (said > current.said) setOpen(true);
+    else if (told > current.told && !display.comments) setOpen(false);
+    before.current = { said, told };
+  }, [said, told, display]);
+  return [open, setOpen] as const;
+}
+
+/** Least of it that is always in sight, pixels. */
+const least = 120;
+
+type Place = DisplaySettings["message"];
+
+/** Where nobody put it, it stands at the right, over the listing and not over the locations. */
+function placed([x, y, width, height]: Place): Place {
+  if (x !== 0 || y !== 0) return [x, y, width, height];
+  return [
+    Math.max(0, innerWidth - width - 24),
+    Math.max(0, innerHeight - height - 190),
+    width,
+    height,
+  ];
+}
+
+function Opened({ display, onClose }: { display: DisplaySettings; onClose: () => void }) {
+  const hands = useHands();
+  const { lines } = useSaid(display.comments);
+  const [[x, y, width, height], setPlace] = useState(() => placed(display.message));
+  const box = useRef<HTMLElement>(null);
+  const keep = () => {
+    const size = box.current?.getBoundingClientRect();
+    if (!size) return;
+    const inTwips = (pixels: number) => Math.round(pixels * twips);
+    const all = [x, y, size.width, size.height].map(inTwips);
+    if (all.join() === placed(display.message).map(inTwips).join()) return;
+    const value = `[${all.join(", ")}]`;
+    void drive(worldOf(hands), { do: "set", key: "display.message_twips", value });
+  };
+  const move = (event: PointerEvent) => {
+    if (event.buttons !== 1) return;
+    const [right, low] = [innerWidth - least, innerHeight - least];
+    setPlace([
+      Math.min(Math.max(0, x + event.movementX), right),
+      Math.min(Math.max(0, y + event.movementY), low),
+      width,
+      height,
+    ]);
+  };
+  return (
+    <section
+      ref={box}
+      className="message-window"
+      aria-label="Message screen"
+      style={{ left: x, top: y, width, height }}
+      onPointerUp={keep}
+    >
+      <header
+        onPointerDown={(event) => {
+          if (event.target instanceof HTMLButtonElement) return;
+          event.currentTarget.setPointerCapture(event.pointerId);
+        }}
+        onPointerMove={move}
+      >
+        <h2>Message screen</h2>
+        <ActionButton action={clearPrinted} look="quiet" size="small">
+          Empty
+        </ActionButton>
+        <Button look="quiet" size="small" onPress={onClose} aria-label="Close the message screen">
+          ✕
+        </Button>
+      </header>
+      <Tail label="What the program says" empty="The program said nothing." count={lines.length}>
+        <pre className="word-printed">{lines.join("\n")}</pre>
+      </Tail>
+    </section>
+  );
+}

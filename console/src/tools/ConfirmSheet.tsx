@@ -1,0 +1,39 @@
+import { perform } from "../actions/action";
+import { actions } from "../actions/registry";
+import { useHands, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import { Sheet } from "../ui/Sheet";
+
+/** Asks before something that cannot be taken back: a zero that is set in the wrong place spoils the part. */
+export function ConfirmSheet({ action: id, onClose }: { action: string; onClose: () => void }) {
+  const hands = useHands();
+  const action = actions.find((one) => one.id === id);
+  if (!action) return null;
+  return (
+    <Sheet
+      title={`${action.title}?`}
+      shape="question"
+      onClose={onClose}
+      foot={
+        <>
+          <Button size="large" onPress={onClose}>
+            Cancel
+          </Button>
+          <Button
+            size="large"
+            look="primary"
+            autoFocus
+            onPress={() => {
+              perform(action, worldOf(hands));
+              onClose();
+            }}
+          >
+            {action.title}
+          </Button>
+        </>
+      }
+    >
+      <p className="question-text">The place where the tool is becomes the new zero.</p>
+    </Sheet>
+  );
+}

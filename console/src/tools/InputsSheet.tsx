@@ -1,0 +1,58 @@
+import { useEffect, useState } from "react";
+import { drive } from "../actions/ask";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { getJson } from "../link/http";
+import { Sheet } from "../ui/Sheet";
+import type { Duty, Lamp } from "../wire/messages";
+import "./tools.css";
+
+const duties: Record<Duty, string> = {
+  standard: "",
+  limit: "limit switch",
+  stop: "stops the machine",
+};
+
+/** The switches of the simulated machine, to be moved by hand: also while a file runs. */
+export function InputsSheet({ onClose }: { onClose: () => void }) {
+  const hands = useHands();
+  const inputs = useInputs();
+  const press = ({ number, on }: Lamp) =>
+    void drive(worldOf(hands), { do: "input", number, on: !on });
+  return (
+    <Sheet title="Inputs of the simulated machine" shape="side" onClose={onClose}>
+      <p className="tool-words">A switch stays as it is put.</p>
+      <ul className="inputs">
+        {inputs.map((lamp) => (
+          <li key={lamp.number}>
+            <button
+              type="button"
+              role="switch"
+              aria-checked={lamp.on}
+              aria-label={`Input ${lamp.number}`}
+              className="inputs-switch"
+              onClick={() => press(lamp)}
+            >
+              <b>{lamp.number}</b>
+              <span>{[lamp.label, duties[lamp.duty]].filter(Boolean).join(", ")}</span>
+              <i aria-hidden="true">{lamp.on ? "on" : "off"}</i>
+            </button>
+          </li>
+        ))}
+      </ul>
+    </Sheet>
+  );
+}
+
+/** Every input of the machine; the first twelve as they are told. */
+function useInputs(): readonly Lamp[] {
+  const told = useSnapshot("io")?.inputs ?? [];
+  const changes = useSnapshot("settings");
+  const [all, setAll] = useState<readonly Lamp[]>([]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: what switches are for is a setting
+  useEffect(() => {
+    getJson<Lamp[]>("/api/inputs").then(setAll, () => undefined);
+  }, [changes, told]);
+  return all.length > 0
+    ? all.map((lamp) => told.find(({ number }) => number === lamp.number) ?? lamp)
+    : told;
+}

@@ -1,0 +1,78 @@
+import { useState } from "react";
+import { drive } from "../actions/ask";
+import { command } from "../actions/machine";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { ActionButton } from "../ui/ActionButton";
+import { Button } from "../ui/Button";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import { RecordedLines } from "./RecordedLines";
+import "./tools.css";
+
+const playAll = command("recorder.all", "Play all (RP)", "RP");
+const on = command("recorder.on", "Record (RA)", "RA");
+const off = command("recorder.off", "Do not record (RI)", "RI");
+const empty = command("recorder.empty", "Empty the list (RZ)", "RZ");
+
+/** What was typed, to be run again and to be kept as a part file: RA, RI, RP, RR, RS, RZ. */
+export function RecorderSheet({ onClose }: { onClose: () => void }) {
+  const hands = useHands();
+  const recorder = useSnapshot("recorder");
+  const [back, setBack] = useState("");
+  const [times, setTimes] = useState("1");
+  const [name, setName] = useState("");
+  const run = (line: string) => void drive(worldOf(hands), { do: "command", line });
+  if (!recorder) return null;
+  return (
+    <Sheet
+      title="Recorded commands"
+      shape="side"
+      onClose={onClose}
+      foot={
+        <>
+          <ActionButton action={empty} look="quiet" />
+          <ActionButton action={recorder.on ? off : on} />
+          <ActionButton action={playAll} look="go" />
+        </>
+      }
+    >
+      <p className="tool-words">
+        <RecorderMark /> {recorder.on ? "What is typed is recorded." : "Nothing is recorded now."} A
+        double click runs a line again.
+      </p>
+      <RecordedLines lines={recorder.lines} onRun={run} />
+      <form
+        className="recorder-form"
+        onSubmit={(event) => {
+          event.preventDefault();
+          run(`RR,${back.trim() || 1},${times.trim() || 1}`);
+        }}
+      >
+        <Field label="Commands back" value={back} onChange={setBack} placeholder="1" />
+        <Field label="Times" value={times} onChange={setTimes} />
+        <Button type="submit">Replay</Button>
+      </form>
+      <form
+        className="recorder-form"
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (name.trim()) run(`RS,${name.trim()}`);
+        }}
+      >
+        <Field label="Part file" value={name} onChange={setName} placeholder="recorded.sbp" />
+        <Button type="submit" isDisabled={name.trim() === ""}>
+          Save
+        </Button>
+      </form>
+    </Sheet>
+  );
+}
+
+/** A full dot while commands are recorded, an open circle while they are not. */
+export function RecorderMark() {
+  const on = useSnapshot("recorder")?.on;
+  const words = on ? "Commands are recorded" : "Commands are not recorded";
+  return (
+    <span className={`recorder-mark recorder-${on ? "on" : "off"}`} role="img" aria-label={words} />
+  );
+}

@@ -1,0 +1,32 @@
+/** What the page tells the painter of its tool path, and what it hears back. */
+
+import type { PreviewInfo } from "../../wire/messages";
+import type { Camera, Size } from "../camera";
+import type { Piece } from "../piece";
+import type { Palette } from "./palette";
+
+/** A path as it is drawn while the picture moves. */
+export interface CoarsePath {
+  readonly info: PreviewInfo;
+  readonly pieces: readonly Piece[];
+}
+
+export type Order =
+  | {
+      readonly do: "begin";
+      readonly canvas: OffscreenCanvas;
+      readonly ratio: number;
+      readonly palette: Palette;
+    }
+  | { readonly do: "paint"; readonly palette: Palette }
+  /** With the address of the whole path, where the coarse one is not all there is. */
+  | { readonly do: "show"; readonly path: CoarsePath | null; readonly whole: string | null }
+  | { readonly do: "now"; readonly seconds: number }
+  | { readonly do: "look"; readonly camera: Camera; readonly size: Size }
+  | { readonly do: "simulate"; readonly on: boolean };
+
+/** What the painter tells: a picture is done; and whether the path that was shown last is whole. */
+export interface Told {
+  readonly pictures: number;
+  readonly whole: boolean;
+}

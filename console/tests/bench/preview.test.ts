@@ -1,0 +1,144 @@
+/**
+ * How soon a large part file is seen, how smoothly it turns and what it costs: `npm run bench`.
+ *
+ * Figures are of this computer; without a graphics card its processor draws.
+ */
+
+import { closeSync, openSync, writeSync } from "node:fs";
+import { join } from "node:path";
+import type { CDPSession, Page } from "playwright-core";
+import { afterAll, beforeAll, it } from "vitest";
+import { openWorkshop, script, stateOf, type Workshop } from "../browser/workshop";
+
+let workshop: Workshop;
+
+beforeAll(async () => {
+  workshop = await openWorkshop();
+});
+afterAll(() => workshop?.close());
+
+/** A surface cut in rows: so many short moves. */
+function write(name: string, segments: number): void {
+  const file = openSync(join(workshop.parts, name), "w");
+  const side = Math.round(Math.sqrt(segments));
+  writeSync(file, "SA\nMS,2,1\nJZ,0.5\n");
+  let lines: string[] = [];
+  for (let n = 0; n < segments; n += 1) {
+    const [row, column] = [Math.floor(n / side), n % side];
+    const across = row % 2 === 0 ? column : side - 1 - column;
+    const [x, y] = [(across / side) * 20, (row / side) * 20];
+    const z = -0.2 - 0.15 * Math.sin(x * 1.7) * Math.cos(y * 1.3);
+    lines.push(`M3,${x.toFixed(4)},${y.toFixed(4)},${z.toFixed(4)}`);
+    if (lines.length === 10_000) {
+      writeSync(file, `${lines.join("\n")}\n`);
+      lines = [];
+    }
+  }
+  writeSync(file, `${lines.join("\n")}\nEND\n`);
+  closeSync(file);
+}
+
+/** What the page notes about itself from its first line on. */
+const notes = `
+  window.longest = 0;
+  window.tasks = [];
+  new PerformanceObserver((list) => {
+    for (const task of list.getEntries()) {
+      window.longest = Math.max(window.longest, task.duration);
+      window.tasks.push([Math.round(task.startTime), Math.round(task.duration)]);
+    }
+  }).observe({ entryTypes: ["longtask"] });
+`;
+
+const longest = (page: Page) => page.evaluate("window.longest") as Promise<number>;
+
+/** Times between frames while the picture is turned by the mouse, sorted. */
+async function turned(page: Page): Promise<{ frames: number[]; each: number }> {
+  await page.getByRole("radio", { name: "3D" }).click();
+  const box = await page.locator(".path-box").boundingBox();
+  if (!box) throw new Error("there is no picture");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const pictures = async () =>
+    Number(await page.locator(".path-lines").getAttribute("data-pictures"));
+  const [first, began] = [await pictures(), performance.now()];
+  await page.evaluate(`
+    window.frames_ms = [];
+    let before = performance.now();
+    const tick = (now) => {
+      window.frames_ms.push(now - before);
+      before = now;
+      window.frame_id = requestAnimationFrame(tick);
+    };
+    window.frame_id = requestAnimationFrame(tick);
+  `);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let n = 0; n < 60; n += 1) await page.mouse.move(x + n * 3, y + n);
+  await page.mouse.up();
+  const frames = (await page.evaluate(
+    "cancelAnimationFrame(window.frame_id), window.frames_ms",
+  )) as number[];
+  const each = (performance.now() - began) / Math.max((await pictures()) - first, 1);
+  return { frames: frames.slice(1).sort((a, b) => a - b), each };
+}
+
+/** What the page holds, MB: its objects, and the arrays beside them. */
+async function held(session: CDPSession): Promise<number> {
+  await session.send("HeapProfiler.collectGarbage");
+  const { usedSize, backingStorageSize } = (await session.send("Runtime.getHeapUsage")) as {
+    usedSize: number;
+    backingStorageSize?: number;
+  };
+  return (usedSize + (backingStorageSize ?? 0)) / 1e6;
+}
+
+const whole = (key: string) => `[data-path="${key}"]`;
+
+const sizes = [100_000, 1_000_000];
+
+it.each(sizes)(
+  "a part file of %i moves",
+  async (segments) => {
+    const name = `rows-${segments}.sbp`;
+    write(name, segments);
+    const page = await workshop.page();
+    await page.addInitScript(notes);
+    await page.goto(workshop.address);
+    await page.locator(".location-number").first().waitFor();
+    const session = await page.context().newCDPSession(page);
+    // What the page itself costs is another figure.
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await page.evaluate("window.longest = 0");
+    const begin = performance.now();
+    await script(workshop, "open", { name });
+    while ((await stateOf(workshop)).opened?.preview.state !== "ready") {
+      await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+    const readyMs = performance.now() - begin;
+    await page.locator(`${whole("some")}, ${whole("all")}`).waitFor({ timeout: 120_000 });
+    const pictureMs = performance.now() - begin;
+    await page.locator(whole("all")).waitFor({ timeout: 120_000 });
+    const allMs = performance.now() - begin;
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    const loading = await longest(page);
+    const { frames, each } = await turned(page);
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    const figure = (share: number) => frames[Math.floor(frames.length * share)] ?? 0;
+    const rows: [string, string][] = [
+      ["plan ready", `${Math.round(readyMs)} ms`],
+      ["first picture", `${Math.round(pictureMs)} ms`],
+      ["all of it", `${Math.round(allMs)} ms`],
+      ["longest task of the page while it loads", `${Math.round(loading)} ms`],
+      ["longest task of the page with turning", `${Math.round(await longest(page))} ms`],
+      ["picture of the path while turning", `${Math.round(each)} ms`],
+      ["frame of the page while turning, half", `${figure(0.5).toFixed(0)} ms`],
+      ["frame of the page while turning, 19 of 20", `${figure(0.95).toFixed(0)} ms`],
+      ["memory of the page", `${(await held(session)).toFixed(0)} MB`],
+    ];
+    console.log(`${segments} moves`);
+    for (const [what, value] of rows) console.log(`  ${what.padEnd(42)}${value.padStart(10)}`);
+    if (process.env.TASKS) console.log(await page.evaluate("JSON.stringify(window.tasks)"));
+    await page.close();
+  },
+  600_000,
+);
