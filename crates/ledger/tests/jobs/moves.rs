@@ -245,8 +245,8 @@ fn pro_pause_arrows() {
     let at = moves.iter().position(|made| made.ends_with(" y200")).expect("the way out");
     assert!(moves[at + 1].ends_with(" y0"), "and back: {moves:?}");
     let out_s: f64 = moves[at].split('-').next().unwrap().parse().unwrap();
-    let on = trace.edges().into_iter().filter(|edge| edge.contains("router+"));
-    assert!(on.last().unwrap().split(' ').next().unwrap().parse::<f64>().unwrap() > out_s);
+    let mut on = trace.edges().into_iter().filter(|edge| edge.contains("router+"));
+    assert!(on.next_back().unwrap().split(' ').next().unwrap().parse::<f64>().unwrap() > out_s);
     assert_eq!(trace.summary.status, Status::Ok);
     // No further than the table.
     let far = run("jog 0,5000,0,0,0,0 1");
