@@ -86,6 +86,9 @@ fn pro_glossary_console() {
 #[test]
 fn pro_glossary_card() {
     says("term card", &["inputs and outputs", "kerf io map"]);
+    // What it names is there.
+    let map = Shop::new(&[]).kerf("io map --card pci").exits(0).out();
+    assert!(map.lines().count() > 20 && map.contains("output"), "{map}");
 }
 
 #[test]
