@@ -50,3 +50,32 @@ impl HeightLaw {
         x + (y - x) * dy.abs().atan2(dx.abs()) / std::f64::consts::FRAC_PI_2
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pro_height_prop_angle() {
+        let gauge = Gauge::Proportional {
+            set_points: [150.0, 170.0],
+            gain_mm: 0.04,
+            scale_mm: 0.038,
+            interval_s: 0.001,
+        };
+        let law = HeightLaw {
+            gauge,
+            speed_mm_s: 30.0,
+            accel_mm_s2: 400.0,
+            activation: 0.0,
+            ceiling_mm: 0.0,
+            floor_mm: -30.0,
+        };
+        let cases = [(0.0, 150.0), (30.0, 156.67), (45.0, 160.0), (60.0, 163.33), (90.0, 170.0)];
+        for (angle_deg, expected) in cases.into_iter().chain([(135.0, 160.0), (-45.0, 160.0)]) {
+            let (dy, dx) = f64::to_radians(angle_deg).sin_cos();
+            let wanted = law.set_point(dx, dy);
+            assert!((wanted - expected).abs() < 0.005, "{wanted} at {angle_deg} degrees");
+        }
+    }
+}

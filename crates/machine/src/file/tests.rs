@@ -138,3 +138,36 @@ fn pro_speeds_centripetal__bounds() {
         check(&format!("smoothing.centripetal_percent = {percent}"), 1, "percent must be 1 to 100");
     }
 }
+
+/// The settings of a text, written and read again.
+fn saved(text: &str) -> Configuration {
+    read(&file(), &write(&read(&file(), text).unwrap())).unwrap()
+}
+
+#[test]
+fn pro_intensity_table() {
+    let identity: Vec<u8> = (0..128).collect();
+    assert_eq!(Configuration::default().intensity.table.to_vec(), identity);
+    let list = |values: &[i32]| format!("[intensity]\ntable = {values:?}");
+    let halves: Vec<i32> = (0..128).map(|i| i / 2).collect();
+    assert_eq!(saved(&list(&halves)).intensity.table[100], 50);
+    check(&list(&halves[1..]), 2, "intensity.table must be");
+    check(&list(&[halves.clone(), vec![1]].concat()), 2, "intensity.table must be");
+    for wrong in [-1, 128] {
+        let mut values = halves.clone();
+        values[7] = wrong;
+        check(&list(&values), 2, "intensity.table must be");
+    }
+}
+
+#[test]
+fn pro_plasma_times() {
+    let text = "[plasma]\ninitial_height_mm = 3.5\ninitial_wait_s = 0.25\ndebounce_s = 0";
+    let plasma = saved(text).plasma;
+    let times = [plasma.initial_height_mm, plasma.initial_wait_s, plasma.debounce_s];
+    assert_eq!(times, [3.5, 0.25, 0.0]);
+    for key in ["initial_height_mm", "initial_wait_s", "debounce_s"] {
+        let wanted = format!("plasma.{key} must be 0 or greater");
+        check(&format!("[plasma]\n{key} = -0.1"), 2, &wanted);
+    }
+}

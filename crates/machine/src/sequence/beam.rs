@@ -141,3 +141,29 @@ impl Sequence {
         Some(Small::Beam(Beam::Level { value, burn: false }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Configuration;
+    use kerf_program::Axes;
+
+    #[test]
+    fn pro_intensity_pwmlimits() {
+        let mut machine = Configuration::default();
+        (machine.laser.use_laser, machine.laser.kind) = (true, Some(LaserType::Pulsed));
+        machine.intensity.output = true;
+        machine.laser.cut_hz = 5000.0;
+        (machine.laser.min_pulse_us, machine.laser.max_pulse_us) = (20.0, 100.0);
+        let clip = |machine: &Configuration| {
+            let (job, machine) = (Arc::default(), Arc::new(machine.clone()));
+            Sequence::new(job, machine, Axes::default()).intensity_law().and_then(|law| law.clip)
+        };
+        // Of 200 us: a tenth and a half of 127.
+        assert_eq!(clip(&machine), Some([12, 63]));
+        machine.laser.cut_hz = 10_000.0;
+        assert_eq!(clip(&machine), Some([25, 127]));
+        machine.laser.kind = Some(LaserType::Continuous);
+        assert_eq!(clip(&machine), None);
+    }
+}

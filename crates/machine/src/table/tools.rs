@@ -1,7 +1,10 @@
 //! The tool and the cutting sequence: delays, pause, intensity, height control, plasma, laser.
 
 use super::Bounds::{Any, NotNegative, Positive, Range};
+use super::plain::Plain;
 use super::{Area, Setting, row};
+use crate::value::Value;
+use kerf_program::LEVELS;
 
 pub(super) const AREAS: &[Area] = &[
     Area { title: "Delays", manual: "Profiler, Special Delay Times During Cutting", rows: DELAYS },
@@ -83,14 +86,21 @@ const PAUSE: &[Setting] = &[row!(
 
 const INTENSITY: &[Setting] = &[
     row!(c, "intensity.output", c.intensity.output, None, Any, "Intensity is sent to the port."),
-    row!(
-        c,
-        "intensity.table",
-        c.intensity.table,
-        None,
-        Range(0.0, 127.0),
-        "Intensity of each of the 128 discretized speeds."
-    ),
+    Setting {
+        // A shorter list would leave the rest of a curve to the default.
+        put: |c, value| match value {
+            Value::List(values) if values.len() == LEVELS => c.intensity.table.put(value),
+            _ => Err(format!("a list of {LEVELS} whole numbers")),
+        },
+        ..row!(
+            c,
+            "intensity.table",
+            c.intensity.table,
+            None,
+            Range(0.0, 127.0),
+            "Intensity of each of the 128 discretized speeds."
+        )
+    },
     row!(
         c,
         "intensity.scale_percent",
