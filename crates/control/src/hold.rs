@@ -62,7 +62,6 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Does what the operator says until the run goes on; the sum of all nudges.
     pub(crate) fn until_resumed(&mut self, question: &Question) -> Result<Axes, Over> {
-        self.wake();
         let mut nudged = Axes::default();
         loop {
             match self.ask(question, self.last_move)? {

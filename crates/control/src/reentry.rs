@@ -138,7 +138,12 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.machine.begin_motion();
         self.tell_taken_up();
         self.lift();
-        let ready = self.until_resumed(&ready_question(&was_on));
+        // Cut short before the answer, it is asked when this is gone through again.
+        let unanswered = self.world.silent && !self.world.shelf.tape.plays();
+        let ready = match unanswered {
+            true => Ok(Axes::default()),
+            false => self.until_resumed(&ready_question(&was_on)),
+        };
         if ready.is_err() {
             self.world.shelf.tape.given_up(self.world.placed());
         }
