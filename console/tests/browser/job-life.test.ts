@@ -24,6 +24,7 @@ afterEach(async () => {
   await begins("idle");
   for (const page of pages) await page.close();
   pages = [];
+  await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
 });
 
 const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -123,7 +124,7 @@ it("a page that is loaded again shows what the machine does, in each of its stat
   await previewed("ask.sbp");
   await page.getByRole("button", { name: "Start" }).click();
   await same(async () => {
-    await page.getByText("Is it clamped?").waitFor();
+    await page.locator(".question-text", { hasText: "Is it clamped?" }).waitFor();
   });
 }, 120_000);
 
@@ -133,17 +134,20 @@ it("a job is opened, started and answered with keys only", async () => {
   await page.keyboard.type("ask");
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
+  await page.getByRole("dialog").waitFor({ state: "detached" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   const action = async (words: string) => {
     await page.keyboard.press("Control+k");
     await page.getByRole("dialog").waitFor();
     await page.keyboard.type(words);
+    await page.getByRole("option").first().waitFor();
     await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: "Every action" }).waitFor({ state: "detached" });
   };
   await action("Arm the machine");
   await until(async () => (await stateOf(workshop)).machine.armed, "armed");
   await action("Start");
-  await page.getByText("Is it clamped?").waitFor();
+  await page.locator(".question-text", { hasText: "Is it clamped?" }).waitFor();
   await page.keyboard.press("Enter");
   await until(async () => (await stateOf(workshop)).job?.ended === "ok", "the job is done");
   expect((await stateOf(workshop)).opened?.name).toBe("ask.sbp");

@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
-import { arm, location, openWorkshop, until, type Workshop } from "./workshop";
+import { arm, location, openWorkshop, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -13,6 +13,7 @@ afterAll(() => workshop?.close());
 
 const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
 const stands = async () => {
+  if ((await stateOf(workshop)).machine.state === "jogging") return false;
   const before = await location(page, "X");
   await wait(300);
   return before === (await location(page, "X"));
