@@ -92,3 +92,25 @@ fn pro_io_ina5() {
     let before = waits().input(Input::EndBottomDelay, 3.0, true).run();
     assert!(before.moves().contains(&"4.040-5.140 x100".into()));
 }
+
+#[test]
+fn pro_estop_operator() {
+    let run = |words: &str| {
+        let pressed = JobRun::new(t1()).input(Input::EmergencyStop, 5.34, true);
+        pressed.input(Input::EmergencyStop, 6.2, false).say(words).run()
+    };
+    let trace = run("move x 10 ⏎ continue ⏎ continue ⏎ continue");
+    let states: Vec<String> =
+        trace.states().iter().map(|state| state.split_once(' ').unwrap().1.to_owned()).collect();
+    let first = states.iter().position(|state| state.starts_with("estop")).unwrap();
+    let expected = ["estop: emergency stop", "paused: emergency stop released", "running", "idle"];
+    assert_eq!(states[first..], expected, "{states:?}");
+    let moves = trace.moves();
+    let raised = moves.iter().position(|made| made == "5.440-5.940 z-10").unwrap();
+    let next = moves[raised + 1].split('-').next().unwrap().parse::<f64>().unwrap();
+    assert!(next > 6.2, "nothing moves before it is released and acknowledged: {moves:?}");
+    assert!(moves.iter().any(|made| made.ends_with("x100")), "{moves:?}");
+    let given_up = run("abort");
+    assert_eq!(given_up.rests(), [50.0, 0.0, -10.0]);
+    assert!(given_up.states().last().unwrap().ends_with("idle: emergency stop"));
+}
