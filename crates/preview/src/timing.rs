@@ -185,11 +185,14 @@ impl Heights {
         self.bottom - (self.bottom - self.top) * (value - self.low) / span
     }
 
-    /// Where the value comes to rest, and what it is there.
+    /// Where the value comes to rest, and what it is there; told once, however long it rests.
     fn corners(&self, points: &[(f64, f64)]) -> Vec<(f64, String)> {
         let rests =
             points.windows(2).filter(|pair| pair[0].1 == pair[1].1 && pair[1].0 > pair[0].0);
-        rests.map(|pair| (pair[0].0, shown(pair[0].1))).collect()
+        let mut told: Vec<(f64, String)> =
+            rests.map(|pair| (pair[0].0, shown(pair[0].1))).collect();
+        told.dedup_by(|later, first| later.1 == first.1);
+        told
     }
 }
 
@@ -238,6 +241,15 @@ fn words(at: Point2, anchor: Anchor, text: String) -> Mark {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_value_that_rests_is_told_once() {
+        let rests = [0.3, 1.0, 1.7, 2.8].map(|t_s| (t_s, -10.0));
+        let points = [&[(0.0, 0.0)], &rests[..], &[(3.8, -30.0), (5.0, -30.0)]].concat();
+        let tracks = vec![Track { name: "z, mm".into(), course: Course::Value(points) }];
+        let svg = Timing { title: "Rest".into(), end_s: 8.0, tracks }.svg();
+        assert_eq!(svg.matches(">-10<").count(), 1, "{svg}");
+    }
 
     #[test]
     fn a_diagram_names_its_lines_and_the_moments_of_their_edges() {
