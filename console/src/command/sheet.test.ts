@@ -14,6 +14,11 @@ const circle = entry(
 );
 
 describe("a fill-in sheet", () => {
+  it("writes what has to be given, even where it is what holds already", () => {
+    const one = entry("SF", [parameter("check", { required: true, present: "1" })]);
+    expect(lineOf(one, ["1"])).toBe("SF,1");
+  });
+
   it("takes what is typed on behind the letters of its command", () => {
     expect(parted(",", true)).toEqual({ kept: "", goesOn: false });
     expect(parted(", part.sbp", true)).toEqual({ kept: "part.sbp", goesOn: false });

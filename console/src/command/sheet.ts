@@ -68,7 +68,9 @@ export function lineOf(entry: CommandEntry, entries: Entries): string {
   const written = entries.map((text) => text.trim());
   const usual = (n: number) => {
     const parameter = entry.parameters[n];
-    return written[n] === "" || (parameter && written[n] === startOf(parameter));
+    if (written[n] === "") return true;
+    // What has to be given is written, even where it is what holds already.
+    return parameter !== undefined && !parameter.required && written[n] === startOf(parameter);
   };
   let length = written.length;
   while (length > 0 && usual(length - 1)) length -= 1;
