@@ -293,7 +293,8 @@ impl Tape {
 
     /// Whether the run was taken up here before, and cut short again.
     pub(crate) fn is_reentered(&self) -> bool {
-        self.next_reentry().is_some_and(|told| told.told == self.told)
+        let others = || self.played.iter().any(|(k, s)| *k != Kind::Reentry && !s.is_empty());
+        self.next_reentry().is_some_and(|reentry| reentry.told <= self.told || !others())
     }
 
     /// The next time at which the run was taken up, when as many moves were made by then as are now.
