@@ -24,7 +24,7 @@ use case::Case;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// How many runs are made unless KERF_SIM_RUNS says otherwise.
-const RUNS: u64 = 100;
+const RUNS: u64 = 200;
 
 /// Seeds that found something once.
 const FOUND: [u64; 9] = [1347, 1080, 3096, 255, 575, 248, 4071, 5014, 10044];

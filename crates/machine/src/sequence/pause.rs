@@ -88,9 +88,9 @@ impl Sequence {
 
     /// The steps of an effect; what slows motion down has happened when they are asked for.
     fn effect(&self, effect: Effect) -> Vec<Small> {
+        // Whether an output is on is asked when its step is carried out: steps before it may switch it on.
         let off = |outputs: &[Output]| -> Vec<Small> {
-            let on = outputs.iter().filter(|output| self.is_on(**output));
-            on.map(|output| Small::Switch(*output, false)).collect()
+            outputs.iter().map(|output| Small::Switch(*output, false)).collect()
         };
         match effect {
             Effect::CutOff => {
