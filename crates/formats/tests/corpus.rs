@@ -2,7 +2,7 @@
 //! with its line. The files lie in `shared/corpus/dxf` beside the checkout or beside one of its parents, or
 //! where `KERF_SHARED` says; without them nothing is tested here.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::print_stdout, clippy::unwrap_used, missing_docs)]
 
 use kerf_drawing::Drawing;
 use kerf_formats::{Imported, dxf, rsg};
