@@ -131,7 +131,9 @@ it("a page that is loaded again shows what the machine does, in each of its stat
 it("a job is opened, started and answered with keys only", async () => {
   const page = await comes();
   await page.keyboard.press("Control+o");
+  await page.getByRole("dialog", { name: "Part folder" }).waitFor();
   await page.keyboard.type("ask");
+  await page.getByRole("option", { name: "ask.sbp" }).waitFor();
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
   await page.getByRole("dialog").waitFor({ state: "detached" });

@@ -107,6 +107,16 @@ pub struct Converted {
 pub type Hosts<'a, 'b> =
     &'a mut (dyn FnMut(&mut dyn FnMut(&mut dyn Host) -> Passage) -> Passage + 'b);
 
+/// Follows a program from a place, as a conversion does.
+pub fn passage(
+    source: &Source<'_>,
+    how: &Conversion,
+    hosts: Hosts<'_, '_>,
+    start: Axes,
+) -> Passage {
+    resolved::run(source, how, hosts, start, false)
+}
+
 /// Follows the path of a program from a place, as a conversion does; what is no path does nothing.
 pub fn path(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>, start: Axes) -> Passage {
     resolved::run(source, how, hosts, start, true)

@@ -58,6 +58,8 @@ export class PathPainter {
     this.#drawn = drawn;
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
     this.#renderer.autoClear = false;
+    // Drawn in the order they are given: sorting would ask for the extent of vertices that are not kept.
+    this.#renderer.sortObjects = false;
     this.#ground.add(this.#table.group);
     this.paint(palette);
   }

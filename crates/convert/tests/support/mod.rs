@@ -5,7 +5,7 @@
 #[path = "../../../gcode/tests/support/mod.rs"]
 mod quiet;
 
-use kerf_convert::{Conversion, Converted, Language, Passage, Source, convert, path};
+use kerf_convert::{Conversion, Converted, Language, Passage, Source, convert, passage};
 use kerf_gcode::Dialect;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axes, Settings};
@@ -44,7 +44,7 @@ pub fn followed(name: &str, bytes: &[u8], how: &Conversion, folder: PathBuf) -> 
     let mut hosts = |follow: &mut dyn FnMut(&mut dyn kerf_program::Host) -> Passage| {
         follow(&mut quiet::Quiet(folder.clone()))
     };
-    path(&source, how, &mut hosts, Axes::default())
+    passage(&source, how, &mut hosts, Axes::default())
 }
 
 /// Real files of a kind, by name; nothing where they are not beside the checkout. They are looked for

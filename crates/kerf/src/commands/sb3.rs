@@ -3,6 +3,7 @@
 use super::run::{MachineArgs, on_machine};
 use crate::args::{RunArgs, Start};
 use crate::exit::{Exit, Usage};
+use crate::machine_file;
 use crate::report::Talk;
 use crate::setup;
 use crate::visit::Visit;
@@ -54,16 +55,26 @@ fn runs(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     let mut run = args.run.clone();
     run.place.start = run.place.start.or(Some(Start::Kept));
     run.file.offset = Some(line.offset);
-    let mut job = setup::job(Path::new(&line.file), &run, false)?;
     if let Some(Port::Number(port)) = line.port {
-        job.session.memory.settings.driver.port = port;
+        keep_port(&run, port)?;
     }
+    let mut job = setup::job(Path::new(&line.file), &run, false)?;
     job.visit = visit(line);
     let exit = on_machine(job, &args.machine, &run, Talk::default())?;
     if line.close == CloseMethod::Ask {
         confirmed(args);
     }
     Ok(exit)
+}
+
+/// The port is a setting of the machine: it goes where those are, and every later start finds it there.
+fn keep_port(run: &RunArgs, port: u8) -> Result<()> {
+    let kept = machine_file::of_data(&run.place.data)?;
+    let began = kept.read(kept.text()?.as_deref().unwrap_or_default())?.program;
+    let mut wanted = began.clone();
+    wanted.driver.port = port;
+    kept.keep(&began, &wanted)?;
+    Ok(())
 }
 
 /// The file is drawn at once; the machine does not move.
