@@ -30,6 +30,8 @@ const ready = () => page.locator(".state", { hasText: "Ready" }).waitFor();
 const run = async (text: string) => {
   await command(page, text);
   await until(async () => (await stateOf(workshop)).job?.command === text, `${text} is taken`);
+  // The server first: a page may still show the state from before the command.
+  await until(async () => (await stateOf(workshop)).machine.state === "idle", `${text} is done`);
   await ready();
 };
 const screen = () => page.getByRole("region", { name: "Message screen" });
@@ -207,7 +209,8 @@ it("sbp_cmd_sa: the toggle shows absolute distances, and SA takes them", async (
   await ready();
   expect(await page.getByRole("radio", { name: "Absolute" }).isChecked()).toBe(true);
   await run("M2,3,7");
-  expect([await location(page, "X"), await location(page, "Y")]).toEqual([3, 7]);
+  await expect.poll(() => location(page, "X")).toBe(3);
+  await expect.poll(() => location(page, "Y")).toBe(7);
   const values = (await (await fetch(`${workshop.address}/api/values`)).json()) as {
     system: { number: number; value: string }[];
   };
@@ -242,6 +245,7 @@ it("sbp_con_fillin_order: the sheet of CC shows the feature last, the line keeps
   await line().pressSequentially("cc");
   await page.getByRole("button", { name: "Fill-in sheet" }).click();
   const sheet = page.getByRole("dialog", { name: /CC/ });
+  await sheet.getByLabel("Feature").waitFor();
   const names = await sheet.locator(".sheet-fields .field-label").allTextContents();
   expect(names.at(-1)).toContain("Feature");
   expect(names.at(-2)).not.toContain("No pull-up");
