@@ -1,5 +1,5 @@
 import { actions } from "../actions/registry";
-import { keyHelp } from "../keypad/keys";
+import { KeypadHelp } from "../keypad/KeypadHelp";
 
 /** The keys of the console and of the keypad. */
 export function KeyLists() {
@@ -21,14 +21,7 @@ export function KeyLists() {
           ))}
       </dl>
       <h3>At the keypad</h3>
-      <dl className="help-list">
-        {keyHelp.map(({ keys, means }) => (
-          <div key={keys}>
-            <dt>{keys}</dt>
-            <dd>{means}</dd>
-          </div>
-        ))}
-      </dl>
+      <KeypadHelp look="help-list" />
     </>
   );
 }
