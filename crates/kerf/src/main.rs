@@ -28,10 +28,10 @@ mod visit;
 use clap::Parser;
 use std::process::ExitCode;
 
-/// Runs, checks, draws and times OpenSBP part files
+/// Runs part files, makes tool paths from drawings, drives the machine
 ///
-/// Part files run on a machine: the simulated one unless told otherwise. Nothing but `kerf run` and
-/// `kerf send` changes anything outside.
+/// Part files are OpenSBP or G-code and run on a machine: the simulated one unless told otherwise.
+/// `kerf check`, `preview`, `plot`, `time`, `timing` and `trace` move and change nothing.
 #[derive(Parser)]
 #[command(name = "kerf", version, max_term_width = 100, after_help = START_HERE)]
 #[command(disable_help_subcommand = true)]
