@@ -32,6 +32,8 @@ export interface Action {
   readonly everywhere?: boolean;
   /** Why it cannot be done now; nothing when it can. */
   readonly refused?: (world: World) => string | undefined;
+  /** What a person has to know before he lets it happen. */
+  readonly warns?: (world: World) => string;
   readonly run: (world: World) => void;
 }
 
@@ -48,3 +50,9 @@ export function perform(action: Action, world: World): boolean {
   action.run(world);
   return true;
 }
+
+/** The same behind a question: what one press does cannot be taken back. */
+export const asking = (action: Action): Action => ({
+  ...action,
+  run: ({ screen }) => screen.open({ kind: "confirm", action: action.id }),
+});

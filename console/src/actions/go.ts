@@ -2,8 +2,10 @@
 
 import { type Route, routes } from "../app/routes";
 import type { Sheet } from "../app/screen";
+import { busy, refusal } from "../keypad/refusal";
 import { themeNames, themes } from "../theme/theme";
 import type { Action } from "./action";
+import { drive } from "./ask";
 
 const routeActions = routes.map(
   ({ path, title }): Action => ({
@@ -19,21 +21,30 @@ const sheetAction = (sheet: Sheet, title: string, keys: readonly string[]): Acti
   title,
   section: "go",
   keys,
+  // A letter is typed where somebody types; other keys mean a sheet wherever they are pressed.
+  everywhere: keys.every((key) => key.length > 1),
   run: ({ screen }) => screen.open(sheet),
 });
 
 export const openFiles = sheetAction({ kind: "files" }, "Open a file", ["Ctrl+O"]);
-export const openKeypad = sheetAction({ kind: "keypad" }, "Keypad", ["k"]);
+/** The keypad is a command (SK): every page shows it. Where it cannot open yet, its sheet says why. */
+export const openKeypad: Action = {
+  ...sheetAction({ kind: "keypad" }, "Keypad", ["k"]),
+  run: (world) => {
+    const refused = refusal(world.shown);
+    if (refused === undefined) void drive(world, { do: "command", line: "SK" });
+    else if (refused === busy) world.screen.tell(refused);
+    else world.screen.open({ kind: "keypad" });
+  },
+};
 export const openScratch = sheetAction({ kind: "scratch" }, "Scratch pad", ["i"]);
 export const openCalculator = sheetAction({ kind: "calculator" }, "Calculator", ["F10"]);
 export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
 export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
 export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);
+export const openTools = sheetAction({ kind: "tools" }, "Virtual tools", []);
 export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
-export const openPalette: Action = {
-  ...sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]),
-  everywhere: true,
-};
+export const openPalette = sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]);
 
 const themeActions = themes.map(
   (theme): Action => ({
@@ -69,6 +80,7 @@ export const goActions: readonly Action[] = [
   openValues,
   openRecorder,
   openInputs,
+  openTools,
   openPalette,
   ...themeActions,
   ...faceActions,

@@ -49,6 +49,29 @@ export const singleStep: Action = {
   run: (world) => void run(true)(world),
 };
 
+const interruptedOf = ({ shown }: World) => shown.snapshot?.interrupted ?? undefined;
+
+/** What is to be known of a run before it goes on. */
+function warnings(world: World): string {
+  const interrupted = interruptedOf(world);
+  const doubt =
+    "The machine moved when Kerf ended: make sure that it is where the display says, and zero it anew if not. ";
+  return `${sentence(interrupted?.text ?? "")} ${interrupted?.moved ? doubt : ""}\
+The tool lifts first; before it goes back and anything turns you are asked once more.`;
+}
+
+const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+
+/** Goes on with a run that was cut short: by a stop, a killed program, a power cut. */
+export const takeUp: Action = {
+  id: "job.takeUp",
+  title: "Take up the run",
+  section: "job",
+  refused: (world) => (interruptedOf(world) ? unlessReady(world) : "No run was cut short."),
+  warns: warnings,
+  run: (world) => void drive(world, { do: "takeUp" }),
+};
+
 export const closeFile: Action = {
   id: "job.close",
   title: "Close the file",
@@ -65,4 +88,4 @@ export const clearPrinted: Action = {
   run: (world) => void ask(world, { do: "clearPrinted" }),
 };
 
-export const jobActions: readonly Action[] = [start, singleStep, closeFile, clearPrinted];
+export const jobActions: readonly Action[] = [start, singleStep, takeUp, closeFile, clearPrinted];

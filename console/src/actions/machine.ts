@@ -111,12 +111,17 @@ export function command(id: string, title: string, line: string): Action {
 export const preview = command("machine.preview", "Preview mode: files are only drawn", "SP");
 export const moveMode = command("machine.move", "Move mode: files are cut", "SM");
 export const clearPreview = command("machine.clear", "Clear the preview", "SP");
-export const zeroXY = command("machine.zero.xy", "Zero X and Y", "Z2");
+const zero = (id: string, title: string, line: string): Action => ({
+  ...command(id, title, line),
+  warns: () => "The place where the tool is becomes the new zero.",
+});
+
+export const zeroXY = zero("machine.zero.xy", "Zero X and Y", "Z2");
 export const home = command("machine.home", "Go home", "JH");
 
 /** Zeroing of each axis, X to B. */
 export const zeroAxis: readonly Action[] = ["X", "Y", "Z", "A", "B"].map((letter) =>
-  command(`machine.zero.${letter.toLowerCase()}`, `Zero ${letter}`, `Z${letter}`),
+  zero(`machine.zero.${letter.toLowerCase()}`, `Zero ${letter}`, `Z${letter}`),
 );
 
 /** What a machine that is disarmed, held or in alarm tells. */

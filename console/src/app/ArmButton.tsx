@@ -7,7 +7,8 @@ export function ArmButton() {
   const state = useShown((shown) => shown.snapshot?.machine.state);
   const armed = useShown((shown) => shown.snapshot?.machine.armed);
   const idle = state === "idle";
-  if (!idle && (armed || state !== "held")) return null;
+  const stands = idle || state === "held" || state === "asking" || state === "stopped";
+  if (!stands || (armed && !idle)) return null;
   return armed ? (
     <ActionButton action={disarm} size="small">
       Disarm

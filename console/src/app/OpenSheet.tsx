@@ -1,5 +1,5 @@
 import { CommandSheet } from "../command/CommandSheet";
-import { KeypadSheet } from "../keypad/KeypadSheet";
+import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
 import { CalculatorSheet } from "../tools/CalculatorSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
@@ -8,6 +8,7 @@ import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
 import { RecorderSheet } from "../tools/RecorderSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
+import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
@@ -22,7 +23,7 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
     case "command":
       return <CommandSheet letters={sheet.letters} given={sheet.given} />;
     case "keypad":
-      return <KeypadSheet onClose={close} />;
+      return <KeypadWaits onClose={close} />;
     case "calculator":
       return <CalculatorSheet onClose={close} />;
     case "scratch":
@@ -35,6 +36,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ValuesSheet key={sheet.which} first={sheet.which} onClose={close} />;
     case "recorder":
       return <RecorderSheet onClose={close} />;
+    case "tools":
+      return <ToolsSheet onClose={close} />;
     case "inputs":
       return <InputsSheet onClose={close} />;
     case "confirm":

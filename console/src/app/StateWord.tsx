@@ -16,8 +16,10 @@ const words: Record<State, string> = {
 export function StateWord() {
   const status = useShown((shown) => shown.status);
   const machine = useShown((shown) => shown.snapshot?.machine);
+  const keypad = useShown((shown) => shown.snapshot?.asked?.kind === "keypad");
   if (status !== "open" || !machine) return <Word tone="lost" word="No link" />;
   const { state, armed, why } = machine;
+  if (keypad && state === "asking") return <Word tone="asking" word="Keypad" why={why} />;
   const word = state === "idle" ? (armed ? "Ready" : "Disarmed") : words[state];
   return <Word tone={state === "idle" && !armed ? "disarmed" : state} word={word} why={why} />;
 }

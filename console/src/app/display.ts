@@ -12,6 +12,12 @@ export interface DisplaySettings {
   readonly fixedMm: number;
   /** Place and size of the message screen, pixels (12 to 15). */
   readonly message: readonly [number, number, number, number];
+  /** What moves the tool at the keypad (9): 0 this page, 1 a pendant on the inputs, 2 another program. */
+  readonly remote: number;
+  /** A simplified picture shows how far the file is (17). */
+  readonly progress: boolean;
+  /** The material that is cut is shown (VP). */
+  readonly simulate: boolean;
   /** EASY, else FULL (18). */
   readonly easy: boolean;
 }
@@ -34,6 +40,9 @@ export function readDisplay(areas: readonly SettingArea[]): DisplaySettings {
     comments: value("display.comments") === "true",
     fixedMm: Number(value("display.keypad_fixed_mm")) || 2.54,
     message: [x / twips, y / twips, width / twips, height / twips],
+    remote: Number(value("display.keypad_remote")) || 0,
+    progress: value("display.progress") === "true",
+    simulate: value("view.simulate") === "true",
     easy: value("display.easy") !== "false",
   };
 }

@@ -6,6 +6,7 @@ import { Sheet } from "../ui/Sheet";
 import type { CommandEntry } from "../wire/messages";
 import "./command-sheet.css";
 import { FileButtons } from "./FileButtons";
+import { FileHeader } from "./FileHeader";
 import { ParameterField } from "./ParameterField";
 import { isShown, lastEntries, rememberEntries, setShown } from "./preferences";
 import {
@@ -24,6 +25,9 @@ export function CommandSheet({ letters, given }: { letters: string; given: reado
   const entry = findCommand(useCommands(true), letters);
   return entry ? <FilledSheet key={letters} entry={entry} given={given} /> : null;
 }
+
+/** Commands whose sheet is about a part file. */
+const takesFile = ["FP", "FG"];
 
 function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly string[] }) {
   const hands = useHands();
@@ -75,6 +79,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       }
     >
       <p className="sheet-doc">{entry.doc}</p>
+      {takesFile.includes(entry.letters) && <FileHeader name={entries[0] ?? ""} />}
       <div className="sheet-tools">
         <Button size="small" onPress={reset} aria-keyshortcuts="Alt+R">
           Reset <kbd>Alt R</kbd>

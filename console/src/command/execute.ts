@@ -2,13 +2,15 @@
 
 import type { World } from "../actions/action";
 import { drive } from "../actions/ask";
+import { openKeypad } from "../actions/go";
 import { evaluate, isExpression, resultText } from "../app/expression";
 import type { Sheet } from "../app/screen";
+import { getJson } from "../link/http";
+import type { Values } from "../wire/messages";
 import { argumentsOf, lettersOf } from "./line";
 
 /** Commands that open something on the page. */
 const opens: Record<string, Sheet> = {
-  SK: { kind: "keypad" },
   MN: { kind: "nudge" },
   FP: { kind: "files" },
   UU: { kind: "calculator" },
@@ -18,8 +20,8 @@ const opens: Record<string, Sheet> = {
   UD: { kind: "values", which: "diagnostics" },
 };
 
-/** Commands that lead to the editor: with the last file, or with an empty page. */
-const edits = ["FE", "FN", "FG"];
+/** Commands that lead to the editor. */
+const edits = ["FG"];
 
 /** Commands that open a page of the help. */
 const explains = /^H[A-Z]$/;
@@ -29,11 +31,20 @@ export function execute(world: World, text: string): void {
   const given = argumentsOf(text);
   const sheet = given.length === 0 ? opens[letters] : undefined;
   if (sheet) world.screen.open(sheet);
+  else if (letters === "SK" && given.length === 0) openKeypad.run(world);
   else if (explains.test(letters)) world.screen.explain(letters);
   else if (letters === "FN") world.screen.edit("");
-  else if (letters === "FE" && given[0]) world.screen.edit(given[0]);
+  else if (letters === "FE") void edit(world, given[0]);
   else if (edits.includes(letters) && given.length === 0) world.screen.go("/edit");
   else carryOut(world, text, given);
+}
+
+/** Opens a file in the editor: without a name the one that ran or was open last, else an empty page. */
+async function edit(world: World, name: string | undefined): Promise<void> {
+  const { opened, folder } = world.shown.snapshot ?? {};
+  if (name) return world.screen.edit(folder?.name ? `${folder.name}/${name}` : name);
+  const { partFile } = await getJson<Values>("/api/values");
+  world.screen.edit(partFile || opened?.name || "");
 }
 
 function carryOut(world: World, text: string, given: readonly string[]): void {

@@ -25,6 +25,8 @@ const usualRadius = 8;
 /** And ends are joined that are so near, mm. */
 const usualJoin = 0.1;
 
+const nothingPicked: readonly number[] = [];
+
 const round = (value: number): number => Number(value.toFixed(6));
 
 /** The drawing: tools at the left, shapes in the middle, groups at the right. */
@@ -40,7 +42,8 @@ export function DrawScreen() {
     [loaded, drawing, machined, options],
   );
   const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
-  const desk = useDesk(scene, { pickRadius, lastJoin });
+  const picked = drawing?.picked ?? nothingPicked;
+  const desk = useDesk(scene, { pickRadius, lastJoin, picked });
   const [operation, setOperation] = useState<string | null>(null);
   const [aspect, setAspect] = useState<Aspect>("top");
   const wanted = useScreen("tool");

@@ -21,6 +21,7 @@ const a = rectangle(1, 0, 0, 50, 30);
 const b = rectangle(2, 200, 100, 260, 140);
 const around = (selected: readonly number[] = []): Around => ({
   picking: pickingOf([a, b]),
+  picked: [],
   selected,
   box: boxOf(place(0, 0), place(260, 140)),
   pickRadius: 8,

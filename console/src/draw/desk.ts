@@ -57,6 +57,8 @@ export interface DeskState {
 export interface Around {
   readonly picking: Picking;
   readonly selected: readonly number[];
+  /** Picked to be sequenced, in that order. */
+  readonly picked: readonly number[];
   readonly box: Box;
   /** A click picks what lies so near, pixels. */
   readonly pickRadius: number;

@@ -13,11 +13,11 @@ export function overlayOf(state: DeskState, around: Around): Overlay {
   const { shapes } = around.picking;
   const at = pointer && pickPlace(state, pointer, around);
   const ghost = running && at ? ghostOf(running, at, shapes) : noGhost;
-  const ask = running ? asked(running) : undefined;
+  const picks = picksOf(running, around);
   return {
     hovered: hoveredOf(state, around),
-    picked: byNumber(shapes, running?.picked ?? []),
-    numbered: ask?.ask === "shapes" && ask.numbered === true,
+    picked: byNumber(shapes, picks.numbers),
+    numbered: picks.numbered,
     ghost,
     ghostShapes: ghost.kind === "moved" ? byNumber(shapes, ghost.numbers) : [],
     path: running && at ? pathTo(running, at) : [],
@@ -27,6 +27,13 @@ export function overlayOf(state: DeskState, around: Around): Overlay {
     radius: running?.snap ? around.pickRadius : null,
     square: running?.snap === "g" ? baseOf(running) : null,
   };
+}
+
+/** What is picked: by the tool at work, else to be sequenced later. */
+function picksOf(running: Running | null, { picked }: Around) {
+  if (!running) return { numbers: picked, numbered: true };
+  const ask = asked(running);
+  return { numbers: running.picked, numbered: ask?.ask === "shapes" && ask.numbered === true };
 }
 
 const away = (a: Place, b: Place, mmPerPixel: number): boolean =>

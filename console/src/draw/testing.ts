@@ -51,7 +51,14 @@ export class Hand {
       (all, { box }) => boxOf(all.min, box.max),
       boxOf(place(0, 0), place(0, 0)),
     );
-    this.around = { picking: pickingOf(shapes), selected, box, pickRadius, lastJoin: 0.7 };
+    this.around = {
+      picking: pickingOf(shapes),
+      selected,
+      picked: [],
+      box,
+      pickRadius,
+      lastJoin: 0.7,
+    };
   }
 
   #take({ state, clauses }: Done): this {

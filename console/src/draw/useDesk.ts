@@ -17,9 +17,9 @@ export interface Desk {
 }
 
 /** What the server tells that hands go by. */
-export type Ways = Pick<Around, "pickRadius" | "lastJoin">;
+export type Ways = Pick<Around, "pickRadius" | "lastJoin" | "picked">;
 
-export function useDesk(scene: Scene, { pickRadius, lastJoin }: Ways): Desk {
+export function useDesk(scene: Scene, { pickRadius, lastJoin, picked }: Ways): Desk {
   const hands = useHands();
   const [state, setState] = useState(firstDesk);
   const now = useRef(state);
@@ -27,11 +27,12 @@ export function useDesk(scene: Scene, { pickRadius, lastJoin }: Ways): Desk {
     () => ({
       picking: pickable(scene),
       selected: [...scene.selected],
+      picked,
       box: scene.box,
       pickRadius,
       lastJoin,
     }),
-    [scene, pickRadius, lastJoin],
+    [scene, pickRadius, lastJoin, picked],
   );
   const put = useCallback((next: DeskState) => {
     now.current = next;

@@ -10,7 +10,7 @@ import { Button } from "../ui/Button";
 import type { Finding } from "../wire/messages";
 import { CodeEditor } from "./CodeEditor";
 import { DebugBar } from "./DebugBar";
-import { type EditedFile, edited, isChanged, newFile, opened, saved } from "./document";
+import { type EditedFile, edited, isChanged, newFile, opened, saved, written } from "./document";
 import "./edit-screen.css";
 import { FindingList } from "./FindingList";
 import { SaveAs } from "./SaveAs";
@@ -47,7 +47,7 @@ export function EditScreen() {
   const save = async (as: string | null) => {
     if (as === null) return setNaming(true);
     try {
-      await writeFile(as, file.text);
+      await writeFile(as, written(file));
       setFile((now) => saved(now, as));
       setNaming(false);
       // While a program waits for the editor, it stays the open file.

@@ -1,8 +1,9 @@
 /** The pages of the help, each by the letters of the command that opens it. */
 
-import type { ReactNode } from "react";
+import { type ReactNode, useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
 import { useCommands } from "../command/table";
+import { getText } from "../link/http";
 import { Button } from "../ui/Button";
 import { CommandReference } from "./CommandReference";
 import { KeyLists } from "./KeyLists";
@@ -164,19 +165,21 @@ function Troubleshooting() {
   );
 }
 
+/** What the server has on record for whoever helps. */
+function useProblems(): string | null {
+  const { screen } = useHands();
+  const [text, setText] = useState<string | null>(null);
+  useEffect(() => {
+    getText("/api/problems").then(setText, (error: Error) => screen.tell(error.message));
+  }, [screen]);
+  return text;
+}
+
 /** What whoever helps has to know, to be sent by the person himself. */
 function AskForHelp() {
-  const { link } = useHands();
-  const snapshot = link.shown.get().snapshot;
-  const said = snapshot?.messages.slice(-20).map(({ tone, text }) => `${tone}: ${text}`) ?? [];
-  const text = [
-    `Kerf ${snapshot?.kerf}, machine ${snapshot?.machine.name} (${snapshot?.machine.mode})`,
-    `State: ${snapshot?.machine.state} ${snapshot?.machine.why ?? ""}`,
-    `File: ${snapshot?.opened?.name ?? "none"}, last job: ${snapshot?.job?.ended ?? "none"}`,
-    `Browser: ${navigator.userAgent}`,
-    "Problem log:",
-    ...said,
-  ].join("\n");
+  const told = useProblems();
+  if (told === null) return <p>Reading…</p>;
+  const text = `${told}Browser: ${navigator.userAgent}\n`;
   const file = `data:text/plain;charset=utf-8,${encodeURIComponent(text)}`;
   return (
     <>

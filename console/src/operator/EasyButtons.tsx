@@ -1,5 +1,5 @@
-import type { Action } from "../actions/action";
-import { openFiles, openKeypad } from "../actions/go";
+import { type Action, asking } from "../actions/action";
+import { openFiles, openKeypad, openTools } from "../actions/go";
 import { singleStep, start } from "../actions/job";
 import { home, moveMode, preview, zeroAxis, zeroXY } from "../actions/machine";
 import { useShown } from "../app/context";
@@ -25,12 +25,6 @@ const openSettings: Action = {
   run: ({ screen }) => screen.go("/settings"),
 };
 
-/** Zeros ask first where one press sets them. */
-export const asking = (action: Action): Action => ({
-  ...action,
-  run: ({ screen }) => screen.open({ kind: "confirm", action: action.id }),
-});
-
 const buttons: readonly Easy[] = [
   { action: openKeypad, words: "Move tool", command: "SK" },
   { action: asking(zeroXY), words: "Zero X Y", command: "Z2" },
@@ -39,6 +33,7 @@ const buttons: readonly Easy[] = [
   { action: openFiles, words: "Choose file", command: "FP" },
   { action: start, words: "Cut part", command: "FP" },
   { action: preview, words: "Preview", command: "SP" },
+  { action: openTools, words: "Tools", command: "TD … TU" },
   { action: singleStep, words: "Single step", command: "FG" },
   { action: openSettings, words: "Settings", command: "VD" },
 ];

@@ -35,7 +35,13 @@ export function FilePicker() {
   return (
     <Sheet title={folder ? `Part folder / ${folder}` : "Part folder"} shape="wide" onClose={close}>
       <div className="files-head">
-        <Field label="Mask" placeholder="*.sbp" value={mask} onChange={setMask} first />
+        <Field
+          label="Mask"
+          placeholder="part files; * for all"
+          value={mask}
+          onChange={setMask}
+          first
+        />
       </div>
       <ListBox
         aria-label="Files"
@@ -69,7 +75,14 @@ function FileRow({ file }: { file: FileInfo }) {
         {file.folder ? "▸ " : ""}
         {name}
       </span>
-      <span className="files-header">{file.header?.split("\n")[0]}</span>
+      <span className="files-header" title={file.header ?? undefined}>
+        {file.header && (
+          <b className="files-mark" role="img" aria-label="Its head tells about the job">
+            !
+          </b>
+        )}
+        {file.header?.split("\n")[0]}
+      </span>
       <span className="files-size">{file.folder ? "" : sizeText(file.bytes)}</span>
       <span className="files-date">{new Date(file.changed * 1000).toLocaleDateString()}</span>
     </ListBoxItem>

@@ -1,4 +1,5 @@
-import { start } from "../actions/job";
+import { asking } from "../actions/action";
+import { start, takeUp } from "../actions/job";
 import { acknowledge } from "../actions/machine";
 import { useShown, useSnapshot } from "../app/context";
 import { durationText } from "../app/units";
@@ -10,10 +11,28 @@ import "./job-bar.css";
 export function JobBar() {
   return (
     <section className="job panel" aria-label="Job">
+      <Interrupted />
       <Progress />
       <FeedOverride />
       <StartButtons />
     </section>
+  );
+}
+
+const asksToTakeUp = asking(takeUp);
+
+/** The run that can be taken up, while nothing else is going on. */
+function Interrupted() {
+  const interrupted = useSnapshot("interrupted");
+  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  if (!interrupted || !idle) return null;
+  return (
+    <p className="job-interrupted">
+      <span>{interrupted.text}</span>
+      <ActionButton action={asksToTakeUp} size="small">
+        Take it up…
+      </ActionButton>
+    </p>
   );
 }
 

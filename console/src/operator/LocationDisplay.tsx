@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { asking } from "../actions/action";
 import { zeroAxis } from "../actions/machine";
 import { useScreen, useSnapshot } from "../app/context";
 import { locationText, usedAxes } from "../app/units";
@@ -6,7 +7,6 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { AxisUnits, Positions } from "../wire/messages";
-import { asking } from "./EasyButtons";
 import "./location-display.css";
 
 type Frame = "working" | "base";

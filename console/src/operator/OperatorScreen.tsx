@@ -6,6 +6,7 @@ import { JobBar } from "./JobBar";
 import { Lamps } from "./Lamps";
 import { ListingPanel } from "./ListingPanel";
 import { LocationDisplay } from "./LocationDisplay";
+import { ProgressPicture } from "./ProgressPicture";
 import { StatusPanel } from "./StatusPanel";
 import { WordsPanel } from "./WordsPanel";
 import "./operator-screen.css";
@@ -20,6 +21,7 @@ export function OperatorScreen() {
         <LocationDisplay />
         <StatusPanel />
         <Lamps />
+        <ProgressPicture />
       </div>
       <div className="operator-middle">
         <ToolPathPanel />

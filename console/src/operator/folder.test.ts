@@ -7,14 +7,26 @@ const file = (name: string, folder = false) => ({
   bytes: 1,
   changed: 0,
   header: null,
+  part: !name.endsWith(".log"),
 });
-const files = [file("b.sbp"), file("a.nc"), file("doors", true), file("doors/left.sbp")];
+const files = [
+  file("b.log"),
+  file("b.sbp"),
+  file("a.nc"),
+  file("doors", true),
+  file("doors/left.sbp"),
+];
 const names = (folder: string, mask: string) =>
   inFolder(files, folder, mask).map(({ name }) => name);
 
 describe("the part folder", () => {
   it("shows folders first, then files by name", () =>
     expect(names("", "")).toEqual(["doors", "a.nc", "b.sbp"]));
+
+  it("shows logs and the like only to a mask that asks for them", () => {
+    expect(names("", "*")).toEqual(["doors", "a.nc", "b.log", "b.sbp"]);
+    expect(names("", "log")).toEqual(["doors", "b.log"]);
+  });
 
   it("shows one folder", () => expect(names("doors", "")).toEqual(["doors/left.sbp"]));
 

@@ -4,7 +4,7 @@ import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 
-/** Asks before something that cannot be taken back: a zero that is set in the wrong place spoils the part. */
+/** Asks before something that cannot be taken back, as a zero that is set in the wrong place. */
 export function ConfirmSheet({ action: id, onClose }: { action: string; onClose: () => void }) {
   const hands = useHands();
   const action = actions.find((one) => one.id === id);
@@ -33,7 +33,7 @@ export function ConfirmSheet({ action: id, onClose }: { action: string; onClose:
         </>
       }
     >
-      <p className="question-text">The place where the tool is becomes the new zero.</p>
+      <p className="question-text">{action.warns?.(worldOf(hands))}</p>
     </Sheet>
   );
 }

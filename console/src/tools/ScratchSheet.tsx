@@ -1,7 +1,7 @@
 import { useState } from "react";
 import { drive } from "../actions/ask";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
-import { refusal } from "../keypad/useMayMove";
+import { refusal } from "../keypad/refusal";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import { RecordedLines } from "./RecordedLines";

@@ -1,11 +1,13 @@
 import { useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
 import { getJson } from "../link/http";
+import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Values } from "../wire/messages";
 import "./tools.css";
+import { VariableLines } from "./VariableLines";
 
 type Kind = "variables" | "system" | "settings" | "diagnostics";
 
@@ -21,6 +23,7 @@ export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onCl
   const values = useValues();
   const [kind, setKind] = useState<Kind>(first ?? "variables");
   const [wanted, setWanted] = useState("");
+  const [editing, setEditing] = useState(false);
   const rows = values ? rowsOf(values, kind) : [];
   const found = rows.filter((row) => row.join(" ").toLowerCase().includes(wanted.toLowerCase()));
   return (
@@ -29,7 +32,15 @@ export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onCl
         <Choice label="Which values" options={kinds} value={kind} onChange={setKind} />
         <Field label="Look for" value={wanted} onChange={setWanted} first />
       </div>
-      <section className="values" aria-label="Values">
+      {kind === "variables" && values && !editing && (
+        <Button size="small" onPress={() => setEditing(true)}>
+          Change or add…
+        </Button>
+      )}
+      {kind === "variables" && values && editing && (
+        <VariableLines variables={values.variables} onDone={() => setEditing(false)} />
+      )}
+      <section className="values" aria-label="Values" hidden={kind === "variables" && editing}>
         <table>
           <tbody>
             {found.map(([name, value, words]) => (

@@ -2,11 +2,12 @@ import { useEffect, useMemo, useRef, useState } from "react";
 import { ToggleButton } from "react-aria-components";
 import { clearPreview } from "../actions/machine";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
+import { useDisplay } from "../app/display";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
-import type { Motion, PreviewInfo } from "../wire/messages";
+import type { Motion, Opened, PreviewInfo } from "../wire/messages";
 import type { Aspect, Bounds, Vec3 } from "./camera";
 import type { Marks } from "./overlay";
 import { PathFacts } from "./PathFacts";
@@ -34,7 +35,8 @@ export function ToolPathPanel() {
   const motion = useSnapshot("motion");
   const units = useSnapshot("units");
   const preview = opened?.preview;
-  const path = useToolPath(preview?.state === "ready" ? preview.key : undefined);
+  const shows = preview?.state === "ready" && !opened?.cleared;
+  const path = useToolPath(shows ? preview.key : undefined);
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   const { camera, aspect, look, zoomBy, handlers } = useCamera(size);
@@ -45,7 +47,9 @@ export function ToolPathPanel() {
   }, [path?.info, size.width > 0]);
   const seconds = path?.info.seconds ?? 0;
   const [playback, setPlayback] = usePlayback(seconds);
-  const [stock, setStock] = useState(false);
+  const [chosen, setStock] = useState<boolean | null>(null);
+  const simulates = useDisplay()?.simulate ?? false;
+  const stock = chosen ?? simulates;
   const { screen } = useHands();
   const large = useScreen("large");
   const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
@@ -107,7 +111,7 @@ export function ToolPathPanel() {
           marks={marks}
           stock={stock}
         />
-        <PathWords path={path} opened={opened?.name} preview={preview} />
+        <PathWords path={path} opened={opened} />
       </div>
       {path && units && <PathFacts info={path.info} units={units} />}
       {path && <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />}
@@ -117,21 +121,20 @@ export function ToolPathPanel() {
 
 interface PathWordsProps {
   path: ToolPath | null;
-  opened: string | undefined;
-  preview: { state: string; why?: string } | undefined;
+  opened: Opened | null | undefined;
 }
 
 /** What is said where there is no picture yet. */
-function PathWords({ path, opened, preview }: PathWordsProps) {
-  const words =
-    opened === undefined
-      ? "Choose a file to see its tool path."
-      : preview?.state === "failed"
-        ? preview.why
-        : path === null
-          ? "Reading…"
-          : undefined;
+function PathWords({ path, opened }: PathWordsProps) {
+  const words = wordsFor(path, opened);
   return words === undefined ? null : <p className="path-words">{words}</p>;
+}
+
+function wordsFor(path: ToolPath | null, opened: PathWordsProps["opened"]): string | undefined {
+  if (!opened) return "Choose a file to see its tool path.";
+  if (opened.preview.state === "failed") return opened.preview.why;
+  if (opened.cleared) return "The preview is cleared. Start draws the file again.";
+  return path === null ? "Reading…" : undefined;
 }
 
 /** What is to be in the picture: the cuts, else the table. Relative to the preview's origin. */

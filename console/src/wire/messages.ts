@@ -29,7 +29,9 @@ lease: number,
 /** Its hash: what was previewed is what runs, with the parameters of then. */
 hash: string,
 /** Go through it line by line. */
-step: boolean, } | { "do": "command",
+step: boolean, } | { "do": "takeUp",
+/** Number of the lease. */
+lease: number, } | { "do": "command",
 /** Number of the lease. */
 lease: number,
 /** The line; several are a program. */
@@ -142,7 +144,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -226,6 +228,8 @@ revision: number,
 shapes: number,
 /** The shapes that operations act on: numbers from 1. */
 selection: Array<number>,
+/** The shapes that were picked to be sequenced, in that order: numbers from 1. */
+picked: Array<number>,
 /** Whether there is something to take back. */
 canUndo: boolean,
 /** Whether there is something to make again. */
@@ -259,7 +263,9 @@ bytes: number,
 /** When it was changed: seconds since 1970. */
 changed: number,
 /** What its head tells about the job. */
-header: string | null, };
+header: string | null,
+/** Whether it is a part file: one that the mask of the part folder lets through, or G-code. */
+part: boolean, };
 
 /** How a part file is run: the parameters of FP. */
 export type FileParameters = {
@@ -356,6 +362,17 @@ text: string,
 from: number,
 /** The column behind it. */
 to: number, };
+
+/** A run that was cut short or given up, and can be taken up where it was. */
+export type Interrupted = {
+/** The part file. */
+file: string,
+/** Which run it was and where it ended, in a sentence. */
+text: string,
+/** The operator stopped it; else Kerf was killed or the power failed. */
+stopped: boolean,
+/** The machine moved when Kerf ended: it is not sure to be where it is believed to be. */
+moved: boolean, };
 
 /** All inputs and outputs. */
 export type Io = {
@@ -487,7 +504,9 @@ preview: PreviewState,
 /** Planned time, seconds; 0 until the preview is there. */
 seconds: number,
 /** What is wrong with it or worth knowing. */
-findings: Array<Finding>, };
+findings: Array<Finding>,
+/** The picture was cleared (SP given in preview): it is empty until the file is drawn again. */
+cleared: boolean, };
 
 /** An operation. */
 export type OperationEntry = {
@@ -738,6 +757,8 @@ io: Io,
 opened: Opened | null,
 /** What runs, or ran last. */
 job: Job | null,
+/** A run that can be taken up where it was cut short. */
+interrupted: Interrupted | null,
 /** The question that is open. */
 asked: Asked | null,
 /** The operator's overrides. */
@@ -845,6 +866,8 @@ settings: Array<string>,
 diagnostics: Array<NamedValue>,
 /** The folder of part files and which of them lists show (FS). */
 folder: Folder,
+/** The part file that ran last: its name below the part folder; empty before the first. */
+partFile: string,
 /** The folder of settings and logs. */
 data: string, };
 

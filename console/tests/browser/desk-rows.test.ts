@@ -276,9 +276,10 @@ it("sbp_con_keypad_alt: Alt makes PgUp and PgDn move the accessory axis", async 
   await until(async () => (await location(page, "A")) > a, "A moves");
   await page.keyboard.up("PageUp");
   await page.keyboard.up("Alt");
-  await until(async () => (await stateOf(workshop)).machine.state === "idle", "it stands");
+  await until(async () => (await stateOf(workshop)).machine.state === "asking", "it stands");
   expect(await location(page, "Z")).toBe(z);
   await page.keyboard.press("Escape");
+  await ready();
   await run("VD,,3");
 });
 
@@ -288,8 +289,9 @@ it("sbp_con_keypad_record__recorder: places that are kept are in the recorder's 
   await page.getByRole("dialog", { name: "Keypad" }).waitFor();
   await page.keyboard.press("#");
   await page.keyboard.press("2");
-  await until(async () => (await stateOf(workshop)).recorder.lines.at(-1) === "J2,3,4", "recorded");
   await page.keyboard.press("Escape");
+  await until(async () => (await stateOf(workshop)).recorder.lines.at(-1) === "J2,3,4", "recorded");
+  await ready();
 });
 
 it("sbp_cmd_sp_space: in preview the space bar leads to the large picture and back", async () => {

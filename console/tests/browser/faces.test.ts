@@ -32,6 +32,7 @@ it("sbp_con_easy: every button shows the command that does the same, and does it
     "Choose fileFP",
     "Cut partFP",
     "PreviewSP",
+    "ToolsTD … TU",
     "Single stepFG",
     "SettingsVD",
   ]);

@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
 import { asUsual, openProxy, type RoughLink } from "./proxy";
-import { arm, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import { arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 let proxy: RoughLink;
@@ -29,6 +29,12 @@ afterEach(async () => {
   proxy.close();
   await page.close();
   await settled();
+  // The keypad stays open for whoever comes; nobody does.
+  await script(workshop, "stop");
+  await until(
+    async () => (await stateOf(workshop)).machine.state === "idle",
+    "the keypad is closed",
+  );
 });
 
 const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));

@@ -18,6 +18,8 @@ export interface Workshop {
   page(size?: { width: number; height: number }): Promise<Page>;
   /** Errors of every page so far. */
   readonly mistakes: string[];
+  /** Ends the server as a power cut does, and keeps its folder. */
+  kill(): Promise<void>;
   close(): Promise<void>;
 }
 
@@ -68,6 +70,10 @@ export async function until(holds: () => Promise<boolean>, words: string): Promi
 export interface WorkshopOptions {
   /** Part files of the examples that are in the part folder: `01-first-cut/first-cut.sbp`. */
   readonly parts?: readonly string[];
+  /** A part folder that was there before, with what an earlier server left in it. */
+  readonly folder?: string;
+  /** Drawings only. */
+  readonly drawingOnly?: boolean;
   /** Opened at the start. */
   readonly open?: string;
   /** Seconds of machine time in a second. */
@@ -104,14 +110,15 @@ function addressOf(server: ChildProcess): Promise<string> {
 }
 
 export async function openWorkshop(options: WorkshopOptions = {}): Promise<Workshop> {
-  const folder = mkdtempSync(join(tmpdir(), "kerf-console-"));
+  const folder = options.folder ?? mkdtempSync(join(tmpdir(), "kerf-console-"));
   for (const part of options.parts ?? []) {
     copyFileSync(join(root, "examples", part), join(folder, part.split("/").at(-1) ?? part));
   }
   const file = options.open ? [options.open] : [];
   const rate = String(options.rate ?? 1);
   const places = ["--listen", "127.0.0.1:0", "--parts", folder, "--data", folder, "--rate", rate];
-  const server = spawn(kerf, ["serve", ...file, ...places]);
+  const only = options.drawingOnly ? ["--drawing-only"] : [];
+  const server = spawn(kerf, ["serve", ...file, ...places, ...only]);
   const address = await addressOf(server);
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
@@ -131,6 +138,12 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
       });
       await page.goto(address);
       return page;
+    },
+    async kill() {
+      const gone = new Promise((done) => server.once("exit", done));
+      server.kill("SIGKILL");
+      await gone;
+      await browser.close();
     },
     async close() {
       await browser.close();

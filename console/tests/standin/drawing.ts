@@ -25,6 +25,7 @@ export const drawing: DrawingState = {
   name: "plate.dxf",
   revision: 1,
   shapes: 5,
+  picked: [],
   selection: [2],
   canUndo: true,
   canRedo: false,

@@ -8,7 +8,7 @@ use kerf_control::event::{MoveEvent, Place};
 use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Event, Pace, RunOptions, Session, Shelf, StopAt, Wish};
+use kerf_control::{Company, Event, Pace, RunOptions, Session, Shelf, Started, StopAt, Wish};
 use kerf_program::MoveKind;
 use kerf_sbp::Status;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -49,8 +49,11 @@ fn run(folder: &TempDir, pace: &mut dyn Pace, answers: &str) -> (Vec<Event>, Opt
     let (mut events, mut operator) = (Vec::new(), Answers::read(answers));
     let company = Company { sink: &mut events, operator: &mut operator, pace };
     let program = kerf_part::read("a.sbp".into(), PART.as_bytes());
+    // Logs are written at its end, also when it was given up.
+    let started = Started { time: "14:03:05".into(), date: "2026-11-21".into() };
+    let options = RunOptions { started: Some(started), ..RunOptions::default() };
     let went = catch_unwind(AssertUnwindSafe(|| {
-        session.run_on_record(program, RunOptions::default(), None, &mut shelf, company).unwrap()
+        session.run_on_record(program, options, None, &mut shelf, company).unwrap()
     }));
     (events, went.ok().map(|summary| summary.status))
 }

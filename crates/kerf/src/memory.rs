@@ -5,7 +5,7 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
-use kerf_control::journal::{CutShort, Journal, Whereabouts};
+use kerf_control::journal::{Journal, Whereabouts};
 use kerf_control::{Session, Shelf};
 use std::path::Path;
 
@@ -36,25 +36,8 @@ pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Sessi
             );
         }
         if let Some(cut) = journal.cut_short()? {
-            eprintln!("kerf: {}; kerf run --resume takes it up", told(&cut));
+            eprintln!("kerf: {}; kerf run --resume takes it up", cut.told());
         }
     }
     Ok(session)
-}
-
-/// Which run was stopped or cut short, and where.
-pub fn told(cut: &CutShort) -> String {
-    let how = if cut.stopped() { "stopped" } else { "cut short" };
-    match cut.last_move() {
-        (_, shape @ 1..) if cut.is_job() => {
-            format!("the job {} was {how} at shape {shape}", cut.file())
-        }
-        (_, 0) => format!("the run of {} was {how} before its first move", cut.file()),
-        (file, line) if file == cut.file() => {
-            format!("the run of {file} was {how} behind line {line}")
-        }
-        (file, line) => {
-            format!("the run of {} was {how} behind line {line} of {file}", cut.file())
-        }
-    }
 }

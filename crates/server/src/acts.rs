@@ -42,6 +42,25 @@ const fn holding(lease: u32) -> Need {
 const DRAWING_ONLY: &str =
     "this is not available in the editing version: only drawings are worked on here";
 
+/// Whether an act leaves the machine alone: it is about drawings and files, or it only stops.
+const fn is_of_drawings(act: &Act) -> bool {
+    matches!(
+        act,
+        Act::Ping
+            | Act::Stop
+            | Act::Hold
+            | Act::Disarm
+            | Act::JogStop { .. }
+            | Act::Draw { .. }
+            | Act::Open { .. }
+            | Act::Parameters { .. }
+            | Act::Close
+            | Act::ClearPrinted
+            | Act::Unlock { .. }
+            | Act::Protect { .. }
+    )
+}
+
 /// What an act needs. This is the one list.
 fn needs(act: &Act) -> Need {
     match act {
@@ -50,6 +69,7 @@ fn needs(act: &Act) -> Need {
         }
         Act::Resume { lease }
         | Act::Run { lease, .. }
+        | Act::TakeUp { lease }
         | Act::JogStart { lease, .. }
         | Act::JogRenew { lease, .. }
         | Act::Nudge { lease, .. } => drive(*lease),
@@ -91,6 +111,9 @@ impl App {
     /// # Errors
     /// Why not.
     pub fn act(self: &Arc<Self>, who: &Who, act: Act) -> Done {
+        if self.options.drawing_only && !is_of_drawings(&act) {
+            return Err(problem(Why::State, DRAWING_ONLY));
+        }
         self.allow(who, needs(&act))?;
         if matches!(&act, Act::Command { line, .. } if changes_settings(line)) {
             self.opened(who, None)?;
@@ -102,9 +125,6 @@ impl App {
             Act::Disarm => self.disarm("disarmed at a page"),
             Act::Resume { .. } => self.resume()?,
             Act::Answer { question, answer } => self.answer(question, answer)?,
-            Act::TakeLease { .. } if self.options.drawing_only => {
-                return Err(problem(Why::State, DRAWING_ONLY));
-            }
             Act::TakeLease { force } => self.take_lease(who, force)?,
             Act::GiveLease { .. } => self.drop_lease("nobody drives"),
             Act::Arm { .. } => self.arm()?,
@@ -120,6 +140,7 @@ impl App {
             }
             Act::Close => self.close_file(),
             Act::Run { hash, step, .. } => self.run(&hash, step)?,
+            Act::TakeUp { .. } => self.take_up()?,
             Act::Command { line, .. } => self.command(line)?,
             Act::JogStart { seq, direction, distance, speed, .. } => {
                 self.jog(who, seq, Order::Jog { direction, distance, speed })?;
@@ -142,9 +163,6 @@ impl App {
             let text =
                 format!("this needs the role {:?}, this device is {:?}", need.role, who.role);
             return Err(problem(Why::Role, text.to_lowercase()));
-        }
-        if need.lease.is_some() && self.options.drawing_only {
-            return Err(problem(Why::State, DRAWING_ONLY));
         }
         let (lease, machine) = self.hub.read(|now| (now.lease.clone(), now.machine.clone()));
         if let Some(number) = need.lease {
@@ -329,6 +347,14 @@ impl App {
             Some((path, _)) => changed(&self.parts.name_of(&path.display().to_string())),
             None => Ok(()),
         }
+    }
+
+    /// Goes on with the run that was cut short.
+    fn take_up(&self) -> Result<(), Problem> {
+        if self.hub.read(|now| now.interrupted.is_none()) {
+            return Err(problem(Why::State, "no run was cut short"));
+        }
+        self.order(Order::TakeUp, State::Running)
     }
 
     fn command(&self, line: String) -> Result<(), Problem> {

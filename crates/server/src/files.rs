@@ -4,9 +4,12 @@ use kerf_control::MOST_BYTES;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_wire::{FileInfo, Problem, Why};
 use std::fs;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
+
+/// Bytes that the head of a file has at most.
+const HEAD: u64 = 16 * 1024;
 
 /// The folder of part files. Names are relative, with `/` between folders.
 #[derive(Clone, Debug)]
@@ -73,6 +76,18 @@ impl PartFolder {
         fs::read(path).map_err(|error| problem(name, &error))
     }
 
+    /// The first lines of a file: as many as a head has at most.
+    ///
+    /// # Errors
+    /// As of [`PartFolder::read`].
+    pub fn head(&self, name: &str) -> Result<String, Problem> {
+        let failed = |error: io::Error| problem(name, &error);
+        let mut bytes = Vec::new();
+        let file = fs::File::open(self.find(name)?).map_err(failed)?;
+        file.take(HEAD).read_to_end(&mut bytes).map_err(failed)?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
     /// Writes a file, whole or not at all.
     ///
     /// # Errors
@@ -114,6 +129,7 @@ fn info(folder: &str, entry: &fs::DirEntry) -> Option<FileInfo> {
         bytes: data.len(),
         changed: changed.map_or(0, |t| t.as_secs()),
         header: None,
+        part: false,
     })
 }
 

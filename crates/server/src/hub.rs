@@ -1,7 +1,8 @@
 //! What every page shows, and who is told when it changes.
 
-use kerf_wire::{Change, Message, Snapshot, ToPage, Tone};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use crate::problems::ProblemLog;
+use kerf_wire::{Change, Message, Opened, Snapshot, ToPage, Tone};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use tokio::sync::broadcast;
 
 /// Changes that a slow page may be behind before it gets a snapshot instead.
@@ -12,12 +13,23 @@ const BEHIND: usize = 1024;
 pub struct Hub {
     snapshot: Mutex<Snapshot>,
     pages: broadcast::Sender<Arc<str>>,
+    problems: OnceLock<ProblemLog>,
 }
 
 impl Hub {
     /// Begins with a snapshot.
     pub fn new(snapshot: Snapshot) -> Self {
-        Self { snapshot: Mutex::new(snapshot), pages: broadcast::channel(BEHIND).0 }
+        Self {
+            snapshot: Mutex::new(snapshot),
+            pages: broadcast::channel(BEHIND).0,
+            problems: OnceLock::new(),
+        }
+    }
+
+    /// From now on warnings and errors are on record.
+    pub fn keep(&self, problems: ProblemLog) {
+        // There is one for a server.
+        drop(self.problems.set(problems));
     }
 
     /// The snapshot, for reading.
@@ -40,8 +52,20 @@ impl Hub {
         for change in &changes {
             snapshot.apply(change.clone());
         }
+        self.problems.get().into_iter().for_each(|problems| problems.note(&changes));
         // Nobody listening is no error.
         drop(self.pages.send(text(&ToPage::Changes { changes })));
+    }
+
+    /// The picture of the open file is empty from now on, or is drawn again.
+    pub fn cleared(&self, cleared: bool) {
+        self.changing(|now| match &now.opened {
+            Some(opened) if opened.cleared != cleared => {
+                let opened = Some(Opened { cleared, ..opened.clone() });
+                vec![Change::Opened { opened }]
+            }
+            _ => Vec::new(),
+        });
     }
 
     /// A line for the message area.

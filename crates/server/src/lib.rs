@@ -27,6 +27,7 @@ mod operations;
 mod paths;
 mod people;
 mod preview;
+mod problems;
 mod protect;
 mod setup;
 mod shop;
@@ -42,6 +43,7 @@ use http::Peer;
 use hub::Hub;
 use kerf_wire::Snapshot;
 use machine::{Left, Link, Order, Owner};
+use problems::ProblemLog;
 use std::io;
 use std::net::SocketAddr;
 use std::sync::mpsc::{Receiver, channel};
@@ -125,11 +127,12 @@ fn machine_and_app(options: Options, builders: Builders, url: String) -> io::Res
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();
     let (owned, build) = ((hub.clone(), link.clone(), left.clone()), builders.workshop.clone());
-    let rate = options.rate;
+    let (rate, data) = (options.rate, options.data.clone());
     let run = move |waiting: Receiver<Order>| {
         let workshop = match build() {
             Ok(mut workshop) => {
                 workshop.shelf.reached_at(&url);
+                owned.0.keep(ProblemLog::begin(&data, workshop.started));
                 workshop
             }
             Err(error) => return drop(ready.send(Err(error))),

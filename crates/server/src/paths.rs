@@ -85,6 +85,7 @@ impl Desk {
             revision: self.revision,
             shapes: drawing.shapes.len() as u32,
             selection: editor.selection.iter().map(|place| *place as u32 + 1).collect(),
+            picked: editor.picks.shapes(drawing).iter().map(|place| *place as u32 + 1).collect(),
             can_undo: editor.can_undo(),
             can_redo: editor.can_redo(),
             changed: *drawing != self.saved,

@@ -86,6 +86,12 @@ pub enum Act {
         #[serde(default)]
         step: bool,
     },
+    /// Takes up the run that was cut short: the tool lifts, and before it goes back the operator is asked
+    /// whether everything is ready.
+    TakeUp {
+        /// Number of the lease.
+        lease: u32,
+    },
     /// Carries out a line of OpenSBP.
     Command {
         /// Number of the lease.

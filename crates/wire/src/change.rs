@@ -1,8 +1,8 @@
 //! What the server tells without being asked.
 
 use crate::{
-    Asked, Client, DrawingState, Folder, Io, Job, Lease, Machine, Message, Motion, NamedValue,
-    Opened, Overrides, Recorder, Reply, Setup, Snapshot, Speeds, Units, Who,
+    Asked, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message, Motion,
+    NamedValue, Opened, Overrides, Recorder, Reply, Setup, Snapshot, Speeds, Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -36,6 +36,9 @@ pub enum Change {
     },
     Job {
         job: Option<Job>,
+    },
+    Interrupted {
+        interrupted: Option<Interrupted>,
     },
     Asked {
         asked: Option<Asked>,

@@ -53,6 +53,8 @@ pub struct DrawingState {
     pub shapes: u32,
     /// The shapes that operations act on: numbers from 1.
     pub selection: Vec<u32>,
+    /// The shapes that were picked to be sequenced, in that order: numbers from 1.
+    pub picked: Vec<u32>,
     /// Whether there is something to take back.
     pub can_undo: bool,
     /// Whether there is something to make again.

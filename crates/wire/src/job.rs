@@ -21,6 +21,8 @@ pub struct FileInfo {
     pub changed: u64,
     /// What its head tells about the job.
     pub header: Option<String>,
+    /// Whether it is a part file: one that the mask of the part folder lets through, or G-code.
+    pub part: bool,
 }
 
 /// How a part file is run: the parameters of FP.
@@ -90,6 +92,8 @@ pub struct Opened {
     pub seconds: f64,
     /// What is wrong with it or worth knowing.
     pub findings: Vec<Finding>,
+    /// The picture was cleared (SP given in preview): it is empty until the file is drawn again.
+    pub cleared: bool,
 }
 
 /// Whether a preview is there.
@@ -109,6 +113,20 @@ pub enum PreviewState {
         /// Why.
         why: String,
     },
+}
+
+/// A run that was cut short or given up, and can be taken up where it was.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Interrupted {
+    /// The part file.
+    pub file: String,
+    /// Which run it was and where it ended, in a sentence.
+    pub text: String,
+    /// The operator stopped it; else Kerf was killed or the power failed.
+    pub stopped: bool,
+    /// The machine moved when Kerf ended: it is not sure to be where it is believed to be.
+    pub moved: bool,
 }
 
 /// What runs.

@@ -174,6 +174,8 @@ pub struct Values {
     pub diagnostics: Vec<NamedValue>,
     /// The folder of part files and which of them lists show (FS).
     pub folder: Folder,
+    /// The part file that ran last: its name below the part folder; empty before the first.
+    pub part_file: String,
     /// The folder of settings and logs.
     pub data: String,
 }

@@ -40,8 +40,8 @@ pub use drawing::{
     ToolPaths,
 };
 pub use job::{
-    Asked, Call, FileInfo, FileParameters, Folder, Job, Message, Opened, Overrides, PreviewState,
-    Recorder, Tone,
+    Asked, Call, FileInfo, FileParameters, Folder, Interrupted, Job, Message, Opened, Overrides,
+    PreviewState, Recorder, Tone,
 };
 pub use language::{
     Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, NamedValue, Parameter,

@@ -1,8 +1,8 @@
 //! Everything a page shows, at one moment.
 
 use crate::{
-    Asked, Change, Client, DrawingState, Folder, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Recorder, Setup, Speeds, Units, VERSION,
+    Asked, Change, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message,
+    Motion, NamedValue, Opened, Overrides, Recorder, Setup, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -39,6 +39,8 @@ pub struct Snapshot {
     pub opened: Option<Opened>,
     /// What runs, or ran last.
     pub job: Option<Job>,
+    /// A run that can be taken up where it was cut short.
+    pub interrupted: Option<Interrupted>,
     /// The question that is open.
     pub asked: Option<Asked>,
     /// The operator's overrides.
@@ -79,6 +81,7 @@ impl Default for Snapshot {
             io: Io::default(),
             opened: None,
             job: None,
+            interrupted: None,
             asked: None,
             overrides: Overrides::default(),
             printed: Vec::new(),
@@ -107,6 +110,7 @@ impl Snapshot {
             Change::Io { io } => self.io = io,
             Change::Opened { opened } => self.opened = opened,
             Change::Job { job } => self.job = job,
+            Change::Interrupted { interrupted } => self.interrupted = interrupted,
             Change::Asked { asked } => self.asked = asked,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),

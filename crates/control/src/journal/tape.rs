@@ -369,6 +369,8 @@ impl Tape {
         (reached.stopped, reached.moving, reached.place) = (true, false, place);
         (reached.made, reached.within) = self.stood.unwrap_or((reached.made, 0.0));
         self.write();
+        // What is told from here on belongs to giving up, and is not played when it is taken up.
+        self.writing = None;
     }
 
     /// How far a run is that was given up.

@@ -82,6 +82,24 @@ impl CutShort {
         self.reached.moving
     }
 
+    /// Which run was stopped or cut short, and where: `the run of a.sbp was cut short behind line 5`.
+    pub fn told(&self) -> String {
+        self.told_by(str::to_owned)
+    }
+
+    /// The same, with names of files as somebody else knows them.
+    pub fn told_by(&self, name: impl Fn(&str) -> String) -> String {
+        let how = if self.stopped() { "stopped" } else { "cut short" };
+        let (file, line) = self.last_move();
+        let run = name(self.file());
+        match line {
+            0 => format!("the run of {run} was {how} before its first move"),
+            shape if self.is_job() => format!("the job {run} was {how} at shape {shape}"),
+            line if file == self.file() => format!("the run of {run} was {how} behind line {line}"),
+            line => format!("the run of {run} was {how} behind line {line} of {}", name(file)),
+        }
+    }
+
     /// The session as it was when the run began.
     pub(crate) fn session(&self) -> Session {
         let mut session = Session::new(self.run.session.sbp.clone());

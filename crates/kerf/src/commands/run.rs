@@ -3,7 +3,6 @@
 use crate::args::RunArgs;
 use crate::clock;
 use crate::exit::{Exit, Usage};
-use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
 use crate::picture::{self, Format, Picture};
@@ -100,7 +99,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let cut = journal.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut shelf)?;
     if !args.quiet {
-        eprintln!("kerf: {}", memory::told(&cut));
+        eprintln!("kerf: {}", cut.told());
     }
     if whereabouts == Whereabouts::Moving {
         eprintln!(

@@ -31,12 +31,27 @@ pub async fn list(
 ) -> Result<Json<Vec<FileInfo>>, Refused> {
     let list = move || {
         let mut files = app.parts.list(&query.folder)?;
+        let parts = app.hub.read(|now| now.folder.mask.clone());
+        files.iter_mut().filter(|file| !file.folder).for_each(|file| app.look(file, &parts));
         if let Some(mask) = &query.mask {
             files.retain(|file| file.folder || parts::fits(mask, file_name(&file.name)));
         }
         Ok(files)
     };
     Ok(Json(aside(list).await?))
+}
+
+impl App {
+    /// Whether it is a part file, by the mask of part files, and what its head tells.
+    fn look(&self, file: &mut FileInfo, mask: &str) {
+        let name = file_name(&file.name);
+        let gcode = kerf_sbp::is_gcode_name(name);
+        file.part = gcode || parts::fits(mask, name);
+        if file.part && !gcode {
+            let head = self.parts.head(&file.name).unwrap_or_default();
+            file.header = kerf_sbp::Header::read(&head).map(|header| header.text);
+        }
+    }
 }
 
 /// The last part of a name.

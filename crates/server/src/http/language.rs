@@ -101,6 +101,7 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         settings: kerf_sbp::table::settings_lines(&memory.settings),
         diagnostics: told::named(session.diagnostics(&mut shelf)),
         folder: app.hub.read(|now| now.folder.clone()),
+        part_file: app.parts.name_of(shelf.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
         data: shelf.app_path(),
     })
 }

@@ -64,6 +64,12 @@ pub fn demand(caller: &Caller, role: Role) -> Result<(), Problem> {
     Err(problem(Why::Role, format!("this needs the role {role:?}").to_lowercase()))
 }
 
+/// What somebody who helps has to know, as text.
+pub async fn problems(State(app): State<Arc<App>>) -> Result<String, Refused> {
+    let failed = |error: std::io::Error| problem(Why::Server, error.to_string());
+    aside(move || app.problems().map_err(failed)).await
+}
+
 /// The shapes of the drawing.
 pub async fn shapes(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refused> {
     Ok(Json(aside(move || Ok(app.shapes())).await?))

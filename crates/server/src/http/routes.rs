@@ -48,6 +48,7 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/drawing/operations", get(rest::operations)),
         ("/api/commands", get(language::commands)),
         ("/api/values", get(language::values)),
+        ("/api/problems", get(rest::problems)),
         ("/api/settings", get(language::settings)),
         ("/api/inputs", get(language::inputs)),
         ("/api/registry", get(registry::list)),
@@ -121,6 +122,7 @@ fn routes() -> Vec<Route> {
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ToolPaths>)),
         looks("/api/drawing/operations", "What can be done to a drawing", Some(operations)),
         looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
+        looks("/api/problems", "What somebody who helps has to know, as text", None),
         looks(
             "/api/settings",
             "The configuration of the machine, to be changed with the act set",

@@ -3,10 +3,11 @@
 use super::owner::Owner;
 use crate::setup::Workshop;
 use crate::told;
+use kerf_control::journal::{CutShort, Journal, JournalError};
 use kerf_control::{Press, command_passing};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
-use kerf_wire::{Change, Folder, Machine, NamedValue, Recorder, State, Tone};
+use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone};
 use std::path::Path;
 
 impl Owner {
@@ -75,6 +76,24 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
+    /// The run that can be taken up, where runs are on record.
+    pub(super) fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
+        let journal = self.workshop.shelf.journal().filter(|_| self.workshop.kept);
+        journal.map_or(Ok(None), Journal::cut_short)
+    }
+
+    /// The same as pages show it. A journal that cannot be read was told when it was opened.
+    fn interrupted(&self) -> Option<Interrupted> {
+        let cut = self.cut_short().ok().flatten()?;
+        let name = |path: &str| self.parts.name_of(path);
+        Some(Interrupted {
+            file: name(cut.file()),
+            text: cut.told_by(name),
+            stopped: cut.stopped(),
+            moved: cut.moved(),
+        })
+    }
+
     /// Tells what the shelf holds: recorder, folder, watched variables; and that settings are others.
     pub(super) fn tell_shelf(&mut self) {
         let shelf = &mut self.workshop.shelf;
@@ -84,6 +103,7 @@ impl Owner {
         let folder = Folder { name, mask: shelf.mask().to_owned() };
         let watched = self.watched();
         let setup = crate::configure::setup(&self.workshop.session.configuration());
+        let interrupted = self.interrupted();
         let other = {
             let (before, now) = (&crate::app::lock(&self.left).session, &self.workshop.session);
             before.memory.settings != now.memory.settings || before.machine_is != now.machine_is
@@ -93,6 +113,7 @@ impl Owner {
             let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));
             put(now.recorder != recorder, Change::Recorder { recorder });
             put(now.folder != folder, Change::Folder { folder });
+            put(now.interrupted != interrupted, Change::Interrupted { interrupted });
             put(now.watched != watched, Change::Watched { watched });
             put(now.setup != setup, Change::Setup { setup });
             put(other, Change::Settings { settings: now.settings.wrapping_add(1) });

@@ -280,6 +280,11 @@ impl Sink for Teller {
             Event::Message { text, .. } => board.say(Tone::Program, &**text),
             Event::Diag(found) => board.say(told::tone(found), told::sentence(found)),
             Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
+            Event::Clear { .. } => {
+                drop(board);
+                self.shared.hub.cleared(true);
+                return;
+            }
             Event::Override { percent, .. } => {
                 board.feed = percent / 100.0;
                 let overrides = kerf_wire::Overrides { feed: *percent };

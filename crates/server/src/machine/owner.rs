@@ -40,6 +40,8 @@ pub enum Order {
         /// How it is run.
         parameters: FileParameters,
     },
+    /// Take up the run that was cut short.
+    TakeUp,
     /// Carry out lines of OpenSBP.
     Command(String),
     /// Move for as long as the link says.
@@ -120,6 +122,7 @@ impl Owner {
                     let job = Job { file: name, hash, ..Job::default() };
                     self.run(*program, options, job, times);
                 }
+                Order::TakeUp => self.take_up(),
                 Order::Command(line) => self.command(&line),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
@@ -140,14 +143,41 @@ impl Owner {
     }
 
     fn run(&mut self, program: Program, options: RunOptions, job: Job, times: Times) {
+        let job = self.tell_begun(job, &times);
+        let driven = self.drive(program, options, None, times);
+        self.tell_ended(job, driven);
+    }
+
+    /// Goes on with the run that was cut short, whatever file is open.
+    fn take_up(&mut self) {
+        let cut = match self.cut_short() {
+            Ok(Some(cut)) => cut,
+            Ok(None) => return self.rest(State::Idle, None),
+            Err(error) => return self.rest(State::Idle, Some(error.to_string())),
+        };
+        let file = self.parts.name_of(cut.file());
+        let job = self.tell_begun(Job { file, ..Job::default() }, &Times::default());
+        let driven = self.accompanied(Times::default(), |workshop, company| {
+            workshop.session.resume(&cut, &mut workshop.shelf, company)
+        });
+        self.tell_ended(job, driven);
+    }
+
+    fn tell_begun(&mut self, job: Job, times: &Times) -> Job {
         self.run += 1;
         let seconds = times.last().copied().map_or(0.0, f64::from);
         let job = Job { run: self.run, seconds, ..job };
+        if job.command.is_none() {
+            self.hub.cleared(false);
+        }
         self.hub.change(vec![
             Change::Job { job: Some(job.clone()) },
             Change::Overrides { overrides: Overrides::default() },
         ]);
-        let driven = self.drive(program, options, None, times);
+        job
+    }
+
+    fn tell_ended(&mut self, job: Job, driven: Result<Summary, JournalError>) {
         let (ended, error) = match &driven {
             Ok(summary) => (told::status(summary.status), summary.error.as_deref()),
             Err(_) => ("failed", None),
@@ -166,6 +196,21 @@ impl Owner {
         settings: Option<Settings>,
         times: Times,
     ) -> Result<Summary, JournalError> {
+        self.accompanied(times, |workshop, company| {
+            let Workshop { session, shelf, kept, .. } = workshop;
+            match kept {
+                true => session.run_on_record(program, options, settings, shelf, company),
+                false => Ok(session.run(program, options, shelf, company)),
+            }
+        })
+    }
+
+    /// Something runs, told to pages; whoever sits at them answers its questions.
+    fn accompanied(
+        &mut self,
+        times: Times,
+        runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
+    ) -> Result<Summary, JournalError> {
         let board = Rc::new(RefCell::new(Board::new(self.hub.clone(), self.run, times)));
         let shared = Shared {
             board: board.clone(),
@@ -177,11 +222,7 @@ impl Owner {
         let mut pages = Pages::new(shared.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
-        let Workshop { session, shelf, kept, .. } = &mut self.workshop;
-        let summary = match kept {
-            true => session.run_on_record(program, options, settings, shelf, company),
-            false => Ok(session.run(program, options, shelf, company)),
-        };
+        let summary = runs(&mut self.workshop, company);
         self.asked = pages.asked();
         board.borrow_mut().tell();
         summary

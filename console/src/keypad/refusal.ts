@@ -1,0 +1,20 @@
+/** Why the tool cannot be moved by hand. */
+
+import type { Shown } from "../link/shown";
+
+export const busy = "The machine is busy.";
+
+/** The keypad works connected, armed and not in preview. */
+export function refusal({ status, snapshot, who }: Shown): string | undefined {
+  if (status !== "open" || !snapshot) return "There is no link to the machine.";
+  const { state, armed, mode } = snapshot.machine;
+  if (mode === "preview") return "Nothing moves in preview: switch to move mode (SM).";
+  const { lease } = snapshot;
+  if (lease && lease.client !== who?.client) return "Somebody else drives: take control first.";
+  if (!armed) return "Arm the machine first.";
+  const kind = snapshot.asked?.kind;
+  const inFile =
+    (state === "asking" && kind === "keypad") || (state === "stopped" && kind === "hold");
+  if (state === "idle" || state === "jogging" || inFile) return undefined;
+  return busy;
+}

@@ -1,0 +1,26 @@
+import { useHands } from "../app/context";
+import { inMenu, useCommands } from "../command/table";
+import { Button } from "../ui/Button";
+import { Sheet } from "../ui/Sheet";
+import "./tools.css";
+
+/** The virtual tools: each asks what it needs and makes a part file. */
+export function ToolsSheet({ onClose }: { onClose: () => void }) {
+  const { screen } = useHands();
+  const table = useCommands();
+  return (
+    <Sheet title="Virtual tools" onClose={onClose}>
+      <p className="tool-words">Each asks what it needs, and makes a part file of it.</p>
+      <ul className="virtual-tools">
+        {inMenu(table, "tools").map(({ letters, name, doc }) => (
+          <li key={letters}>
+            <Button onPress={() => screen.open({ kind: "command", letters, given: [] })}>
+              <b>{letters}</b> {name}
+            </Button>
+            <span>{doc}</span>
+          </li>
+        ))}
+      </ul>
+    </Sheet>
+  );
+}

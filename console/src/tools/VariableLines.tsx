@@ -1,0 +1,47 @@
+import { useState } from "react";
+import { drive } from "../actions/ask";
+import { useHands, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import type { NamedValue } from "../wire/messages";
+import { changedLines, linesOf, notAVariable } from "./variableLines";
+
+interface VariableLinesProps {
+  variables: readonly NamedValue[];
+  onDone: () => void;
+}
+
+/** The variables as text: a line changes one, a new line adds one (UL). */
+export function VariableLines({ variables, onDone }: VariableLinesProps) {
+  const hands = useHands();
+  const [before] = useState(() => linesOf(variables));
+  const [text, setText] = useState(before);
+  const wrong = notAVariable(text);
+  const line = changedLines(before, text);
+  const save = async () => {
+    if (line === "" || (await drive(worldOf(hands), { do: "command", line }))) onDone();
+  };
+  return (
+    <div className="variable-lines">
+      <textarea
+        className="scratch"
+        aria-label="Variables, a line each"
+        rows={12}
+        spellCheck={false}
+        placeholder="&name = 4"
+        value={text}
+        onChange={(event) => setText(event.target.value)}
+      />
+      <p className="tool-words" role="status">
+        {wrong === undefined
+          ? "A line changes a variable or adds one; a line that is taken away changes nothing."
+          : `This sets no variable: ${wrong}`}
+      </p>
+      <div className="variable-tools">
+        <Button onPress={onDone}>Cancel</Button>
+        <Button look="primary" isDisabled={wrong !== undefined} onPress={() => void save()}>
+          Save
+        </Button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,169 @@
+/** What the manual says of the preview: lines, extents, material, clearing. */
+
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { type Painted, type Pixel, painted } from "./pixels";
+import { arm, command, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+let page: Page;
+
+beforeAll(async () => {
+  workshop = await openWorkshop({ rate: 100 });
+  const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
+  const moves = Array.from(
+    { length: 500 },
+    (_, n) => `M2,${(n % 25) / 5},${Math.floor(n / 25) / 5}`,
+  );
+  const line = (text: string, n: number) => `'line ${n}\n${text}\n`;
+  file("thousand.sbp", `SA\nJ2,8,6\nMZ,-.1\n${moves.map(line).join("")}JZ,.5\nEND\n`);
+  file("ring.sbp", "SA\nMZ,-.1\nCC,4\nJZ,.5\nJ2,-3,-3\nEND\n");
+  page = await workshop.page();
+  page.setDefaultTimeout(10_000);
+  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
+  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
+  await page.reload();
+  await arm(page);
+});
+afterAll(() => workshop?.close());
+
+const picture = () => page.locator(".path-lines");
+const box = () => page.locator(".path-box");
+const pictures = async () => Number(await picture().getAttribute("data-pictures"));
+const idle = () =>
+  until(async () => (await stateOf(workshop)).machine.state === "idle", "the machine stands");
+
+/** Opens a file and waits until all of it is drawn. */
+async function opens(name: string): Promise<void> {
+  await script(workshop, "open", { name });
+  await until(async () => {
+    const { opened } = await stateOf(workshop);
+    return opened?.name === name && opened.preview.state === "ready";
+  }, `${name} is previewed`);
+  await page.locator('[data-path="all"]').waitFor();
+  await drawn(0);
+}
+
+/** Waits until more pictures were drawn than before, and no other comes. */
+async function drawn(before: number): Promise<void> {
+  await expect.poll(pictures).toBeGreaterThan(before);
+  let last = -1;
+  await until(async () => {
+    const [then, now] = [last, await pictures()];
+    last = now;
+    if (then === now) return true;
+    await new Promise((done) => setTimeout(done, 400));
+    return false;
+  }, "the picture stands");
+}
+
+const isRed = ([r, g, b]: Pixel): boolean => r > 150 && g < 110 && b < 110;
+const isBlue = ([r, g, b]: Pixel): boolean => b > 100 && r < 100 && b > g;
+
+async function different(before: Painted): Promise<number> {
+  const after = await painted(page, box());
+  let sum = 0;
+  for (let y = 0; y < after.height; y += 3)
+    for (let x = 0; x < after.width; x += 3) {
+      const [a, b] = [before.at(x, y), after.at(x, y)];
+      sum += Number(a.some((value, n) => Math.abs(value - (b[n] ?? 0)) > 40));
+    }
+  return sum;
+}
+
+it("sbp_con_preview: a thousand lines are drawn, jogs red; pan, zoom, turn; extents, time; clear", async () => {
+  await opens("thousand.sbp");
+  const first = await painted(page, box());
+  expect(first.count(isRed), "jogs are red").toBeGreaterThan(50);
+  expect(first.count(isBlue), "moves are not").toBeGreaterThan(300);
+  const facts = page.getByLabel("Extents and time");
+  expect(await facts.textContent()).toMatch(/X0\.000 … 8\.000Y0\.000 … 6\.000.*Time\d+:\d\d/);
+
+  const at = await box().boundingBox();
+  if (!at) throw new Error("there is no picture");
+  const [x, y] = [at.x + at.width / 2, at.y + at.height / 2];
+  const drag = async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 80, y + 40, { steps: 5 });
+    await page.mouse.up();
+  };
+  const changes = async (what: string, hand: () => Promise<void>) => {
+    const [before, count] = [await painted(page, box()), await pictures()];
+    await hand();
+    await drawn(count);
+    expect(await different(before), what).toBeGreaterThan(30);
+  };
+  await changes("panned", drag);
+  await changes("zoomed", async () => {
+    await page.mouse.move(x, y);
+    await page.mouse.wheel(0, -300);
+  });
+  await changes("fitted", () => page.getByRole("button", { name: "Fit" }).click());
+  await changes("seen in 3D", async () => {
+    await page.getByRole("radio", { name: "3D" }).click();
+  });
+  await changes("turned", drag);
+  await page.getByRole("radio", { name: "Top" }).click();
+
+  await command(page, "SP");
+  await page.getByRole("button", { name: "PREVIEW" }).waitFor();
+  await idle();
+  await page.locator('[data-path="all"]').waitFor();
+  await page.getByRole("button", { name: "Clear", exact: true }).click();
+  await page.getByText("The preview is cleared.").waitFor();
+  expect(await picture().getAttribute("data-path")).toBe("none");
+});
+
+it("sbp_cmd_sp_clear: SP in preview empties the picture on every page, the next run draws again", async () => {
+  await idle();
+  await opens("thousand.sbp");
+  const other = await workshop.page();
+  await other.locator('[data-path="all"]').waitFor();
+  await command(page, "SP");
+  await other.locator('[data-path="none"]').waitFor();
+  await page.locator('[data-path="none"]').waitFor();
+  await other.close();
+  await idle();
+  await page.getByRole("button", { name: "Start" }).click();
+  await page.locator('[data-path="all"]').waitFor();
+  await idle();
+  await command(page, "SM");
+  await page.getByRole("button", { name: "SIMULATED" }).waitFor();
+  await idle();
+});
+
+/** Two colours are so near that the light alone makes the difference. */
+const near = (a: Pixel, b: Pixel): boolean =>
+  a.every((value, n) => Math.abs(value - (b[n] ?? 0)) < 14);
+
+it("sbp_con_preview_cut: with simulate on, CC,4 takes a ring a quarter of an inch wide out of the stock", async () => {
+  await command(page, "VP,,,,,1");
+  await idle();
+  await opens("ring.sbp");
+  const stock = page.getByRole("button", { name: "Stock" });
+  await expect.poll(() => stock.getAttribute("aria-pressed")).toBe("true");
+  const whole = await painted(page, box());
+  const end = page.getByRole("slider", { name: "Planned time" });
+  const count = await pictures();
+  await end.focus();
+  await page.keyboard.press("End");
+  await drawn(count);
+  const cut = await painted(page, box());
+  const changed = (x: number, y: number) => !near(whole.at(x, y), cut.at(x, y));
+  // The ring lies about the middle of what is seen: outwards from there, left of the zero mark.
+  const [mx, my] = [cut.width / 2, cut.height / 2];
+  const rows = Array.from({ length: 9 }, (_, n) => Math.round(my + 12 + 3 * n));
+  const widths = rows.map((y) => {
+    const across = Array.from({ length: Math.floor(mx) }, (_, x) => x).filter((x) => changed(x, y));
+    const [left = 0, right = 0] = [across[0], across.at(-1)];
+    return { outer: Math.hypot(mx - left, y - my), inner: Math.hypot(mx - right, y - my) };
+  });
+  const [middle] = widths.sort((a, b) => a.outer - b.outer).slice(4);
+  if (!middle) throw new Error("there is no ring");
+  // 2.125 in outside, 1.875 in inside.
+  expect(middle.inner / middle.outer).toBeCloseTo(1.875 / 2.125, 1);
+  expect(middle.outer - middle.inner).toBeGreaterThan(4);
+});

@@ -1,0 +1,80 @@
+/** A run that was cut short is offered to be taken up, and goes on where it was. */
+
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterEach, expect, it } from "vitest";
+import { arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+afterEach(() => workshop?.close());
+
+const cutting = "SA\nMS,1,1\nSO,1,1\nMZ,-.1\nM2,6,0\nM2,6,3\nM2,0,3\nJZ,.5\nEND\n";
+
+const state = (wanted: string) =>
+  until(async () => (await stateOf(workshop)).machine.state === wanted, wanted);
+
+/** The server dies in the middle of the second cut; another one begins where it was. */
+async function powerCut(): Promise<void> {
+  workshop = await openWorkshop({ rate: 3 });
+  const folder = workshop.parts;
+  writeFileSync(join(folder, "cut.sbp"), cutting);
+  const page = await workshop.page();
+  await arm(page);
+  await script(workshop, "open", { name: "cut.sbp" });
+  await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
+  await page.getByRole("button", { name: "Start" }).click();
+  await page.getByText("The spindle is about to start.").waitFor();
+  await page.getByRole("button", { name: "OK" }).click();
+  await until(async () => (await stateOf(workshop)).motion.at.working[1] > 20, "the second cut");
+  await workshop.kill();
+  workshop = await openWorkshop({ rate: 3, folder });
+}
+
+it("a run that a power cut ended is taken up after the safe way back, in each browser's sight", async () => {
+  await powerCut();
+  const { interrupted, machine } = await stateOf(workshop);
+  expect(interrupted).toMatchObject({ file: "cut.sbp", stopped: false, moved: true });
+  expect(machine.armed).toBe(false);
+  const [page, other] = [await workshop.page(), await workshop.page()];
+  await other.getByText("the run of cut.sbp was cut short behind line").waitFor();
+  const offer = page.getByRole("button", { name: "Take it up…" });
+  expect(await offer.isDisabled(), "not before somebody arms the machine").toBe(true);
+  await arm(page);
+  await offer.click();
+  const sheet = page.getByRole("dialog", { name: "Take up the run?" });
+  expect(await sheet.textContent()).toContain("make sure that it is where the display says");
+  await sheet.getByRole("button", { name: "Take up the run" }).click();
+  // The tool is up; nothing turns before somebody says that all is ready.
+  await state("stopped");
+  for (const one of [page, other]) await one.getByText("Is everything ready?").waitFor();
+  const { motion, io } = await stateOf(workshop);
+  expect(motion.at.working[2]).toBeGreaterThan(0);
+  expect(io.outputs[0]?.on).toBe(false);
+  await page.getByRole("button", { name: "Resume" }).last().click();
+  await until(async () => (await stateOf(workshop)).job?.ended === "ok", "it is done");
+  const after = await stateOf(workshop);
+  expect(after.interrupted).toBeNull();
+  expect(after.motion.at.working[0]).toBeCloseTo(0, 3);
+  expect(after.motion.at.working[1]).toBeCloseTo(3 * 25.4, 3);
+  await offer.waitFor({ state: "detached" });
+});
+
+it("whoever is not ready can take it up later, with keys only", async () => {
+  await powerCut();
+  const page = await workshop.page();
+  await arm(page);
+  const takesUp = async () => {
+    await page.keyboard.press("Control+k");
+    await page.keyboard.type("take up");
+    await page.getByRole("option", { name: "Take up the run" }).waitFor();
+    await page.keyboard.press("Enter");
+    await page.getByText("Is everything ready?").waitFor();
+  };
+  await takesUp();
+  await page.getByRole("button", { name: "Quit" }).press("Enter");
+  await state("idle");
+  await until(async () => (await stateOf(workshop)).interrupted?.stopped === true, "still offered");
+  await takesUp();
+  await page.keyboard.press("Enter");
+  await until(async () => (await stateOf(workshop)).job?.ended === "ok", "it is done");
+});

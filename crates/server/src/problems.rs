@@ -1,0 +1,91 @@
+//! The problem log: what went wrong, kept in the data folder for whoever is asked for help (HN).
+
+use crate::app::{App, lock};
+use crate::told;
+use kerf_control::Started;
+use kerf_wire::{Change, Tone};
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Its name in the data folder.
+const FILE: &str = "problem.log";
+/// What is kept of it when the server starts, bytes.
+const KEPT: usize = 64 * 1024;
+/// Lines that a request for help shows.
+const SHOWN: usize = 100;
+
+/// Writes it. Without a clock nothing is written: then nothing else is on record either.
+#[derive(Debug)]
+pub struct ProblemLog {
+    path: PathBuf,
+    now: fn() -> Option<Started>,
+}
+
+impl ProblemLog {
+    /// That of a data folder; what is too old is left out.
+    pub fn begin(data: &std::path::Path, now: fn() -> Option<Started>) -> Self {
+        let path = data.join(FILE);
+        let text = fs::read(&path).unwrap_or_default();
+        if text.len() > KEPT {
+            let last = &text[text.len() - KEPT..];
+            let begin = last.iter().position(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+            // A log that cannot be shortened only grows.
+            drop(fs::write(&path, &last[begin..]));
+        }
+        Self { path, now }
+    }
+
+    /// Notes the warnings and errors among changes that pages are told.
+    pub fn note(&self, changes: &[Change]) {
+        let lines: String = changes.iter().map(|change| self.lines(change)).collect();
+        // Where the disk refuses, pages have been told all the same.
+        drop(self.append(&lines));
+    }
+
+    fn lines(&self, change: &Change) -> String {
+        let Change::Messages { messages } = change else { return String::new() };
+        let wrong = messages.iter().filter(|m| matches!(m.tone, Tone::Warning | Tone::Error));
+        let line = |message: &kerf_wire::Message| {
+            let Started { date, time } = (self.now)()?;
+            let tone = if message.tone == Tone::Error { "error" } else { "warning" };
+            Some(format!("{date} {time} {tone}: {}\n", message.text.replace('\n', " ")))
+        };
+        wrong.filter_map(line).collect()
+    }
+
+    fn append(&self, lines: &str) -> io::Result<()> {
+        if lines.is_empty() {
+            return Ok(());
+        }
+        let mut file = OpenOptions::new().append(true).create(true).open(&self.path)?;
+        file.write_all(lines.as_bytes())
+    }
+}
+
+impl App {
+    /// What somebody who helps has to know: versions and places, and the last of the problem log.
+    ///
+    /// # Errors
+    /// The files of the machine cannot be looked at.
+    pub fn problems(&self) -> io::Result<String> {
+        let session = lock(&self.left).session.clone();
+        let mut shelf = self.preview_shelf()?;
+        let facts = told::named(session.diagnostics(&mut shelf));
+        let mut text = self.hub.read(|now| {
+            let file = now.opened.as_ref().map_or("none", |opened| &opened.name);
+            let job = now.job.as_ref().and_then(|job| job.ended.as_deref()).unwrap_or("none");
+            let why = now.machine.why.as_deref().unwrap_or("nothing to tell");
+            format!(
+                "Kerf {}, machine {}\nState: {:?}, {why}\nFile: {file}\nLast job: {job}\n",
+                now.kerf, now.machine.name, now.machine.state
+            )
+        });
+        text.extend(facts.iter().map(|fact| format!("{}: {}\n", fact.name, fact.value)));
+        let log = fs::read_to_string(self.options.data.join(FILE)).unwrap_or_default();
+        let lines: Vec<&str> = log.lines().collect();
+        text += "\nProblem log:\n";
+        text.extend(lines[lines.len().saturating_sub(SHOWN)..].iter().map(|l| format!("{l}\n")));
+        Ok(text)
+    }
+}
