@@ -16,6 +16,9 @@ const STEPS: f64 = 65535.0;
 
 const FAN: usize = 8;
 
+/// Enough for more boxes than there is memory.
+const MOST_LEVELS: usize = 22;
+
 /// So few boxes are faster looked at one by one.
 const FEW: usize = 16;
 
@@ -24,8 +27,9 @@ const FEW: usize = 16;
 pub struct BoxTree {
     /// All levels, lowest first.
     boxes: Vec<Bounds2>,
-    /// Where each level begins in `boxes`; the last entry is the end.
-    levels: Vec<usize>,
+    /// Where each level begins in `boxes`; the one after the last is the end.
+    levels: [usize; MOST_LEVELS + 1],
+    level_count: usize,
 }
 
 impl BoxTree {
@@ -34,8 +38,9 @@ impl BoxTree {
         let leaves = leaves.into_iter();
         let mut boxes = Vec::with_capacity(leaves.size_hint().0 * FAN / (FAN - 1) + FAN);
         boxes.extend(leaves);
-        let mut levels = Vec::with_capacity(8);
-        levels.extend([0, boxes.len()]);
+        let mut levels = [0; MOST_LEVELS + 1];
+        levels[1] = boxes.len();
+        let mut level_count = 1;
         let mut from = 0;
         while boxes.len() - from > 1 {
             let to = boxes.len();
@@ -45,9 +50,10 @@ impl BoxTree {
                 boxes.push(whole);
             }
             from = to;
-            levels.push(boxes.len());
+            level_count += 1;
+            levels[level_count] = boxes.len();
         }
-        Self { boxes, levels }
+        Self { boxes, levels, level_count }
     }
 
     /// An order of boxes in which neighbours in the plane are neighbours, for those that come in none: a
@@ -70,7 +76,7 @@ impl BoxTree {
 
     /// How many boxes were put in.
     pub fn len(&self) -> usize {
-        self.levels.get(1).copied().unwrap_or(0)
+        self.levels[1]
     }
 
     /// True when nothing was put in.
@@ -83,13 +89,18 @@ impl BoxTree {
         &self.boxes[number]
     }
 
+    /// All boxes that were put in.
+    pub fn leaves(&self) -> &[Bounds2] {
+        &self.boxes[..self.len()]
+    }
+
     /// The box around everything.
     pub fn bounds(&self) -> Bounds2 {
         self.boxes.last().copied().unwrap_or_default()
     }
 
     fn top(&self) -> usize {
-        self.levels.len().saturating_sub(2)
+        self.level_count.saturating_sub(1)
     }
 
     fn children(&self, level: usize, number: usize) -> std::ops::Range<usize> {
@@ -111,23 +122,55 @@ impl BoxTree {
         if self.len() <= FEW {
             return (0..self.len()).all(|n| !enter(&self.boxes[n]) || visit(n));
         }
-        self.search_in(self.top(), 0, &enter, &mut visit)
+        self.search_in(self.top(), 0, 0, &enter, &mut visit)
     }
 
+    /// Calls `visit` with ranges of consecutive numbers that together hold every box that `enter` lets
+    /// pass, and some of their neighbours: for those who look at all of them faster than at boxes.
+    pub fn search_runs(
+        &self,
+        enter: impl Fn(&Bounds2) -> bool,
+        mut visit: impl FnMut(std::ops::Range<usize>),
+    ) {
+        if self.len() <= FEW {
+            visit(0..self.len());
+            return;
+        }
+        let mut run = |number: usize| {
+            visit(number * FAN..((number + 1) * FAN).min(self.len()));
+            true
+        };
+        self.search_in(self.top(), 0, 1, &enter, &mut run);
+    }
+
+    /// Looks at what lies under a box that was let pass, down to a level.
     fn search_in(
         &self,
         level: usize,
         number: usize,
+        lowest: usize,
         enter: &impl Fn(&Bounds2) -> bool,
         visit: &mut impl FnMut(usize) -> bool,
     ) -> bool {
-        if !enter(self.at(level, number)) {
-            return true;
+        let (children, boxes) = self.under(level, number);
+        for (child, _) in children.zip(boxes).filter(|(_, b)| enter(b)) {
+            let goes_on = if level - 1 == lowest {
+                visit(child)
+            } else {
+                self.search_in(level - 1, child, lowest, enter, visit)
+            };
+            if !goes_on {
+                return false;
+            }
         }
-        if level == 0 {
-            return visit(number);
-        }
-        self.children(level, number).all(|child| self.search_in(level - 1, child, enter, visit))
+        true
+    }
+
+    /// The numbers and the boxes under a box.
+    fn under(&self, level: usize, number: usize) -> (std::ops::Range<usize>, &[Bounds2]) {
+        let children = self.children(level, number);
+        let from = self.levels[level - 1];
+        (children.clone(), &self.boxes[from + children.start..from + children.end])
     }
 
     /// Calls `visit` with the number of every box that meets another one.
@@ -192,11 +235,12 @@ impl BoxTree {
             visit(a, b);
             true
         };
-        if !self.is_empty() && !other.is_empty() {
+        if !self.is_empty() && !other.is_empty() && self.bounds().meets(&other.bounds()) {
             self.pairs_in((self.top(), 0), other, (other.top(), 0), &mut go_on);
         }
     }
 
+    /// The pairs under two boxes that meet.
     fn pairs_in(
         &self,
         mine: (usize, usize),
@@ -204,17 +248,19 @@ impl BoxTree {
         theirs: (usize, usize),
         visit: &mut impl FnMut(usize, usize) -> bool,
     ) -> bool {
-        if !self.at(mine.0, mine.1).meets(other.at(theirs.0, theirs.1)) {
-            return true;
-        }
         if mine.0 == 0 && theirs.0 == 0 {
-            visit(mine.1, theirs.1)
-        } else if mine.0 >= theirs.0 {
-            let mut children = self.children(mine.0, mine.1);
-            children.all(|child| self.pairs_in((mine.0 - 1, child), other, theirs, visit))
+            return visit(mine.1, theirs.1);
+        }
+        if mine.0 >= theirs.0 {
+            let area = other.at(theirs.0, theirs.1);
+            let (children, boxes) = self.under(mine.0, mine.1);
+            let mut meeting = children.zip(boxes).filter(|(_, b)| b.meets(area));
+            meeting.all(|(child, _)| self.pairs_in((mine.0 - 1, child), other, theirs, visit))
         } else {
-            let mut children = other.children(theirs.0, theirs.1);
-            children.all(|child| self.pairs_in(mine, other, (theirs.0 - 1, child), visit))
+            let area = self.at(mine.0, mine.1);
+            let (children, boxes) = other.under(theirs.0, theirs.1);
+            let mut meeting = children.zip(boxes).filter(|(_, b)| b.meets(area));
+            meeting.all(|(child, _)| self.pairs_in(mine, other, (theirs.0 - 1, child), visit))
         }
     }
 
@@ -246,13 +292,20 @@ impl BoxTree {
         if level == 0 {
             return true;
         }
-        let children = self.children(level, number);
-        children.clone().all(|first| {
-            self.own_pairs_in(level - 1, first, visit)
-                && (first + 1..children.end).all(|second| {
-                    self.pairs_in((level - 1, first), self, (level - 1, second), visit)
-                })
-        })
+        let (children, boxes) = self.under(level, number);
+        for (n, first) in children.clone().enumerate() {
+            if !self.own_pairs_in(level - 1, first, visit) {
+                return false;
+            }
+            for (m, second) in children.clone().enumerate().skip(n + 1) {
+                if boxes[n].meets(&boxes[m])
+                    && !self.pairs_in((level - 1, first), self, (level - 1, second), visit)
+                {
+                    return false;
+                }
+            }
+        }
+        true
     }
 }
 

@@ -1,15 +1,22 @@
 //! Nothing of a result lies nearer to the source than it should.
+//!
+//! Every segment of the result is held against every segment of the source that may be near. Most of
+//! these are dismissed by a proof of a few products ([`Beyond`], [`Chains`]); only what is left is measured.
 
+use super::beyond::Beyond;
+use super::chains::Chains;
 use super::source::Source;
 use crate::segment::square;
 use crate::{Bounds2, Point2, Segment};
+use std::cell::OnceCell;
+use std::ops::Range;
 
 /// A segment shorter than this share of the distance is looked at in its middle only: a corner between
 /// two such places is 0.1 % of the distance too near at most, and its neighbours show it.
 const SHORT: f64 = 0.1;
-/// So many neighbours are asked about together, as long as they keep within a share of the distance.
+/// So many neighbours are asked about together, as long as what is near to one of them is near to most.
 const MOST_TOGETHER: usize = 8;
-const TOGETHER: f64 = 0.25;
+const TOGETHER: f64 = 8.0;
 
 /// A place of the segments that lies too near to the source, if one is found.
 ///
@@ -22,41 +29,75 @@ pub(super) fn too_near(
     segments: &[Segment],
 ) -> Option<Point2> {
     let limit = distance.abs() - within;
-    let mut near = Vec::new();
+    let mut runs = Vec::with_capacity(16);
+    let mut boxes = [Bounds2::default(); MOST_TOGETHER];
+    let chains = OnceCell::new();
     let mut rest = segments;
-    while let Some((group, after)) = split_group(rest, TOGETHER * distance.abs()) {
+    while !rest.is_empty() {
+        let (count, whole) = group(rest, distance.abs(), &mut boxes);
+        let (group, after) = rest.split_at(count);
         rest = after;
-        let bounds = group.iter().fold(Bounds2::default(), |mut all, s| {
-            all.merge(&s.bounds());
-            all
-        });
-        near.clear();
-        source.near(&bounds, limit, &mut near);
-        let found = group.iter().find_map(|s| near_one(s, limit, distance, &near));
-        if found.is_some() {
-            return found;
+        runs.clear();
+        source.runs_near(&whole, limit, &mut runs);
+        let near = Near { source, limit, runs: &runs, chains: &chains };
+        for (segment, own) in group.iter().zip(&boxes) {
+            // A segment this short has no room for anything between its middle and those of its neighbours.
+            let chord = square(segment.end() - segment.start());
+            let short = chord < (SHORT * distance).powi(2);
+            let found = if short { near.place(segment) } else { near.all(segment, own) };
+            if found.is_some() {
+                return found;
+            }
         }
     }
     None
 }
 
-/// The first segments that lie close together, and the rest.
-fn split_group(segments: &[Segment], size: f64) -> Option<(&[Segment], &[Segment])> {
-    let first = segments.first()?.start();
-    let close = |s: &Segment| {
-        let reach = s.end() - first;
-        reach.x.abs().max(reach.y.abs()) <= size
-    };
-    let count = segments.iter().take(MOST_TOGETHER).take_while(|s| close(s)).count().max(1);
-    Some(segments.split_at(count))
+/// How many of the first segments are looked at together, and the box around them.
+fn group(segments: &[Segment], size: f64, boxes: &mut [Bounds2]) -> (usize, Bounds2) {
+    let extent = |b: &Bounds2| b.size().x + b.size().y;
+    let (mut count, mut least, mut whole) = (0, f64::INFINITY, Bounds2::default());
+    for (segment, own) in segments.iter().zip(boxes) {
+        *own = segment.bounds();
+        least = least.min(extent(own));
+        let mut more = whole;
+        more.merge(own);
+        if count > 0 && extent(&more) > TOGETHER * least + 0.5 * size {
+            break;
+        }
+        (whole, count) = (more, count + 1);
+    }
+    (count, whole)
 }
 
-fn near_one(segment: &Segment, limit: f64, distance: f64, near: &[Segment]) -> Option<Point2> {
-    let too_near = |at: &Point2| near.iter().any(|s| s.is_nearer(*at, limit));
-    // A segment this short has no room for anything between its middle and those of its neighbours.
-    if square(segment.end() - segment.start()) < (SHORT * distance).powi(2) {
-        return Some(segment.at(0.5)).filter(too_near);
+/// What of the source may be nearer to some segments than a limit.
+struct Near<'a> {
+    source: &'a Source<'a>,
+    limit: f64,
+    runs: &'a [Range<usize>],
+    chains: &'a OnceCell<Chains>,
+}
+
+impl Near<'_> {
+    /// The middle of a segment, if it is too near.
+    fn place(&self, segment: &Segment) -> Option<Point2> {
+        let at = segment.at(0.5);
+        let chains = self.chains.get_or_init(|| Chains::of(self.source, self.limit));
+        let near = self.runs.iter().any(|run| chains.is_nearer(self.source, run, at, self.limit));
+        near.then_some(at)
     }
-    // Where exactly does not matter much; that it is somewhere does.
-    near.iter().any(|s| segment.comes_nearer(s, limit)).then(|| segment.at(0.5))
+
+    /// The middle of a segment of which some place is too near. Where exactly does not matter much; that
+    /// it is somewhere does.
+    fn all(&self, segment: &Segment, bounds: &Bounds2) -> Option<Point2> {
+        let area = bounds.grown(self.limit);
+        let beyond = Beyond::of(segment, self.limit);
+        let (boxes, segments) = (self.source.boxes(), self.source.segments());
+        let near = |other: &Segment| !beyond.has(other) && segment.comes_nearer(other, self.limit);
+        let run_near = |run: &Range<usize>| {
+            let mut both = boxes[run.clone()].iter().zip(&segments[run.clone()]);
+            both.any(|(b, other)| b.meets(&area) && near(other))
+        };
+        self.runs.iter().any(run_near).then(|| segment.at(0.5))
+    }
 }

@@ -18,6 +18,8 @@
 //!
 //! A wrong offset is never returned: what cannot be proved right is an error that names the place.
 
+mod beyond;
+mod chains;
 mod chords;
 mod clearance;
 mod raw;

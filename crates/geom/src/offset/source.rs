@@ -2,6 +2,7 @@
 
 use crate::segment::square;
 use crate::{Bounds2, Indexed, Point2, Polyarc, Segment};
+use std::ops::Range;
 
 /// All segments of all contours with an index.
 pub(super) struct Source<'a> {
@@ -19,7 +20,8 @@ impl<'a> Source<'a> {
             first.push(count);
             count += contour.segment_count();
         }
-        Self { contours, first, indexed: Indexed::new(contours) }
+        let indexed = Indexed::new(contours);
+        Self { contours, first, indexed }
     }
 
     /// The segments of all contours, numbered through.
@@ -33,16 +35,20 @@ impl<'a> Source<'a> {
         &self.segments()[self.first[number]..end]
     }
 
-    /// The segments that may lie nearer than `limit` to something within bounds.
-    pub fn near(&self, bounds: &Bounds2, limit: f64, found: &mut Vec<Segment>) {
+    /// Runs of numbers of segments that may lie nearer than `limit` to something within bounds.
+    pub fn runs_near(&self, bounds: &Bounds2, limit: f64, found: &mut Vec<Range<usize>>) {
         let (middle, half) = (bounds.centre(), square(bounds.size()).sqrt() * 0.5);
-        let area = bounds.grown(limit);
-        self.indexed.tree.meeting(&area, |k| {
-            let segment = self.indexed.segments[k];
-            if segment.is_nearer(middle, limit + half) {
-                found.push(segment);
-            }
+        let (area, reach) = (bounds.grown(limit), (limit + half) * (limit + half));
+        let enter = |b: &Bounds2| b.meets(&area) && b.distance_squared(middle) < reach;
+        self.indexed.tree.search_runs(enter, |run| match found.last_mut() {
+            Some(last) if last.end == run.start => last.end = run.end,
+            _ => found.push(run),
         });
+    }
+
+    /// The boxes of all segments.
+    pub fn boxes(&self) -> &[Bounds2] {
+        self.indexed.tree.leaves()
     }
 
     /// How often the contours wind round a place.
