@@ -9,6 +9,7 @@
 //! level 0     01234567 89...                  boxes of the segments
 //! ```
 
+use crate::pool::Buffer;
 use crate::{Bounds2, Point2};
 
 /// Steps along each side when boxes are put in order of their places.
@@ -26,7 +27,7 @@ const FEW: usize = 16;
 #[derive(Clone, Debug, Default)]
 pub struct BoxTree {
     /// All levels, lowest first.
-    boxes: Vec<Bounds2>,
+    boxes: Buffer<Bounds2>,
     /// Where each level begins in `boxes`; the one after the last is the end.
     levels: [usize; MOST_LEVELS + 1],
     level_count: usize,
@@ -36,7 +37,8 @@ impl BoxTree {
     /// The tree over boxes in the order of travel.
     pub fn new(leaves: impl IntoIterator<Item = Bounds2>) -> Self {
         let leaves = leaves.into_iter();
-        let mut boxes = Vec::with_capacity(leaves.size_hint().0 * FAN / (FAN - 1) + FAN);
+        let mut boxes: Buffer<Bounds2> = Buffer::default();
+        boxes.reserve(leaves.size_hint().0 * FAN / (FAN - 1) + FAN);
         boxes.extend(leaves);
         let mut levels = [0; MOST_LEVELS + 1];
         levels[1] = boxes.len();

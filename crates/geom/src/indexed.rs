@@ -1,25 +1,34 @@
 //! Many questions to the same curves, each answered without looking at all of them.
 
 use crate::polyarc::winding_of;
+use crate::pool::Buffer;
 use crate::{BoxTree, Foot, Point2, Polyarc, Segment};
 
 /// Segments with an index over them.
 #[derive(Clone, Debug, Default)]
 pub struct Indexed {
-    /// The segments, contour after contour.
-    pub segments: Vec<Segment>,
-    /// Their boxes.
-    pub tree: BoxTree,
+    segments: Buffer<Segment>,
+    tree: BoxTree,
 }
 
 impl Indexed {
     /// The segments of all contours, numbered through.
     pub fn new<'a>(contours: impl IntoIterator<Item = &'a Polyarc>) -> Self {
-        let mut segments = Vec::new();
+        let mut segments: Buffer<Segment> = Buffer::default();
         // Contour by contour, as each knows how many it has.
         contours.into_iter().for_each(|contour| segments.extend(contour.segments()));
         let tree = BoxTree::new(segments.iter().map(Segment::bounds));
         Self { segments, tree }
+    }
+
+    /// The segments, contour after contour.
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// Their boxes.
+    pub fn tree(&self) -> &BoxTree {
+        &self.tree
     }
 
     /// The nearest segment and its nearest place; nothing when there are no segments.

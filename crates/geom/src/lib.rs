@@ -30,6 +30,7 @@ mod indexed;
 mod offset;
 mod point;
 mod polyarc;
+mod pool;
 mod segment;
 mod stitch;
 pub mod tol;

@@ -1,9 +1,9 @@
 //! Many short segments in a row, most of which a few sums show to be far from a place.
 
-use super::source::Source;
+use super::source::{Range2, Source};
+use crate::pool::{Buffer, kept};
 use crate::segment::square;
 use crate::{Point2, Segment};
-use std::ops::Range;
 
 /// What is quickly known of a segment: its ends and how far it strays from the line between them.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +48,7 @@ const BLOCK: usize = 8;
 const PLACES: usize = BLOCK + 2;
 
 /// The ends of neighbouring segments, in the order in which processors like to have them.
+#[derive(Clone, Copy)]
 struct Block {
     x: [f64; PLACES],
     y: [f64; PLACES],
@@ -79,16 +80,18 @@ impl Block {
     }
 }
 
+kept!(Chord, Block);
+
 /// All segments of a source, in blocks.
 pub(super) struct Chains {
-    chords: Vec<Chord>,
-    blocks: Vec<Block>,
+    chords: Buffer<Chord>,
+    blocks: Buffer<Block>,
 }
 
 impl Chains {
     /// For limits of no more than a distance.
     pub fn of(source: &Source, most: f64) -> Self {
-        let chords: Vec<Chord> = source.segments().iter().map(|s| Chord::of(s, most)).collect();
+        let chords: Buffer<Chord> = source.segments().iter().map(|s| Chord::of(s, most)).collect();
         let blocks = chords.chunks(BLOCK).map(Block::of).collect();
         Self { chords, blocks }
     }
@@ -97,7 +100,7 @@ impl Chains {
     pub fn is_nearer(
         &self,
         source: &Source,
-        run: &Range<usize>,
+        (from, to): Range2,
         place: Point2,
         limit: f64,
     ) -> bool {
@@ -106,10 +109,10 @@ impl Chains {
             self.chords[k].may_be_nearer(place, square)
                 && source.segments()[k].is_nearer(place, limit)
         };
-        let (first, last) = (run.start / BLOCK, run.end.div_ceil(BLOCK));
+        let (first, last) = (from / BLOCK, to.div_ceil(BLOCK));
         self.blocks[first..last].iter().zip(first..).any(|(block, number)| {
             block.may_be_nearer(place, square)
-                && (number * BLOCK..((number + 1) * BLOCK).min(run.end)).any(near)
+                && (number * BLOCK..((number + 1) * BLOCK).min(to)).any(near)
         })
     }
 }

@@ -5,11 +5,11 @@
 
 use super::beyond::Beyond;
 use super::chains::Chains;
-use super::source::Source;
+use super::source::{Range2, Source};
+use crate::pool::Buffer;
 use crate::segment::square;
 use crate::{Bounds2, Point2, Segment};
 use std::cell::OnceCell;
-use std::ops::Range;
 
 /// A segment shorter than this share of the distance is looked at in its middle only: a corner between
 /// two such places is 0.1 % of the distance too near at most, and its neighbours show it.
@@ -29,7 +29,7 @@ pub(super) fn too_near(
     segments: &[Segment],
 ) -> Option<Point2> {
     let limit = distance.abs() - within;
-    let mut runs = Vec::with_capacity(16);
+    let mut runs: Buffer<Range2> = Buffer::default();
     let mut boxes = [Bounds2::default(); MOST_TOGETHER];
     let chains = OnceCell::new();
     let mut rest = segments;
@@ -74,16 +74,16 @@ fn group(segments: &[Segment], size: f64, boxes: &mut [Bounds2]) -> (usize, Boun
 struct Near<'a> {
     source: &'a Source<'a>,
     limit: f64,
-    runs: &'a [Range<usize>],
+    runs: &'a [Range2],
     chains: &'a OnceCell<Chains>,
 }
 
 impl Near<'_> {
     /// The middle of a segment, if it is too near.
     fn place(&self, segment: &Segment) -> Option<Point2> {
-        let at = segment.at(0.5);
+        let at = segment.middle();
         let chains = self.chains.get_or_init(|| Chains::of(self.source, self.limit));
-        let near = self.runs.iter().any(|run| chains.is_nearer(self.source, run, at, self.limit));
+        let near = self.runs.iter().any(|run| chains.is_nearer(self.source, *run, at, self.limit));
         near.then_some(at)
     }
 
@@ -92,12 +92,14 @@ impl Near<'_> {
     fn all(&self, segment: &Segment, bounds: &Bounds2) -> Option<Point2> {
         let area = bounds.grown(self.limit);
         let beyond = Beyond::of(segment, self.limit);
-        let (boxes, segments) = (self.source.boxes(), self.source.segments());
-        let near = |other: &Segment| !beyond.has(other) && segment.comes_nearer(other, self.limit);
-        let run_near = |run: &Range<usize>| {
-            let mut both = boxes[run.clone()].iter().zip(&segments[run.clone()]);
-            both.any(|(b, other)| b.meets(&area) && near(other))
+        let (boxes, segments, ways) =
+            (self.source.boxes(), self.source.segments(), self.source.ways());
+        let near = |k: usize| {
+            boxes[k].meets(&area)
+                && !beyond.has(&segments[k], ways[k].leaves)
+                && segment.comes_nearer(&segments[k], self.limit)
         };
-        self.runs.iter().any(run_near).then(|| segment.at(0.5))
+        let run_near = |&(from, to): &Range2| (from..to).any(near);
+        self.runs.iter().any(run_near).then(|| segment.middle())
     }
 }

@@ -32,6 +32,7 @@ pub use validate::CHECK_MM;
 
 pub(crate) use raw::parallel;
 
+use crate::pool::{self, Buffer};
 use crate::{BoxTree, GeomError, Point2, Polyarc, Transform2, tol};
 use source::Source;
 use std::fmt;
@@ -152,7 +153,8 @@ pub fn parallel_path(source: &Polyarc, distance: f64) -> Result<Polyarc, GeomErr
     }
     let mut pieces = Vec::new();
     let segments: Vec<_> = source.segments().collect();
-    raw::append(0, (&segments, source.closed), distance, &mut pieces);
+    let ways: Vec<_> = segments.iter().map(source::Ways::of).collect();
+    raw::append(0, (&segments, &ways, source.closed), distance, &mut pieces);
     let joints = if source.closed { pieces.len() } else { pieces.len().saturating_sub(1) };
     let broken = pieces[..joints].iter().find(|piece| piece.next.is_none());
     if let Some(piece) = broken {
@@ -173,30 +175,39 @@ fn unmoved(contour: usize, path: &Polyarc) -> OffsetPath {
 /// The contours moved to the origin, without empty segments and long arcs.
 struct Prepared {
     contours: Vec<Polyarc>,
-    /// For each segment of each prepared contour the segment it was.
-    were: Vec<Vec<usize>>,
+    /// For each segment of all prepared contours the segment it was.
+    were: Buffer<usize>,
+    /// Where those of each contour begin.
+    first: Buffer<usize>,
     middle: Point2,
+}
+
+impl Drop for Prepared {
+    fn drop(&mut self) {
+        self.contours.drain(..).for_each(|contour| pool::give(contour.vertices));
+    }
 }
 
 impl Prepared {
     fn new(contours: &[Polyarc]) -> Result<Self, GeomError> {
         let mut bounds = crate::Bounds2::default();
-        contours.iter().for_each(|c| bounds.merge(&c.bounds()));
+        contours.iter().flat_map(|c| &c.vertices).for_each(|v| bounds.add(v.at));
         let middle = if bounds.is_empty() { Point2::default() } else { bounds.centre() };
         let to_origin = Point2::default() - middle;
-        let mut prepared = Vec::with_capacity(contours.len());
-        let mut were = Vec::with_capacity(contours.len());
+        let (were, first) = (Buffer::default(), Buffer::default());
+        let list = Vec::with_capacity(contours.len());
+        let mut prepared = Self { contours: list, were, first, middle };
         for contour in contours {
-            let (mut ready, names) = contour.tidied_with_names();
+            prepared.first.push(prepared.were.len());
+            let mut ready = contour.tidied_with_names(&mut prepared.were);
             ready.vertices.iter_mut().for_each(|v| v.at += to_origin);
             if ready.segment_count() == 0 {
                 let found = ready.vertices.len();
                 return Err(GeomError::TooFewVertices { found, needed: 2 });
             }
-            prepared.push(ready);
-            were.push(names);
+            prepared.contours.push(ready);
         }
-        Ok(Self { contours: prepared, were, middle })
+        Ok(prepared)
     }
 
     /// The first attempt that passes the check.
@@ -257,7 +268,7 @@ impl Prepared {
         let back = self.middle - Point2::default();
         offset.path.vertices.iter_mut().for_each(|v| v.at += back);
         for origin in &mut offset.origins {
-            origin.element = self.were[origin.contour][origin.element];
+            origin.element = self.were[self.first[origin.contour] + origin.element];
         }
     }
 }
@@ -280,10 +291,10 @@ fn by_chords(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
 
 /// Steps 1 to 3; nothing when the raw offset is a tangle.
 fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
-    let mut pieces = Vec::new();
+    let mut pieces = Buffer::default();
     for (number, contour) in source.contours.iter().enumerate() {
-        let own = source.of_contour(number);
-        raw::append(number, (own, contour.closed), distance, &mut pieces);
+        let (segments, ways) = source.of_contour(number);
+        raw::append(number, (segments, ways, contour.closed), distance, &mut pieces);
     }
     let mut tree = slices::index(&pieces);
     if slices::is_crowded(&tree) {

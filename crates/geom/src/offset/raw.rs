@@ -7,6 +7,8 @@
 //! ```
 
 use super::Origin;
+use super::source::Ways;
+use crate::pool::{Buffer, kept};
 use crate::segment::square;
 use crate::{Point2, Polyarc, Segment, Vec2, tol};
 
@@ -19,30 +21,35 @@ pub(super) struct Piece {
     pub next: Option<usize>,
 }
 
+/// Shares on two neighbours where they are cut back.
+type Cut = Option<[f64; 2]>;
+
+kept!(Piece, Cut, [f64; 2], Option<Point2>);
+
 /// Angles whose arc about a corner would be shorter than this are no corners.
 const NO_CORNER_MM: f64 = tol::CONTACT_MM;
 
 /// The raw offset of one contour, appended to `pieces`.
 pub(super) fn append(
     contour: usize,
-    (segments, closed): (&[Segment], bool),
+    (segments, ways, closed): (&[Segment], &[Ways], bool),
     distance: f64,
     pieces: &mut Vec<Piece>,
 ) {
     let first = pieces.len();
     let count = segments.len();
     pieces.reserve(2 * count);
-    for (number, segment) in segments.iter().enumerate() {
+    for (number, (segment, way)) in segments.iter().zip(ways).enumerate() {
         let origin = Origin { contour, element: number, corner: false };
-        if let Some(parallel) = parallel(segment, distance) {
+        if let Some(parallel) = beside(segment, way, distance) {
             link_to_last(pieces, first, parallel.start());
             pieces.push(Piece { segment: parallel, origin, next: None });
         }
         if number + 1 < count || closed {
-            let after = &segments[(number + 1) % count];
-            if let Some(arc) = corner(segment, after, distance) {
+            let next = if number + 1 < count { number + 1 } else { 0 };
+            if let Some(arc) = corner(segment.end(), [way.arrives, ways[next].leaves], distance) {
                 link_to_last(pieces, first, arc.start());
-                let origin = Origin { contour, element: (number + 1) % count, corner: true };
+                let origin = Origin { contour, element: next, corner: true };
                 pieces.push(Piece { segment: arc, origin, next: None });
             }
         }
@@ -70,19 +77,31 @@ fn link_to_last(pieces: &mut [Piece], first: usize, start: Point2) {
     }
 }
 
+/// As [`parallel`] for a segment with some extent, whose direction is known.
+fn beside(segment: &Segment, ways: &Ways, distance: f64) -> Option<Segment> {
+    match *segment {
+        Segment::Line { start, end } => {
+            let right = right_of(ways.leaves, distance);
+            Some(Segment::line(start + right, end + right))
+        }
+        Segment::Arc { .. } => parallel(segment, distance),
+    }
+}
+
+/// So far to the right of a unit direction.
+pub(super) fn right_of(way: Vec2, distance: f64) -> Vec2 {
+    way.left() * -distance
+}
+
 /// A segment moved sideways; nothing for an arc that shrinks to its centre or beyond: everything
 /// there is nearer to other parts of the arc.
 pub(crate) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
     match *segment {
-        Segment::Line { start, end } => {
-            let way = end - start;
-            let long = square(way).sqrt();
-            if long == 0.0 {
-                return None;
-            }
-            let right = -way.left() * (distance / long);
+        Segment::Line { start, end } if start != end => {
+            let right = right_of(Ways::of(segment).leaves, distance);
             Some(Segment::line(start + right, end + right))
         }
+        Segment::Line { .. } => None,
         Segment::Arc { start, end, centre, radius, sweep_rad } => {
             let wider = radius + distance * sweep_rad.signum();
             if wider <= tol::SAME_PLACE_MM {
@@ -95,13 +114,18 @@ pub(crate) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
     }
 }
 
-/// The arc about the corner between two segments, when it opens on the side of the offset.
-pub(super) fn corner(before: &Segment, after: &Segment, distance: f64) -> Option<Segment> {
-    let (u, v) = (before.direction(1.0), after.direction(0.0));
-    if u.dot(v) > 0.0 && u.cross(v) * distance <= 0.0 {
+/// Whether a corner may open on the side of an offset; it does not where travel goes on or closes.
+pub(super) fn may_open([u, v]: [Vec2; 2], distance: f64) -> bool {
+    u.dot(v) <= 0.0 || u.cross(v) * distance > 0.0
+}
+
+/// The arc about the corner where one direction goes over to another, when it opens on the side of the offset.
+pub(super) fn corner(centre: Point2, ways: [Vec2; 2], distance: f64) -> Option<Segment> {
+    if !may_open(ways, distance) {
         return None;
     }
-    let mut turn_rad = u.cross(v).atan2(u.dot(v));
+    let [u, v] = ways;
+    let mut turn_rad = turn(u, v);
     // A path that turns back on the spot opens on both sides.
     if std::f64::consts::PI - turn_rad.abs() < 1e-9 {
         turn_rad = std::f64::consts::PI * distance.signum();
@@ -109,10 +133,20 @@ pub(super) fn corner(before: &Segment, after: &Segment, distance: f64) -> Option
     if turn_rad * distance.signum() <= 0.0 || turn_rad.abs() * distance.abs() < NO_CORNER_MM {
         return None;
     }
-    let centre = before.end();
-    let right = |direction: Vec2| centre - direction.left() * distance;
-    let (start, end) = (right(u), right(v));
+    let (start, end) = (centre + right_of(u, distance), centre + right_of(v, distance));
     Some(Segment::Arc { start, end, centre, radius: distance.abs(), sweep_rad: turn_rad })
+}
+
+/// The angle from one unit direction to another. Most corners of dense contours hardly bend: six terms of the
+/// series of the arc sine are exact there.
+fn turn(u: Vec2, v: Vec2) -> f64 {
+    let (sine, cosine) = (u.cross(v), u.dot(v));
+    if sine.abs() > 0.05 || cosine < 0.0 {
+        return sine.atan2(cosine);
+    }
+    let s = sine * sine;
+    let rest = 15.0 / 336.0 + s * (105.0 / 3456.0 + s * (945.0 / 42_240.0));
+    sine * (1.0 + s * (1.0 / 6.0 + s * (3.0 / 40.0 + s * rest)))
 }
 
 /// Cuts neighbours that cross at a closing corner back to where they cross. What is cut off lies nearer
@@ -123,45 +157,46 @@ fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
         return;
     }
     let own = &mut pieces[first..];
+    let after = |k: usize| if k + 1 < count { k + 1 } else { 0 };
     let joints = if closed { count } else { count - 1 };
     if own[..joints].iter().all(|piece| piece.next.is_some()) {
         return;
     }
-    let mut cuts: Vec<Option<[f64; 2]>> = vec![None; joints];
+    let mut cuts: Buffer<Cut> = Buffer::filled(None, joints);
     for (k, cut) in cuts.iter_mut().enumerate() {
-        let next = (k + 1) % count;
+        let next = after(k);
         if own[k].next.is_none() && next != k {
             *cut = crossing_at_joint(&own[k].segment, &own[next].segment);
         }
     }
     refuse_overlapping(&mut cuts, count, closed);
-    let mut kept: Vec<[f64; 2]> = vec![[0.0, 1.0]; count];
+    let mut kept = Buffer::filled([0.0, 1.0], count);
     for (k, cut) in cuts.iter().enumerate() {
         if let Some([end, start]) = *cut {
             kept[k][1] = end;
-            kept[(k + 1) % count][0] = start;
-            own[k].next = Some(first + (k + 1) % count);
+            kept[after(k)][0] = start;
+            own[k].next = Some(first + after(k));
         }
     }
-    let places: Vec<Option<Point2>> = cuts
+    let places: Buffer<Option<Point2>> = cuts
         .iter()
         .enumerate()
         .map(|(k, cut)| cut.map(|[end, _]| own[k].segment.at(end)))
         .collect();
-    for (piece, [from, to]) in own.iter_mut().zip(kept) {
+    for (piece, [from, to]) in own.iter_mut().zip(kept.iter().copied()) {
         if (from, to) != (0.0, 1.0) {
             piece.segment = piece.segment.part(from, to);
         }
     }
     for (k, place) in places.iter().enumerate() {
         if let Some(place) = *place {
-            own[(k + 1) % count].segment.move_start(place);
+            own[after(k)].segment.move_start(place);
         }
     }
 }
 
 /// Shares on both pieces of their crossing nearest to the corner.
-fn crossing_at_joint(before: &Segment, after: &Segment) -> Option<[f64; 2]> {
+fn crossing_at_joint(before: &Segment, after: &Segment) -> Cut {
     let contacts = before.meet(after);
     if contacts.along {
         return None;
@@ -174,7 +209,7 @@ fn crossing_at_joint(before: &Segment, after: &Segment) -> Option<[f64; 2]> {
 
 /// A piece cut from both ends must keep something; otherwise neither cut is made, and the crossings
 /// that remain are found like all others.
-fn refuse_overlapping(cuts: &mut [Option<[f64; 2]>], count: usize, closed: bool) {
+fn refuse_overlapping(cuts: &mut [Cut], count: usize, closed: bool) {
     for k in 0..count {
         let before = if k > 0 { Some(k - 1) } else { closed.then_some(count - 1) };
         let (Some(before), true) = (before, k < cuts.len()) else { continue };
@@ -196,4 +231,18 @@ pub(super) fn caps(contours: &[Polyarc], distance: f64) -> Vec<Segment> {
         }
     }
     caps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_turns_are_exact() {
+        for k in -200..=200 {
+            let angle = f64::from(k) * 1e-3;
+            let found = turn(Vec2::new(1.0, 0.0), Vec2::from_angle(angle));
+            assert!((found - angle).abs() <= 2e-16, "{angle} {found}");
+        }
+    }
 }

@@ -1,9 +1,11 @@
 //! Slices joined into rings, with their starts put where the source starts.
 
 use super::raw::{self, Piece};
-use super::slices::{Slice, Stretch};
+use super::slices::{Slice, Slices, Stretch};
 use super::source::Source;
 use super::{CHECK_MM, OffsetPath, Origin};
+use crate::pool::{Buffer, kept};
+use crate::segment::square;
 use crate::stitch::{Strand, Turn, stitch};
 use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
 
@@ -17,29 +19,33 @@ const THIN_MM: f64 = tol::SAME_PLACE_MM;
 /// One piece of a ring.
 pub(super) type Part = (Segment, Origin);
 
+kept!(Part, Strand);
+
 pub(super) fn rings(
     source: &Source,
     distance: f64,
     pieces: &[Piece],
-    slices: &[Slice],
+    slices: &Slices,
 ) -> Vec<OffsetPath> {
     let mut found = Vec::new();
-    let (whole, cut): (Vec<&Slice>, Vec<&Slice>) = slices.iter().partition(|slice| slice.ring);
+    let whole = slices.list.iter().filter(|slice| slice.ring);
     for ring in whole {
-        let parts = parts_of(pieces, &ring.parts);
+        let parts = parts_of(pieces, slices.parts(ring));
         found.extend(path(parts, true).map(|path| started_like_source(source, distance, path)));
     }
+    let cut: Buffer<Slice> = slices.list.iter().filter(|slice| !slice.ring).copied().collect();
     if cut.is_empty() {
         return found;
     }
     let look = LOOK_AHEAD * distance.abs();
-    let strands: Vec<Strand> = cut.iter().map(|s| strand(pieces, s, look)).collect();
+    let of = |s: &Slice| strand(pieces, slices.parts(s), s.sure, look);
+    let strands: Buffer<Strand> = cut.iter().map(of).collect();
     // The sharpest turn is the one away from the source: see the drawing in `stitch`.
     let turn = if distance > 0.0 { Turn::Right } else { Turn::Left };
     let open = source.contours.iter().any(|c| !c.closed);
     let stitched = stitch(&strands, turn, open);
-    let collect = |way: &Vec<usize>| -> Vec<Part> {
-        parts_of(pieces, way.iter().flat_map(|&n| &cut[n].parts))
+    let collect = |way: &Vec<usize>| -> Buffer<Part> {
+        parts_of(pieces, way.iter().flat_map(|&n| slices.parts(&cut[n])))
     };
     for way in &stitched.loops {
         let parts = collect(way);
@@ -53,9 +59,8 @@ pub(super) fn rings(
     found
 }
 
-fn strand(pieces: &[Piece], slice: &Slice, look: f64) -> Strand {
+fn strand(pieces: &[Piece], parts: &[Stretch], sure: bool, look: f64) -> Strand {
     let part = |&(k, from, to): &Stretch| pieces[k].segment.part(from, to);
-    let parts = &slice.parts;
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return Strand::default() };
     let (first, last) = (part(first), part(last));
     let long: f64 = parts.iter().map(|p| pieces[p.0].segment.length() * (p.2 - p.1)).sum();
@@ -65,7 +70,7 @@ fn strand(pieces: &[Piece], slice: &Slice, look: f64) -> Strand {
         middle: middle(pieces, parts, long * 0.5),
         leaves: leaves(&first, look),
         arrives: last.direction(1.0),
-        sure: slice.sure,
+        sure,
     }
 }
 
@@ -87,9 +92,8 @@ fn middle(pieces: &[Piece], parts: &[Stretch], mut left: f64) -> Point2 {
 }
 
 /// The parts of a way, stretches of one piece in one.
-fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) -> Vec<Part> {
-    let way = way.into_iter();
-    let mut merged: Vec<Stretch> = Vec::with_capacity(way.size_hint().0);
+fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) -> Buffer<Part> {
+    let mut merged: Buffer<Stretch> = Buffer::default();
     for &(k, from, to) in way {
         match merged.last_mut() {
             Some(last) if last.0 == k && (from - last.2).abs() < 1e-9 => last.2 = to,
@@ -111,7 +115,7 @@ fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) ->
 }
 
 /// A path of parts that are worth something, or nothing.
-pub(super) fn path(mut parts: Vec<Part>, closed: bool) -> Option<OffsetPath> {
+pub(super) fn path(mut parts: Buffer<Part>, closed: bool) -> Option<OffsetPath> {
     parts.retain(|(s, _)| s.length() > tol::SAME_PLACE_MM);
     if parts.is_empty() || (closed && is_thin(&parts)) {
         return None;
@@ -137,7 +141,7 @@ pub(super) fn started_like_source(source: &Source, distance: f64, ring: OffsetPa
     let wanted = raw::parallel(&first, distance)
         .map_or_else(|| first.start() - first.direction(0.0).left() * distance, |p| p.start());
     // Usually the very place is a vertex of the ring.
-    let here = |v: &Vertex| v.at.distance(wanted) <= tol::SAME_PLACE_MM;
+    let here = |v: &Vertex| square(v.at - wanted) <= tol::SAME_PLACE_MM * tol::SAME_PLACE_MM;
     if let Some(vertex) = ring.path.vertices.iter().position(here) {
         return turned(ring, vertex);
     }

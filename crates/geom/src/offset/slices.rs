@@ -6,7 +6,9 @@
 
 use super::raw::Piece;
 use super::source::Source;
-use crate::{Bounds2, BoxTree, Point2, Segment, tol};
+use crate::pool::{Buffer, kept};
+use crate::segment::square;
+use crate::{Bounds2, BoxTree, Point2, Segment, Vec2, tol};
 
 /// A slice that comes this much too near is certainly wrong. Rounding accounts for 1e-10 mm at most.
 const TOO_NEAR_MM: f64 = 1e-8;
@@ -17,38 +19,64 @@ const SURE_MM: f64 = 1e-10;
 pub(super) type Stretch = (usize, f64, f64);
 
 /// A stretch of consecutive pieces without crossings inside.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Slice {
-    pub parts: Vec<Stretch>,
+    /// Its stretches are these of the list of all.
+    from: usize,
+    to: usize,
     pub sure: bool,
     /// It was cut nowhere and comes back to where it begins.
     pub ring: bool,
 }
 
-/// Where on pieces the raw offset is cut.
-type Cuts = Vec<(usize, f64)>;
+/// Slices, and the stretches of all of them.
+#[derive(Default)]
+pub(super) struct Slices {
+    pub list: Buffer<Slice>,
+    parts: Buffer<Stretch>,
+}
+
+impl Slices {
+    /// The stretches of a slice.
+    pub fn parts(&self, slice: &Slice) -> &[Stretch] {
+        &self.parts[slice.from..slice.to]
+    }
+
+    /// Makes a slice of the stretches from one on.
+    fn close(&mut self, from: usize) {
+        self.list.push(Slice { from, to: self.parts.len(), sure: false, ring: false });
+    }
+}
+
+/// Where on a piece the raw offset is cut.
+type Cut = (usize, f64);
+
+/// All cuts, by piece and share.
+type Cuts = Buffer<Cut>;
+
+kept!(Slice, Stretch, Cut);
 
 /// Drops pieces that lie wholly too near to one source segment: nothing of them can remain, and no cut
 /// they make on others can matter. By the triangle inequality a piece of length l about a place m
 /// comes nowhere farther away than m is, plus l/2.
 pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f64) {
-    let buried: Vec<bool> = pieces
+    let buried: Buffer<bool> = pieces
         .iter()
         .map(|p| {
             let limit = distance.abs() - TOO_NEAR_MM - p.segment.length() * 0.5;
             limit > 0.0 && source.is_nearer(p.segment.at(0.5), limit)
         })
         .collect();
-    let mut renumbered = Vec::with_capacity(pieces.len());
+    let mut renumbered: Buffer<usize> = Buffer::default();
     let mut count = 0;
-    for &gone in &buried {
-        renumbered.push((!gone).then_some(count));
+    for &gone in buried.iter() {
+        renumbered.push(count);
         count += usize::from(!gone);
     }
     let mut keep = buried.iter().map(|gone| !gone);
     pieces.retain(|_| keep.next().unwrap_or(true));
     for piece in pieces.iter_mut() {
-        piece.next = piece.next.and_then(|n| renumbered[n]);
+        piece.next = piece.next.filter(|n| !buried[*n]).map(|n| renumbered[n]);
     }
 }
 
@@ -79,13 +107,16 @@ pub(super) fn index(pieces: &[Piece]) -> BoxTree {
 /// Curves whose directions differ by less at their joint are tangent.
 const TANGENT_RAD: f64 = 1e-9;
 
+/// A crossing of a line this many lengths after its start is none.
+const BEYOND: f64 = 1.001;
+
 /// More cuts than this for each piece come only from a source that crosses itself all over.
 const MOST_CUTS_EACH: usize = 200;
 
 /// All cuts, sorted by piece and share; nothing when there are too many. `extra` are curves that cut but
 /// are not cut.
 fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
-    let mut cuts = Cuts::new();
+    let mut cuts = Cuts::default();
     let most = MOST_CUTS_EACH * (pieces.len() + 100);
     let all = tree.own_pairs_while(|a, b| {
         if goes_on(pieces, a, b) || goes_on(pieces, b, a) {
@@ -119,18 +150,44 @@ fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
     Some(cuts)
 }
 
-/// Whether a piece goes on into another so that they share nothing but their joint: two lines, or curves
-/// that are tangent there.
+/// Whether a piece goes on into another so that they share nothing but their joint: two lines, curves that
+/// are tangent there, and a line that leaves a circle and does not come back to it.
 fn goes_on(pieces: &[Piece], from: usize, to: usize) -> bool {
     let (before, after) = (&pieces[from], &pieces[to]);
     if before.next != Some(to) || after.next == Some(from) {
         return false;
     }
-    let (u, v) = (before.segment.direction(1.0), after.segment.direction(0.0));
-    let lines =
-        |a: &Segment, b: &Segment| matches!((a, b), (Segment::Line { .. }, Segment::Line { .. }));
+    let (u, v) = (
+        way_at(&before.segment, before.segment.end()),
+        way_at(&after.segment, after.segment.start()),
+    );
     let onward = u.dot(v) > 0.0;
-    onward && (lines(&before.segment, &after.segment) || u.cross(v).abs() < TANGENT_RAD)
+    let is_tangent = || u.cross(v).powi(2) < TANGENT_RAD * TANGENT_RAD * square(u) * square(v);
+    match (&before.segment, &after.segment) {
+        (Segment::Line { .. }, Segment::Line { .. }) => onward,
+        (Segment::Line { .. }, arc) => {
+            (onward && is_tangent()) || leaves_for_good(arc, after.segment.start(), -u)
+        }
+        (arc, Segment::Line { .. }) => {
+            (onward && is_tangent()) || leaves_for_good(arc, before.segment.end(), v)
+        }
+        (Segment::Arc { .. }, Segment::Arc { .. }) => onward && is_tangent(),
+    }
+}
+
+/// The way along a segment at one of its ends, of any length; that of a line is the whole line.
+fn way_at(segment: &Segment, end: Point2) -> Vec2 {
+    match *segment {
+        Segment::Line { start, end } => end - start,
+        Segment::Arc { centre, sweep_rad, .. } => (end - centre).left() * sweep_rad.signum(),
+    }
+}
+
+/// Whether a line from a place of a circle does not come to its other crossing with the circle, after
+/// −2 w·ρ / w² of it, where ρ is the radius at the place and w the line.
+fn leaves_for_good(arc: &Segment, place: Point2, line: Vec2) -> bool {
+    let Segment::Arc { centre, .. } = *arc else { return false };
+    -2.0 * line.dot(place - centre) > BEYOND * square(line) || line.dot(place - centre) >= 0.0
 }
 
 fn at_end(segment: &Segment, share: f64) -> bool {
@@ -148,64 +205,62 @@ pub(super) fn valid_slices(
     extra: &[Segment],
     source: &Source,
     distance: f64,
-) -> Option<Vec<Slice>> {
+) -> Option<Slices> {
     let cuts = cuts(pieces, tree, extra)?;
-    let mut slices = Vec::new();
-    for (parts, ring) in sliced(pieces, &cuts) {
-        let probe = probe(pieces, &parts);
-        if source.is_nearer(probe, distance.abs() - TOO_NEAR_MM) {
-            continue;
-        }
-        let sure = !source.is_nearer(probe, distance.abs() - SURE_MM);
-        slices.push(Slice { parts, sure, ring });
-    }
-    Some(slices)
+    let Slices { mut list, parts } = sliced(pieces, &cuts);
+    list.retain_mut(|slice| {
+        let probe = probe(pieces, &parts[slice.from..slice.to]);
+        let valid = !source.is_nearer(probe, distance.abs() - TOO_NEAR_MM);
+        slice.sure = valid && !source.is_nearer(probe, distance.abs() - SURE_MM);
+        valid
+    });
+    Some(Slices { list, parts })
 }
 
 /// The middle of the longest part.
 fn probe(pieces: &[Piece], parts: &[Stretch]) -> Point2 {
-    let long = |p: &(usize, f64, f64)| pieces[p.0].segment.length() * (p.2 - p.1);
+    let long = |p: &Stretch| pieces[p.0].segment.length() * (p.2 - p.1);
     let longest = parts.iter().max_by(|a, b| long(a).total_cmp(&long(b)));
-    longest.map_or(Point2::default(), |&(k, from, to)| pieces[k].segment.at((from + to) * 0.5))
+    longest.map_or(Point2::default(), |&(k, from, to)| match (from, to) {
+        (0.0, 1.0) => pieces[k].segment.middle(),
+        _ => pieces[k].segment.at((from + to) * 0.5),
+    })
 }
 
 /// Cuts the chains of pieces; a chain without any cut is a closed slice of its own.
-fn sliced(pieces: &[Piece], cuts: &Cuts) -> Vec<(Vec<Stretch>, bool)> {
-    let mut first_cut = vec![0; pieces.len() + 1];
+fn sliced(pieces: &[Piece], cuts: &[Cut]) -> Slices {
+    let mut first_cut = Buffer::filled(0, pieces.len() + 1);
     cuts.iter().for_each(|c| first_cut[c.0 + 1] += 1);
     (0..pieces.len()).for_each(|k| first_cut[k + 1] += first_cut[k]);
     let cuts_of = |k: usize| &cuts[first_cut[k]..first_cut[k + 1]];
-    let mut preceded = vec![false; pieces.len()];
+    let mut preceded = Buffer::filled(false, pieces.len());
     pieces.iter().filter_map(|p| p.next).for_each(|n| preceded[n] = true);
-    let mut seen = vec![false; pieces.len()];
-    let (mut slices, mut current) = (Vec::new(), Vec::new());
+    let mut seen = Buffer::filled(false, pieces.len());
+    let mut slices = Slices::default();
     // A chain begins where nothing precedes it; a ring anywhere, best where it is cut.
     let begins = |k: &usize| !preceded[*k];
     let cut = |k: &usize| !cuts_of(*k).is_empty();
     let order = (0..pieces.len()).filter(begins).chain((0..pieces.len()).filter(cut));
     for start in order.chain(0..pieces.len()) {
-        if seen[start] {
-            continue;
-        }
-        let begin = slices.len();
-        let whole = chain(pieces, start, &cuts_of, &mut seen, &mut current);
-        slices.extend(current.drain(..).map(|parts| (parts, false)));
-        if let (true, [only]) = (whole, &mut slices[begin..]) {
-            only.1 = true;
+        if !seen[start] {
+            chain(pieces, start, &cuts_of, &mut seen, &mut slices);
         }
     }
+    // What stands in for a cut without length has done its work.
+    slices.list.retain(|slice| slice.from < slice.to);
     slices
 }
 
-/// Cuts one chain into slices, of which there are none yet; whether it is a ring that was cut nowhere.
+/// Cuts one chain into slices.
 fn chain<'c>(
     pieces: &[Piece],
     start: usize,
-    cuts_of: &impl Fn(usize) -> &'c [(usize, f64)],
+    cuts_of: &impl Fn(usize) -> &'c [Cut],
     seen: &mut [bool],
-    slices: &mut Vec<Vec<Stretch>>,
-) -> bool {
-    let mut current = Vec::new();
+    slices: &mut Slices,
+) {
+    let first = slices.list.len();
+    let mut begin = slices.parts.len();
     let mut at = Some(start);
     let mut ring = false;
     while let Some(k) = at {
@@ -214,35 +269,37 @@ fn chain<'c>(
             break;
         }
         seen[k] = true;
-        let long = pieces[k].segment.length();
+        let long = if cuts_of(k).is_empty() { 0.0 } else { pieces[k].segment.length() };
         let mut from = 0.0;
         for &(_, share) in cuts_of(k) {
             if (share - from) * long > tol::SAME_PLACE_MM * 0.5 {
-                current.push((k, from, share));
+                slices.parts.push((k, from, share));
             }
-            if !current.is_empty() {
-                slices.push(std::mem::take(&mut current));
-            } else if slices.is_empty() {
-                // A cut at the very start: the ring begins here and must not be closed over it.
-                slices.push(Vec::new());
+            // At the very start a slice of nothing stands for the cut: the ring begins here and must not be
+            // closed over it.
+            if slices.parts.len() > begin || slices.list.len() == first {
+                slices.close(begin);
             }
+            begin = slices.parts.len();
             from = share.max(from);
         }
         if (1.0 - from) * long > tol::SAME_PLACE_MM * 0.5 || cuts_of(k).is_empty() {
-            current.push((k, from, 1.0));
+            slices.parts.push((k, from, 1.0));
         }
         at = pieces[k].next;
     }
-    let whole = ring && slices.is_empty();
-    if !current.is_empty() {
-        if ring && !slices.is_empty() {
-            // The last stretch of a ring runs on into the first.
-            let head = std::mem::take(&mut slices[0]);
-            current.extend(head);
-        }
-        slices.push(current);
+    let was_cut = slices.list.len() > first;
+    if slices.parts.len() == begin {
+        return;
     }
-    // What stands in for a cut without length has done its work.
-    slices.retain(|slice| !slice.is_empty());
-    whole
+    if ring && was_cut {
+        // The last stretch of a ring runs on into the first.
+        let head = slices.list[first];
+        slices.parts.extend_from_within(head.from..head.to);
+        slices.list[first].to = head.from;
+    }
+    slices.close(begin);
+    if let (true, false, Some(only)) = (ring, was_cut, slices.list.last_mut()) {
+        only.ring = true;
+    }
 }

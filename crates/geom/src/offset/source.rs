@@ -1,54 +1,90 @@
 //! The contours that are offset, and how far places are from them.
 
+use crate::pool::{Buffer, kept};
 use crate::segment::square;
-use crate::{Bounds2, Indexed, Point2, Polyarc, Segment};
-use std::ops::Range;
+use crate::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
 
 /// All segments of all contours with an index.
 pub(super) struct Source<'a> {
     pub contours: &'a [Polyarc],
     /// Number of the first segment of each contour.
-    pub first: Vec<usize>,
+    pub first: Buffer<usize>,
     indexed: Indexed,
+    ways: Buffer<Ways>,
+}
+
+/// Unit directions of travel at the ends of a segment.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ways {
+    pub leaves: Vec2,
+    pub arrives: Vec2,
+}
+
+kept!(Ways, Range2);
+
+/// From a number to before another.
+pub(super) type Range2 = (usize, usize);
+
+impl Ways {
+    pub fn of(segment: &Segment) -> Self {
+        match *segment {
+            Segment::Line { .. } => {
+                let way = segment.direction(0.0);
+                Self { leaves: way, arrives: way }
+            }
+            Segment::Arc { start, end, centre, radius, sweep_rad } => {
+                let turned = sweep_rad.signum() / radius;
+                let way = |at: Point2| (at - centre).left() * turned;
+                Self { leaves: way(start), arrives: way(end) }
+            }
+        }
+    }
 }
 
 impl<'a> Source<'a> {
     pub fn new(contours: &'a [Polyarc]) -> Self {
-        let mut first = Vec::with_capacity(contours.len());
+        let mut first = Buffer::default();
         let mut count = 0;
         for contour in contours {
             first.push(count);
             count += contour.segment_count();
         }
         let indexed = Indexed::new(contours);
-        Self { contours, first, indexed }
+        let ways = indexed.segments().iter().map(Ways::of).collect();
+        Self { contours, first, indexed, ways }
     }
 
     /// The segments of all contours, numbered through.
     pub fn segments(&self) -> &[Segment] {
-        &self.indexed.segments
+        self.indexed.segments()
     }
 
     /// Those of one contour.
-    pub fn of_contour(&self, number: usize) -> &[Segment] {
+    pub fn of_contour(&self, number: usize) -> (&[Segment], &[Ways]) {
         let end = self.first.get(number + 1).copied().unwrap_or(self.segments().len());
-        &self.segments()[self.first[number]..end]
+        let own = self.first[number]..end;
+        (&self.segments()[own.clone()], &self.ways[own])
+    }
+
+    /// The directions of all segments.
+    pub fn ways(&self) -> &[Ways] {
+        &self.ways
     }
 
     /// Runs of numbers of segments that may lie nearer than `limit` to something within bounds.
-    pub fn runs_near(&self, bounds: &Bounds2, limit: f64, found: &mut Vec<Range<usize>>) {
+    pub fn runs_near(&self, bounds: &Bounds2, limit: f64, found: &mut Vec<Range2>) {
         let (middle, half) = (bounds.centre(), square(bounds.size()).sqrt() * 0.5);
         let (area, reach) = (bounds.grown(limit), (limit + half) * (limit + half));
         let enter = |b: &Bounds2| b.meets(&area) && b.distance_squared(middle) < reach;
-        self.indexed.tree.search_runs(enter, |run| match found.last_mut() {
-            Some(last) if last.end == run.start => last.end = run.end,
-            _ => found.push(run),
+        self.indexed.tree().search_runs(enter, |run| match found.last_mut() {
+            Some(last) if last.1 == run.start => last.1 = run.end,
+            _ => found.push((run.start, run.end)),
         });
     }
 
     /// The boxes of all segments.
     pub fn boxes(&self) -> &[Bounds2] {
-        self.indexed.tree.leaves()
+        self.indexed.tree().leaves()
     }
 
     /// How often the contours wind round a place.
@@ -69,6 +105,12 @@ impl<'a> Source<'a> {
         let around: i32 = others.map(|(_, other)| other.winding(place)).sum();
         let left = i32::from(contour.signed_area() > 0.0);
         Some(around + left - i32::from(distance > 0.0))
+    }
+
+    /// Whether a segment or one beside it lies nearer to a place than `limit`.
+    pub fn neighbours_nearer(&self, segment: usize, place: Point2, limit: f64) -> bool {
+        let neighbours = segment.saturating_sub(1)..(segment + 2).min(self.segments().len());
+        self.segments()[neighbours].iter().any(|s| s.is_nearer(place, limit))
     }
 
     /// Whether some segment lies nearer to a place than `limit`.

@@ -10,6 +10,7 @@
 use super::clearance::too_near;
 use super::source::Source;
 use super::{OffsetPath, Origin, raw};
+use crate::pool::Buffer;
 use crate::segment::square;
 use crate::{BoxTree, GeomError, Point2, Segment, Vec2};
 use std::cell::OnceCell;
@@ -51,7 +52,7 @@ pub(super) fn validate(
     within: f64,
 ) -> Checked {
     let wanted = Wanted { source, distance, within };
-    let mut segments: Vec<Segment> = Vec::new();
+    let mut segments: Buffer<Segment> = Buffer::default();
     found.iter().for_each(|f| segments.extend(f.path.segments()));
     if let Some(odd) = found.iter().find(|f| f.origins.len() != f.path.segment_count()) {
         return unproved("a piece without extent", odd.path.start().unwrap_or_default());
@@ -74,8 +75,7 @@ fn unproved(why: &'static str, at: Point2) -> Checked {
 fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checked {
     let Wanted { source, distance, within } = *wanted;
     let of = &source.segments()[source.first[origin.contour] + origin.element];
-    let short = segment.start().distance(segment.end()) <= 100.0 * within;
-    let middle = segment.at(0.5);
+    let middle = segment.middle();
     // What holds at both ends of a line beside a line holds between them.
     let lines = matches!((segment, of), (Segment::Line { .. }, Segment::Line { .. }));
     let places = [segment.start(), segment.end(), middle];
@@ -100,9 +100,11 @@ fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checke
         (middle - of.start()).cross(along) * distance > 0.0
     } else {
         let (onward, way) = (beside(of, middle), along);
-        onward.dot(way) > 0.9 * (square(onward) * square(way)).sqrt()
+        let reach = onward.dot(way);
+        reach > 0.0 && reach * reach > 0.81 * square(onward) * square(way)
     };
-    if forward || short { Ok(()) } else { unproved("on the wrong side", segment.at(0.5)) }
+    let short = || square(along) <= (100.0 * within).powi(2);
+    if forward || short() { Ok(()) } else { unproved("on the wrong side", middle) }
 }
 
 /// The way along a segment where a place lies beside it, of any length.
@@ -136,11 +138,11 @@ fn right_of(of: &Segment, place: Point2, within: f64) -> f64 {
 
 /// The segments of the result that belong to each element of the source.
 struct Coverage {
-    segments: Vec<Segment>,
+    segments: Buffer<Segment>,
     /// Numbers into `segments` by element: those of element e and of the corner at its start are
     /// `order[first[2e]..first[2e + 1]]` and `order[first[2e + 1]..first[2e + 2]]`.
-    order: Vec<usize>,
-    first: Vec<usize>,
+    order: Buffer<usize>,
+    first: Buffer<usize>,
     /// All of them by place; rarely needed.
     index: OnceCell<BoxTree>,
     within: f64,
@@ -148,16 +150,16 @@ struct Coverage {
 }
 
 impl Coverage {
-    fn new(wanted: &Wanted, found: &[OffsetPath], segments: Vec<Segment>) -> Self {
+    fn new(wanted: &Wanted, found: &[OffsetPath], segments: Buffer<Segment>) -> Self {
         let source = wanted.source;
         let of = |o: &Origin| 2 * (source.first[o.contour] + o.element) + usize::from(o.corner);
-        let mut elements: Vec<usize> = Vec::with_capacity(segments.len());
+        let mut elements: Buffer<usize> = Buffer::default();
         found.iter().for_each(|f| elements.extend(f.origins.iter().map(of)));
-        let mut first = vec![0; 2 * source.segments().len() + 1];
+        let mut first = Buffer::filled(0, 2 * source.segments().len() + 1);
         elements.iter().for_each(|e| first[e + 1] += 1);
         (1..first.len()).for_each(|e| first[e] += first[e - 1]);
         let mut next = first.clone();
-        let mut order = vec![0; elements.len()];
+        let mut order = Buffer::filled(0, elements.len());
         for (number, &element) in elements.iter().enumerate() {
             order[next[element]] = number;
             next[element] += 1;
@@ -191,34 +193,60 @@ impl Coverage {
         own.next().map_or([1.0, 0.0], |s| [curve.share_of(s.start()), curve.share_of(s.end())])
     }
 
-    /// Whether one segment of the result is the whole of a raw curve.
-    fn covers_all(&self, element: usize, corner: bool, curve: &Segment) -> bool {
+    /// Whether one segment of the result is the whole of a raw curve between two places.
+    fn covers_all(&self, element: usize, corner: bool, start: Point2, end: Point2) -> bool {
         let near = |a: Point2, b: Point2| square(a - b) <= self.within * self.within;
-        let whole = |s: &Segment| near(s.start(), curve.start()) && near(s.end(), curve.end());
-        self.own(element, corner).any(whole)
+        self.own(element, corner).any(|s| near(s.start(), start) && near(s.end(), end))
     }
 }
 
 fn complete(wanted: &Wanted, coverage: &Coverage) -> Checked {
     let Wanted { source, distance, .. } = *wanted;
-    for (contour, first) in source.contours.iter().zip(&source.first) {
+    for (contour, first) in source.contours.iter().zip(source.first.iter().copied()) {
         let count = contour.segment_count();
-        for k in 0..count {
-            let segment = &source.segments()[first + k];
-            if let Some(parallel) = raw::parallel(segment, distance) {
-                let out = |share| -segment.direction(share).left() * distance.signum();
-                present(wanted, coverage, (first + k, false), &parallel, out)?;
-            }
-            let before = if k > 0 { Some(k - 1) } else { contour.closed.then_some(count - 1) };
-            let before = before.map(|b| &source.segments()[first + b]);
-            if let Some(arc) = before.and_then(|b| raw::corner(b, segment, distance)) {
-                let centre = segment.start();
-                let out = |share| (arc.at(share) - centre) / distance.abs();
-                present(wanted, coverage, (first + k, true), &arc, out)?;
+        for k in first..first + count {
+            parallel_present(wanted, coverage, k)?;
+            let before =
+                if k > first { Some(k - 1) } else { contour.closed.then_some(first + count - 1) };
+            if let Some(before) = before {
+                let ways = [source.ways()[before].arrives, source.ways()[k].leaves];
+                if raw::may_open(ways, distance) {
+                    corner_present(wanted, coverage, k, ways)?;
+                }
             }
         }
     }
     Ok(())
+}
+
+fn parallel_present(wanted: &Wanted, coverage: &Coverage, element: usize) -> Checked {
+    let Wanted { source, distance, .. } = *wanted;
+    let (segment, ways) = (&source.segments()[element], &source.ways()[element]);
+    let beside = |at: Point2, way: Vec2| at + raw::right_of(way, distance);
+    let ends = [beside(segment.start(), ways.leaves), beside(segment.end(), ways.arrives)];
+    if coverage.covers_all(element, false, ends[0], ends[1]) {
+        return Ok(());
+    }
+    let Some(parallel) = raw::parallel(segment, distance) else { return Ok(()) };
+    let out = |share| -segment.direction(share).left() * distance.signum();
+    present(wanted, coverage, (element, false), &parallel, out)
+}
+
+fn corner_present(
+    wanted: &Wanted,
+    coverage: &Coverage,
+    element: usize,
+    ways: [Vec2; 2],
+) -> Checked {
+    let Wanted { source, distance, .. } = *wanted;
+    let centre = source.segments()[element].start();
+    let ends = ways.map(|way| centre + raw::right_of(way, distance));
+    if coverage.covers_all(element, true, ends[0], ends[1]) {
+        return Ok(());
+    }
+    let Some(arc) = raw::corner(centre, ways, distance) else { return Ok(()) };
+    let out = |share| (arc.at(share) - centre) / distance.abs();
+    present(wanted, coverage, (element, true), &arc, out)
 }
 
 /// Whether every place of a raw curve that has room beyond it is on the result.
@@ -229,22 +257,26 @@ fn present(
     curve: &Segment,
     out: impl Fn(f64) -> Vec2,
 ) -> Checked {
-    if coverage.covers_all(element, corner, curve) {
-        return Ok(());
-    }
-    let (size, room) = (wanted.distance.abs(), wanted.room());
-    let count = (curve.length() / (size * SPACING)).ceil().clamp(1.0, MOST_PLACES) as usize;
+    let (source, size, room) = (wanted.source, wanted.distance.abs(), wanted.room());
+    let count = (curve.length() / (size * SPACING)).ceil().clamp(1.0, MOST_PLACES);
     let [from, to] = coverage.shares(element, corner, curve);
-    for k in 0..count {
-        let share = (k as f64 + 0.5) / count as f64;
-        if from <= share && share <= to {
-            continue;
-        }
+    // What is known to be there is passed over.
+    let (before, after) = match from <= to {
+        true => (from * count - 0.5, (to * count - 0.5).floor() + 1.0),
+        false => (count, count),
+    };
+    let places = (0..before.ceil().clamp(0.0, count) as usize)
+        .chain(after.clamp(0.0, count) as usize..count as usize);
+    for k in places {
+        let share = (k as f64 + 0.5) / count;
         let at = curve.at(share);
-        if coverage.covers(element, corner, at) {
+        let beyond = at + out(share) * room;
+        if source.neighbours_nearer(element, beyond, size + 0.5 * room)
+            || coverage.covers(element, corner, at)
+        {
             continue;
         }
-        let has_room = !wanted.source.is_nearer(at + out(share) * room, size + 0.5 * room);
+        let has_room = !source.is_nearer(beyond, size + 0.5 * room);
         if has_room && !is_behind(wanted, element, at) && !coverage.is_near(at) {
             return unproved("a part is missing", at);
         }

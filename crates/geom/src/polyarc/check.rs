@@ -2,7 +2,7 @@
 
 use super::{Polyarc, Vertex};
 use crate::segment::square;
-use crate::{GeomError, Point2, tol};
+use crate::{GeomError, Point2, pool, tol};
 
 impl Polyarc {
     /// Whether every number is finite and every place, the tops of arcs too, within
@@ -21,8 +21,8 @@ impl Polyarc {
         }
         let rises = |vertex: &usize| {
             let from = self.vertices[*vertex];
-            let to = self.vertices[(vertex + 1) % self.vertices.len()];
-            0.5 * from.bulge.abs() * from.at.distance(to.at) > tol::FARTHEST_MM
+            let to = self.vertices.get(vertex + 1).unwrap_or(&self.vertices[0]);
+            from.bulge != 0.0 && 0.5 * from.bulge.abs() * from.at.distance(to.at) > tol::FARTHEST_MM
         };
         let far = (0..self.segment_count()).find(rises);
         far.map_or(Ok(()), |vertex| Err(GeomError::TooFar { vertex }))
@@ -49,13 +49,12 @@ impl Polyarc {
         Self { vertices, closed: self.closed }
     }
 
-    /// Tidied and with short arcs, and for each segment of the result the segment it was a part of.
-    pub(crate) fn tidied_with_names(&self) -> (Self, Vec<usize>) {
+    /// Tidied and with short arcs; to `names` is added for each segment of the result the segment it was a part
+    /// of.
+    pub(crate) fn tidied_with_names(&self, names: &mut Vec<usize>) -> Self {
         let near = |a: Point2, b: Point2| square(a - b) <= tol::SAME_PLACE_MM * tol::SAME_PLACE_MM;
-        let mut names = Vec::with_capacity(self.vertices.len());
-        let mut ready =
-            Self { vertices: Vec::with_capacity(self.vertices.len()), ..Self::default() };
-        ready.closed = self.closed;
+        let mut ready = Self { vertices: pool::take(), closed: self.closed };
+        ready.vertices.reserve(self.vertices.len());
         let count = self.segment_count();
         for (number, v) in self.vertices.iter().enumerate() {
             let is_last = number == count;
@@ -84,7 +83,7 @@ impl Polyarc {
             ready.vertices.pop();
             names.pop();
         }
-        (ready, names)
+        ready
     }
 
     /// The same path with no arc of more than half a circle: each is cut into equal parts.

@@ -77,7 +77,7 @@ impl Polyarc {
     /// When there is no such segment, as indexing does.
     pub fn segment(&self, number: usize) -> Segment {
         let from = self.vertices[number];
-        let to = self.vertices[(number + 1) % self.vertices.len()];
+        let to = self.vertices.get(number + 1).unwrap_or(&self.vertices[0]);
         Segment::bulged(from.at, to.at, from.bulge)
     }
 

@@ -1,24 +1,30 @@
 //! Exact bounds of a segment.
 
 use super::Segment;
-use crate::{Bounds2, Point2, Vec2};
+use crate::{Bounds2, Point2};
 
 impl Segment {
     /// The smallest upright rectangle around the path.
     pub fn bounds(&self) -> Bounds2 {
         let mut bounds = Bounds2::of(self.start(), self.end());
-        if let Self::Arc { start, end, centre, radius, sweep_rad } = *self {
-            // Within a quarter of the circle between two poles there is none.
-            let (from, to) = (start - centre, end - centre);
-            if sweep_rad.abs() < 3.0 && from.x * to.x > 0.0 && from.y * to.y > 0.0 {
-                return bounds;
-            }
-            for (dx, dy) in [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)] {
-                let pole = centre + Vec2::new(dx, dy) * radius;
-                if self.faces(pole) {
-                    bounds.add(pole);
-                }
-            }
+        let Self::Arc { start, end, centre, radius, sweep_rad } = *self else { return bounds };
+        // The poles that a counter-clockwise arc passes, by the quarters in which it begins and ends.
+        let (from, to) = (start - centre, end - centre);
+        let (from, to) = if sweep_rad > 0.0 { (from, to) } else { (to, from) };
+        let small = sweep_rad.abs() <= std::f64::consts::PI;
+        let passes =
+            |after: bool, before: bool| if small { after && before } else { after || before };
+        if passes(from.y <= 0.0, to.y >= 0.0) {
+            bounds.max.x = bounds.max.x.max(centre.x + radius);
+        }
+        if passes(from.y >= 0.0, to.y <= 0.0) {
+            bounds.min.x = bounds.min.x.min(centre.x - radius);
+        }
+        if passes(from.x >= 0.0, to.x <= 0.0) {
+            bounds.max.y = bounds.max.y.max(centre.y + radius);
+        }
+        if passes(from.x <= 0.0, to.x >= 0.0) {
+            bounds.min.y = bounds.min.y.min(centre.y - radius);
         }
         bounds
     }

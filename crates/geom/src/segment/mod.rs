@@ -56,6 +56,9 @@ impl Segment {
     /// With half chord h the rise is b·h, the radius h·(1 + b²) / 2|b|, and the centre lies
     /// h·(1 − b²) / 2b to the left of the middle of the chord.
     pub fn bulged(start: Point2, end: Point2, bulge: f64) -> Self {
+        if bulge == 0.0 {
+            return Self::Line { start, end };
+        }
         let chord = end - start;
         let half = square(chord).sqrt() * 0.5;
         if (bulge * half).abs() < tol::FLAT_MM {
@@ -110,6 +113,24 @@ impl Segment {
             Self::Arc { start, centre, sweep_rad, .. } => {
                 centre + (start - centre).rotated(sweep_rad * share)
             }
+        }
+    }
+
+    /// The place halfway along.
+    ///
+    /// Off the middle of the chord by the rise, c²/4 / (r + √(r² − c²/4)); near half a circle the root loses its
+    /// digits.
+    pub(crate) fn middle(&self) -> Point2 {
+        match *self {
+            Self::Line { start, end } => start.midpoint(end),
+            Self::Arc { start, end, radius, sweep_rad, .. } if sweep_rad.abs() < 2.5 => {
+                let chord = end - start;
+                let quarter = 0.25 * square(chord);
+                let depth = (radius * radius - quarter).sqrt();
+                let share = 0.5 * quarter.sqrt() / (radius + depth);
+                start.midpoint(end) - chord.left() * (share * sweep_rad.signum())
+            }
+            Self::Arc { .. } => self.at(0.5),
         }
     }
 

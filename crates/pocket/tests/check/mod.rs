@@ -122,7 +122,7 @@ fn largest(set: &[bool], nx: usize, ny: usize) -> (usize, usize) {
 /// How far the edge of a tool whose centre follows paths comes out of the region.
 fn out(cuts: &Indexed, contours: &Indexed, radius: f64) -> f64 {
     let mut out: f64 = 0.0;
-    for segment in &cuts.segments {
+    for segment in cuts.segments() {
         let count = (segment.length() / (0.01 * radius)).ceil().clamp(1.0, 2000.0) as usize;
         for k in 0..=count {
             let at = segment.at(k as f64 / count as f64);

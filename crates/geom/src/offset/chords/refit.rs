@@ -6,6 +6,7 @@
 use super::super::source::Source;
 use super::super::{OffsetPath, Origin, raw, rings};
 use super::CHORD_MM;
+use crate::pool::Buffer;
 use crate::{BoxTree, Point2, Polyarc, Segment, tol};
 
 /// An edge belongs to a curve that it leaves by no more than this: a chord does by [`CHORD_MM`].
@@ -48,7 +49,8 @@ impl Curves {
                 list.extend(raw::parallel(segment, distance).map(|s| (s, origin(n, false))));
                 if n + 1 < count || contour.closed {
                     let next = (n + 1) % count;
-                    let corner = raw::corner(segment, &segments[next], distance);
+                    let ways = [segment.direction(1.0), segments[next].direction(0.0)];
+                    let corner = raw::corner(segment.end(), ways, distance);
                     list.extend(corner.map(|s| (s, origin(next, true))));
                 }
             }
@@ -133,7 +135,7 @@ impl Curves {
         };
         let last = if closed { count } else { count - 1 };
         let corners: Vec<Option<Point2>> = (0..last).map(meeting).collect();
-        let mut parts = Vec::with_capacity(count);
+        let mut parts = Buffer::default();
         for (n, stretch) in stretches.iter().enumerate() {
             let (curve, origin) = &self.list[stretch.curve?];
             let before = if n > 0 { Some(n - 1) } else { closed.then_some(count - 1) };
