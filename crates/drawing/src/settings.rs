@@ -102,6 +102,9 @@ pub struct GroupSettings {
     /// The way down into the material.
     #[serde(default)]
     pub plunge: Plunge,
+    /// Diameter of the cutter, millimetres, for pictures; `None` is twice the offset.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cutter_mm: Option<f64>,
 }
 
 impl Default for GroupSettings {
@@ -121,6 +124,7 @@ impl Default for GroupSettings {
             lead_in: Lead::default(),
             lead_out: Lead::default(),
             plunge: Plunge::default(),
+            cutter_mm: None,
         }
     }
 }
@@ -177,6 +181,7 @@ impl GroupSettings {
         let speed = self.speed_mm_min.unwrap_or(1.0);
         let angle = |lead: Lead| (0.0..=360.0).contains(&lead.angle_deg);
         let number = "a number";
+        let cutter = self.cutter_mm.unwrap_or(1.0);
         let (steep, helix) = (self.plunge.angle_deg(), self.plunge.radius_mm());
         [
             ("height", depth, true, number),
@@ -191,8 +196,16 @@ impl GroupSettings {
             ("lead-out angle", self.lead_out.angle_deg, angle(self.lead_out), "0 to 360 degrees"),
             ("plunge angle", steep, (0.1..=90.0).contains(&steep), "0.1 to 90 degrees"),
             ("plunge radius", helix, helix != 0.0, "a number other than 0"),
+            ("cutter", cutter, cutter > 0.0, "above 0 mm"),
         ]
         .into_iter()
+    }
+
+    /// How wide the group's cuts are, millimetres: the cutter's diameter, or twice the offset of what it cuts;
+    /// nothing where neither is known.
+    pub fn width_mm(&self) -> Option<f64> {
+        let twice = 2.0 * self.offset_mm.abs();
+        self.cutter_mm.or_else(|| (twice > 0.0).then_some(twice))
     }
 
     /// Distance of the rough path from the shape, millimetres, or nothing without a rough pass:
@@ -254,5 +267,6 @@ mod tests {
         let none = Plunge::Helix { radius_mm: 0.0, angle_deg: 2.0 };
         refused(|s| s.plunge = none, "plunge radius is 0");
         refused(|s| s.speed_mm_min = Some(0.0), "speed is 0");
+        refused(|s| s.cutter_mm = Some(0.0), "cutter is 0");
     }
 }

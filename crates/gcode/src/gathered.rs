@@ -1,7 +1,7 @@
 //! The words of a block, sorted: one code a group, one value a letter.
 
 use crate::codes::{self, G_GROUPS, M_GROUPS, MOTION, g_group, g_name, m_group};
-use crate::tree::{MoveNode, Span, Word};
+use crate::tree::{PlainMove, Span, Word};
 use kerf_diag::Code;
 
 /// Something wrong with a block.
@@ -96,18 +96,12 @@ impl Gathered {
     }
 
     /// The words of a move line.
-    pub(crate) fn of_move(node: MoveNode, numbers: &[f64]) -> Self {
+    pub(crate) fn of_move(plain: &PlainMove) -> Self {
         let mut all = Self::default();
-        if node.motion < MoveNode::MODAL {
-            all.g[MOTION] = Some(i32::from(node.motion) * 10);
+        if plain.motion < PlainMove::MODAL {
+            all.g[MOTION] = Some(i32::from(plain.motion) * 10);
         }
-        let mut index = node.first as usize;
-        for (bit, letter) in MoveNode::LETTERS.into_iter().enumerate() {
-            if node.given & (1 << bit) != 0 {
-                all.set(letter, numbers.get(index).copied().unwrap_or_default());
-                index += 1;
-            }
-        }
+        plain.words().for_each(|(letter, value)| all.set(letter, value));
         all
     }
 

@@ -36,6 +36,6 @@ pub use interp::{
     State, Tool,
 };
 pub use no_path::no_path;
-pub use reader::{looks_like_opensbp, read};
+pub use reader::{looks_like_opensbp, read, read_text};
 pub use tree::Program;
 pub use writer::{Writer, Writing, write};

@@ -1,9 +1,11 @@
 //! The tree of a G-code file: one node a line.
 //!
-//! Most lines of a large file are moves with literal numbers. They become [`Node::Move`], eight
-//! bytes that point into a pool of numbers; everything else becomes a [`Block`].
+//! Most lines of a large file are moves with literal numbers. Of these only the place is kept, eight bytes a
+//! line: the text says all the rest, and is read again ([`Program::move_of`]) when the move is made. Everything
+//! else becomes a [`Block`].
 
 use crate::expr::Expr;
+use crate::reader::moves;
 use kerf_diag::{Diagnostic, Place};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -23,11 +25,9 @@ pub struct Program {
     /// Name shown to people.
     pub name: Arc<str>,
     /// The whole text, as it was read (line ends kept, byte-order mark removed).
-    pub text: Arc<str>,
+    pub text: Arc<String>,
     /// One entry a line; line n of the file is `lines[n - 1]`.
     pub lines: Vec<LineNode>,
-    /// The literal values of [`Node::Move`] lines, in the order of [`MoveNode::LETTERS`].
-    pub numbers: Vec<f64>,
     /// What [`Node::Block`] points to.
     pub blocks: Vec<Block>,
     /// The words of all blocks, in order.
@@ -47,10 +47,37 @@ pub struct Program {
 /// A line: what it is and where its text begins.
 #[derive(Clone, Copy, Debug)]
 pub struct LineNode {
-    /// What the line is.
-    pub node: Node,
+    /// Index of its block, or one of the numbers behind [`LineNode::PLAIN`].
+    what: u32,
     /// Byte offset of the line in [`Program::text`].
     pub start: u32,
+}
+
+impl LineNode {
+    /// Larger numbers are nodes without a block: a text of 4 GB has fewer blocks.
+    const PLAIN: u32 = u32::MAX - Self::NODES.len() as u32;
+    const NODES: [Node; 5] = [Node::Blank, Node::Move, Node::Percent, Node::Console, Node::Bad];
+
+    /// A line that begins at a byte.
+    pub(crate) const fn new(node: Node, start: u32) -> Self {
+        let plain = match node {
+            Node::Block(index) => return Self { what: index, start },
+            Node::Blank => 0,
+            Node::Move => 1,
+            Node::Percent => 2,
+            Node::Console => 3,
+            Node::Bad => 4,
+        };
+        Self { what: Self::PLAIN + plain, start }
+    }
+
+    /// What the line is.
+    pub const fn node(self) -> Node {
+        match self.what.checked_sub(Self::PLAIN) {
+            Some(plain) => Self::NODES[plain as usize],
+            None => Node::Block(self.what),
+        }
+    }
 }
 
 /// What a line is.
@@ -58,8 +85,8 @@ pub struct LineNode {
 pub enum Node {
     /// Nothing.
     Blank,
-    /// A move with literal values.
-    Move(MoveNode),
+    /// A move with literal values: see [`Program::move_of`].
+    Move,
     /// Anything else; index into [`Program::blocks`].
     Block(u32),
     /// `%`: the beginning of the program, or its end.
@@ -72,20 +99,55 @@ pub enum Node {
 
 /// A line of G0 … G3, or without a code, whose words are literal numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MoveNode {
-    /// 0 … 3 for G0 … G3, [`MoveNode::MODAL`] when the line names none.
+pub struct PlainMove {
+    /// 0 … 3 for G0 … G3, [`PlainMove::MODAL`] when the line names none.
     pub motion: u8,
-    /// Bit i set: the letter i of [`MoveNode::LETTERS`] has a value.
+    /// Bit i set: the letter i of [`PlainMove::LETTERS`] has a value.
     pub given: u16,
-    /// Index of its first value in [`Program::numbers`].
-    pub first: u32,
+    /// The value of each letter; those of letters that are not given mean nothing.
+    values: [f64; Self::LETTERS.len()],
 }
 
-impl MoveNode {
+impl Default for PlainMove {
+    fn default() -> Self {
+        Self { motion: Self::MODAL, given: 0, values: [0.0; Self::LETTERS.len()] }
+    }
+}
+
+impl PlainMove {
     /// The line names no motion.
     pub const MODAL: u8 = 4;
     /// The letters such a line may hold.
     pub const LETTERS: [u8; 12] = *b"XYZABCIJKRFS";
+
+    /// Forgets everything.
+    pub(crate) fn clear(&mut self) {
+        (self.motion, self.given) = (Self::MODAL, 0);
+    }
+
+    /// The value of the letter at a place of [`PlainMove::LETTERS`].
+    pub fn value(&self, letter: usize) -> Option<f64> {
+        let value = self.values.get(letter)?;
+        (self.given & (1 << letter) != 0).then_some(*value)
+    }
+
+    /// Gives a letter its value; `None` when there is no such letter, or it has one.
+    pub(crate) fn give(&mut self, letter: usize, value: f64) -> Option<()> {
+        let place = self.values.get_mut(letter)?;
+        let bit = 1 << letter;
+        if self.given & bit != 0 {
+            return None;
+        }
+        *place = value;
+        self.given |= bit;
+        Some(())
+    }
+
+    /// The letters with their values.
+    pub fn words(&self) -> impl Iterator<Item = (u8, f64)> {
+        let letters = Self::LETTERS.into_iter().enumerate();
+        letters.filter_map(|(at, letter)| Some((letter, self.value(at)?)))
+    }
 }
 
 /// A block: a line of words.
@@ -277,6 +339,18 @@ impl Program {
         self.text.get(start..end).unwrap_or_default().trim_end_matches(['\r', '\n'])
     }
 
+    /// The move of a line, counted from 1, that is a [`Node::Move`].
+    pub fn move_of(&self, line: u32) -> Option<PlainMove> {
+        let mut found = PlainMove::default();
+        let node = self.lines.get(line.checked_sub(1)? as usize)?;
+        (node.node() == Node::Move && self.read_move(*node, &mut found)).then_some(found)
+    }
+
+    /// Reads the words of such a line once more.
+    pub(crate) fn read_move(&self, line: LineNode, into: &mut PlainMove) -> bool {
+        moves::read(self.text.as_bytes(), line.start as usize, into).is_some()
+    }
+
     /// The place of a stretch of a line.
     pub fn place(&self, line: u32, span: Span) -> Place {
         let text = self.line_text(line);
@@ -298,7 +372,9 @@ impl Program {
     /// Whether a line (from 1) lies between the first and the last of a subroutine.
     pub fn is_in_subroutine(&self, line: u32) -> bool {
         let end_of = |first: u32| {
-            let Node::Block(index) = self.lines.get(first as usize - 1)?.node else { return None };
+            let Node::Block(index) = self.lines.get(first as usize - 1)?.node() else {
+                return None;
+            };
             let extra = self.extra_of(self.blocks.get(index as usize)?)?;
             extra.flow.as_ref().filter(|f| f.keyword == Keyword::Sub).map(|f| f.target)
         };

@@ -5,6 +5,7 @@
 
 mod args;
 mod clock;
+mod coloured;
 mod commands;
 mod curves;
 mod date;

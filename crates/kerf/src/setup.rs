@@ -13,6 +13,7 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::machine_file::told;
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell, Work};
+use kerf_drawing::Drawing;
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
 use kerf_part::Program;
@@ -37,22 +38,28 @@ pub struct Job {
     pub replaced: Option<Settings>,
     /// How Kerf starts and closes.
     pub visit: Visit,
+    /// The drawing that a job was made of, without its shapes.
+    pub drawing: Option<Drawing>,
 }
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     let parts = file.parent().unwrap_or(Path::new(""));
+    let mut drawing = None;
     let work = if drawings::is_drawing(file) {
         let name = file.display().to_string().into();
         let machine = machine(args.place.config.as_deref(), &args.place.data)?;
         let smoothing = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
-        let job = drawings::job(file, smoothing)?.neutral(name);
-        Work::Job(Arc::new(job), Arc::new(machine))
+        let job = drawings::job(file, smoothing)?;
+        let neutral = job.neutral(name);
+        drawing = Some(job.drawing);
+        Work::Job(Arc::new(neutral), Arc::new(machine))
     } else {
         read_program(file, args.dialect.sbp)?.into()
     };
     let mut job = job_of(work, shelf(parts, &args.place, preview)?, args, preview)?;
     job.visit.opening.file = true;
+    job.drawing = drawing;
     Ok(job)
 }
 
@@ -93,7 +100,7 @@ pub fn job_of(
     options.started = kept.then(clock::started);
     session.memory.settings = settings;
     let visit = Visit::default();
-    Ok(Job { work, session, options, shelf, answers, kept, replaced, visit })
+    Ok(Job { work, session, options, shelf, answers, kept, replaced, visit, drawing: None })
 }
 
 /// The script of answers.

@@ -87,3 +87,25 @@ fn ramps_and_helices_go_down_gently_in_every_pass() {
         assert!(depths.contains(&-22.0) && depths.contains(&-21.0));
     }
 }
+
+/// The picture that `kerf preview` draws of what a script makes.
+fn pictured(script: &str, file: &str) -> String {
+    let shop = Shop::new(&[]);
+    let drawn = shop.command().args(["draw", "--do", script, "-o", "job.rsg"]).output().unwrap();
+    Did::of(drawn).exits(0);
+    shop.kerf("toolpath job.rsg -o job.rsm").exits(0);
+    shop.kerf(&format!("preview {file} -o job.svg --units mm")).exits(0);
+    shop.read("job.svg")
+}
+
+#[test]
+fn a_picture_of_an_engraving_is_as_wide_as_its_tool() {
+    for file in ["job.rsg", "job.rsm"] {
+        let engraved = pictured(&format!("{PLATE} set red height=-2"), file);
+        assert!(engraved.contains("red, tool 1, 5 mm wide"), "{file}");
+        assert!(engraved.contains("stroke-width=\"5\""), "{file}");
+        assert!(!engraved.contains("(default)"), "{file}");
+        let told = pictured(&format!("{PLATE} set red height=-2 cutter=3"), file);
+        assert!(told.contains("red, tool 1, 3 mm wide") && told.contains("stroke-width=\"3\""));
+    }
+}

@@ -41,9 +41,9 @@ impl From<kerf_sbp::Program> for Program {
 /// The G-code of a file, read.
 pub(crate) fn gcode_of(sbp: &kerf_sbp::Program) -> Option<kerf_gcode::Program> {
     if sbp.language == Language::Gcode {
-        return Some(kerf_gcode::read(sbp.name.clone(), sbp.text.as_bytes()));
+        return Some(kerf_gcode::read_text(sbp.name.clone(), sbp.text.clone()));
     }
-    sbp.has_gcode().then(|| kerf_gcode::read(sbp.name.clone(), sbp.gcode_text().as_bytes()))
+    sbp.has_gcode().then(|| kerf_gcode::read_text(sbp.name.clone(), sbp.gcode_text().into()))
 }
 
 impl Program {

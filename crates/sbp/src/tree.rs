@@ -36,7 +36,7 @@ pub struct Program {
     /// The dialect it was read in.
     pub dialect: Dialect,
     /// The whole text, as it was read (line ends kept, byte-order mark removed).
-    pub text: String,
+    pub text: Arc<String>,
     /// One entry a line; line n of the file is `lines[n - 1]`.
     pub lines: Vec<LineNode>,
     /// The literal values of [`Node::Move`] lines, in order, only those given.

@@ -6,7 +6,7 @@
 use super::Unkept;
 use crate::Conversion;
 use kerf_gcode::Program;
-use kerf_gcode::tree::{Block, CommentKind, Extra, MoveNode, Node, Target, Value, Word};
+use kerf_gcode::tree::{Block, CommentKind, Extra, Node, PlainMove, Target, Value, Word};
 use kerf_program::settings::LinearUnit;
 
 /// Writes a G-code program with its variables.
@@ -79,8 +79,8 @@ impl Keeper<'_> {
 
     fn one(&mut self, line: u32) -> Result<(), Unkept> {
         let program = self.program;
-        match program.lines.get(line as usize - 1).map(|l| l.node) {
-            Some(Node::Move(node)) => self.literal_move(line, node),
+        match program.lines.get(line as usize - 1).map(|l| l.node()) {
+            Some(Node::Move) => self.literal_move(line, &program.move_of(line).unwrap_or_default()),
             Some(Node::Block(index)) => match program.blocks.get(index as usize) {
                 Some(block) => self.block(line, block),
                 None => Ok(()),
@@ -90,18 +90,11 @@ impl Keeper<'_> {
         }
     }
 
-    fn literal_move(&mut self, line: u32, node: MoveNode) -> Result<(), Unkept> {
-        let mut words = Vec::new();
-        let mut index = node.first as usize;
-        for (bit, letter) in MoveNode::LETTERS.into_iter().enumerate() {
-            if node.given & (1 << bit) != 0 {
-                let value = self.program.numbers.get(index).copied().unwrap_or_default();
-                words.push((letter, format!("{value}")));
-                index += 1;
-            }
-        }
-        if node.motion != MoveNode::MODAL {
-            self.motion = Some(node.motion);
+    fn literal_move(&mut self, line: u32, plain: &PlainMove) -> Result<(), Unkept> {
+        let words: Vec<_> =
+            plain.words().map(|(letter, value)| (letter, format!("{value}"))).collect();
+        if plain.motion != PlainMove::MODAL {
+            self.motion = Some(plain.motion);
         }
         self.settings_before(line, &words)?;
         self.motion_of(line, &words)

@@ -176,8 +176,9 @@ fn clear(
 ) -> Result<Vec<String>, OpError> {
     let cutter = Cutter::new(clearing.tool_mm, clearing.overlap_mm).map_err(OpError::Clearing)?;
     let chosen = if clearing.all { every(draft)? } else { draft.selected()? };
-    let group = prepared_group(&mut draft.drawing, clearing.group)?;
+    let (group, other_cutter) = prepared_group(&mut draft.drawing, clearing)?;
     let (regions, mut warnings) = regions(&draft.drawing, &chosen)?;
+    warnings.extend(other_cutter);
     let first = draft.drawing.shapes.len();
     for region in regions {
         let found = match paths(&region.contours, &cutter) {
@@ -206,17 +207,25 @@ fn every(draft: &Editor) -> Result<Vec<usize>, OpError> {
     if count == 0 { Err(OpError::NothingSelected) } else { Ok((0..count).collect()) }
 }
 
-/// A group in which paths are cut as they are.
-fn prepared_group(drawing: &mut Drawing, wanted: Option<Group>) -> Result<Group, OpError> {
+/// A group in which paths are cut as they are, by the cutter that clears; what is to be told when its
+/// shapes had another one.
+fn prepared_group(
+    drawing: &mut Drawing,
+    clearing: &Clearing,
+) -> Result<(Group, Option<String>), OpError> {
     let used = |group: &Group| drawing.shapes.iter().any(|shape| shape.group == *group);
     let free = || Group::ALL.into_iter().find(|group| !used(group));
-    let group = wanted.or_else(free).ok_or(OpError::NoFreeGroup)?;
+    let group = clearing.group.or_else(free).ok_or(OpError::NoFreeGroup)?;
     let plain = as_drawn(drawing.settings(group));
     if used(&group) && plain != *drawing.settings(group) {
         return Err(OpError::NotAsDrawn { group });
     }
-    *drawing.settings_mut(group) = plain;
-    Ok(group)
+    let tool = clearing.tool_mm;
+    let other = plain.cutter_mm.filter(|before| used(&group) && *before != tool);
+    *drawing.settings_mut(group) = GroupSettings { cutter_mm: Some(tool), ..plain };
+    let told =
+        |before| format!("group {group} was cut by a cutter of {before} mm, now of {tool} mm");
+    Ok((group, other.map(told)))
 }
 
 /// The same settings, but the path is the shape.

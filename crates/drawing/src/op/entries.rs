@@ -197,7 +197,7 @@ pub const ENTRIES: &[Entry] = &[
         "set",
         "set COLOUR [on=on|off] [traversal=on|off] [double=on|off] [tool=N] [cut=N] [speed=N|max] \
          [height=thru|3d|Z] [pass=MM|off] [offset=MM] [rough=MM] [tag=MM] [lead-in=R,A] [lead-out=R,A] \
-         [plunge=straight|ramp,A|helix,R,A]",
+         [plunge=straight|ramp,A|helix,R,A] [cutter=MM|auto]",
         "changes how a group is cut; millimetres, mm/min, degrees",
         set,
     ),
@@ -452,6 +452,7 @@ fn change(word: &str) -> Option<Change> {
         "lead-in" => Change::LeadIn(lead(value)?),
         "lead-out" => Change::LeadOut(lead(value)?),
         "plunge" => Change::Plunge(plunge(value)?),
+        "cutter" => Change::Cutter(number_or(value, "auto")?),
         _ => return None,
     })
 }

@@ -36,6 +36,8 @@ pub enum Change {
     LeadOut(Lead),
     /// The way down into the material.
     Plunge(Plunge),
+    /// Diameter of the cutter, millimetres; `None` is twice the offset.
+    Cutter(Option<f64>),
 }
 
 impl Change {
@@ -58,6 +60,7 @@ impl Change {
             Self::LeadIn(lead) => to.lead_in = lead,
             Self::LeadOut(lead) => to.lead_out = lead,
             Self::Plunge(plunge) => to.plunge = plunge,
+            Self::Cutter(cutter) => to.cutter_mm = cutter,
         }
     }
 }

@@ -233,6 +233,8 @@ impl Display for Change {
             Self::Plunge(Plunge::Helix { radius_mm, angle_deg }) => {
                 write!(f, "plunge=helix,{radius_mm},{angle_deg}")
             }
+            Self::Cutter(Some(cutter)) => write!(f, "cutter={cutter}"),
+            Self::Cutter(None) => f.write_str("cutter=auto"),
         }
     }
 }

@@ -42,7 +42,7 @@ pub fn format(text: &str) -> String {
         let next = program.lines.get(index + 1).map_or(program.text.len(), |l| l.start as usize);
         let whole = program.text.get(start..next).unwrap_or_default();
         let written = whole.trim_end_matches(['\r', '\n']);
-        push_line(&program, line.node, written, &mut out);
+        push_line(&program, line.node(), written, &mut out);
         push_line_end(&whole[written.len()..], &mut out);
     }
     out
@@ -53,7 +53,7 @@ fn push_line(program: &Program, node: Node, written: &str, out: &mut String) {
         Node::Bad | Node::Console => out.push_str(written),
         Node::Blank => {}
         Node::Percent => out.push_str(trim_end(written)),
-        Node::Move(_) => line::Pieces::of_move(written).push(written, out),
+        Node::Move => line::Pieces::of_move(written).push(written, out),
         Node::Block(at) => match program.blocks.get(at as usize) {
             Some(block) => line::Pieces::of_block(program, block).push(written, out),
             None => out.push_str(written),

@@ -13,11 +13,10 @@ fn check(text: &str, expected: &str) {
 
 /// What a line means, without where its parts stand.
 fn meaning(program: &Program, index: usize) -> String {
-    match program.lines[index].node {
-        Node::Move(node) => {
-            let first = node.first as usize;
-            let numbers = &program.numbers[first..first + node.given.count_ones() as usize];
-            format!("{} {:b} {numbers:?}", node.motion, node.given)
+    match program.lines[index].node() {
+        Node::Move => {
+            let plain = program.move_of(index as u32 + 1).unwrap();
+            format!("{} {:?}", plain.motion, plain.words().collect::<Vec<_>>())
         }
         Node::Block(at) => {
             let block = &program.blocks[at as usize];
@@ -50,7 +49,7 @@ fn keeps_meaning(text: &str) {
     assert_eq!(format(&once), once, "formatting twice\n{text:?}");
     let (before, after) = (read("".into(), text.as_bytes()), read("".into(), once.as_bytes()));
     let count = after.lines.len();
-    assert!(before.lines[count..].iter().all(|l| l.node == Node::Blank), "{text:?}\n{once:?}");
+    assert!(before.lines[count..].iter().all(|l| l.node() == Node::Blank), "{text:?}\n{once:?}");
     for index in 0..count {
         assert_eq!(meaning(&before, index), meaning(&after, index), "{text:?}\n{once:?}");
     }

@@ -8,19 +8,19 @@ use super::arc;
 use super::feed;
 use super::modes;
 use super::state::{FeedMode, Plane, Rates};
-use crate::tree::{MoveNode, Node};
+use crate::tree::{Node, PlainMove};
 use kerf_program::{AXES, At, Axes, Command, Feed, Line, MoveKind, Settings, Sourced};
 use std::sync::Arc;
 
-/// Bits of [`MoveNode::LETTERS`].
+/// Bits of [`PlainMove::LETTERS`].
 const AXIS_WORDS: u16 = 0b0000_0011_1111;
-const I: u16 = 1 << 6;
-const J: u16 = 1 << 7;
-const IJ: u16 = I | J;
-const K: u16 = 1 << 8;
-const R: u16 = 1 << 9;
-const F: u16 = 1 << 10;
-const S: u16 = 1 << 11;
+const IJ: u16 = 1 << I | 1 << J;
+const KR: u16 = 1 << 8 | 1 << 9;
+/// Places in [`PlainMove::LETTERS`].
+const I: usize = 6;
+const J: usize = 7;
+const F: usize = 10;
+const S: usize = 11;
 
 /// Executes plain moves until there is another line, or so many are done.
 pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
@@ -34,9 +34,10 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     let (first, before) = (call.next, out.len());
     let mut road = Road::of(core, call.file, first);
     let lines = program.lines.get(first as usize..).unwrap_or_default();
+    let mut plain = PlainMove::default();
     for line in lines.iter().take(usize::try_from(most).unwrap_or(usize::MAX)) {
-        let Node::Move(node) = line.node else { break };
-        if road.go(node, &program.numbers, out).is_none() {
+        let is_move = line.node() == Node::Move && program.read_move(*line, &mut plain);
+        if !is_move || road.go(&plain, out).is_none() {
             break;
         }
     }
@@ -84,28 +85,6 @@ struct Road {
     motions: u64,
 }
 
-/// The values of a line, in the order of [`MoveNode::LETTERS`].
-struct Values<'a> {
-    given: u16,
-    rest: &'a [f64],
-}
-
-impl Values<'_> {
-    fn has(&self, letters: u16) -> bool {
-        self.given & letters != 0
-    }
-
-    /// The value of a letter, if it has one; letters are asked for in their order.
-    fn of(&mut self, letter: u16) -> Option<f64> {
-        if !self.has(letter) {
-            return None;
-        }
-        let (value, rest) = self.rest.split_first()?;
-        self.rest = rest;
-        Some(*value)
-    }
-}
-
 impl Road {
     fn of(core: &Core, file: u32, line: u32) -> Self {
         let modal = &core.state.modal;
@@ -129,24 +108,23 @@ impl Road {
     }
 
     /// Makes a move; `None`, and nothing done, when it is none for this road.
-    fn go(&mut self, node: MoveNode, numbers: &[f64], out: &mut Vec<Sourced>) -> Option<()> {
-        let named = node.motion < MoveNode::MODAL;
-        let motion = if named { i32::from(node.motion) * 10 } else { self.motion? };
-        let rest = numbers.get(node.first as usize..)?;
-        let mut values = Values { given: node.given, rest };
-        if values.has(self.idle) || !values.has(AXIS_WORDS) {
+    fn go(&mut self, plain: &PlainMove, out: &mut Vec<Sourced>) -> Option<()> {
+        let named = plain.motion < PlainMove::MODAL;
+        let motion = if named { i32::from(plain.motion) * 10 } else { self.motion? };
+        let given = plain.given;
+        if given & self.idle != 0 || given & AXIS_WORDS == 0 {
             return None;
         }
-        let to = self.target(&mut values);
+        let to = self.target(plain);
         let (command, rates) = match motion {
-            0 | 10 if !values.has(IJ | K | R) => self.straight(motion == 0, to, &mut values)?,
-            20 | 30 => self.arc(motion == 20, to, &mut values)?,
+            0 | 10 if given & (IJ | KR) == 0 => self.straight(motion == 0, to, plain)?,
+            20 | 30 => self.arc(motion == 20, to, plain)?,
             _ => return None,
         };
         (self.rates, self.motion) = (rates, Some(motion));
         self.line += 1;
         let at = At { file: self.file, line: self.line };
-        if let Some(rpm) = values.of(S).filter(|rpm| *rpm != self.rpm) {
+        if let Some(rpm) = plain.value(S).filter(|rpm| *rpm != self.rpm) {
             self.rpm = rpm;
             let command = Command::Spindle { number: modes::SPINDLE_NUMBER, rpm };
             out.push(Sourced { at, command });
@@ -160,10 +138,10 @@ impl Road {
     }
 
     /// The place that the axis words name.
-    fn target(&self, values: &mut Values<'_>) -> Axes {
+    fn target(&self, plain: &PlainMove) -> Axes {
         let mut to = self.position;
         for (axis, place) in to.0.iter_mut().enumerate() {
-            if let Some(value) = values.of(1 << axis) {
+            if let Some(value) = plain.value(axis) {
                 let from = if self.relative { *place } else { self.zero.0[axis] };
                 *place = value * self.scale[axis] + from;
             }
@@ -172,13 +150,8 @@ impl Road {
     }
 
     /// G0 or G1, and the rates in force with it.
-    fn straight(
-        &self,
-        jog: bool,
-        to: Axes,
-        values: &mut Values<'_>,
-    ) -> Option<(Command, Option<Rates>)> {
-        let rates = self.rates_with(values);
+    fn straight(&self, jog: bool, to: Axes, plain: &PlainMove) -> Option<(Command, Option<Rates>)> {
+        let rates = self.rates_with(plain);
         let (kind, feed) = if jog {
             (MoveKind::Jog, Feed::Axis)
         } else {
@@ -192,15 +165,15 @@ impl Road {
         &self,
         clockwise: bool,
         to: Axes,
-        values: &mut Values<'_>,
+        plain: &PlainMove,
     ) -> Option<(Command, Option<Rates>)> {
-        if values.has(K | R) || !values.has(IJ) || self.arc_absolute {
+        if plain.given & KR != 0 || plain.given & IJ == 0 || self.arc_absolute {
             return None;
         }
         let [x, y, ..] = self.position.0;
-        let i = values.of(I).unwrap_or(0.0) * self.scale[0];
-        let j = values.of(J).unwrap_or(0.0) * self.scale[1];
-        let rates = self.rates_with(values);
+        let i = plain.value(I).unwrap_or(0.0) * self.scale[0];
+        let j = plain.value(J).unwrap_or(0.0) * self.scale[1];
+        let rates = self.rates_with(plain);
         let feed = Feed::Path(rates?.linear / 60.0);
         let centre = [x + i, y + j];
         let sweep = arc::checked_sweep(self.position, centre, to, clockwise)?;
@@ -208,8 +181,8 @@ impl Road {
         Some((Command::Arc(arc), rates))
     }
 
-    fn rates_with(&self, values: &mut Values<'_>) -> Option<Rates> {
-        values.of(F).map_or(self.rates, |f| Rates::new(f, self.unit))
+    fn rates_with(&self, plain: &PlainMove) -> Option<Rates> {
+        plain.value(F).map_or(self.rates, |f| Rates::new(f, self.unit))
     }
 
     /// Hands over what the moves have changed.

@@ -25,7 +25,7 @@ impl From<Saved> for Interpreter {
         let Saved { programs, mut core } = saved;
         core.programs = programs
             .into_iter()
-            .map(|(name, text)| Arc::new(crate::read(name.into(), text.as_bytes())))
+            .map(|(name, text)| Arc::new(crate::read_text(name.into(), Arc::new(text))))
             .collect();
         Self { core }
     }

@@ -24,7 +24,7 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
     }
     let (file, next) = core.calls.last().map_or((0, 0), |c| (c.file, c.next));
     let program = core.programs.get(file as usize).cloned().unwrap_or_default();
-    let node = program.lines.get(next as usize).map(|l| l.node);
+    let node = program.lines.get(next as usize).map(|l| l.node());
     let at = At { file, line: if node.is_some() { next + 1 } else { next } };
     if node.is_some() && core.options.max_lines > 0 && core.lines >= core.options.max_lines {
         return too_many_lines(core, host, out, at);
@@ -119,9 +119,10 @@ impl Context<'_> {
     fn node(&mut self, program: &Arc<Program>, node: Node) -> Result<(), Stop> {
         match node {
             Node::Blank => Ok(()),
-            Node::Move(node) => {
+            Node::Move => {
                 self.span = whole_line(program, self.at.line);
-                self.execute(&Gathered::of_move(node, &program.numbers))
+                let plain = program.move_of(self.at.line).unwrap_or_default();
+                self.execute(&Gathered::of_move(&plain))
             }
             Node::Block(index) => match program.blocks.get(index as usize) {
                 Some(block) => self.block(program, *block),
@@ -215,7 +216,7 @@ impl Context<'_> {
     /// `%`: the first line of a file, or its end.
     fn percent(&mut self, program: &Program) -> Result<(), Stop> {
         let above = program.lines.iter().take(self.at.line as usize - 1);
-        let mut nodes = above.map(|l| l.node);
+        let mut nodes = above.map(|l| l.node());
         let begins = nodes.all(|n| n == Node::Blank || is_comment(program, n));
         if !begins {
             self.core.over = true;

@@ -135,7 +135,10 @@ impl Context<'_> {
     /// Carries out what a line sets up for those behind it: modes, feed, speed, parameters.
     fn set_up(&mut self, program: &Arc<Program>, node: Node) -> Result<(), Stop> {
         match node {
-            Node::Move(node) => self.set_modes(&Gathered::of_move(node, &program.numbers)),
+            Node::Move => {
+                let plain = program.move_of(self.at.line).unwrap_or_default();
+                self.set_modes(&Gathered::of_move(&plain))
+            }
             Node::Block(index) => match program.blocks.get(index as usize) {
                 Some(block) => self.set_up_block(program, *block),
                 None => Ok(()),

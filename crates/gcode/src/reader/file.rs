@@ -4,7 +4,7 @@ use super::compact::Compact;
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, foreign, is_blank, link, moves};
 use crate::expr::Expr;
 use crate::gathered::Fault;
-use crate::tree::{Block, Extra, LineNode, Node, Program, Span, Word};
+use crate::tree::{Block, Extra, LineNode, Node, PlainMove, Program, Span, Word};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,7 +14,6 @@ use std::sync::Arc;
 pub(super) struct File {
     name: Arc<str>,
     lines: Vec<LineNode>,
-    numbers: Vec<f64>,
     pub(super) blocks: Vec<Block>,
     pub(super) words: Vec<Word>,
     pub(super) extras: Vec<Extra>,
@@ -34,7 +33,6 @@ impl File {
         Self {
             name,
             lines: Vec::new(),
-            numbers: Vec::new(),
             blocks: Vec::new(),
             words: Vec::new(),
             extras: Vec::new(),
@@ -52,21 +50,18 @@ impl File {
     pub(super) fn read(&mut self, text: &str) {
         let bytes = text.as_bytes();
         self.lines.reserve(memchr::memchr_iter(b'\n', bytes).count() + 1);
-        // A word of a move takes about eight characters.
-        self.numbers.reserve(bytes.len() / 8);
-        let mut start = 0;
+        let (mut start, mut plain) = (0, PlainMove::default());
         while start < bytes.len() {
-            let (node, next) = match moves::read(bytes, start, &mut self.numbers) {
-                Some((node, end)) => (node, after_line_end(bytes, end)),
+            let (node, next) = match moves::read(bytes, start, &mut plain) {
+                Some(end) => (Node::Move, after_line_end(bytes, end)),
                 None => {
                     let (end, next) = line_end(bytes, start);
                     (self.line(&text[start..end]), next)
                 }
             };
-            self.lines.push(LineNode { node, start: start as u32 });
+            self.lines.push(LineNode::new(node, start as u32));
             start = next;
         }
-        self.numbers.shrink_to_fit();
     }
 
     fn line(&mut self, text: &str) -> Node {
@@ -154,7 +149,7 @@ impl File {
     }
 
     /// Everything together; O-words find their partners.
-    pub(super) fn finish(mut self, text: Arc<str>) -> Program {
+    pub(super) fn finish(mut self, text: Arc<String>) -> Program {
         if self.untold > 0 {
             let message = format!("{} more findings are not listed", self.untold);
             let place = Place::line(self.name.clone(), self.lines.len() as u32);
@@ -165,7 +160,6 @@ impl File {
             name: self.name,
             text,
             lines: self.lines,
-            numbers: self.numbers,
             blocks: self.blocks,
             words: self.words,
             extras: self.extras,

@@ -31,8 +31,8 @@ pub fn looks_like_opensbp(line: &str) -> bool {
 
 /// A file that is mostly something else gets one diagnostic instead of one a line.
 pub(super) fn judge(program: &mut Program, foreign: usize) {
-    let code = program.lines.iter().filter(|l| l.node != Node::Blank).count();
-    let bad = program.lines.iter().filter(|l| l.node == Node::Bad).count();
+    let code = program.lines.iter().filter(|l| l.node() != Node::Blank).count();
+    let bad = program.lines.iter().filter(|l| l.node() == Node::Bad).count();
     let other = other_language(&program.text);
     let sbp = foreign > 0 && foreign * 2 >= code;
     if !(sbp || other.is_some() && bad * 2 >= code) {

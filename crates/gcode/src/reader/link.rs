@@ -40,7 +40,7 @@ impl Linker<'_> {
             return;
         }
         for index in 0..self.program.lines.len() {
-            let Node::Block(block) = self.program.lines[index].node else { continue };
+            let Node::Block(block) = self.program.lines[index].node() else { continue };
             let extra = self.program.blocks.get(block as usize).and_then(|b| b.extra);
             let Some(extra) = extra.map(|e| e as usize) else { continue };
             let Some(flow) = self.program.extras.get(extra).and_then(|e| e.flow.as_ref()) else {

@@ -17,7 +17,7 @@ mod file;
 mod flow;
 mod foreign;
 mod link;
-mod moves;
+pub(crate) mod moves;
 #[cfg(test)]
 mod tests;
 
@@ -37,11 +37,17 @@ const MOST_DIAGNOSTICS: usize = 10_000;
 ///
 /// Every line becomes one node; what is wrong or doubtful stands in [`Program::diagnostics`].
 pub fn read(name: Arc<str>, bytes: &[u8]) -> Program {
-    let text: Arc<str> = match kerf_diag::decode(bytes) {
-        Ok(text) if text.len() < u32::MAX as usize => text.as_ref().into(),
-        Ok(_) => return refused(name, 1, "the file is larger than 4 GB"),
-        Err(line) => return refused(name, line, "not a text file"),
-    };
+    match kerf_diag::decode(bytes) {
+        Ok(text) => read_text(name, Arc::new(text.into_owned())),
+        Err(line) => refused(name, line, "not a text file"),
+    }
+}
+
+/// Reads a text that is kept elsewhere too, without a copy of it.
+pub fn read_text(name: Arc<str>, text: Arc<String>) -> Program {
+    if text.len() >= u32::MAX as usize {
+        return refused(name, 1, "the file is larger than 4 GB");
+    }
     let mut file = file::File::new(name);
     file.read(&text);
     file.finish(text)

@@ -4,12 +4,11 @@
 //! no allocation. Everything unusual is left to the careful road, which gives the same meaning.
 
 use super::is_blank;
-use crate::tree::{MoveNode, Node};
+use crate::tree::PlainMove;
 
-/// Reads the line that begins at `start` if it is a plain move; also gives the end of the line.
-///
-/// Its values are appended to `numbers`; nothing is appended when the line is something else.
-pub(super) fn read(bytes: &[u8], start: usize, numbers: &mut Vec<f64>) -> Option<(Node, usize)> {
+/// Reads the line that begins at `start` if it is a plain move, and gives the end of the line. What is read of
+/// a line that is something else means nothing.
+pub(crate) fn read(bytes: &[u8], start: usize, found: &mut PlainMove) -> Option<usize> {
     let mut scan = Scan { bytes, at: start };
     scan.blanks();
     if scan.peek() | 0x20 == b'n' {
@@ -17,8 +16,7 @@ pub(super) fn read(bytes: &[u8], start: usize, numbers: &mut Vec<f64>) -> Option
         scan.digits()?;
         scan.blanks();
     }
-    let mut node = MoveNode { motion: MoveNode::MODAL, given: 0, first: numbers.len() as u32 };
-    let mut values = [0.0; MoveNode::LETTERS.len()];
+    found.clear();
     loop {
         let byte = scan.peek();
         if matches!(byte, b'\n' | b'\r') {
@@ -26,48 +24,42 @@ pub(super) fn read(bytes: &[u8], start: usize, numbers: &mut Vec<f64>) -> Option
         }
         scan.at += 1;
         if byte | 0x20 == b'g' {
-            if node.motion != MoveNode::MODAL {
+            if found.motion != PlainMove::MODAL {
                 return None;
             }
-            node.motion = scan.motion()?;
+            found.motion = scan.motion()?;
         } else {
             let slot = usize::from(SLOTS[usize::from(byte)]);
-            let value = values.get_mut(slot)?;
-            if node.given & (1 << slot) != 0 {
+            if slot >= PlainMove::LETTERS.len() {
                 return None;
             }
             scan.blanks();
-            *value = scan.signed()?;
-            if *value < 0.0 && slot >= FIRST_RATE {
+            let value = scan.signed()?;
+            if value < 0.0 && slot >= FIRST_RATE {
                 return None;
             }
-            node.given |= 1 << slot;
+            found.give(slot, value)?;
         }
         if scan.skipped_blank() && matches!(scan.peek(), b'0'..=b'9' | b'.') {
             return None;
         }
     }
-    if node.given == 0 {
-        return None;
-    }
-    let given = values.into_iter().enumerate().filter(|(i, _)| node.given & (1 << i) != 0);
-    numbers.extend(given.map(|(_, v)| v));
-    Some((Node::Move(node), scan.at))
+    (found.given != 0).then_some(scan.at)
 }
 
-/// F and S stand behind this place in [`MoveNode::LETTERS`]; they may not be negative.
+/// F and S stand behind this place in [`PlainMove::LETTERS`]; they may not be negative.
 const FIRST_RATE: usize = 10;
 
 /// No letter of a move.
 const NONE: u8 = 0xFF;
 
-/// The place of each letter in [`MoveNode::LETTERS`].
+/// The place of each letter in [`PlainMove::LETTERS`].
 const SLOTS: [u8; 256] = {
     let mut slots = [NONE; 256];
     let mut i = 0;
-    while i < MoveNode::LETTERS.len() {
-        slots[MoveNode::LETTERS[i] as usize] = i as u8;
-        slots[(MoveNode::LETTERS[i] | 0x20) as usize] = i as u8;
+    while i < PlainMove::LETTERS.len() {
+        slots[PlainMove::LETTERS[i] as usize] = i as u8;
+        slots[(PlainMove::LETTERS[i] | 0x20) as usize] = i as u8;
         i += 1;
     }
     slots

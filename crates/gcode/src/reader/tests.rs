@@ -1,7 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
 use crate::testing::program;
-use crate::tree::{MoveNode, Node, Program};
+use crate::tree::{Node, PlainMove, Program};
 
 /// The diagnostics of a program: code, line, column and length.
 #[track_caller]
@@ -21,16 +21,13 @@ fn finds(text: &str, expected: &[&str]) {
     }
 }
 
-/// A move line as text.
-fn shown(program: &Program, node: Node) -> String {
-    let Node::Move(MoveNode { motion, given, first }) = node else { return format!("{node:?}") };
-    let mut text = if motion < MoveNode::MODAL { format!("G{motion}") } else { "-".into() };
-    let mut index = first as usize;
-    for (bit, letter) in MoveNode::LETTERS.into_iter().enumerate() {
-        if given & (1 << bit) != 0 {
-            text.push_str(&format!(" {}{}", letter as char, program.numbers[index]));
-            index += 1;
-        }
+/// A first line that is a move, as text.
+fn shown(program: &Program) -> String {
+    let Some(plain) = program.move_of(1) else { return format!("{:?}", program.lines[0].node()) };
+    let known = plain.motion < PlainMove::MODAL;
+    let mut text = if known { format!("G{}", plain.motion) } else { "-".into() };
+    for (letter, value) in plain.words() {
+        text.push_str(&format!(" {}{value}", letter as char));
     }
     text
 }
@@ -39,7 +36,7 @@ fn shown(program: &Program, node: Node) -> String {
 fn moves(text: &str, expected: &str) {
     let program = program(text);
     assert!(program.diagnostics.is_empty(), "{:?}", program.diagnostics);
-    assert_eq!(shown(&program, program.lines[0].node), expected, "{text:?}");
+    assert_eq!(shown(&program), expected, "{text:?}");
 }
 
 #[test]
@@ -74,8 +71,8 @@ fn what_is_no_plain_move_is_a_block() {
     ] {
         let program = program(text);
         assert!(program.diagnostics.is_empty(), "{text}: {:?}", program.diagnostics);
-        let node = program.lines[0].node;
-        let is_move = matches!(node, Node::Move(_));
+        let node = program.lines[0].node();
+        let is_move = node == Node::Move;
         assert_eq!(is_move, text == "F100", "{text}: {node:?}");
     }
 }

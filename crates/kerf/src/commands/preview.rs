@@ -1,13 +1,16 @@
 //! `kerf preview`: a picture of the tool path.
 
 use crate::args::RunArgs;
-use crate::exit::Exit;
+use crate::coloured::{Colours, coloured};
+use crate::drawings;
+use crate::exit::{Exit, Usage};
 use crate::picture::{self, Format, Picture};
 use crate::report::Diagnostics;
 use crate::setup;
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::Company;
+use kerf_control::{Company, Work};
+use kerf_drawing::Drawing;
 use std::path::PathBuf;
 
 /// Draws the tool path of a part file
@@ -22,18 +25,37 @@ pub struct PreviewArgs {
     /// The picture to write: .svg, .png or .html
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
+    /// The colours of the cuts [default: group for a drawing or its job, depth for a program]
+    #[arg(long, value_enum, value_name = "HOW")]
+    colours: Option<Colours>,
     #[command(flatten)]
     run: RunArgs,
 }
 
 pub fn run(args: &PreviewArgs) -> Result<Exit> {
     let format = Format::of(&args.output)?;
+    if args.colours == Some(Colours::Group) && !drawings::is_drawing(&args.file) {
+        bail!(Usage(format!("{} is a program: it has no groups to colour", args.file.display())));
+    }
     let mut job = setup::job(&args.file, &args.run, true)?;
+    let surface_mm = match &job.work {
+        Work::Job(_, machine) => Some(machine.zpos.surface_mm),
+        _ => None,
+    };
     let mut sink = (Diagnostics::default(), Picture::new(&args.file));
     let mut pace = args.run.operator.script();
     let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
-    let scene = sink.1.finish(&summary, &job.session);
+    let mut scene = sink.1.finish(&summary, &job.session);
+    if let Some(surface_mm) = surface_mm {
+        let frame = &job.session.memory.frame;
+        scene.surface_z_mm = surface_mm + frame.base_zero.0[2] - frame.working_zero.0[2];
+    }
+    let scene = match (&job.drawing, args.colours) {
+        (Some(drawing), how) => coloured(&scene, drawing, how.unwrap_or(Colours::Group)),
+        (None, Some(how)) => coloured(&scene, &Drawing::default(), how),
+        (None, None) => scene,
+    };
     picture::write(&scene, format, &args.output)?;
     Ok(summary.status.into())
 }

@@ -128,7 +128,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
-    let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit } = job;
+    let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit, .. } = job;
     let machine = VcdArgs::machine(&work, &session);
     let show =
         Show { name: work.name(), lines: work.line_count(), talk, machine, editor: editor(&shelf) };

@@ -25,7 +25,7 @@ struct SavedProgram {
 impl SavedProgram {
     fn of(program: &Program) -> Self {
         let Program { name, text, language, .. } = program;
-        Self { name: name.clone(), text: text.clone(), language: *language }
+        Self { name: name.clone(), text: text.to_string(), language: *language }
     }
 
     fn read(self, dialect: Dialect) -> Program {

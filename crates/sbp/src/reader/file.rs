@@ -171,7 +171,7 @@ impl File {
         Program {
             name: self.name,
             dialect: self.dialect,
-            text,
+            text: Arc::new(text),
             lines: self.lines,
             numbers: self.numbers,
             statements: self.statements,

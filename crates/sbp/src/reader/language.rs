@@ -65,8 +65,8 @@ pub(crate) fn read_language(
 }
 
 /// A file in G-code.
-fn whole_gcode(name: Arc<str>, text: String) -> Program {
-    Program { name, text, language: Language::Gcode, ..Program::default() }
+fn whole_gcode(name: Arc<str>, text: impl Into<Arc<String>>) -> Program {
+    Program { name, text: text.into(), language: Language::Gcode, ..Program::default() }
 }
 
 /// A G-code file with lines of OpenSBP.

@@ -1,16 +1,15 @@
 //! `kerf toolpath`: from a drawing to what is cut.
 
-mod coloured;
 mod dry_run;
 mod report;
 
 use crate::args::{Format, RunArgs};
+use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
 use crate::picture::{self, Format as Picture};
 use crate::{drawings, parse};
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use coloured::Colours;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_geom::{Bounds2, Point2};
 use kerf_program::Smoothing;
@@ -100,7 +99,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
         (pictured || args.report).then(|| dry_run::follow(args, &job, &heights)).transpose()?;
     match &dry {
         Some(dry) if pictured => {
-            let scene = coloured::coloured(&dry.scene, &job, args.colours);
+            let scene = coloured(&dry.scene, &job.drawing, args.colours);
             picture::write(&scene, Picture::of(&output)?, &output)?;
         }
         _ => keep(args, &output, &job, &heights)?,

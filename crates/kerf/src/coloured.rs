@@ -1,11 +1,10 @@
 //! The colours of a picture of a job: those of its groups, of directions, or of depth.
 
 use clap::ValueEnum;
-use kerf_drawing::{Group, GroupSettings};
+use kerf_drawing::{Drawing, Group};
 use kerf_geom::{Polyarc, Segment as Piece};
 use kerf_preview::{Coloured, Scene, Segment, Shape};
 use kerf_program::MoveKind;
-use kerf_toolpath::Job;
 
 /// What the colours of a picture tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -18,23 +17,30 @@ pub enum Colours {
     Depth,
 }
 
-/// The picture of a job in these colours.
-pub fn coloured(scene: &Scene, job: &Job, colours: Colours) -> Scene {
+/// The picture of a job in these colours, with the cutters of the groups of its drawing.
+pub fn coloured(scene: &Scene, drawing: &Drawing, colours: Colours) -> Scene {
     let mut scene = scene.clone();
+    let used = scene.toolpaths.iter().filter_map(|path| Group::named(&path.name));
+    if let Some(width) =
+        used.filter_map(|group| drawing.settings(group).width_mm()).reduce(f64::max)
+    {
+        (scene.cutter_mm, scene.cutter_known) = (width, true);
+    }
     match colours {
         Colours::Depth => {}
-        Colours::Group => by_group(&mut scene, job),
+        Colours::Group => by_group(&mut scene, drawing),
         Colours::Direction => by_direction(&mut scene),
     }
     scene
 }
 
-fn by_group(scene: &mut Scene, job: &Job) {
+fn by_group(scene: &mut Scene, drawing: &Drawing) {
     scene.colours = Group::ALL
         .map(|group| {
-            let settings = job.drawing.settings(group);
+            let settings = drawing.settings(group);
             let name = format!("{}, tool {}", group.name(), settings.tool);
-            Coloured { name, colour: colour(group), width_mm: width_mm(settings) }
+            let width_mm = settings.width_mm().unwrap_or_default();
+            Coloured { name, colour: colour(group), width_mm }
         })
         .to_vec();
     let group_at = |segment: usize| {
@@ -42,11 +48,6 @@ fn by_group(scene: &mut Scene, job: &Job) {
         path.and_then(|path| Group::named(&path.name)).unwrap_or_default().index()
     };
     scene.coloured = (0..scene.segments.len()).map(group_at).collect();
-}
-
-/// The tool is twice as wide as the offset of what it cuts.
-fn width_mm(settings: &GroupSettings) -> f64 {
-    2.0 * settings.offset_mm.abs()
 }
 
 /// The group's colour as it can be seen on paper.
