@@ -25,7 +25,7 @@ fn a_rectangle_is_cleared_by_one_path() {
 
 #[test]
 fn random_regions_are_cleared() {
-    for seed in seeds() {
+    for seed in seeds(25) {
         let (region, cutter) = random_case(seed);
         let way = Way { climb: seed % 2 == 0, outward: seed % 3 == 0 };
         let paths = rings(&region, &cutter, way).unwrap_or_else(|e| panic!("{seed}: {e}")).paths;

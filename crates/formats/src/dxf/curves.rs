@@ -70,7 +70,7 @@ pub(super) fn spline<'f, 'a>(
         return lines(import, entity, place, world);
     }
     // Numbers of codes 70 to 74 are small; what does not fit is refused by the spline.
-    let degree = usize::try_from(entity.whole(71)).unwrap_or_default();
+    let degree = usize::try_from(entity.whole(71, &mut import.findings)).unwrap_or_default();
     let world: Vec<Vec3> = parts.points.iter().map(|p| place.map.apply(*p)).collect();
     let flat: Vec<Point2> = world.iter().map(|p| p.flat()).collect();
     let level = world.iter().all(|p| p.z == world[0].z);

@@ -45,9 +45,13 @@ impl<'a> Entity<'_, 'a> {
         value
     }
 
-    /// A whole number, 0 where there is none.
-    pub fn whole(&self, code: u16) -> i64 {
-        self.tag(code).and_then(Tag::whole).unwrap_or_default()
+    /// A whole number, 0 where there is none. What is no number is told.
+    pub fn whole(&self, code: u16, findings: &mut Findings) -> i64 {
+        let Some(tag) = self.tag(code) else { return 0 };
+        tag.whole().unwrap_or_else(|| {
+            findings.warn("number", tag.line, self.no_number(tag) + ": taken for 0");
+            0
+        })
     }
 
     /// Its name for people.
@@ -82,14 +86,18 @@ pub struct File<'f, 'a> {
 }
 
 impl<'f, 'a> File<'f, 'a> {
-    /// Finds the sections. A file without any is taken for bare entities.
-    pub fn of(tags: &'f [Tag<'a>]) -> Self {
+    /// Finds the sections. A file without any is taken for bare entities; one that breaks off is told.
+    pub fn of(tags: &'f [Tag<'a>], findings: &mut Findings) -> Self {
         let mut file = Self::default();
         let mut rest = tags;
+        tell_early_end(tags, findings);
         while let Some(start) = rest.iter().position(|tag| is(tag, 0, b"SECTION")) {
             rest = &rest[start + 1..];
             let ends = |tag: &Tag| is(tag, 0, b"ENDSEC") || is(tag, 0, b"SECTION");
             let end = rest.iter().position(ends).unwrap_or(rest.len());
+            if let Some(next) = rest.get(end).filter(|next| is(next, 0, b"SECTION")) {
+                findings.warn("end", next.line, "the section before this one has no ENDSEC");
+            }
             file.add_section(&rest[..end]);
             rest = &rest[end..];
         }
@@ -131,6 +139,23 @@ impl<'f, 'a> File<'f, 'a> {
             }
             rest = &rest[end..];
         }
+    }
+}
+
+/// A file with sections ends with EOF: one without may have lost something, and nobody would see it.
+fn tell_early_end(tags: &[Tag], findings: &mut Findings) {
+    let Some(last) = tags.last().filter(|last| !is(last, 0, b"EOF")) else { return };
+    let edge = |tag: &&Tag| is(tag, 0, b"SECTION") || is(tag, 0, b"ENDSEC");
+    match tags.iter().rfind(edge) {
+        Some(open) if is(open, 0, b"SECTION") => {
+            let text = "the file breaks off within a section: what came after this line is lost";
+            findings.warn("end", last.line, text);
+        }
+        Some(_) => {
+            let text = "the file ends without EOF: something may be missing";
+            findings.warn("end", last.line, text);
+        }
+        None => {}
     }
 }
 

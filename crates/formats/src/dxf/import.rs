@@ -4,7 +4,7 @@ use super::file::{Block, Entity, File, entities};
 use super::map::{Map3, Vec3};
 use super::tag::{Tag, tags};
 use super::write::Notes;
-use super::{curves, insert, polyline, units};
+use super::{curves, insert, polyline, skipped, units};
 use crate::Imported;
 use crate::finding::Findings;
 use kerf_drawing::{Drawing, Shape};
@@ -45,7 +45,7 @@ pub fn read(bytes: &[u8], options: &Options) -> Imported {
 pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Notes) {
     let mut findings = Findings::default();
     let tags = tags(bytes, &mut findings);
-    let file = File::of(&tags);
+    let file = File::of(&tags, &mut findings);
     let unit = unit(&file, options, &mut findings);
     let mut import = Import {
         file: &file,
@@ -111,13 +111,13 @@ impl<'f, 'a> Import<'f, 'a> {
 
     /// Draws the entities of a section or a block.
     pub fn entities(&mut self, tags: &'f [Tag<'a>], place: &Place<'a>) {
-        let mut rest = entities(tags);
+        let mut rest = entities(tags).peekable();
         while let Some(entity) = rest.next() {
             if self.is_full(entity.line) {
                 return;
             }
             // Paper space is the sheet around the drawing, not the drawing.
-            if entity.whole(67) == 1 {
+            if entity.whole(67, &mut self.findings) == 1 {
                 self.findings.skip("(paper space)");
                 continue;
             }
@@ -149,8 +149,16 @@ impl<'f, 'a> Import<'f, 'a> {
             b"SPLINE" => curves::spline(self, entity, place),
             // Parts of entities that were told already.
             b"VERTEX" | b"SEQEND" | b"ATTRIB" | b"ENDSEC" | b"EOF" => {}
-            _ => self.findings.skip(&entity.shown()),
+            name if skipped::is_known(name) => self.findings.skip(&entity.shown()),
+            _ => self.unknown(entity),
         }
+    }
+
+    /// Tells of an entity that nobody knows.
+    pub fn unknown(&mut self, entity: &Entity<'f, 'a>) {
+        let shown: String = entity.shown().chars().take(30).collect();
+        let text = format!("`{shown}` is no entity that DXF has: left out");
+        self.findings.warn("unknown", entity.line, text);
     }
 
     fn line(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {

@@ -19,6 +19,11 @@ pub(super) fn insert<'f, 'a>(
     let block = import.block(name).filter(|_| import.options.explode);
     let Some((name, block)) = block else {
         import.findings.skip("INSERT");
+        if import.options.explode {
+            let shown = super::tag::decoded(name);
+            let text = format!("INSERT of block `{shown}`, which the file does not have: left out");
+            import.findings.warn("block", entity.line, text);
+        }
         return;
     };
     if import.open_blocks.contains(&name) || import.open_blocks.len() >= DEEPEST {
@@ -50,7 +55,10 @@ fn copies<'f, 'a>(
     let mut real = |code, default| entity.real_or(code, default, &mut import.findings);
     let (x, y, z) = (real(41, 1.0), real(42, 1.0), real(43, 1.0));
     let (turn, dx, dy) = (real(50, 0.0), real(44, 0.0), real(45, 0.0));
-    let (columns, rows) = (entity.whole(70).max(1), entity.whole(71).max(1));
+    let (columns, rows) = (
+        entity.whole(70, &mut import.findings).max(1),
+        entity.whole(71, &mut import.findings).max(1),
+    );
     if x == 0.0 || y == 0.0 || columns.saturating_mul(rows) > MOST_COPIES {
         let text = "INSERT scaled to nothing, or in too many copies: left out";
         import.findings.warn("insert", entity.line, text);

@@ -14,6 +14,7 @@ mod import;
 mod insert;
 mod map;
 mod polyline;
+mod skipped;
 mod tag;
 mod units;
 mod write;

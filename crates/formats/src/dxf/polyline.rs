@@ -3,7 +3,9 @@
 use super::file::Entity;
 use super::import::{Import, Place};
 use super::map::Vec3;
+use super::skipped;
 use kerf_geom::{Polyarc, Vertex};
+use std::iter::Peekable;
 
 /// Bits of group code 70 of a POLYLINE.
 mod flag {
@@ -45,33 +47,42 @@ pub(super) fn light<'f, 'a>(
         return told_broken(import, entity);
     }
     let height = entity.real_or(38, 0.0, &mut import.findings);
-    add(import, entity, place, vertices, entity.whole(70) & flag::CLOSED != 0, height);
+    let closed = entity.whole(70, &mut import.findings) & flag::CLOSED != 0;
+    add(import, entity, place, vertices, closed, height);
 }
 
 pub(super) fn old<'f, 'a>(
     import: &mut Import<'f, 'a>,
     entity: &Entity<'f, 'a>,
-    rest: &mut impl Iterator<Item = Entity<'f, 'a>>,
+    rest: &mut Peekable<impl Iterator<Item = Entity<'f, 'a>>>,
     place: &Place<'a>,
 ) {
-    let flags = entity.whole(70);
+    let flags = entity.whole(70, &mut import.findings);
     let mut places: Vec<(Vec3, f64)> = Vec::new();
-    let mut broken = false;
-    for vertex in rest.by_ref() {
-        if vertex.name != b"VERTEX" {
-            if vertex.name != b"SEQEND" {
-                let text = "POLYLINE without SEQEND: what follows it may be lost";
-                import.findings.warn("seqend", vertex.line, text);
+    let (mut broken, mut ended) = (false, false);
+    while let Some(vertex) = rest.next_if(|next| is_part(next.name)) {
+        match vertex.name {
+            b"VERTEX" => {}
+            b"SEQEND" => {
+                ended = true;
+                break;
             }
-            break;
+            _ => {
+                import.unknown(&vertex);
+                broken = true;
+                continue;
+            }
         }
-        if flags & flag::MESH != 0 || vertex.whole(70) & FRAME_POINT != 0 {
+        if flags & flag::MESH != 0 || vertex.whole(70, &mut import.findings) & FRAME_POINT != 0 {
             continue;
         }
         let at = import.corner(&vertex, 0);
         broken |= at.is_none();
         let bulge = vertex.real_or(42, 0.0, &mut import.findings);
         places.extend(at.map(|at| (at, bulge)));
+    }
+    if !ended {
+        import.findings.warn("seqend", entity.line, "POLYLINE without SEQEND: it may be longer");
     }
     if flags & flag::MESH != 0 {
         return import.findings.skip("POLYLINE (mesh)");
@@ -87,6 +98,11 @@ pub(super) fn old<'f, 'a>(
     let height = entity.real_or(30, 0.0, &mut import.findings);
     let vertices = places.into_iter().map(|(at, bulge)| Vertex { at: at.flat(), bulge }).collect();
     add(import, entity, place, vertices, closed, height);
+}
+
+/// What belongs to a POLYLINE: its vertices, its end, and what stands between them under a name that nobody knows.
+fn is_part(name: &[u8]) -> bool {
+    matches!(name, b"VERTEX" | b"SEQEND") || skipped::is_foreign(name)
 }
 
 fn told_broken(import: &mut Import, entity: &Entity) {

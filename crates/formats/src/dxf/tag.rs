@@ -102,7 +102,10 @@ fn text_tags<'a>(bytes: &'a [u8], findings: &mut Findings) -> Vec<Tag<'a>> {
     let mut lines = Lines { rest: bytes, number: 0 };
     while let Some(line) = lines.next() {
         let Some(code) = code(line) else {
-            if !line.trim_ascii().is_empty() {
+            if begins_an_entity(line, tags.last()) {
+                findings.warn("code", lines.number, taken_for_an_entity(line));
+                tags.push(Tag { code: 0, value: Value::Text(line), line: lines.number });
+            } else if !line.trim_ascii().is_empty() {
                 findings.warn("code", lines.number, not_a_code(line));
             }
             continue;
@@ -117,6 +120,22 @@ fn text_tags<'a>(bytes: &'a [u8], findings: &mut Findings) -> Vec<Tag<'a>> {
         }
     }
     tags
+}
+
+/// Where a line is missing, or one too many, the `0` before the name of an entity is read as a value. The name
+/// that follows shows it, and puts codes and values in step again.
+fn begins_an_entity(line: &[u8], before: Option<&Tag>) -> bool {
+    let zero = before.is_some_and(|tag| tag.name() == b"0");
+    let letter = |byte: &u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || *byte == b'_';
+    let name = line.trim_ascii();
+    zero && name.len() > 2 && name.iter().all(letter) && !name[0].is_ascii_digit()
+}
+
+fn taken_for_an_entity(line: &[u8]) -> String {
+    let shown = decoded(line.trim_ascii());
+    format!(
+        "`{shown}` stands where a group code should: a line before it is missing, or one too many"
+    )
 }
 
 fn not_a_code(line: &[u8]) -> String {

@@ -71,9 +71,9 @@ pub fn check_cleared(name: &str, region: &[Polyarc], paths: &[Polyarc], cutter: 
     assert!(seen.out_mm < 2e-4, "{name}: {seen:?}");
 }
 
-/// How many random regions are tried, and with which the trials begin; more of them by hand.
-pub fn seeds() -> std::ops::Range<u64> {
+/// As many random regions as usual, from the first; `SEEDS` and `FROM` try others.
+pub fn seeds(usual: u64) -> std::ops::Range<u64> {
     let number = |name, or| std::env::var(name).map_or(or, |text| text.parse().unwrap());
     let from = number("FROM", 0);
-    from..from + number("SEEDS", 25)
+    from..from + number("SEEDS", usual)
 }
