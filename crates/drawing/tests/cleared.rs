@@ -107,7 +107,10 @@ fn it_does_not_matter_how_a_region_is_drawn() {
             // Where the tour begins and which of two equal ways it takes depends on the start.
             let (new, old) = (length(&found), length(&plain));
             let turns = how == "turned" && text.contains("zigzag");
-            assert!(turns || (new - old).abs() < 0.35 * old, "seed {seed}, {how}: {new}, not {old}");
+            assert!(
+                turns || (new - old).abs() < 0.35 * old,
+                "seed {seed}, {how}: {new}, not {old}"
+            );
         }
     }
 }
