@@ -5,8 +5,9 @@
 use crate::runner::{Over, Runner};
 use crate::{Event, Going, Wish};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::hand::keypad_settings;
 use kerf_machine::lines::Input;
-use kerf_motion::{Move, planner};
+use kerf_motion::{Move, Mover, planner};
 use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_sim::{Halt, HaltCause, Watched};
 use std::fmt;
@@ -47,17 +48,14 @@ impl<I: Interpreter> Runner<'_, I> {
     /// the key once more means it (command reference, VN).
     pub(crate) fn jog(&mut self, jog: Jog) {
         let here = self.world.machine.position();
-        self.mover.set_position(here);
         let (to, end) = self.within_bounds(here, jog.by);
         let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
         if self.world.machine.draws() {
             return;
         }
-        let driven = self.mover.line(self.last_move, &line).map(|mut made| {
-            made.speed_mm_s *= jog.speed.max(0.01);
-            let settings = self.world.machine.settings().clone();
-            self.drive(made, &settings, None)
-        });
+        let settings = keypad_settings(self.world.machine.settings(), jog.speed);
+        let made = Mover::new(here, &settings).line(self.last_move, &line);
+        let driven = made.map(|made| self.drive(made, &settings, None));
         let said = match driven {
             None | Some(Driven::There) => end,
             Some(Driven::Limit(n)) => Some(format!("stopped by limit input {n}")),
@@ -66,6 +64,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.heed_later(self.world.now(), wish);
                 None
             }
+            Some(Driven::LinkLost) => Some("not connected".to_owned()),
             Some(Driven::Edge(_) | Driven::EmergencyStop) => None,
         };
         if let Some(text) = said {
@@ -168,6 +167,7 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Watch(_) => Driven::EmergencyStop,
             HaltCause::Limit(n) => Driven::Limit(n),
             HaltCause::Stop(n) => Driven::StopInput(n),
+            HaltCause::LinkLost => Driven::LinkLost,
         };
         Some((halt.t_s, why, halt.ramped))
     }
@@ -178,6 +178,7 @@ impl<I: Interpreter> Runner<'_, I> {
             Driven::Limit(n) => format!("stopped by limit input {n}"),
             Driven::StopInput(n) => format!("stopped by stop input {n}"),
             Driven::EmergencyStop => "emergency stop".to_owned(),
+            Driven::LinkLost => "not connected".to_owned(),
             _ => return Over { status: Status::Stopped, diagnostic: None },
         };
         let place = Place::line(self.world.file(At::default()), 0);
@@ -209,6 +210,8 @@ pub(crate) enum Driven {
     StopInput(u8),
     /// The emergency stop.
     EmergencyStop,
+    /// The controller does not answer any more.
+    LinkLost,
 }
 
 impl Driven {

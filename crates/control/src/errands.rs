@@ -1,6 +1,7 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
 use crate::runner::{Over, Runner};
+use crate::stopping::CONFIRM;
 use crate::session::{Company, RunOptions, Session, Summary, end_event, lost, summary};
 use crate::shelf::Shelf;
 use crate::world::World;
@@ -29,15 +30,21 @@ impl Session {
         let Company { sink, operator, pace } = company;
         let mode = if options.program.preview { "preview" } else { "move" };
         let file = errand.name().into();
-        sink.event(&Event::Start { file, units: "mm", mode, dialect: "hand" });
         let hand = Hand::new(errand, machine.clone(), self.memory.position, self.memory.frame);
+        let units = hand.settings().linear_unit.symbol();
+        sink.event(&Event::Start { file, units, mode, dialect: "hand" });
         let settings = std::mem::replace(&mut self.memory.settings, (**hand.settings()).clone());
-        let all = AxisSet::first(AXES);
-        let simulated = self.machine_like(machine, options.inputs, all);
+        let bounded = match errand {
+            Errand::Keypad(keypad) => keypad.bounded,
+            _ => AxisSet::first(AXES),
+        };
+        let simulated = self.machine_like(machine, options.inputs, bounded);
         let simulated = simulated.pushed(options.pushes).doubting(lost(shelf));
         self.memory.settings = settings;
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
+        // No file begins or ends: outputs stay as they are.
+        world.typed_files = 1;
         let mut runner = Runner::new(hand, world, pace, options.limits, 0);
         let over = match errand {
             Errand::FindHome(axes) => {
@@ -69,16 +76,7 @@ impl Session {
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Option<Summary> {
-        let machine = match work {
-            Work::Part(_) if options.program.typed => return None,
-            Work::Part(program) if program.has_errors() => return None,
-            Work::Part(_) => Arc::new(self.configuration()),
-            Work::Job(_, machine) => machine.clone(),
-            Work::Hand(..) => return None,
-        };
-        if options.program.preview {
-            return None;
-        }
+        let machine = self.machine_that_cuts(work, options)?;
         let homing = &machine.homing;
         let first = !std::mem::replace(&mut self.begun, true);
         let at_start = if first { homing.at_program_start } else { AxisSet::EMPTY };
@@ -104,6 +102,56 @@ impl Session {
         // Whoever says No goes on without.
         let goes_on = matches!(homed.status, Status::Ok | Status::Ended);
         (!goes_on).then_some(homed)
+    }
+
+    /// The machine of a run that cuts: no preview, no typed line, no move by hand.
+    fn machine_that_cuts(&self, work: &Work, options: &RunOptions) -> Option<Arc<Configuration>> {
+        match work {
+            _ if options.program.preview => None,
+            Work::Part(_) if options.program.typed => None,
+            Work::Part(program) if program.has_errors() => None,
+            Work::Part(_) => Some(Arc::new(self.configuration())),
+            Work::Job(_, machine) => Some(machine.clone()),
+            Work::Hand(..) => None,
+        }
+    }
+
+    /// After an emergency stop, or a lost link, nobody knows for sure where the machine is: the operator
+    /// has it homed, or says that its location is right. Gives how that ended when the run is not to
+    /// begin.
+    pub(crate) fn confirm_location(
+        &mut self,
+        work: &Work,
+        options: &RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Option<Summary> {
+        let machine = self.machine_that_cuts(work, options)?;
+        let Company { sink, operator, pace } = company;
+        loop {
+            let doubted = unconfirmed(shelf);
+            if doubted.is_empty() {
+                return None;
+            }
+            let homes = fitted(&machine, doubted);
+            let asks = Some(location_question(&names(&machine, doubted), !homes.is_empty()));
+            let company = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+            let inputs = RunOptions { inputs: options.inputs.clone(), ..RunOptions::default() };
+            let done =
+                self.run_hand(Errand::FindHome(homes), &machine, inputs, asks, shelf, company);
+            match done.status {
+                Status::Ok => {
+                    self.location_is_known(shelf);
+                    confirm(shelf, homes);
+                }
+                Status::Ended => {
+                    shelf.stored.set(POSITION_LOST, None);
+                    confirm(shelf, doubted);
+                    self.machine = self.machine.take().map(|machine| machine.trusting(doubted));
+                }
+                _ => return Some(done),
+            }
+        }
     }
 
     /// Whether homing comes before a run.
@@ -176,7 +224,7 @@ impl Runner<'_, Hand> {
         let Some(question) = question else { return Ok(()) };
         let status = match self.ask(&question, At::default())? {
             Answer::Button(Button::Yes) => return Ok(()),
-            Answer::Button(Button::No) => Status::Ended,
+            Answer::Button(Button::No | Button::Continue) => Status::Ended,
             _ => Status::Stopped,
         };
         Err(Over { status, diagnostic: None })
@@ -217,6 +265,36 @@ fn fitted(machine: &Configuration, axes: AxisSet) -> AxisSet {
 fn names(machine: &Configuration, axes: AxisSet) -> String {
     let names: Vec<_> = axes.iter().map(|axis| machine.motors.axis_name(axis)).collect();
     names.join(", ")
+}
+
+/// Axes whose location is to be confirmed before anything is cut.
+pub(crate) fn unconfirmed(shelf: &Shelf) -> AxisSet {
+    let letters = shelf.stored.get(CONFIRM).unwrap_or_default();
+    letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
+}
+
+/// The location of these axes is right, or was set.
+pub(crate) fn confirm(shelf: &mut Shelf, axes: AxisSet) {
+    let left: String = unconfirmed(shelf).without(axes).iter().map(Axis::letter).collect();
+    shelf.set_value(CONFIRM, Some(&*left).filter(|left| !left.is_empty()));
+}
+
+fn location_question(axes: &str, homes: bool) -> Question {
+    let text = format!("Position unverified: {axes}.");
+    let (text, buttons) = match homes {
+        true => {
+            let text = format!("{text} Home now? No: the location is right as it is.");
+            (text, vec![Button::Yes, Button::No, Button::Cancel])
+        }
+        false => {
+            let text = format!("{text} Continue, if the location is right; else zero it first.");
+            (text, vec![Button::Continue, Button::Cancel])
+        }
+    };
+    let default = buttons.len() - 1;
+    let title = "Location".into();
+    let kind = QuestionKind::Msgbox;
+    Question { kind, text, title, buttons, default, prefill: String::new(), icon: 48, until: None }
 }
 
 fn home_question(axes: &str) -> Question {

@@ -5,9 +5,9 @@ use crate::pace::{Going, Wish};
 use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
+use kerf_diag::Code;
 use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
-use kerf_sbp::SPINDLE_STATUS;
 use kerf_sim::{Halt, HaltCause};
 
 /// Why a stack did not run to its end.
@@ -140,7 +140,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// What is left of the stack goes on from a stand.
     fn set_off_again(&mut self) -> Result<(), Halted> {
         if self.stack.running.is_some() {
-            self.stop_inputs_rest(self.last_move).map_err(Halted::Over)?;
+            self.may_move(self.last_move).map_err(Halted::Over)?;
             let t0_s = self.set_off();
             self.go_on_at(|_| t0_s);
         }
@@ -334,24 +334,41 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             HaltCause::Limit(n) => ("limit", n),
             HaltCause::Stop(n) => ("stop", n),
+            HaltCause::LinkLost => ("link", 0),
         };
         self.world.tell(&Event::Stop { by, n, t: self.world.now() });
         match halt.cause {
             HaltCause::Watch(index) => {
                 Err(Halted::Watch { index, at: kerf_program::Halted { motion: number, ..*at } })
             }
-            HaltCause::Stop(n) if self.interpreter.takes_stops() => {
-                Err(Halted::Taken { by: StoppedBy::Input(n), at: *at })
-            }
-            HaltCause::Limit(n) => self.limit_input(n).map_err(Halted::Over),
-            HaltCause::Stop(n) => {
-                self.world.machine.stopped(true);
-                self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
-                self.world.tell_log();
-                let message = format!("stopped by stop input {n}");
-                Err(Halted::Over(self.stop_input(self.last_move, message)))
-            }
+            cause => self.halted_by(cause, *at),
         }
+    }
+
+    /// What follows on a stop that no program has asked for, unless the run goes on.
+    pub(crate) fn halted_by(
+        &mut self,
+        cause: HaltCause,
+        at: kerf_program::Halted,
+    ) -> Result<(), Halted> {
+        let takes = self.interpreter.takes_stops();
+        match cause {
+            HaltCause::LinkLost => Err(Halted::Over(self.link_is_lost())),
+            HaltCause::Stop(n) if self.cuts_power(n) => Err(Halted::Over(self.power_is_cut())),
+            HaltCause::Stop(n) if takes => Err(Halted::Taken { by: StoppedBy::Input(n), at }),
+            HaltCause::Limit(n) if takes => Err(Halted::Taken { by: StoppedBy::Limit(n), at }),
+            HaltCause::Stop(n) => self.blocked(n).map_err(Halted::Over),
+            HaltCause::Limit(n) => {
+                let message = format!("stopped by limit input {n}");
+                self.limited(self.last_move, Code::InputStop, message).map_err(Halted::Over)
+            }
+            HaltCause::Watch(_) => Ok(()),
+        }
+    }
+
+    /// Whether a stop input is the emergency stop of a machine that cuts its power with it.
+    fn cuts_power(&self, input: u8) -> bool {
+        input == kerf_sim::STOP_INPUT && self.world.machine_is.estop.cuts_power
     }
 }
 

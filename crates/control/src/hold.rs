@@ -12,8 +12,9 @@
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::runner::{Over, Runner};
-use crate::{Event, flag};
+use crate::Event;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{
     Answer, Axes, Axis, AxisSet, Button, Feed, Interpreter, Line, MoveKind, Question, QuestionKind,
     Status,
@@ -22,35 +23,28 @@ use kerf_program::{
 impl<I: Interpreter> Runner<'_, I> {
     /// The operator stopped the machine, which stands; unless the run goes on.
     pub(crate) fn hold(&mut self) -> Result<(), Over> {
+        let settings = StopSettings::OPENSBP;
         self.pace.heard();
-        self.world.machine.stopped(false);
-        self.world.tell_log();
         self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
-        self.tell_standing(flag::STOPPED);
-        self.world.machine.land_torch();
-        let (stood, ahead) = (self.world.machine.position(), self.mover.position());
-        self.lift();
-        let lifted_mm = self.world.machine.position()[Axis::Z];
-        let resumed = self.until_resumed(&hold_question());
+        self.on(Stopped::Stop, settings, "");
+        self.on(Stopped::Stands, settings, "");
+        let (resumed, nudged) = self.until_resumed(&hold_question());
+        self.kept.nudged = nudged;
         if resumed.is_err() {
+            self.on(Stopped::Abort, settings, "");
+            // Whatever is run next is cut where the workpiece is now.
+            self.shift(nudged);
             self.world.shelf.tape.given_up(self.world.placed());
         }
-        let nudged = resumed?;
+        resumed?;
         self.world.shelf.tape.goes_on();
-        self.world.machine.resumed();
-        self.world.machine.begin_motion();
-        self.world.tell_log();
-        self.world.tell(&Event::Resume { t: self.world.now() });
-        self.come_back(stood.plus(nudged), lifted_mm + nudged[Axis::Z]);
-        self.shift(nudged);
-        self.mover.set_position(ahead.plus(nudged));
-        self.tell_standing(0);
+        self.on(Stopped::Continue, settings, "");
         Ok(())
     }
 
-    /// Goes back to where the machine stood, from wherever the operator moved it: over it at the height
-    /// to which it was lifted, or higher, then down.
-    fn come_back(&mut self, stood: Axes, lifted_mm: f64) {
+    /// Goes back to a place, from wherever the operator moved the machine: over it at a height, or
+    /// higher, then down.
+    pub(crate) fn go_back_to(&mut self, stood: Axes, lifted_mm: f64) {
         let mut above = self.world.machine.position();
         above[Axis::Z] = above[Axis::Z].max(lifted_mm);
         self.go(MoveKind::Jog, above);
@@ -60,21 +54,23 @@ impl<I: Interpreter> Runner<'_, I> {
         self.go(MoveKind::Cut, stood);
     }
 
-    /// Does what the operator says until the run goes on; the sum of all nudges.
-    pub(crate) fn until_resumed(&mut self, question: &Question) -> Result<Axes, Over> {
+    /// Does what the operator says until the run goes on, or is given up. With it goes the sum of all
+    /// nudges.
+    pub(crate) fn until_resumed(&mut self, question: &Question) -> (Result<(), Over>, Axes) {
         let mut nudged = Axes::default();
         loop {
-            match self.ask(question, self.last_move)? {
-                Answer::Button(Button::Resume) => return Ok(nudged),
-                Answer::Text(words) => {
+            match self.ask(question, self.last_move) {
+                Err(over) => return (Err(over), nudged),
+                Ok(Answer::Button(Button::Resume)) => return (Ok(()), nudged),
+                Ok(Answer::Text(words)) => {
                     if let Some(nudge) = Nudge::read(&words) {
                         nudged = nudged.plus(self.nudge(nudge));
                     } else if let Some(jog) = Jog::read(&words) {
                         self.jog(jog);
                     }
                 }
-                Answer::Button(_) => {
-                    return Err(Over { status: Status::Stopped, diagnostic: None });
+                Ok(Answer::Button(_)) => {
+                    return (Err(Over { status: Status::Stopped, diagnostic: None }), nudged);
                 }
             }
         }

@@ -5,7 +5,9 @@ use crate::journal::{
     CutShort, Journal, JournalError, KeptWork, Owner, Placed, RunUnderWay, Tape, Whereabouts,
 };
 use crate::session::{Company, RunOptions, Session, Summary};
+use crate::errands::unconfirmed;
 use crate::shelf::Shelf;
+use crate::stopping::CONFIRM;
 use kerf_program::{Axis, Settings};
 use kerf_sbp::POSITION_LOST;
 use kerf_sim::Machine;
@@ -59,6 +61,12 @@ impl Session {
         }
         options.lines_at_once = options.lines_for(&*company.sink);
         let Company { sink, operator, pace } = company;
+        let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+        if let Some(summary) =
+            self.confirm_on_record(&work, &options, shelf, confirms, &journal)?
+        {
+            return Ok(summary);
+        }
         let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
         if let Some(summary) =
             self.before_run_on_record(&work, &options, shelf, before, &journal)?
@@ -74,6 +82,25 @@ impl Session {
         journal.each_commit_lasts(company.pace.is_real())?;
         let summary = self.go(work, options, shelf, company, None);
         self.over(&run, &summary, shelf, &owner)?;
+        Ok(summary)
+    }
+
+    /// The operator says whether the location is right, where that is in doubt since an emergency stop.
+    fn confirm_on_record(
+        &mut self,
+        work: &Work,
+        options: &RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+        journal: &Journal,
+    ) -> Result<Option<Summary>, JournalError> {
+        if unconfirmed(shelf).is_empty() {
+            return Ok(None);
+        }
+        let summary = self.confirm_location(work, options, shelf, company);
+        shelf.stored.keep(POSITION_LOST);
+        shelf.stored.keep(CONFIRM);
+        journal.remember_place(self)?;
         Ok(summary)
     }
 

@@ -50,6 +50,7 @@ mod sink;
 mod stack;
 mod standing;
 pub mod start_up;
+mod stopping;
 pub mod stored;
 pub mod system_log;
 mod table_limits;

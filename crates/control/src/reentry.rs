@@ -140,14 +140,15 @@ impl<I: Interpreter> Runner<'_, I> {
         self.lift();
         // Cut short before the answer, it is asked when this is gone through again.
         let unanswered = self.world.silent && !self.world.shelf.tape.plays();
-        let ready = match unanswered {
-            true => Ok(Axes::default()),
+        let (ready, nudged) = match unanswered {
+            true => (Ok(()), Axes::default()),
             false => self.until_resumed(&ready_question(&was_on)),
         };
         if ready.is_err() {
+            self.shift(nudged);
             self.world.shelf.tape.given_up(self.world.placed());
         }
-        let nudged = ready?;
+        ready?;
         self.world.shelf.tape.goes_on();
         self.switch_on(&was_on);
         self.approach(to.plus(nudged));
@@ -167,12 +168,8 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.machine.pwm(1, was_on.pwm_percent);
         }
         self.world.tell_log();
-        let seconds = self.world.machine_is.delays.router_start_s;
-        if was_on.turns() && seconds > 0.0 && !self.world.machine.draws() {
-            let t = self.world.now();
-            self.world.tell(&Event::Wait { seconds, t });
-            self.pass(t, t + seconds, None).into_iter().for_each(|wish| self.postpone(wish));
-            self.stand_until(t + seconds);
+        if was_on.turns() {
+            self.come_to_speed();
         }
     }
 

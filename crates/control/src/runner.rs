@@ -10,10 +10,13 @@ use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::session::LimitPolicy;
 use crate::stack::{READ_AHEAD, Stack};
+use crate::stopping::Kept;
 use crate::trail::Trail;
 use crate::world::World;
 use crate::{Pace, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_machine::State;
+use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::{Move, Mover};
 use kerf_program::{
     At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step, StoppedBy,
@@ -52,6 +55,10 @@ pub(crate) struct Runner<'a, I> {
     pub last_move: At,
     /// Where the program was, for the log.
     pub trail: Trail,
+    /// What the machine is doing. A job, or a move by hand, knows more of it.
+    pub state: State,
+    /// Where a run that was stopped comes back to.
+    pub kept: Kept,
     /// The run is taken up: where the machine stands meanwhile.
     pub reentry: Option<Placed>,
 }
@@ -101,6 +108,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             restore: None,
             last_move: At::default(),
             trail: Trail::default(),
+            state: State::Idle,
+            kept: Kept::default(),
             reentry: None,
         }
     }
@@ -114,6 +123,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             self.world.machine.begin_file();
         }
         self.world.tell_log();
+        self.on(Stopped::Start, StopSettings::OPENSBP, "");
+        self.on(Stopped::Ready, StopSettings::OPENSBP, "");
         let over = loop {
             if let Some(over) = self.turn() {
                 break over;
@@ -126,6 +137,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             self.world.machine.end_file();
         }
         self.world.tell_log();
+        self.on(Stopped::End, StopSettings::OPENSBP, "");
         self.world.flush_print();
         self.world.file_runs = false;
         let stopped = if over.status == Status::Stopped { flag::STOPPED } else { 0 };

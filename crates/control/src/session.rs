@@ -139,6 +139,10 @@ impl Session {
         let mut options = options;
         options.lines_at_once = options.lines_for(&*company.sink);
         let (work, Company { sink, operator, pace }) = (work.into(), company);
+        let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+        if let Some(summary) = self.confirm_location(&work, &options, shelf, confirms) {
+            return summary;
+        }
         let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
         match self.before_run(&work, &options, shelf, before) {
             Some(summary) => summary,

@@ -5,9 +5,7 @@ use crate::runner::{Over, Runner};
 use crate::session::LimitPolicy;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_motion::Move;
-use kerf_program::{
-    Answer, At, Button, Command, Interpreter, Question, QuestionKind, Sourced, Status,
-};
+use kerf_program::{At, Command, Interpreter, Sourced, Status};
 use kerf_sim::Violation;
 
 /// What is told when the interlock forbids motion or a spindle.
@@ -22,21 +20,28 @@ impl<I: Interpreter> Runner<'_, I> {
         } else if let Some(violation) = self.world.machine.first_outside(moves) {
             self.ask_about_limit(moves, &violation)?;
         }
-        self.stop_inputs_rest(first.at)
+        self.may_move(first.at)
     }
 
-    /// Nothing moves while a stop input is active.
-    pub(crate) fn stop_inputs_rest(&self, at: At) -> Result<(), Over> {
+    /// Nothing moves without a controller, or while a stop input is active. A run that has not moved
+    /// yet does not begin; another waits until the input is released.
+    pub(crate) fn may_move(&mut self, at: At) -> Result<(), Over> {
+        if !self.world.machine.is_connected() {
+            return Err(self.not_connected(at));
+        }
         let Some(input) = self.world.machine.stop_input() else { return Ok(()) };
-        let active = format!("stop input {input} is active: nothing may move");
-        Err(self.stop_input(at, active))
+        if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
+            return self.blocked(input);
+        }
+        let active = format!("stop input {input} is active: stop circuit open, nothing may move");
+        let message = self.stop_input_message(active);
+        Err(self.over(Status::Stopped, Code::InputStop, at, message))
     }
 
-    /// A stop input ends the run; an open enclosure says so itself.
-    pub(crate) fn stop_input(&self, at: At, message: String) -> Over {
+    /// What is told of a stop input; an open enclosure says so itself.
+    pub(crate) fn stop_input_message(&self, message: String) -> String {
         let open = self.world.machine.open_enclosure().is_some();
-        let message = if open { ENCLOSURE_OPEN.into() } else { message };
-        self.over(Status::Stopped, Code::InputStop, at, message)
+        if open { ENCLOSURE_OPEN.into() } else { message }
     }
 
     /// Whether a move of a stack that moves already would leave the table: whatever comes before it is
@@ -72,13 +77,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     fn ask_about_limit(&mut self, moves: &[Move], violation: &Violation) -> Result<(), Over> {
         let at = moves.get(violation.move_index).map_or(At::default(), |m| m.at);
-        let message = self.limit_message(violation);
-        let question = limit_question(message.clone());
-        if self.ask(&question, at)? == Answer::Button(Button::Continue) {
-            self.world.machine.override_limits();
-            return Ok(());
-        }
-        Err(self.over(Status::Limit, Code::OutsideLimits, at, message))
+        self.limited(at, Code::OutsideLimits, self.limit_message(violation))
     }
 
     fn limit_message(&self, violation: &Violation) -> String {
@@ -102,36 +101,5 @@ impl<I: Interpreter> Runner<'_, I> {
         let open = starts && self.world.machine.open_enclosure().is_some();
         let message = ENCLOSURE_OPEN.into();
         open.then(|| self.over(Status::Stopped, Code::InputStop, sourced.at, message))
-    }
-
-    fn over(&self, status: Status, code: Code, at: At, message: String) -> Over {
-        let place = Place::line(self.world.file(at), at.line);
-        let diagnostic = Diagnostic::new(code, place, message);
-        Over { status, diagnostic: Some(Box::new(diagnostic)) }
-    }
-
-    /// A limit input stopped the machine: the operator says whether it goes on.
-    pub(crate) fn limit_input(&mut self, n: u8) -> Result<(), Over> {
-        let at = self.last_move;
-        let message = format!("stopped by limit input {n}");
-        let question = limit_question(message.clone());
-        if self.ask(&question, at)? == Answer::Button(Button::Continue) {
-            self.world.machine.override_limits();
-            return Ok(());
-        }
-        Err(self.over(Status::Limit, Code::InputStop, at, message))
-    }
-}
-
-fn limit_question(text: String) -> Question {
-    Question {
-        kind: QuestionKind::Limit,
-        text,
-        title: "Limits".into(),
-        buttons: vec![Button::Continue, Button::End],
-        default: 1,
-        prefill: String::new(),
-        icon: 48,
-        until: None,
     }
 }

@@ -6,6 +6,7 @@ use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::Move;
 use kerf_program::{
     Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
@@ -21,12 +22,9 @@ impl<I: Interpreter> Runner<'_, I> {
         self.wake();
         let watches = self.watched(self.world.now());
         let halt = self.world.machine.first_halt(until_s, &watches);
-        // Nothing moves: limit and stop inputs have nothing to stop.
-        let halt = halt.and_then(|h| match h.cause {
-            HaltCause::Watch(index) => Some((h.t_s, index)),
-            _ => None,
-        });
-        let end_s = halt.map_or(until_s, |(t_s, _)| t_s);
+        // Nothing moves: a limit has nothing to stop.
+        let halt = halt.filter(|halt| !matches!(halt.cause, HaltCause::Limit(_)));
+        let end_s = halt.map_or(until_s, |halt| halt.t_s);
         let wish = self.ask_pace(self.world.now(), end_s, None);
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
@@ -43,12 +41,26 @@ impl<I: Interpreter> Runner<'_, I> {
                 Ok(()) => self.pass_until(until_s + self.world.now() - stood_s),
                 Err(over) => Flow::Over(over),
             },
-            (None, Some((_, index))) => {
+            (None, Some(halt)) => match self.input_halts(halt.cause) {
+                Flow::On => self.pass_until(until_s + self.world.now() - stood_s),
+                flow => flow,
+            },
+            (None, None) => Flow::On,
+        }
+    }
+
+    /// An input changed while time passed and nothing moved.
+    fn input_halts(&mut self, cause: HaltCause) -> Flow {
+        match cause {
+            HaltCause::Watch(index) => {
                 self.drop_outputs(self.world.now(), index);
                 self.world.tell_log();
                 self.interrupt(index, &self.stood())
             }
-            (None, None) => Flow::On,
+            cause => match self.halted_by(cause, self.stood()) {
+                Ok(()) => Flow::On,
+                Err(halted) => self.halted(halted),
+            },
         }
     }
 
@@ -211,23 +223,23 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// The machine stands where it is, and stays so until the operator resumes.
     fn pause(&mut self) -> Result<(), Over> {
-        self.world.machine.stopped(false);
-        self.world.tell_log();
+        // The tool stays where it is.
+        let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
+        self.on(Stopped::Stop, settings, "");
+        self.on(Stopped::Stands, settings, "");
         let t = self.world.now();
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
         let pace = &mut self.pace;
         let resumed = self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t));
         let Some(resumed_s) = resumed else {
+            self.on(Stopped::Abort, settings, "");
             self.world.shelf.tape.given_up(self.world.placed());
             return Err(Over { status: Status::Stopped, diagnostic: None });
         };
         self.stand_until(resumed_s);
         self.world.shelf.tape.goes_on();
-        self.world.machine.resumed();
-        self.world.tell_log();
-        self.world.tell(&Event::Resume { t: self.world.now() });
-        self.tell_standing(0);
+        self.on(Stopped::Continue, settings, "");
         Ok(())
     }
 

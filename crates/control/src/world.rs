@@ -4,6 +4,7 @@
 //! motion, which the [`Runner`](crate::runner) plans first.
 
 use crate::answers::{self, Operator};
+use crate::errands::{confirm, unconfirmed};
 use crate::event::{AskEvent, Event, Partial, Place};
 use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
@@ -15,7 +16,7 @@ use kerf_machine::lines::{Input, Output};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Frame, Independent, OutputReason, Question,
-    Settings,
+    QuestionKind, Settings,
 };
 use kerf_sim::{Happening, Machine, What};
 use std::collections::BTreeSet;
@@ -227,6 +228,10 @@ impl<'a> World<'a> {
             What::Input { number, on } => {
                 Event::Input { n: number, on, t, name: Input::of_number(number).map(Input::name) }
             }
+            What::Link(up) => {
+                let state = if up { "connected" } else { "not connected" };
+                Event::State { state: state.into(), why: "".into(), t }
+            }
             What::Intensity { value, burn } => {
                 Event::Intensity { value, byte: 2 * value + u8::from(burn), t }
             }
@@ -333,6 +338,9 @@ impl<'a> World<'a> {
         let mut set = working;
         base.iter().for_each(|axis| set.insert(axis));
         self.machine.use_frame(frame, set);
+        if !self.machine.draws() && !unconfirmed(self.shelf).is_empty() {
+            confirm(self.shelf, set);
+        }
         let place = self.machine.position();
         let set = self.partial(frame.working(place), working);
         let base = self.partial(frame.base(place), base);
@@ -389,6 +397,9 @@ impl<'a> World<'a> {
             })?,
         };
         self.told_question(question, &answer, scripted, at);
+        if question.kind == QuestionKind::Limit && answer == Answer::Button(Button::Continue) {
+            self.machine.override_limits();
+        }
         Ok(answer)
     }
 

@@ -3,9 +3,16 @@
 #![allow(clippy::unwrap_used, non_snake_case)]
 
 use kerf_control::event::Place;
-use kerf_control::{Event, Outcome, TextOptions, run_text};
-use kerf_program::Axis;
-use kerf_sbp::Status;
+use kerf_control::answers::Answers;
+use kerf_control::files::MemoryDisk;
+use kerf_control::{
+    Company, Event, Outcome, RunOptions, Session, Shelf, Summary, TextOptions, run_text,
+};
+use kerf_machine::Configuration;
+use kerf_machine::settings::estop::EmergencyStop;
+use kerf_program::{Axis, AxisSet};
+use kerf_sbp::{POSITION_LOST, Status};
+use kerf_sim::{CABLE, Change};
 
 /// Runs a program in inches that is stopped at a time, with answers.
 fn held(program: &str, stop_at_s: f64, answers: &str) -> Outcome {
@@ -135,4 +142,106 @@ fn outputs_that_follow_a_stop_come_back() {
     check("VN,,,,,,,,,,,,,,,,,2\nSO,3,1\nMX,10\n", &[true, false, true, false]);
     check("VN,,,,,,,,,,,,,,,,,2\nMX,10\n", &[]);
     check("VN,,,,,,,,,,,,,,,,,5\nMX,10\n", &[true, false]);
+}
+
+#[test]
+fn a_nudge_stays_when_the_run_is_given_up() {
+    let given_up = held(SQUARE, 2.0, "nudge y .05\nQuit");
+    assert_eq!(given_up.summary.status, Status::Stopped);
+    assert_eq!(places(&given_up, Axis::Y), (0.0, 0.05), "the workpiece lies elsewhere");
+}
+
+/// A workshop in which one run comes after another.
+struct Shop {
+    session: Session,
+    shelf: Shelf,
+}
+
+impl Shop {
+    fn new(machine: Configuration) -> Self {
+        let mut session = Session::default();
+        session.machine_is = machine.into();
+        Self { session, shelf: Shelf::in_memory(MemoryDisk::default()) }
+    }
+
+    /// A machine that cuts its power with the emergency stop, whose X and Y have home switches.
+    fn alpha() -> Self {
+        let estop = EmergencyStop { cuts_power: true, ..EmergencyStop::default() };
+        let sim = kerf_machine::profile::profile("sim").unwrap();
+        let sim = kerf_machine::file::read(&"sim".into(), sim.text).unwrap();
+        let mut machine = Configuration { estop, ..sim };
+        machine.homing.switches[Axis::Z.index()].fitted = false;
+        Self::new(machine)
+    }
+
+    fn run(&mut self, program: &str, input: Option<Change>, answers: &str) -> (Summary, Vec<Event>) {
+        let mut events = Vec::new();
+        let mut operator = Answers::read(answers);
+        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
+        let options = RunOptions { inputs: input.into_iter().collect(), ..RunOptions::default() };
+        let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
+        let summary = self.session.run(program, options, &mut self.shelf, company);
+        (summary, events)
+    }
+
+    fn lost(&self) -> &str {
+        self.shelf.stored.get(POSITION_LOST).unwrap_or_default()
+    }
+}
+
+fn asked(events: &[Event]) -> Vec<&str> {
+    let mut texts = Vec::new();
+    for event in events {
+        if let Event::Ask(ask) = event {
+            texts.push(&*ask.text);
+        }
+    }
+    texts
+}
+
+#[test]
+fn sbp_lim_estop_rezero() {
+    let pressed = Some(Change { input: 4, at_s: 1.0, on: false });
+    let estop = || {
+        let mut shop = Shop::alpha();
+        assert_eq!(shop.run("MX,10\n", pressed, "").0.status, Status::Stopped);
+        assert_eq!(shop.lost(), "XYZ");
+        shop
+    };
+    // Without an answer nothing is cut.
+    let mut shop = estop();
+    let (summary, events) = shop.run("MX,1\n", None, "");
+    assert_eq!(summary.status, Status::Stopped);
+    assert!(asked(&events)[0].contains("Position unverified: x, y, z"), "{events:?}");
+    assert!(!events.iter().any(|event| matches!(event, Event::Move(_))), "{events:?}");
+    // X and Y are homed, Z is confirmed.
+    let (summary, events) = shop.run("MX,1\n", None, "Yes\nContinue");
+    assert_eq!((summary.status, shop.lost(), asked(&events).len()), (Status::Ok, "", 2));
+    assert_eq!(shop.session.homed, AxisSet::EMPTY.with(Axis::X).with(Axis::Y));
+    assert!(asked(&shop.run("MX,2\n", None, "").1).is_empty());
+    // The location is right as it is.
+    let mut shop = estop();
+    let (summary, events) = shop.run("MX,1\n", None, "No");
+    assert_eq!((summary.status, shop.lost(), asked(&events).len()), (Status::Ok, "", 1));
+    // It is set.
+    let mut shop = estop();
+    let mut options = RunOptions::default();
+    options.program.typed = true;
+    let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+    let typed = kerf_sbp::read_typed("command".into(), "ZX\nZY\nZZ\n");
+    shop.session.run(typed, options, &mut shop.shelf, company);
+    assert!(asked(&shop.run("MX,1\n", None, "").1).is_empty());
+}
+
+#[test]
+fn sbp_lim_error_driver__confirmed_when_it_is_connected_again() {
+    let mut shop = Shop::new(Configuration::default());
+    let pulled = Some(Change { input: CABLE, at_s: 1.0, on: false });
+    let (summary, _) = shop.run("MX,10\n", pulled, "");
+    assert_eq!((summary.status, shop.lost()), (Status::Failed, "XYZ"));
+    let here = shop.session.memory.position;
+    assert!(here[Axis::X] > 0.0);
+    let (summary, events) = shop.run("PRINT %(1)\n", None, "Continue");
+    assert_eq!((summary.status, shop.session.memory.position), (Status::Ok, here));
+    assert!(asked(&events)[0].contains("Position unverified"), "{events:?}");
 }

@@ -227,6 +227,8 @@ codes! {
         "While an axis was homed its switch did not change within the length of the axis and a tenth more. The axis is not homed, nor are those that would have followed. Look at the switch, its wire, `axis.length` and the end at which `homing` says it sits.";
     NotHomed "M004" Error "the machine was not homed"
         "The machine is set to run only after its axes were homed (`homing.before_runs`). Home them with `kerf machine home`, or at the question.";
+    NotConnected "M005" Error "the machine is not connected"
+        "The controller does not answer. What moved has slowed down, outputs went off, the run is over. The last location is kept, but nobody knows whether it is still true: before the next file is cut Kerf asks whether to home, or whether the location is right. Look at the cable; meanwhile SP shows files in preview.";
     NotConverted "C001" Warning "not in the other language"
         "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
     StartTaken "C002" Note "the program goes on from where the tool stands"

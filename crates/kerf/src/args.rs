@@ -21,8 +21,8 @@ pub struct RunArgs {
     /// Sets a variable before the start
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse::variable)]
     pub set: Vec<(String, Value)>,
-    /// Changes an input of the simulated machine, a number or a name, at a time in seconds; may be
-    /// repeated
+    /// Changes an input of the simulated machine, a number or a name, at a time in seconds; `cable` is
+    /// the one to the controller; may be repeated
     #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
     pub input: Vec<Change>,
     /// Lays a sheet on the table of the simulated machine: how high it lies, and how it rises

@@ -81,7 +81,11 @@ pub fn input(text: &str) -> Result<Change, String> {
         return Err("give NUMBER@SECONDS=STATE, as 3@2.5=1".into());
     };
     let number = input.trim().parse().ok().filter(|n| (1..=12).contains(n));
-    let input = number.or_else(|| Input::named(input.trim()).map(Input::number));
+    let named = || match input.trim() {
+        "cable" => Some(kerf_sim::CABLE),
+        name => Input::named(name).map(Input::number),
+    };
+    let input = number.or_else(named);
     let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
     let on = match state.trim() {
         "0" => Some(false),
@@ -89,7 +93,7 @@ pub fn input(text: &str) -> Result<Change, String> {
         _ => None,
     };
     match (input, at_s, on) {
-        (None, ..) => Err("inputs are numbered 1 to 12, or named, as arc or estop".into()),
+        (None, ..) => Err("inputs are numbered 1 to 12, or named, as arc, estop or cable".into()),
         (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
         (.., None) => Err("the state is 0 or 1".into()),
         (Some(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),
@@ -215,6 +219,7 @@ mod tests {
         assert_eq!(input("3@2.5=1"), Ok(Change { input: 3, at_s: 2.5, on: true }));
         assert_eq!(input("12@0=0"), Ok(Change { input: 12, at_s: 0.0, on: false }));
         assert_eq!(input("arc@1.62=1"), Ok(Change { input: 18, at_s: 1.62, on: true }));
+        assert_eq!(input("cable@3=0").map(|change| change.input), Ok(kerf_sim::CABLE));
         for wrong in ["", "3", "3@1", "3=1", "0@1=1", "13@1=1", "3@-1=1", "3@nan=1", "3@1=2"] {
             assert!(input(wrong).is_err(), "{wrong}");
         }

@@ -4,9 +4,12 @@ use crate::Run;
 use kerf_control::answers::Answers;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, StopAt, json};
+use kerf_machine::Configuration;
+use kerf_machine::settings::estop::EmergencyStop;
 use kerf_program::Axis;
 use kerf_program::settings::LinearUnit;
 use kerf_sim::{Change, Push};
+use std::sync::Arc;
 
 /// Names of the program that a case runs.
 const MAIN: &str = "main.sbp";
@@ -116,6 +119,14 @@ impl Case {
     #[must_use]
     pub const fn interlock(mut self, input: u8) -> Self {
         self.session.memory.settings.io.interlock = Some(input);
+        self
+    }
+
+    /// The emergency stop of the machine cuts its power.
+    #[must_use]
+    pub fn alpha(mut self) -> Self {
+        let estop = EmergencyStop { cuts_power: true, ..EmergencyStop::default() };
+        self.session.machine_is = Arc::new(Configuration { estop, ..Configuration::default() });
         self
     }
 

@@ -5,12 +5,14 @@
 //! the same table of states.
 
 use crate::homing::soft_bounds;
+use crate::lines::Input;
 use crate::sequence::{Word, planner_settings, rapid_mm_s};
 use crate::settings::Configuration;
 use crate::state::{Effect, Event, State, StopSettings};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::{Point2, Polyarc};
 use kerf_program::job::{Job, JobShape};
+use kerf_program::settings::Mode;
 use kerf_program::{
     AXES, Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Frame, Halted, Host, Interpreter,
     Line, MoveKind, Question, QuestionKind, Settings, Sourced, Status, Step, StoppedBy, Watch,
@@ -24,6 +26,9 @@ const SAME: f64 = 1e-9;
 
 /// Without a bound a key that is held moves so far, mm or degrees.
 const FAR: f64 = 10_000.0;
+
+/// So long a stop input is waited for to be released before the operator is asked again, seconds.
+const RELEASE_S: f64 = 0.5;
 
 /// What a person wants.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +54,8 @@ pub enum Errand {
     CutMoveTo([f64; 2]),
     /// For as long as a key is held.
     Held(Held),
+    /// For as long as a key of the keypad of part files is held.
+    Keypad(Keypad),
 }
 
 impl Errand {
@@ -62,6 +69,7 @@ impl Errand {
             Self::To { .. } => "move to",
             Self::CutMoveTo(_) => "cut move to",
             Self::Held(_) => "key",
+            Self::Keypad(_) => "keypad",
         }
     }
 }
@@ -77,6 +85,32 @@ pub struct Held {
     pub accel: f64,
     /// Z may go below Z bottom, which is being set.
     pub sets_bottom: bool,
+}
+
+/// A key of the keypad of part files (command reference, SK): it moves as jogs do, with the keypad's own
+/// ramp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Keypad {
+    /// Which way, mm or degrees of each axis.
+    pub way: [f64; AXES],
+    /// How many times that at most; without it as far as the axes go.
+    pub times: Option<f64>,
+    /// Share of the jog speeds, 0.01 … 1.
+    pub speed: f64,
+    /// Axes whose lengths count, since they were homed.
+    pub bounded: AxisSet,
+}
+
+/// The settings with which the keypad moves: a share of the jog speeds, its own ramp, no warning.
+pub fn keypad_settings(settings: &Settings, share: f64) -> Settings {
+    let mut settings = settings.clone();
+    let jog = &mut settings.speeds.jog;
+    for speed in [&mut jog.xy, &mut jog.z, &mut jog.a, &mut jog.b, &mut jog.c] {
+        *speed *= share.clamp(0.01, 1.0);
+    }
+    settings.ramps.jog_rate_mm = settings.ramps.keypad_rate_mm;
+    settings.warning_s = 0.0;
+    settings
 }
 
 /// An errand being done.
@@ -95,6 +129,10 @@ pub struct Hand {
     begun: bool,
     state: State,
     motions: u64,
+    /// The stop input that blocks it.
+    blocked_by: u8,
+    /// Why it is not moving.
+    why: Arc<str>,
     /// What is said when it is done.
     note: Option<Arc<str>>,
     over: Option<(Status, Option<Box<Diagnostic>>)>,
@@ -103,7 +141,10 @@ pub struct Hand {
 impl Hand {
     /// An errand of a machine that stands at a position, machine frame.
     pub fn new(errand: Errand, machine: Arc<Configuration>, position: Axes, frame: Frame) -> Self {
-        let mut settings = planner_settings(&machine);
+        let mut settings = match errand {
+            Errand::Keypad(keypad) => keypad_settings(&machine.program, keypad.speed),
+            _ => planner_settings(&machine),
+        };
         if let (Errand::Held(held), Some(dynamics)) = (errand, &mut settings.dynamics) {
             let share = held.accel.clamp(0.01, 1.0);
             dynamics.accel_mm_s2 = dynamics.accel_mm_s2.zip(Axes::default(), |a, _| a * share);
@@ -120,6 +161,8 @@ impl Hand {
             begun: false,
             state: State::Running,
             motions: 0,
+            blocked_by: 0,
+            why: Arc::default(),
             note: None,
             over: None,
         };
@@ -163,7 +206,13 @@ impl Hand {
                 }
                 [level, to].into()
             }
-            Errand::Held(held) => [self.as_far_as_allowed(held)].into(),
+            Errand::Held(held) => {
+                let way = held.way.map(f64::from);
+                [self.as_far_as_allowed(way, FAR)].into()
+            }
+            Errand::Keypad(keypad) => {
+                [self.as_far_as_allowed(keypad.way, keypad.times.unwrap_or(FAR))].into()
+            }
         }
     }
 
@@ -178,17 +227,16 @@ impl Hand {
     }
 
     /// Where a key that is held leads: to the first bound on its way.
-    fn as_far_as_allowed(&mut self, held: Held) -> Axes {
-        let ways = Axis::ALL.into_iter().map(|axis| (axis, f64::from(held.way[axis.index()])));
-        let mut far = FAR;
+    fn as_far_as_allowed(&mut self, way: [f64; AXES], most: f64) -> Axes {
+        let ways = Axis::ALL.into_iter().zip(way);
+        let mut far = most;
         for (axis, way) in ways.clone().filter(|(_, way)| *way != 0.0) {
-            let (low, high) = self.allowed(axis, held.sets_bottom);
+            let (low, high) = self.allowed(axis);
             let end = if way > 0.0 { high } else { low };
-            let room = ((end - self.position[axis]) * way).max(0.0);
+            let room = ((end - self.position[axis]) / way).max(0.0);
             if room < far {
                 far = room;
-                let name = self.machine.motors.axis_name(axis);
-                self.note = Some(format!("Out of bounds: {name} ends at {end:.3}").into());
+                self.note = Some(self.ends_at(axis, end));
             }
         }
         let mut to = self.position;
@@ -196,18 +244,35 @@ impl Hand {
         to
     }
 
+    /// What is said at the end of an axis; at the keypad in the words and units of part files.
+    fn ends_at(&self, axis: Axis, end: f64) -> Arc<str> {
+        if !matches!(self.errand, Errand::Keypad(_)) {
+            let name = self.machine.motors.axis_name(axis);
+            return format!("Out of bounds: {name} ends at {end:.3}").into();
+        }
+        let shown = self.settings.to_user(self.frame.working(Axes::splat(end)))[axis];
+        let shown = (shown * 1e4).round() / 1e4;
+        format!("Out of bounds: {} ends at {shown}", axis.letter()).into()
+    }
+
     /// Where an axis may go, machine frame: the soft bounds, the table limits while they are checked,
     /// Z no lower than Z bottom.
-    fn allowed(&self, axis: Axis, sets_bottom: bool) -> (f64, f64) {
+    fn allowed(&self, axis: Axis) -> (f64, f64) {
+        let (bounded, to_bottom) = match self.errand {
+            Errand::Held(held) => (true, held.sets_bottom),
+            Errand::Keypad(keypad) => (keypad.bounded.contains(axis), true),
+            _ => (true, false),
+        };
         let free = (f64::NEG_INFINITY, f64::INFINITY);
-        let (mut low, mut high) = soft_bounds(&self.machine, axis).unwrap_or(free);
+        let soft = soft_bounds(&self.machine, axis).filter(|_| bounded);
+        let (mut low, mut high) = soft.unwrap_or(free);
         let limits = &self.machine.program.limits;
         if limits.check {
             let zero = self.frame.base_zero[axis];
             low = low.max(limits.low[axis] + zero);
             high = high.min(limits.high[axis] + zero);
         }
-        if axis == Axis::Z && !sets_bottom && self.machine.axes.limit_movement {
+        if axis == Axis::Z && !to_bottom && self.machine.axes.limit_movement {
             low = low.max(self.machine.zpos.bottom_mm);
         }
         (low, high)
@@ -215,22 +280,32 @@ impl Hand {
 
     /// Why it is not done: it leads out of bounds.
     fn refusal(&self) -> Option<Box<Diagnostic>> {
-        if matches!(self.errand, Errand::Held(_)) {
+        if matches!(self.errand, Errand::Keypad(_)) && self.settings.mode == Mode::Preview {
+            let place = Place::line(self.errand.name().into(), 0);
+            let why = Diagnostic::new(Code::NotSupported, place, "the keypad moves nothing in preview");
+            return Some(Box::new(why.hint("SM sets Move/Cut mode")));
+        }
+        if self.is_held() {
             return None;
         }
         let to = self.legs.back()?;
         let outside = Axis::ALL.into_iter().find(|axis| {
-            let (low, high) = self.allowed(*axis, false);
+            let (low, high) = self.allowed(*axis);
             let moves = (to[*axis] - self.position[*axis]).abs() > SAME;
             moves && !(low - SAME..=high + SAME).contains(&to[*axis])
         })?;
-        let (low, high) = self.allowed(outside, false);
+        let (low, high) = self.allowed(outside);
         let name = self.machine.motors.axis_name(outside);
         let reached = to[outside];
         let message = format!("Out of bounds: {name} would reach {reached:.3}");
         let hint = format!("{name} goes from {low:.3} to {high:.3}");
         let place = Place::line(self.errand.name().into(), 0);
         Some(Box::new(Diagnostic::new(Code::OutsideLimits, place, message).hint(hint)))
+    }
+
+    /// It lasts as long as a key is held.
+    const fn is_held(&self) -> bool {
+        matches!(self.errand, Errand::Held(_) | Errand::Keypad(_))
     }
 
     fn stop_settings(&self) -> StopSettings {
@@ -257,10 +332,13 @@ impl Hand {
 
     /// The next straight way.
     fn go(&mut self, to: Axes, out: &mut Vec<Sourced>) {
-        let share =
-            if let Errand::Held(held) = self.errand { held.speed.clamp(0.01, 1.0) } else { 1.0 };
-        let mm_s = share * rapid_mm_s(&self.settings, to.minus(self.position));
-        let line = Line { kind: MoveKind::Jog, to, feed: Feed::Path(mm_s) };
+        let rapid = || rapid_mm_s(&self.settings, to.minus(self.position));
+        let feed = match self.errand {
+            Errand::Keypad(_) => Feed::Axis,
+            Errand::Held(held) => Feed::Path(held.speed.clamp(0.01, 1.0) * rapid()),
+            _ => Feed::Path(rapid()),
+        };
+        let line = Line { kind: MoveKind::Jog, to, feed };
         self.motions += 1;
         (self.position, self.given) = (to, true);
         self.give(Command::Line(line), out);
@@ -294,11 +372,13 @@ impl Hand {
     }
 
     /// What follows on a stop: the table says whether the tool rises; the rest of the way is kept.
-    fn halt(&mut self, halted: &Halted) {
+    fn halt(&mut self, event: Event, halted: &Halted) {
         self.position = halted.stands;
         self.given = false;
-        let Some(stopping) = self.state.on(Event::Stop, self.stop_settings()) else { return };
-        let Some(stands) = stopping.state.on(Event::Stands, self.stop_settings()) else { return };
+        let Some(mut stands) = self.state.on(event, self.stop_settings()) else { return };
+        if let Some(next) = stands.state.on(Event::Stands, self.stop_settings()) {
+            stands = next;
+        }
         self.state = stands.state;
         let mut rest = std::mem::take(&mut self.legs);
         rest.push_front(halted.stands);
@@ -311,17 +391,15 @@ impl Hand {
     }
 
     fn ask(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-        let words = match host.ask(&paused()) {
+        let words = match host.ask(&self.question()) {
             Poll::Pending => return Step::Waiting,
             Poll::Ready(Answer::Text(words)) => words,
             Poll::Ready(Answer::Button(button)) => button.word().to_owned(),
         };
         match Word::read(&words) {
             Some(Word::Continue) => {
-                let Some(next) = self.state.on(Event::Continue, self.stop_settings()) else {
-                    return Step::Ran;
-                };
-                self.state = next.state;
+                let Some(state) = self.goes_on_in(host, out) else { return Step::Ran };
+                self.state = state;
                 self.legs = self.rest.take().unwrap_or_default();
                 let mut over = self.position;
                 if let Some(place) = self.legs.front() {
@@ -331,23 +409,56 @@ impl Hand {
                 let (name, why) = (self.state.name().into(), "".into());
                 self.give(Command::State { name, why }, out);
             }
+            Some(Word::Abort) if self.state == State::Limited => {
+                let why = self.stopped_for(Code::InputStop);
+                return self.end(Status::Limit, Some(why));
+            }
             Some(Word::Abort) => return self.end(Status::Stopped, None),
             _ => {}
         }
         Step::Ran
     }
-}
 
-fn paused() -> Question {
-    Question {
-        kind: QuestionKind::Paused,
-        text: "Paused".into(),
-        title: "Move".into(),
-        buttons: vec![Button::Resume, Button::Quit],
-        default: 1,
-        prefill: String::new(),
-        icon: 0,
-        until: None,
+    /// The state in which it goes on; nothing while a stop input is active.
+    fn goes_on_in(&self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Option<State> {
+        let settings = self.stop_settings();
+        match self.state {
+            State::Limited => Some(self.state.on(Event::Override, settings)?.state),
+            State::Blocked if self.settings.io.stops(self.blocked_by, host.input(self.blocked_by)) => {
+                let text = "release the stop input".into();
+                self.give(Command::Message { text }, out);
+                self.give(Command::Wait { seconds: RELEASE_S }, out);
+                None
+            }
+            State::Blocked => {
+                let released = self.state.on(Event::Released, settings)?;
+                Some(released.state.on(Event::Continue, settings)?.state)
+            }
+            state => Some(state.on(Event::Continue, settings)?.state),
+        }
+    }
+
+    fn stopped_for(&self, code: Code) -> Box<Diagnostic> {
+        let place = Place::line(self.errand.name().into(), 0);
+        Box::new(Diagnostic::new(code, place, self.why.to_string()))
+    }
+
+    fn question(&self) -> Question {
+        let limited = self.state == State::Limited;
+        let [goes_on, ends] = match limited {
+            true => [Button::Continue, Button::End],
+            false => [Button::Resume, Button::Quit],
+        };
+        Question {
+            kind: if limited { QuestionKind::Limit } else { QuestionKind::Paused },
+            text: if self.why.is_empty() { "Paused".into() } else { self.why.to_string() },
+            title: "Move".into(),
+            buttons: vec![goes_on, ends],
+            default: 1,
+            prefill: String::new(),
+            icon: 0,
+            until: None,
+        }
     }
 }
 
@@ -379,8 +490,11 @@ impl Interpreter for Hand {
         Step::Ran
     }
 
+    /// Only the emergency stop is watched: it ends a move by hand for good.
     fn interrupt(&mut self, _: &Watch, _: Option<u64>, position: Axes) {
         self.position = position;
+        self.why = "emergency stop".into();
+        self.over = Some((Status::Stopped, Some(self.stopped_for(Code::InputStop))));
     }
 
     fn takes_stops(&self) -> bool {
@@ -388,12 +502,25 @@ impl Interpreter for Hand {
     }
 
     /// A key is let go for good; every other way is kept.
-    fn stopped(&mut self, _: StoppedBy, halted: &Halted) {
-        if matches!(self.errand, Errand::Held(_)) {
-            (self.position, self.over) = (halted.stands, Some((Status::Ended, None)));
+    fn stopped(&mut self, by: StoppedBy, halted: &Halted) {
+        let (event, why) = match by {
+            StoppedBy::Operator | StoppedBy::PowerCut => (Event::Stop, String::new()),
+            StoppedBy::Input(n) => {
+                self.blocked_by = n;
+                (Event::StopInput, format!("stopped by stop input {n}"))
+            }
+            StoppedBy::Limit(n) => (Event::Limit, format!("stopped by limit input {n}")),
+        };
+        self.why = why.into();
+        if self.is_held() {
+            (self.position, self.legs, self.given) = (halted.stands, VecDeque::new(), false);
+            match event {
+                Event::Stop => self.over = Some((Status::Ended, None)),
+                _ => self.note = Some(self.why.clone()),
+            }
             return;
         }
-        self.halt(halted);
+        self.halt(event, halted);
     }
 
     fn nudge(&mut self, _: Axes) {}
@@ -408,8 +535,10 @@ impl Interpreter for Hand {
         self.end(Status::Limit, None)
     }
 
+    /// The emergency stop.
     fn watches(&self) -> Vec<Watch> {
-        Vec::new()
+        let input = Input::EmergencyStop.number();
+        vec![Watch::level(input, self.machine.estop.active, 0.0)]
     }
 
     fn file_name(&self, file: u32) -> Option<Arc<str>> {

@@ -20,11 +20,15 @@ pub enum State {
     Stopping,
     /// It stands, and goes on or is given up.
     Paused,
+    /// A stop input is, or was, active: nothing moves before it is released and a person says so.
+    Blocked,
+    /// It stands on a limit: a person says whether it goes on regardless.
+    Limited,
     /// It slows down because of the emergency stop.
     EmergencyStopping,
     /// The emergency stop is, or was, pressed; nobody has acknowledged it yet.
     Emergency,
-    /// A limit or a lost link stopped it: its location is known, the program is not resumed.
+    /// Something ended the program for good, and a person has to look before anything moves again.
     Alarm,
 }
 
@@ -35,16 +39,24 @@ pub enum Event {
     Start,
     /// What the start waited for is there.
     Ready,
-    /// Stop: a key, the console, a stop input.
+    /// Stop: a key, the console.
     Stop,
+    /// A stop input is active, or the enclosure is open.
+    StopInput,
+    /// The stop input is released, and a person says so.
+    Released,
     /// Something is wrong with the process: the arc is lost, no reading, the head too close.
     Fault,
     /// The emergency stop is pressed.
     EmergencyStop,
+    /// The emergency stop of a machine that cuts the power with it.
+    PowerCut,
     /// The emergency stop is released, and a person says so.
     Acknowledge,
     /// A limit switch, or a move that would leave the limits.
     Limit,
+    /// A person says that limits do not count until the program ends.
+    Override,
     /// The link to the controller, or to whoever watches over the run, is lost.
     LinkLost,
     /// The machine has come to rest.
@@ -70,8 +82,16 @@ pub enum Effect {
     CutOff,
     /// The router goes off.
     RouterOff,
+    /// Every spindle goes off, and whatever moves by itself.
+    SpindleOff,
     /// Every output goes off.
     AllOff,
+    /// Outputs become what they are at the end of a program: of a job all go off.
+    LeaveOutputs,
+    /// The motors lose their power five seconds later.
+    MotorsOff,
+    /// Nobody knows for sure where the axes are from now on.
+    Doubt,
     /// The tool rises to the height of travel, where it is lower.
     Raise,
     /// Tool outputs go off.
@@ -118,8 +138,8 @@ struct Row(State, Event, State, &'static [Effect]);
 /// The table.
 const ROWS: &[Row] = {
     use Effect::{
-        AllOff, ComeBack, CutOff, CutOffAtOnce, Halt, KeepPlace, Raise, RestoreHeights, RouterOff,
-        SlowDown, ToolOff,
+        AllOff, ComeBack, CutOff, CutOffAtOnce, Doubt, Halt, KeepPlace, LeaveOutputs, MotorsOff,
+        Raise, RestoreHeights, RouterOff, SlowDown, SpindleOff, ToolOff,
     };
     use Event as E;
     use State as S;
@@ -127,29 +147,38 @@ const ROWS: &[Row] = {
         Row(S::Idle, E::Start, S::Waiting, &[]),
         Row(S::Idle, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
         Row(S::Waiting, E::Ready, S::Running, &[]),
-        Row(S::Waiting, E::Stop, S::Idle, &[AllOff]),
-        Row(S::Waiting, E::Abort, S::Idle, &[AllOff]),
+        Row(S::Waiting, E::Stop, S::Idle, &[LeaveOutputs]),
+        Row(S::Waiting, E::Abort, S::Idle, &[LeaveOutputs]),
         Row(S::Waiting, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
         Row(S::Running, E::Stop, S::Stopping, &[SlowDown, KeepPlace]),
         Row(S::Running, E::Fault, S::Stopping, &[SlowDown, KeepPlace]),
+        Row(S::Running, E::StopInput, S::Blocked, &[SlowDown, KeepPlace, CutOff, SpindleOff]),
         Row(
             S::Running,
             E::EmergencyStop,
             S::EmergencyStopping,
             &[CutOffAtOnce, SlowDown, KeepPlace],
         ),
-        Row(S::Running, E::Limit, S::Alarm, &[Halt, CutOff, AllOff]),
-        Row(S::Running, E::LinkLost, S::Alarm, &[SlowDown, CutOff, AllOff]),
-        Row(S::Running, E::End, S::Idle, &[AllOff, RestoreHeights]),
+        Row(S::Running, E::PowerCut, S::Alarm, &[Halt, SpindleOff, AllOff, MotorsOff, Doubt]),
+        Row(S::Running, E::Limit, S::Limited, &[Halt, KeepPlace, CutOff, RouterOff]),
+        Row(S::Running, E::LinkLost, S::Alarm, &[SlowDown, CutOff, AllOff, Doubt]),
+        Row(S::Running, E::End, S::Idle, &[LeaveOutputs, RestoreHeights]),
         Row(S::Stopping, E::Stands, S::Paused, &[CutOff, RouterOff, Raise, ToolOff]),
         Row(S::Stopping, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
         Row(S::Paused, E::Continue, S::Running, &[ComeBack]),
-        Row(S::Paused, E::Abort, S::Idle, &[AllOff, RestoreHeights]),
+        Row(S::Paused, E::Abort, S::Idle, &[LeaveOutputs, RestoreHeights]),
         Row(S::Paused, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
-        Row(S::Paused, E::LinkLost, S::Alarm, &[AllOff]),
+        Row(S::Paused, E::PowerCut, S::Alarm, &[SpindleOff, AllOff, MotorsOff, Doubt]),
+        Row(S::Paused, E::LinkLost, S::Alarm, &[AllOff, Doubt]),
+        Row(S::Blocked, E::Released, S::Paused, &[CutOff, RouterOff, Raise, ToolOff]),
+        Row(S::Blocked, E::Abort, S::Idle, &[LeaveOutputs, RestoreHeights]),
+        Row(S::Blocked, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
+        Row(S::Limited, E::Override, S::Running, &[ComeBack]),
+        Row(S::Limited, E::Abort, S::Alarm, &[LeaveOutputs, RestoreHeights]),
+        Row(S::Limited, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
         Row(S::EmergencyStopping, E::Stands, S::Emergency, &[CutOff, AllOff, Raise]),
         Row(S::Emergency, E::Acknowledge, S::Paused, &[]),
-        Row(S::Emergency, E::Abort, S::Idle, &[AllOff, RestoreHeights]),
+        Row(S::Emergency, E::Abort, S::Idle, &[LeaveOutputs, RestoreHeights]),
         Row(S::Alarm, E::Acknowledge, S::Idle, &[RestoreHeights]),
         Row(S::Alarm, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),
     ]
@@ -164,6 +193,8 @@ impl State {
             Self::Running => "running",
             Self::Stopping => "stopping",
             Self::Paused => "paused",
+            Self::Blocked => "blocked",
+            Self::Limited => "limit",
             Self::EmergencyStopping => "estopping",
             Self::Emergency => "estop",
             Self::Alarm => "alarm",
@@ -199,7 +230,11 @@ impl Effect {
             Self::Halt => "halt",
             Self::CutOff => "cut off",
             Self::RouterOff => "router off",
+            Self::SpindleOff => "spindles off",
             Self::AllOff => "all outputs off",
+            Self::LeaveOutputs => "outputs as at the end",
+            Self::MotorsOff => "motors off 5 s later",
+            Self::Doubt => "location in doubt",
             Self::Raise => "raise",
             Self::ToolOff => "tool off",
             Self::KeepPlace => "keep the place",
@@ -225,6 +260,7 @@ pub fn rows() -> impl Iterator<Item = (State, Event, State, &'static [Effect])> 
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -251,9 +287,19 @@ mod tests {
     #[test]
     fn nothing_starts_in_an_emergency() {
         for event in [Event::Start, Event::Continue, Event::Ready] {
-            assert_eq!(State::Emergency.on(event, StopSettings::OPENSBP), None);
-            assert_eq!(State::Alarm.on(event, StopSettings::OPENSBP), None);
+            for state in [State::Emergency, State::Alarm, State::Blocked, State::Limited] {
+                assert_eq!(state.on(event, StopSettings::OPENSBP), None, "{state:?}");
+            }
         }
+    }
+
+    #[test]
+    fn what_a_stop_input_stopped_goes_on_only_by_way_of_a_pause() {
+        let blocked = State::Running.on(Event::StopInput, StopSettings::OPENSBP).unwrap();
+        let effects = [Effect::SlowDown, Effect::KeepPlace, Effect::SpindleOff];
+        assert_eq!((blocked.state, &blocked.effects[..]), (State::Blocked, &effects[..]));
+        let released = blocked.state.on(Event::Released, StopSettings::OPENSBP).unwrap();
+        assert_eq!((released.state, released.effects), (State::Paused, vec![Effect::Raise]));
     }
 
     #[test]

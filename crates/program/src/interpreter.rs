@@ -86,6 +86,8 @@ pub enum StoppedBy {
     Operator,
     /// An input that stops motion; its number.
     Input(u8),
+    /// An input at the end of an axis; its number.
+    Limit(u8),
     /// The power went and came back: nothing is on, the machine stands somewhere, and the run goes on
     /// from the place where [`Halted::began`] says that it was left.
     PowerCut,

@@ -37,6 +37,8 @@ pub enum HaltCause {
     Limit(u8),
     /// A stop input was triggered; its number.
     Stop(u8),
+    /// The controller does not answer any more: it slows down by itself.
+    LinkLost,
 }
 
 /// The first change of the script, not later than a time, or the first state that is looked at from
@@ -84,6 +86,7 @@ fn first_change(
         let triggered = inputs::triggers(change.input, change.on, modes);
         let cause = match inputs::duty(change.input, modes) {
             Duty::Stop if triggered => Some(HaltCause::Stop(change.input)),
+            Duty::Cable if triggered => Some(HaltCause::LinkLost),
             Duty::Limit if triggered && limits => Some(HaltCause::Limit(change.input)),
             _ => watching(change.input, change.on, modes, watches).map(HaltCause::Watch),
         };
@@ -91,6 +94,7 @@ fn first_change(
             let ramped = match cause {
                 HaltCause::Watch(i) => watches[i].ramped,
                 HaltCause::Limit(_) => false,
+                HaltCause::LinkLost => true,
                 HaltCause::Stop(number) => number != inputs::STOP_INPUT,
             };
             return Some(Halt { t_s: change.at_s, cause, ramped });

@@ -24,10 +24,15 @@ pub enum Duty {
     Limit,
     /// Stops motion and forbids it until it is released.
     Stop,
+    /// The cable to the controller: without it nothing moves.
+    Cable,
 }
 
+/// The number under which a script pulls the cable to the controller (0) and plugs it in (1).
+pub const CABLE: u8 = u8::MAX;
+
 /// The emergency stop (command reference, VN field 2).
-pub(crate) const STOP_INPUT: u8 = 4;
+pub const STOP_INPUT: u8 = 4;
 
 /// States of the inputs, and the changes still to come.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -38,9 +43,9 @@ pub struct Inputs {
     /// What the sensors of the head will tell while the machine follows its plan, in order of time.
     foreseen: VecDeque<Change>,
     /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
-    contact: [Option<bool>; LINES],
+    contact: [Option<bool>; LINES + 1],
     /// Switches that somebody moved by hand, and where they were left.
-    by_hand: [Option<bool>; LINES],
+    by_hand: [Option<bool>; LINES + 1],
 }
 
 impl Inputs {
@@ -50,9 +55,11 @@ impl Inputs {
     pub fn new(mut script: Vec<Change>) -> Self {
         script.retain(|c| index(c.input).is_some() && c.at_s.is_finite());
         script.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-        let mut contact = [None; LINES];
+        let mut contact = [None; LINES + 1];
         for change in script.iter().rev() {
-            contact[usize::from(change.input) - 1] = Some(!change.on);
+            if let Some(i) = index(change.input) {
+                contact[i] = Some(!change.on);
+            }
         }
         Self { script, contact, ..Self::default() }
     }
@@ -104,7 +111,7 @@ impl Inputs {
     /// The next change that has an effect, not later than a time.
     pub(crate) fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
         while let Some(change) = self.next_until(until_s) {
-            let i = usize::from(change.input) - 1;
+            let Some(i) = index(change.input) else { continue };
             let before = self.closed(i, modes);
             self.contact[i] = Some(change.on);
             if before != change.on {
@@ -146,11 +153,15 @@ impl Inputs {
     }
 
     fn closed(&self, i: usize, modes: &IoModes) -> bool {
-        self.contact[i].unwrap_or_else(|| normally_closed(i as u8 + 1, modes))
+        let number = if i == LINES { CABLE } else { i as u8 + 1 };
+        self.contact[i].unwrap_or_else(|| normally_closed(number, modes))
     }
 }
 
 fn index(number: u8) -> Option<usize> {
+    if number == CABLE {
+        return Some(LINES);
+    }
     (1..=LINES as u8).contains(&number).then(|| usize::from(number) - 1)
 }
 
@@ -166,6 +177,9 @@ pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
 
 /// What an input does to motion.
 pub fn duty(number: u8, modes: &IoModes) -> Duty {
+    if number == CABLE {
+        return Duty::Cable;
+    }
     if number == STOP_INPUT || modes.interlock == Some(number) {
         return Duty::Stop;
     }
@@ -180,7 +194,7 @@ fn normally_closed(number: u8, modes: &IoModes) -> bool {
     if number == STOP_INPUT {
         return !modes.input4_normally_open;
     }
-    matches!(mode(number, modes), 2 | 4)
+    number == CABLE || matches!(mode(number, modes), 2 | 4)
 }
 
 /// The mode of a switch; lines of the ports have none.

@@ -21,6 +21,8 @@ pub enum What {
         /// Its state from now on.
         on: bool,
     },
+    /// The controller answers from now on, or does not any more.
+    Link(bool),
     /// An output changed.
     Output {
         /// Its number.

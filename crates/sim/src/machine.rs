@@ -11,7 +11,7 @@ use crate::halt::{self, Halt, Watched};
 use crate::hand::Hand;
 use crate::heater::{self, Heater};
 use crate::independent::Spin;
-use crate::inputs::{Change, Inputs};
+use crate::inputs::{CABLE, Change, Inputs};
 use crate::laser;
 use crate::log::{Log, What};
 use crate::motors::Motors;
@@ -28,6 +28,9 @@ use std::sync::Arc;
 /// The PWM channel of the heater.
 const HEATER_CHANNEL: u8 = 1;
 
+/// The outputs of the spindles.
+const SPINDLES: [u8; 2] = [1, 2];
+
 /// What was on when the power went off.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WasOn {
@@ -40,7 +43,7 @@ pub struct WasOn {
 impl WasOn {
     /// Whether a spindle is among it: outputs 1 and 2, or the speed that a PWM channel sets.
     pub fn turns(&self) -> bool {
-        self.outputs.iter().any(|n| [1, 2].contains(n)) || self.pwm_percent > 0.0
+        self.outputs.iter().any(|n| SPINDLES.contains(n)) || self.pwm_percent > 0.0
     }
 }
 
@@ -74,6 +77,8 @@ pub struct Machine {
     coarse: [u8; AXES],
     pwm_percent: f64,
     beam: Beam,
+    /// When the beam that follows the speed goes off, in the move under way.
+    beam_ends_s: Option<f64>,
     sheet: Option<Sheet>,
     /// Height control, while it is on.
     law: Option<HeightLaw>,
@@ -121,6 +126,7 @@ impl Machine {
             coarse: [1; AXES],
             pwm_percent: 0.0,
             beam: Beam::Off,
+            beam_ends_s: None,
             sheet: None,
             law: None,
             follower: Follower::default(),
@@ -194,6 +200,11 @@ impl Machine {
     pub fn spinning(&self) -> AxisSet {
         let moving = Axis::ALL.into_iter().filter(|axis| self.spins[axis.index()].moves());
         moving.fold(AxisSet::EMPTY, AxisSet::with)
+    }
+
+    /// What moves by itself.
+    pub fn moving_alone(&self) -> Vec<(Axis, Independent)> {
+        self.spinning().iter().map(|axis| (axis, self.spins[axis.index()].motion())).collect()
     }
 
     /// The frames in force.
@@ -313,19 +324,28 @@ impl Machine {
         self.overridden = false;
     }
 
-    /// Motion was stopped by the operator, or by a stop input: then spindles and axes that move by
-    /// themselves stop as well.
-    pub fn stopped(&mut self, by_input: bool) {
+    /// Motion was stopped: outputs do what their modes say.
+    pub fn stopped(&mut self) {
         if matches!(self.settings.io.output4, -2 | -3) {
             self.output(MOTION_OUTPUT, false, OutputReason::Stop);
         }
         self.come_back = self.outputs_of_mode_2();
         self.by_mode(Occasion::Stop, OutputReason::Stop);
-        if by_input {
-            self.spins_off();
-            self.output(1, false, OutputReason::Stop);
-            self.output(2, false, OutputReason::Stop);
-        }
+    }
+
+    /// Spindles and axes that move by themselves stop. Tells which spindles turned.
+    pub fn stop_spindles(&mut self) -> Vec<u8> {
+        self.spins_off();
+        let turned: Vec<u8> = SPINDLES.into_iter().filter(|n| self.outputs.is_on(*n)).collect();
+        turned.iter().for_each(|number| self.output(*number, false, OutputReason::Stop));
+        turned
+    }
+
+    /// Every output goes off.
+    pub fn outputs_off(&mut self) {
+        self.set_light(false);
+        self.all_off(OutputReason::Stop);
+        self.pwm(HEATER_CHANNEL, 0.0);
     }
 
     fn outputs_of_mode_2(&self) -> Vec<u8> {
@@ -428,7 +448,10 @@ impl Machine {
         while let Some(change) = self.inputs.step(to_s, &self.settings.io) {
             let on = self.inputs.reads(change.input, &self.settings.io);
             let t_s = change.at_s.max(self.clock_s);
-            self.log.add(t_s, What::Input { number: change.input, on });
+            self.log.add(t_s, match change.input {
+                CABLE => What::Link(on),
+                number => What::Input { number, on },
+            });
             if change.input == torch::TORCH_INPUT {
                 self.steer_torch(t_s);
             }
@@ -467,6 +490,11 @@ impl Machine {
             return None;
         }
         self.inputs.stopping(&self.settings.io)
+    }
+
+    /// Whether the controller answers. What is only drawn needs none.
+    pub fn is_connected(&self) -> bool {
+        self.draws() || self.inputs.reads(CABLE, &self.settings.io)
     }
 
     /// An open enclosure that forbids motion and spindles now: the input that tells it.

@@ -1,9 +1,13 @@
 //! Area `estop`: the emergency stop in jobs.
 
+use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::delays::BottomDelayType;
 use kerf_machine::wiring::bit;
+use kerf_machine::{Errand, Held};
+use kerf_program::{Axis, AxisSet};
+use kerf_sbp::Status;
 
 /// JOB-T1 with the emergency stop at a time.
 fn stopped(at_s: f64) -> JobTrace {
@@ -113,4 +117,84 @@ fn pro_estop_operator() {
     let given_up = run("abort");
     assert_eq!(given_up.rests(), [50.0, 0.0, -10.0]);
     assert!(given_up.states().last().unwrap().ends_with("idle: emergency stop"));
+}
+
+#[test]
+fn pro_estop_trigger__in_moves_by_hand() {
+    let held = Held { way: [1, 0, 0, 0, 0, 0], speed: 1.0, accel: 1.0, sets_bottom: false };
+    let errands = [
+        Errand::Held(held),
+        Errand::FindHome(AxisSet::EMPTY.with(Axis::X)),
+        Errand::To { place: [Some(90.0), None, None, None, None, None], relative: true, flat: true },
+    ];
+    for errand in errands {
+        let run = JobRun::hand(errand).at(300.0, 0.0, 0.0);
+        let trace = run.input(Input::EmergencyStop, 0.2, true).run();
+        let last = trace.events.iter().rev().find_map(|event| match event {
+            Event::Move(made) => Some(made.t1),
+            _ => None,
+        });
+        // It slows down from the very moment, which takes as long as it took to get up to its speed.
+        assert!(last.is_some_and(|t1| t1 <= 0.4 + 1e-3), "{errand:?} {last:?}");
+        assert_eq!(trace.summary.status, Status::Stopped, "{errand:?}");
+        let why = trace.summary.error.unwrap();
+        assert_eq!(why.message, "emergency stop", "{errand:?}");
+    }
+}
+
+/// JOB-T1 with input 2 as a limit that comes at a time.
+fn limited(say: &str) -> JobTrace {
+    let run = JobRun::new(t1()).with(|machine| machine.program.io.inputs[1] = 1);
+    run.raw_input(2, 5.34, true).say(say).run()
+}
+
+#[test]
+fn a_job_at_a_limit_cuts_nothing_until_somebody_says_so() {
+    let ended = limited("");
+    let states = ended.states();
+    assert_eq!(states[states.len() - 2..], ["5.340 limit: stopped by limit input 2", "5.340 alarm: stopped by limit input 2"]);
+    assert_eq!(ended.summary.status, Status::Limit);
+    assert!(ended.edges().contains(&"5.340 cut1-".into()), "{:?}", ended.edges());
+    let on = limited("Continue");
+    assert_eq!(on.summary.status, Status::Ok);
+    let cuts: Vec<_> = on.edges().into_iter().filter(|edge| edge.contains("cut1")).collect();
+    assert_eq!(cuts.len(), 4, "off and on again: {cuts:?}");
+    assert!(on.moves().iter().any(|made| made.ends_with("x100")), "{:?}", on.moves());
+}
+
+#[test]
+fn a_job_that_a_stop_input_stopped_waits_until_it_is_released() {
+    let run = |say: &str| {
+        let run = JobRun::new(t1()).with(|machine| machine.program.io.inputs[4] = 3);
+        run.raw_input(5, 5.34, true).raw_input(5, 6.5, false).say(say).run()
+    };
+    let states = |trace: &JobTrace| -> Vec<String> {
+        let names = trace.states().into_iter();
+        names.map(|state| state.split_once(' ').unwrap().1.to_owned()).collect()
+    };
+    let trace = run("resume ⏎ resume ⏎ resume ⏎ resume ⏎ resume");
+    let seen = states(&trace);
+    let first = seen.iter().position(|state| state.starts_with("blocked")).unwrap();
+    let expected = ["blocked: stop input 5", "paused: stop input 5 released", "running", "idle"];
+    assert_eq!(seen[first..], expected, "{seen:?}");
+    let moves = trace.moves();
+    let stopped = moves.iter().position(|made| made == "4.840-5.440 x50").unwrap();
+    let next = moves[stopped + 1].split('-').next().unwrap().parse::<f64>().unwrap();
+    assert!(next >= 6.4, "nothing moves before it is released: {moves:?}");
+    assert_eq!(trace.summary.status, Status::Ok);
+    assert!(states(&run("")).last().unwrap().starts_with("idle"));
+}
+
+#[test]
+fn pro_estop_outputs__intensity_in_the_same_tick() {
+    let run = JobRun::new(t1()).with(|machine| {
+        machine.intensity.output = true;
+        machine.intensity.scale_percent = 60.0;
+    });
+    let trace = run.input(Input::EmergencyStop, 5.34, true).run();
+    let (t, value, byte) = *trace.intensities().last().unwrap();
+    assert_eq!((value, byte), (0, 0), "{:?}", trace.intensities());
+    assert!((t - 5.34).abs() < 1e-9, "{t}");
+    let cut = trace.edges().into_iter().find(|edge| edge.ends_with("cut1-"));
+    assert_eq!(cut.as_deref(), Some("5.340 cut1-"));
 }

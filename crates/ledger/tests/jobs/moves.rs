@@ -1,9 +1,10 @@
 //! Area `move`: moves by hand; and what belongs to them of zpos, axes and pause.
 
+use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::hand::cut_move;
-use kerf_machine::{Errand, Held};
-use kerf_program::{AXES, Axes, Axis, AxisSet, Status};
+use kerf_machine::{Errand, Held, Keypad};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Settings, Status};
 
 fn axes(letters: &str) -> AxisSet {
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
@@ -251,4 +252,66 @@ fn pro_pause_arrows() {
     // No further than the table.
     let far = run("jog 0,5000,0,0,0,0 1");
     assert_eq!(far.rests(), [50.0, 1250.0, -10.0]);
+}
+
+/// A key of the keypad of part files, on a machine in inches.
+fn keypad(way: [f64; 2], times: Option<f64>, change: impl FnOnce(&mut Settings)) -> JobRun {
+    let way = [way[0], way[1], 0.0, 0.0, 0.0, 0.0];
+    let errand = Errand::Keypad(Keypad { way, times, speed: 1.0, bounded: AxisSet::EMPTY });
+    JobRun::hand(errand).unhomed().with(|machine| {
+        machine.program = Settings::default();
+        change(&mut machine.program);
+    })
+}
+
+#[test]
+fn sbp_lim_sf_keypad() {
+    let limits = |settings: &mut Settings| {
+        settings.limits.check = true;
+        settings.limits.high[Axis::X] = 254.0;
+    };
+    let stopped = keypad([1.0, 0.0], None, limits).run();
+    assert_eq!(stopped.rests(), [254.0, 0.0, 0.0]);
+    assert!(stopped.messages().contains(&"Out of bounds: X ends at 10".into()), "{:?}", stopped.messages());
+    let free = keypad([1.0, 0.0], None, |settings| settings.limits.check = false);
+    assert!(free.let_go(9.0).run().rests()[0] > 300.0);
+}
+
+#[test]
+fn sbp_lim_switch_keypad() {
+    let limit = |settings: &mut Settings| settings.io.inputs[1] = 1;
+    let stopped = keypad([1.0, 0.0], None, limit).raw_input(2, 1.0, true).run();
+    let at = stopped.rests()[0];
+    assert!(at > 0.0 && at < 200.0, "{at} {:?}", stopped.events);
+    assert!(stopped.messages().contains(&"stopped by limit input 2".into()), "{:?}", stopped.messages());
+    // The switch is still on: whoever presses the key again means it.
+    for way in [1.0, -1.0] {
+        let again = keypad([way, 0.0], Some(20.0), limit).after(&stopped).raw_input(2, 0.0, true);
+        let moved = again.run().rests()[0] - at;
+        assert!((moved - way * 20.0).abs() < 2e-3, "{moved}");
+    }
+}
+
+#[test]
+fn sbp_val_vr_keypad__moves() {
+    // From .4 in/s to 2.4 in/s in .2 in, which takes 2 / 14 s; half the rate takes half the way.
+    let speeds = |rate_mm: f64| {
+        let run = keypad([1.0, 0.0], Some(254.0), |settings| {
+            settings.ramps.keypad_rate_mm = rate_mm;
+            settings.ramps.jog_rate_mm = 99.0;
+        });
+        let trace = run.run();
+        trace.moves()[0].split([' ', '-']).nth(1).unwrap().parse::<f64>().unwrap()
+    };
+    // At 6 in/s: 2 · (5.6 / 14) s of ramps over 2 · 1.28 in, the rest of 10 in at full speed.
+    let expected = |a: f64| 2.0 * 5.6 / a + (10.0 - (36.0 - 0.16) / a) / 6.0;
+    assert!((speeds(5.08) - expected(14.0)).abs() < 2e-3, "{} {}", speeds(5.08), expected(14.0));
+    assert!((speeds(2.54) - expected(28.0)).abs() < 2e-3, "{} {}", speeds(2.54), expected(28.0));
+}
+
+#[test]
+fn the_keypad_leaves_outputs_as_they_are() {
+    let on = |settings: &mut Settings| settings.io.outputs[2] = 3;
+    let edges = keypad([1.0, 0.0], Some(25.4), on).run();
+    assert!(!edges.events.iter().any(|e| matches!(e, Event::Output { n: 3, .. })));
 }

@@ -1,6 +1,7 @@
 //! Limits and stops.
 
 use kerf_ledger::{Run, run, sbp};
+use kerf_sim::CABLE;
 
 /// When `MX,10` at the default speed passes X 4: .13714 in of ramp in .11429 s, then 2 in/s.
 const AT_X4: f64 = 0.114_285_714 + (4.0 - 0.137_142_857) / 2.0;
@@ -68,10 +69,84 @@ fn sbp_lim_stop_input() {
 }
 
 #[test]
+fn sbp_lim_stop_input__resumed_when_it_is_released() {
+    let program = "VN,,,,,,,4 ⏎ SO,1,1 ⏎ SO,2,1 ⏎ MZ,-.5 ⏎ MX,10 ⏎ MY,1";
+    let at = AT_X4 + 0.75;
+    let stopped = || sbp(program).input(5, at, false);
+    let refused = stopped().answers(&["Resume", "Quit"]).run();
+    let message = "stop input 5 is active: nothing moves before it is released";
+    refused.status("stopped").shows(&[message]);
+    assert_eq!(refused.location()[2], -0.5, "nothing moved: {refused}");
+    let goes_on = stopped().input(5, at + 1.0, true).answers(&["hold=Resume"]).run();
+    goes_on.ends_at([10.0, 1.0, -0.5]);
+    let around = (true, "mode");
+    goes_on.switches(1, &[(true, "program"), (false, "stop"), around, (false, "end")]);
+    let heights = goes_on.events("move").map(|m| m["to"]["z"].as_f64().unwrap());
+    assert_eq!(heights.collect::<Vec<_>>(), [-0.5, -0.5, 1.0, -0.5, -0.5, -0.5], "{goes_on}");
+    let states = goes_on.events("state").map(|e| e["state"].as_str().unwrap());
+    assert_eq!(states.collect::<Vec<_>>(), ["blocked", "paused", "running"], "{goes_on}");
+}
+
+#[test]
+fn a_stop_input_counts_while_a_program_waits() {
+    let program = "VN,,,,,,,3 ⏎ SO,1,1 ⏎ PAUSE 3 ⏎ MX,1";
+    let stopped = sbp(program).input(5, 1.0, true);
+    stopped.clone().run().status("stopped").switches(1, &[(true, "program"), (false, "stop")]);
+    let goes_on = stopped.input(5, 2.0, false).answers(&["hold=Resume"]).run();
+    goes_on.ends_at([1.0]);
+}
+
+#[test]
+fn a_limit_is_a_state_of_its_own() {
+    let states = |answer: &str| -> Vec<String> {
+        let case = sbp("VN,,,,,1 ⏎ MX,10").answers(&[answer]).input(2, AT_X4, true);
+        let run = case.run();
+        run.events("state").map(|e| e["state"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(states("Continue"), ["limit", "running"]);
+    assert_eq!(states("End"), ["limit", "alarm"]);
+}
+
+#[test]
+fn sbp_lim_estop_alpha() {
+    let cut = sbp("SO,1,1 ⏎ SO,2,1 ⏎ MX,10").alpha().input(4, AT_X4, false).run();
+    cut.status("stopped").stands_at([4.0]).says("emergency stop");
+    cut.switches(1, &[(true, "program"), (false, "stop")]);
+    cut.switches(2, &[(true, "program"), (false, "stop")]);
+    let off: Vec<f64> = cut
+        .events("motors")
+        .filter(|e| e["on"] == false)
+        .map(|e| e["t"].as_f64().unwrap())
+        .collect();
+    assert_eq!(off.len(), 1, "{cut}");
+    assert!((off[0] - AT_X4 - 5.0).abs() < 1e-6, "{cut}");
+    for output in cut.events("output").filter(|e| e["on"] == false) {
+        assert!((output["t"].as_f64().unwrap() - AT_X4).abs() < 1e-6, "at once: {cut}");
+    }
+    assert_eq!(cut.end()["verify"], serde_json::json!(["X", "Y", "Z"]));
+}
+
+#[test]
+fn sbp_lim_error_driver() {
+    let lost = sbp("SO,3,1 ⏎ MX,10 ⏎ MX,0").input(CABLE, AT_X4, false).run();
+    lost.status("failed").stands_at([RAMPED]).says("not connected");
+    lost.switches(3, &[(true, "program"), (false, "stop")]);
+    let states = lost.events("state").map(|e| e["state"].as_str().unwrap());
+    assert_eq!(states.collect::<Vec<_>>(), ["not connected", "alarm"], "{lost}");
+    assert_eq!(lost.end()["verify"], serde_json::json!(["X", "Y", "Z"]));
+    // Without it nothing moves; connected again it stands where it is believed to be.
+    sbp("MX,10").input(CABLE, 0.0, false).run().fails(1, "M005").stands_at([0.0]);
+    let again = sbp("PAUSE 1 ⏎ MX,10").input(CABLE, 0.5, true).run();
+    again.ends_at([10.0]);
+}
+
+#[test]
 fn sbp_lim_stop4() {
     let run = sbp("MX,10").input(4, AT_X4, false).run();
     run.status("stopped").stands_at([4.0]);
     assert_eq!(stops(&run), ["stop"], "{run}");
+    let case = sbp("MX,10").input(4, AT_X4, false).input(4, 9.0, true);
+    case.answers(&["hold=Resume"]).run().ends_at([10.0, 0.0, 0.0]);
 }
 
 #[test]

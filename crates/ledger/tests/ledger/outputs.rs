@@ -113,7 +113,9 @@ fn sbp_out_warn_end() {
 fn sbp_out_spindle() {
     let program = "SetSpindleStatus, 1 ⏎ SO,1,1 ⏎ SO,2,1 ⏎ MX,10";
     let run = sbp(program).input(4, 1.0, false).run();
-    run.status("stopped").asks(&[]);
+    run.status("stopped");
+    let kinds: Vec<_> = run.events("ask").map(|e| e["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["hold"], "whoever set the status is not asked about spindles: {run}");
     run.switches(1, &[(true, "program"), (false, "stop")]);
     run.switches(2, &[(true, "program"), (false, "stop")]);
     assert_eq!(run.stored("SpindleStatus").as_deref(), Some("0"), "{run}");

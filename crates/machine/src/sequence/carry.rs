@@ -230,10 +230,15 @@ impl Sequence {
                 };
                 let pressed =
                     host.input(Input::EmergencyStop.number()) == self.machine.estop.active;
-                if self.state == State::Emergency {
-                    self.answered_in_emergency(&words, pressed);
-                } else {
-                    self.answered(&words);
+                match self.state {
+                    State::Emergency => self.answered_in_emergency(&words, pressed),
+                    State::Blocked => {
+                        let (n, io) = (self.blocked_by, &self.settings.io);
+                        let active = io.stops(n, host.input(n));
+                        self.answered_when_blocked(&words, active);
+                    }
+                    State::Limited => self.answered_at_limit(&words),
+                    _ => self.answered(&words),
                 }
                 Step::Ran
             }

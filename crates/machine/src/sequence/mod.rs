@@ -73,6 +73,8 @@ pub struct Sequence {
     state: State,
     /// Why it is not running.
     why: Arc<str>,
+    /// The stop input that blocks the machine.
+    blocked_by: u8,
     stage: Stage,
     here: Here,
     /// Heights of the path at hand.
@@ -124,6 +126,7 @@ impl Sequence {
             raise: machine.pause.raise,
             state: State::Idle,
             why: Arc::default(),
+            blocked_by: 0,
             stage: Stage::Begin,
             here: Here { nth: job.start.saturating_sub(1), ..Here::default() },
             depths: Depths::Along(heights.surface_mm),

@@ -10,9 +10,10 @@ use super::small::Small;
 use super::words::Word;
 use crate::lines::Output;
 use crate::state::{Effect, Event, State};
+use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::Point2;
 use kerf_program::job::JobShape;
-use kerf_program::{Axis, Beam, Button, Halted, Question, QuestionKind, Status};
+use kerf_program::{Axis, Beam, Button, Halted, Question, QuestionKind, Status, Step};
 use std::sync::Arc;
 
 /// Cut outputs.
@@ -99,8 +100,8 @@ impl Sequence {
                 steps.push(Small::Beam(Beam::Off));
                 steps
             }
-            Effect::RouterOff => off(&[Output::Router]),
-            Effect::AllOff => off(Output::ALL),
+            Effect::RouterOff | Effect::SpindleOff => off(&[Output::Router]),
+            Effect::AllOff | Effect::LeaveOutputs => off(Output::ALL),
             Effect::Raise => vec![Small::RaiseTo(self.heights.top_mm)],
             Effect::ToolOff => off(&TOOLS),
             Effect::ComeBack => self.come_back(),
@@ -108,6 +109,8 @@ impl Sequence {
             | Effect::SlowDown
             | Effect::Halt
             | Effect::KeepPlace
+            | Effect::MotorsOff
+            | Effect::Doubt
             | Effect::RestoreHeights => Vec::new(),
         }
     }
@@ -149,11 +152,16 @@ impl Sequence {
             ("", false) => "Paused".to_owned(),
             (why, false) => format!("Paused: {why}"),
         };
+        let limited = self.state == State::Limited;
+        let [goes_on, ends] = match limited {
+            true => [Button::Continue, Button::End],
+            false => [Button::Resume, Button::Quit],
+        };
         Question {
-            kind: QuestionKind::Paused,
+            kind: if limited { QuestionKind::Limit } else { QuestionKind::Paused },
             text,
             title: "Job".into(),
-            buttons: vec![Button::Resume, Button::Quit],
+            buttons: vec![goes_on, ends],
             default: usize::from(!marked),
             prefill: String::new(),
             icon: 0,
@@ -183,6 +191,37 @@ impl Sequence {
         self.steps.push_back(Small::Ask);
     }
 
+    /// The operator said something while a stop input blocks the machine.
+    pub(super) fn answered_when_blocked(&mut self, words: &str, active: bool) {
+        match Word::read(words) {
+            Some(Word::Abort) => return self.abort(),
+            Some(Word::Continue) if active => {
+                self.steps.extend([Small::Say("release the stop input".into()), Small::Wait(RELEASE_S)]);
+            }
+            Some(Word::Continue) => {
+                let Some(next) = self.state.on(Event::Released, self.stop_settings()) else { return };
+                self.state = next.state;
+                self.why = format!("{} released", self.why).into();
+                let effects = next.effects.into_iter().flat_map(|effect| self.effect(effect));
+                self.steps = effects.collect();
+                self.steps.push_back(Small::Enter(self.state));
+            }
+            Some(Word::Move(..)) => self.steps.push_back(Small::Say("release the stop input".into())),
+            Some(word) => self.obey(word),
+            None => {}
+        }
+        self.steps.push_back(Small::Ask);
+    }
+
+    /// The operator said whether the job goes on beyond a limit.
+    pub(super) fn answered_at_limit(&mut self, words: &str) {
+        match Word::read(words) {
+            Some(Word::Continue) => self.go_on_by(Event::Override),
+            Some(Word::Abort) => self.abort(),
+            _ => self.steps.push_back(Small::Ask),
+        }
+    }
+
     /// The operator said something.
     pub(super) fn answered(&mut self, words: &str) {
         if self.state == State::Waiting {
@@ -203,7 +242,11 @@ impl Sequence {
     }
 
     fn go_on(&mut self) {
-        let Some(next) = self.state.on(Event::Continue, self.stop_settings()) else { return };
+        self.go_on_by(Event::Continue);
+    }
+
+    fn go_on_by(&mut self, event: Event) {
+        let Some(next) = self.state.on(event, self.stop_settings()) else { return };
         self.state = next.state;
         self.why = Arc::default();
         self.steps = [Small::Enter(self.state), Small::Switch(Output::JobRunning, true)].into();
@@ -216,12 +259,20 @@ impl Sequence {
         self.stage = Stage::Finish;
         self.steps = self.effect(Effect::CutOff).into();
         self.steps.extend(self.effect(Effect::AllOff));
-        self.steps.extend([Small::Enter(State::Idle), Small::GiveUp]);
+        let after = self.state.on(Event::Abort, self.stop_settings());
+        let after = after.map_or(State::Idle, |next| next.state);
+        self.steps.extend([Small::Enter(after), Small::GiveUp]);
     }
 
     /// The machine stopped at the operator's word, for good.
-    pub(super) fn give_up(&mut self) -> kerf_program::Step {
-        self.end(Status::Stopped)
+    pub(super) fn give_up(&mut self) -> Step {
+        if self.state != State::Alarm {
+            return self.end(Status::Stopped);
+        }
+        let place = Place::line(self.job.name.clone(), self.at().line);
+        let why = Some(Box::new(Diagnostic::new(Code::InputStop, place, self.why.to_string())));
+        self.over = Some((Status::Limit, why.clone()));
+        Step::Done(Status::Limit, why)
     }
 
     fn obey(&mut self, word: Word) {

@@ -56,7 +56,11 @@ impl Interpreter for Sequence {
         match by {
             StoppedBy::Operator => self.halt(Event::Stop, "", halted),
             StoppedBy::Input(number) => {
-                self.halt(Event::Stop, &format!("stop input {number}"), halted);
+                self.blocked_by = number;
+                self.halt(Event::StopInput, &format!("stop input {number}"), halted);
+            }
+            StoppedBy::Limit(number) => {
+                self.halt(Event::Limit, &format!("stopped by limit input {number}"), halted);
             }
             StoppedBy::PowerCut => self.take_up(halted),
         }

@@ -46,14 +46,24 @@ const INPUTS: &[Setting] = &[
     ),
 ];
 
-const ESTOP: &[Setting] = &[row!(
-    c,
-    "estop.active",
-    c.estop.active,
-    None,
-    Any,
-    "The level that stops: 1, or 0 so that a broken wire stops too."
-)];
+const ESTOP: &[Setting] = &[
+    row!(
+        c,
+        "estop.active",
+        c.estop.active,
+        None,
+        Any,
+        "The level that stops: 1, or 0 so that a broken wire stops too."
+    ),
+    row!(
+        c,
+        "estop.cuts_power",
+        c.estop.cuts_power,
+        None,
+        Any,
+        "Input 4 cuts the power of spindles at once, of motors 5 s later (alpha tools): nothing resumes."
+    ),
+];
 
 const JOB: &[Setting] = &[
     row!(

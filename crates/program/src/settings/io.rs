@@ -43,6 +43,20 @@ impl Default for IoModes {
     }
 }
 
+impl IoModes {
+    /// Whether an input that reads this stops motion and forbids it: the emergency stop when it is
+    /// pressed, the enclosure when it is open, stop inputs by their modes.
+    pub fn stops(&self, number: u8, reads: bool) -> bool {
+        let mode = self.inputs.get(usize::from(number).wrapping_sub(1));
+        match mode {
+            _ if number == 4 || self.interlock == Some(number) => reads,
+            Some(3) => reads,
+            Some(4) => !reads,
+            _ => false,
+        }
+    }
+}
+
 /// Torch height, laser and heater (VH).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Height {

@@ -4,17 +4,16 @@ use super::board::{Board, Times};
 use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
-use super::reach::reach;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::journal::JournalError;
-use kerf_control::{Company, Press, RunOptions, Summary};
-use kerf_machine::Configuration;
+use kerf_control::{Company, Press, RunOptions, Summary, Work};
+use kerf_machine::{Configuration, Errand, Keypad};
 use kerf_machine::table::Setting;
 use kerf_part::Program;
-use kerf_program::{AXES, Axis, Settings};
+use kerf_program::{AXES, Axis};
 use kerf_sbp::{FileParameters, Status};
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
@@ -144,7 +143,7 @@ impl Owner {
 
     fn run(&mut self, program: Program, options: RunOptions, job: Job, times: Times) {
         let job = self.tell_begun(job, &times);
-        let driven = self.drive(program, options, None, times);
+        let driven = self.drive(program, options, times);
         self.tell_ended(job, driven);
     }
 
@@ -187,20 +186,18 @@ impl Owner {
         self.come_to_rest(driven);
     }
 
-    /// Runs a program to its end, told to pages. `settings` are those that stay, where others hold for
-    /// this run.
+    /// Runs something to its end, told to pages.
     fn drive(
         &mut self,
-        program: Program,
+        work: impl Into<Work>,
         options: RunOptions,
-        settings: Option<Settings>,
         times: Times,
     ) -> Result<Summary, JournalError> {
         self.accompanied(times, |workshop, company| {
             let Workshop { session, shelf, kept, .. } = workshop;
             match kept {
-                true => session.run_on_record(program, options, settings, shelf, company),
-                false => Ok(session.run(program, options, shelf, company)),
+                true => session.run_on_record(work, options, None, shelf, company),
+                false => Ok(session.run(work, options, shelf, company)),
             }
         })
     }
@@ -279,16 +276,13 @@ impl Owner {
         self.run(program.into(), options, job, Times::default());
     }
 
-    /// A jog is a command to a far place that ends when nobody holds the key any more.
-    fn jog(&mut self, direction: [f64; AXES], distance: Option<f64>, speed: f64) {
-        let before = self.workshop.session.memory.settings.clone();
-        let line = jog_line(&self.workshop.session.memory, direction, distance);
-        self.workshop.session.memory.settings = jog_settings(&before, speed);
-        let program = kerf_sbp::read_typed("jog".into(), &line);
-        let mut options = self.options();
-        options.program.typed = true;
-        let driven = self.drive(program.into(), options, Some(before.clone()), Times::default());
-        self.workshop.session.memory.settings = before;
+    /// Moves for as long as somebody holds a key, as far as the axes go.
+    fn jog(&mut self, way: [f64; AXES], times: Option<f64>, speed: f64) {
+        let session = &self.workshop.session;
+        let keypad = Keypad { way, times, speed, bounded: session.homed };
+        let machine = Arc::new(session.configuration());
+        let work = Work::Hand(Errand::Keypad(keypad), machine);
+        let driven = self.drive(work, self.options(), Times::default());
         self.link.lock().jog = None;
         self.come_to_rest(driven);
     }
@@ -314,29 +308,4 @@ impl Owner {
         };
         *self.left.lock().unwrap_or_else(PoisonError::into_inner) = left;
     }
-}
-
-/// Jogs ramp and run as the keypad does: at a share of the jog speed, absolute.
-fn jog_settings(settings: &Settings, speed: f64) -> Settings {
-    let mut settings = settings.clone();
-    let jog = &mut settings.speeds.jog;
-    for value in [&mut jog.xy, &mut jog.z, &mut jog.a, &mut jog.b, &mut jog.c] {
-        *value *= speed.clamp(0.01, 1.0);
-    }
-    settings.distance = kerf_program::settings::Distance::Absolute;
-    settings.warning_s = 0.0;
-    settings
-}
-
-/// The command that makes a jog: to the table limits where they are in the way.
-fn jog_line(memory: &kerf_sbp::Session, direction: [f64; AXES], distance: Option<f64>) -> String {
-    let settings = &memory.settings;
-    let far = reach(settings, memory.frame.base(memory.position), direction, distance);
-    let working = memory.frame.working(memory.position);
-    let place = |axis: Axis| match direction[axis.index()] {
-        0.0 => String::new(),
-        way => format!("{:.6}", (working[axis] + way * far) / settings.axis_scale(axis)),
-    };
-    let places: Vec<String> = Axis::ALL.into_iter().map(place).collect();
-    format!("J6,{}\n", places.join(","))
 }

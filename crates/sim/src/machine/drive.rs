@@ -31,6 +31,13 @@ impl Machine {
         self
     }
 
+    /// The same machine, whose locations of these axes somebody has verified.
+    #[must_use]
+    pub fn trusting(mut self, axes: AxisSet) -> Self {
+        axes.iter().for_each(|axis| self.unverified.remove(axis));
+        self
+    }
+
     /// The same machine, pushed by hand at these times.
     #[must_use]
     pub fn pushed(mut self, script: Vec<Push>) -> Self {
@@ -53,6 +60,12 @@ impl Machine {
         self.log.add(push.at_s.max(self.clock_s), what);
     }
 
+    /// Nobody knows for sure where the axes are from now on.
+    pub fn doubt(&mut self) -> AxisSet {
+        self.unverified = AxisSet::first(usize::from(self.settings.axis_count));
+        self.unverified
+    }
+
     /// Cuts motor power; everything that moves or is on stops (MO).
     pub fn motors_off(&mut self) {
         if self.draws() {
@@ -62,7 +75,7 @@ impl Machine {
         self.set_light(false);
         self.all_off(OutputReason::Stop);
         self.power_motors(false);
-        self.unverified = AxisSet::first(usize::from(self.settings.axis_count));
+        self.doubt();
     }
 
     pub(super) fn power_motors(&mut self, on: bool) {

@@ -24,7 +24,7 @@ impl Machine {
             // At rest.
             Beam::Follow(law) => (law.value(0), false),
         };
-        self.beam = beam;
+        (self.beam, self.beam_ends_s) = (beam, None);
         self.intensity_at(self.clock_s, given);
     }
 
@@ -142,7 +142,13 @@ impl Machine {
         for number in outputs {
             self.output_at(t_s, *number, false, OutputReason::Stop);
         }
-        if !outputs.is_empty() {
+        if outputs.is_empty() {
+            return;
+        }
+        if matches!(self.beam, Beam::Follow(_)) {
+            // The move under way is told when it is made: up to there it shines.
+            self.beam_ends_s = Some(t_s);
+        } else {
             self.beam = Beam::Off;
             self.intensity_at(t_s, (0, false));
         }
@@ -161,8 +167,15 @@ impl Machine {
         if span.made.kind == MoveKind::Jog {
             return self.intensity_at(t0_s + span.t0_s, (0, false));
         }
+        let end_s = self.beam_ends_s.unwrap_or(f64::INFINITY);
         for (t_s, index) in index_changes(plan, span) {
-            self.intensity_at(t0_s + t_s, (law.value(index), false));
+            if t0_s + t_s < end_s {
+                self.intensity_at(t0_s + t_s, (law.value(index), false));
+            }
+        }
+        if end_s <= t0_s + span.t1_s {
+            self.beam = Beam::Off;
+            self.intensity_at(end_s, (0, false));
         }
     }
 }

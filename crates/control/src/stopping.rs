@@ -1,0 +1,276 @@
+//! What happens to a run that is stopped: the table of states says what follows, here its effects are
+//! carried out.
+//!
+//! Jobs and moves by hand know what they do when they are stopped, and ask the same table; the run of a
+//! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
+
+use crate::runner::{Over, Runner};
+use crate::{Event, flag};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::state::{Effect, Event as Stopped, StopSettings};
+use kerf_program::{
+    Answer, At, Axes, Axis, Button, Independent, Interpreter, OutputReason, Question, QuestionKind,
+    Status,
+};
+use kerf_sbp::{POSITION_LOST, SPINDLE_STATUS};
+
+/// The value that says of which axes the location is to be confirmed before anything is cut: letters.
+pub(crate) const CONFIRM: &str = "ConfirmLocation";
+
+/// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
+/// (command reference, alpha tools).
+const POWER_S: f64 = 5.0;
+
+/// So long a stop input is waited for to be released before the operator is asked again, seconds.
+const RELEASE_S: f64 = 0.5;
+
+/// A script of answers that says nothing but Resume does not hold a run for ever.
+const MOST_REFUSALS: u32 = 1000;
+
+/// A place that is come back to, and what was on there.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Kept {
+    /// Where the machine stood.
+    stood: Axes,
+    /// Where the commands that were read lead to.
+    ahead: Axes,
+    /// To where the tool was lifted.
+    lifted_mm: f64,
+    /// How far the workpiece was nudged since.
+    pub nudged: Axes,
+    /// Spindles that turned.
+    spindles: Vec<u8>,
+    /// Axes that moved by themselves.
+    alone: Vec<(Axis, Independent)>,
+}
+
+impl<I: Interpreter> Runner<'_, I> {
+    /// Asks the table what follows on an event and does it. What is not in the table does not happen.
+    pub(crate) fn on(&mut self, event: Stopped, settings: StopSettings, why: &str) {
+        let Some(next) = self.state.on(event, settings) else { return };
+        self.state = next.state;
+        if !matches!(event, Stopped::Start | Stopped::Ready | Stopped::End | Stopped::Stop) {
+            let (state, t) = (next.state.name().into(), self.world.now());
+            self.world.tell(&Event::State { state, why: why.into(), t });
+        }
+        next.effects.into_iter().for_each(|effect| self.carry_out(effect));
+        self.world.tell_log();
+    }
+
+    fn carry_out(&mut self, effect: Effect) {
+        match effect {
+            // The planner has done the slowing down.
+            Effect::SlowDown | Effect::Halt => self.world.machine.stopped(),
+            Effect::KeepPlace => self.keep_place(),
+            Effect::SpindleOff => self.stop_spindles(),
+            Effect::Raise => {
+                self.lift();
+                self.kept.lifted_mm = self.world.machine.position()[Axis::Z];
+            }
+            Effect::AllOff => self.world.machine.outputs_off(),
+            Effect::MotorsOff => self.cut_power(),
+            Effect::Doubt => self.doubt(),
+            Effect::ComeBack => self.come_back(),
+            // Of part files outputs follow their modes, at the end of the file too; their heights stay.
+            Effect::LeaveOutputs
+            | Effect::CutOff
+            | Effect::CutOffAtOnce
+            | Effect::RouterOff
+            | Effect::ToolOff
+            | Effect::RestoreHeights => {}
+        }
+    }
+
+    fn keep_place(&mut self) {
+        self.tell_standing(flag::STOPPED);
+        self.world.machine.land_torch();
+        let stood = self.world.machine.position();
+        let ahead = self.mover.position();
+        self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
+    }
+
+    fn stop_spindles(&mut self) {
+        self.kept.alone = self.world.machine.moving_alone();
+        self.kept.spindles = self.world.machine.stop_spindles();
+        self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
+    }
+
+    /// The motors keep the axes for a moment, then nothing does.
+    fn cut_power(&mut self) {
+        let t = self.world.now();
+        self.world.tell_log();
+        self.pass(t, t + POWER_S, None).into_iter().for_each(drop);
+        self.stand_until(t + POWER_S);
+        self.world.machine.motors_off();
+    }
+
+    /// Whoever cuts next is asked whether the machine is where it is believed to be.
+    fn doubt(&mut self) {
+        let letters: String = self.world.machine.doubt().iter().map(Axis::letter).collect();
+        self.world.shelf.set_value(POSITION_LOST, Some(&letters));
+        self.world.shelf.set_value(CONFIRM, Some(&letters));
+    }
+
+    /// Goes on where the machine stood, from wherever the operator moved it: what a stop switched off
+    /// comes on again, then over the place at the height to which the tool was lifted, or higher, and
+    /// down. What was planned follows the workpiece.
+    fn come_back(&mut self) {
+        let Kept { stood, ahead, lifted_mm, nudged, spindles, alone } =
+            std::mem::take(&mut self.kept);
+        let moved = self.world.machine.position() != stood.plus(nudged);
+        self.world.machine.resumed();
+        if moved {
+            self.world.machine.begin_motion();
+        }
+        self.world.tell_log();
+        self.world.tell(&Event::Resume { t: self.world.now() });
+        self.spindles_on(&spindles, alone);
+        if moved {
+            self.go_back_to(stood.plus(nudged), lifted_mm + nudged[Axis::Z]);
+        }
+        self.shift(nudged);
+        self.mover.set_position(ahead.plus(nudged));
+        self.tell_standing(0);
+    }
+
+    /// Spindles turn again, and have the time that the machine gives them to come to speed.
+    fn spindles_on(&mut self, spindles: &[u8], alone: Vec<(Axis, Independent)>) {
+        for (axis, motion) in alone {
+            self.world.machine.independent(axis, motion);
+        }
+        for number in spindles {
+            self.world.machine.output(*number, true, OutputReason::Mode);
+        }
+        if !spindles.is_empty() {
+            self.world.shelf.set_value(SPINDLE_STATUS, Some("1"));
+            self.come_to_speed();
+        }
+    }
+
+    /// Waits as long as the machine gives a spindle to come to speed.
+    pub(crate) fn come_to_speed(&mut self) {
+        self.world.tell_log();
+        let seconds = self.world.machine_is.delays.router_start_s;
+        if seconds > 0.0 && !self.world.machine.draws() {
+            let t = self.world.now();
+            self.world.tell(&Event::Wait { seconds, t });
+            self.pass(t, t + seconds, None).into_iter().for_each(|wish| self.postpone(wish));
+            self.stand_until(t + seconds);
+        }
+    }
+
+    /// A stop input stopped the machine, or forbids it to move on: nothing moves before it is released
+    /// and the operator says so.
+    pub(crate) fn blocked(&mut self, n: u8) -> Result<(), Over> {
+        let settings = StopSettings::OPENSBP;
+        let message = self.stop_input_message(format!("stopped by stop input {n}"));
+        self.on(Stopped::StopInput, settings, &message);
+        if let Err(over) = self.until_released(&message) {
+            self.on(Stopped::Abort, settings, "");
+            self.world.shelf.tape.given_up(self.world.placed());
+            return Err(over);
+        }
+        self.world.shelf.tape.goes_on();
+        self.on(Stopped::Released, settings, "");
+        self.on(Stopped::Continue, settings, "");
+        Ok(())
+    }
+
+    fn until_released(&mut self, message: &str) -> Result<(), Over> {
+        let question = blocked_question(message, &self.kept.spindles);
+        for _ in 0..MOST_REFUSALS {
+            match self.ask(&question, self.last_move)? {
+                Answer::Button(Button::Resume) => {}
+                Answer::Text(_) => continue,
+                Answer::Button(_) => break,
+            }
+            let Some(active) = self.world.machine.stop_input() else { return Ok(()) };
+            let t = self.world.now();
+            let text = format!("stop input {active} is active: nothing moves before it is released");
+            self.world.tell(&Event::Message { text: text.into(), t });
+            self.pass(t, t + RELEASE_S, None).into_iter().for_each(|wish| self.postpone(wish));
+            self.stand_until(t + RELEASE_S);
+        }
+        Err(self.over(Status::Stopped, Code::InputStop, self.last_move, message.to_owned()))
+    }
+
+    /// A limit stopped the machine, or a move would leave the table: the operator says whether it goes
+    /// on regardless.
+    pub(crate) fn limited(&mut self, at: At, code: Code, message: String) -> Result<(), Over> {
+        self.on(Stopped::Limit, StopSettings::OPENSBP, &message);
+        let answer = self.ask(&limit_question(message.clone()), at);
+        if matches!(answer, Ok(Answer::Button(Button::Continue))) {
+            self.on(Stopped::Override, StopSettings::OPENSBP, "");
+            return Ok(());
+        }
+        self.on(Stopped::Abort, StopSettings::OPENSBP, &message);
+        answer?;
+        Err(self.over(Status::Limit, code, at, message))
+    }
+
+    /// The emergency stop of a machine that cuts its power: spindles at once, motors later. Nothing goes
+    /// on from there.
+    pub(crate) fn power_is_cut(&mut self) -> Over {
+        let message = "emergency stop";
+        self.on(Stopped::PowerCut, StopSettings::OPENSBP, message);
+        self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
+        let mut over =
+            self.over(Status::Stopped, Code::InputStop, self.last_move, message.to_owned());
+        let hint = "home the machine, or set its locations, before anything is cut";
+        over.diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
+        over
+    }
+
+    /// The controller does not answer any more.
+    pub(crate) fn link_is_lost(&mut self) -> Over {
+        self.on(Stopped::LinkLost, StopSettings::OPENSBP, "not connected");
+        self.not_connected(self.last_move)
+    }
+
+    /// Nothing moves without a controller.
+    pub(crate) fn not_connected(&self, at: At) -> Over {
+        let message = "the machine is not connected: nothing moves";
+        let place = Place::line(self.world.file(at), at.line);
+        let why = Diagnostic::new(Code::NotConnected, place, message)
+            .hint("plug its cable in; SP shows the file in preview meanwhile");
+        Over { status: Status::Failed, diagnostic: Some(Box::new(why)) }
+    }
+
+    pub(crate) fn over(&self, status: Status, code: Code, at: At, message: String) -> Over {
+        let place = Place::line(self.world.file(at), at.line);
+        let diagnostic = Diagnostic::new(code, place, message);
+        Over { status, diagnostic: Some(Box::new(diagnostic)) }
+    }
+}
+
+fn limit_question(text: String) -> Question {
+    Question {
+        kind: QuestionKind::Limit,
+        text,
+        title: "Limits".into(),
+        buttons: vec![Button::Continue, Button::End],
+        default: 1,
+        prefill: String::new(),
+        icon: 48,
+        until: None,
+    }
+}
+
+fn blocked_question(why: &str, spindles: &[u8]) -> Question {
+    let on: Vec<String> = spindles.iter().map(u8::to_string).collect();
+    let again = match on.as_slice() {
+        [] => String::new(),
+        [one] => format!(", output {one} comes on again"),
+        all => format!(", outputs {} come on again", all.join(" and ")),
+    };
+    Question {
+        kind: QuestionKind::Hold,
+        text: format!("{why}. When it is released, Resume: the tool rises{again}, and goes on"),
+        title: "Stopped".into(),
+        buttons: vec![Button::Resume, Button::Quit],
+        default: 1,
+        prefill: String::new(),
+        icon: 48,
+        until: None,
+    }
+}
