@@ -1,9 +1,9 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
 use crate::runner::{Over, Runner};
-use crate::stopping::CONFIRM;
 use crate::session::{Company, RunOptions, Session, Summary, end_event, lost, summary};
 use crate::shelf::Shelf;
+use crate::stopping::CONFIRM;
 use crate::world::World;
 use crate::{Event, Sink, Work};
 use kerf_diag::{Code, Diagnostic, Place};

@@ -9,10 +9,10 @@
 //! A nudge moves the tool and the working zero alike: whatever is cut next is shifted, and what the
 //! display calls the place stays (command reference, MN).
 
+use crate::Event;
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::runner::{Over, Runner};
-use crate::Event;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{

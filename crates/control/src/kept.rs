@@ -1,11 +1,11 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
 use crate::Work;
+use crate::errands::unconfirmed;
 use crate::journal::{
     CutShort, Journal, JournalError, KeptWork, Owner, Placed, RunUnderWay, Tape, Whereabouts,
 };
 use crate::session::{Company, RunOptions, Session, Summary};
-use crate::errands::unconfirmed;
 use crate::shelf::Shelf;
 use crate::stopping::CONFIRM;
 use kerf_program::{Axis, Settings};
@@ -62,9 +62,7 @@ impl Session {
         options.lines_at_once = options.lines_for(&*company.sink);
         let Company { sink, operator, pace } = company;
         let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-        if let Some(summary) =
-            self.confirm_on_record(&work, &options, shelf, confirms, &journal)?
-        {
+        if let Some(summary) = self.confirm_on_record(&work, &options, shelf, confirms, &journal)? {
             return Ok(summary);
         }
         let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };

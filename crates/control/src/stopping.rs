@@ -186,7 +186,8 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             let Some(active) = self.world.machine.stop_input() else { return Ok(()) };
             let t = self.world.now();
-            let text = format!("stop input {active} is active: nothing moves before it is released");
+            let text =
+                format!("stop input {active} is active: nothing moves before it is released");
             self.world.tell(&Event::Message { text: text.into(), t });
             self.pass(t, t + RELEASE_S, None).into_iter().for_each(|wish| self.postpone(wish));
             self.stand_until(t + RELEASE_S);

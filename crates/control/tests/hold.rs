@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, non_snake_case)]
 
-use kerf_control::event::Place;
 use kerf_control::answers::Answers;
+use kerf_control::event::Place;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
     Company, Event, Outcome, RunOptions, Session, Shelf, Summary, TextOptions, run_text,
@@ -174,7 +174,12 @@ impl Shop {
         Self::new(machine)
     }
 
-    fn run(&mut self, program: &str, input: Option<Change>, answers: &str) -> (Summary, Vec<Event>) {
+    fn run(
+        &mut self,
+        program: &str,
+        input: Option<Change>,
+        answers: &str,
+    ) -> (Summary, Vec<Event>) {
         let mut events = Vec::new();
         let mut operator = Answers::read(answers);
         let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };

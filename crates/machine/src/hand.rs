@@ -282,7 +282,8 @@ impl Hand {
     fn refusal(&self) -> Option<Box<Diagnostic>> {
         if matches!(self.errand, Errand::Keypad(_)) && self.settings.mode == Mode::Preview {
             let place = Place::line(self.errand.name().into(), 0);
-            let why = Diagnostic::new(Code::NotSupported, place, "the keypad moves nothing in preview");
+            let why =
+                Diagnostic::new(Code::NotSupported, place, "the keypad moves nothing in preview");
             return Some(Box::new(why.hint("SM sets Move/Cut mode")));
         }
         if self.is_held() {
@@ -424,7 +425,9 @@ impl Hand {
         let settings = self.stop_settings();
         match self.state {
             State::Limited => Some(self.state.on(Event::Override, settings)?.state),
-            State::Blocked if self.settings.io.stops(self.blocked_by, host.input(self.blocked_by)) => {
+            State::Blocked
+                if self.settings.io.stops(self.blocked_by, host.input(self.blocked_by)) =>
+            {
                 let text = "release the stop input".into();
                 self.give(Command::Message { text }, out);
                 self.give(Command::Wait { seconds: RELEASE_S }, out);

@@ -448,10 +448,13 @@ impl Machine {
         while let Some(change) = self.inputs.step(to_s, &self.settings.io) {
             let on = self.inputs.reads(change.input, &self.settings.io);
             let t_s = change.at_s.max(self.clock_s);
-            self.log.add(t_s, match change.input {
-                CABLE => What::Link(on),
-                number => What::Input { number, on },
-            });
+            self.log.add(
+                t_s,
+                match change.input {
+                    CABLE => What::Link(on),
+                    number => What::Input { number, on },
+                },
+            );
             if change.input == torch::TORCH_INPUT {
                 self.steer_torch(t_s);
             }

@@ -125,7 +125,11 @@ fn pro_estop_trigger__in_moves_by_hand() {
     let errands = [
         Errand::Held(held),
         Errand::FindHome(AxisSet::EMPTY.with(Axis::X)),
-        Errand::To { place: [Some(90.0), None, None, None, None, None], relative: true, flat: true },
+        Errand::To {
+            place: [Some(90.0), None, None, None, None, None],
+            relative: true,
+            flat: true,
+        },
     ];
     for errand in errands {
         let run = JobRun::hand(errand).at(300.0, 0.0, 0.0);
@@ -152,7 +156,10 @@ fn limited(say: &str) -> JobTrace {
 fn a_job_at_a_limit_cuts_nothing_until_somebody_says_so() {
     let ended = limited("");
     let states = ended.states();
-    assert_eq!(states[states.len() - 2..], ["5.340 limit: stopped by limit input 2", "5.340 alarm: stopped by limit input 2"]);
+    assert_eq!(
+        states[states.len() - 2..],
+        ["5.340 limit: stopped by limit input 2", "5.340 alarm: stopped by limit input 2"]
+    );
     assert_eq!(ended.summary.status, Status::Limit);
     assert!(ended.edges().contains(&"5.340 cut1-".into()), "{:?}", ended.edges());
     let on = limited("Continue");

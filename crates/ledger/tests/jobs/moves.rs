@@ -272,7 +272,11 @@ fn sbp_lim_sf_keypad() {
     };
     let stopped = keypad([1.0, 0.0], None, limits).run();
     assert_eq!(stopped.rests(), [254.0, 0.0, 0.0]);
-    assert!(stopped.messages().contains(&"Out of bounds: X ends at 10".into()), "{:?}", stopped.messages());
+    assert!(
+        stopped.messages().contains(&"Out of bounds: X ends at 10".into()),
+        "{:?}",
+        stopped.messages()
+    );
     let free = keypad([1.0, 0.0], None, |settings| settings.limits.check = false);
     assert!(free.let_go(9.0).run().rests()[0] > 300.0);
 }
@@ -283,7 +287,11 @@ fn sbp_lim_switch_keypad() {
     let stopped = keypad([1.0, 0.0], None, limit).raw_input(2, 1.0, true).run();
     let at = stopped.rests()[0];
     assert!(at > 0.0 && at < 200.0, "{at} {:?}", stopped.events);
-    assert!(stopped.messages().contains(&"stopped by limit input 2".into()), "{:?}", stopped.messages());
+    assert!(
+        stopped.messages().contains(&"stopped by limit input 2".into()),
+        "{:?}",
+        stopped.messages()
+    );
     // The switch is still on: whoever presses the key again means it.
     for way in [1.0, -1.0] {
         let again = keypad([way, 0.0], Some(20.0), limit).after(&stopped).raw_input(2, 0.0, true);

@@ -196,17 +196,22 @@ impl Sequence {
         match Word::read(words) {
             Some(Word::Abort) => return self.abort(),
             Some(Word::Continue) if active => {
-                self.steps.extend([Small::Say("release the stop input".into()), Small::Wait(RELEASE_S)]);
+                self.steps
+                    .extend([Small::Say("release the stop input".into()), Small::Wait(RELEASE_S)]);
             }
             Some(Word::Continue) => {
-                let Some(next) = self.state.on(Event::Released, self.stop_settings()) else { return };
+                let Some(next) = self.state.on(Event::Released, self.stop_settings()) else {
+                    return;
+                };
                 self.state = next.state;
                 self.why = format!("{} released", self.why).into();
                 let effects = next.effects.into_iter().flat_map(|effect| self.effect(effect));
                 self.steps = effects.collect();
                 self.steps.push_back(Small::Enter(self.state));
             }
-            Some(Word::Move(..)) => self.steps.push_back(Small::Say("release the stop input".into())),
+            Some(Word::Move(..)) => {
+                self.steps.push_back(Small::Say("release the stop input".into()))
+            }
             Some(word) => self.obey(word),
             None => {}
         }
