@@ -30,16 +30,16 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
         aria-labelledby={name}
         tabIndex={-1}
       >
-        <header className="sheet-head">
+        <div className="sheet-head">
           <h2 id={name}>{title}</h2>
           {onClose && (
             <Button look="quiet" size="small" onPress={onClose} aria-label="Close">
               ✕
             </Button>
           )}
-        </header>
+        </div>
         <div className="sheet-body">{children}</div>
-        {foot && <footer className="sheet-foot">{foot}</footer>}
+        {foot && <div className="sheet-foot">{foot}</div>}
       </section>
     </div>
   );

@@ -1,7 +1,7 @@
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
 import { deskKeys } from "../../src/draw/keys";
-import { openWorkshop, type Workshop } from "./workshop";
+import { enter, openWorkshop, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
@@ -68,27 +68,47 @@ it("draws a part from nothing and cuts it, with the mouse only", async () => {
   expect(workshop.mistakes).toEqual([]);
 });
 
-it("draws a part from nothing and cuts it, with typed places and keys", async () => {
+it("draws a part from nothing and cuts it, with the keyboard only", async () => {
   const page = await workshop.page();
-  await begin(page);
-  await page.getByRole("button", { name: "Rectangle" }).press("Enter");
+  await page.locator(".location-number").first().waitFor();
+  await enter(page, "Draw");
+  await page.getByRole("application").waitFor();
+  await enter(page, "New");
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
+  const keys = page.keyboard;
   const type = async (text: string) => {
-    await page.keyboard.press("t");
-    await page.getByPlaceholder("x,y").fill(text);
-    await page.keyboard.press("Enter");
+    await keys.type(text);
+    await keys.press("Enter");
   };
+  await enter(page, "Rectangle");
   await type("10mm,10mm");
   await type("@50mm,30mm");
   await expect.poll(() => shapesOf(page)).toEqual([[10, 10, 0, 60, 10, 0, 60, 40, 0, 10, 40, 0]]);
-  await page.getByRole("button", { name: "Fillet" }).press("Enter");
-  await page.getByLabel("Radius").fill("5mm");
-  await page.keyboard.press("Enter");
-  await page.keyboard.press("Escape");
-  await page.keyboard.press("Control+z");
-  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
-  await page.keyboard.press("Control+y");
+  await keys.press("Escape");
+  await enter(page, "Circle");
+  await type("35mm,25mm");
+  await type("5mm");
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("2");
+  await keys.press("Escape");
+  await keys.press("Control+z");
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("1");
-  await cut(page);
+  await keys.press("Control+y");
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("2");
+  await enter(page, "Order from a place");
+  await type("0,0");
+  await expect
+    .poll(async () => (await shapesOf(page)).map((points) => points.length))
+    .toEqual([6, 12]);
+  await keys.press("Escape");
+  await enter(page, "Make the part program…");
+  await page.getByRole("dialog", { name: "Part program of the tool paths" }).waitFor();
+  await keys.press("Enter");
+  await page.locator(".job-name", { hasText: "drawing.sbp" }).waitFor();
+  await expect.poll(() => page.getByRole("button", { name: "Start" }).isEnabled()).toBe(true);
+  await enter(page, "Start");
+  await page.getByText("The spindle is about to start.").waitFor();
+  await keys.press("Enter");
+  await page.getByText("finished").waitFor();
   expect(workshop.mistakes).toEqual([]);
 });
 

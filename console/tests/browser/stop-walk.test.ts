@@ -15,6 +15,7 @@ beforeAll(async () => {
   workshop = await openWorkshop();
   writeFileSync(join(workshop.parts, "long.sbp"), long);
   writeFileSync(join(workshop.parts, "ask.sbp"), "MSGBOX(Go on?, YesNo)\nMX,20\nEND\n");
+  writeFileSync(join(workshop.parts, "edit.sbp"), "FE,ask.sbp\nMX,20\nEND\n");
   page = await workshop.page();
   await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
   await page.evaluate(() => localStorage.setItem("kerf.sheets", "complex"));
@@ -85,6 +86,16 @@ const doings: Record<string, () => Promise<void>> = {
     await page.keyboard.press("Control+k");
     await page.getByRole("dialog").getByRole("textbox").fill("single step");
     await page.keyboard.press("Enter");
+    await begins("asking");
+  },
+  async keypad() {
+    await page.getByLabel("Command line").press("k");
+    await begins("asking");
+    await page.getByRole("dialog", { name: "Keypad" }).waitFor();
+  },
+  async editing() {
+    await starts("edit.sbp");
+    await page.getByRole("region", { name: "The program waits" }).waitFor();
     await begins("asking");
   },
   async typed() {
@@ -183,8 +194,8 @@ it("sbp_con_stop__from_everywhere: stops whatever the machine does, wherever the
   let longestMs = 0;
   for (let n = 0; n < steps; n += 1) {
     const [doing, begin] = Object.entries(doings)[n] ?? pick(roll, doings);
-    const [where, go] = pick(roll, places);
-    const [how, press] = pick(roll, presses);
+    const [where, go] = Object.entries(places)[n] ?? pick(roll, places);
+    const [how, press] = Object.entries(presses)[n] ?? pick(roll, presses);
     const step = `${n}: ${doing}, ${where}, ${how}`;
     await drives();
     await begin();

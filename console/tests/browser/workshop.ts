@@ -58,6 +58,26 @@ export async function command(page: Page, line: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
+/** Goes with Tab to what has this name, as a person without a mouse does. */
+export async function tabTo(page: Page, name: string | RegExp): Promise<void> {
+  const wanted = typeof name === "string" ? (text: string) => text === name : name;
+  for (let n = 0; n < 250; n += 1) {
+    const here = await page.evaluate(() => {
+      const at = document.activeElement;
+      return (at?.getAttribute("aria-label") ?? at?.textContent ?? "").trim();
+    });
+    if (wanted instanceof RegExp ? wanted.test(here) : wanted(here)) return;
+    await page.keyboard.press("Tab");
+  }
+  throw new Error(`Tab never comes to ${name}`);
+}
+
+/** Goes there and presses Enter. */
+export async function enter(page: Page, name: string | RegExp): Promise<void> {
+  await tabTo(page, name);
+  await page.keyboard.press("Enter");
+}
+
 /** Waits until something holds, looked at again and again. */
 export async function until(holds: () => Promise<boolean>, words: string): Promise<void> {
   const end = Date.now() + 20_000;
