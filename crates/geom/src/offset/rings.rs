@@ -30,13 +30,14 @@ pub(super) fn rings(
     let mut found = Vec::new();
     let whole = slices.list.iter().filter(|slice| slice.ring);
     for ring in whole {
-        let parts = parts_of(pieces, slices.parts(ring));
+        let part = |&(k, from, to): &Stretch| (pieces[k].segment.part(from, to), pieces[k].origin);
+        let parts = slices.parts(ring).iter().map(part).collect();
         found.extend(path(parts, true).map(|path| started_like_source(source, distance, path)));
     }
-    let cut: Buffer<Slice> = slices.list.iter().filter(|slice| !slice.ring).copied().collect();
-    if cut.is_empty() {
+    if slices.list.iter().all(|slice| slice.ring) {
         return found;
     }
+    let cut: Buffer<Slice> = slices.list.iter().filter(|slice| !slice.ring).copied().collect();
     let look = LOOK_AHEAD * distance.abs();
     let of = |s: &Slice| strand(pieces, slices.parts(s), s.sure, look);
     let strands: Buffer<Strand> = cut.iter().map(of).collect();
@@ -116,22 +117,41 @@ fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) ->
 
 /// A path of parts that are worth something, or nothing.
 pub(super) fn path(mut parts: Buffer<Part>, closed: bool) -> Option<OffsetPath> {
-    parts.retain(|(s, _)| s.length() > tol::SAME_PLACE_MM);
-    if parts.is_empty() || (closed && is_thin(&parts)) {
+    parts.retain(|(s, _)| is_long(s));
+    let path = Polyarc::from_parts(parts.iter().map(|p| &p.0), closed);
+    if parts.is_empty() || (closed && is_thin(&path)) {
         return None;
     }
-    let path = Polyarc::from_parts(parts.iter().map(|p| &p.0), closed);
     let origins = parts.iter().map(|p| p.1).collect();
     Some(OffsetPath { path, origins, within_mm: CHECK_MM })
 }
 
+/// Whether a segment has some extent.
+fn is_long(segment: &Segment) -> bool {
+    match segment {
+        Segment::Line { start, end } => {
+            square(*end - *start) > tol::SAME_PLACE_MM * tol::SAME_PLACE_MM
+        }
+        arc => arc.length() > tol::SAME_PLACE_MM,
+    }
+}
+
 /// Whether a ring encloses no more than a strip along itself, as where it goes there and back.
-fn is_thin(parts: &[Part]) -> bool {
-    let origin = parts[0].0.start();
-    let twice = |s: &Segment| (s.start() - origin).cross(s.end() - origin) + s.twice_cap_area();
-    let area: f64 = parts.iter().map(|p| twice(&p.0)).sum::<f64>() * 0.5;
-    let length: f64 = parts.iter().map(|p| p.0.length()).sum();
-    area.abs() <= length * THIN_MM
+///
+/// Most enclose so much that it is seen from the chords: an arc adds no more than the rectangle about it, c²·b/2,
+/// to the area and is no longer than two chords, as none turns by more than half a circle.
+fn is_thin(ring: &Polyarc) -> bool {
+    let origin = ring.start().unwrap_or_default();
+    let (mut twice, mut caps, mut long) = (0.0, 0.0, 0.0);
+    let next = ring.vertices.iter().skip(1).chain(ring.vertices.first());
+    for (from, to) in ring.vertices.iter().zip(next) {
+        let chord = to.at - from.at;
+        twice += (from.at - origin).cross(to.at - origin);
+        caps += square(chord) * from.bulge.abs();
+        long += chord.x.abs() + chord.y.abs();
+    }
+    let surely = f64::abs(twice) - caps > 4.0 * long * THIN_MM;
+    !surely && ring.signed_area().abs() <= ring.length() * THIN_MM
 }
 
 /// The ring from the place nearest to the parallel of its source's start.

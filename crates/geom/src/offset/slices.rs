@@ -153,26 +153,33 @@ fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
 /// Whether a piece goes on into another so that they share nothing but their joint: two lines, curves that
 /// are tangent there, and a line that leaves a circle and does not come back to it.
 fn goes_on(pieces: &[Piece], from: usize, to: usize) -> bool {
-    let (before, after) = (&pieces[from], &pieces[to]);
-    if before.next != Some(to) || after.next == Some(from) {
+    if pieces[from].next != Some(to) {
         return false;
     }
-    let (u, v) = (
-        way_at(&before.segment, before.segment.end()),
-        way_at(&after.segment, after.segment.start()),
-    );
-    let onward = u.dot(v) > 0.0;
-    let is_tangent = || u.cross(v).powi(2) < TANGENT_RAD * TANGENT_RAD * square(u) * square(v);
-    match (&before.segment, &after.segment) {
-        (Segment::Line { .. }, Segment::Line { .. }) => onward,
-        (Segment::Line { .. }, arc) => {
-            (onward && is_tangent()) || leaves_for_good(arc, after.segment.start(), -u)
-        }
-        (arc, Segment::Line { .. }) => {
-            (onward && is_tangent()) || leaves_for_good(arc, before.segment.end(), v)
-        }
-        (Segment::Arc { .. }, Segment::Arc { .. }) => onward && is_tangent(),
+    let (before, after) = (&pieces[from].segment, &pieces[to].segment);
+    if pieces[to].next == Some(from) {
+        // Two arcs that are a circle.
+        let arcs = matches!((before, after), (Segment::Arc { .. }, Segment::Arc { .. }));
+        return arcs && is_tangent(before, after) && is_tangent(after, before);
     }
+    match (before, after) {
+        (Segment::Line { .. }, Segment::Line { .. }) => {
+            way_at(before, before.end()).dot(way_at(after, after.start())) > 0.0
+        }
+        (Segment::Line { start, end }, arc) => {
+            is_tangent(before, after) || leaves_for_good(arc, after.start(), *start - *end)
+        }
+        (arc, Segment::Line { start, end }) => {
+            is_tangent(before, after) || leaves_for_good(arc, before.end(), *end - *start)
+        }
+        (Segment::Arc { .. }, Segment::Arc { .. }) => is_tangent(before, after),
+    }
+}
+
+/// Whether travel goes straight on from one segment into another.
+fn is_tangent(before: &Segment, after: &Segment) -> bool {
+    let (u, v) = (way_at(before, before.end()), way_at(after, after.start()));
+    u.dot(v) > 0.0 && u.cross(v).powi(2) < TANGENT_RAD * TANGENT_RAD * square(u) * square(v)
 }
 
 /// The way along a segment at one of its ends, of any length; that of a line is the whole line.
@@ -229,10 +236,16 @@ fn probe(pieces: &[Piece], parts: &[Stretch]) -> Point2 {
 
 /// Cuts the chains of pieces; a chain without any cut is a closed slice of its own.
 fn sliced(pieces: &[Piece], cuts: &[Cut]) -> Slices {
-    let mut first_cut = Buffer::filled(0, pieces.len() + 1);
-    cuts.iter().for_each(|c| first_cut[c.0 + 1] += 1);
-    (0..pieces.len()).for_each(|k| first_cut[k + 1] += first_cut[k]);
-    let cuts_of = |k: usize| &cuts[first_cut[k]..first_cut[k + 1]];
+    let mut first_cut = Buffer::default();
+    if !cuts.is_empty() {
+        first_cut.resize(pieces.len() + 1, 0);
+        cuts.iter().for_each(|c| first_cut[c.0 + 1] += 1);
+        (0..pieces.len()).for_each(|k| first_cut[k + 1] += first_cut[k]);
+    }
+    let cuts_of = |k: usize| match cuts {
+        [] => &[][..],
+        cuts => &cuts[first_cut[k]..first_cut[k + 1]],
+    };
     let mut preceded = Buffer::filled(false, pieces.len());
     pieces.iter().filter_map(|p| p.next).for_each(|n| preceded[n] = true);
     let mut seen = Buffer::filled(false, pieces.len());

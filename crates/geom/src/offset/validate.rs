@@ -74,7 +74,18 @@ fn unproved(why: &'static str, at: Point2) -> Checked {
 /// At the distance from what the segment says it is parallel to, on the right side, in its direction.
 fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checked {
     let Wanted { source, distance, within } = *wanted;
-    let of = &source.segments()[source.first[origin.contour] + origin.element];
+    let number = source.first[origin.contour] + origin.element;
+    let of = &source.segments()[number];
+    let seen = match (segment, of) {
+        (Segment::Line { .. }, Segment::Line { .. }) if !origin.corner => {
+            goes_beside(wanted, segment, of, source.ways()[number].leaves)
+        }
+        (Segment::Arc { .. }, _) => turns_about(wanted, segment, of, origin.corner),
+        _ => false,
+    };
+    if seen {
+        return Ok(());
+    }
     let middle = segment.middle();
     // What holds at both ends of a line beside a line holds between them.
     let lines = matches!((segment, of), (Segment::Line { .. }, Segment::Line { .. }));
@@ -107,6 +118,39 @@ fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin) -> Checke
     if forward || short() { Ok(()) } else { unproved("on the wrong side", middle) }
 }
 
+/// Whether a line certainly goes beside another one: both its ends do, and it goes the same way.
+fn goes_beside(wanted: &Wanted, segment: &Segment, of: &Segment, way: Vec2) -> bool {
+    let Wanted { distance, within, .. } = *wanted;
+    let long = (of.end() - of.start()).dot(way);
+    let beside = |at: Point2| {
+        let to = at - of.start();
+        let (reach, off) = (to.dot(way), to.cross(way) - distance);
+        reach >= -within && reach <= long + within && off.abs() <= within
+    };
+    let along = segment.end() - segment.start();
+    let reach = along.dot(way);
+    let forward = reach > 0.0 && reach * reach > 0.81 * square(along);
+    forward && beside(segment.start()) && beside(segment.end())
+}
+
+/// Whether an arc certainly turns about a corner, or beside an arc: its centre and radius are those that
+/// it should have, it turns the same way, and it faces the other one.
+fn turns_about(wanted: &Wanted, segment: &Segment, of: &Segment, corner: bool) -> bool {
+    let Wanted { distance, within, .. } = *wanted;
+    let Segment::Arc { start, end, centre, radius, sweep_rad } = *segment else { return false };
+    let (about, wide, way) = match *of {
+        _ if corner => (of.start(), distance.abs(), distance),
+        Segment::Arc { centre, radius, sweep_rad, .. } => {
+            (centre, radius + distance * sweep_rad.signum(), sweep_rad)
+        }
+        Segment::Line { .. } => return false,
+    };
+    let apart = centre - about;
+    let off = apart.x.abs() + apart.y.abs() + (radius - wide).abs();
+    let faces = || [start, segment.middle(), end].into_iter().all(|at| of.faces(at));
+    off <= 0.5 * within && sweep_rad * way > 0.0 && (corner || faces())
+}
+
 /// The way along a segment where a place lies beside it, of any length.
 fn beside(of: &Segment, place: Point2) -> Vec2 {
     match *of {
@@ -136,13 +180,16 @@ fn right_of(of: &Segment, place: Point2, within: f64) -> f64 {
     }
 }
 
+/// The number of no segment.
+const NONE: usize = usize::MAX;
+
 /// The segments of the result that belong to each element of the source.
 struct Coverage {
     segments: Buffer<Segment>,
-    /// Numbers into `segments` by element: those of element e and of the corner at its start are
-    /// `order[first[2e]..first[2e + 1]]` and `order[first[2e + 1]..first[2e + 2]]`.
-    order: Buffer<usize>,
+    /// The first segment of element e is `first[2e]`, that of the corner at its start `first[2e + 1]`.
     first: Buffer<usize>,
+    /// The next segment of the same.
+    next: Buffer<usize>,
     /// All of them by place; rarely needed.
     index: OnceCell<BoxTree>,
     within: f64,
@@ -152,20 +199,16 @@ struct Coverage {
 impl Coverage {
     fn new(wanted: &Wanted, found: &[OffsetPath], segments: Buffer<Segment>) -> Self {
         let source = wanted.source;
-        let of = |o: &Origin| 2 * (source.first[o.contour] + o.element) + usize::from(o.corner);
-        let mut elements: Buffer<usize> = Buffer::default();
-        found.iter().for_each(|f| elements.extend(f.origins.iter().map(of)));
-        let mut first = Buffer::filled(0, 2 * source.segments().len() + 1);
-        elements.iter().for_each(|e| first[e + 1] += 1);
-        (1..first.len()).for_each(|e| first[e] += first[e - 1]);
-        let mut next = first.clone();
-        let mut order = Buffer::filled(0, elements.len());
-        for (number, &element) in elements.iter().enumerate() {
-            order[next[element]] = number;
-            next[element] += 1;
+        let mut first = Buffer::filled(NONE, 2 * source.segments().len());
+        let mut next = Buffer::filled(NONE, segments.len());
+        // From the last to the first, so that each stands before those after it.
+        let origins = found.iter().rev().flat_map(|f| f.origins.iter().rev());
+        for (number, o) in (0..segments.len()).rev().zip(origins) {
+            let element = 2 * (source.first[o.contour] + o.element) + usize::from(o.corner);
+            next[number] = std::mem::replace(&mut first[element], number);
         }
         let (within, room) = (wanted.within, wanted.room());
-        Self { segments, order, first, index: OnceCell::new(), within, room }
+        Self { segments, first, next, index: OnceCell::new(), within, room }
     }
 
     /// Whether a place lies on the result, whatever element it came from, or so near that what lies
@@ -178,8 +221,10 @@ impl Coverage {
     }
 
     fn own(&self, element: usize, corner: bool) -> impl Iterator<Item = &Segment> {
-        let at = 2 * element + usize::from(corner);
-        self.order[self.first[at]..self.first[at + 1]].iter().map(|&k| &self.segments[k])
+        let some = |number: usize| (number != NONE).then_some(number);
+        let first = some(self.first[2 * element + usize::from(corner)]);
+        let numbers = std::iter::successors(first, move |number| some(self.next[*number]));
+        numbers.map(|number| &self.segments[number])
     }
 
     fn covers(&self, element: usize, corner: bool, place: Point2) -> bool {

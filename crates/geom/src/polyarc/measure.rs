@@ -1,7 +1,7 @@
 //! Length, area, bounds, places along the path, the nearest place.
 
 use super::Polyarc;
-use crate::{Bounds2, Point2, Segment, Vec2};
+use crate::{Bounds2, Point2, Vec2};
 
 /// A place on a polyarc.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,8 +27,15 @@ impl Polyarc {
     /// contours far from the origin keep their digits.
     pub fn signed_area(&self) -> f64 {
         let Some(origin) = self.start() else { return 0.0 };
-        let twice = |s: Segment| (s.start() - origin).cross(s.end() - origin) + s.twice_cap_area();
-        self.segments().map(twice).sum::<f64>() * 0.5
+        let mut twice = 0.0;
+        let next = self.vertices.iter().skip(1).chain(self.vertices.first());
+        for (number, (from, to)) in self.vertices.iter().zip(next).enumerate() {
+            twice += (from.at - origin).cross(to.at - origin);
+            if from.bulge != 0.0 && number < self.segment_count() {
+                twice += self.segment(number).twice_cap_area();
+            }
+        }
+        twice * 0.5
     }
 
     /// The smallest upright rectangle around the path, arcs counted exactly.

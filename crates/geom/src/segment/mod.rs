@@ -163,6 +163,9 @@ impl Segment {
     /// The part between two shares of the path.
     #[must_use]
     pub fn part(&self, from: f64, to: f64) -> Self {
+        if from <= 0.0 && to >= 1.0 {
+            return *self;
+        }
         let (start, end) = (self.at(from), self.at(to));
         match *self {
             Self::Line { .. } => Self::Line { start, end },
