@@ -72,6 +72,8 @@ figures: prepare console ## draw the pictures of README and book anew
 	  target/release/kerf timing docs/figures/line.rsg --config docs/figures/timing-$$kind.toml \
 	    $$(cat docs/figures/timing-$$kind.txt) -o docs/figures/timing-$$kind.svg; \
 	done
+	target/release/kerf heights docs/figures/wave.rsg --config docs/figures/height-error.toml \
+	  $$(cat docs/figures/height-error.txt) --title Height-control -o docs/figures/height-error.svg
 
 # Python's ezdxf, kept apart from whatever Python is there.
 EZDXF := target/peers/ezdxf

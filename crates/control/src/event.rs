@@ -71,6 +71,26 @@ pub enum Event {
         z: f64,
         /// How far the gap is from what is wanted, mm.
         error: f64,
+        /// What the sensor said, 0 … 255.
+        reading: u8,
+        /// The error is larger than the accuracy that the display is set to.
+        #[serde(skip_serializing_if = "is_false")]
+        off: bool,
+        /// ZSurface now, machine frame, mm.
+        surface: f64,
+        /// ZTop now.
+        top: f64,
+        /// When.
+        t: f64,
+    },
+    /// The heights in force, machine frame, mm.
+    Heights {
+        /// Where the tool travels.
+        top: f64,
+        /// The surface of the material.
+        surface: f64,
+        /// The lowest the tool goes.
+        bottom: f64,
         /// When.
         t: f64,
     },
@@ -300,6 +320,11 @@ pub enum Event {
     Diag(Box<Diagnostic>),
     /// The run is over.
     End(EndEvent),
+}
+
+/// Left out of the trace where it says nothing.
+const fn is_false(value: &bool) -> bool {
+    !*value
 }
 
 /// A straight move. Also the common part of an arc.

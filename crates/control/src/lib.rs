@@ -26,6 +26,7 @@ mod errands;
 pub mod event;
 mod execute;
 pub mod files;
+mod heights;
 mod hold;
 mod homing;
 mod host;

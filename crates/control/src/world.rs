@@ -6,6 +6,7 @@
 use crate::answers::{self, Operator};
 use crate::errands::{confirm, unconfirmed};
 use crate::event::{AskEvent, Event, Partial, Place};
+use crate::heights::{self, Carried};
 use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
 use crate::sink::Made;
@@ -13,6 +14,7 @@ use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
+use kerf_program::job::Heights;
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Frame, Independent, OutputReason, Question,
@@ -65,6 +67,8 @@ pub(crate) struct World<'a> {
     pub stays: Option<Frame>,
     /// What the machine is.
     pub machine_is: Arc<Configuration>,
+    /// The heights of a job.
+    heights: Carried,
 }
 
 impl<'a> World<'a> {
@@ -94,6 +98,7 @@ impl<'a> World<'a> {
             silent: false,
             stays: None,
             machine_is: Arc::default(),
+            heights: Carried::default(),
         }
     }
 
@@ -235,7 +240,12 @@ impl<'a> World<'a> {
             What::Intensity { value, burn } => {
                 Event::Intensity { value, byte: 2 * value + u8::from(burn), t }
             }
-            What::Height { z_mm, error_mm } => Event::Height { z: z_mm, error: error_mm, t },
+            What::Height { z_mm, error_mm, reading } => {
+                let Heights { top_mm: top, surface_mm: surface, .. } = self.heights.at(z_mm);
+                let off = error_mm.abs() > self.machine_is.height.display_accuracy_mm;
+                Event::Height { z: z_mm, error: error_mm, reading, off, surface, top, t }
+            }
+            What::Carried { z_mm } => heights::event(self.heights.at(z_mm), t),
             What::LaserFrequency(hz) => Event::LaserHz { hz, t },
             What::Output { number, on, why } => Event::Output {
                 n: number,
@@ -301,6 +311,11 @@ impl<'a> World<'a> {
             Command::State { name, why } => self.tell(&Event::State { state: name, why, t }),
             Command::Beam(beam) => self.machine.beam(beam),
             Command::LaserFrequency { hz } => self.machine.laser_frequency(hz),
+            Command::Heights(heights) => {
+                let z_mm = self.machine.true_position()[Axis::Z];
+                self.heights = Carried { heights, z_mm };
+                self.tell(&heights::event(heights, t));
+            }
             Command::HeightControl(law) => self.machine.height_control(law.as_deref().copied()),
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {

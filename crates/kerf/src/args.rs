@@ -25,8 +25,9 @@ pub struct RunArgs {
     /// the one to the controller; may be repeated
     #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
     pub input: Vec<Change>,
-    /// Lays a sheet on the table of the simulated machine: how high it lies, and how it rises
-    #[arg(long, value_name = "Z[,SLOPE]", value_parser = parse::sheet, allow_negative_numbers = true)]
+    /// Lays a sheet on the table of the simulated machine: how high it lies, how it rises along X and Y, height
+    /// and length of its waves along X
+    #[arg(long, value_name = "Z[,X,Y[,WAVE,LENGTH]]", value_parser = parse::sheet, allow_negative_numbers = true)]
     pub sheet: Option<Sheet>,
     /// Pushes an axis of the simulated machine by hand, so far, at a time in seconds; may be repeated
     #[arg(long, value_name = "AXIS@T=BY", value_parser = parse::hand_move)]

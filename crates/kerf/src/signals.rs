@@ -1,13 +1,13 @@
-//! `--vcd`: the signals of a run in a file.
+//! `--vcd` and `--readings`: the signals of a run in a file.
 
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::vcd::VcdSink;
-use kerf_control::{Session, Work};
+use kerf_control::{Event, Session, Sink, Work};
 use kerf_machine::Configuration;
 use std::fs::File;
-use std::io::BufWriter;
-use std::path::PathBuf;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 /// Where signals are written.
 #[derive(Args, Clone, Debug, Default)]
@@ -44,5 +44,35 @@ impl VcdArgs {
     fn cannot(&self) -> String {
         let path = self.vcd.as_deref().map(|path| path.display().to_string());
         format!("cannot write {}", path.unwrap_or_default())
+    }
+}
+
+/// Writes the readings of the height sensor, a byte each.
+pub struct ReadingBytes {
+    out: File,
+    path: PathBuf,
+    failed: Option<io::Error>,
+}
+
+impl ReadingBytes {
+    /// To a file or a device.
+    pub fn to(path: &Path) -> Result<Self> {
+        let out = File::create(path);
+        let out = out.with_context(|| format!("cannot write {}", path.display()))?;
+        Ok(Self { out, path: path.into(), failed: None })
+    }
+
+    /// The run is over.
+    pub fn finish(self) -> Result<()> {
+        let finished = self.failed.map_or(Ok(()), Err);
+        finished.with_context(|| format!("cannot write {}", self.path.display()))
+    }
+}
+
+impl Sink for ReadingBytes {
+    fn event(&mut self, event: &Event) {
+        if let (Event::Height { reading, .. }, None) = (event, &self.failed) {
+            self.failed = self.out.write_all(&[*reading]).err();
+        }
     }
 }

@@ -214,3 +214,50 @@ fn pro_zpos_home_before_set() {
     let steps = told(folder.path(), &["zset", "bottom", "-32"]);
     assert!(homed(steps.clone()) && steps.ends_with("zpos.bottom_mm = -32\n"), "{steps}");
 }
+
+#[test]
+fn pro_height_prop_typical() {
+    let folder = tempfile::tempdir().unwrap();
+    let shown = told(folder.path(), &["list", "height"]);
+    for line in [
+        "height.speed_mm_s = 30 ",
+        "height.accel_mm_s2 = 400 ",
+        "height.x_set_point = 150 ",
+        "height.y_set_point = 150 ",
+        "height.k = 20 ",
+        "height.scale_mm = 0.038 ",
+        "height.display_accuracy_mm = 0.1 ",
+        "height.port = 3 ",
+        "height.baud = 9600 ",
+    ] {
+        assert!(shown.contains(&format!("\n{line}")), "{line} in {shown}");
+    }
+}
+
+#[test]
+fn pro_height_prop_kform__shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let suggested = |scale: &str| {
+        let file = folder.path().join("sim.toml");
+        std::fs::write(&file, told(folder.path(), &["profiles", "sim"])).unwrap();
+        let file = file.to_str().unwrap();
+        told(folder.path(), &["set", "height.scale_mm", scale, "--config", file]);
+        told(folder.path(), &["list", "height.k", "--config", file])
+    };
+    let shown = suggested("0.04");
+    assert!(shown.contains("(10 suits this Z axis, half of it is 5)"), "{shown}");
+    assert!(suggested("0.038").contains("(9.5 suits this Z axis"));
+}
+
+#[test]
+fn pro_height_prop_port() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path();
+    told(data, &["set", "options.devices", "/dev/a,/dev/b,/dev/c,/dev/pts/9"]);
+    told(data, &["set", "height.port", "4"]);
+    assert!(told(data, &["list", "height.port"]).contains("(/dev/pts/9)"));
+    for (port, why) in [("0", "1 to 4"), ("5", "1 to 4"), ("1", "same serial port"), ("2", "same")] {
+        refused(data, &["set", "height.port", port], why);
+    }
+    assert_eq!(told(data, &["get", "height.port"]), "4\n");
+}

@@ -99,6 +99,14 @@ lines! {
         Jig1 = "jig1", 1, 0;
         /// Jig 2 is ready.
         Jig2 = "jig2", 1, 1;
+        /// No wire of the card: the height sensor sends no readings.
+        NoReadings = "no_readings", 2, 0;
+        /// What the controller notices itself: no reading for too long while height control acts.
+        HeightSilent = "height_silent", 2, 1;
+        /// Too high and too low at once.
+        HeightConflict = "height_conflict", 2, 2;
+        /// Height control carried Z up to 0.
+        HeightAtZero = "height_at_zero", 2, 3;
     }
 }
 
@@ -149,7 +157,7 @@ mod tests {
         let outputs: Vec<u8> = Output::ALL.iter().map(|line| line.number()).collect();
         assert_eq!(outputs, [13, 14, 15, 16, 17, 18, 19, 20, 21, 22]);
         let inputs: Vec<u8> = Input::ALL.iter().map(|line| line.number()).collect();
-        assert_eq!(inputs, [13, 14, 15, 16, 17, 18, 19, 20, 21, 22]);
+        assert_eq!(inputs, [13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 29, 30, 31, 32]);
     }
 
     #[test]

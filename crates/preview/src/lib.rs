@@ -25,6 +25,7 @@
 //! ```
 
 mod font;
+pub mod heights;
 mod html;
 mod options;
 mod palette;

@@ -1,5 +1,6 @@
 //! The canonical commands.
 
+use crate::job::Heights;
 use crate::{Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Settings};
 use kerf_diag::Diagnostic;
 use serde::{Deserialize, Serialize};
@@ -230,6 +231,9 @@ pub enum Command {
     },
     /// From here on Z follows the sheet while a cut moves, or does not.
     HeightControl(Option<Shared<HeightLaw>>),
+    /// The heights of the job in force, machine frame; while Z follows the sheet, top and surface go with
+    /// it.
+    Heights(Heights),
     /// The machine enters a state that people should know about (`running`, `paused` …).
     State {
         /// Its name.

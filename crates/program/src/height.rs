@@ -41,6 +41,10 @@ pub struct HeightLaw {
     pub ceiling_mm: f64,
     /// Z stays at or above this, mm, machine frame.
     pub floor_mm: f64,
+    /// Z follows while the tool travels, raised by so much above the height of the cut, and the sensor
+    /// stays down; without it Z follows while a cut moves.
+    #[serde(default)]
+    pub raised_mm: Option<f64>,
 }
 
 impl HeightLaw {
@@ -70,6 +74,7 @@ mod tests {
             activation: 0.0,
             ceiling_mm: 0.0,
             floor_mm: -30.0,
+            raised_mm: None,
         };
         let cases = [(0.0, 150.0), (30.0, 156.67), (45.0, 160.0), (60.0, 163.33), (90.0, 170.0)];
         for (angle_deg, expected) in cases.into_iter().chain([(135.0, 160.0), (-45.0, 160.0)]) {

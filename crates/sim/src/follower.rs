@@ -6,11 +6,16 @@ use kerf_program::{Gauge, HeightLaw};
 /// Time from one look to the next, seconds.
 pub(crate) const TICK_S: f64 = 0.001;
 
+/// Without a reading for so long the sensor counts as lost, seconds (ledger notes, 84).
+const SILENCE_S: f64 = 0.1;
+
 /// What the head senses.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sensed {
     /// Distance to the sheet, mm, when there is one.
     pub gap_mm: Option<f64>,
+    /// The sensor sends nothing.
+    pub silent: bool,
     /// The inputs of simple control.
     pub high: bool,
     /// Too low.
@@ -19,6 +24,15 @@ pub(crate) struct Sensed {
     pub way: [f64; 2],
     /// Fast enough for height control to act.
     pub active: bool,
+}
+
+/// A reading of the sensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Reading {
+    /// What it says, 0 … 255.
+    pub value: u8,
+    /// How far the gap is from what is wanted, mm.
+    pub error_mm: f64,
 }
 
 /// How far Z has been carried beside the plan, and how it moves.
@@ -31,12 +45,20 @@ pub(crate) struct Follower {
     target_mm: f64,
     /// When the next reading comes, seconds of machine time.
     reading_s: f64,
+    /// For how long a reading has been missing, seconds.
+    silent_s: f64,
 }
 
 impl Follower {
-    /// One tick; `z_mm` is the planned height. Tells the error of a reading that came, mm.
-    pub fn tick(&mut self, t_s: f64, z_mm: f64, law: &HeightLaw, sensed: &Sensed) -> Option<f64> {
-        let error_mm = self.read(t_s, law, sensed);
+    /// One tick; `z_mm` is the planned height. Tells the reading that came.
+    pub fn tick(
+        &mut self,
+        t_s: f64,
+        z_mm: f64,
+        law: &HeightLaw,
+        sensed: &Sensed,
+    ) -> Option<Reading> {
+        let reading = self.read(t_s, law, sensed);
         let wanted_mm_s = match law.gauge {
             Gauge::Simple { .. } => simple(law, sensed),
             Gauge::Proportional { .. } => self.towards(law),
@@ -45,20 +67,31 @@ impl Follower {
         self.mm_s += (wanted_mm_s - self.mm_s).clamp(-change, change);
         let (low, high) = (law.floor_mm - z_mm, law.ceiling_mm - z_mm);
         self.offset_mm = (self.offset_mm + self.mm_s * TICK_S).min(high).max(low.min(high));
-        error_mm
+        reading
+    }
+
+    /// Whether readings have been missing for too long.
+    pub fn is_lost(&self) -> bool {
+        self.silent_s > SILENCE_S - 1e-9
     }
 
     /// Takes the reading that is due.
-    fn read(&mut self, t_s: f64, law: &HeightLaw, sensed: &Sensed) -> Option<f64> {
+    fn read(&mut self, t_s: f64, law: &HeightLaw, sensed: &Sensed) -> Option<Reading> {
         let Gauge::Proportional { gain_mm, scale_mm, interval_s, .. } = law.gauge else {
             return None;
         };
-        let gap_mm = sensed.gap_mm.filter(|_| t_s + 1e-9 >= self.reading_s)?;
-        self.reading_s = t_s.max(self.reading_s + interval_s);
+        let missing = sensed.silent && sensed.active;
+        self.silent_s = if missing { self.silent_s + TICK_S } else { 0.0 };
+        let here = !sensed.silent && t_s + 1e-9 >= self.reading_s;
+        let gap_mm = sensed.gap_mm.filter(|_| here)? - law.raised_mm.unwrap_or_default();
+        // The line is never idle: a reading that was taken late does not put off the next.
+        let late_s = t_s - self.reading_s;
+        self.reading_s = interval_s + if late_s < interval_s { self.reading_s } else { t_s };
         let reading = (gap_mm / scale_mm).round().clamp(0.0, 255.0);
-        let error = reading - law.set_point(sensed.way[0], sensed.way[1]);
-        self.target_mm = self.offset_mm - if sensed.active { error * gain_mm } else { 0.0 };
-        Some(gap_mm - law.set_point(sensed.way[0], sensed.way[1]) * scale_mm)
+        let set_point = law.set_point(sensed.way[0], sensed.way[1]);
+        let error = if sensed.active { reading - set_point } else { 0.0 };
+        self.target_mm = self.offset_mm - error * gain_mm;
+        Some(Reading { value: reading as u8, error_mm: gap_mm - set_point * scale_mm })
     }
 
     /// The speed that comes to rest at the target.
@@ -76,5 +109,85 @@ const fn simple(law: &HeightLaw, sensed: &Sensed) -> f64 {
         (true, true, false) => -law.speed_mm_s,
         (true, false, true) => law.speed_mm_s,
         _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn law() -> HeightLaw {
+        let (set_points, gain_mm, scale_mm) = ([150.0; 2], 10.0 / 250.0, 0.038);
+        HeightLaw {
+            gauge: Gauge::Proportional { set_points, gain_mm, scale_mm, interval_s: 0.004 },
+            speed_mm_s: 30.0,
+            accel_mm_s2: 400.0,
+            activation: 0.0,
+            ceiling_mm: 0.0,
+            floor_mm: -30.0,
+            raised_mm: None,
+        }
+    }
+
+    fn over(gap_mm: f64) -> Sensed {
+        Sensed { gap_mm: Some(gap_mm), way: [1.0, 0.0], active: true, ..Sensed::default() }
+    }
+
+    #[test]
+    fn pro_height_prop_k() {
+        for (reading, steps) in [(160.0, -100.0), (140.0, 100.0), (150.0, 0.0)] {
+            let mut z = Follower::default();
+            let told = z.tick(0.0, -14.0, &law(), &over(reading * 0.038)).map(|it| it.value);
+            assert_eq!(told, Some(reading as u8));
+            assert!((z.target_mm * 250.0 - steps).abs() < 1e-9, "{reading}: {}", z.target_mm);
+            // One reading, and nothing more of it: Z goes so far and stands.
+            let deaf = Sensed { silent: true, ..over(0.0) };
+            for ms in 1..200 {
+                z.tick(f64::from(ms) * 1e-3, -14.0, &law(), &deaf);
+            }
+            assert!((z.offset_mm * 250.0 - steps).abs() < 0.01, "{reading}: {}", z.offset_mm);
+        }
+    }
+
+    /// What Z does from one millisecond to the next while an input is on and after, mm.
+    fn ways(low: bool, on_ms: u32) -> Vec<f64> {
+        let gauge = Gauge::Simple { high: 17, low: 20 };
+        let (law, mut z) = (HeightLaw { gauge, ..law() }, Follower::default());
+        let mut heights = vec![0.0];
+        for ms in 0..on_ms + 200 {
+            let on = ms < on_ms;
+            let active = true;
+            let sensed = Sensed { high: on && !low, low: on && low, active, ..Sensed::default() };
+            z.tick(f64::from(ms) * 1e-3, -14.0, &law, &sensed);
+            heights.push(z.offset_mm);
+        }
+        heights.windows(2).map(|pair| pair[1] - pair[0]).collect()
+    }
+
+    #[test]
+    fn pro_height_maxacc() {
+        let up = ways(true, 200);
+        // 30 mm/s after 0.075 s, and from there to rest in 0.075 s and 1.125 mm.
+        assert!((up[73] - 0.0296).abs() < 1e-9 && (up[74] - 0.030).abs() < 1e-9, "{up:?}");
+        assert!(up.iter().all(|way| *way <= 0.030 + 1e-12));
+        let stopping: f64 = up[200..].iter().sum();
+        assert!((stopping - 1.125).abs() < 0.03, "{stopping} mm to rest");
+        assert!(up[273] > 0.0 && up[275..].iter().all(|way| *way == 0.0));
+        assert!(up.windows(2).all(|pair| (pair[1] - pair[0]).abs() <= 0.0004 + 1e-12), "400 mm/s²");
+    }
+
+    #[test]
+    fn pro_height_simple_low() {
+        let (up, down) = (ways(true, 100), ways(false, 100));
+        assert!(up[0] > 0.0 && up[..100].iter().all(|way| *way > 0.0), "from the first tick");
+        assert!(up[180..].iter().all(|way| *way == 0.0), "it stops");
+        assert!(up.iter().zip(&down).all(|(up, down)| (up + down).abs() < 1e-12));
+    }
+
+    #[test]
+    fn readings_are_bytes() {
+        let read = |gap_mm| Follower::default().tick(0.0, 0.0, &law(), &over(gap_mm));
+        let value = |gap_mm| read(gap_mm).map(|it| it.value);
+        assert_eq!([value(-1.0), value(5.7), value(20.0)], [Some(0), Some(150), Some(255)]);
     }
 }

@@ -34,8 +34,14 @@ pub const CABLE: u8 = u8::MAX;
 /// The emergency stop (command reference, VN field 2).
 pub const STOP_INPUT: u8 = 4;
 
+/// Lines behind the ports: what the controller notices of height control.
+const NOTICED: usize = 4;
+
+/// Every line that has a state; the last is the cable.
+const ALL: usize = LINES + NOTICED + 1;
+
 /// States of the inputs, and the changes still to come.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
     script: Vec<Change>,
     /// How many changes of the script have happened.
@@ -43,9 +49,21 @@ pub struct Inputs {
     /// What the sensors of the head will tell while the machine follows its plan, in order of time.
     foreseen: VecDeque<Change>,
     /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
-    contact: [Option<bool>; LINES + 1],
+    contact: [Option<bool>; ALL],
     /// Switches that somebody moved by hand, and where they were left.
-    by_hand: [Option<bool>; LINES + 1],
+    by_hand: [Option<bool>; ALL],
+}
+
+impl Default for Inputs {
+    fn default() -> Self {
+        Self {
+            script: Vec::new(),
+            done: 0,
+            foreseen: VecDeque::new(),
+            contact: [None; ALL],
+            by_hand: [None; ALL],
+        }
+    }
 }
 
 impl Inputs {
@@ -55,7 +73,7 @@ impl Inputs {
     pub fn new(mut script: Vec<Change>) -> Self {
         script.retain(|c| index(c.input).is_some() && c.at_s.is_finite());
         script.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-        let mut contact = [None; LINES + 1];
+        let mut contact = [None; ALL];
         for change in script.iter().rev() {
             if let Some(i) = index(change.input) {
                 contact[i] = Some(!change.on);
@@ -159,10 +177,10 @@ impl Inputs {
 }
 
 fn index(number: u8) -> Option<usize> {
-    if number == CABLE {
-        return Some(LINES);
+    match number {
+        CABLE => Some(ALL - 1),
+        _ => (1..ALL as u8).contains(&number).then(|| usize::from(number) - 1),
     }
-    (1..=LINES as u8).contains(&number).then(|| usize::from(number) - 1)
 }
 
 /// Contact to what a program reads.
@@ -271,10 +289,10 @@ mod tests {
 
     #[test]
     fn inputs_that_do_not_exist_are_left_out() {
-        let nowhere = Change { input: 29, at_s: 0.0, on: true };
+        let nowhere = Change { input: 33, at_s: 0.0, on: true };
         let never = Change { input: 1, at_s: f64::NAN, on: true };
         let inputs = Inputs::new(vec![nowhere, never]);
         assert_eq!(inputs, Inputs::default());
-        assert!(!inputs.reads(29, &modes(|_| ())));
+        assert!(!inputs.reads(33, &modes(|_| ())));
     }
 }

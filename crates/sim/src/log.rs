@@ -54,6 +54,13 @@ pub enum What {
         z_mm: f64,
         /// How far the gap is from what is wanted, mm.
         error_mm: f64,
+        /// What the sensor said, 0 … 255.
+        reading: u8,
+    },
+    /// A move is over in which height control carried Z.
+    Carried {
+        /// Where the tool is, Z of the machine frame, mm.
+        z_mm: f64,
     },
     /// The pulse frequency of a laser was set, Hz.
     LaserFrequency(f64),

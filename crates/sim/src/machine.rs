@@ -1,6 +1,7 @@
 //! The machine itself.
 
 mod drive;
+mod height;
 mod home;
 mod job;
 mod torch;

@@ -224,6 +224,7 @@ impl<'a> Writer<'a> {
             Command::File { path, .. } => self.unsaid(format!("use of the file {path}")),
             Command::EndStack
             | Command::State { .. }
+            | Command::Heights(_)
             | Command::ToolPath(_)
             | Command::ToolChange { .. }
             | Command::WarningOff

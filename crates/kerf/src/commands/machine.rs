@@ -183,7 +183,10 @@ fn list(word: Option<&str>, configuration: &Configuration) -> Result<()> {
         }
         for setting in rows {
             let (value, notes) = (setting.get(configuration), setting.notes());
-            lines.push_str(&format!("{} = {value}  [{notes}] {}\n", setting.key, setting.doc));
+            let advice = configuration.advice(setting.key);
+            let advice = advice.map_or(String::new(), |it| format!(" ({it})"));
+            let line = format!("{} = {value}  [{notes}] {}{advice}\n", setting.key, setting.doc);
+            lines.push_str(&line);
         }
     }
     if lines.is_empty() {

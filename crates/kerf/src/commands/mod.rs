@@ -6,6 +6,7 @@ mod convert;
 mod draw;
 mod explain;
 mod fmt;
+mod heights;
 mod help;
 mod io;
 mod log;
@@ -43,6 +44,7 @@ pub enum Command {
     Plot(plot::PlotArgs),
     Time(time::TimeArgs),
     Timing(timing::TimingArgs),
+    Heights(heights::HeightsArgs),
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
     Draw(draw::DrawArgs),
@@ -91,6 +93,7 @@ pub fn run(command: Result<Command>) -> Result<Exit> {
         Command::Plot(args) => plot::run(&args),
         Command::Time(args) => time::run(&args),
         Command::Timing(args) => timing::run(&args),
+        Command::Heights(args) => heights::run(&args),
         Command::Trace(args) => trace::run(&args),
         Command::Fmt(args) => fmt::run(&args),
         Command::Draw(args) => draw::run(&args),

@@ -9,7 +9,7 @@ use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job};
-use crate::signals::VcdArgs;
+use crate::signals::{ReadingBytes, VcdArgs};
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
@@ -62,6 +62,10 @@ pub struct MachineArgs {
     /// Writes everything that the run does to a file, an event a line, as `kerf trace` prints it
     #[arg(long, value_name = "OUT")]
     trace: Option<PathBuf>,
+    /// Writes every reading of the height sensor to a file or a device, a byte each, as a potentiometer sends
+    /// them on its serial line
+    #[arg(long, value_name = "FILE")]
+    readings: Option<PathBuf>,
     #[command(flatten)]
     vcd: VcdArgs,
     /// No progress, no summary
@@ -173,7 +177,7 @@ fn passed_in(
         editor: editor(shelf),
     };
     let vcd = VcdArgs::default();
-    let again = MachineArgs { trace: None, picture: None, vcd, ..args.clone() };
+    let again = MachineArgs { trace: None, picture: None, readings: None, vcd, ..args.clone() };
     attended(&again, run, show, setup::answers(run)?, |company| {
         let summary = session.run_on_record(program, options, None, shelf, company)?;
         Ok((summary, session))
@@ -211,7 +215,11 @@ fn attended<'a>(
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
     let trace = args.trace.as_deref().map(trace).transpose()?;
     let signals = args.vcd.sink(show.machine)?;
-    let mut sink = ((show.talk, (trace, signals)), (Diagnostics::default(), (picture, progress)));
+    let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
+    let mut sink = (
+        (show.talk, (trace, (signals, readings))),
+        (Diagnostics::default(), (picture, progress)),
+    );
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
@@ -219,7 +227,8 @@ fn attended<'a>(
     let company =
         Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
     let (summary, session) = runs(company)?;
-    let ((_, (trace, signals)), (_, (picture, progress))) = sink;
+    let ((_, (trace, (signals, readings))), (_, (picture, progress))) = sink;
+    readings.map_or(Ok(()), ReadingBytes::finish)?;
     args.vcd.finish(signals)?;
     if let Some(trace) = trace {
         trace.finish().context("cannot write the trace")?;

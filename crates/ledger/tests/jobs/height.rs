@@ -4,7 +4,7 @@ use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
-use kerf_program::job::Depth;
+use kerf_program::job::{Depth, JobShape};
 use kerf_sim::Sheet;
 
 /// JOB-T1 with proportional height control over a sheet.
@@ -25,7 +25,7 @@ fn rising(slope_x: f64) -> Sheet {
 /// Times, heights and errors of the readings, mm.
 fn readings(trace: &JobTrace) -> Vec<(f64, f64, f64)> {
     let told = trace.events.iter().filter_map(|event| match event {
-        Event::Height { z, error, t } => Some((*t, *z, *error)),
+        Event::Height { z, error, t, .. } => Some((*t, *z, *error)),
         _ => None,
     });
     told.collect()
@@ -115,7 +115,7 @@ fn pro_height_maxspeed() {
 #[test]
 fn pro_height_activation() {
     let z_moved = |percent: f64| {
-        let run = over(rising(0.05)).with(|machine| machine.height.activation_percent = percent);
+        let run = over(rising(0.2)).with(|machine| machine.height.activation_percent = percent);
         // A slow group: half of the machine's speed is its own.
         let all = readings(&run.run());
         let begin = all[0].0;
@@ -145,4 +145,270 @@ fn pro_height_simple_high() {
 #[test]
 fn pro_height_simple_hw() {
     pro_height_simple_high();
+}
+
+/// ZSurface and ZTop as they are told with the readings.
+fn surfaces(trace: &JobTrace) -> Vec<(f64, f64)> {
+    let told = trace.events.iter().filter_map(|event| match event {
+        Event::Height { surface, top, .. } => Some((*surface, *top)),
+        _ => None,
+    });
+    told.collect()
+}
+
+/// Top, surface and bottom as they are told when they change.
+fn heights(trace: &JobTrace) -> Vec<[f64; 3]> {
+    let told = trace.events.iter().filter_map(|event| match event {
+        Event::Heights { top, surface, bottom, .. } => Some([*top, *surface, *bottom]),
+        _ => None,
+    });
+    told.collect()
+}
+
+/// JOB-T1 with simple height control, lowered to the height at which the input says so.
+fn simple() -> JobRun {
+    let run = JobRun::new(t1()).with(|machine| machine.height.on = true);
+    run.input(Input::ZHigh, 0.1, true).input(Input::ZHigh, 3.3, false)
+}
+
+#[test]
+fn pro_height_two_types() {
+    let follows = |on: bool, mode: HeightMode| {
+        let run = simple().sheet(rising(0.03)).with(|machine| {
+            (machine.height.on, machine.height.mode) = (on, mode);
+        });
+        let trace = run.input(Input::ZLow, 5.0, true).input(Input::ZLow, 5.1, false).run();
+        (readings(&trace).len() > 100, trace.rests()[2])
+    };
+    assert_eq!(follows(false, HeightMode::Simple), (false, -10.0));
+    let (reads, top) = follows(true, HeightMode::Simple);
+    assert!(!reads && top > -8.0 && top < -6.0, "the input carries it up: {top}");
+    let (reads, top) = follows(true, HeightMode::Proportional);
+    assert!(reads && (top + 7.0).abs() < 0.1, "readings carry it with the sheet: {top}");
+}
+
+#[test]
+fn pro_height_surf_track() {
+    let trace = over(rising(0.03)).run();
+    let told = surfaces(&trace);
+    let (first, last) = (told[0].0, told[told.len() - 1].0);
+    assert!((first + 20.0).abs() < 0.1 && (last + 17.0).abs() < 0.1, "{first} to {last}");
+    assert!(told.windows(2).all(|pair| pair[1].0 - pair[0].0 < 0.1));
+    let deep = |depth: Depth| {
+        let run = over(rising(0.03)).job(|job| {
+            let mut shapes = job.shapes.to_vec();
+            shapes[0].depth = depth;
+            job.shapes = shapes.into();
+        });
+        heights(&run.run())
+    };
+    for depth in [Depth::Mm { depth_mm: -3.0, pass_mm: None }, Depth::ThreeD] {
+        assert!(deep(depth).iter().all(|told| *told == [-10.0, -20.0, -30.0]));
+    }
+}
+
+#[test]
+fn pro_height_top_track__at_every_sample() {
+    let told = surfaces(&over(rising(0.03)).run());
+    assert!(told.iter().all(|(surface, top)| (top - surface - 10.0).abs() < 1e-9));
+}
+
+#[test]
+fn pro_height_reset() {
+    let whole = heights(&over(rising(0.03)).run());
+    assert!(whole.iter().any(|[top, ..]| (top + 7.0).abs() < 0.1), "{whole:?}");
+    assert_eq!(whole.last(), Some(&[-10.0, -20.0, -30.0]));
+    let aborted = over(rising(0.03)).stop(5.2).run();
+    let told = heights(&aborted);
+    assert!(told.iter().any(|[_, surface, _]| *surface > -19.0), "{told:?}");
+    assert_eq!(told.last(), Some(&[-10.0, -20.0, -30.0]));
+}
+
+/// Two lines with a corner between; the input of the head is on so long before and after it.
+fn at_a_corner(activation_percent: f64) -> f64 {
+    let path = || {
+        let corner = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)];
+        let places = corner.map(|(x, y)| kerf_geom::Point2::new(x, y));
+        job([JobShape::through(1, kerf_geom::Polyarc::lines(places, false))])
+    };
+    let run = |pulse: Option<f64>| {
+        let mut run = simple().job(|it| *it = path()).with(|machine| {
+            machine.height.activation_percent = activation_percent;
+        });
+        if let Some(at_s) = pulse {
+            run = run.input(Input::ZLow, at_s - 0.02, true).input(Input::ZLow, at_s + 0.02, false);
+        }
+        run.run()
+    };
+    let free = run(None);
+    let moves = free.moves();
+    let corner = moves.iter().find(|it| it.ends_with(" x100")).expect("the first line");
+    let at_s = corner.split([' ', '-']).nth(1).and_then(|t| t.parse().ok()).expect("a time");
+    run(Some(at_s)).rests()[2] - free.rests()[2]
+}
+
+#[test]
+fn pro_height_activation_0() {
+    let (always, half) = (at_a_corner(0.0), at_a_corner(50.0));
+    // 0.04 s at 400 mm/s²: 0.32 mm, and as much again to come to rest.
+    assert!((always - 0.64).abs() < 0.05, "{always}");
+    assert_eq!(half, 0.0, "off in a slow corner");
+}
+
+#[test]
+fn pro_height_activation_0__while_a_knife_turns() {
+    let run = |pulse: bool| {
+        let mut run = simple().with(|machine| machine.misc.tangential = true).job(|job| {
+            let corner = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)];
+            let places = corner.map(|(x, y)| kerf_geom::Point2::new(x, y));
+            job.shapes =
+                [JobShape::through(1, kerf_geom::Polyarc::lines(places, false))].into();
+        });
+        if pulse {
+            run = run.input(Input::ZLow, 5.9, true).input(Input::ZLow, 6.0, false);
+        }
+        run.run()
+    };
+    let free = run(false);
+    let turns = free.moves().into_iter().find(|it| it.ends_with(" c90")).expect("a turn");
+    let (from, to) = turns.split_once(' ').and_then(|(t, _)| t.split_once('-')).expect("times");
+    let inside = |t: &str, before: bool| (t.parse::<f64>().expect("a time") < 5.9) == before;
+    assert!(inside(from, true) && inside(to, false), "the pulse comes in the turn: {turns}");
+    assert!(run(true).rests()[2] - free.rests()[2] > 2.0);
+}
+
+#[test]
+fn pro_height_between() {
+    let run = |between: bool| {
+        let two = [line(1, (0.0, 0.0), (100.0, 0.0)), line(2, (200.0, 0.0), (300.0, 0.0))];
+        let run = over(rising(0.03)).job(|it| *it = job(two));
+        run.with(|machine| machine.height.between = between).run()
+    };
+    let top_at = |trace: &JobTrace| {
+        let moves = trace.moves();
+        let link = moves.iter().position(|it| it.ends_with(" x200")).expect("the link");
+        let begin_s: f64 = moves[link].split('-').next().and_then(|t| t.parse().ok()).expect("t");
+        let linked: Vec<_> = readings(trace).into_iter().filter(|(t, ..)| *t > begin_s).collect();
+        let end_s: f64 = moves[link + 1].split('-').next().and_then(|t| t.parse().ok()).expect("t");
+        linked.into_iter().filter(|(t, ..)| *t < end_s).collect::<Vec<_>>()
+    };
+    assert!(top_at(&run(false)).is_empty());
+    let linked = top_at(&run(true));
+    let (first, last) = (linked[0].1, linked[linked.len() - 1].1);
+    assert!((first + 7.0).abs() < 0.1 && (last + 4.0).abs() < 0.15, "{first} to {last}");
+    // The gap to the sheet is that of the cut and the way up, whatever the sheet does.
+    let worst = linked.iter().map(|(.., error)| error.abs()).fold(0.0, f64::max);
+    assert!(worst < 0.15, "{worst}");
+    assert!(!kerf_machine::Configuration::default().height.between);
+    let setting = kerf_machine::table::setting("height.between").expect("the setting");
+    assert!(setting.doc.contains("Beware of high speeds in X and Y"));
+}
+
+#[test]
+fn pro_height_simple_low__in_a_job() {
+    let raised = |pulse: bool| {
+        let run = simple();
+        let run = if pulse {
+            run.input(Input::ZLow, 4.7, true).input(Input::ZLow, 4.8, false)
+        } else {
+            run
+        };
+        run.run().rests()[2]
+    };
+    // 0.1 s at 400 mm/s² and 30 mm/s: 1.875 mm, 1.125 mm to rest.
+    assert!((raised(true) - raised(false) - 3.0).abs() < 0.05, "{}", raised(true));
+}
+
+#[test]
+fn pro_height_simple_hold() {
+    let held = simple().run();
+    assert!(heights(&held).windows(2).all(|pair| (pair[1][1] - pair[0][1]).abs() < 0.5));
+    assert_eq!(held.states().last().map(|s| s.ends_with("idle")), Some(true));
+    let both = simple().input(Input::ZHigh, 4.6, true).input(Input::ZLow, 4.7, true);
+    let states = both.run().states();
+    assert!(states.iter().any(|s| s.ends_with("paused: height sensors conflict")), "{states:?}");
+}
+
+#[test]
+fn pro_height_simple_hw__nothing_on_a_line() {
+    // No readings come, and nobody misses them.
+    let run = simple().input(Input::NoReadings, 0.0, true).run();
+    assert!(run.states().iter().all(|state| !state.contains("paused")), "{:?}", run.states());
+}
+
+#[test]
+fn pro_height_prop_input() {
+    let trace = over(rising(0.05)).run();
+    for event in &trace.events {
+        if let Event::Height { error, reading, .. } = event {
+            let gap_mm = 150.0 * 0.038 + error;
+            assert_eq!(f64::from(*reading), (gap_mm / 0.038).round(), "a gap of {gap_mm}");
+        }
+    }
+    let cut = |from_s: f64, to_s: f64| {
+        let run = over(rising(0.05)).input(Input::NoReadings, from_s, true);
+        run.input(Input::NoReadings, to_s, false).run().states()
+    };
+    let lost = cut(4.6, 9.0);
+    assert!(lost.iter().any(|state| state.ends_with("paused: no height readings")), "{lost:?}");
+    let short = cut(4.6, 4.69);
+    assert!(short.iter().all(|state| !state.contains("paused")), "{short:?}");
+}
+
+#[test]
+fn pro_height_prop_input__stops_a_tenth_of_a_second_later() {
+    let run = over(Sheet::flat(-20.0)).input(Input::NoReadings, 4.6, true).run();
+    let cut = run.moves().into_iter().find(|it| it.contains(" x")).expect("the cut");
+    let end_s: f64 = cut.split([' ', '-']).nth(1).and_then(|t| t.parse().ok()).expect("a time");
+    // 0.1 s without a reading, 0.1 s to slow down from 100 mm/s.
+    assert!((end_s - 4.8).abs() < 0.003, "{cut}");
+}
+
+#[test]
+fn pro_height_prop_baud() {
+    assert_eq!(kerf_machine::Configuration::default().height.baud, 9600);
+    let all = readings(&over(rising(0.01)).run());
+    let byte_s = (all[all.len() - 1].0 - all[0].0) / (all.len() - 1) as f64;
+    assert!((byte_s - 10.0 / 9600.0).abs() < 1e-5, "a byte takes {byte_s} s");
+    let slow = readings(&over(rising(0.01)).with(|machine| machine.height.baud = 2400).run());
+    assert!((slow[1].0 - slow[0].0 - 10.0 / 2400.0).abs() < 1e-3);
+}
+
+#[test]
+fn pro_height_prop_display() {
+    let sheet = Sheet { step: Some([50.0, 1.0]), ..Sheet::flat(-20.0) };
+    let trace = over(sheet).run();
+    let flagged: Vec<_> = trace
+        .events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Height { error, off, .. } => Some((error.abs(), *off)),
+            _ => None,
+        })
+        .collect();
+    assert!(flagged.iter().all(|(error, off)| *off == (*error > 0.1)));
+    assert!(flagged.iter().any(|(_, off)| *off) && flagged.iter().any(|(_, off)| !*off));
+}
+
+#[test]
+fn pro_height_nonhomog() {
+    let run = over(Sheet::flat(-20.0)).with(|machine| {
+        machine.program.smoothing.y_factor = 0.8;
+        (machine.height.x_set_point, machine.height.y_set_point) = (150, 170);
+    });
+    let trace = run.job(|it| *it = job([line(1, (0.0, 0.0), (80.0, 80.0))])).run();
+    assert_eq!(trace.cutting_speeds(), [90.0], "5400 mm/min");
+    let (_, z, _) = *readings(&trace).last().expect("readings");
+    assert!((z + 20.0 - 160.0 * 0.038).abs() < 0.04, "a gap of {}", z + 20.0);
+}
+
+#[test]
+fn pro_height_prop_scale__in_a_pause() {
+    let gap = |words: &str| {
+        let run = over(Sheet::flat(-20.0)).stop(4.8).say(&format!("{words}resume"));
+        let (_, z, _) = *readings(&run.run()).last().expect("readings");
+        z + 20.0
+    };
+    // Ten units of 0.038 mm.
+    assert!((gap("height 0.38 \u{23ce} ") - gap("") - 0.38).abs() < 0.04);
 }

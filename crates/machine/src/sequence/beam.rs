@@ -72,12 +72,13 @@ impl Sequence {
     pub(super) fn laser_start(&self, shape: &JobShape, z: f64) -> Vec<Small> {
         let (pierce, gas) = (self.machine.laser.pierce, self.machine.laser.gas);
         let pierce_gas = pierce.gas_tool.map(Output::tool);
-        let mut steps = vec![Small::Plunge(self.heights.surface_mm + pierce.height_mm)];
+        let mut steps = self.to_pierce_height(shape, z);
         if let Some(tool) = pierce_gas {
             steps.extend([Small::Switch(tool, true), Small::Wait(pierce.gas_wait_ms / MS)]);
         }
         steps.extend(self.pierced(shape));
-        steps.push(Small::Plunge(z));
+        let sensed = self.height_law(shape).is_some();
+        steps.push(if sensed { Small::AboveSensed(0.0) } else { Small::Plunge(z) });
         steps.extend(pierce_gas.map(|tool| Small::Switch(tool, false)));
         let tool = self.tool_of(shape);
         steps.extend(tool.map(|tool| Small::Switch(tool, true)));
@@ -86,6 +87,18 @@ impl Sequence {
         steps.extend(self.cutting_frequency());
         steps.push(Small::Switch(Output::cut(shape.cut), true));
         steps.extend(self.beam_follows(shape));
+        steps
+    }
+
+    /// Down to the height at which it is pierced: above the surface that height control senses, or above
+    /// ZSurface.
+    fn to_pierce_height(&self, shape: &JobShape, z: f64) -> Vec<Small> {
+        let above_mm = self.machine.laser.pierce.height_mm;
+        if self.height_law(shape).is_none() {
+            return vec![Small::Plunge(self.heights.surface_mm + above_mm)];
+        }
+        let mut steps = self.down(shape, z);
+        steps.push(Small::AboveSensed(above_mm));
         steps
     }
 

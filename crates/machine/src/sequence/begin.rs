@@ -82,6 +82,7 @@ impl Sequence {
         self.state =
             self.state.on(Event::Start, self.stop_settings()).map_or(self.state, |n| n.state);
         self.stage = Stage::Waiting;
+        self.tell_heights(out);
         self.tell_straddling(out);
         self.steps = self.before_start().into();
         Step::Ran
@@ -95,7 +96,7 @@ impl Sequence {
             steps.extend((!again).then_some(Small::RaiseTo(0.0)));
             steps.push(Small::Travel(shape.start()));
         }
-        steps.push(Small::Rapid(self.heights.top_mm));
+        steps.push(Small::Rapid(self.travel_mm()));
         // A first shape with a pause mark: the router waits for the operator.
         if !self.here.shape(&self.job).is_some_and(|shape| self.is_marked(shape)) {
             steps.extend(self.router_on());
@@ -176,6 +177,7 @@ impl Sequence {
             Small::Switch(Output::Router, false),
             Small::Travel(self.job.finish),
             Small::Switch(Output::JobRunning, false),
+            Small::RestoreHeights,
             Small::Enter(State::Idle),
         ]
     }

@@ -30,6 +30,7 @@ impl Sequence {
             }
             if small == Small::Height(None) {
                 self.follow_heights(host.machine_position()[Axis::Z.index()]);
+                self.tell_heights(out);
             }
             self.pop();
             self.done(&small);
@@ -59,6 +60,11 @@ impl Sequence {
             Small::Beam(beam) => self.give(Command::Beam(beam.clone()), out),
             Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
             Small::Height(law) => return self.control_height(law.clone(), out),
+            Small::TellHeights => self.tell_heights(out),
+            Small::RestoreHeights => {
+                self.restore_heights();
+                self.tell_heights(out);
+            }
             Small::Travel(place) => return self.travel(*place, out),
             Small::Rapid(z) => return self.rapid(Axis::Z, *z, out),
             Small::RaiseTo(z) => {
@@ -66,6 +72,7 @@ impl Sequence {
             }
             Small::Plunge(z) | Small::Lower(z) | Small::Feel(z) => return self.plunge(*z, out),
             Small::AboveFelt(up) => return self.plunge(self.felt_mm + up, out),
+            Small::AboveSensed(up) => return self.plunge(self.begun_mm + up, out),
             Small::Turn(degrees) => return self.rapid(Axis::C, *degrees, out),
             Small::Hand(axis, to) => return self.rapid(*axis, *to, out),
             Small::Slope => return self.slope(out),
@@ -137,6 +144,10 @@ impl Sequence {
             self.on ^= bit(output);
             self.give(Command::Output { number: output.number(), on }, out);
         }
+    }
+
+    pub(super) fn tell_heights(&self, out: &mut Vec<Sourced>) {
+        self.give(Command::Heights(self.heights_here()), out);
     }
 
     fn wait(&self, seconds: f64, out: &mut Vec<Sourced>) -> bool {

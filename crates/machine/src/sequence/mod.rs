@@ -94,6 +94,8 @@ pub struct Sequence {
     felt_mm: f64,
     /// The height from which height control carried Z, machine frame.
     begun_mm: f64,
+    /// The height at which height control left Z last, machine frame.
+    cut_at_mm: f64,
     /// Height control is on.
     controlled: bool,
     /// The machine stands at the pause mark of a shape.
@@ -139,6 +141,7 @@ impl Sequence {
             began: Halted::default(),
             felt_mm: heights.surface_mm,
             begun_mm: heights.surface_mm,
+            cut_at_mm: heights.surface_mm,
             controlled: false,
             marked: false,
             halted_before: false,

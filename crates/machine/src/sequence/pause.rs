@@ -32,11 +32,15 @@ impl Sequence {
         if following {
             self.keep_place(halted);
         }
-        if self.controlled && following {
+        let carried = self.controlled && following;
+        if carried {
             self.follow_heights(halted.stands[Axis::Z]);
         }
         self.position = halted.stands;
         self.stop_for(event, why);
+        if carried {
+            self.steps.push_front(Small::TellHeights);
+        }
     }
 
     /// The path is being made.
@@ -102,16 +106,16 @@ impl Sequence {
             }
             Effect::RouterOff | Effect::SpindleOff => off(&[Output::Router]),
             Effect::AllOff | Effect::LeaveOutputs => off(Output::ALL),
-            Effect::Raise => vec![Small::RaiseTo(self.heights.top_mm)],
+            Effect::Raise => vec![Small::RaiseTo(self.travel_mm())],
             Effect::ToolOff => off(&TOOLS),
             Effect::ComeBack => self.come_back(),
+            Effect::RestoreHeights => vec![Small::RestoreHeights],
             Effect::CutOffAtOnce
             | Effect::SlowDown
             | Effect::Halt
             | Effect::KeepPlace
             | Effect::MotorsOff
-            | Effect::Doubt
-            | Effect::RestoreHeights => Vec::new(),
+            | Effect::Doubt => Vec::new(),
         }
     }
 
@@ -264,6 +268,7 @@ impl Sequence {
         self.stage = Stage::Finish;
         self.steps = self.effect(Effect::CutOff).into();
         self.steps.extend(self.effect(Effect::AllOff));
+        self.steps.extend(self.effect(Effect::RestoreHeights));
         let after = self.state.on(Event::Abort, self.stop_settings());
         let after = after.map_or(State::Idle, |next| next.state);
         self.steps.extend([Small::Enter(after), Small::GiveUp]);
@@ -284,7 +289,16 @@ impl Sequence {
         match word {
             Word::CutSpeed(mm_s) => self.cut_mm_s = mm_s,
             Word::PlungeSpeed(mm_s) => self.plunge_mm_s = mm_s,
-            Word::AdjustBottom(by) => self.heights.bottom_mm += by,
+            Word::AdjustBottom(by) => {
+                self.heights.bottom_mm += by;
+                self.steps.push_back(Small::TellHeights);
+            }
+            Word::AdjustHeight(by_mm) => {
+                if !Arc::make_mut(&mut self.machine).height.adjust(by_mm) {
+                    let text = "the set points are held between 0 and 255".into();
+                    self.steps.push_back(Small::Say(text));
+                }
+            }
             Word::Raise(raise) => self.raise = raise,
             Word::Move(axis, by) => {
                 let to = self.within_reach(axis, self.position[axis] + by);

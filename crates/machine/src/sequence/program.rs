@@ -1,6 +1,7 @@
 //! A sequence as whoever runs programs sees it.
 
 use super::Sequence;
+use super::height::FAULTS;
 use super::small::Small;
 use crate::lines::{Input, Output};
 use crate::state::{Event, State};
@@ -43,7 +44,12 @@ impl Interpreter for Sequence {
         } else if self.came(input, halted.began) {
             self.position = position;
         } else {
-            let why = if input == Input::WHome { "head too close" } else { "arc lost" };
+            let noticed = FAULTS.iter().find(|(fault, _)| *fault == input);
+            let why = match (noticed, input) {
+                (Some((_, why)), _) => why,
+                (None, Input::WHome) => "head too close",
+                (None, _) => "arc lost",
+            };
             self.halt(Event::Fault, why, &halted);
         }
     }
@@ -135,10 +141,16 @@ impl Sequence {
             Some(Small::Release) => vec![self.release()],
             Some(Small::Lower(_)) => vec![Watch::level(Input::ZHigh.number(), false, 0.0)],
             Some(Small::Feel(_)) => vec![Watch::level(close, true, 0.0)],
-            Some(Small::Follow) if self.machine.plasma.use_sequence => vec![
-                Watch::level(arc, false, self.machine.plasma.debounce_s),
-                Watch::level(close, true, 0.0),
-            ],
+            Some(Small::Follow) => {
+                let mut watches = Vec::new();
+                if self.machine.plasma.use_sequence {
+                    watches.push(Watch::level(arc, false, self.machine.plasma.debounce_s));
+                    watches.push(Watch::level(close, true, 0.0));
+                }
+                let faults = self.height_faults().iter();
+                watches.extend(faults.map(|(input, _)| Watch::level(input.number(), true, 0.0)));
+                watches
+            }
             _ => Vec::new(),
         }
     }

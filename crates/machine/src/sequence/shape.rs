@@ -26,7 +26,7 @@ impl Sequence {
         let mut steps = Vec::new();
         if let Some(spot) = self.here.spot(shape) {
             let z = self.height_at(shape, &spot);
-            steps.extend(self.way_to(spot.at));
+            steps.extend(self.link(shape, spot.at));
             if self.is_marked(shape) {
                 steps.extend(self.mark());
                 return steps;
@@ -37,6 +37,7 @@ impl Sequence {
             }
             steps.extend(self.turn_before_plunge(shape, &spot));
             steps.extend(self.start(shape, &spot, z));
+            steps.extend(self.height_law(shape).map(|_| Small::TellHeights));
             steps.extend([Small::Follow, Small::Made]);
             steps.extend(self.end_of_cut(shape));
         }
@@ -50,7 +51,12 @@ impl Sequence {
 
     /// To the height of travel; a job that does not raise in pauses moves by hand where it stands.
     pub(super) fn up(&self) -> Small {
-        Small::RaiseTo(self.heights.top_mm)
+        Small::RaiseTo(self.travel_mm())
+    }
+
+    /// The height of travel: where height control carried it above home, that of home.
+    pub(super) fn travel_mm(&self) -> f64 {
+        self.heights.top_mm.min(self.machine.zpos.top_mm.max(0.0))
     }
 
     fn traverse(&self, z: f64) -> Vec<Small> {

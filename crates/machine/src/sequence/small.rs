@@ -24,6 +24,10 @@ pub(crate) enum Small {
     Frequency(f64),
     /// Height control begins or ends.
     Height(Option<Arc<HeightLaw>>),
+    /// People learn the heights in force.
+    TellHeights,
+    /// ZTop and ZSurface are again what they were when the job began.
+    RestoreHeights,
     /// In the plane, at the present height, as fast as the axes can.
     Travel(Point2),
     /// Up or down as fast as Z can.
@@ -39,6 +43,9 @@ pub(crate) enum Small {
     Feel(f64),
     /// Up at plunging speed, so far above the place that was felt.
     AboveFelt(f64),
+    /// Up or down at plunging speed, so far above the height at which the sensor said that the head is
+    /// where it is to be.
+    AboveSensed(f64),
     /// Turns the tool about Z, degrees.
     Turn(f64),
     /// An axis moves by hand.

@@ -21,7 +21,7 @@ impl Sequence {
         let runs = self.is_on(Output::JobRunning);
         (self.controlled, self.on, self.given) = (false, 0, false);
         self.position = halted.stands;
-        let mut steps = vec![Small::RaiseTo(self.heights.top_mm), Small::Enter(self.state)];
+        let mut steps = vec![Small::RaiseTo(self.travel_mm()), Small::Enter(self.state)];
         steps.extend(runs.then_some(Small::Switch(Output::JobRunning, true)));
         steps.extend(jig.map(|output| Small::Switch(output, true)));
         if self.state == State::Running && self.stage != Stage::Waiting {

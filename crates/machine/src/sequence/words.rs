@@ -21,6 +21,8 @@ pub enum Word {
     Next,
     /// The one before.
     Previous,
+    /// The set points of height control along X and Y by distances, mm.
+    AdjustHeight([f64; 2]),
     /// Whether the tool rises in pauses.
     Raise(bool),
     /// An axis moves by a distance, mm or degrees.
@@ -32,8 +34,7 @@ const PER_MIN: f64 = 60.0;
 
 impl Word {
     /// Reads an order: `continue`, `abort`, `cut 3000` and `plunge 600` (mm/min), `zbottom -0.5`,
-    /// `raise yes`, `move y 200`; before the start
-    /// `next`, `previous` or the number of a shape.
+    /// `height 0.38` and `height x -0.1` (mm), `raise yes`, `move y 200`; before the start `next`, `previous` or the number of a shape.
     pub fn read(text: &str) -> Option<Self> {
         let text = text.to_ascii_lowercase();
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -50,6 +51,7 @@ impl Word {
             [first, value] => match *first {
                 "cut" => Some(Self::CutSpeed(speed(value)?)),
                 "plunge" => Some(Self::PlungeSpeed(speed(value)?)),
+                "height" => number(value).map(|by| Self::AdjustHeight([by, by])),
                 "zbottom" => Some(Self::AdjustBottom(number(value)?)),
                 "raise" => match *value {
                     "yes" | "1" | "on" => Some(Self::Raise(true)),
@@ -58,6 +60,8 @@ impl Word {
                 },
                 _ => None,
             },
+            ["height", "x", by] => Some(Self::AdjustHeight([number(by)?, 0.0])),
+            ["height", "y", by] => Some(Self::AdjustHeight([0.0, number(by)?])),
             [first, axis, by] if *first == "move" => {
                 let mut letters = axis.chars();
                 let axis = letters.next().and_then(Axis::from_letter)?;
@@ -80,6 +84,8 @@ mod tests {
         check("cut 3000", Some(Word::CutSpeed(50.0)));
         check("plunge 600", Some(Word::PlungeSpeed(10.0)));
         check("zbottom -0.5", Some(Word::AdjustBottom(-0.5)));
+        check("height 0.38", Some(Word::AdjustHeight([0.38; 2])));
+        check("height y -0.1", Some(Word::AdjustHeight([0.0, -0.1])));
         check("raise no", Some(Word::Raise(false)));
         check("move y 200", Some(Word::Move(Axis::Y, 200.0)));
         for wrong in ["", "cut 0", "cut fast", "move q 1", "move xy 1", "zbottom nan"] {

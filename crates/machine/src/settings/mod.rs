@@ -22,7 +22,7 @@ pub mod zpos;
 pub(crate) use words::Words;
 use words::words;
 
-use kerf_program::Settings;
+use kerf_program::{Axis, Settings};
 
 /// Everything that is set of one machine.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -67,9 +67,35 @@ pub struct Configuration {
 }
 
 impl Configuration {
+    /// The device of a serial port, 1 … 4.
+    pub fn device(&self, port: u8) -> Option<&str> {
+        let port = usize::from(port).checked_sub(1)?;
+        self.options.devices.get(port).map(String::as_str)
+    }
+
+    /// What is worth knowing of a setting on this very machine, where there is something.
+    pub fn advice(&self, key: &str) -> Option<String> {
+        match key {
+            "height.k" => {
+                let steps = self.program.resolution.steps_per_unit[Axis::Z];
+                let k = self.height.suggested_k(steps);
+                Some(format!("{} suits this Z axis, half of it is {}", tidy(k), tidy(0.5 * k)))
+            }
+            "height.port" => self.device(self.height.port).map(str::to_owned),
+            "options.console_port" => self.device(self.options.console_port).map(str::to_owned),
+            "options.send_port" => self.device(self.options.send_port).map(str::to_owned),
+            _ => None,
+        }
+    }
+
     /// How long a step output is on: one output delay of the machine and what the step delay adds,
     /// nanoseconds ("Microstepping Drive Parameters").
     pub const fn step_pulse_ns(&self) -> u32 {
         self.simulated.output_delay_ns.saturating_add(self.motors.step_delay_ns)
     }
+}
+
+/// To a thousandth.
+fn tidy(value: f64) -> f64 {
+    (value * 1e3).round() / 1e3
 }

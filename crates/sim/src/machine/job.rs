@@ -1,19 +1,17 @@
-//! What jobs use beside the switches: intensity, pulse frequency, height control, sensors of the head.
+//! What jobs use beside the switches: intensity, pulse frequency, jigs.
 
 use super::Machine;
-use crate::follower::{Sensed, TICK_S};
-use crate::inputs::{Change, Inputs};
 use crate::log::What;
 use crate::sheet::Sheet;
 use kerf_machine::lines::{Input, Output};
-use kerf_motion::{Plan, Span, State};
-use kerf_program::{Axes, Axis, Beam, Gauge, HeightLaw, IntensityLaw, MoveKind, OutputReason};
+use kerf_motion::{Plan, Span};
+use kerf_program::{Beam, IntensityLaw, MoveKind, OutputReason};
 
 /// Stretch of time in which speed is taken to only rise or only fall, seconds.
-const SLICE_S: f64 = 0.001;
+pub(super) const SLICE_S: f64 = 0.001;
 
 /// How exactly the moment is sought at which the speed passes a step, seconds.
-const EXACT_S: f64 = 1e-7;
+pub(super) const EXACT_S: f64 = 1e-7;
 
 impl Machine {
     /// From here on the intensity output does this.
@@ -35,58 +33,6 @@ impl Machine {
         }
     }
 
-    /// Z follows the sheet from here on, or does not.
-    pub fn height_control(&mut self, law: Option<HeightLaw>) {
-        self.land_torch();
-        self.law = law;
-    }
-
-    /// Z follows the sheet over one move in the plane.
-    pub(super) fn follow_sheet(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
-        let made = span.made;
-        let flat = [Axis::X, Axis::Y].into_iter().any(|axis| made.from[axis] != made.to[axis]);
-        let Some(law) = self.law.filter(|_| made.kind == MoveKind::Cut && flat && !self.draws())
-        else {
-            return;
-        };
-        let mut inputs = self.inputs.clone();
-        let ticks = ((span.t1_s - span.t0_s) / TICK_S).round().max(1.0) as u64;
-        for tick in 0..ticks {
-            let at_s = span.t0_s + tick as f64 * TICK_S;
-            let state = plan.at(at_s);
-            let t_s = t0_s + at_s;
-            while inputs.step(t_s, &self.settings.io).is_some() {}
-            let z_mm = state.position[Axis::Z];
-            let sensed = self.sense(&law, &state, &inputs, made.speed_mm_s);
-            if let Some(error_mm) = self.follower.tick(t_s, z_mm, &law, &sensed) {
-                let z_mm = z_mm + self.follower.offset_mm;
-                self.log.add(t_s, What::Height { z_mm, error_mm });
-            }
-        }
-    }
-
-    fn sense(&self, law: &HeightLaw, state: &State, inputs: &Inputs, full_mm_s: f64) -> Sensed {
-        let [x, y, z] = state.position.first3();
-        let [vx, vy, _] = state.velocity.first3();
-        let reads = |number: u8| inputs.reads(number, &self.settings.io);
-        let (high, low) = match law.gauge {
-            Gauge::Simple { high, low } => (reads(high), reads(low)),
-            Gauge::Proportional { .. } => (false, false),
-        };
-        let over = z + self.follower.offset_mm;
-        let gap_mm = self.sheet.map(|sheet| over - sheet.height_mm(x, y));
-        let active = state.path_speed_mm_s >= law.activation * full_mm_s;
-        Sensed { gap_mm, high, low, way: [vx, vy], active }
-    }
-
-    /// Whether the reading says that the head is above the band it is to keep.
-    fn above_band(&self, sheet: &Sheet, at: &Axes) -> bool {
-        let Some(law) = self.law else { return false };
-        let Gauge::Proportional { scale_mm, set_points, .. } = law.gauge else { return false };
-        let gap_mm = at[Axis::Z] - sheet.height_mm(at[Axis::X], at[Axis::Y]);
-        gap_mm / scale_mm - set_points[0] >= 1.0
-    }
-
     /// The same machine with a sheet on its table, or without.
     #[must_use]
     pub const fn with_sheet(mut self, sheet: Option<Sheet>) -> Self {
@@ -103,28 +49,9 @@ impl Machine {
         if let Some(sheet) = self.sheet {
             all.extend(self.foreseen_sensors(plan, t0_s, sheet));
         }
+        all.extend(self.foreseen_faults(plan, t0_s));
         all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
         self.inputs.foresee(all);
-    }
-
-    /// What the sensors of the head will tell of a sheet.
-    fn foreseen_sensors(&self, plan: &Plan, t0_s: f64, sheet: Sheet) -> Vec<Change> {
-        let close = |t_s: f64| {
-            let at = plan.at(t_s).position;
-            at[Axis::Z] <= sheet.height_mm(at[Axis::X], at[Axis::Y])
-        };
-        let (from_s, to_s) = (self.clock_s - t0_s, plan.duration_s());
-        let input = Input::WHome.number();
-        let changes = flips(from_s.max(0.0), to_s, &close);
-        let change = |(t_s, on)| Change { input, at_s: t0_s + t_s, on };
-        let mut all: Vec<Change> = changes.into_iter().map(change).collect();
-        if matches!(self.law, Some(HeightLaw { gauge: Gauge::Proportional { .. }, .. })) {
-            let high = |t_s: f64| self.above_band(&sheet, &plan.at(t_s).position);
-            let input = Input::ZHigh.number();
-            let flips = flips(from_s.max(0.0), to_s, &high).into_iter();
-            all.extend(flips.map(|(t_s, on)| Change { input, at_s: t0_s + t_s, on }));
-        }
-        all
     }
 
     /// The output of a jig switches its start switch off.
@@ -178,31 +105,6 @@ impl Machine {
             self.intensity_at(end_s, (0, false));
         }
     }
-}
-
-/// When something becomes true or false in a stretch of time, the state at its beginning first.
-fn flips(from_s: f64, to_s: f64, is: &impl Fn(f64) -> bool) -> Vec<(f64, bool)> {
-    let mut states = vec![(from_s, is(from_s))];
-    let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0) as u64;
-    for slice in 1..=slices {
-        let end_s = from_s + (to_s - from_s) * slice as f64 / slices as f64;
-        let (begin_s, before) = states.last().copied().unwrap_or_default();
-        if is(end_s) == before {
-            continue;
-        }
-        let start_s = begin_s.max(end_s - (to_s - from_s) / slices as f64);
-        states.push((flip(start_s, end_s, before, is), !before));
-    }
-    states
-}
-
-/// When a state ends between two moments.
-fn flip(mut from_s: f64, mut to_s: f64, before: bool, is: &impl Fn(f64) -> bool) -> f64 {
-    while to_s - from_s > EXACT_S {
-        let middle_s = 0.5 * (from_s + to_s);
-        if is(middle_s) == before { from_s = middle_s } else { to_s = middle_s }
-    }
-    to_s
 }
 
 /// When the discretized speed of a move changes, seconds of the plan, and to what.
