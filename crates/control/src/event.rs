@@ -62,6 +62,11 @@ pub enum Event {
         value: u8,
         /// The byte of the port: the value in its upper seven bits, the burn bit below.
         byte: u8,
+        /// The parallel port, 1 or 2.
+        port: u8,
+        /// How long a pulse of a pulsed laser is, microseconds.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pulse_us: Option<f64>,
         /// When.
         t: f64,
     },

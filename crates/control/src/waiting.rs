@@ -252,7 +252,11 @@ impl<I: Interpreter> Runner<'_, I> {
         self.trail.asks(self.interpreter.call_stack());
         let at = self.asking_line();
         let until = self.world.question.as_ref().and_then(|q| q.until);
-        let moment = until.and_then(|(n, on)| self.world.machine.when_input(n, on));
+        let moment = until.and_then(|(n, on)| match asked {
+            // A key: what is pressed already was meant for something else.
+            Some(QuestionKind::Paused) => self.world.machine.when_pressed(n, on),
+            _ => self.world.machine.when_input(n, on),
+        });
         if let Some(moment) = moment {
             let (begin_s, flow) = (self.world.now(), self.pass_until(moment));
             if matches!(flow, Flow::On) {

@@ -14,6 +14,7 @@ use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
+use kerf_machine::settings::laser::Laser;
 use kerf_program::job::Heights;
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
@@ -69,6 +70,8 @@ pub(crate) struct World<'a> {
     pub machine_is: Arc<Configuration>,
     /// The heights of a job.
     heights: Carried,
+    /// The pulse frequency of a laser, where one was set.
+    laser_hz: Option<f64>,
 }
 
 impl<'a> World<'a> {
@@ -99,6 +102,7 @@ impl<'a> World<'a> {
             stays: None,
             machine_is: Arc::default(),
             heights: Carried::default(),
+            laser_hz: None,
         }
     }
 
@@ -222,6 +226,9 @@ impl<'a> World<'a> {
         self.shelf.tape.switches(inputs, outputs);
         let happenings: Vec<Happening> = self.machine.log().take().collect();
         for happening in happenings {
+            if let What::LaserFrequency(hz) = happening.what {
+                self.laser_hz = Some(hz);
+            }
             let event = self.happened(&happening);
             self.tell(&event);
         }
@@ -237,9 +244,13 @@ impl<'a> World<'a> {
                 let state = if up { "connected" } else { "not connected" };
                 Event::State { state: state.into(), why: "".into(), t }
             }
-            What::Intensity { value, burn } => {
-                Event::Intensity { value, byte: 2 * value + u8::from(burn), t }
-            }
+            What::Intensity { value, burn } => Event::Intensity {
+                value,
+                byte: 2 * value + u8::from(burn),
+                port: self.machine_is.intensity.port,
+                pulse_us: self.laser_hz.map(|hz| Laser::pulse_us(hz, value)),
+                t,
+            },
             What::Height { z_mm, error_mm, reading } => {
                 let Heights { top_mm: top, surface_mm: surface, .. } = self.heights.at(z_mm);
                 let off = error_mm.abs() > self.machine_is.height.display_accuracy_mm;

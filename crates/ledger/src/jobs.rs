@@ -200,6 +200,11 @@ impl JobRun {
         Signals(String::from_utf8(text).expect("a trace is text"))
     }
 
+    /// Runs it for a sink that looks at more than events.
+    pub fn run_for(self, sink: &mut dyn Sink) -> Summary {
+        self.run_into(sink).0
+    }
+
     fn run_into(self, sink: &mut dyn Sink) -> (Summary, Session) {
         let mut session = self.session.unwrap_or_else(|| {
             let mut session = Session::default();
@@ -316,7 +321,7 @@ impl JobTrace {
     /// Intensity as `4.842 2`, in order.
     pub fn intensities(&self) -> Vec<(f64, u8, u8)> {
         let told = |event: &Event| match event {
-            Event::Intensity { value, byte, t } => Some((*t, *value, *byte)),
+            Event::Intensity { value, byte, t, .. } => Some((*t, *value, *byte)),
             _ => None,
         };
         self.events.iter().filter_map(told).collect()

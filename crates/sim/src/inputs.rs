@@ -171,7 +171,7 @@ impl Inputs {
     }
 
     fn closed(&self, i: usize, modes: &IoModes) -> bool {
-        let number = if i == LINES { CABLE } else { i as u8 + 1 };
+        let number = if i == ALL - 1 { CABLE } else { i as u8 + 1 };
         self.contact[i].unwrap_or_else(|| normally_closed(number, modes))
     }
 }

@@ -480,6 +480,13 @@ impl Machine {
         self.inputs.when(number, on, self.clock_s, &self.settings.io)
     }
 
+    /// When an input changes to a state the next time. `None` for never.
+    pub fn when_pressed(&self, number: u8, on: bool) -> Option<f64> {
+        let (now, modes) = (self.clock_s, &self.settings.io);
+        let rests_s = self.inputs.when(number, !on, now, modes)?;
+        self.inputs.when(number, on, rests_s, modes)
+    }
+
     /// The first change of an input up to a time that stops motion, or a program that waits.
     pub fn first_halt(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
         if self.draws() {

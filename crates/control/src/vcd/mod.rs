@@ -5,6 +5,8 @@ mod signals;
 
 use crate::{Event, Made, Sink};
 use kerf_machine::Configuration;
+use kerf_machine::lines::Output;
+use kerf_machine::settings::laser::Laser;
 use kerf_motion::{Step, Stepper};
 use kerf_sim::pulses::{Line, Pulses};
 use kerf_sim::vcd::Vcd;
@@ -20,7 +22,26 @@ pub struct VcdSink<W> {
     pulses: Pulses,
     /// Where the motors are; nothing before the first move.
     stepper: Option<Stepper>,
+    beam: Beam,
     failed: Option<io::Error>,
+}
+
+/// What the board of a laser sees.
+#[derive(Default)]
+struct Beam {
+    byte: u8,
+    cuts: [bool; 2],
+}
+
+impl Beam {
+    fn switch(&mut self, output: u8, on: bool) {
+        let cuts = [Output::Cut1, Output::Cut2].into_iter().zip(&mut self.cuts);
+        cuts.filter(|(cut, _)| cut.number() == output).for_each(|(_, state)| *state = on);
+    }
+
+    fn power_percent(&self, laser: &Laser) -> f64 {
+        laser.power_percent(self.byte / 2, self.byte & 1 == 1, self.cuts)
+    }
 }
 
 impl<W: Write> VcdSink<W> {
@@ -28,8 +49,8 @@ impl<W: Write> VcdSink<W> {
     pub fn new(out: W, machine: Configuration) -> Self {
         let mut vcd = Vcd::default();
         let signals = Signals::new(&mut vcd);
-        let pulses = Pulses::new(&machine);
-        let mut sink = Self { out, vcd, machine, signals, pulses, stepper: None, failed: None };
+        let (pulses, beam) = (Pulses::new(&machine), Beam::default());
+        let mut sink = Self { out, vcd, machine, signals, pulses, stepper: None, beam, failed: None };
         let header = sink.vcd.header();
         sink.put(&header);
         sink
@@ -74,16 +95,25 @@ impl<W: Write> Sink for VcdSink<W> {
     fn event(&mut self, event: &Event) {
         let (vcd, signals) = (&mut self.vcd, &mut self.signals);
         match event {
-            Event::Output { n, on, t, .. } => signals.outputs.change(vcd, *t, *n, *on),
+            Event::Output { n, on, t, .. } => {
+                signals.outputs.change(vcd, *t, *n, *on);
+                self.beam.switch(*n, *on);
+                vcd.at(*t, signals.power, self.beam.power_percent(&self.machine.laser));
+            }
             Event::Input { n, on, t, .. } => signals.inputs.change(vcd, *t, *n, *on),
             Event::Pwm { channel, percent, t, .. } => {
                 let id = signals.pwm.get(usize::from(*channel).wrapping_sub(1));
                 id.into_iter().for_each(|id| vcd.at(*t, *id, *percent));
             }
-            Event::Intensity { byte, t, .. } => {
-                vcd.at(*t, signals.intensity, f64::from(*byte));
+            Event::Intensity { byte, port, t, .. } => {
+                vcd.at(*t, signals.intensity[usize::from(*port == 2)], f64::from(*byte));
+                self.beam.byte = *byte;
+                vcd.at(*t, signals.power, self.beam.power_percent(&self.machine.laser));
             }
-            Event::LaserHz { hz, t } => vcd.at(*t, signals.laser_hz, *hz),
+            Event::LaserHz { hz, t } => {
+                let port = usize::from(self.machine.intensity.port == 2);
+                vcd.at(*t, signals.laser_hz[port], *hz);
+            }
             _ => {}
         }
     }

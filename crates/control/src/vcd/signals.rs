@@ -58,8 +58,11 @@ pub(super) struct Signals {
     /// Steps of each axis.
     pub positions: [Id; AXES],
     pub pwm: [Id; 2],
-    pub intensity: Id,
-    pub laser_hz: Id,
+    /// Of each parallel port.
+    pub intensity: [Id; 2],
+    pub laser_hz: [Id; 2],
+    /// What the board of the laser gives, percent.
+    pub power: Id,
 }
 
 impl Signals {
@@ -75,6 +78,11 @@ impl Signals {
         let letters = Axis::ALL.map(|axis| axis.letter().to_ascii_lowercase());
         // Bits 4 to 7 of port C are motors Q and R.
         let c = &outputs.bits[PORT_BITS..];
+        let ports = ["lpt1", "lpt2"];
+        let [(byte1, hz1), (byte2, hz2)] = ports.map(|scope| {
+            let byte = vcd.signal(scope, "intensity_byte", Kind::Integer);
+            (byte, vcd.signal(scope, "laser_hz", Kind::Real))
+        });
         let of = |i: usize| [a[i], a[2 + i], a[4 + i], a[6 + i], c[4 + i], c[6 + i]];
         Self {
             directions: of(0),
@@ -84,8 +92,9 @@ impl Signals {
             positions: letters
                 .map(|axis| vcd.signal("steps", format!("{axis}_pos"), Kind::Integer)),
             pwm: [1, 2].map(|n| vcd.signal("analog", format!("pwm{n}"), Kind::Real)),
-            intensity: vcd.signal("analog", "intensity_byte", Kind::Integer),
-            laser_hz: vcd.signal("analog", "laser_hz", Kind::Real),
+            intensity: [byte1, byte2],
+            laser_hz: [hz1, hz2],
+            power: vcd.signal("analog", "laser_power", Kind::Real),
         }
     }
 }

@@ -1,9 +1,12 @@
 //! Area `job`: where a job lies, with what it begins and ends, jigs, door, repeats, limits.
 
 use kerf_geom::Point2;
-use kerf_ledger::jobs::{JobRun, JobTrace, job, line, square, t1, t2};
+use kerf_ledger::jobs::{JobRun, JobTrace, Signals, job, line, square, t1, t2};
+use kerf_machine::Errand;
 use kerf_machine::lines::Input;
-use kerf_program::Status;
+use kerf_machine::settings::job::Heads;
+use kerf_machine::settings::motors::FreeMotor;
+use kerf_program::{Axis, Status};
 
 fn ends(trace: &JobTrace) -> Vec<String> {
     let moves = trace.moves();
@@ -253,4 +256,109 @@ fn pro_io_inb0() {
 fn pro_io_inb1() {
     let trace = jigs().input(Input::Jig2, 1.0, true).run();
     assert!(trace.edges().contains(&"1.000 jig2+".into()), "{:?}", trace.edges());
+}
+
+/// A door that starts: closed at these times, open a second later.
+fn started_by(doubles: bool, at_s: &[f64], say: &str) -> JobTrace {
+    let mut run = JobRun::new(t1()).with(|machine| {
+        (machine.job.external_start, machine.misc.double_start) = (true, doubles);
+    });
+    for t in at_s {
+        run = run.input(Input::WHome, *t, true).input(Input::WHome, t + 1.0, false);
+    }
+    run.say(say).run()
+}
+
+#[test]
+fn pro_job_ext_option() {
+    assert!(started_by(false, &[5.0], "").edges()[0].starts_with("5.000 job_running+"));
+    // With the double start it takes two.
+    let twice = started_by(true, &[5.0, 9.0], "");
+    assert!(twice.edges()[0].starts_with("9.000 job_running+"), "{:?}", twice.edges());
+    let key = started_by(true, &[5.0], "start");
+    assert!(key.edges()[0].starts_with("5.000 job_running+"), "or the key: {:?}", key.edges());
+    let ignored = JobRun::new(t1()).input(Input::WHome, 5.0, true).run();
+    assert!(ignored.edges()[0].starts_with("0.000 job_running+"), "without the option");
+}
+
+#[test]
+fn pro_options_doublestart() {
+    let two = JobRun::new(t2()).with(|machine| machine.misc.double_start = true).say("start").run();
+    let asked = two.events.iter().find_map(|event| match event {
+        kerf_control::Event::Ask(ask) => Some(ask.text.clone()),
+        _ => None,
+    });
+    assert_eq!(asked.as_deref(), Some("Start with shape 1?"));
+    assert_eq!(cut(&two), [1, 2]);
+}
+
+#[test]
+fn pro_misc_tangential() {
+    let steps = |tangential: bool| {
+        let run = JobRun::new(job([square(1, (0.0, 0.0), 5.0)]));
+        let run = run.with(|machine| {
+            (machine.misc.tangential, machine.job.repeats) = (tangential, 2);
+        });
+        let positions = run.signals().changes("c_pos");
+        let place = |(_, bits): &(u64, String)| i64::from_str_radix(&bits[1..], 2).unwrap_or(-1);
+        positions.iter().map(place).max().unwrap_or_default()
+    };
+    // Two laps: four turns of 90 degrees each and back into the first direction, less the last return.
+    assert_eq!((steps(true), steps(false)), (4 * 9000 + 3 * 9000, 0));
+}
+
+#[test]
+fn pro_motors_z2() {
+    let both = |heads: Heads| {
+        move |machine: &mut kerf_machine::Configuration| {
+            machine.motors.z2 = Some(FreeMotor::Q);
+            machine.job.heads = heads;
+        }
+    };
+    let mut place = [None; kerf_program::AXES];
+    place[Axis::A.index()] = Some(-5.0);
+    let errand = Errand::To { place, relative: false, flat: false };
+    let alone = JobRun::hand(errand).with(both(Heads::One)).signals();
+    assert!(alone.changes("z_pos").is_empty() && !alone.changes("qstep").is_empty());
+    assert_eq!(last(&alone, "a_pos"), -5 * 250);
+    let run = |heads: Heads| {
+        JobRun::new(job([line(1, (0.0, 0.0), (2.0, 0.0))])).with(both(heads)).signals()
+    };
+    let (one, two) = (run(Heads::One), run(Heads::Both));
+    assert!(one.changes("qstep").is_empty(), "Q has no steps");
+    assert_eq!(two.changes("a_pos"), two.changes("z_pos"), "z2 follows z, step for step");
+}
+
+/// Where a count of steps ends.
+fn last(signals: &Signals, name: &str) -> i64 {
+    let changes = signals.changes(name);
+    let bits = &changes.last().expect("steps").1[1..];
+    i64::from(i64::from_str_radix(bits, 2).expect("binary") as u32 as i32)
+}
+
+/// Short lines left and right of the divider, and when their jigs and cuts are on.
+fn small_jigs() -> Signals {
+    let lines = [line(1, (10.0, 0.0), (11.0, 0.0)), line(2, (20.0, 0.0), (21.0, 0.0))];
+    let run = JobRun::new(job(lines)).with(|machine| {
+        (machine.job.two_jigs, machine.job.divider_mm) = (true, 15.0);
+    });
+    run.input(Input::Jig1, 1.0, true).input(Input::Jig2, 2.0, true).signals()
+}
+
+#[test]
+fn pro_io_outc0() {
+    let signals = small_jigs();
+    let (on, cuts) = (signals.on("jig1"), signals.on("cut1"));
+    assert_eq!(on.len(), 1);
+    assert!(on[0].0 < cuts[0].0 && on[0].1 > cuts[0].1 && on[0].1 < cuts[1].0, "{on:?} {cuts:?}");
+    let bytes: Vec<String> = signals.changes("port_c").into_iter().map(|(_, it)| it).collect();
+    assert_eq!(bytes, ["b00000001", "b00000000", "b00000010", "b00000000"]);
+}
+
+#[test]
+fn pro_io_outc1() {
+    let signals = small_jigs();
+    let (on, cuts) = (signals.on("jig2"), signals.on("cut1"));
+    assert_eq!(on.len(), 1);
+    assert!(on[0].0 > cuts[0].1 && on[0].0 < cuts[1].0 && on[0].1 > cuts[1].1, "{on:?} {cuts:?}");
 }

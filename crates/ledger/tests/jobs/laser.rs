@@ -1,8 +1,10 @@
 //! Areas `laser` and `intensity`: piercing, gas, intensity by the real speed.
 
-use kerf_ledger::jobs::{JobRun, t1};
+use kerf_ledger::jobs::{JobRun, job, line, t1};
+use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::laser::LaserType;
 use kerf_machine::{Configuration, Value, table};
+use kerf_sim::Sheet;
 
 /// JOB-T5: a laser with a pierce sequence.
 fn t5() -> JobRun {
@@ -280,4 +282,128 @@ fn pro_misc_intensity_on() {
 #[test]
 fn pro_misc_laser_on() {
     pro_laser_use();
+}
+
+/// JOB-T5 through the material with proportional height control over a sheet.
+fn over(sheet: Sheet) -> JobRun {
+    t5().sheet(sheet).with(|machine| {
+        machine.zpos.bottom_mm = -30.0;
+        (machine.height.on, machine.height.mode) = (true, HeightMode::Proportional);
+        machine.height.k = 9.5;
+    })
+}
+
+/// Heights at which moves of Z end, in order.
+fn heights(run: JobRun) -> Vec<f64> {
+    let moves = run.run().moves();
+    moves.iter().filter_map(|it| it.rsplit_once(" z").and_then(|(_, z)| z.parse().ok())).collect()
+}
+
+#[test]
+fn pro_laser_heightctl() {
+    // The sheet lies at -18.5; the set point is 150 units of 0.038 mm above it, and one unit ends the way down.
+    let ends = heights(over(Sheet::flat(-18.5)));
+    let sensed = -18.5 + 5.7;
+    let (pierced, cut) = (ends[2], ends[3]);
+    assert!(ends[1] < sensed && ends[1] > sensed - 0.5, "it runs on a little: {ends:?}");
+    assert!((pierced - cut - 5.0).abs() < 1e-6, "{ends:?}");
+    assert!((cut - sensed).abs() < 0.04, "{ends:?}");
+    let edges = over(Sheet::flat(-18.5)).run().edges();
+    let order: Vec<&str> = edges.iter().filter_map(|edge| edge.split_once(' ').map(|(_, e)| e)).collect();
+    let pierce = ["tool2+", "hz 500", "cut1+", "cut1-", "tool2-", "tool1+", "hz 5000", "cut1+"];
+    assert_eq!(order[2..10], pierce);
+}
+
+#[test]
+fn pro_laser_pierce_height__above_the_sensed_surface() {
+    let pierced = |height: f64| {
+        let ends = heights(over(Sheet::flat(-17.0)).with(|machine| machine.laser.pierce.height_mm = height));
+        ends[2] - ends[3]
+    };
+    assert!((pierced(5.0) - 5.0).abs() < 1e-6 && (pierced(2.0) - 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn pro_laser_legacy__in_a_trace() {
+    let power = |cut: u8| {
+        let run = t5().with(|machine| {
+            machine.laser.legacy_board = true;
+            machine.laser.pierce.use_sequence = false;
+            machine.intensity.low_bit_at_bottom = true;
+        });
+        let run = run.job(|job| {
+            let mut shapes = job.shapes.to_vec();
+            shapes[0].cut = cut;
+            job.shapes = shapes.into();
+        });
+        let changes = run.signals().changes("laser_power");
+        let value = |t_ms: u64| {
+            let before = changes.iter().rev().find(|(t, _)| *t <= t_ms);
+            before.map_or(0.0, |(_, value)| value[1..].trim().parse::<f64>().expect("a number"))
+        };
+        // In the bottom delay, and at speed: 60 % of 127 are 76.
+        (value(3200), value(4600))
+    };
+    let cruise = 100.0 * 76.0 / 127.0;
+    let (one, two) = (power(1), power(2));
+    assert_eq!((one.0, two.0), (100.0, 0.0));
+    assert!((one.1 - cruise).abs() < 1e-6 && (two.1 - cruise).abs() < 1e-6, "{one:?} {two:?}");
+}
+
+#[test]
+fn pro_intensity_pulse__in_a_trace() {
+    let trace = t5().with(|machine| machine.laser.cut_hz = 100_000.0).run();
+    let widths = trace.events.iter().filter_map(|event| match event {
+        kerf_control::Event::Intensity { value: 38, pulse_us, .. } => *pulse_us,
+        _ => None,
+    });
+    let widths: Vec<f64> = widths.collect();
+    assert!(!widths.is_empty() && widths.iter().all(|us| (us - 2.992).abs() < 5e-4), "{widths:?}");
+}
+
+/// The trace of JOB-T5 with a line of 5 mm, its intensity on a port.
+fn short(port: u8) -> String {
+    let run = t5().with(|machine| machine.intensity.port = port);
+    run.job(|it| *it = job([line(1, (0.0, 0.0), (5.0, 0.0))])).signals().0
+}
+
+/// Changes of a signal in a scope of a trace.
+fn changes_in(text: &str, scope: &str, name: &str) -> usize {
+    let module = text.split(&format!("$scope module {scope} $end")).nth(1).expect("the scope");
+    let declared = module.lines().find(|line| line.ends_with(&format!(" {name} $end")));
+    let code = declared.and_then(|line| line.split(' ').nth(3)).expect("the signal");
+    let (_, body) = text.split_once("$dumpvars").expect("a body");
+    let told = body.lines().filter(|line| line.split(' ').nth(1) == Some(code));
+    told.count() - 1
+}
+
+#[test]
+fn pro_options_lpt() {
+    for (port, other) in [(1, "lpt2"), (2, "lpt1")] {
+        let own = format!("lpt{port}");
+        let text = short(port);
+        assert!(changes_in(&text, &own, "intensity_byte") > 20);
+        assert_eq!(changes_in(&text, other, "intensity_byte"), 0);
+    }
+    refuses("intensity.port", &[0.0, 3.0]);
+}
+
+#[test]
+fn pro_io_lpt() {
+    let text = short(2);
+    assert_eq!(changes_in(&text, "lpt2", "laser_hz"), 2);
+    assert_eq!(changes_in(&text, "lpt1", "laser_hz"), 0);
+    assert!(changes_in(&text, "lpt2", "intensity_byte") > 20);
+    refuses("intensity.port", &[0.0, 3.0]);
+}
+
+#[test]
+fn pro_misc_laser_on__a_laser_job() {
+    let hz = |run: JobRun| run.run().edges().iter().filter(|edge| edge.contains("hz")).count();
+    assert_eq!(hz(JobRun::new(t1())), 0);
+    assert_eq!(hz(t5().with(|machine| machine.laser.use_laser = false)), 0);
+    assert_eq!(hz(t5()), 2);
+    assert!(!kerf_machine::Configuration::default().laser.use_laser);
+    let unchosen = t5().with(|machine| machine.laser.kind = None).run();
+    assert!(unchosen.moves().is_empty() && unchosen.edges().is_empty());
 }

@@ -1,6 +1,6 @@
 //! Area `move`: moves by hand; and what belongs to them of zpos, axes and pause.
 
-use kerf_control::Event;
+use kerf_control::{Event, Made, Sink};
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Errand, Held, Keypad};
@@ -322,4 +322,79 @@ fn the_keypad_leaves_outputs_as_they_are() {
     let on = |settings: &mut Settings| settings.io.outputs[2] = 3;
     let edges = keypad([1.0, 0.0], Some(25.4), on).run();
     assert!(!edges.events.iter().any(|e| matches!(e, Event::Output { n: 3, .. })));
+
+#[test]
+fn pro_job_relative() {
+    assert_eq!(placed(to([0.0, 0.0, 0.0], false, false)).run().rests(), [300.0, 200.0, 0.0]);
+}
+
+#[test]
+fn pro_job_step_origin() {
+    let trace = placed(Errand::Origin).at(0.0, 0.0, -25.0).run();
+    assert_eq!(trace.rests(), [300.0, 200.0, -10.0]);
+    assert_eq!(trace.edges(), [""; 0], "every output is 0");
+}
+
+/// The greatest speed and acceleration of each axis over a run, a look a millisecond.
+#[derive(Default)]
+struct Peaks {
+    speed: Axes,
+    accel: Axes,
+    before: Option<(f64, Axes)>,
+}
+
+impl Sink for Peaks {
+    fn event(&mut self, _: &Event) {}
+
+    fn made(&mut self, made: &Made<'_>) {
+        let (from_s, to_s) = (made.span.t0_s, made.span.t1_s);
+        let looks = ((to_s - from_s) / 0.001).floor() as u32;
+        for look in 0..=looks {
+            let at_s = from_s + f64::from(look) * 0.001;
+            let velocity = made.plan.at(at_s).velocity;
+            let t_s = made.t0_s + at_s;
+            if let Some((before_s, before)) = self.before {
+                let step_s = t_s - before_s;
+                if step_s > 5e-4 && step_s < 2e-3 {
+                    let accel = velocity.minus(before).zip(before, |dv, _| dv.abs() / step_s);
+                    self.accel = self.accel.zip(accel, f64::max);
+                }
+            }
+            self.speed = self.speed.zip(velocity, |peak, v| peak.max(v.abs()));
+            self.before = Some((t_s, velocity));
+        }
+    }
+}
+
+fn peaks(run: JobRun) -> (Peaks, f64) {
+    let mut peaks = Peaks::default();
+    let seconds = run.run_for(&mut peaks).seconds;
+    (peaks, seconds)
+}
+
+#[test]
+fn pro_axes_maxspeed__of_a_machine() {
+    let (straight, _) = peaks(JobRun::hand(to([1000.0, 0.0, 0.0], false, false)));
+    assert!((straight.speed[Axis::X] - 200.0).abs() < 1e-6, "{:?}", straight.speed);
+    let (diagonal, _) = peaks(JobRun::hand(to([1000.0, 800.0, 0.0], false, false)));
+    assert!((diagonal.speed[Axis::X] - 200.0).abs() < 1e-6, "{:?}", diagonal.speed);
+    assert!(diagonal.speed[Axis::Y] <= 200.0 + 1e-6);
+    let knife = JobRun::new(job([kerf_ledger::jobs::square(1, (0.0, 0.0), 100.0)]));
+    let (knife, _) = peaks(knife.with(|machine| machine.misc.tangential = true));
+    assert!(knife.speed[Axis::C] > 100.0 && knife.speed[Axis::C] <= 180.0 + 1e-6);
+    assert!(knife.speed[Axis::Z] <= 50.0 + 1e-6);
+}
+
+#[test]
+fn pro_axes_maxacc__of_a_machine() {
+    let (peak, seconds) = peaks(JobRun::hand(to([100.0, 0.0, 0.0], false, false)));
+    // 0.2 s up, 0.3 s at 200 mm/s, 0.2 s down.
+    assert!((seconds - 0.7).abs() < 1e-6, "{seconds}");
+    assert!((999.0..=1000.001).contains(&peak.accel[Axis::X]), "{:?}", peak.accel);
+    let knife = JobRun::new(job([kerf_ledger::jobs::square(1, (0.0, 0.0), 100.0)]));
+    let (knife, _) = peaks(knife.with(|machine| machine.misc.tangential = true));
+    let most = [1000.0, 1000.0, 500.0, f64::INFINITY, f64::INFINITY, 720.0];
+    for (axis, most) in Axis::ALL.into_iter().zip(most) {
+        assert!(knife.accel[axis] <= most * 1.0001, "{axis:?}: {}", knife.accel[axis]);
+    }
 }

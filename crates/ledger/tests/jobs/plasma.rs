@@ -2,6 +2,7 @@
 
 use kerf_ledger::jobs::{JobRun, JobTrace, t1};
 use kerf_machine::lines::Input;
+use kerf_machine::settings::height::HeightMode;
 use kerf_sim::Sheet;
 
 /// JOB-T6 without its arc: a plasma torch over a sheet at −20.
@@ -128,4 +129,75 @@ fn pro_misc_plasma_on() {
     let ignored = JobRun::new(t1()).input(Input::WHome, 5.0, true).run();
     has(&ignored, &["4.840-5.940 x100"]);
     pro_timing_plasma();
+}
+
+#[test]
+fn pro_plasma_use__never_looks_at_the_sensor_without() {
+    let normal = t6().with(|machine| machine.plasma.use_sequence = false).run();
+    assert_eq!(normal.edges()[..2], ["0.000 job_running+", "0.300 router+"]);
+    assert!(normal.moves().iter().all(|made| !made.contains("z-16")), "{:?}", normal.moves());
+}
+
+#[test]
+fn pro_plasma_tooclose_input() {
+    // The sensor is on while Z is at the sheet or below it.
+    let changes: Vec<String> = t6()
+        .run()
+        .events
+        .iter()
+        .filter_map(|event| match event {
+            kerf_control::Event::Input { name: Some("whome"), on, t, .. } => {
+                Some(format!("{t:.3} {on}"))
+            }
+            _ => None,
+        })
+        .collect();
+    // Down through -20 at 20 mm/s, 0.4 mm further, and up through it again.
+    assert_eq!(changes[0], "0.820 true");
+    assert!(changes.len() == 2 && changes[1].ends_with("false"), "{changes:?}");
+    let bit = t6().signals().on("whome");
+    assert_eq!(bit[0].0, 820, "port A bit 1");
+}
+
+/// A torch with proportional height control.
+fn controlled(sheet: Sheet) -> JobRun {
+    t6().sheet(sheet).with(|machine| {
+        (machine.height.on, machine.height.mode) = (true, HeightMode::Proportional);
+        machine.height.k = 9.5;
+        // The set point is the initial height.
+        (machine.height.x_set_point, machine.height.y_set_point) = (105, 105);
+    })
+}
+
+/// Times and heights of the readings.
+fn readings(trace: &JobTrace) -> Vec<(f64, f64)> {
+    let told = trace.events.iter().filter_map(|event| match event {
+        kerf_control::Event::Height { z, t, .. } => Some((*t, *z)),
+        _ => None,
+    });
+    told.collect()
+}
+
+#[test]
+fn pro_plasma_z_zero() {
+    let trace = controlled(Sheet { slope_x: 0.25, ..Sheet::flat(-20.0) }).run();
+    assert!(trace.states().iter().any(|state| state.ends_with("paused: z at 0")), "{:?}", trace.states());
+    let all = readings(&trace);
+    let highest = all.iter().map(|(_, z)| *z).fold(f64::NEG_INFINITY, f64::max);
+    assert!((-0.05..=0.0).contains(&highest), "{highest}");
+    assert!(trace.rests()[2] <= 0.0 && trace.rests()[0] < 90.0, "{:?}", trace.rests());
+    assert!(!trace.edges().iter().any(|edge| edge.ends_with("cut1+")) || trace.edges().iter().any(|edge| edge.ends_with("cut1-")));
+}
+
+#[test]
+fn pro_plasma_heightctl() {
+    let run = controlled(Sheet { slope_x: 0.2, ..Sheet::flat(-20.0) });
+    let trace = run.with(|machine| machine.height.activation_percent = 80.0).run();
+    let all = readings(&trace);
+    let begin_s = all[0].0;
+    // 80 mm/s are reached after 0.08 s: until then Z is where the sheet was felt, 4 mm above it.
+    let early: Vec<_> = all.iter().filter(|(t, _)| *t < begin_s + 0.079).collect();
+    assert!(early.iter().all(|(_, z)| (z + 16.0).abs() < 1e-6), "{early:?}");
+    let later = all.iter().find(|(t, _)| *t > begin_s + 0.5).expect("a reading");
+    assert!(later.1 > -12.0, "{later:?}");
 }

@@ -165,3 +165,64 @@ fn pro_misc_intensity_on() {
     let cruise = on.changes("intensity_byte").into_iter().find(|(_, it)| it == "b11111110");
     assert_eq!(cruise.map(|(t_ms, _)| t_ms.abs_diff(4940) <= 1), Some(true));
 }
+
+/// The byte of port A while height control is simple, and how far an input moved Z, mm.
+fn pulsed(input: Input) -> (Vec<(u64, String)>, f64) {
+    let run = |pulse: bool| {
+        let run = JobRun::new(t1()).with(|machine| machine.height.on = true);
+        let run = run.input(Input::ZHigh, 0.1, true).input(Input::ZHigh, 3.3, false);
+        if pulse { run.input(input, 4.7, true).input(input, 4.8, false) } else { run }
+    };
+    let by = run(true).run().rests()[2] - run(false).run().rests()[2];
+    let bytes = run(true).signals().changes("in_a").into_iter().filter(|(t, _)| *t > 4000);
+    (bytes.collect(), by)
+}
+
+fn carried(input: Input, byte: &str, by_mm: f64) {
+    let (bytes, by) = pulsed(input);
+    let expected = [(4700, byte.to_owned()), (4800, "b00000000".to_owned())];
+    assert_eq!(bytes, expected);
+    assert!((by - by_mm).abs() < 0.05, "{by}");
+}
+
+#[test]
+fn pro_io_ina4() {
+    carried(Input::ZHigh, "b00010000", -3.0);
+}
+
+#[test]
+fn pro_io_ina7() {
+    carried(Input::ZLow, "b10000000", 3.0);
+}
+
+#[test]
+fn pro_io_io_in_hct__in_a_job() {
+    pro_io_ina4();
+}
+
+#[test]
+fn pro_io_io_in_hcb__in_a_job() {
+    pro_io_ina7();
+}
+
+#[test]
+fn pro_io_io_in_bdel__in_a_job() {
+    let waits = || {
+        JobRun::new(t1()).with(|machine| {
+            machine.delays.bottom_type =
+                kerf_machine::settings::delays::BottomDelayType::Input;
+            machine.delays.bottom_s = 0.0;
+        })
+    };
+    let pulse = |run: JobRun, at_s: f64| {
+        let bdel = Input::EndBottomDelay;
+        run.input(bdel, at_s, true).input(bdel, at_s + 0.001, false)
+    };
+    let cut = |run: JobRun| {
+        let moves = run.run().moves();
+        moves.into_iter().find(|made| made.ends_with(" x100")).unwrap_or_default()
+    };
+    // A millisecond is enough; before the cut bit at 3.84 it is nothing.
+    assert!(cut(pulse(waits(), 4.64)).starts_with("4.640-"), "{}", cut(pulse(waits(), 4.64)));
+    assert!(cut(pulse(pulse(waits(), 3.0), 5.0)).starts_with("5.000-"));
+}

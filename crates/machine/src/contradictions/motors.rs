@@ -3,6 +3,7 @@
 use super::Contradiction;
 use crate::Configuration;
 use crate::settings::axes::{W, Z2};
+use crate::settings::job::Heads;
 use kerf_program::Axis;
 use kerf_program::settings::AxisUnit;
 
@@ -29,6 +30,13 @@ pub(super) fn heads(c: &Configuration, found: &mut Found) {
             &["motors.a", "motors.z2"],
             "axis A has two motors: motors.a and motors.z2",
             "The second head is axis A of part files: set one of the two to none.",
+        ));
+    }
+    if c.motors.z2.is_none() && c.job.heads == Heads::Both {
+        found.push(Contradiction::new(
+            &["job.heads", "motors.z2"],
+            "job.heads is both, but there is no second head: motors.z2 is none",
+            "Tell which motor drives the second head, or let job.heads be z.",
         ));
     }
     if c.motors.z2.is_some() && c.program.axis_unit(Z2) == AxisUnit::Degrees {

@@ -94,12 +94,11 @@ impl Sequence {
     /// ZSurface.
     fn to_pierce_height(&self, shape: &JobShape, z: f64) -> Vec<Small> {
         let above_mm = self.machine.laser.pierce.height_mm;
-        if self.height_law(shape).is_none() {
+        let Some(law) = self.height_law(shape) else {
             return vec![Small::Plunge(self.heights.surface_mm + above_mm)];
-        }
-        let mut steps = self.down(shape, z);
-        steps.push(Small::AboveSensed(above_mm));
-        steps
+        };
+        let [controlled, lower] = Self::until_sensed(law, z);
+        vec![controlled, lower, Small::AboveSensed(above_mm)]
     }
 
     /// The beam is on for the pierce time.

@@ -6,6 +6,8 @@ use super::small::Small;
 use super::start::PATIENCE_S;
 use super::{SAME_MM, Sequence, bit};
 use crate::lines::{Input, Output};
+use crate::settings::axes::Z2;
+use crate::settings::job::Heads;
 use crate::state::State;
 use kerf_geom::Point2;
 use kerf_program::{
@@ -133,10 +135,25 @@ impl Sequence {
     }
 
     /// Gives a motion that ends at a position.
-    pub(super) fn move_by(&mut self, command: Command, to: Axes, out: &mut Vec<Sourced>) {
+    pub(super) fn move_by(&mut self, mut command: Command, to: Axes, out: &mut Vec<Sourced>) {
+        let to = self.with_second_head(to);
+        match &mut command {
+            Command::Line(line) => line.to = to,
+            Command::Arc(arc) => arc.to = to,
+            _ => {}
+        }
         self.motions += 1;
         self.position = to;
         self.give(command, out);
+    }
+
+    /// The same place with the second head beside the first, where both cut. What it is adjusted by is in
+    /// its zero since it was homed.
+    fn with_second_head(&self, mut to: Axes) -> Axes {
+        if self.machine.job.heads == Heads::Both && to[Axis::Z] != self.position[Axis::Z] {
+            to[Z2] = to[Axis::Z];
+        }
+        to
     }
 
     fn switch(&mut self, output: Output, on: bool, out: &mut Vec<Sourced>) {

@@ -68,10 +68,15 @@ impl Sequence {
     pub(super) fn down(&self, shape: &JobShape, z: f64) -> Vec<Small> {
         let Some(law) = self.height_law(shape) else { return vec![Small::Plunge(z)] };
         let proportional = matches!(law.gauge, Gauge::Proportional { .. });
-        let mut steps = vec![Small::Height(Some(Arc::new(law))), Small::Lower(z)];
+        let mut steps = Vec::from(Self::until_sensed(law, z));
         // A reading says where the head is; two inputs cannot tell how far it ran on.
         steps.extend(proportional.then_some(Small::AboveSensed(0.0)));
         steps
+    }
+
+    /// Down until the sensor says that the head is at its height, at the lowest to a height.
+    pub(super) fn until_sensed(law: HeightLaw, lowest: f64) -> [Small; 2] {
+        [Small::Height(Some(Arc::new(law))), Small::Lower(lowest)]
     }
 
     /// Height control left Z somewhere: ZSurface and ZTop have followed.

@@ -8,7 +8,7 @@ use super::Sequence;
 use super::place::{Along, Stage};
 use super::small::Small;
 use super::words::Word;
-use crate::lines::Output;
+use crate::lines::{Input, Output};
 use crate::state::{Effect, Event, State};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::Point2;
@@ -169,7 +169,9 @@ impl Sequence {
             default: usize::from(!marked),
             prefill: String::new(),
             icon: 0,
-            until: None,
+            // The external start is a key as any other.
+            until: (preparing && self.machine.job.external_start)
+                .then_some((Input::WHome.number(), true)),
         }
     }
 

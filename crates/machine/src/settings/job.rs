@@ -1,5 +1,17 @@
 //! How jobs are started, placed and repeated (Profiler reference, "Machining the Job").
 
+use super::words;
+
+words! {
+    /// Which heads cut a job.
+    Heads {
+        /// The first alone.
+        One = "z",
+        /// The second head goes with it.
+        Both = "both",
+    }
+}
+
 /// Settings of jobs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JobSettings {
@@ -17,6 +29,8 @@ pub struct JobSettings {
     pub two_jigs: bool,
     /// What lies left of this X from machine home is jig 1, mm.
     pub divider_mm: f64,
+    /// Which heads cut.
+    pub heads: Heads,
 }
 
 impl Default for JobSettings {
@@ -29,6 +43,7 @@ impl Default for JobSettings {
             external_start: false,
             two_jigs: false,
             divider_mm: 0.0,
+            heads: Heads::One,
         }
     }
 }

@@ -67,6 +67,30 @@ pub struct CutGas {
     pub overrides: bool,
 }
 
+/// Values of the intensity output below the highest.
+const FULL: f64 = 127.0;
+
+impl Laser {
+    /// How long each pulse of a pulsed laser is at an intensity 0 … 127, microseconds ("Intensity Output
+    /// Example").
+    pub fn pulse_us(hz: f64, value: u8) -> f64 {
+        1e6 / hz * f64::from(value) / FULL
+    }
+
+    /// What the board of the laser makes of its port and its cut outputs, percent of full power: an old one
+    /// turns full on with the burn bit and cut 1, and off with the burn bit and cut 2.
+    pub fn power_percent(&self, value: u8, burn: bool, [cut1, cut2]: [bool; 2]) -> f64 {
+        if !self.use_laser {
+            return 0.0;
+        }
+        match (self.legacy_board && burn, cut1, cut2) {
+            (true, true, _) => 100.0,
+            (true, _, true) => 0.0,
+            _ => 100.0 * f64::from(value) / FULL,
+        }
+    }
+}
+
 impl Default for Laser {
     fn default() -> Self {
         Self {
@@ -89,5 +113,29 @@ impl Default for Laser {
             },
             gas: CutGas::default(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pro_intensity_pulse() {
+        // 100 kHz: a period of 10 µs.
+        assert!((Laser::pulse_us(100_000.0, 38) - 2.992).abs() < 5e-4);
+    }
+
+    #[test]
+    fn pro_laser_legacy() {
+        let laser = |legacy_board| Laser { use_laser: true, legacy_board, ..Laser::default() };
+        let (old, new) = (laser(true), laser(false));
+        let (cut1, cut2, none) = ([true, false], [false, true], [false, false]);
+        assert_eq!([cut1, cut2].map(|cuts| old.power_percent(0, true, cuts)), [100.0, 0.0]);
+        assert_eq!(old.power_percent(127, true, cut2), 0.0);
+        assert_eq!(old.power_percent(127, true, none), 100.0);
+        assert!((old.power_percent(38, false, cut1) - 29.921).abs() < 1e-3);
+        assert!((new.power_percent(38, true, cut2) - 29.921).abs() < 1e-3, "others ignore the bit");
+        assert_eq!(Laser::default().power_percent(127, false, cut1), 0.0);
     }
 }

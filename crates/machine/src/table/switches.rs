@@ -106,6 +106,14 @@ const JOB: &[Setting] = &[
         Any,
         "The input shared with W home starts jobs, or is the door that must be shut."
     ),
+    row!(
+        c,
+        "job.heads",
+        c.job.heads,
+        None,
+        Any,
+        "Which heads cut a job: z alone, or both, the second beside the first."
+    ),
     row!(c, "job.two_jigs", c.job.two_jigs, None, Any, "Two jigs with a start input each."),
     row!(
         c,

@@ -19,8 +19,11 @@ struct Following<'a> {
 }
 
 /// What a tick came to.
-struct Tick {
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tick {
     t_s: f64,
+    /// How far Z has been carried, mm.
+    offset_mm: f64,
     /// Where the tool is, Z of the machine frame, mm.
     z_mm: f64,
     reading: Option<Reading>,
@@ -61,7 +64,7 @@ impl Following<'_> {
             (Input::HeightConflict, sensed.high && sensed.low && sensed.active),
             (Input::HeightAtZero, z_mm >= self.law.ceiling_mm - 1e-9),
         ];
-        Tick { t_s, z_mm, reading, faults }
+        Tick { t_s, offset_mm: self.follower.offset_mm, z_mm, reading, faults }
     }
 
     fn sense(&self, state: &State, full_mm_s: f64) -> Sensed {
@@ -128,31 +131,55 @@ impl Machine {
         }
     }
 
-    /// What height control will notice on the way, each fault off at first.
-    pub(super) fn foreseen_faults(&self, plan: &Plan, t0_s: f64) -> Vec<Change> {
+    /// What height control will make of a plan from now on.
+    pub(super) fn foreseen_ticks(&self, plan: &Plan, t0_s: f64) -> Vec<Tick> {
         let Some(mut following) = self.following() else { return Vec::new() };
         let from_s = (self.clock_s - t0_s).max(0.0);
+        let mut ticks = Vec::new();
+        for index in 0..plan.moves().len() {
+            let Some(span) = plan.span(index).filter(|span| span.t1_s > from_s) else { continue };
+            following.through(t0_s, plan, &span, from_s, &mut |tick| ticks.push(*tick));
+        }
+        ticks
+    }
+
+    /// What height control will notice on the way, each fault off at first.
+    pub(super) fn foreseen_faults(&self, ticks: &[Tick]) -> Vec<Change> {
+        if self.law.is_none() {
+            return Vec::new();
+        }
         let faults = [Input::HeightSilent, Input::HeightConflict, Input::HeightAtZero];
         let off = |input: Input| Change { input: input.number(), at_s: self.clock_s, on: false };
         let mut all: Vec<Change> = faults.map(off).into();
         let mut states = [false; 3];
-        for index in 0..plan.moves().len() {
-            let Some(span) = plan.span(index).filter(|span| span.t1_s > from_s) else { continue };
-            following.through(t0_s, plan, &span, from_s, &mut |tick| {
-                for ((input, on), state) in tick.faults.into_iter().zip(&mut states) {
-                    if std::mem::replace(state, on) != on {
-                        all.push(Change { input: input.number(), at_s: tick.t_s, on });
-                    }
+        for tick in ticks {
+            for ((input, on), state) in tick.faults.into_iter().zip(&mut states) {
+                if std::mem::replace(state, on) != on {
+                    all.push(Change { input: input.number(), at_s: tick.t_s, on });
                 }
-            });
+            }
         }
         all
     }
 
     /// What the sensors of the head will tell of a sheet.
-    pub(super) fn foreseen_sensors(&self, plan: &Plan, t0_s: f64, sheet: Sheet) -> Vec<Change> {
+    pub(super) fn foreseen_sensors(
+        &self,
+        plan: &Plan,
+        t0_s: f64,
+        sheet: Sheet,
+        ticks: &[Tick],
+    ) -> Vec<Change> {
+        let at = |t_s: f64| {
+            let mut at = plan.at(t_s).position;
+            // Where height control carries the head.
+            let behind = ticks.partition_point(|tick| tick.t_s <= t0_s + t_s);
+            let tick = behind.checked_sub(1).and_then(|i| ticks.get(i));
+            at[Axis::Z] += tick.map_or(self.follower.offset_mm, |tick| tick.offset_mm);
+            at
+        };
         let close = |t_s: f64| {
-            let at = plan.at(t_s).position;
+            let at = at(t_s);
             at[Axis::Z] <= sheet.height_mm(at[Axis::X], at[Axis::Y])
         };
         let (from_s, to_s) = (self.clock_s - t0_s, plan.duration_s());
@@ -163,7 +190,7 @@ impl Machine {
         };
         let mut all = changes(Input::WHome, &close);
         if matches!(self.law, Some(HeightLaw { gauge: Gauge::Proportional { .. }, .. })) {
-            let high = |t_s: f64| self.above_band(&sheet, &plan.at(t_s).position);
+            let high = |t_s: f64| self.above_band(&sheet, &at(t_s));
             all.extend(changes(Input::ZHigh, &high));
         }
         all

@@ -45,11 +45,12 @@ impl Machine {
         if self.draws() {
             return;
         }
+        let ticks = self.foreseen_ticks(plan, t0_s);
         let mut all = self.foreseen_switches(plan, t0_s);
         if let Some(sheet) = self.sheet {
-            all.extend(self.foreseen_sensors(plan, t0_s, sheet));
+            all.extend(self.foreseen_sensors(plan, t0_s, sheet, &ticks));
         }
-        all.extend(self.foreseen_faults(plan, t0_s));
+        all.extend(self.foreseen_faults(&ticks));
         all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
         self.inputs.foresee(all);
     }
