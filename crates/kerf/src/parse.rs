@@ -69,8 +69,10 @@ pub fn from_line(text: &str) -> Result<String, String> {
 /// along X and Y, and how high and long the waves along X are.
 pub fn sheet(text: &str) -> Result<Sheet, String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
-    let numbers = numbers.filter(|all| matches!(all.len(), 1..=3 | 5) && all.iter().all(|n: &f64| n.is_finite()));
-    let numbers = numbers.ok_or_else(|| "give Z, or Z,SLOPE, as -20,0.05, or five numbers for waves".to_owned())?;
+    let numbers = numbers
+        .filter(|all| matches!(all.len(), 1..=3 | 5) && all.iter().all(|n: &f64| n.is_finite()));
+    let numbers = numbers
+        .ok_or_else(|| "give Z, or Z,SLOPE, as -20,0.05, or five numbers for waves".to_owned())?;
     let number = |i: usize| numbers.get(i).copied().unwrap_or_default();
     let [at_mm, slope_x, slope_y, wave_mm, wave_length_mm] = [0, 1, 2, 3, 4].map(number);
     Ok(Sheet { at_mm, slope_x, slope_y, wave_mm, wave_length_mm, step: None })

@@ -30,7 +30,8 @@ fn measured(told: &str) -> (f64, u32) {
 #[test]
 fn pro_height_prop_accuracy__of_the_figure() {
     let shop = Shop::new(&[]);
-    let did = figure(&shop, "heights", "wave", "height-error", "--title Height-control -o error.svg");
+    let did =
+        figure(&shop, "heights", "wave", "height-error", "--title Height-control -o error.svg");
     did.exits(0);
     let (worst, _) = measured(&did.out());
     assert!(worst <= 0.1 && did.out().contains(", 0 of "), "{}", did.out());

@@ -256,7 +256,8 @@ fn pro_height_prop_port() {
     told(data, &["set", "options.devices", "/dev/a,/dev/b,/dev/c,/dev/pts/9"]);
     told(data, &["set", "height.port", "4"]);
     assert!(told(data, &["list", "height.port"]).contains("(/dev/pts/9)"));
-    for (port, why) in [("0", "1 to 4"), ("5", "1 to 4"), ("1", "same serial port"), ("2", "same")] {
+    for (port, why) in [("0", "1 to 4"), ("5", "1 to 4"), ("1", "same serial port"), ("2", "same")]
+    {
         refused(data, &["set", "height.port", port], why);
     }
     assert_eq!(told(data, &["get", "height.port"]), "4\n");

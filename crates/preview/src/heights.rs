@@ -242,6 +242,9 @@ mod tests {
     #[test]
     fn scales_have_round_numbers() {
         assert_eq!(round_values([-0.12, 0.12], 6.0), [-0.1, -0.05, 0.0, 0.05, 0.1]);
-        assert_eq!(round_values([0.0, 300.0], 12.0), [0.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0]);
+        assert_eq!(
+            round_values([0.0, 300.0], 12.0),
+            [0.0, 50.0, 100.0, 150.0, 200.0, 250.0, 300.0]
+        );
     }
 }

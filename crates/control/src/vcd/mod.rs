@@ -50,7 +50,8 @@ impl<W: Write> VcdSink<W> {
         let mut vcd = Vcd::default();
         let signals = Signals::new(&mut vcd);
         let (pulses, beam) = (Pulses::new(&machine), Beam::default());
-        let mut sink = Self { out, vcd, machine, signals, pulses, stepper: None, beam, failed: None };
+        let mut sink =
+            Self { out, vcd, machine, signals, pulses, stepper: None, beam, failed: None };
         let header = sink.vcd.header();
         sink.put(&header);
         sink

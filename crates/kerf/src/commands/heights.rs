@@ -167,14 +167,17 @@ pub fn run(args: &HeightsArgs) -> Result<Exit> {
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     let readings = sink.1;
     if readings.readings.is_empty() {
-        bail!("no reading came: height control reads in THRU shapes, with height.on and height.mode \
-               proportional");
+        bail!(
+            "no reading came: height control reads in THRU shapes, with height.on and height.mode \
+               proportional"
+        );
     }
     let accuracy_mm = machine.height.display_accuracy_mm;
     let told = told(&readings.settled(), accuracy_mm);
     out::print(&format!("{told}\n"));
     let speed = speed.unwrap_or(machine.program.speeds.cut.xy) * 0.06;
-    let note = format!("{speed} m/min, K {}, {} baud · {told}", machine.height.k, machine.height.baud);
+    let note =
+        format!("{speed} m/min, K {}, {} baud · {told}", machine.height.k, machine.height.baud);
     let name = || args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let title = args.title.clone().unwrap_or_else(name);
     let plot = HeightPlot { title, note, accuracy_mm, readings: readings.readings };

@@ -216,10 +216,8 @@ fn attended<'a>(
     let trace = args.trace.as_deref().map(trace).transpose()?;
     let signals = args.vcd.sink(show.machine)?;
     let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
-    let mut sink = (
-        (show.talk, (trace, (signals, readings))),
-        (Diagnostics::default(), (picture, progress)),
-    );
+    let mut sink =
+        ((show.talk, (trace, (signals, readings))), (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;

@@ -261,8 +261,7 @@ fn pro_height_activation_0__while_a_knife_turns() {
         let mut run = simple().with(|machine| machine.misc.tangential = true).job(|job| {
             let corner = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0)];
             let places = corner.map(|(x, y)| kerf_geom::Point2::new(x, y));
-            job.shapes =
-                [JobShape::through(1, kerf_geom::Polyarc::lines(places, false))].into();
+            job.shapes = [JobShape::through(1, kerf_geom::Polyarc::lines(places, false))].into();
         });
         if pulse {
             run = run.input(Input::ZLow, 5.9, true).input(Input::ZLow, 6.0, false);

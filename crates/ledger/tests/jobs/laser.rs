@@ -309,7 +309,8 @@ fn pro_laser_heightctl() {
     assert!((pierced - cut - 5.0).abs() < 1e-6, "{ends:?}");
     assert!((cut - sensed).abs() < 0.04, "{ends:?}");
     let edges = over(Sheet::flat(-18.5)).run().edges();
-    let order: Vec<&str> = edges.iter().filter_map(|edge| edge.split_once(' ').map(|(_, e)| e)).collect();
+    let order: Vec<&str> =
+        edges.iter().filter_map(|edge| edge.split_once(' ').map(|(_, e)| e)).collect();
     let pierce = ["tool2+", "hz 500", "cut1+", "cut1-", "tool2-", "tool1+", "hz 5000", "cut1+"];
     assert_eq!(order[2..10], pierce);
 }
@@ -317,7 +318,9 @@ fn pro_laser_heightctl() {
 #[test]
 fn pro_laser_pierce_height__above_the_sensed_surface() {
     let pierced = |height: f64| {
-        let ends = heights(over(Sheet::flat(-17.0)).with(|machine| machine.laser.pierce.height_mm = height));
+        let ends = heights(
+            over(Sheet::flat(-17.0)).with(|machine| machine.laser.pierce.height_mm = height),
+        );
         ends[2] - ends[3]
     };
     assert!((pierced(5.0) - 5.0).abs() < 1e-6 && (pierced(2.0) - 2.0).abs() < 1e-6);

@@ -322,6 +322,7 @@ fn the_keypad_leaves_outputs_as_they_are() {
     let on = |settings: &mut Settings| settings.io.outputs[2] = 3;
     let edges = keypad([1.0, 0.0], Some(25.4), on).run();
     assert!(!edges.events.iter().any(|e| matches!(e, Event::Output { n: 3, .. })));
+}
 
 #[test]
 fn pro_job_relative() {

@@ -181,12 +181,19 @@ fn readings(trace: &JobTrace) -> Vec<(f64, f64)> {
 #[test]
 fn pro_plasma_z_zero() {
     let trace = controlled(Sheet { slope_x: 0.25, ..Sheet::flat(-20.0) }).run();
-    assert!(trace.states().iter().any(|state| state.ends_with("paused: z at 0")), "{:?}", trace.states());
+    assert!(
+        trace.states().iter().any(|state| state.ends_with("paused: z at 0")),
+        "{:?}",
+        trace.states()
+    );
     let all = readings(&trace);
     let highest = all.iter().map(|(_, z)| *z).fold(f64::NEG_INFINITY, f64::max);
     assert!((-0.05..=0.0).contains(&highest), "{highest}");
     assert!(trace.rests()[2] <= 0.0 && trace.rests()[0] < 90.0, "{:?}", trace.rests());
-    assert!(!trace.edges().iter().any(|edge| edge.ends_with("cut1+")) || trace.edges().iter().any(|edge| edge.ends_with("cut1-")));
+    assert!(
+        !trace.edges().iter().any(|edge| edge.ends_with("cut1+"))
+            || trace.edges().iter().any(|edge| edge.ends_with("cut1-"))
+    );
 }
 
 #[test]

@@ -209,8 +209,7 @@ fn pro_io_io_in_hcb__in_a_job() {
 fn pro_io_io_in_bdel__in_a_job() {
     let waits = || {
         JobRun::new(t1()).with(|machine| {
-            machine.delays.bottom_type =
-                kerf_machine::settings::delays::BottomDelayType::Input;
+            machine.delays.bottom_type = kerf_machine::settings::delays::BottomDelayType::Input;
             machine.delays.bottom_s = 0.0;
         })
     };

@@ -60,7 +60,8 @@ impl HeightControl {
     /// Moves the set points of X and Y by a distance, mm. False where one was held at 0 or 255.
     pub fn adjust(&mut self, by_mm: [f64; 2]) -> bool {
         let mut free = true;
-        for (point, by_mm) in [&mut self.x_set_point, &mut self.y_set_point].into_iter().zip(by_mm) {
+        for (point, by_mm) in [&mut self.x_set_point, &mut self.y_set_point].into_iter().zip(by_mm)
+        {
             let wanted = (f64::from(*point) + by_mm / self.scale_mm).round();
             free &= (0.0..=255.0).contains(&wanted);
             *point = wanted.clamp(0.0, 255.0) as u8;
