@@ -1,7 +1,7 @@
-//! One condition on the ordinates of a piece, as the interior-point method sees it: how much is left
-//! of a limit, and how far a step may go.
-
-use super::pieces::Row;
+//! Conditions on the ordinates of a piece, four side by side, as the interior-point method sees them:
+//! how much is left of each limit, and how far a step may go.
+//!
+//! Side by side, because a processor then works at several of them at once.
 
 /// A condition that is not met yet is sought with so much of its limit to spare, and so strongly.
 const SPARE: f64 = 0.2;
@@ -10,52 +10,114 @@ const PULL: f64 = 100.0;
 /// How far a step goes to the nearest barrier.
 pub(crate) const NEARLY: f64 = 0.95;
 
-/// A value, linear in the ordinates, lies between minus and plus a limit, which may be linear too.
-pub(crate) struct Condition {
-    pub value: f64,
-    pub row: Row,
-    pub limit: f64,
-    /// How the limit changes.
-    pub tangent: Option<Row>,
+/// How many conditions stand side by side.
+pub(crate) const LANES: usize = 4;
+
+/// One number of each of them.
+pub(crate) type Lanes = [f64; LANES];
+
+/// Their coefficients of x₀, x₁ and x₂.
+pub(crate) type Rows = [Lanes; 3];
+
+/// Values, linear in the ordinates, that lie between minus and plus a limit, which may be linear too.
+pub(crate) struct Conditions<'a> {
+    pub value: Lanes,
+    pub rows: &'a Rows,
+    pub limit: Lanes,
+    /// How the limits change.
+    pub tangent: Option<&'a Rows>,
 }
 
-impl Condition {
+/// First and second derivative, by the slack, of what is minimised.
+pub(crate) struct Force {
+    pub first: Lanes,
+    pub second: Lanes,
+}
+
+impl Conditions<'_> {
+    /// Whether all are met.
+    #[inline]
     pub fn kept(&self) -> bool {
-        self.value.abs() < self.limit
+        let [above, below] = self.slacks();
+        // Counted, not searched, which a processor does at once.
+        let met = lanes(|i| f64::from(u8::from(above[i] > 0.0 && below[i] > 0.0)));
+        sum(&met) == LANES as f64
     }
 
-    /// What is left on the upper and the lower side; below zero where the limit is exceeded.
-    pub fn slacks(&self) -> [f64; 2] {
-        [self.limit - self.value, self.limit + self.value]
+    /// What is left above and below the values; less than zero where the limit is exceeded.
+    #[inline]
+    fn slacks(&self) -> [Lanes; 2] {
+        let (value, limit) = (&self.value, &self.limit);
+        [lanes(|i| limit[i] - value[i]), lanes(|i| limit[i] + value[i])]
     }
 
-    /// First and second derivative by the slack of what is minimised on a side: a logarithmic barrier,
-    /// or a parabola while the limit is exceeded.
-    pub fn force(&self, slack: f64) -> [f64; 2] {
+    /// The forces from above and from below: of logarithmic barriers, or of parabolas where limits are
+    /// exceeded.
+    #[inline]
+    pub fn forces(&self, kept: bool) -> [Force; 2] {
+        let [above, below] = self.slacks();
+        if kept {
+            let both = lanes(|i| 1.0 / (above[i] * below[i]));
+            let barrier = |other: &Lanes| {
+                let inverse = lanes(|i| other[i] * both[i]);
+                Force { first: inverse.map(|v| -v), second: inverse.map(|v| v * v) }
+            };
+            return [barrier(&below), barrier(&above)];
+        }
+        [above, below].map(|slack| {
+            let forces: [[f64; 2]; LANES] = std::array::from_fn(|i| self.force(slack[i], i));
+            Force { first: forces.map(|f| f[0]), second: forces.map(|f| f[1]) }
+        })
+    }
+
+    fn force(&self, slack: f64, lane: usize) -> [f64; 2] {
         if slack > 0.0 {
             let inverse = slack.recip();
             return [-inverse, inverse * inverse];
         }
-        let scale = self.limit.abs().max(SPARE * self.value.abs());
+        let scale = self.limit[lane].abs().max(SPARE * self.value[lane].abs());
         let second = PULL / (scale * scale);
         [second * (slack - SPARE * scale), second]
     }
 
     /// How much of a step, at most so much, can be made with room to spare.
+    #[inline]
     pub fn room(&self, step: &[f64; 3], most: f64) -> f64 {
-        let change = dot(&self.row, step);
-        let limit = self.tangent.as_ref().map_or(0.0, |tangent| dot(tangent, step));
+        let change = dots(self.rows, step);
+        let limit = self.tangent.map_or([0.0; LANES], |tangent| dots(tangent, step));
+        let slacks = self.slacks();
+        let changes = [lanes(|i| change[i] - limit[i]), lanes(|i| -change[i] - limit[i])];
         let mut room = most;
-        for (slack, change) in self.slacks().into_iter().zip([change - limit, -change - limit]) {
+        for (slack, change) in slacks.iter().zip(&changes) {
+            let over = lanes(|i| most * change[i] - NEARLY * slack[i]);
             // A division only where it tells something new.
-            if slack > 0.0 && room * change > NEARLY * slack {
-                room = NEARLY * slack / change;
+            if over[0].max(over[1]).max(over[2].max(over[3])) <= 0.0 {
+                continue;
+            }
+            for (slack, change) in slack.iter().zip(change) {
+                if *slack > 0.0 && room * change > NEARLY * slack {
+                    room = NEARLY * slack / change;
+                }
             }
         }
         room
     }
 }
 
-pub(crate) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+/// A number for each lane.
+#[inline]
+pub(crate) fn lanes(f: impl Fn(usize) -> f64) -> Lanes {
+    std::array::from_fn(f)
+}
+
+/// The values of rows.
+#[inline]
+pub(crate) fn dots(rows: &Rows, x: &[f64; 3]) -> Lanes {
+    lanes(|i| rows[0][i] * x[0] + rows[1][i] * x[1] + rows[2][i] * x[2])
+}
+
+/// The sum over the lanes.
+#[inline]
+pub(crate) fn sum(v: &Lanes) -> f64 {
+    (v[0] + v[1]) + (v[2] + v[3])
 }

@@ -1,8 +1,9 @@
 //! The path of a window in pieces, as fine as the speed to be expected asks for.
 
 use super::cells::Cell;
+use super::jerk::USED;
 use super::launch::Launch;
-use super::pieces::Piece;
+use super::pieces::{Limits, Piece};
 use super::reach::{Bounds, Gate};
 use super::speeds::{Node, Passes};
 use crate::moves::Move;
@@ -68,6 +69,7 @@ impl<const N: usize> Window<'_, N> {
         let mut at = first.at_mm + self.begin.way_mm();
         let rate = (4.5 * self.jerk.iter().copied().fold(f64::INFINITY, f64::min)).sqrt();
         let slow = Slow::new(self, rate);
+        let limits = Limits { accel: self.bounds.accel, jerk: self.jerk.map(|j| j * USED) };
         let mut speeds = Speeds { guide: self.guide, place: 0 };
         let mut pieces: Vec<Piece<N>> = Vec::new();
         let mut kept = kept.iter();
@@ -94,7 +96,10 @@ impl<const N: usize> Window<'_, N> {
             let guess = here.max(there).powf(4.0 / 3.0);
             let mut piece = Piece::new(at, h, guess);
             for cell in self.cells[k..].iter().take_while(|c| c.at_mm < at + h) {
-                piece.add(cell, self.bounds, self.moves);
+                piece.add(cell, self.bounds, &limits, self.moves);
+            }
+            if pieces.is_empty() && matches!(self.begin, End::Motion(_)) {
+                piece.settle();
             }
             pieces.push(piece);
             at = if h < end - at { at + h } else { end };

@@ -11,11 +11,11 @@
 //! From rest, x grows as s^(4/3), which no parabola does: over the first and last bit of path, which
 //! are straight, the jerk is constant instead, and only its size is unknown.
 
-use super::condition::{Condition, NEARLY, dot};
+use super::condition::{Conditions, LANES, Lanes, NEARLY, Rows, dots, lanes};
 use super::grid::End;
 use super::launch::Launch;
 use super::newton::{Local, System};
-use super::pieces::{Part, Piece, Row};
+use super::pieces::{Part, Piece};
 
 /// Part of the limit of jerk that is used, so that rounding never exceeds it.
 pub(crate) const USED: f64 = 1.0 - 1e-6;
@@ -35,9 +35,6 @@ const SLOW: f64 = 0.4;
 
 /// From a motion that is given on, slowing comes into its full within this share of the way.
 const SLOWED: f64 = 0.2;
-
-/// A smaller part of a condition is rounding.
-const SETTLED: f64 = 1e-9;
 
 /// By how much in the end, should a condition still be missed by rounding.
 const SLOWER_YET: f64 = 0.9999;
@@ -67,54 +64,20 @@ pub(crate) struct Problem<'a, const N: usize> {
     pub gap: f64,
 }
 
+/// A problem with what is the same in every step of the iteration.
+struct Search<'a, const N: usize> {
+    problem: &'a Problem<'a, N>,
+    /// How the outer ordinates of each piece are made of the neighbours' middle ones.
+    shares: Vec<[[f64; 2]; 2]>,
+    /// Rows of the conditions on the speed in each piece.
+    caps: Vec<Lanes>,
+}
+
 impl<const N: usize> Problem<'_, N> {
     /// Bézier ordinates of x over every piece; `None` when from a motion at the beginning no way
     /// within the limits is found.
     pub fn solve(&self) -> Option<Vec<[f64; 3]>> {
-        let n = self.pieces.len();
-        let mut b = self.start();
-        let slower = self.slower();
-        let axes = |part: &Part<N>| part.moves.iter().filter(|moves| **moves).count();
-        let axes: usize = self.pieces.iter().flat_map(|p| &p.parts).map(axes).sum();
-        let conditions = (14 * axes + 6 * n) as f64;
-        let (mut weight, mut calm, mut found) = (0.0f64, 0, false);
-        for step in 0..STEPS {
-            let (system, time, kept) = self.newton(&b, weight);
-            let d = system.solve();
-            let scale = self.room(&b, &d);
-            b.iter_mut().zip(&d).for_each(|(b, d)| *b += scale * d);
-            found |= kept;
-            if !found {
-                let settling = match self.begin {
-                    End::Rest(_) => SETTLING,
-                    End::Motion(_) if step > 2 * SETTLING_MOTION => return None,
-                    End::Motion(_) => SETTLING_MOTION,
-                };
-                // Slower is gentler: sooner or later all conditions are met.
-                if step >= settling {
-                    b.iter_mut().zip(&slower).for_each(|(b, slower)| *b *= slower);
-                }
-                continue;
-            }
-            let sharpest = conditions / (self.gap * time);
-            let settled = weight >= sharpest && scale >= 1.0;
-            calm = if settled { calm + 1 } else { 0 };
-            if calm == CALM {
-                break;
-            }
-            // The weight grows as the steps become whole ones: near the middle of what is allowed.
-            if scale > CENTRED {
-                let first = conditions / time;
-                weight = (weight * SHARPER).max(first).min(sharpest);
-            }
-        }
-        while !self.newton(&b, 0.0).2 {
-            if matches!(self.begin, End::Motion(_)) {
-                return None;
-            }
-            b.iter_mut().for_each(|b| *b *= SLOWER_YET);
-        }
-        Some((0..n).map(|k| self.local(&b, k)).collect())
+        Search::new(self).solve()
     }
 
     /// By how much each piece is slowed in a step: not at all where the motion is given.
@@ -192,30 +155,15 @@ impl<const N: usize> Problem<'_, N> {
     /// The squared speed that a piece allows without s̈.
     fn steady(&self, piece: &Piece<N>) -> f64 {
         let mut x = piece.cap.min(piece.guess);
-        for (part, axis) in piece.parts.iter().flat_map(|p| (0..N).map(move |axis| (p, axis))) {
-            for row in &part.gain[axis] {
-                let unit = self.jerk[axis] / row.iter().sum::<f64>().abs();
-                x = x.min(unit.powf(2.0 / 3.0));
-            }
+        let mut steepest = 0.0f64;
+        for (_, gain) in piece.parts.iter().flat_map(Part::axes) {
+            let each = dots(gain, &[1.0; 3]);
+            steepest = each.iter().fold(steepest, |most, gain| most.max(gain.abs()));
+        }
+        if steepest > 0.0 {
+            x = x.min(steepest.powf(-2.0 / 3.0));
         }
         x
-    }
-
-    /// Ordinates over a piece.
-    fn local(&self, b: &[f64], k: usize) -> [f64; 3] {
-        let mut x = self.change(b, k);
-        if let (0, End::Motion([first, _])) = (k, self.begin) {
-            x[0] = first;
-        }
-        x
-    }
-
-    /// How they change with the unknowns.
-    fn change(&self, b: &[f64], k: usize) -> [f64; 3] {
-        let [[l0, l1], [r0, r1]] = self.shares(k);
-        let before = if k > 0 { l0 * b[k - 1] } else { 0.0 };
-        let after = b.get(k + 1).map_or(0.0, |b| r1 * b);
-        [before + l1 * b[k], b[k], r0 * b[k] + after]
     }
 
     /// How the outer ordinates are made of the neighbours' middle ones.
@@ -235,94 +183,184 @@ impl<const N: usize> Problem<'_, N> {
         [left, right]
     }
 
+    /// Conditions on the speed in a piece, between zero and the cap: as shares of half of it.
+    fn cap(&self, k: usize) -> Lanes {
+        let mut caps = [self.pieces[k].cap; 3];
+        if let (0, End::Rest(launch)) = (k, &self.begin) {
+            caps[0] = caps[0].min(launch.most);
+        }
+        if k + 1 == self.pieces.len() {
+            caps[2] = caps[2].min(self.end.most);
+        }
+        // What the motion at the beginning has settled nothing can change.
+        let free = if k == 0 && matches!(self.begin, End::Motion(_)) { 2 } else { 0 };
+        lanes(|m| if (free..3).contains(&m) { 2.0 / caps[m] } else { 0.0 })
+    }
+}
+
+impl<'a, const N: usize> Search<'a, N> {
+    fn new(problem: &'a Problem<'a, N>) -> Self {
+        let all = 0..problem.pieces.len();
+        let (shares, caps) = all.map(|k| (problem.shares(k), problem.cap(k))).unzip();
+        Self { problem, shares, caps }
+    }
+
+    fn solve(&self) -> Option<Vec<[f64; 3]>> {
+        let n = self.problem.pieces.len();
+        let mut b = self.problem.start();
+        let slower = self.problem.slower();
+        let axes: usize = self.problem.pieces.iter().flat_map(|p| &p.parts).map(Part::count).sum();
+        let conditions = (14 * axes + 6 * n) as f64;
+        let (mut weight, mut calm, mut found) = (0.0f64, 0, false);
+        for step in 0..STEPS {
+            let (system, time, kept) = self.newton(&b, weight);
+            let d = system.solve();
+            let scale = self.room(&b, &d);
+            b.iter_mut().zip(&d).for_each(|(b, d)| *b += scale * d);
+            found |= kept;
+            if !found {
+                let settling = match self.problem.begin {
+                    End::Rest(_) => SETTLING,
+                    End::Motion(_) if step > 2 * SETTLING_MOTION => return None,
+                    End::Motion(_) => SETTLING_MOTION,
+                };
+                // Slower is gentler: sooner or later all conditions are met.
+                if step >= settling {
+                    b.iter_mut().zip(&slower).for_each(|(b, slower)| *b *= slower);
+                }
+                continue;
+            }
+            let sharpest = conditions / (self.problem.gap * time);
+            let settled = weight >= sharpest && scale >= 1.0;
+            calm = if settled { calm + 1 } else { 0 };
+            if calm == CALM {
+                break;
+            }
+            // The weight grows as the steps become whole ones: near the middle of what is allowed.
+            if scale > CENTRED {
+                let first = conditions / time;
+                weight = (weight * SHARPER).max(first).min(sharpest);
+            }
+        }
+        while !self.newton(&b, 0.0).2 {
+            if matches!(self.problem.begin, End::Motion(_)) {
+                return None;
+            }
+            b.iter_mut().for_each(|b| *b *= SLOWER_YET);
+        }
+        Some((0..n).map(|k| self.local(&b, k)).collect())
+    }
+
+    /// Ordinates over a piece.
+    fn local(&self, b: &[f64], k: usize) -> [f64; 3] {
+        let mut x = self.change(b, k);
+        if let (0, End::Motion([first, _])) = (k, self.problem.begin) {
+            x[0] = first;
+        }
+        x
+    }
+
+    /// How they change with the unknowns.
+    fn change(&self, b: &[f64], k: usize) -> [f64; 3] {
+        let [[l0, l1], [r0, r1]] = self.shares[k];
+        let before = if k > 0 { l0 * b[k - 1] } else { 0.0 };
+        let after = b.get(k + 1).map_or(0.0, |b| r1 * b);
+        [before + l1 * b[k], b[k], r0 * b[k] + after]
+    }
+
     /// Newton's system for a weight of the time, the time, and whether all conditions are met.
     fn newton(&self, b: &[f64], weight: f64) -> (System, f64, bool) {
-        let n = self.pieces.len();
+        let n = self.problem.pieces.len();
         let mut system = System::new(n);
         let (mut time, mut kept) = (0.0, true);
-        for (k, piece) in self.pieces.iter().enumerate() {
+        for (k, piece) in self.problem.pieces.iter().enumerate() {
             let x = self.local(b, k);
-            let mut part = Local::default();
-            time += part.time(piece, &x, weight);
-            self.conditions(k, &x, |condition| {
-                kept &= condition.kept();
-                part.barrier(condition);
-            });
-            for of in &piece.parts {
-                part.level(&x, of);
+            let mut local = Local::default();
+            time += local.time(piece, &x, weight);
+            kept &= local.barrier(&on_speed(&diagonal(&self.caps[k]), &x));
+            for part in &piece.parts {
+                let unit = Unit::new(part, &x);
+                for (accel, gain) in part.axes() {
+                    kept &= local.barrier(&on_accel(accel, &x));
+                    kept &= local.barrier(&unit.on_jerk(gain, &x));
+                }
+                local.level(&unit.y, part);
             }
-            system.add(k, &part, &self.shares(k));
+            system.add(k, &local, &self.shares[k]);
         }
-        if matches!(self.begin, End::Motion(_)) {
+        if matches!(self.problem.begin, End::Motion(_)) {
             system.hold_first();
         }
         (system, time, kept)
     }
 
-    /// Calls with each condition.
-    fn conditions(&self, k: usize, x: &[f64; 3], mut one: impl FnMut(&Condition)) {
-        let piece = &self.pieces[k];
-        // What the motion at the beginning has settled nothing can change.
-        let settled = k == 0 && matches!(self.begin, End::Motion(_));
-        let mut each = |condition: &Condition| {
-            let size = condition.row.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-            if !settled || condition.row[2].abs() > SETTLED * size {
-                one(condition);
-            }
-        };
-        for m in 0..3 {
-            let mut cap = piece.cap;
-            if let (0, 0, End::Rest(launch)) = (m, k, &self.begin) {
-                cap = cap.min(launch.most);
-            }
-            if m == 2 && k + 1 == self.pieces.len() {
-                cap = cap.min(self.end.most);
-            }
-            // Between zero and the cap: about half of it, not farther than half of it.
-            let mut row = [0.0; 3];
-            row[m] = 1.0;
-            each(&Condition { value: x[m] - 0.5 * cap, row, limit: 0.5 * cap, tangent: None });
-        }
-        for part in &piece.parts {
-            self.part(part, x, &mut each);
-        }
-    }
-
-    fn part(&self, part: &Part<N>, x: &[f64; 3], each: &mut impl FnMut(&Condition)) {
-        let y: [f64; 3] = std::array::from_fn(|m| dot(&part.ordinates[m], x));
-        // 1/√x is nowhere below its tangent at the mean of x over the part.
-        let mean = (y[0] + y[1] + y[2]) / 3.0;
-        let root = 1.0 / mean.sqrt();
-        let unit: [(f64, Row); 3] = std::array::from_fn(|m| {
-            let own = -0.5 * root / mean;
-            let others = 0.75 * root * (y[m] / mean - 1.0) / mean;
-            let by_mean = |k: usize| part.ordinates.iter().map(|o| o[k]).sum::<f64>() / 3.0;
-            let tangent = |k: usize| own * part.ordinates[m][k] + others * by_mean(k);
-            (root * (1.5 - 0.5 * y[m] / mean), std::array::from_fn(tangent))
-        });
-        for axis in (0..N).filter(|axis| part.moves[*axis]) {
-            for row in &part.accel[axis] {
-                let limit = self.accel[axis];
-                each(&Condition { value: dot(row, x), row: *row, limit, tangent: None });
-            }
-            let most = self.jerk[axis] * USED;
-            for (row, (limit, tangent)) in part.gain[axis].iter().zip(&unit) {
-                let tangent = Some(tangent.map(|t| most * t));
-                each(&Condition { value: dot(row, x), row: *row, limit: most * limit, tangent });
-            }
-        }
-    }
-
     /// The greatest share of a step that keeps all conditions, and x above zero.
     fn room(&self, b: &[f64], d: &[f64]) -> f64 {
         let mut scale = 1.0f64;
-        for k in 0..self.pieces.len() {
+        for (k, piece) in self.problem.pieces.iter().enumerate() {
             if d[k] < 0.0 {
                 scale = scale.min(-NEARLY * b[k] / d[k]);
             }
             let (x, dx) = (self.local(b, k), self.change(d, k));
-            self.conditions(k, &x, |condition| scale = scale.min(condition.room(&dx, scale)));
+            scale = on_speed(&diagonal(&self.caps[k]), &x).room(&dx, scale);
+            for part in &piece.parts {
+                let unit = Unit::new(part, &x);
+                for (accel, gain) in part.axes() {
+                    scale = on_accel(accel, &x).room(&dx, scale);
+                    scale = unit.on_jerk(gain, &x).room(&dx, scale);
+                }
+            }
         }
         scale
+    }
+}
+
+/// Rows of one ordinate each.
+fn diagonal(v: &Lanes) -> Rows {
+    std::array::from_fn(|k| lanes(|lane| if lane == k { v[k] } else { 0.0 }))
+}
+
+/// The conditions on the speed: about half of the cap, and not farther than half of it.
+fn on_speed<'a>(rows: &'a Rows, x: &[f64; 3]) -> Conditions<'a> {
+    let half = lanes(|lane| if lane < 3 && rows[lane][lane] > 0.0 { 1.0 } else { 0.0 });
+    let value = dots(rows, x);
+    let value = lanes(|lane| value[lane] - half[lane]);
+    Conditions { value, rows, limit: [1.0; LANES], tangent: None }
+}
+
+/// The conditions on the acceleration of an axis.
+fn on_accel<'a>(rows: &'a Rows, x: &[f64; 3]) -> Conditions<'a> {
+    Conditions { value: dots(rows, x), rows, limit: [1.0; LANES], tangent: None }
+}
+
+/// 1/√x over a part, which is nowhere below its tangent at the mean of x.
+struct Unit {
+    /// Ordinates of x over the part; what stands in the last lane is no more than their mean.
+    y: Lanes,
+    limit: Lanes,
+    tangent: Rows,
+}
+
+impl Unit {
+    fn new<const N: usize>(part: &Part<N>, x: &[f64; 3]) -> Self {
+        let mut y = dots(&part.ordinates, x);
+        let third = 1.0 / 3.0;
+        let mean = (y[0] + y[1] + y[2]) * third;
+        y[3] = mean;
+        let (inverse, root) = (1.0 / mean, 1.0 / mean.sqrt());
+        let own = -0.5 * root * inverse;
+        let others = y.map(|y| 0.75 * root * inverse * (y * inverse - 1.0));
+        let tangent = std::array::from_fn(|k| {
+            let row = &part.ordinates[k];
+            let by_mean = (row[0] + row[1] + row[2]) * third;
+            lanes(|m| own * row[m] + others[m] * by_mean)
+        });
+        let limit = y.map(|y| root * (1.5 - 0.5 * y * inverse));
+        Self { y, limit, tangent }
+    }
+
+    /// The conditions on the jerk of an axis.
+    fn on_jerk<'a>(&'a self, rows: &'a Rows, x: &[f64; 3]) -> Conditions<'a> {
+        Conditions { value: dots(rows, x), rows, limit: self.limit, tangent: Some(&self.tangent) }
     }
 }

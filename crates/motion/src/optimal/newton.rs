@@ -1,6 +1,6 @@
 //! Newton's system of the interior-point method: what each piece adds to it, and its solution.
 
-use super::condition::{Condition, dot};
+use super::condition::{Conditions, Force, Lanes, Rows, dots, lanes, sum};
 use super::pieces::{Part, Piece};
 
 /// Below this share of what to expect, x is far from its goal.
@@ -12,63 +12,80 @@ pub(crate) struct System {
     right: Vec<f64>,
 }
 
-/// Gradient and matrix of one piece in its own ordinates.
+/// Gradient and lower part of the matrix of one piece in its own ordinates, in parts that are summed in
+/// the end.
 #[derive(Default)]
 pub(crate) struct Local {
-    gradient: [f64; 3],
-    matrix: [[f64; 3]; 3],
+    gradient: [Lanes; 3],
+    matrix: [[Lanes; 3]; 3],
 }
 
+/// Simpson's rule over a piece: rows of its three places, and their weights.
+const SIMPSON: (Rows, Lanes) =
+    ([[1.0, 0.25, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.25, 1.0, 0.0]], [1.0, 4.0, 1.0, 0.0]);
+
 impl Local {
-    fn add(&mut self, row: &[f64; 3], first: f64, second: f64) {
+    #[inline]
+    fn add(&mut self, rows: &Rows, force: &Force) {
         for i in 0..3 {
-            self.gradient[i] += first * row[i];
-            for j in 0..=i {
-                self.matrix[i][j] += second * row[i] * row[j];
+            let scaled = lanes(|l| force.second[l] * rows[i][l]);
+            let gradient = &mut self.gradient[i];
+            *gradient = lanes(|l| gradient[l] + force.first[l] * rows[i][l]);
+            for (sum, row) in self.matrix[i][..=i].iter_mut().zip(rows) {
+                *sum = lanes(|l| sum[l] + scaled[l] * row[l]);
             }
         }
     }
 
-    pub fn barrier(&mut self, condition: &Condition) {
-        let [upper, lower] = condition.slacks().map(|slack| condition.force(slack));
-        let row = &condition.row;
-        match &condition.tangent {
-            None => self.add(row, lower[0] - upper[0], upper[1] + lower[1]),
+    /// Adds the barriers of conditions; whether all are met.
+    #[inline]
+    pub fn barrier(&mut self, conditions: &Conditions<'_>) -> bool {
+        let kept = conditions.kept();
+        let [above, below] = conditions.forces(kept);
+        let rows = conditions.rows;
+        match conditions.tangent {
+            None => {
+                let first = lanes(|l| below.first[l] - above.first[l]);
+                let second = lanes(|l| below.second[l] + above.second[l]);
+                self.add(rows, &Force { first, second });
+            }
             Some(tangent) => {
-                let side = |sign: f64| std::array::from_fn(|k| tangent[k] + sign * row[k]);
-                self.add(&side(-1.0), upper[0], upper[1]);
-                self.add(&side(1.0), lower[0], lower[1]);
+                let side = |sign: f64| {
+                    std::array::from_fn(|k| lanes(|l| tangent[k][l] + sign * rows[k][l]))
+                };
+                self.add(&side(-1.0), &above);
+                self.add(&side(1.0), &below);
             }
         }
+        kept
     }
 
     /// Makes barriers of J/√x − |f′| into those of J − |f′|·√x, which do not favour a small x.
-    pub fn level<const N: usize>(&mut self, x: &[f64; 3], part: &Part<N>) {
-        for row in &part.ordinates {
-            let inverse = 1.0 / dot(row, x);
-            let share = N as f64;
-            self.add(row, -share * inverse, share * inverse * inverse);
-        }
+    #[inline]
+    pub fn level<const N: usize>(&mut self, y: &Lanes, part: &Part<N>) {
+        let share = N as f64;
+        let inverse = y.map(f64::recip);
+        let first = inverse.map(|v| -share * v);
+        let second = inverse.map(|v| share * v * v);
+        self.add(&part.ordinates, &Force { first, second });
     }
 
     /// Simpson's rule; where x is far below what to expect the time counts as linear, which makes
     /// the first steps long.
+    #[inline]
     pub fn time<const N: usize>(&mut self, piece: &Piece<N>, x: &[f64; 3], weight: f64) -> f64 {
-        let mut time = 0.0;
-        for (row, share) in
-            [([1.0, 0.0, 0.0], 1.0), ([0.25, 0.5, 0.25], 4.0), ([0.0, 0.0, 1.0], 1.0)]
-        {
-            let at = dot(&row, x);
-            let least = FAR_BELOW * piece.guess;
-            let seen = at.max(least);
-            let inverse = 1.0 / seen.sqrt();
-            let w = share * piece.h / 6.0;
-            time += w / at.sqrt();
-            let first = -0.5 * w * inverse / seen;
-            let second = if at < least { 0.0 } else { 0.75 * w * inverse / (seen * seen) };
-            self.add(&row, weight * first, weight * second);
-        }
-        time
+        let (rows, shares) = &SIMPSON;
+        let least = FAR_BELOW * piece.guess;
+        let mut at = dots(rows, x);
+        at[3] = at[1];
+        let seen = at.map(|at| at.max(least));
+        let w = shares.map(|share| share * piece.h / 6.0);
+        let inverse = lanes(|l| w[l] / (seen[l] * seen[l].sqrt()));
+        let first = lanes(|l| -0.5 * weight * inverse[l]);
+        let bends = |l: usize| if at[l] < least { 0.0 } else { 0.75 };
+        let second = lanes(|l| bends(l) * weight * inverse[l] / seen[l]);
+        self.add(rows, &Force { first, second });
+        sum(&lanes(|l| w[l] / at[l].sqrt()))
     }
 }
 
@@ -78,27 +95,24 @@ impl System {
         Self { rows: vec![[0.0; 3]; n], right: vec![0.0; n] }
     }
 
-    /// Adds a piece, whose ordinates are made of three unknowns.
+    /// Adds a piece, whose ordinates are l₀·b₋ + l₁·b, b and r₀·b + r₁·b₊ with its own unknown b and
+    /// those before and after.
     pub fn add(&mut self, k: usize, part: &Local, shares: &[[f64; 2]; 2]) {
         let [[l0, l1], [r0, r1]] = *shares;
-        // Columns: the unknown before, its own, the one after.
-        let map = [[l0, l1, 0.0], [0.0, 1.0, 0.0], [0.0, r0, r1]];
-        let m = |i: usize, j: usize| part.matrix[i.max(j)][i.min(j)];
-        for c in 0..3 {
-            let Some(i) = (k + c).checked_sub(1).filter(|i| *i < self.right.len()) else {
-                continue;
-            };
-            self.right[i] -= (0..3).map(|a| map[a][c] * part.gradient[a]).sum::<f64>();
-            for e in 0..=c {
-                let Some(j) = (k + e).checked_sub(1) else { continue };
-                let mut sum = 0.0;
-                for a in 0..3 {
-                    for b in 0..3 {
-                        sum += map[a][c] * m(a, b) * map[b][e];
-                    }
-                }
-                self.rows[i][i - j] += sum;
-            }
+        let [g0, g1, g2] = part.gradient.map(|g| sum(&g));
+        let [[a, ..], [b, c, _], [d, e, f]] = part.matrix.map(|row| row.map(|m| sum(&m)));
+        self.right[k] -= l1 * g0 + g1 + r0 * g2;
+        self.rows[k][0] += l1 * (l1 * a + 2.0 * (b + r0 * d)) + c + r0 * (2.0 * e + r0 * f);
+        if k > 0 {
+            self.right[k - 1] -= l0 * g0;
+            self.rows[k - 1][0] += l0 * l0 * a;
+            self.rows[k][1] += l0 * (l1 * a + b + r0 * d);
+        }
+        if let Some(next) = self.rows.get_mut(k + 1) {
+            self.right[k + 1] -= r1 * g2;
+            next[0] += r1 * r1 * f;
+            next[1] += r1 * (l1 * d + e + r0 * f);
+            next[2] += l0 * r1 * d;
         }
     }
 

@@ -6,11 +6,15 @@
 //! Its jerk is that cubic's derivative times √x.
 
 use super::cells::{Cell, feed_cap};
+use super::condition::{LANES, Rows, lanes};
 use super::reach::Bounds;
 use crate::moves::Move;
 
 /// Shorter parts are none, mm.
 const NOTHING_MM: f64 = 1e-9;
+
+/// A smaller part of a condition is rounding.
+const SETTLED: f64 = 1e-9;
 
 /// One piece: x is a single parabola on it, while the path may change its polynomials inside.
 #[derive(Clone, Debug)]
@@ -28,17 +32,48 @@ pub(crate) struct Piece<const N: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part<const N: usize> {
     /// Rows of the ordinates of x over the part.
-    pub ordinates: [Row; 3],
-    /// Rows of the four ordinates of the acceleration of each axis.
-    pub accel: [[Row; 4]; N],
-    /// The same of its derivative by s.
-    pub gain: [[Row; 3]; N],
-    /// Which axes move.
+    pub ordinates: Rows,
+    /// Rows of the four ordinates of the acceleration of each axis that moves, as a share of its limit.
+    accel: [Rows; N],
+    /// The same of its derivative by s, as a share of the limit of jerk.
+    gain: [Rows; N],
+    /// Which axes move, and how many.
     pub moves: [bool; N],
+    count: usize,
 }
 
 /// Coefficients of x₀, x₁ and x₂.
-pub(crate) type Row = [f64; 3];
+type Row = [f64; 3];
+
+/// Limits of acceleration and jerk of the axes.
+pub(crate) struct Limits<const N: usize> {
+    pub accel: [f64; N],
+    pub jerk: [f64; N],
+}
+
+impl<const N: usize> Part<N> {
+    /// Rows of acceleration and its derivative, of each axis that moves.
+    pub fn axes(&self) -> impl Iterator<Item = (&Rows, &Rows)> {
+        self.accel.iter().zip(&self.gain).take(self.count)
+    }
+
+    /// How many axes move.
+    pub const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// What the motion at the beginning has settled, by x₀ and x₁, is no condition any more.
+    fn settle(&mut self) {
+        for rows in self.accel.iter_mut().chain(&mut self.gain) {
+            for lane in 0..LANES {
+                let size = rows.iter().fold(0.0f64, |most, c| most.max(c[lane].abs()));
+                if rows[2][lane].abs() <= SETTLED * size {
+                    rows.iter_mut().for_each(|c| c[lane] = 0.0);
+                }
+            }
+        }
+    }
+}
 
 impl<const N: usize> Piece<N> {
     /// The piece over some cells, each with the bounds of its part in the piece.
@@ -47,7 +82,7 @@ impl<const N: usize> Piece<N> {
     }
 
     /// Adds what a cell, which may reach beyond the piece, asks within it.
-    pub fn add(&mut self, cell: &Cell<N>, bounds: &Bounds<N>, moves: &[Move]) {
+    pub fn add(&mut self, cell: &Cell<N>, bounds: &Bounds<N>, limits: &Limits<N>, moves: &[Move]) {
         let from = cell.at_mm.max(self.at_mm);
         let to = (cell.at_mm + cell.h).min(self.at_mm + self.h);
         let h = to - from;
@@ -65,23 +100,43 @@ impl<const N: usize> Piece<N> {
             }
         }
         let share = |s: f64| ((s - self.at_mm) / self.h).clamp(0.0, 1.0);
-        let x = Rows::new(share(from), share(to), self.h);
-        let axis = |k: usize| Axis {
-            slope: [frame.slope[k], middle[k], end.slope[k]],
-            bend: [frame.bend[k], end.bend[k]],
-            twist: frame.twist[k],
-        };
-        let accel = std::array::from_fn(|k| axis(k).accel(&x));
-        let gain = std::array::from_fn(|k| axis(k).gain(&x));
+        let x = Course::new(share(from), share(to), self.h);
         let still = |k: usize| frame.slope[k] == 0.0 && middle[k] == 0.0 && end.slope[k] == 0.0;
         let moves = std::array::from_fn(|k| !still(k));
-        self.parts.push(Part { ordinates: x.ordinates, accel, gain, moves });
+        let mut part = Part {
+            ordinates: rows(&x.ordinates, 1.0),
+            accel: [Rows::default(); N],
+            gain: [Rows::default(); N],
+            moves,
+            count: 0,
+        };
+        for k in (0..N).filter(|k| moves[*k]) {
+            let axis = Axis {
+                slope: [frame.slope[k], middle[k], end.slope[k]],
+                bend: [frame.bend[k], end.bend[k]],
+                twist: frame.twist[k],
+            };
+            part.accel[part.count] = rows(&axis.accel(&x), 1.0 / limits.accel[k]);
+            part.gain[part.count] = rows(&axis.gain(&x), 1.0 / limits.jerk[k]);
+            part.count += 1;
+        }
+        self.parts.push(part);
     }
+
+    /// The piece begins in motion, at a speed and s̈ that are given.
+    pub fn settle(&mut self) {
+        self.parts.iter_mut().for_each(Part::settle);
+    }
+}
+
+/// Rows side by side, scaled.
+fn rows<const M: usize>(of: &[Row; M], scale: f64) -> Rows {
+    std::array::from_fn(|k| lanes(|lane| of.get(lane).map_or(0.0, |row| row[k] * scale)))
 }
 
 /// Rows of x and its derivatives over a part of a piece. They are not taken as differences over the
 /// part, which may be so short that nothing but rounding would be left.
-struct Rows {
+struct Course {
     ordinates: [Row; 3],
     /// Of x′/2 at both ends.
     half: [Row; 2],
@@ -89,7 +144,7 @@ struct Rows {
     rate: Row,
 }
 
-impl Rows {
+impl Course {
     fn new(from: f64, to: f64, h: f64) -> Self {
         let blossom =
             |a: f64, b: f64| [(1.0 - a) * (1.0 - b), a * (1.0 - b) + b * (1.0 - a), a * b];
@@ -111,7 +166,7 @@ struct Axis {
 
 impl Axis {
     /// Rows of q′·x′/2 + q″·x.
-    fn accel(&self, x: &Rows) -> [Row; 4] {
+    fn accel(&self, x: &Course) -> [Row; 4] {
         let ([p0, p1, p2], [c0, c1]) = (self.slope, self.bend);
         let ([y0, y1, y2], [d0, d1]) = (&x.ordinates, &x.half);
         let third = 1.0 / 3.0;
@@ -134,7 +189,7 @@ impl Axis {
     }
 
     /// Rows of its derivative, q′·x″/2 + 3·q″·x′/2 + q‴·x.
-    fn gain(&self, x: &Rows) -> [Row; 3] {
+    fn gain(&self, x: &Course) -> [Row; 3] {
         let ([p0, p1, p2], [c0, c1]) = (self.slope, self.bend);
         let ([y0, y1, y2], [d0, d1]) = (&x.ordinates, &x.half);
         [
