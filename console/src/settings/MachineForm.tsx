@@ -25,6 +25,7 @@ export function MachineForm() {
       <div className="machine-form-head">
         <Pick
           label="Area"
+          labelled
           options={areas.map((area) => ({ value: area.title, words: area.title }))}
           value={title || first}
           onChange={setTitle}

@@ -5,12 +5,14 @@ interface PickProps {
   options: readonly { readonly value: string; readonly words: string }[];
   value: string;
   onChange: (value: string) => void;
+  /** The label stands above it; else only who does not see it is told. */
+  labelled?: boolean;
 }
 
 /** One of many, from a list that the system draws: nothing of ours covers STOP. */
-export function Pick({ label, options, value, onChange }: PickProps) {
+export function Pick({ label, options, value, onChange, labelled = false }: PickProps) {
   const known = options.some((option) => option.value === value);
-  return (
+  const list = (
     <select
       className="pick"
       aria-label={label}
@@ -24,5 +26,14 @@ export function Pick({ label, options, value, onChange }: PickProps) {
         </option>
       ))}
     </select>
+  );
+  if (!labelled) return list;
+  return (
+    <div className="field">
+      <span className="field-label" aria-hidden="true">
+        {label}
+      </span>
+      {list}
+    </div>
   );
 }

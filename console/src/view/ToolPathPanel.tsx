@@ -39,12 +39,15 @@ export function ToolPathPanel() {
   const path = useToolPath(shows ? preview.key : undefined);
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
-  const { camera, aspect, look, zoomBy, handlers } = useCamera(size);
+  const { camera, aspect, chosen: aimed, look, zoomBy, handlers } = useCamera(size);
   const bounds = useMemo(() => path && boundsOf(path.info), [path]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: fits a new path, not every change
+  const fitted = useRef<PreviewInfo>(undefined);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: fits a new path, and again in other room
   useEffect(() => {
-    if (bounds && size.width > 0) look(aspect, bounds, size);
-  }, [path?.info, size.width > 0]);
+    if (!bounds || size.width === 0) return;
+    if (fitted.current !== path?.info || !aimed.current) look(aspect, bounds, size);
+    fitted.current = path?.info;
+  }, [path?.info, size.width, size.height]);
   const seconds = path?.info.seconds ?? 0;
   const [playback, setPlayback] = usePlayback(seconds);
   const [chosen, setStock] = useState<boolean | null>(null);

@@ -17,16 +17,22 @@ export function useCamera(size: Size) {
   const [camera, setCamera] = useState(first);
   const [aspect, setAspect] = useState<Aspect>("top");
   const gesture = useRef(noGesture);
+  /** Somebody chose what is seen: it stays, whatever room there is. */
+  const chosen = useRef(false);
   const middle = { x: size.width / 2, y: size.height / 2 };
   const look = useCallback((to: Aspect, bounds: Bounds, within: Size) => {
+    chosen.current = false;
     setAspect(to);
     setCamera((now) => fitted({ ...now, ...aspects[to] }, bounds, within));
   }, []);
-  const zoomBy = (factor: number, x = middle.x, y = middle.y) =>
+  const zoomBy = (factor: number, x = middle.x, y = middle.y) => {
+    chosen.current = true;
     setCamera((now) => zoom(now, factor, x - middle.x, y - middle.y));
+  };
   const handlers = {
     onPointerDown: (event: PointerEvent) => {
       event.currentTarget.setPointerCapture(event.pointerId);
+      chosen.current = true;
       const other = event.button !== 0 || event.shiftKey;
       const press = { id: event.pointerId, ...placeOf(event), other };
       gesture.current = pressed(gesture.current, press, aspect !== "solid");
@@ -46,7 +52,7 @@ export function useCamera(size: Size) {
       gesture.current = released(gesture.current, event.pointerId);
     },
   };
-  return { camera, aspect, look, zoomBy, handlers };
+  return { camera, aspect, chosen, look, zoomBy, handlers };
 }
 
 /** Where a pointer is in the element that hears it. */

@@ -199,7 +199,9 @@ impl App {
 
     fn set_armed(&self, armed: bool, why: &str) {
         self.hub.changing(|now| {
-            let why = if armed { None } else { Some(why.to_owned()) };
+            // The reason of an alarm is what a person has to know, whoever comes or goes.
+            let alarm = now.machine.why.clone().filter(|_| now.machine.state == State::Alarm);
+            let why = if armed { None } else { alarm.or_else(|| Some(why.to_owned())) };
             let machine = Machine { armed, why, ..now.machine.clone() };
             if machine == now.machine { Vec::new() } else { vec![Change::Machine { machine }] }
         });

@@ -1,0 +1,166 @@
+/** A page that is loaded again, and a second browser, see what the machine is doing. */
+
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
+import { arm, command, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+let page: Page;
+let other: Page;
+
+const long = "SA\nMS,1,1\nM2,6,0\nM2,6,3\nM2,0,0\nEND\n";
+
+beforeAll(async () => {
+  workshop = await openWorkshop({ rate: 2 });
+  const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
+  file("long.sbp", long);
+  file("steps.sbp", "SA\n&depth = 1\nMX,0.1\n&depth = 2\nMX,0.2\nEND\n");
+  file("hand.sbp", "SK,Move it to the corner\nEND\n");
+});
+afterAll(() => workshop?.close());
+
+beforeEach(async () => {
+  [page, other] = [await comes(), await comes()];
+  await arm(page);
+});
+afterEach(async () => {
+  for (let n = 0; n < 4 && (await now()) !== "idle"; n += 1) {
+    await script(workshop, "stop");
+    await script(workshop, "acknowledge");
+    await new Promise((done) => setTimeout(done, 400));
+  }
+  await begins("idle");
+  await page.close();
+  await other.close();
+  await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
+});
+
+async function comes(): Promise<Page> {
+  const made = await workshop.page();
+  made.setDefaultTimeout(10_000);
+  await made.evaluate(() => localStorage.setItem("kerf.face", "full"));
+  await made.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
+  await made.reload();
+  await made.getByLabel("Command line").waitFor();
+  return made;
+}
+
+const now = async () => (await stateOf(workshop)).machine.state;
+const begins = (state: string) => until(async () => (await now()) === state, state);
+
+/** Both pages show it, before and after they are loaded again. */
+async function everywhere(shows: (one: Page) => Promise<void>): Promise<void> {
+  for (const one of [page, other]) await shows(one);
+  for (const one of [page, other]) {
+    await one.reload();
+    await shows(one);
+  }
+}
+
+const word = (text: string) => (one: Page) => one.locator(".state", { hasText: text }).waitFor();
+
+it("an alarm is shown with its reason until somebody takes note of it", async () => {
+  await command(page, "VL,0,10,0,10,,,,,1");
+  await begins("idle");
+  await page.locator(".state", { hasText: "Ready" }).waitFor();
+  await command(page, "MX,30");
+  await page.getByRole("button", { name: "End" }).click();
+  await begins("alarm");
+  await everywhere(async (one) => {
+    await word("Alarm")(one);
+    await one.getByRole("button", { name: "Acknowledge" }).waitFor();
+    expect(await one.locator(".state").textContent()).toContain("limit");
+  });
+  await other.getByRole("button", { name: "Acknowledge" }).click();
+  await begins("idle");
+  await arm(page);
+  await command(page, "VL,,,,,,,,,0");
+  await begins("idle");
+});
+
+it("line by line: the line that is due, and what is watched, are the same everywhere", async () => {
+  await page.getByRole("link", { name: "Edit" }).click();
+  await page.getByRole("textbox", { name: "Variable" }).fill("&depth");
+  await page.getByRole("button", { name: "Watch", exact: true }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
+  await command(page, "FG,steps.sbp");
+  const step = (one: Page) => one.getByRole("region", { name: "Line by line" });
+  const due = (line: number) => async (one: Page) => {
+    await step(one).getByText(`Line ${line}`, { exact: true }).waitFor();
+  };
+  await everywhere(due(1));
+  for (const line of [2, 3]) {
+    await step(other).getByRole("button", { name: "Step", exact: true }).click();
+    await due(line)(page);
+  }
+  await everywhere(async (one) => {
+    await due(3)(one);
+    await one.getByRole("link", { name: "Edit" }).click();
+    await one.locator(".watched dd output", { hasText: "1" }).waitFor();
+    await one.getByRole("link", { name: "Operate" }).click();
+  });
+});
+
+it("the keypad of a part file, with what it says, is open everywhere; a jog is seen by the other", async () => {
+  await command(page, "FP,hand.sbp");
+  const keypad = (one: Page) => one.getByRole("dialog", { name: "Keypad" });
+  const shows = (one: Page) => keypad(one).getByText("Move it to the corner").waitFor();
+  for (const one of [page, other]) await shows(one);
+  await keypad(other).getByText("Somebody else drives").waitFor();
+  await page.keyboard.down("ArrowRight");
+  await begins("jogging");
+  await word("Jogging")(other);
+  // The page that holds the key is loaded again: nobody holds it any more.
+  await page.reload();
+  await begins("asking");
+  const { motion } = await stateOf(workshop);
+  expect(motion.at.working[0]).toBeGreaterThan(0);
+  for (const one of [page, other]) await shows(one);
+  await page.keyboard.up("ArrowRight");
+  await arm(page).catch(() => undefined);
+  await page.keyboard.press("Escape");
+  await keypad(other).waitFor({ state: "detached" });
+  await begins("idle");
+});
+
+it("a nudge after a stop: both see the question, and the job goes on shifted", async () => {
+  await script(workshop, "open", { name: "long.sbp" });
+  await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
+  await page.getByRole("button", { name: "Start" }).click();
+  await until(async () => (await stateOf(workshop)).motion.speed > 5, "it cuts");
+  await other.getByRole("button", { name: "STOP", exact: true }).click();
+  await begins("stopped");
+  await everywhere(async (one) => {
+    await one.getByRole("button", { name: "Nudge…" }).waitFor();
+  });
+  const before = (await stateOf(workshop)).motion.at;
+  await page.getByRole("button", { name: "Nudge…" }).click();
+  const sheet = page.getByRole("dialog", { name: "Nudge" });
+  await sheet.getByLabel("Distance").fill("0.1");
+  await sheet.getByRole("button", { name: "Y +" }).click();
+  await until(async () => (await now()) === "stopped", "it asks again");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Arm", exact: true }).click();
+  await page.getByRole("button", { name: "Resume" }).last().click();
+  await until(async () => (await stateOf(workshop)).job?.ended === "ok", "the job is done");
+  const after = (await stateOf(workshop)).motion.at;
+  expect(after.working[1]).toBeCloseTo(0, 4);
+  const shift = (at: typeof after) => at.base[1] - at.working[1];
+  expect(shift(after) - shift(before)).toBeCloseTo(2.54, 4);
+});
+
+it("UV and UD show settings and what helps to find a fault", async () => {
+  await command(page, "UV");
+  const sheet = page.getByRole("dialog", { name: "Values" });
+  await sheet.getByRole("rowheader", { name: /^VS,/ }).waitFor();
+  await sheet.getByRole("row", { name: /Data folder/ }).waitFor();
+  await page.keyboard.press("Escape");
+  await sheet.waitFor({ state: "detached" });
+  await command(page, "UD");
+  await sheet.getByRole("row").first().waitFor();
+  expect(await sheet.getByRole("row").count()).toBeGreaterThan(4);
+  expect(await sheet.textContent()).toContain("0.");
+  await page.keyboard.press("Escape");
+});
