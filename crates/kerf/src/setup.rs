@@ -103,6 +103,15 @@ pub fn job_of(
     Ok(Job { work, session, options, shelf, answers, kept, replaced, visit, drawing: None })
 }
 
+/// A job whose paths are all cut beside themselves, right of travel.
+pub fn beside(work: Work, by_mm: f64) -> Result<Work> {
+    let Work::Job(job, machine) = work else {
+        bail!(Usage("only a job is offset: --offset-job".into()))
+    };
+    let moved = kerf_toolpath::beside(&job, by_mm).map_err(|why| Usage(why.to_string()))?;
+    Ok(Work::Job(Arc::new(moved), machine))
+}
+
 /// The script of answers.
 pub fn answers(args: &RunArgs) -> Result<Answers> {
     Ok(match &args.answers {

@@ -12,9 +12,9 @@ use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, State, W
 /// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
 pub const PASSWORD: &str = "options.password";
 
-/// Every setting with what it is now.
+/// Every setting that says something on this machine, with what it is now.
 pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
-    let shown = |setting: &&Setting| setting.key != PASSWORD;
+    let shown = |it: &&Setting| it.key != PASSWORD && it.applies(configuration);
     let area = |area: &Area| SettingArea {
         title: area.title.into(),
         manual: area.manual.into(),

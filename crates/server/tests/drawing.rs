@@ -210,3 +210,92 @@ fn pro_clipboard_loadfile__in_the_console() {
         assert_eq!(draw(&mut page, load).as_deref(), Some("file"));
     }
 }
+
+#[test]
+fn pro_options_join() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    let mut page = shop.driver();
+    let before = page.shown["settings"].clone();
+    page.set("options.join_mm", "0.5");
+    page.until("the setting", |page| page.shown["settings"] != before);
+    draw(&mut page, json!({ "op": "new" }));
+    draw(
+        &mut page,
+        json!({ "op": "do", "clauses": "line 0,0 10,0; line 10.6,0 20,0; select all" }),
+    );
+    page.until("what is offered", |page| page.shown["drawing"]["join"] == 0.5);
+    draw(&mut page, json!({ "op": "do", "clauses": "join 0.7" }));
+    page.until("the last used", |page| page.shown["drawing"]["join"] == 0.7);
+    let value = |shop: &support::Shop| {
+        let areas = shop.get("/api/settings").json();
+        let all = areas.as_array().unwrap().iter().flat_map(|a| a["settings"].as_array().unwrap());
+        let mut it = all.filter(|it| it["key"] == "options.join_mm").map(|it| it["value"].clone());
+        it.next().unwrap()
+    };
+    let file = shop.dir.path().join("data/machine.toml");
+    page.until("the file", |_| std::fs::read_to_string(&file).is_ok_and(|t| t.contains("0.7")));
+    assert_eq!(value(&shop), "0.7");
+    let support::Shop { server, dir } = shop;
+    drop((page, server));
+    assert_eq!(value(&support::kept(dir)), "0.7", "after a restart");
+}
+
+#[test]
+fn pro_misc_unified() {
+    // One server: a DXF is opened, offset, made a program, and run on the simulated machine.
+    let shop = shop(200.0, &[]);
+    let mut page = shop.driver();
+    draw(&mut page, json!({ "op": "do", "clauses": "rect 10,10 60,40" }));
+    assert_eq!(draw(&mut page, json!({ "op": "save", "name": "plate.dxf" })), None);
+    draw(&mut page, json!({ "op": "new" }));
+    assert_eq!(draw(&mut page, json!({ "op": "open", "name": "plate.dxf" })), None);
+    page.until("the shape", |page| page.shown["drawing"]["shapes"] == 1);
+    assert_eq!(draw(&mut page, json!({ "op": "do", "clauses": "set black offset=3" })), None);
+    let paths = shop.get("/api/drawing/paths").json()["paths"].clone();
+    let points = paths[0]["points"].as_array().unwrap();
+    let least = points.iter().step_by(3).filter_map(Value::as_f64).fold(f64::INFINITY, f64::min);
+    assert!((least - 7.0).abs() < 1e-6, "offset by 3 mm: {least}");
+    assert_eq!(draw(&mut page, json!({ "op": "program", "name": "plate.sbp" })), None);
+    page.until("the program", |page| page.shown["opened"]["name"] == "plate.sbp");
+    page.until("its preview", |page| page.shown["opened"]["preview"]["state"] == "ready");
+    assert_eq!(page.run(), None);
+    let number = page.asked("spindle");
+    assert_eq!(page.act(json!({ "do": "answer", "question": number, "answer": "OK" })), None);
+    page.until("the end", |page| page.shown["job"]["ended"] == "ok");
+}
+
+#[test]
+fn pro_plasma_arc_input() {
+    let shop = shop(50.0, &[]);
+    let mut page = shop.driver();
+    let label = |shop: &support::Shop| {
+        let lamps = shop.get("/api/inputs").json();
+        let arc = kerf_machine::lines::Input::EndBottomDelay.number();
+        let lamps = lamps.as_array().unwrap().clone();
+        lamps.into_iter().find(|lamp| lamp["number"] == arc).unwrap()["label"].clone()
+    };
+    assert_eq!(label(&shop), "end_bottom_delay");
+    let before = page.shown["settings"].clone();
+    page.set("plasma.use", "true");
+    page.until("the setting", |page| page.shown["settings"] != before);
+    assert_eq!(label(&shop), "arc");
+}
+
+#[test]
+fn pro_laser_use__no_page_shows_a_laser_that_is_not_there() {
+    let shop = shop(50.0, &[]);
+    let mut page = shop.driver();
+    let keys = |shop: &support::Shop| -> Vec<String> {
+        let areas = shop.get("/api/settings").json();
+        let all = areas.as_array().unwrap().iter().flat_map(|a| a["settings"].as_array().unwrap());
+        let keys = all.map(|it| it["key"].as_str().unwrap().to_owned());
+        keys.filter(|key| key.starts_with("laser.")).collect()
+    };
+    assert_eq!(keys(&shop), ["laser.use", "laser.type"]);
+    for (key, value) in [("laser.type", "cw"), ("laser.use", "true")] {
+        let before = page.shown["settings"].clone();
+        page.set(key, value);
+        page.until(key, |page| page.shown["settings"] != before);
+    }
+    assert!(keys(&shop).len() > 10);
+}

@@ -12,6 +12,7 @@
 //!
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
+mod beside;
 mod depth;
 mod filter;
 mod gouge;
@@ -28,6 +29,7 @@ mod tag;
 mod twice;
 mod warning;
 
+pub use beside::{NoRoom, beside};
 pub use depth::{Depths, Heights, LowError};
 pub use filter::{filtered, too_near};
 pub use job::{CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job};

@@ -4,7 +4,7 @@ use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
-use crate::{machine_file, out, setup};
+use crate::{out, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
@@ -198,17 +198,55 @@ pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> 
         (Some(by), Value::Number(before)) => before + by,
         _ => shop.session.memory.position[Axis::Z],
     };
-    let kept = machine_file::of(which.config.as_deref(), &which.folder())?;
+    keep(which, &shop.machine, setting, Value::Number(tidy(z)))
+}
+
+/// Changes a setting in the file of the machine, and tells it.
+fn keep(
+    which: &Which,
+    machine: &Configuration,
+    setting: &'static table::Setting,
+    value: Value,
+) -> Result<Exit> {
+    let kept = which.to_change()?;
     let text = kept.text()?.unwrap_or_default();
-    let mut wanted = (*shop.machine).clone();
-    let tidy = (z * 1e6).round() / 1e6;
-    setting.set(&mut wanted, &Value::Number(tidy)).map_err(|refused| Usage(refused.to_string()))?;
+    let mut wanted = machine.clone();
+    setting.set(&mut wanted, &value).map_err(|refused| Usage(refused.to_string()))?;
     if let Some(crossed) = kerf_machine::contradictions::contradictions(&wanted).first() {
         bail!(Usage(format!("{}; {}", crossed.message, crossed.hint)));
     }
     kept.write(&file::edit(&text, setting, &wanted))?;
-    out::print(&format!("{} = {tidy}\n", height.key()));
+    out::print(&format!("{} = {}\n", setting.key, setting.get(&wanted)));
     Ok(Exit::Good)
+}
+
+/// To a millionth.
+fn tidy(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6 + 0.0
+}
+
+/// Prints the job origin, or sets it: to where the tool is, or to a place from home.
+pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
+    let shop = Shop::open(which, false)?;
+    let Some(setting) = table::setting("job.origin_mm") else { bail!("no setting job.origin_mm") };
+    let at = match place {
+        None => {
+            out::print(&format!("{} = {}\n", setting.key, setting.get(&shop.machine)));
+            return Ok(Exit::Good);
+        }
+        Some("here") => {
+            let position = shop.session.memory.position;
+            [position[Axis::X], position[Axis::Y]]
+        }
+        Some(place) => {
+            let [Some(x), Some(y), ..] = numbers(place)? else {
+                bail!(Usage("give X,Y or here".into()))
+            };
+            [x, y]
+        }
+    };
+    let value = Value::List(at.map(|v| Value::Number(tidy(v))).into());
+    keep(which, &shop.machine, setting, value)
 }
 
 /// Z is homed first where jobs home it; then it goes to the height that is to be recorded.
@@ -246,6 +284,11 @@ pub fn pos(which: &Which) -> Result<Exit> {
         let homed = if shop.session.homed.contains(axis) { "homed" } else { "not homed" };
         let name = shop.machine.motors.axis_name(axis);
         out::print(&format!("{name:<2} {:.3} {homed}\n", position[axis] + 0.0));
+    }
+    let [x0, y0] = shop.machine.job.origin_mm;
+    if [x0, y0] != [0.0; 2] {
+        let [x, y] = [position[Axis::X] - x0, position[Axis::Y] - y0].map(|v| v + 0.0);
+        out::print(&format!("{x:.3},{y:.3} from the job origin\n"));
     }
     Ok(Exit::Good)
 }

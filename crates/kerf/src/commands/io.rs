@@ -6,6 +6,8 @@ use crate::{memory, out, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
 use kerf_control::journal::Journal;
+use kerf_machine::Configuration;
+use kerf_machine::lines::Input;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
 use kerf_sim::ports::Ports;
@@ -88,7 +90,10 @@ const LOOK: Duration = Duration::from_millis(50);
 
 pub fn run(args: &IoArgs) -> Result<Exit> {
     match &args.action {
-        Action::List => list(&args.ports()?),
+        Action::List => {
+            let machine = setup::machine(args.config.as_deref(), &args.folder())?;
+            list(&args.ports()?, &machine);
+        }
         Action::Get { name } => {
             let (is_output, bit) = known(name)?;
             out::print(&format!("{}\n", u8::from(args.ports()?.is_on(is_output, bit))));
@@ -140,17 +145,17 @@ fn known(name: &str) -> Result<(bool, &'static Bit)> {
     }
 }
 
-fn list(ports: &Ports) {
+fn list(ports: &Ports, machine: &Configuration) {
     let mut lines = String::new();
     for (word, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)] {
         for bit in bits {
             let aliases = bit.aliases.join(", ");
+            let input = Input::named(bit.name).filter(|_| !is_output);
+            let name = input.and_then(|it| machine.name_in_use(it)).unwrap_or(bit.name);
             lines.push_str(&format!(
-                "{word:<7}{:<4}{:<18}{} {:<22}{}\n",
+                "{word:<7}{:<4}{name:<18}{} {aliases:<22}{}\n",
                 bit.address(),
-                bit.name,
                 u8::from(ports.is_on(is_output, bit)),
-                aliases,
                 bit.about
             ));
         }

@@ -2,6 +2,7 @@
 
 use crate::args::DataArgs;
 use crate::commands::by_hand::{self, Height, MoveArgs};
+use crate::commands::protect;
 use crate::exit::{Exit, Usage};
 use crate::{machine_file, out, setup};
 use anyhow::{Result, bail};
@@ -39,6 +40,10 @@ pub struct Which {
     /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
     #[arg(long, value_name = "DIR", global = true)]
     data: Option<PathBuf>,
+    /// The password of the settings, where they are protected [default: KERF_PASSWORD]; asked for at a
+    /// terminal
+    #[arg(long, value_name = "WORD", global = true)]
+    password: Option<String>,
 }
 
 impl Which {
@@ -51,7 +56,18 @@ impl Which {
         setup::machine(self.config.as_deref(), &self.folder())
     }
 
-    /// The file that changes go to.
+    /// The file that changes go to, once the password was given.
+    pub fn to_change(&self) -> Result<MachineFile> {
+        let file = self.file()?;
+        let text = file.text()?.unwrap_or_default();
+        // A file with mistakes has to be mended: it protects nothing.
+        if let Ok(said) = file.read(&text) {
+            protect::open(&said, self.password.as_deref())?;
+        }
+        Ok(file)
+    }
+
+    /// The configuration's file.
     fn file(&self) -> Result<MachineFile> {
         machine_file::of(self.config.as_deref(), &self.folder())
     }
@@ -118,6 +134,18 @@ enum Action {
     },
     /// Prints where the axes are, and which are homed
     Pos,
+    /// Prints the job origin, or sets it
+    Origin {
+        /// `here`, where the tool is, or X,Y: millimetres from home
+        #[arg(allow_hyphen_values = true)]
+        place: Option<String>,
+    },
+    /// Protects the settings with a password, which is asked for twice, or no longer
+    Password {
+        /// Takes the protection away
+        #[arg(long)]
+        off: bool,
+    },
 }
 
 pub fn run(args: &MachineArgs) -> Result<Exit> {
@@ -132,13 +160,17 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         }
         Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
         Action::Use { name } => {
-            machine_file::of_data(&args.which.folder())?.write(named(name)?)?;
+            let text = named(name)?;
+            args.which.to_change()?;
+            machine_file::of_data(&args.which.folder())?.write(text)?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes } => return by_hand::home(&args.which, axes.as_deref()),
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
+        Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
+        Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
 }
@@ -163,7 +195,10 @@ fn named(name: &str) -> Result<&'static str> {
 }
 
 fn set(which: &Which, setting: &'static Setting, value: &Value) -> Result<()> {
-    let kept = which.file()?;
+    if setting.key == protect::KEY {
+        bail!(Usage(format!("{} is set by `kerf machine password`", protect::KEY)));
+    }
+    let kept = which.to_change()?;
     let mut configuration = which.machine()?;
     setting.set(&mut configuration, value).map_err(|refused| Usage(refused.to_string()))?;
     if let Some(crossed) = contradictions(&configuration).first() {
@@ -177,7 +212,10 @@ fn list(word: Option<&str>, configuration: &Configuration) -> Result<()> {
     let fits = |setting: &&Setting| word.is_none_or(|word| setting.key.contains(word));
     let mut lines = String::new();
     for area in table::areas() {
-        let mut rows = area.rows.iter().filter(fits).peekable();
+        // Asked for by its whole key a setting is shown, whatever the machine has.
+        let whole =
+            area.rows.iter().filter(|it| word == Some(it.key) && !it.applies(configuration));
+        let mut rows = area.shown(configuration).chain(whole).filter(fits).peekable();
         if rows.peek().is_some() {
             lines.push_str(&format!("# {} ({})\n", area.title, area.manual));
         }
@@ -201,6 +239,9 @@ fn check(files: &[PathBuf]) -> Result<Exit> {
     for path in files {
         let text = setup::read_text(path)?;
         let name = path.display().to_string().into();
+        for note in file::notes(&name, &text) {
+            out::print(&format!("note: {}\n", told(&[note])));
+        }
         if let Err(found) = file::read(&name, &text) {
             out::print(&format!("{}\n", told(&found)));
             worst = Exit::Failed;

@@ -14,6 +14,7 @@ mod machine;
 mod parts;
 mod plot;
 mod preview;
+mod protect;
 mod registry;
 mod run;
 mod samples;

@@ -5,6 +5,7 @@ use crate::clock;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
+use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
@@ -16,7 +17,7 @@ use clap::{Args, ValueEnum};
 use kerf_control::answers::Answers;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Session, Shelf, Sink, Summary, command_passing};
+use kerf_control::{Company, Session, Shelf, Sink, Summary, Work, command_passing};
 use kerf_machine::Configuration;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::FileParameters;
@@ -50,6 +51,9 @@ pub struct RunCommand {
 /// What everything that moves a machine can be told.
 #[derive(Args, Clone)]
 pub struct MachineArgs {
+    /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
+    #[arg(long, value_name = "MM", value_parser = parse::number, allow_negative_numbers = true)]
+    offset_job: Option<f64>,
     /// The machine to run on
     #[arg(long, value_name = "NAME", default_value = "sim")]
     machine: String,
@@ -88,11 +92,33 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
     run.place.start_run();
     match &args.file {
         Some(file) => {
-            let job = setup::job(file, &run, false)?;
+            let mut job = setup::job(file, &run, false)?;
+            if let Some(by_mm) = args.machine.offset_job {
+                job.work = setup::beside(job.work, by_mm)?;
+            }
+            if let (Work::Job(_, machine), false) = (&job.work, args.machine.quiet) {
+                out::print(&format!("{}\n", in_force(machine)));
+            }
             on_machine(job, &args.machine, &run, Talk::default())
         }
         None => resume(&args.machine, &run),
     }
+}
+
+/// What a job is cut with: to be looked at before the start.
+fn in_force(machine: &Configuration) -> String {
+    let speeds = &machine.program.speeds;
+    let cut = machine.program.smoothing.cut_speed_mm_s.unwrap_or(speeds.cut.xy);
+    let mm_min = |mm_s: f64| out::number(mm_s * 60.0, 1);
+    let (z, [x0, y0]) = (machine.zpos, machine.job.origin_mm);
+    format!(
+        "cutting at {} mm/min, plunging at {} mm/min; Z top {}, surface {}, bottom {} mm; origin {x0},{y0}",
+        mm_min(cut),
+        mm_min(machine.speeds.plunge_mm_s),
+        z.top_mm,
+        z.surface_mm,
+        z.bottom_mm
+    )
 }
 
 /// Takes up the run that was cut short.

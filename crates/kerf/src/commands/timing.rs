@@ -23,7 +23,7 @@ use std::path::PathBuf;
 pub struct TimingArgs {
     /// The job or part file
     file: PathBuf,
-    /// The picture to write: .svg or .png
+    /// The picture to write: .svg or .png; or its data: .json
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     /// The heading [default: the name of the file]
@@ -107,6 +107,22 @@ impl Lines {
     }
 }
 
+/// What the diagram shows, as numbers: edges of switches, courses of values, seconds.
+fn data(timing: &Timing) -> serde_json::Value {
+    let tracks: serde_json::Map<String, serde_json::Value> = timing
+        .tracks
+        .iter()
+        .map(|track| {
+            let course = match &track.course {
+                Course::Switch(edges) => serde_json::json!({ "edges": edges }),
+                Course::Value(points) => serde_json::json!({ "points": points }),
+            };
+            (track.name.clone(), course)
+        })
+        .collect();
+    serde_json::json!({ "title": timing.title, "end": timing.end_s, "tracks": tracks })
+}
+
 /// A value holds until it changes.
 fn step(points: &mut Vec<(f64, f64)>, t: f64, value: f64) {
     let before = points.last().map_or(0.0, |(_, value)| *value);
@@ -115,8 +131,11 @@ fn step(points: &mut Vec<(f64, f64)>, t: f64, value: f64) {
 
 pub fn run(args: &TimingArgs) -> Result<Exit> {
     let extension = args.output.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    if !matches!(extension.as_str(), "svg" | "png") {
-        bail!(Usage(format!("{}: diagrams end in .svg or .png", args.output.display())));
+    if !matches!(extension.as_str(), "svg" | "png" | "json") {
+        bail!(Usage(format!(
+            "{}: diagrams end in .svg or .png, their data in .json",
+            args.output.display()
+        )));
     }
     let mut job = setup::job(&args.file, &args.run, true)?;
     let mut sink = (Diagnostics::default(), Lines::default());
@@ -128,6 +147,7 @@ pub fn run(args: &TimingArgs) -> Result<Exit> {
     let title = args.title.clone().unwrap_or_else(name);
     let timing = Timing { title, end_s: lines.end_s, tracks: lines.tracks() };
     let bytes = match extension.as_str() {
+        "json" => format!("{}\n", data(&timing)).into_bytes(),
         "svg" => timing.svg().into_bytes(),
         _ => timing.png(PIXELS)?,
     };

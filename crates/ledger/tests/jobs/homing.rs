@@ -215,3 +215,23 @@ fn two_motors_of_an_axis_are_homed_apart_in_a_run() {
     let truth = trace.session.look(|machine| machine.truth()[0].clone());
     assert!((truth[0] + 117.0).abs() < 0.01 && (truth[1] + 116.5).abs() < 0.01, "{truth:?}");
 }
+
+#[test]
+fn pro_job_origin_saved__after_power_up_elsewhere() {
+    // Wherever the machine was switched on: homed, it cuts at the same place of the table.
+    let ends_at = |start: [f64; 2]| {
+        let trace = JobRun::new(kerf_ledger::jobs::t1())
+            .unhomed()
+            .with(|machine| {
+                machine.simulated.start_at[..2].copy_from_slice(&start);
+                machine.homing.at_job_start = AxisSet::first(2);
+            })
+            .job(|job| job.origin = kerf_geom::Point2::new(300.0, 200.0))
+            .run();
+        assert_eq!(trace.rests()[..2], [300.0, 200.0]);
+        trace.session.look(|machine| [machine.truth()[0][0], machine.truth()[1][0]])
+    };
+    let (one, other) = (ends_at([500.0, 300.0]), ends_at([40.0, 700.0]));
+    let apart = one.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart <= 0.004 + 1e-9, "{one:?} {other:?}: more than a step");
+}

@@ -362,3 +362,25 @@ fn pro_io_outc1() {
     assert_eq!(on.len(), 1);
     assert!(on[0].0 > cuts[0].1 && on[0].0 < cuts[1].0 && on[0].1 > cuts[1].1, "{on:?} {cuts:?}");
 }
+
+#[test]
+fn pro_motors_z2__adjusted_where_it_was_homed() {
+    let run = |adjustment_mm: f64| {
+        let run = JobRun::new(job([line(1, (0.0, 0.0), (2.0, 0.0))])).unhomed();
+        let trace = run.with(|machine| {
+            machine.motors.z2 = Some(FreeMotor::Q);
+            machine.job.heads = Heads::Both;
+            machine.homing.switches[3] = machine.homing.switches[2];
+            machine.homing.z2_adjustment_mm = adjustment_mm;
+            machine.homing.at_job_start = kerf_program::AxisSet::EMPTY.with(Axis::Z).with(Axis::A);
+            machine.simulated.switch_at[4] = machine.simulated.switch_at[2];
+        });
+        let trace = trace.run();
+        trace.session.look(|machine| machine.truth()[3][0])
+    };
+    let lower = run(0.0) - run(-0.35);
+    assert!(
+        (lower - 0.35).abs() < 0.005,
+        "the second head is lower by what it is adjusted: {lower}"
+    );
+}

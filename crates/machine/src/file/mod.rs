@@ -10,7 +10,7 @@ mod read;
 mod write;
 
 pub use edit::{edit, edit_all};
-pub use read::{read, read_back, read_over};
+pub use read::{notes, read, read_back, read_over};
 pub use write::{write, write_setting};
 
 #[cfg(test)]

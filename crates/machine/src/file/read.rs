@@ -4,7 +4,7 @@ use super::entries::{Entry, entries};
 use crate::contradictions::{Contradiction, contradictions};
 use crate::settings::Configuration;
 use crate::table::{self, Setting};
-use kerf_diag::{Code, Diagnostic, Place, did_you_mean};
+use kerf_diag::{Code, Diagnostic, Place, Severity, did_you_mean};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -88,7 +88,29 @@ fn put(
     Some(Diagnostic::new(Code::BadSetting, place, refused.to_string()).hint(setting.doc))
 }
 
+/// Settings of the old program that mean nothing here, and why.
+const NEEDLESS: [(&str, &str); 2] = [
+    ("options.irq", "the system knows the interrupts of its ports: options.devices names them"),
+    ("general.irq", "the system knows the interrupts of its ports: options.devices names them"),
+];
+
+/// What a configuration says that means nothing here.
+pub fn notes(file: &Arc<str>, text: &str) -> Vec<Diagnostic> {
+    let (entries, _) = entries(text);
+    let source = Source { file, text };
+    let note = |entry: &Entry| {
+        let (key, why) = NEEDLESS.iter().find(|(key, _)| *key == entry.key)?;
+        let place = source.place(&entry.key_span);
+        let text = format!("{key} is ignored: {why}");
+        Some(Diagnostic::new(Code::UnknownSetting, place, text).severity(Severity::Note))
+    };
+    entries.iter().filter_map(note).collect()
+}
+
 fn unknown(source: &Source<'_>, entry: &Entry) -> Option<Diagnostic> {
+    if NEEDLESS.iter().any(|(key, _)| *key == entry.key) {
+        return None;
+    }
     if table::settings().any(|setting| setting.key == entry.key) {
         return None;
     }

@@ -22,6 +22,7 @@ pub mod zpos;
 pub(crate) use words::Words;
 use words::words;
 
+use crate::lines::Input;
 use kerf_program::{Axis, Settings};
 
 /// Everything that is set of one machine.
@@ -71,6 +72,16 @@ impl Configuration {
     pub fn device(&self, port: u8) -> Option<&str> {
         let port = usize::from(port).checked_sub(1)?;
         self.options.devices.get(port).map(String::as_str)
+    }
+
+    /// What an input is on this machine, where that is not its usual name.
+    pub fn name_in_use(&self, input: Input) -> Option<&'static str> {
+        match input {
+            Input::EndBottomDelay if self.plasma.use_sequence => Some("arc"),
+            Input::WHome if self.plasma.use_sequence => Some("too_close"),
+            Input::WHome if self.job.external_start => Some("door"),
+            _ => None,
+        }
     }
 
     /// What is worth knowing of a setting on this very machine, where there is something.

@@ -86,7 +86,37 @@ pub fn changed<'a>(
     settings().filter(|setting| setting.get(before) != setting.get(after))
 }
 
+/// Settings that an area shows beside its own: one value, two places (ledger notes, 99).
+fn also(area: &Area) -> impl Iterator<Item = &'static Setting> {
+    let keys: &[&str] = match area.title {
+        "Options of the program" => {
+            &["misc.double_start", "homing.at_program_start", "homing.at_job_start"]
+        }
+        _ => &[],
+    };
+    keys.iter().filter_map(|key| setting(key))
+}
+
+impl Area {
+    /// The settings it shows of a machine: its own, those it shares with another, and none of a tool that
+    /// is not there.
+    pub fn shown<'a>(
+        &'a self,
+        c: &'a Configuration,
+    ) -> impl Iterator<Item = &'static Setting> + 'a {
+        self.rows.iter().chain(also(self)).filter(|setting| setting.applies(c))
+    }
+}
+
 impl Setting {
+    /// Whether it says anything on a machine: those of a laser or plasma torch do not where there is none.
+    pub fn applies(&self, c: &Configuration) -> bool {
+        // What has to be said before there is a laser or a torch.
+        let first = ["laser.use", "laser.type", "plasma.use"].contains(&self.key);
+        let of = |area: &str| self.key.starts_with(area) && !first;
+        (c.laser.use_laser || !of("laser.")) && (c.plasma.use_sequence || !of("plasma."))
+    }
+
     /// Its value in a configuration.
     pub fn get(&self, configuration: &Configuration) -> Value {
         (self.get)(configuration)

@@ -5,6 +5,7 @@ use crate::app::{App, lock, problem};
 use crate::{configure, told};
 use axum::Json;
 use axum::extract::State;
+use kerf_machine::lines::Input;
 use kerf_program::settings::LINES;
 use kerf_wire::{
     Checked, CommandEntry, Completion, Hover, Lamp, NamedValue, Problem, SettingArea, SystemValue,
@@ -114,8 +115,14 @@ pub async fn settings(State(app): State<Arc<App>>) -> Json<Vec<SettingArea>> {
 /// Every input of the simulated machine: those of the control box, and the lines of the ports.
 pub async fn inputs(State(app): State<Arc<App>>) -> Json<Vec<Lamp>> {
     let session = lock(&app.left).session.clone();
-    let lamps = |machine: &kerf_sim::Machine| {
+    let lamps = |machine: &kerf_sim::Machine| -> Vec<Lamp> {
         (1..=LINES as u8).map(|number| told::input(machine, number)).collect()
     };
-    Json(session.look(lamps))
+    let mut lamps = session.look(lamps);
+    for lamp in &mut lamps {
+        let input = Input::of_number(lamp.number);
+        let label = input.and_then(|input| session.machine_is.name_in_use(input));
+        lamp.label = label.unwrap_or(&lamp.label).to_owned();
+    }
+    Json(lamps)
 }

@@ -1,0 +1,54 @@
+//! A whole job offset: every path cut beside itself (Profiler reference, "Hand Console", function 60).
+
+use kerf_geom::{Polyarc, offset};
+use kerf_program::job::{Job, JobShape};
+use thiserror::Error;
+
+/// Why a job is not offset.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum NoRoom {
+    /// The path has no way beside it.
+    #[error("shape {number}: no path lies {by_mm} mm beside it")]
+    Lost {
+        /// The shape.
+        number: u32,
+        /// How far.
+        by_mm: f64,
+    },
+    /// A path with heights of its own.
+    #[error("shape {number} has heights of its own: offset it in the drawing")]
+    Heights {
+        /// The shape.
+        number: u32,
+    },
+}
+
+/// A job whose paths are cut a distance to the right of travel, negative to the left. Zero changes nothing.
+///
+/// # Errors
+/// [`NoRoom`] where a path has none.
+pub fn beside(job: &Job, by_mm: f64) -> Result<Job, NoRoom> {
+    if by_mm == 0.0 {
+        return Ok(job.clone());
+    }
+    let moved: Result<Vec<Vec<JobShape>>, NoRoom> =
+        job.shapes.iter().map(|shape| shape_beside(shape, by_mm)).collect();
+    Ok(Job { shapes: moved?.into_iter().flatten().collect(), ..job.clone() })
+}
+
+fn shape_beside(shape: &JobShape, by_mm: f64) -> Result<Vec<JobShape>, NoRoom> {
+    let number = shape.number;
+    if shape.z_mm.iter().any(|z| *z != 0.0) {
+        return Err(NoRoom::Heights { number });
+    }
+    let lost = NoRoom::Lost { number, by_mm };
+    let found = offset(&shape.path, by_mm).map_err(|_| lost.clone())?;
+    if found.is_empty() {
+        return Err(lost);
+    }
+    let with = |path: Polyarc| {
+        let z_mm = vec![0.0; if shape.z_mm.is_empty() { 0 } else { path.vertices.len() }].into();
+        JobShape { path: path.into(), z_mm, ..shape.clone() }
+    };
+    Ok(found.into_iter().map(|found| with(found.path)).collect())
+}
