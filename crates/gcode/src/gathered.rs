@@ -156,7 +156,7 @@ impl Gathered {
             let hint = if (100..200).contains(&code) && whole {
                 "M100 to M199 run programs of the controller, which Kerf does not have"
             } else {
-                ""
+                UNKNOWN
             };
             return Err(Fault::new(Code::UnknownMWord, span, message).hint(hint));
         };
@@ -235,5 +235,9 @@ fn unknown_g(value: f64, code: i32, known: bool, span: Span) -> Fault {
         let message = format!("{} cannot be carried out here", g_name(code));
         return Fault::new(Code::NotSupported, span, message).hint(why);
     }
-    Fault::new(Code::UnknownGWord, span, format!("unknown code G{value}"))
+    Fault::new(Code::UnknownGWord, span, format!("unknown code G{value}")).hint(UNKNOWN)
 }
+
+/// How to mend a code that nobody knows.
+const UNKNOWN: &str =
+    "is a blank or a point missing? the book lists the codes; put others into a comment";

@@ -21,6 +21,7 @@ mod exact;
 mod exchange;
 mod first;
 mod improve;
+mod map;
 mod near;
 mod polish;
 mod rapids;

@@ -1,5 +1,6 @@
 //! The stops that are worth being visited next to a stop.
 
+use super::map::Map;
 use super::site::Site;
 use kerf_geom::Bounds2;
 
@@ -10,14 +11,32 @@ const CANDIDATES: usize = 48;
 
 /// For each stop the nearest ones that may follow it, nearest first. What lies in a stop never follows it.
 pub(super) fn neighbours(site: &Site) -> Vec<Vec<usize>> {
-    (0..=site.stops()).map(|stop| of(site, stop)).collect()
+    let map = Map::of(site, 0..site.stops());
+    (0..=site.stops()).map(|stop| of(site, &map, stop)).collect()
 }
 
-fn of(site: &Site, stop: usize) -> Vec<usize> {
+/// Stops by the gap between their bounds, among them all that are nearest: within a distance, which is doubled
+/// until there are enough.
+fn candidates(site: &Site, map: &Map, stop: usize) -> Vec<(f64, usize)> {
     let own = &site.stop(stop).bounds;
-    let others = (0..site.stops()).filter(|other| *other != stop && !lies_in(site, *other, stop));
-    let mut near: Vec<(f64, usize)> =
-        others.map(|other| (gap_squared(own, &site.stop(other).bounds), other)).collect();
+    let mut reach = 4.0 * map.spacing_mm();
+    loop {
+        let (area, mut near) = (own.grown(reach), Vec::new());
+        map.meeting(&area, |other| {
+            if other != stop && !lies_in(site, other, stop) {
+                near.push((gap_squared(own, &site.stop(other).bounds), other));
+            }
+        });
+        let sure = near.iter().filter(|(gap, _)| *gap <= reach * reach).count();
+        if sure > CANDIDATES || map.lies_in(&area) {
+            return near;
+        }
+        reach *= 2.0;
+    }
+}
+
+fn of(site: &Site, map: &Map, stop: usize) -> Vec<usize> {
+    let mut near = candidates(site, map, stop);
     let order = |a: &(f64, usize), b: &(f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
     if near.len() > CANDIDATES {
         near.select_nth_unstable_by(CANDIDATES, order);

@@ -52,7 +52,7 @@ impl File {
         self.lines.reserve(memchr::memchr_iter(b'\n', bytes).count() + 1);
         let (mut start, mut plain) = (0, PlainMove::default());
         while start < bytes.len() {
-            let (node, next) = match moves::read(bytes, start, &mut plain) {
+            let (node, next) = match moves::end(bytes, start, &mut plain) {
                 Some(end) => (Node::Move, after_line_end(bytes, end)),
                 None => {
                     let (end, next) = line_end(bytes, start);

@@ -9,6 +9,15 @@ use crate::tree::PlainMove;
 /// Reads the line that begins at `start` if it is a plain move, and gives the end of the line. What is read of
 /// a line that is something else means nothing.
 pub(crate) fn read(bytes: &[u8], start: usize, found: &mut PlainMove) -> Option<usize> {
+    line::<true>(bytes, start, found)
+}
+
+/// The same without the values, which nobody needs before the move is made.
+pub(super) fn end(bytes: &[u8], start: usize, found: &mut PlainMove) -> Option<usize> {
+    line::<false>(bytes, start, found)
+}
+
+fn line<const VALUES: bool>(bytes: &[u8], start: usize, found: &mut PlainMove) -> Option<usize> {
     let mut scan = Scan { bytes, at: start };
     scan.blanks();
     if scan.peek() | 0x20 == b'n' {
@@ -34,7 +43,7 @@ pub(crate) fn read(bytes: &[u8], start: usize, found: &mut PlainMove) -> Option<
                 return None;
             }
             scan.blanks();
-            let value = scan.signed()?;
+            let value = scan.signed(VALUES || slot >= FIRST_RATE)?;
             if value < 0.0 && slot >= FIRST_RATE {
                 return None;
             }
@@ -111,12 +120,30 @@ impl Scan<'_> {
         (motion < 4 && !matches!(self.peek(), b'0'..=b'9' | b'.')).then_some(motion)
     }
 
-    fn signed(&mut self) -> Option<f64> {
+    /// A number with its sign; without its value, 0 in place of it.
+    fn signed(&mut self, valued: bool) -> Option<f64> {
         let negative = self.peek() == b'-';
         self.at += usize::from(negative || self.peek() == b'+');
+        if !valued && let Some(end) = short_number(self.bytes, self.at) {
+            self.at = end;
+            return Some(0.0);
+        }
         let magnitude = number(self.bytes, &mut self.at)?;
         Some(if negative { -magnitude } else { magnitude })
     }
+}
+
+/// Where a number of so few digits ends that it is surely one.
+fn short_number(bytes: &[u8], start: usize) -> Option<usize> {
+    let digits = |from: usize| {
+        let is_digit = |byte: &&u8| byte.is_ascii_digit();
+        from + bytes.get(from..).unwrap_or_default().iter().take_while(is_digit).count()
+    };
+    let whole = digits(start);
+    let point = bytes.get(whole) == Some(&b'.');
+    let end = if point { digits(whole + 1) } else { whole };
+    let count = end - start - usize::from(point);
+    (1..=15).contains(&count).then_some(end)
 }
 
 /// Reads an unsigned decimal number without exponent at `at` and goes behind it.
