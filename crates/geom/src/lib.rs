@@ -44,7 +44,8 @@ pub use error::GeomError;
 pub use index::BoxTree;
 pub use indexed::Indexed;
 pub use offset::{
-    CHECK_MM, Coarse, OffsetPath, Origin, offset, offset_by_chords, offset_region, parallel_path,
+    CHECK_MM, Coarse, OffsetPath, Offsetter, Origin, Proposer, offset, offset_by_chords,
+    offset_region, parallel_path,
 };
 pub use point::{Point2, Vec2, clock_to_vec, vec_to_clock};
 pub use polyarc::{Crossing, Place, Polyarc, Position, Vertex};

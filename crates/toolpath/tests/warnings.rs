@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use kerf_drawing::{Drawing, Editor, script};
+#[path = "../../geom/tests/families/mod.rs"]
+mod families;
+
+use kerf_drawing::{Drawing, Editor, Shape, script};
 use kerf_geom::{Bounds2, Point2};
 use kerf_toolpath::{job, off_table};
 
@@ -105,4 +108,24 @@ fn what_is_drawn_twice_is_told_once() {
     let (_, warnings) = job(&drawn("point 0,0; select all; array rect 10x10 spacing 0,0")).unwrap();
     assert_eq!(warnings.len(), 21);
     assert_eq!(warnings[20].text, "it and 78 more are drawn twice");
+}
+
+/// A true shape of which no engine makes the offset exactly: the person is told, and what is cut stays within
+/// what was told.
+#[test]
+fn an_offset_that_is_not_exact_is_told() {
+    let mut drawing = drawn("rect 0,0 9,9; set black offset=-2");
+    let shape = families::half_circles();
+    drawing.shapes = vec![Shape::flat(shape.clone()).into()];
+    let (job, warnings) = job(&drawing).unwrap();
+    let told: Vec<_> = warnings.iter().map(ToString::to_string).collect();
+    let text = "shape 1 at 0,0: its offset could not be made exactly: it may be off by 0.001 mm";
+    assert_eq!(told, [text]);
+    for path in job.paths.iter().map(|path| &path.shape.path) {
+        assert!(path.vertices.iter().any(|vertex| vertex.bulge != 0.0));
+        for place in path.segments().flat_map(|s| [0.0, 0.5].map(|share| s.at(share))) {
+            let (_, far) = shape.nearest(place).unwrap();
+            assert!((far - 2.0).abs() <= 1e-3, "{place:?} {far}");
+        }
+    }
 }

@@ -22,6 +22,7 @@ mod beyond;
 mod chains;
 mod chords;
 mod clearance;
+mod prepared;
 mod raw;
 mod rings;
 mod slices;
@@ -32,9 +33,8 @@ pub use validate::CHECK_MM;
 
 pub(crate) use raw::parallel;
 
-use crate::pool::{self, Buffer};
-use crate::{BoxTree, GeomError, Point2, Polyarc, Transform2, tol};
-use source::Source;
+use crate::{GeomError, Polyarc, tol};
+use prepared::Prepared;
 use std::fmt;
 
 /// What a segment of an offset is parallel to.
@@ -99,7 +99,7 @@ impl fmt::Display for Coarse {
 /// # Ok::<(), kerf_geom::GeomError>(())
 /// ```
 pub fn offset(source: &Polyarc, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
-    offset_region(std::slice::from_ref(source), distance)
+    Offsetter::default().offset(source, distance)
 }
 
 /// The offset of several contours together, such as a part with its holes or a pocket with its islands:
@@ -108,19 +108,70 @@ pub fn offset(source: &Polyarc, distance: f64) -> Result<Vec<OffsetPath>, GeomEr
 /// # Errors
 /// As [`offset`]; contours must not cross each other.
 pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
+    Offsetter::default().region(contours, distance)
+}
+
+/// What proposes an offset of contours by a distance, or nothing. The contours lie about the origin, have no
+/// segment without length and no arc of more than half a circle.
+pub type Proposer<'a> = dyn Fn(&[Polyarc], f64) -> Option<Vec<OffsetPath>> + 'a;
+
+/// Makes offsets: the first engine proposes, the check decides, and what it refuses the second engine makes.
+///
+/// The first engine is Kerf's own, unless another one is given; then only its proposals are held to the
+/// check, and it may even lie.
+///
+/// ```
+/// use kerf_geom::{Offsetter, Point2, Polyarc, offset};
+/// let square = Polyarc::rectangle(Point2::new(0.0, 0.0), Point2::new(9.0, 9.0));
+/// let liar = |contours: &[Polyarc], _: f64| offset(&contours[0], 1.0).ok();
+/// let found = Offsetter::with_first(&liar).offset(&square, 2.0)?;
+/// assert!((found[0].path.length() - offset(&square, 2.0)?[0].path.length()).abs() < 1e-9);
+/// # Ok::<(), kerf_geom::GeomError>(())
+/// ```
+#[derive(Clone, Copy, Default)]
+pub struct Offsetter<'a> {
+    first: Option<&'a Proposer<'a>>,
+}
+
+impl<'a> Offsetter<'a> {
+    /// With another first engine.
+    pub fn with_first(first: &'a Proposer<'a>) -> Self {
+        Self { first: Some(first) }
+    }
+
+    /// As [`offset`].
+    ///
+    /// # Errors
+    /// As [`offset`].
+    pub fn offset(&self, source: &Polyarc, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
+        self.region(std::slice::from_ref(source), distance)
+    }
+
+    /// As [`offset_region`].
+    ///
+    /// # Errors
+    /// As [`offset_region`].
+    pub fn region(
+        &self,
+        contours: &[Polyarc],
+        distance: f64,
+    ) -> Result<Vec<OffsetPath>, GeomError> {
+        checked_input(contours, distance)?;
+        if distance.abs() <= tol::SAME_PLACE_MM {
+            return Ok(contours.iter().enumerate().map(|(k, c)| unmoved(k, c)).collect());
+        }
+        let prepared = Prepared::new(contours)?;
+        let mut found = prepared.proved(distance, self.first)?;
+        found.iter_mut().for_each(|path| prepared.restore(path));
+        Ok(found)
+    }
+}
+
+fn checked_input(contours: &[Polyarc], distance: f64) -> Result<(), GeomError> {
     if !distance.is_finite() || distance.abs() > tol::FARTHEST_MM {
         return Err(GeomError::NotPositive { what: "the size of an offset" });
     }
-    contours.iter().try_for_each(Polyarc::check)?;
-    if distance.abs() <= tol::SAME_PLACE_MM {
-        return Ok(contours.iter().enumerate().map(|(k, c)| unmoved(k, c)).collect());
-    }
-    let prepared = Prepared::new(contours)?;
-    let mut found = prepared.proved(distance)?;
-    for path in &mut found {
-        prepared.restore(path);
-    }
-    Ok(found)
+    contours.iter().try_for_each(Polyarc::check)
 }
 
 /// The same by the second engine alone, which [`offset_region`] asks when the first one fails: for those
@@ -129,11 +180,9 @@ pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPa
 /// # Errors
 /// As [`offset_region`].
 pub fn offset_by_chords(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
-    contours.iter().try_for_each(Polyarc::check)?;
+    checked_input(contours, distance)?;
     let prepared = Prepared::new(contours)?;
-    let source = Source::new(&prepared.contours);
-    let why = GeomError::Unproved { why: "contours that bound no region", at: prepared.middle };
-    let mut found = by_chords(&source, distance).ok_or(why)?;
+    let mut found = prepared.by_chords(distance)?;
     found.iter_mut().for_each(|path| prepared.restore(path));
     Ok(found)
 }
@@ -170,138 +219,4 @@ fn unmoved(contour: usize, path: &Polyarc) -> OffsetPath {
     let origin = |element| Origin { contour, element, corner: false };
     let origins = (0..path.segment_count()).map(origin).collect();
     OffsetPath { path: path.clone(), origins, within_mm: CHECK_MM }
-}
-
-/// The contours moved to the origin, without empty segments and long arcs.
-struct Prepared {
-    contours: Vec<Polyarc>,
-    /// For each segment of all prepared contours the segment it was.
-    were: Buffer<usize>,
-    /// Where those of each contour begin.
-    first: Buffer<usize>,
-    middle: Point2,
-}
-
-impl Drop for Prepared {
-    fn drop(&mut self) {
-        self.contours.drain(..).for_each(|contour| pool::give(contour.vertices));
-    }
-}
-
-impl Prepared {
-    fn new(contours: &[Polyarc]) -> Result<Self, GeomError> {
-        let mut bounds = crate::Bounds2::default();
-        contours.iter().flat_map(|c| &c.vertices).for_each(|v| bounds.add(v.at));
-        let middle = if bounds.is_empty() { Point2::default() } else { bounds.centre() };
-        let to_origin = Point2::default() - middle;
-        let (were, first) = (Buffer::default(), Buffer::default());
-        let list = Vec::with_capacity(contours.len());
-        let mut prepared = Self { contours: list, were, first, middle };
-        for contour in contours {
-            prepared.first.push(prepared.were.len());
-            let mut ready = contour.tidied_with_names(&mut prepared.were);
-            ready.vertices.iter_mut().for_each(|v| v.at += to_origin);
-            if ready.segment_count() == 0 {
-                let found = ready.vertices.len();
-                return Err(GeomError::TooFewVertices { found, needed: 2 });
-            }
-            prepared.contours.push(ready);
-        }
-        Ok(prepared)
-    }
-
-    /// The first attempt that passes the check.
-    fn proved(&self, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
-        let source = Source::new(&self.contours);
-        let tangle = GeomError::Unproved { why: "a tangle of crossings", at: Point2::default() };
-        let checked = |found: Vec<OffsetPath>| {
-            validate::validate(&source, distance, &found, CHECK_MM).map(|()| found)
-        };
-        let first = attempt(&source, distance).ok_or(tangle).and_then(checked);
-        let Err(why) = first else { return first };
-        self.crossing().map_or(Ok(()), Err)?;
-        for (turn_rad, longer) in SECOND_ATTEMPTS {
-            let found = self.attempt_turned(distance + longer, turn_rad);
-            if let Some(Ok(found)) = found.map(checked) {
-                return Ok(found);
-            }
-        }
-        by_chords(&source, distance).ok_or_else(|| self.error_at_source(why))
-    }
-
-    /// The offset of the turned contours, turned back.
-    fn attempt_turned(&self, distance: f64, turn_rad: f64) -> Option<Vec<OffsetPath>> {
-        let turn = Transform2::turned(Point2::default(), turn_rad);
-        let back = Transform2::turned(Point2::default(), -turn_rad);
-        let turned: Vec<Polyarc> = self.contours.iter().map(|c| c.similar(&turn)).collect();
-        let mut found = attempt(&Source::new(&turned), distance)?;
-        found.iter_mut().for_each(|offset| offset.path = offset.path.similar(&back));
-        Some(found)
-    }
-
-    /// Where a contour crosses itself or another, if one does: what has no inside has no offset.
-    fn crossing(&self) -> Option<GeomError> {
-        let back = self.middle - Point2::default();
-        let boxes = BoxTree::new(self.contours.iter().map(Polyarc::bounds));
-        let mut pairs: Vec<(usize, usize)> = (0..self.contours.len()).map(|k| (k, k)).collect();
-        boxes.own_pairs(|a, b| pairs.push((a, b)));
-        pairs.into_iter().find_map(|(first, second)| {
-            let (a, b) = (&self.contours[first], &self.contours[second]);
-            let found =
-                if first == second { a.crosses_itself() } else { a.crossings(b).first().copied() };
-            let at = found?.first.at + back;
-            Some(GeomError::Crosses { first, second, at })
-        })
-    }
-
-    /// An error with its place where the source is.
-    fn error_at_source(&self, error: GeomError) -> GeomError {
-        let back = self.middle - Point2::default();
-        match error {
-            GeomError::Unproved { why, at } => GeomError::Unproved { why, at: at + back },
-            other => other,
-        }
-    }
-
-    /// Back to where the source is, with the source's numbers.
-    fn restore(&self, offset: &mut OffsetPath) {
-        let back = self.middle - Point2::default();
-        offset.path.vertices.iter_mut().for_each(|v| v.at += back);
-        for origin in &mut offset.origins {
-            origin.element = self.were[self.first[origin.contour] + origin.element];
-        }
-    }
-}
-
-/// What is tried when the first attempt fails its check: the shape turned by some angle, which makes other
-/// roundings of coincident curves, and in the end an offset that differs by less than the check can see.
-const SECOND_ATTEMPTS: [(f64, f64); 4] = [(0.7, 0.0), (2.9, 0.0), (1.3, 2e-7), (0.3, -2e-7)];
-
-/// The offset of the second engine, exact or as exact as it can be; nothing when neither passes the check.
-/// That nothing is left at all has to be certain.
-fn by_chords(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
-    let mut found = chords::offset(source, distance)?;
-    let tolerances = [CHECK_MM, chords::LOOSE_MM];
-    let known = if found.is_empty() { &tolerances[..1] } else { &tolerances };
-    let passes = |within: &&f64| validate::validate(source, distance, &found, **within).is_ok();
-    let within_mm = *known.iter().find(passes)?;
-    found.iter_mut().for_each(|path| path.within_mm = within_mm);
-    Some(found)
-}
-
-/// Steps 1 to 3; nothing when the raw offset is a tangle.
-fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
-    let mut pieces = Buffer::default();
-    for (number, contour) in source.contours.iter().enumerate() {
-        let (segments, ways) = source.of_contour(number);
-        raw::append(number, (segments, ways, contour.closed), distance, &mut pieces);
-    }
-    let mut tree = slices::index(&pieces);
-    if slices::is_crowded(&tree) {
-        slices::drop_buried(&mut pieces, source, distance);
-        tree = slices::index(&pieces);
-    }
-    let caps = raw::caps(source.contours, distance);
-    let slices = slices::valid_slices(&pieces, &tree, &caps, source, distance)?;
-    Some(rings::rings(source, distance, &pieces, &slices))
 }

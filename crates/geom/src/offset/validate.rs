@@ -12,7 +12,7 @@ use super::source::Source;
 use super::{OffsetPath, Origin, raw};
 use crate::pool::Buffer;
 use crate::segment::square;
-use crate::{BoxTree, GeomError, Point2, Segment, Vec2};
+use crate::{BoxTree, GeomError, Point2, Polyarc, Segment, Vec2};
 use std::cell::OnceCell;
 
 /// How exactly a result has to be at its distance. A hundredth of the 1e-4 mm that is promised, a
@@ -59,6 +59,10 @@ pub(super) fn validate(
     }
     let origins = found.iter().flat_map(|f| &f.origins);
     for (segment, origin) in segments.iter().zip(origins) {
+        let known = |contour: &Polyarc| origin.element < contour.segment_count();
+        if !source.contours.get(origin.contour).is_some_and(known) {
+            return unproved("parallel to nothing", segment.start());
+        }
         follows_origin(&wanted, segment, origin)?;
     }
     if let Some(at) = too_near(source, distance, within, &segments) {

@@ -185,6 +185,11 @@ fn arc_arc(a: &Segment, b: &Segment) -> Contacts {
     if apart <= tol::CONTACT_MM && (ra - rb).abs() <= tol::CONTACT_MM {
         return ends_on_each_other(a, b);
     }
+    // From the centre of the smaller circle: that of an arc that is all but a line lies so far away that its
+    // digits do not reach here.
+    if ra > rb {
+        return arc_arc(b, a).swapped();
+    }
     let inner = (ra - rb).abs();
     if apart > ra + rb + tol::CONTACT_MM || apart < inner - tol::CONTACT_MM || apart == 0.0 {
         return found;

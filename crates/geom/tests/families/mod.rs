@@ -214,6 +214,24 @@ pub fn cracks(seed: u64) -> Case {
     (Polyarc::lines(places, true), signed(&mut dice, distance))
 }
 
+/// A row of half circles, their ends tangent to their neighbours but for a few hundredths of a micrometre.
+pub fn half_circles() -> Polyarc {
+    let vertices = [
+        (0.0, -4.693692801761129e-10, -0.9999978703082116),
+        (7.999998817561451, -1.9862415488713198e-8, 0.0),
+        (10.000012474950232, 4.544012039229742e-6, -0.9999884341781161),
+        (22.00001238378335, -4.987893009887867e-8, 0.0),
+        (24.00002238669153, 0.0, 0.9999249822540573),
+        (26.00002238672019, 1.0595553506701436e-10, -1.0),
+        (30.00002238431726, -2.8100488923811173e-10, -1.0),
+        (42.00002662292809, 0.0, 1.0),
+        (46.00003263815931, 0.0, 0.0),
+        (46.00003263815931, 40.0, 0.0),
+        (0.0, 40.0, 0.0),
+    ];
+    Polyarc::closed(vertices.map(|(x, y, bulge)| Vertex::new(x, y, bulge)).to_vec())
+}
+
 /// Fifty teeth: rise, tip arc, fall, root arc.
 pub fn gear() -> Polyarc {
     let teeth = 50;

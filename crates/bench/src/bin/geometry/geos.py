@@ -26,13 +26,28 @@ def timed(case):
         found = [p.buffer(case["distance"], quad_segs=case["quadrant"]) for p in polygons]
         took = time.thread_time() - begun
         least = took if least is None else min(least, took)
+    off = max(deviation(p, f, abs(case["distance"])) for p, f in zip(polygons, found))
     parts = [g for f in found for g in getattr(f, "geoms", [f]) if not g.is_empty]
     return {
         "ms": least * 1e3,
         "rings": sum(1 + len(p.interiors) for p in parts),
         "vertices": int(sum(shapely.get_num_coordinates(p) for p in parts)),
         "area": sum(p.area for p in parts),
+        "deviation": off,
     }
+
+
+def deviation(polygon, found, distance):
+    """How far corners and middles of chords are from their distance, at the most."""
+    if found.is_empty:
+        return 0.0
+    worst = 0.0
+    for ring in shapely.get_rings(found):
+        corners = shapely.get_coordinates(ring)
+        places = shapely.points([*corners, *((corners[1:] + corners[:-1]) / 2)])
+        off = abs(shapely.distance(places, polygon.exterior) - distance).max()
+        worst = max(worst, float(off))
+    return worst
 
 
 def compared(case):

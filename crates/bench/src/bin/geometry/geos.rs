@@ -70,7 +70,13 @@ pub fn time(case: &Case) -> Result<()> {
     let question = json!({"do": "time", "contours": contours, "distance": case.distance, "quadrant": quadrant});
     let a = geos.ask(&question)?;
     let (ms, area) = (number(&a, "ms"), number(&a, "area"));
-    println!("| {} | GEOS | {ms:.3} | {} | {} | {area:.3} |", case.name, a["rings"], a["vertices"]);
+    println!(
+        "| {} | GEOS | {ms:.3} | {} | {} | {area:.3} | {:.0e} |",
+        case.name,
+        a["rings"],
+        a["vertices"],
+        number(&a, "deviation")
+    );
     Ok(())
 }
 

@@ -16,7 +16,7 @@ mod shapes;
 mod usage;
 
 use anyhow::Result;
-use kerf_geom::Polyarc;
+use kerf_geom::{Indexed, Polyarc};
 
 /// What an offset gave: rings, vertices, area.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,19 +47,39 @@ fn main() -> Result<()> {
         prove::families(count, word, number("--from").unwrap_or_default());
         return Ok(());
     }
-    println!("| case | by | milliseconds (least of runs) | rings | vertices | area mm² |");
-    println!("|---|---|---|---|---|---|");
+    println!(
+        "| case | by | milliseconds (least of runs) | rings | vertices | area mm² | deviation mm |"
+    );
+    println!("|---|---|---|---|---|---|---|");
     for case in shapes::cases().iter().filter(|case| case.name.contains(word)) {
         for (name, offset) in peers::ALL.iter().filter(|peer| peer.0.contains(by)) {
-            let (time, outcome) = timed(|| offset(&case.contours, case.distance));
+            let (time, outcome) = timed(|| offset(&case.contours, case.distance, None));
             let Outcome { rings, vertices, area } = outcome;
-            println!("| {} | {name} | {time:.3} | {rings} | {vertices} | {area:.3} |", case.name);
+            let mut kept = Vec::new();
+            offset(&case.contours, case.distance, Some(&mut kept));
+            let off = deviation(&case.contours, case.distance, &kept);
+            println!(
+                "| {} | {name} | {time:.3} | {rings} | {vertices} | {area:.3} | {off:.0e} |",
+                case.name
+            );
         }
         if "GEOS".contains(by) {
             geos::time(case)?;
         }
     }
     Ok(())
+}
+
+/// Shares of a segment at which it is looked how far it is off.
+const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+
+/// How far places of offset rings are from their distance to the contours, at the most.
+fn deviation(contours: &[Polyarc], distance: f64, rings: &[Polyarc]) -> f64 {
+    let indexed = Indexed::new(contours);
+    let off = |place| indexed.nearest(place).map_or(f64::NAN, |(_, foot)| foot.distance);
+    let segments = rings.iter().flat_map(Polyarc::segments);
+    let places = segments.flat_map(|segment| SHARES.map(|share| segment.at(share)));
+    places.map(|place| (off(place) - distance.abs()).abs()).fold(0.0, f64::max)
 }
 
 /// Processor time so far, seconds: what passes on an idle machine.
