@@ -84,7 +84,7 @@ bench: prepare peers console ## measure speed and memory; RECORD=1 writes docs/b
 	@[ -x $(EZDXF)/bin/python3 ] || .ci/python-peer $(EZDXF) ezdxf
 	PATH="$(CURDIR)/$(EZDXF)/bin:$$PATH" target/release/kerf-bench-drawings $(if $(RECORD),--record)
 	@.ci/browser
-	cd console && KERF="$(CURDIR)/target/release/kerf" npm run --silent bench
+	cd console && RECORD=$(RECORD) KERF="$(CURDIR)/target/release/kerf" npm run --silent bench
 
 # GEOS comes with Python's shapely, kept apart from whatever Python is there.
 SHAPELY := target/peers/shapely

@@ -124,6 +124,22 @@ export const zeroAxis: readonly Action[] = ["X", "Y", "Z", "A", "B"].map((letter
   zero(`machine.zero.${letter.toLowerCase()}`, `Zero ${letter}`, `Z${letter}`),
 );
 
+/** Switches an output the other way (SO). The first two are those that start something that turns. */
+const switchOutput = (n: number): Action => ({
+  id: `machine.output.${n}`,
+  title: `Switch output ${n}`,
+  section: "machine",
+  refused: unlessReady,
+  warns: () => `Output ${n} may start what turns or moves. Is everybody clear of it?`,
+  run: (world) => {
+    const on = world.shown.snapshot?.io.outputs.find(({ number }) => number === n)?.on;
+    void drive(world, { do: "command", line: `SO,${n},${on ? 0 : 1}` });
+  },
+});
+
+/** Switches of the outputs 1 to 12. */
+export const outputs: readonly Action[] = Array.from({ length: 12 }, (_, n) => switchOutput(n + 1));
+
 /** What a machine that is disarmed, held or in alarm tells. */
 export const whyOf = (snapshot: Snapshot | null): string => snapshot?.machine.why ?? "";
 
@@ -141,4 +157,5 @@ export const machineActions: readonly Action[] = [
   home,
   zeroXY,
   ...zeroAxis,
+  ...outputs,
 ];

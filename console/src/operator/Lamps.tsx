@@ -1,4 +1,6 @@
-import { useHands, useShown, useSnapshot } from "../app/context";
+import { asking, attempt } from "../actions/action";
+import { outputs } from "../actions/machine";
+import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Lamp } from "../wire/messages";
 import "./lamps.css";
@@ -34,18 +36,51 @@ function Row({ title, word, lamps }: { title: string; word: string; lamps: reado
       )}
       <ol>
         {lamps.map((lamp) => (
-          <li
-            key={lamp.number}
-            className={lamp.on ? "lamp lamp-on" : "lamp"}
-            title={lamp.label || `${word} ${lamp.number}`}
-          >
-            <span aria-hidden="true">{lamp.number}</span>
-            <span className="hidden-text">
-              {word} {lamp.number} {lamp.label} is {lamp.on ? "on" : "off"}
-            </span>
+          <li key={lamp.number} title={lamp.label || `${word} ${lamp.number}`}>
+            <LampLight lamp={lamp} word={word} />
           </li>
         ))}
       </ol>
     </div>
   );
 }
+
+/** Outputs from here on are switched at one press. */
+const harmless = 3;
+
+/** A light; that of an output is a switch in FULL. */
+function LampLight({ lamp, word }: { lamp: Lamp; word: string }) {
+  const hands = useHands();
+  const full = useScreen("face") === "full";
+  const action = word === "Output" ? outputs[lamp.number - 1] : undefined;
+  const look = `lamp lamp-${word.toLowerCase()} lamp-${lamp.duty} ${lamp.on ? "lamp-on" : ""}`;
+  const inside = (
+    <>
+      <span className="lamp-number" aria-hidden="true">
+        {lamp.number}
+      </span>
+      <span className="hidden-text">
+        {word} {lamp.number} {lamp.label} is {lamp.on ? "on" : "off"}
+        {duties[lamp.duty]}
+      </span>
+    </>
+  );
+  if (!action || !full) return <div className={look}>{inside}</div>;
+  const asked = lamp.number < harmless ? asking(action) : action;
+  return (
+    <button
+      type="button"
+      className={look}
+      aria-pressed={lamp.on}
+      onClick={() => attempt(asked, worldOf(hands))}
+    >
+      {inside}
+    </button>
+  );
+}
+
+const duties: Record<Lamp["duty"], string> = {
+  standard: "",
+  limit: ", a limit switch",
+  stop: ", stops the machine",
+};

@@ -1,11 +1,13 @@
 import { useState } from "react";
+import { useShown } from "../app/context";
 import { KeypadSheet } from "../keypad/KeypadSheet";
+import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Button } from "../ui/Button";
 import type { Asked } from "../wire/messages";
 import { QuestionDialog } from "./QuestionDialog";
 
-type Hand = "keypad" | "nudge";
+type Hand = "keypad" | "nudge" | "inputs";
 
 /**
  * The question after a stop in the middle of a job: on or not. Before that the tool can be moved away, to
@@ -13,6 +15,8 @@ type Hand = "keypad" | "nudge";
  */
 export function StoppedDialog({ asked }: { asked: Asked }) {
   const [hand, setHand] = useState<Hand | null>(null);
+  // A switch that stopped the machine has to be let go; a real one is not on a screen.
+  const simulated = useShown((shown) => shown.snapshot?.machine.mode !== "cut");
   const back = () => setHand(null);
   if (hand === "keypad") {
     return (
@@ -23,6 +27,7 @@ export function StoppedDialog({ asked }: { asked: Asked }) {
     );
   }
   if (hand === "nudge") return <NudgeSheet onClose={back} />;
+  if (hand === "inputs") return <InputsSheet onClose={back} />;
   return (
     <QuestionDialog
       asked={asked}
@@ -30,6 +35,7 @@ export function StoppedDialog({ asked }: { asked: Asked }) {
         <span className="question-more">
           <Button onPress={() => setHand("keypad")}>Move the tool…</Button>
           <Button onPress={() => setHand("nudge")}>Nudge…</Button>
+          {simulated && <Button onPress={() => setHand("inputs")}>Inputs…</Button>}
         </span>
       }
     />

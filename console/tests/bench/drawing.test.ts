@@ -5,13 +5,19 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { openWorkshop, type Workshop } from "../browser/workshop";
+import { type Figure, tell } from "./record";
 
 let workshop: Workshop;
 
 beforeAll(async () => {
   workshop = await openWorkshop();
 });
-afterAll(() => workshop?.close());
+afterAll(async () => {
+  await workshop?.close();
+  tell("the console's drawing", figures);
+});
+
+const figures: Figure[] = [];
 
 /** Frames that are measured. */
 const frames = 120;
@@ -80,10 +86,14 @@ it.each([10_000, 100_000])("moves %d segments", async (segments) => {
   const opened = Date.now() - before;
   await page.waitForTimeout(1000);
   const times = await turned(page);
-  const at = (share: number) => (times[Math.floor(share * (frames - 1))] ?? 0).toFixed(1);
-  console.log(
-    `${segments} segments: opened in ${opened} ms; a frame takes ${at(0.5)} ms (median), ` +
-      `${at(0.95)} ms (19 of 20), ${at(0)} ms (shortest)`,
+  const at = (share: number) => times[Math.floor(share * (frames - 1))] ?? 0;
+  const input = `${segments.toLocaleString("en")} segments`;
+  const frame = (what: string, value: number): Figure => ({ input, what, value, unit: "ms" });
+  figures.push(
+    frame("opened and drawn", opened),
+    { ...frame("frame while zooming, median", at(0.5)), goal: 12 },
+    frame("frame while zooming, 19 of 20", at(0.95)),
+    frame("frame while zooming, shortest", at(0)),
   );
   await page.close();
 });

@@ -9,13 +9,19 @@ import { join } from "node:path";
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, it } from "vitest";
 import { openWorkshop, script, stateOf, type Workshop } from "../browser/workshop";
+import { type Figure, tell } from "./record";
 
 let workshop: Workshop;
 
 beforeAll(async () => {
   workshop = await openWorkshop();
 });
-afterAll(() => workshop?.close());
+afterAll(async () => {
+  await workshop?.close();
+  tell("the console's preview", figures);
+});
+
+const figures: Figure[] = [];
 
 /** A surface cut in rows: so many short moves. */
 function write(name: string, segments: number): void {
@@ -82,19 +88,50 @@ async function turned(page: Page): Promise<{ frames: number[]; each: number }> {
   return { frames: frames.slice(1).sort((a, b) => a - b), each };
 }
 
-/** What the page holds, MB: its objects, and the arrays beside them. */
+interface Heap {
+  readonly usedSize: number;
+  readonly backingStorageSize?: number;
+}
+
+const sizeOf = ({ usedSize, backingStorageSize }: Heap): number =>
+  usedSize + (backingStorageSize ?? 0);
+
+/** Asks the workers of a page for what they hold, bytes. */
+async function heldByWorkers(session: CDPSession): Promise<number> {
+  const answers: Promise<number>[] = [];
+  session.on("Target.attachedToTarget", ({ sessionId }) => {
+    const ask = (id: number, method: string) =>
+      session.send("Target.sendMessageToTarget", {
+        sessionId,
+        message: JSON.stringify({ id, method }),
+      });
+    answers.push(
+      new Promise((done) => {
+        session.on("Target.receivedMessageFromTarget", (told) => {
+          const answer = JSON.parse(told.message) as { id?: number; result?: Heap };
+          if (told.sessionId === sessionId && answer.id === 2 && answer.result)
+            done(sizeOf(answer.result));
+        });
+        void ask(1, "HeapProfiler.collectGarbage").then(() => ask(2, "Runtime.getHeapUsage"));
+      }),
+    );
+  });
+  const attach = { autoAttach: true, waitForDebuggerOnStart: false, flatten: false };
+  await session.send("Target.setAutoAttach", attach);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  return (await Promise.all(answers)).reduce((sum, bytes) => sum + bytes, 0);
+}
+
+/** What the page and its workers hold, MB: their objects, and the arrays beside them. */
 async function held(session: CDPSession): Promise<number> {
   await session.send("HeapProfiler.collectGarbage");
-  const { usedSize, backingStorageSize } = (await session.send("Runtime.getHeapUsage")) as {
-    usedSize: number;
-    backingStorageSize?: number;
-  };
-  return (usedSize + (backingStorageSize ?? 0)) / 1e6;
+  const own = sizeOf((await session.send("Runtime.getHeapUsage")) as Heap);
+  return (own + (await heldByWorkers(session))) / 1e6;
 }
 
 const whole = (key: string) => `[data-path="${key}"]`;
 
-const sizes = [100_000, 1_000_000];
+const sizes = process.env.SEGMENTS ? [Number(process.env.SEGMENTS)] : [100_000, 1_000_000];
 
 it.each(sizes)(
   "a part file of %i moves",
@@ -124,19 +161,31 @@ it.each(sizes)(
     const { frames, each } = await turned(page);
     await new Promise((resolve) => setTimeout(resolve, 1500));
     const figure = (share: number) => frames[Math.floor(frames.length * share)] ?? 0;
-    const rows: [string, string][] = [
-      ["plan ready", `${Math.round(readyMs)} ms`],
-      ["first picture", `${Math.round(pictureMs)} ms`],
-      ["all of it", `${Math.round(allMs)} ms`],
-      ["longest task of the page while it loads", `${Math.round(loading)} ms`],
-      ["longest task of the page with turning", `${Math.round(await longest(page))} ms`],
-      ["picture of the path while turning", `${Math.round(each)} ms`],
-      ["frame of the page while turning, half", `${figure(0.5).toFixed(0)} ms`],
-      ["frame of the page while turning, 19 of 20", `${figure(0.95).toFixed(0)} ms`],
-      ["memory of the page", `${(await held(session)).toFixed(0)} MB`],
-    ];
-    console.log(`${segments} moves`);
-    for (const [what, value] of rows) console.log(`  ${what.padEnd(42)}${value.padStart(10)}`);
+    const input = `${segments.toLocaleString("en")} moves`;
+    const ms = (what: string, value: number, goal?: number): Figure => ({
+      input,
+      what,
+      value,
+      unit: "ms",
+      ...(goal === undefined ? {} : { goal }),
+    });
+    figures.push(
+      ms("plan ready in the server", readyMs),
+      ms("first picture after opening", pictureMs, 2000),
+      ms("all of it drawn", allMs),
+      ms("longest task of the page while it loads", loading, 50),
+      ms("longest task of the page with turning", await longest(page), 50),
+      ms("picture of the path while turning", each),
+      ms("frame of the page while turning, median", figure(0.5)),
+      ms("frame of the page while turning, 19 of 20", figure(0.95)),
+      {
+        input,
+        what: "memory of the page and its worker",
+        value: await held(session),
+        unit: "MB",
+        goal: 150,
+      },
+    );
     if (process.env.TASKS) console.log(await page.evaluate("JSON.stringify(window.tasks)"));
     await page.close();
   },

@@ -176,5 +176,11 @@ it("an emergency stop of the machine ends the job, and the page says so", async 
   await wait(300);
   expect((await stateOf(workshop)).motion.speed).toBe(0);
   expect(await word(page)).not.toBe("Running");
-  await page.getByRole("switch", { name: "Input 5" }).click();
+  // The switch is let go from the question that stands over everything.
+  await page.getByRole("button", { name: "Inputs…" }).click();
+  await page.getByRole("switch", { name: "Input 5" }).last().click();
+  await until(async () => (await stateOf(workshop)).io.inputs[4]?.on === false, "it is let go");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Quit" }).click();
+  await until(async () => (await stateOf(workshop)).machine.state !== "stopped", "the job is over");
 });

@@ -46,7 +46,12 @@ it("sbp_con_keypad_open: arrows move as long as they are held, ESC closes", asyn
   const way = await held(["ArrowRight"], 800);
   expect(way).toBeGreaterThan(0.2);
   expect(way).toBeLessThan(3);
+  // Other software is told so: bit 4 of the status.
+  const status = async () =>
+    Number(await (await fetch(`${workshop.address}/api/registry/Status`)).text());
+  expect((await status()) & 4).toBe(4);
   await page.keyboard.press("Escape");
+  await expect.poll(async () => (await status()) & 4).toBe(0);
   await page.getByRole("dialog", { name: "Keypad" }).waitFor({ state: "detached" });
 });
 

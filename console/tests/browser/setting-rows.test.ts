@@ -135,6 +135,77 @@ it("sbp_io_print_window_pos: the window stands where VD says, and VD knows where
   await page.keyboard.press("Escape");
 });
 
+it("sbp_out_display: twelve lights of outputs; in FULL a click switches, 1 and 2 ask first", async () => {
+  const lights = page.locator(".lamp-output");
+  expect(await lights.count()).toBe(12);
+  const on = async (n: number) => (await stateOf(workshop)).io.outputs[n - 1]?.on;
+  const light = (n: number) => page.getByRole("button", { name: new RegExp(`^Output ${n} `) });
+  await light(5).click();
+  await expect.poll(() => on(5)).toBe(true);
+  await expect.poll(() => light(5).getAttribute("aria-pressed")).toBe("true");
+  await state("idle");
+  await page.locator(".state", { hasText: "Ready" }).waitFor();
+  await light(5).click();
+  await expect.poll(() => on(5)).toBe(false);
+  await state("idle");
+  for (const n of [1, 2]) {
+    await page.locator(".state", { hasText: "Ready" }).waitFor();
+    await light(n).click();
+    const sheet = page.getByRole("dialog", { name: `Switch output ${n}?` });
+    await sheet.getByRole("button", { name: "Cancel" }).click();
+    expect(await on(n)).toBe(false);
+    await light(n).click();
+    await sheet.getByRole("button", { name: `Switch output ${n}` }).click();
+    // The spindle asks as it does for a typed line.
+    const ready = page.getByRole("button", { name: "OK", exact: true });
+    if (n === 1) await ready.click();
+    await expect.poll(() => on(n)).toBe(true);
+    await state("idle");
+  }
+  await run("SO,1,0");
+  await run("SO,2,0");
+  await page.getByRole("radio", { name: "EASY" }).click();
+  expect(await page.getByRole("button", { name: /^Output 5/ }).count()).toBe(0);
+  expect(await lights.count()).toBe(12);
+  await page.getByRole("radio", { name: "FULL" }).click();
+});
+
+it("sbp_lim_indicators: inputs are green by state, their numbers yellow or red by what they are for", async () => {
+  await run("VN,,,,,1,2");
+  const light = (n: number) => page.locator(".lamp-input").nth(n - 1);
+  const colour = (n: number, part: string, of: "backgroundColor" | "color") =>
+    light(n)
+      .locator(part)
+      .evaluate((one, name) => getComputedStyle(one)[name as "color"], of);
+  const rgb = (text: string) => (text.match(/\d+/g) ?? []).map(Number);
+  const back = async (n: number) =>
+    rgb(await light(n).evaluate((one) => getComputedStyle(one).backgroundColor));
+  const { io } = await stateOf(workshop);
+  const of = (duty: string) => io.inputs.find((input) => input.duty === duty)?.number ?? 0;
+  const number = async (duty: string) => rgb(await colour(of(duty), ".lamp-number", "color"));
+  const [standard, limit, stop] = [
+    await number("standard"),
+    await number("limit"),
+    await number("stop"),
+  ];
+  const [r = 0, g = 0, b = 0] = limit;
+  expect(r > 230 && g > 200 && b < 120, "bright yellow").toBe(true);
+  expect((standard[0] ?? 0) < r - 40 && (standard[2] ?? 0) < 120, "dim yellow").toBe(true);
+  expect((stop[0] ?? 0) > 230 && (stop[1] ?? 0) < 130, "bright red").toBe(true);
+  const dark = await back(7);
+  const { lease } = await stateOf(workshop);
+  expect(lease).not.toBeNull();
+  await page.getByRole("button", { name: "In", exact: true }).click();
+  await page.getByRole("switch", { name: "Input 7" }).click();
+  await until(async () => (await stateOf(workshop)).io.inputs[6]?.on === true, "input 7 is on");
+  await expect.poll(async () => (await back(7))[1]).toBeGreaterThan(200);
+  expect((dark[1] ?? 255) < 100 && (dark[1] ?? 0) > (dark[0] ?? 255), "dark green").toBe(true);
+  await page.getByRole("switch", { name: "Input 7" }).click();
+  await page.keyboard.press("Escape");
+  await state("idle");
+  await run("VN,,,,,0,0");
+});
+
 it("sbp_cmd_ul: the list of variables is changed and added to, and both take effect", async () => {
   await run("&A = 2");
   await command(page, "UL");

@@ -9,7 +9,8 @@ const figures = resolve(import.meta.dirname, "../../../docs/figures");
 let workshop: Workshop;
 let page: Page;
 
-beforeAll(async () => {
+/** A machine on which nothing has happened yet. */
+async function begin(): Promise<void> {
   workshop = await openWorkshop({
     parts: ["03-coaster/coaster.sbp", "10-from-a-drawing/from-a-drawing.rsg"],
     open: "coaster.sbp",
@@ -17,7 +18,9 @@ beforeAll(async () => {
   page = await workshop.page();
   await page.evaluate(() => localStorage.setItem("kerf.theme", "dark"));
   await page.reload();
-});
+}
+
+beforeAll(begin);
 afterAll(() => workshop?.close());
 
 const picture = (name: string) => page.screenshot({ path: join(figures, `console-${name}.png`) });
@@ -30,11 +33,13 @@ it("the operator's screen in the middle of a cut", async () => {
   await page.getByRole("button", { name: "OK" }).click();
   await wait(20_000);
   await picture("operator");
-  await page.getByRole("button", { name: "STOP", exact: true }).click();
-  await page.getByRole("button", { name: "Quit" }).click();
+  await workshop.close();
 });
 
 it("material that is cut", async () => {
+  await begin();
+  await arm(page);
+  await page.getByRole("radio", { name: "3D" }).click();
   await page.getByRole("button", { name: "Stock" }).click();
   for (let n = 0; n < 2; n += 1) await page.getByRole("button", { name: /^Speed/ }).click();
   await page.getByRole("button", { name: "Play the simulation" }).click();
@@ -54,7 +59,7 @@ it("a fill-in sheet", async () => {
 it("the keypad", async () => {
   await page.keyboard.press("k");
   await page.getByRole("dialog", { name: "Keypad" }).waitFor();
-  await wait(500);
+  await wait(3000);
   await picture("keypad");
   await page.keyboard.press("Escape");
 });

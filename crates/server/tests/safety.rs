@@ -62,6 +62,22 @@ fn a_foreign_origin_is_refused_on_every_route() {
 }
 
 #[test]
+fn no_header_of_a_proxy_is_believed() {
+    let shop = start(Wanted { lan: true, ..Wanted::default() });
+    let ours = shop.server.address.to_string();
+    let evil = "evil.example";
+    for name in ["Forwarded", "X-Forwarded-For", "X-Forwarded-Host", "X-Real-IP"] {
+        let foreign = shop.ask("GET /api/state", &[("Host", evil), (name, &ours)], b"");
+        assert_eq!(foreign.status, 421, "{name} does not stand for the host");
+        let origin = ("Origin", "http://evil.example");
+        let foreign = shop.ask("GET /api/state", &[origin, (name, evil)], b"");
+        assert_eq!(foreign.status, 403, "{name} does not stand for the origin");
+        // Whoever comes through a proxy is not at the machine itself.
+        assert_eq!(shop.ask("GET /api/state", &[(name, "127.0.0.1")], b"").status, 401, "{name}");
+    }
+}
+
+#[test]
 fn this_machine_by_its_own_names_is_let_in() {
     let shop = shop(1.0, &[]);
     let port = shop.server.address.port();
@@ -208,6 +224,41 @@ fn one_drives_at_a_time_and_every_command_names_the_turn() {
 }
 
 #[test]
+fn whatever_moves_or_changes_the_machine_names_the_turn() {
+    let shop = shop(50.0, &[("a.sbp", "MX,1")]);
+    let (mut page, mut driver) = (shop.page(), shop.driver());
+    driver.open_file("a.sbp");
+    let hash = driver.shown["opened"]["hash"].clone();
+    let acts = [
+        json!({ "do": "run", "hash": hash }),
+        json!({ "do": "takeUp" }),
+        json!({ "do": "command", "line": "MX,1" }),
+        json!({ "do": "resume" }),
+        json!({ "do": "nudge", "axis": "X", "distance": 1.0 }),
+        json!({ "do": "jogStart", "seq": 1, "direction": [1, 0, 0, 0, 0, 0], "distance": null, "speed": 1.0 }),
+        json!({ "do": "jogRenew", "seq": 1 }),
+        json!({ "do": "arm" }),
+        json!({ "do": "override", "feed": 50.0 }),
+        json!({ "do": "input", "number": 1, "on": true }),
+        json!({ "do": "set", "key": "options.filter_mm", "value": "1" }),
+    ];
+    for act in acts {
+        let name = act["do"].as_str().unwrap().to_owned();
+        let mut body = act.clone();
+        body.as_object_mut().unwrap().remove("do");
+        let without = shop.post(&format!("/api/do/{name}"), body, &[]).status;
+        assert_eq!(without, 400, "without a turn: {act}");
+        for turn in [0, driver.lease - 1, driver.lease, driver.lease + 1] {
+            let mut act = act.clone();
+            act["lease"] = turn.into();
+            assert_eq!(page.act(act.clone()).as_deref(), Some("lease"), "turn {turn}: {act}");
+        }
+    }
+    assert_eq!(driver.shown["machine"]["state"], "idle");
+    assert_eq!(driver.x(), 0.0);
+}
+
+#[test]
 fn the_machine_is_disarmed_at_first_and_whenever_the_driver_changes_or_goes() {
     let shop = shop(50.0, &[("a.sbp", "MX,1")]);
     let (mut a, mut watcher) = (shop.page(), shop.page());
@@ -339,7 +390,7 @@ fn where_only_drawings_are_worked_on_nothing_of_the_machine_is_to_be_had() {
     let shop = start(Wanted { drawing_only: true, ..Wanted::default() });
     let mut page = shop.page();
     assert_eq!(page.act(json!({ "do": "takeLease", "force": false })).as_deref(), Some("state"));
-    for act in ["arm", "run", "command", "nudge", "override", "resume"] {
+    for act in ["arm", "run", "command", "nudge", "override", "resume", "takeUp"] {
         let body = json!({ "lease": 1, "hash": "", "line": "MX,1", "axis": "X", "distance": 1.0, "feed": 100.0 });
         let known = ["lease"].into_iter().chain(match act {
             "run" => vec!["hash"],
