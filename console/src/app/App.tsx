@@ -14,6 +14,7 @@ import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
 import { PairScreen } from "./PairScreen";
 import { shownIn } from "./routes";
+import { StartedUp } from "./StartedUp";
 import { TopStrip } from "./TopStrip";
 
 /** The strip with STOP, one screen, and what lies over it; the strip is never covered. */
@@ -50,6 +51,7 @@ function Body() {
       </main>
       <MessageWindow />
       <FollowedFace />
+      <StartedUp />
       {sheet && <OpenSheet sheet={sheet} />}
       {asked && <Asking asked={asked} />}
       <LostLink />

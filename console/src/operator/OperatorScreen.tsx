@@ -1,4 +1,4 @@
-import { useScreen } from "../app/context";
+import { useScreen, useSnapshot } from "../app/context";
 import { ToolPathPanel } from "../view/ToolPathPanel";
 import { EasyButtons } from "./EasyButtons";
 import { FullBar } from "./FullBar";
@@ -14,6 +14,8 @@ import "./operator-screen.css";
 /** Everything needed while a machine runs, on one screen without scrolling. */
 export function OperatorScreen() {
   const face = useScreen("face");
+  // Started for files only: no command keys.
+  const filesOnly = useSnapshot("start")?.display === 9;
   return (
     <div className="operator">
       <h1 className="hidden-text">Operate</h1>
@@ -31,7 +33,9 @@ export function OperatorScreen() {
         <ListingPanel />
         <WordsPanel />
       </div>
-      <div className="operator-foot">{face === "easy" ? <EasyButtons /> : <FullBar />}</div>
+      {!filesOnly && (
+        <div className="operator-foot">{face === "easy" ? <EasyButtons /> : <FullBar />}</div>
+      )}
     </div>
   );
 }

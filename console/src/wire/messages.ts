@@ -759,6 +759,8 @@ opened: Opened | null,
 job: Job | null,
 /** A run that can be taken up where it was cut short. */
 interrupted: Interrupted | null,
+/** How Kerf was started, where a start-up line says what pages show. */
+start: StartUp | null,
 /** The question that is open. */
 asked: Asked | null,
 /** The operator's overrides. */
@@ -792,6 +794,15 @@ cut: [number, number, number, number, number],
 jog: [number, number, number, number, number],
 /** Spindle, revolutions a minute. */
 rpm: number, };
+
+/** What a start-up line says of pages (programming handbook, Command Line Options). */
+export type StartUp = {
+/** The part file, as the FP sheet names it. */
+file: string,
+/** The FP sheet opens on it, and nothing moves before OK. */
+sheet: boolean,
+/** 0 as last used, 1 with menus and the command line, 2 without, 9 files only: no commands, no keypad. */
+display: number, };
 
 /** What the machine is doing. */
 export type State = "idle" | "running" | "jogging" | "held" | "asking" | "stopped" | "alarm";

@@ -79,6 +79,7 @@ export const firstSnapshot: Snapshot = {
   },
   job: null,
   interrupted: null,
+  start: null,
   asked: null,
   overrides: { feed: 100 },
   printed: [],

@@ -3,6 +3,7 @@
 use crate::machine_file::MachineFileError;
 use crate::session::{Company, RunOptions, Session};
 use crate::shelf::Shelf;
+use crate::switches::{self, SWITCHES};
 use crate::world::World;
 use crate::{Event, Press};
 use kerf_machine::{Configuration, Setting, file};
@@ -17,12 +18,24 @@ impl Session {
         look(&self.machine(Vec::new()))
     }
 
-    /// Moves the switch of an input of the simulated machine, which stands; the switch stays there.
-    pub fn press(&mut self, press: Press) {
+    /// Moves the switch of an input of the simulated machine, which stands; the switch stays there, also
+    /// when Kerf is started anew.
+    pub fn press(&mut self, press: Press, shelf: &mut Shelf) {
         let mut machine = self.machine(Vec::new());
         machine.press(Change { input: press.number, on: press.on, at_s: 0.0 });
         machine.log().take().for_each(drop);
         self.machine = Some(machine);
+        self.keep_switches(shelf);
+    }
+
+    /// Where somebody left the switches of the simulated machine is on record.
+    pub(crate) fn keep_switches(&self, shelf: &mut Shelf) {
+        let moved = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
+        let kept = switches::write(&moved);
+        if shelf.stored.get(SWITCHES) != kept.as_deref() {
+            shelf.stored.set(SWITCHES, kept.as_deref());
+            shelf.stored.keep(SWITCHES);
+        }
     }
 
     /// What helps to find a fault (UD): what it is and what it says, without leaving anything.

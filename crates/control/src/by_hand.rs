@@ -64,6 +64,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.heed_later(self.world.now(), wish);
                 None
             }
+            Some(Driven::Stalled) => Some("a motor has stalled".to_owned()),
             Some(Driven::LinkLost) => Some("not connected".to_owned()),
             Some(Driven::Edge(_) | Driven::EmergencyStop) => None,
         };
@@ -168,6 +169,7 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Limit(n) => Driven::Limit(n),
             HaltCause::Stop(n) => Driven::StopInput(n),
             HaltCause::LinkLost => Driven::LinkLost,
+            HaltCause::Stall => Driven::Stalled,
         };
         Some((halt.t_s, why, halt.ramped))
     }
@@ -179,6 +181,7 @@ impl<I: Interpreter> Runner<'_, I> {
             Driven::StopInput(n) => format!("stopped by stop input {n}"),
             Driven::EmergencyStop => "emergency stop".to_owned(),
             Driven::LinkLost => "not connected".to_owned(),
+            Driven::Stalled => "a motor has stalled".to_owned(),
             _ => return Over { status: Status::Stopped, diagnostic: None },
         };
         let place = Place::line(self.world.file(At::default()), 0);
@@ -212,6 +215,8 @@ pub(crate) enum Driven {
     EmergencyStop,
     /// The controller does not answer any more.
     LinkLost,
+    /// A motor has stalled.
+    Stalled,
 }
 
 impl Driven {

@@ -335,6 +335,7 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Limit(n) => ("limit", n),
             HaltCause::Stop(n) => ("stop", n),
             HaltCause::LinkLost => ("link", 0),
+            HaltCause::Stall => ("stall", 0),
         };
         self.world.tell(&Event::Stop { by, n, t: self.world.now() });
         match halt.cause {
@@ -354,6 +355,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let takes = self.interpreter.takes_stops();
         match cause {
             HaltCause::LinkLost => Err(Halted::Over(self.link_is_lost())),
+            HaltCause::Stall => Err(Halted::Over(self.has_stalled())),
             HaltCause::Stop(n) if self.cuts_power(n) => Err(Halted::Over(self.power_is_cut())),
             HaltCause::Stop(n) if takes => Err(Halted::Taken { by: StoppedBy::Input(n), at }),
             HaltCause::Limit(n) if takes => Err(Halted::Taken { by: StoppedBy::Limit(n), at }),

@@ -72,6 +72,10 @@ impl Host for World<'_> {
         self.shelf.tool(call, metric)
     }
 
+    fn is_connected(&mut self) -> bool {
+        self.machine.is_connected()
+    }
+
     fn firmware(&mut self) -> i32 {
         FIRMWARE
     }

@@ -8,6 +8,7 @@ use crate::journal::{
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::stopping::CONFIRM;
+use crate::switches::{self, SWITCHES};
 use kerf_program::{Axis, Settings};
 use kerf_sbp::POSITION_LOST;
 use kerf_sim::Machine;
@@ -33,7 +34,8 @@ impl Session {
         (session.gcode, session.machine_is) = (remembered.gcode, remembered.machine);
         session.homed = remembered.homed;
         let machine = Machine::default().equipped(&session.machine_is, session.homed);
-        session.machine = Some(machine.with_truth(&remembered.truth));
+        let switches = switches::read(shelf.stored.get(SWITCHES).unwrap_or_default());
+        session.machine = Some(machine.with_truth(&remembered.truth).with_switches(&switches));
         Ok((session, remembered.whereabouts))
     }
 
@@ -168,6 +170,7 @@ impl Session {
         _: &Owner,
     ) -> Result<(), JournalError> {
         let tape: Tape = std::mem::take(&mut shelf.tape);
+        self.keep_switches(shelf);
         let Some(journal) = shelf.journal() else { return Ok(()) };
         if let Some(why) = tape.unfit() {
             return Err(JournalError::Unfit(why.to_owned()));

@@ -54,6 +54,7 @@ pub mod start_up;
 mod stopping;
 pub mod stored;
 pub mod system_log;
+mod switches;
 mod table_limits;
 mod tally;
 mod text;

@@ -222,6 +222,14 @@ impl<I: Interpreter> Runner<'_, I> {
         over
     }
 
+    /// A motor has stalled: nobody knows how many steps are lost.
+    pub(crate) fn has_stalled(&mut self) -> Over {
+        let message = "a motor has stalled";
+        self.world.machine.stalled();
+        self.on(Stopped::Stall, StopSettings::OPENSBP, message);
+        self.over(Status::Failed, Code::InputStop, self.last_move, message.to_owned())
+    }
+
     /// The controller does not answer any more.
     pub(crate) fn link_is_lost(&mut self) -> Over {
         self.on(Stopped::LinkLost, StopSettings::OPENSBP, "not connected");
@@ -230,10 +238,12 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Nothing moves without a controller.
     pub(crate) fn not_connected(&self, at: At) -> Over {
-        let message = "the machine is not connected: nothing moves";
+        let settings = self.world.machine.settings();
+        let connection = settings.driver.connection(&settings.controller);
+        let message = format!("the machine is not connected ({connection}): nothing moves");
         let place = Place::line(self.world.file(at), at.line);
         let why = Diagnostic::new(Code::NotConnected, place, message)
-            .hint("plug its cable in; SP shows the file in preview meanwhile");
+            .hint("look at its cable, its power and its port (VI); SP shows the file in preview meanwhile");
         Over { status: Status::Failed, diagnostic: Some(Box::new(why)) }
     }
 

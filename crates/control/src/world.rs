@@ -244,6 +244,10 @@ impl<'a> World<'a> {
                 let state = if up { "connected" } else { "not connected" };
                 Event::State { state: state.into(), why: "".into(), t }
             }
+            What::Stall(stalled) => {
+                let state = if stalled { "stalled" } else { "free" };
+                Event::State { state: state.into(), why: "".into(), t }
+            }
             What::Intensity { value, burn } => Event::Intensity {
                 value,
                 byte: 2 * value + u8::from(burn),

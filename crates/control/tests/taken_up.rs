@@ -8,8 +8,10 @@ use kerf_control::event::{MoveEvent, Place};
 use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Event, Pace, RunOptions, Session, Shelf, Started, StopAt, Wish};
-use kerf_program::MoveKind;
+use kerf_control::{
+    Company, Event, Pace, Press, RunOptions, Session, Shelf, Started, StopAt, Wish,
+};
+use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tempfile::{TempDir, tempdir};
@@ -189,4 +191,52 @@ fn who_is_not_ready_can_take_it_up_later() {
     let (rest, status) = resume(&folder, "");
     assert_eq!(status, Status::Ok);
     same_rest(&whole, &rest, 6);
+}
+
+#[test]
+fn a_switch_that_was_moved_at_rest_is_on_record() {
+    let folder = tempdir().unwrap();
+    let open = |folder: &TempDir| {
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let mut shelf = shelf(&journal, folder);
+        let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
+        (session, shelf)
+    };
+    let part = b"IF %(53)=0 THEN GOTO OFF\nMX,1\nMX,5\nMX,9\nEND\nOFF:\nMX,-5\n";
+    let start = |session: &mut Session, shelf: &mut Shelf, pace: &mut dyn Pace| {
+        let company = Company { sink: &mut (), operator: &mut (), pace };
+        let program = kerf_part::read("a.sbp".into(), part);
+        session.run_on_record(program, RunOptions::default(), None, shelf, company).map(drop)
+    };
+    let (mut session, mut shelf) = open(&folder);
+    start(&mut session, &mut shelf, &mut ()).unwrap();
+    assert!(session.memory.position[Axis::X] < 0.0, "the switch is open");
+    session.press(Press { number: 3, on: true }, &mut shelf);
+    drop((session, shelf));
+    // Kerf is started anew.
+    let (mut session, mut shelf) = open(&folder);
+    assert!(session.look(|machine| machine.input(3)), "it stays as it was put");
+    let cut = catch_unwind(AssertUnwindSafe(|| {
+        start(&mut session, &mut shelf, &mut PowerCut(6.0))
+    }));
+    assert!(cut.is_err(), "the power failed");
+    drop((session, shelf));
+    let (events, status) = resume(&folder, "hold=Resume");
+    let last = events.iter().rev().find_map(|event| match event {
+        Event::Move(made) => Some(made.to.x),
+        _ => None,
+    });
+    assert_eq!((status, last), (Status::Ok, Some(9.0)), "{events:?}");
+}
+
+#[test]
+fn settings_with_an_axis_whose_jerk_is_free_can_be_read_again() {
+    // A jerk limit of 0 leaves an axis free: that is infinite, which a record has no number for.
+    let mut jerk = Axes::splat(5000.0);
+    jerk[Axis::Y] = f64::INFINITY;
+    let mut settings = Settings::default();
+    let usual = Dynamics::usual(&settings.speeds);
+    settings.dynamics = Some(Dynamics { jerk_mm_s3: Some(jerk), ..usual });
+    let text = serde_json::to_string(&settings).unwrap();
+    assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);
 }

@@ -168,6 +168,10 @@ impl Host for Paper<'_> {
         self.behind.app_path()
     }
 
+    fn is_connected(&mut self) -> bool {
+        self.behind.is_connected()
+    }
+
     fn firmware(&mut self) -> i32 {
         self.behind.firmware()
     }

@@ -22,7 +22,7 @@ pub struct RunArgs {
     #[arg(long, value_name = "NAME=VALUE", value_parser = parse::variable)]
     pub set: Vec<(String, Value)>,
     /// Changes an input of the simulated machine, a number or a name, at a time in seconds; `cable` is
-    /// the one to the controller; may be repeated
+    /// the one to the controller, `stall` has a motor stall; may be repeated
     #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
     pub input: Vec<Change>,
     /// Lays a sheet on the table of the simulated machine: how high it lies, how it rises along X and Y, height

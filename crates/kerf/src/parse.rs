@@ -87,6 +87,7 @@ pub fn input(text: &str) -> Result<Change, String> {
     let number = input.trim().parse().ok().filter(|n| (1..=12).contains(n));
     let named = || match input.trim() {
         "cable" => Some(kerf_sim::CABLE),
+        "stall" => Some(kerf_sim::STALL),
         name => Input::named(name).map(Input::number),
     };
     let input = number.or_else(named);
@@ -97,7 +98,7 @@ pub fn input(text: &str) -> Result<Change, String> {
         _ => None,
     };
     match (input, at_s, on) {
-        (None, ..) => Err("inputs are numbered 1 to 12, or named, as arc, estop or cable".into()),
+        (None, ..) => Err("inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into()),
         (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
         (.., None) => Err("the state is 0 or 1".into()),
         (Some(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),

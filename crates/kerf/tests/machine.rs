@@ -97,6 +97,41 @@ fn pro_io_diag_write() {
     assert_eq!(io(folder.path(), &["set", "tool2", "1"]), "output port B = 0x04\n");
     assert_eq!(io(folder.path(), &["get", "tool2"]), "1\n");
     assert_eq!(io(folder.path(), &["set", "tool2", "0"]), "output port B = 0x00\n");
+    let trace = folder.path().join("io.vcd");
+    io(folder.path(), &["set", "tool2", "1", "--vcd", trace.to_str().unwrap()]);
+    let text = std::fs::read_to_string(trace).unwrap();
+    let of = |name: &str| {
+        let is_it = |line: &&str| line.starts_with("$var") && line.contains(&format!(" {name} $end"));
+        let declared = text.lines().find(is_it).unwrap();
+        declared.split(' ').nth(3).unwrap().to_owned()
+    };
+    let (_, body) = text.split_once("$dumpvars").unwrap();
+    assert!(body.lines().any(|line| line == format!("1{}", of("tool2"))), "{text}");
+    assert!(body.lines().any(|line| line == format!("b00000100 {}", of("port_b"))), "{text}");
+}
+
+#[test]
+fn pro_io_diag_write__not_while_a_job_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = folder.path().join("data");
+    std::fs::write(folder.path().join("a.sbp"), "PAUSE 30\n").unwrap();
+    let kerf = env!("CARGO_BIN_EXE_kerf");
+    let mut job = std::process::Command::new(kerf)
+        .args(["run", "a.sbp", "--pace", "real", "--quiet", "--data", "data"])
+        .current_dir(folder.path())
+        .spawn()
+        .unwrap();
+    let set = || {
+        let set = ["io", "set", "tool2", "1", "--data", data.to_str().unwrap()];
+        std::process::Command::new(kerf).args(set).output().unwrap()
+    };
+    let refused = (0..600).any(|_| {
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        !set().status.success()
+    });
+    job.kill().unwrap();
+    job.wait().unwrap();
+    assert!(refused, "the run owns the machine");
 }
 
 #[test]
@@ -163,6 +198,14 @@ fn moves_by_hand_go_on_where_the_last_ended() {
     told(folder.path(), &["move", "to", "10,20,-5"]);
     assert!(told(folder.path(), &["pos"]).starts_with("x  310.000 not homed\ny  220.000 "));
     told(folder.path(), &["move", "to", "5,,1", "--relative"]);
+    let slanted = told(folder.path(), &["move", "to", "30,40", "--relative"]);
+    let speed = |axis: &str| -> f64 {
+        let line = slanted.lines().find(|line| line.contains(&format!("s  {axis} "))).unwrap();
+        let (_, speed) = line.rsplit_once("up to ").unwrap();
+        speed.trim_end_matches("/s").parse().unwrap()
+    };
+    assert!((speed("x") / speed("y") - 0.75).abs() < 1e-3, "each axis has its part: {slanted}");
+    told(folder.path(), &["move", "to", "-30,-40", "--relative"]);
     told(folder.path(), &["move", "hold", "x+", "--for", "1"]);
     assert!(told(folder.path(), &["pos"]).starts_with("x  365.000 "));
     let cut = told(folder.path(), &["move", "cut-to", "100,0", "--cut"]);

@@ -6,7 +6,7 @@ use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, StopAt, json};
 use kerf_machine::Configuration;
 use kerf_machine::settings::estop::EmergencyStop;
-use kerf_program::Axis;
+use kerf_program::{Axis, Settings};
 use kerf_program::settings::LinearUnit;
 use kerf_sim::{Change, Push};
 use std::sync::Arc;
@@ -127,6 +127,20 @@ impl Case {
     pub fn alpha(mut self) -> Self {
         let estop = EmergencyStop { cuts_power: true, ..EmergencyStop::default() };
         self.session.machine_is = Arc::new(Configuration { estop, ..Configuration::default() });
+        self
+    }
+
+    /// The lines are typed, not read from a file.
+    #[must_use]
+    pub const fn typed(mut self) -> Self {
+        self.options.program.typed = true;
+        self
+    }
+
+    /// Other settings at the start.
+    #[must_use]
+    pub fn settings(mut self, change: impl FnOnce(&mut Settings)) -> Self {
+        change(&mut self.session.memory.settings);
         self
     }
 

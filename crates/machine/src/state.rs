@@ -59,6 +59,8 @@ pub enum Event {
     Override,
     /// The link to the controller, or to whoever watches over the run, is lost.
     LinkLost,
+    /// A motor has lost its steps.
+    Stall,
     /// The machine has come to rest.
     Stands,
     /// Start again: the job goes on.
@@ -162,6 +164,7 @@ const ROWS: &[Row] = {
         Row(S::Running, E::PowerCut, S::Alarm, &[Halt, SpindleOff, AllOff, MotorsOff, Doubt]),
         Row(S::Running, E::Limit, S::Limited, &[Halt, KeepPlace, CutOff, RouterOff]),
         Row(S::Running, E::LinkLost, S::Alarm, &[SlowDown, CutOff, AllOff, Doubt]),
+        Row(S::Running, E::Stall, S::Alarm, &[CutOff, LeaveOutputs, Doubt]),
         Row(S::Running, E::End, S::Idle, &[LeaveOutputs, RestoreHeights]),
         Row(S::Stopping, E::Stands, S::Paused, &[CutOff, RouterOff, Raise, ToolOff]),
         Row(S::Stopping, E::EmergencyStop, S::EmergencyStopping, &[CutOffAtOnce, SlowDown]),

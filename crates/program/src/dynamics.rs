@@ -1,8 +1,8 @@
 //! What a machine's axes can do, for planners that use it all.
 
 use crate::settings::Speeds;
-use crate::{Axes, Axis};
-use serde::{Deserialize, Serialize};
+use crate::{AXES, Axes, Axis};
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Limits of every axis and the tolerance of the path: what the `profiler` and `optimal` models of
 /// motion plan with. A machine whose configuration gives them is planned by `optimal` unless it
@@ -15,11 +15,17 @@ pub struct Dynamics {
     /// Highest acceleration of each axis, mm/s² or degrees/s².
     pub accel_mm_s2: Axes,
     /// Highest jerk of each axis, mm/s³ or degrees/s³; `None` leaves it free.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "free_where_null")]
     pub jerk_mm_s3: Option<Axes>,
     /// How far the path may leave the programmed one, mm (rotary axes count a degree as a
     /// millimetre).
     pub tolerance_mm: f64,
+}
+
+/// An axis without a bound is infinite, which JSON writes as null.
+fn free_where_null<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Axes>, D::Error> {
+    let read: Option<[Option<f64>; AXES]> = Option::deserialize(from)?;
+    Ok(read.map(|axes| Axes(axes.map(|jerk| jerk.unwrap_or(f64::INFINITY)))))
 }
 
 impl Dynamics {

@@ -330,6 +330,11 @@ pub trait Host {
         "simulated machine".into()
     }
 
+    /// Whether the controller answers.
+    fn is_connected(&mut self) -> bool {
+        true
+    }
+
     /// Version number of the firmware, `%(49)`.
     fn firmware(&mut self) -> i32;
 }

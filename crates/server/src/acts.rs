@@ -61,6 +61,21 @@ const fn is_of_drawings(act: &Act) -> bool {
     )
 }
 
+/// What is said where only files are run.
+const FILES_ONLY: &str = "Kerf was started for files only: no commands, no keypad";
+
+/// Whether an act is refused where only files are run.
+fn is_by_hand(act: &Act) -> bool {
+    match act {
+        Act::Command { line, .. } => {
+            let letters: String = line.trim().chars().take(2).collect();
+            line.lines().count() != 1 || !letters.eq_ignore_ascii_case("FP")
+        }
+        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } => true,
+        _ => false,
+    }
+}
+
 /// What an act needs. This is the one list.
 fn needs(act: &Act) -> Need {
     match act {
@@ -113,6 +128,10 @@ impl App {
     pub fn act(self: &Arc<Self>, who: &Who, act: Act) -> Done {
         if self.options.drawing_only && !is_of_drawings(&act) {
             return Err(problem(Why::State, DRAWING_ONLY));
+        }
+        let files_only = self.options.start.as_ref().is_some_and(|start| start.display == 9);
+        if files_only && is_by_hand(&act) {
+            return Err(problem(Why::State, FILES_ONLY));
         }
         self.allow(who, needs(&act))?;
         if matches!(&act, Act::Command { line, .. } if changes_settings(line)) {

@@ -34,7 +34,7 @@ mod shop;
 mod told;
 
 pub use http::{describe, paths};
-pub use kerf_wire::Role;
+pub use kerf_wire::{Role, StartUp};
 pub use setup::{Builders, Options, Workshop};
 
 use app::{App, Parts};
@@ -79,6 +79,9 @@ impl Server {
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }
+        for line in &app.options.begin_with {
+            drop(app.send(Order::Command(line.clone())));
+        }
         let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
         runtime.spawn(async move { axum::serve(listener, service).await });
         Ok(Self { address, app, runtime: Some(runtime) })
@@ -115,6 +118,7 @@ impl Drop for Server {
 fn machine_and_app(options: Options, builders: Builders, url: String) -> io::Result<Arc<App>> {
     let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
     snapshot.drawing_only = options.drawing_only;
+    snapshot.start.clone_from(&options.start);
     snapshot.machine.name = "simulated".into();
     let hub = Arc::new(Hub::new(snapshot));
     let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<Left>>::default());

@@ -23,6 +23,10 @@ pub struct Options {
     pub drawing_only: bool,
     /// Opened at the start: a file of the part folder.
     pub open: Option<String>,
+    /// What a start-up line says of pages.
+    pub start: Option<kerf_wire::StartUp>,
+    /// Lines that are carried out at once, one after the other.
+    pub begin_with: Vec<String>,
     /// Seconds of machine time in a second; 1 unless a test is in a hurry.
     pub rate: f64,
 }

@@ -68,7 +68,7 @@ pub fn input(machine: &Machine, number: u8) -> Lamp {
     let duty = match kerf_sim::duty(number, &machine.settings().io) {
         kerf_sim::Duty::Free => Duty::Standard,
         kerf_sim::Duty::Limit => Duty::Limit,
-        kerf_sim::Duty::Stop | kerf_sim::Duty::Cable => Duty::Stop,
+        kerf_sim::Duty::Stop | kerf_sim::Duty::Cable | kerf_sim::Duty::Stall => Duty::Stop,
     };
     let label = kerf_machine::lines::Input::of_number(number).map_or("", |line| line.name());
     Lamp { number, on: machine.input(number), label: label.into(), duty }

@@ -159,6 +159,8 @@ fn other_machines_need_leave() {
         drawing_only: false,
         open: None,
         rate: 1.0,
+        start: None,
+        begin_with: Vec::new(),
     };
     let started = Server::start(options, builders(dir.path(), |_| {}));
     assert_eq!(started.err().unwrap().kind(), std::io::ErrorKind::PermissionDenied);

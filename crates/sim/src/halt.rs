@@ -39,6 +39,8 @@ pub enum HaltCause {
     Stop(u8),
     /// The controller does not answer any more: it slows down by itself.
     LinkLost,
+    /// A motor has stalled.
+    Stall,
 }
 
 /// The first change of the script, not later than a time, or the first state that is looked at from
@@ -87,13 +89,14 @@ fn first_change(
         let cause = match inputs::duty(change.input, modes) {
             Duty::Stop if triggered => Some(HaltCause::Stop(change.input)),
             Duty::Cable if triggered => Some(HaltCause::LinkLost),
+            Duty::Stall if triggered => Some(HaltCause::Stall),
             Duty::Limit if triggered && limits => Some(HaltCause::Limit(change.input)),
             _ => watching(change.input, change.on, modes, watches).map(HaltCause::Watch),
         };
         if let Some(cause) = cause {
             let ramped = match cause {
                 HaltCause::Watch(i) => watches[i].ramped,
-                HaltCause::Limit(_) => false,
+                HaltCause::Limit(_) | HaltCause::Stall => false,
                 HaltCause::LinkLost => true,
                 HaltCause::Stop(number) => number != inputs::STOP_INPUT,
             };

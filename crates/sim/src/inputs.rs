@@ -26,10 +26,15 @@ pub enum Duty {
     Stop,
     /// The cable to the controller: without it nothing moves.
     Cable,
+    /// A motor has stalled.
+    Stall,
 }
 
 /// The number under which a script pulls the cable to the controller (0) and plugs it in (1).
 pub const CABLE: u8 = u8::MAX;
+
+/// The number under which a script has a motor stall (1).
+pub const STALL: u8 = u8::MAX - 1;
 
 /// The emergency stop (command reference, VN field 2).
 pub const STOP_INPUT: u8 = 4;
@@ -49,9 +54,9 @@ pub struct Inputs {
     /// What the sensors of the head will tell while the machine follows its plan, in order of time.
     foreseen: VecDeque<Change>,
     /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
-    contact: [Option<bool>; ALL],
+    contact: [Option<bool>; ALL + 1],
     /// Switches that somebody moved by hand, and where they were left.
-    by_hand: [Option<bool>; ALL],
+    by_hand: [Option<bool>; ALL + 1],
 }
 
 impl Default for Inputs {
@@ -60,8 +65,8 @@ impl Default for Inputs {
             script: Vec::new(),
             done: 0,
             foreseen: VecDeque::new(),
-            contact: [None; ALL],
-            by_hand: [None; ALL],
+            contact: [None; ALL + 1],
+            by_hand: [None; ALL + 1],
         }
     }
 }
@@ -73,7 +78,7 @@ impl Inputs {
     pub fn new(mut script: Vec<Change>) -> Self {
         script.retain(|c| index(c.input).is_some() && c.at_s.is_finite());
         script.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-        let mut contact = [None; ALL];
+        let mut contact = [None; ALL + 1];
         for change in script.iter().rev() {
             if let Some(i) = index(change.input) {
                 contact[i] = Some(!change.on);
@@ -90,6 +95,12 @@ impl Inputs {
             *contact = contact.or(by_hand);
         }
         self
+    }
+
+    /// Switches that somebody moved by hand, and where they were left.
+    pub(crate) fn moved_by_hand(&self) -> Vec<(u8, bool)> {
+        let moved = |(i, on): (usize, &Option<bool>)| Some((number_of(i), (*on)?));
+        self.by_hand.iter().enumerate().filter_map(moved).collect()
     }
 
     /// Somebody moves a switch at a moment that is not over yet; it stays there.
@@ -171,13 +182,21 @@ impl Inputs {
     }
 
     fn closed(&self, i: usize, modes: &IoModes) -> bool {
-        let number = if i == ALL - 1 { CABLE } else { i as u8 + 1 };
-        self.contact[i].unwrap_or_else(|| normally_closed(number, modes))
+        self.contact[i].unwrap_or_else(|| normally_closed(number_of(i), modes))
+    }
+}
+
+fn number_of(i: usize) -> u8 {
+    match i {
+        ALL => STALL,
+        i if i == ALL - 1 => CABLE,
+        i => i as u8 + 1,
     }
 }
 
 fn index(number: u8) -> Option<usize> {
     match number {
+        STALL => Some(ALL),
         CABLE => Some(ALL - 1),
         _ => (1..ALL as u8).contains(&number).then(|| usize::from(number) - 1),
     }
@@ -195,8 +214,10 @@ pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
 
 /// What an input does to motion.
 pub fn duty(number: u8, modes: &IoModes) -> Duty {
-    if number == CABLE {
-        return Duty::Cable;
+    match number {
+        CABLE => return Duty::Cable,
+        STALL => return Duty::Stall,
+        _ => {}
     }
     if number == STOP_INPUT || modes.interlock == Some(number) {
         return Duty::Stop;

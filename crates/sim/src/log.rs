@@ -23,6 +23,8 @@ pub enum What {
     },
     /// The controller answers from now on, or does not any more.
     Link(bool),
+    /// A motor has stalled, or is free again.
+    Stall(bool),
     /// An output changed.
     Output {
         /// Its number.

@@ -12,7 +12,7 @@ use crate::halt::{self, Halt, Watched};
 use crate::hand::Hand;
 use crate::heater::{self, Heater};
 use crate::independent::Spin;
-use crate::inputs::{CABLE, Change, Inputs};
+use crate::inputs::{CABLE, Change, Inputs, STALL};
 use crate::laser;
 use crate::log::{Log, What};
 use crate::motors::Motors;
@@ -334,6 +334,13 @@ impl Machine {
         self.by_mode(Occasion::Stop, OutputReason::Stop);
     }
 
+    /// A motor has stalled.
+    pub fn stalled(&mut self) {
+        if self.settings.io.output4 == -3 {
+            self.output(MOTION_OUTPUT, false, OutputReason::Stop);
+        }
+    }
+
     /// Spindles and axes that move by themselves stop. Tells which spindles turned.
     pub fn stop_spindles(&mut self) -> Vec<u8> {
         self.spins_off();
@@ -453,6 +460,7 @@ impl Machine {
                 t_s,
                 match change.input {
                     CABLE => What::Link(on),
+                STALL => What::Stall(on),
                     number => What::Input { number, on },
                 },
             );
@@ -473,6 +481,21 @@ impl Machine {
         let at_s = change.at_s.max(self.clock_s);
         self.inputs.press(Change { at_s, ..change });
         self.advance(self.clock_s);
+    }
+
+    /// Switches that somebody moved by hand, and where they were left.
+    pub fn switches(&self) -> Vec<(u8, bool)> {
+        self.inputs.moved_by_hand()
+    }
+
+    /// The same machine, whose switches somebody has left like this.
+    #[must_use]
+    pub fn with_switches(mut self, switches: &[(u8, bool)]) -> Self {
+        for (input, on) in switches {
+            self.press(Change { input: *input, on: *on, at_s: self.clock_s });
+        }
+        self.log.take().for_each(drop);
+        self
     }
 
     /// When an input reads a state: now, or at the time of a later change. `None` for never.
@@ -505,7 +528,9 @@ impl Machine {
 
     /// Whether the controller answers. What is only drawn needs none.
     pub fn is_connected(&self) -> bool {
-        self.draws() || self.inputs.reads(CABLE, &self.settings.io)
+        let Settings { driver, controller, io, .. } = &*self.settings;
+        let answers = controller.is_simulated(driver.port) && self.inputs.reads(CABLE, io);
+        self.draws() || answers
     }
 
     /// An open enclosure that forbids motion and spindles now: the input that tells it.

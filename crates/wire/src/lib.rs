@@ -55,7 +55,7 @@ pub use people::{Client, Lease, Role, Who};
 pub use reply::{Problem, Reply, Why};
 pub use setting::{SettingArea, SettingEntry, SettingKind};
 pub use setup::{Setup, ZHeights};
-pub use snapshot::Snapshot;
+pub use snapshot::{Snapshot, StartUp};
 pub use typescript::typescript;
 
 /// Inputs, and outputs, of a machine.

@@ -13,6 +13,19 @@ const PRINTED: usize = 1000;
 /// Messages that are kept.
 const MESSAGES: usize = 200;
 
+/// What a start-up line says of pages (programming handbook, Command Line Options).
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct StartUp {
+    /// The part file, as the FP sheet names it.
+    pub file: String,
+    /// The FP sheet opens on it, and nothing moves before OK.
+    pub sheet: bool,
+    /// 0 as last used, 1 with menus and the command line, 2 without, 9 files only: no commands, no
+    /// keypad.
+    pub display: u8,
+}
+
 /// Everything a page shows, at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
@@ -41,6 +54,8 @@ pub struct Snapshot {
     pub job: Option<Job>,
     /// A run that can be taken up where it was cut short.
     pub interrupted: Option<Interrupted>,
+    /// How Kerf was started, where a start-up line says what pages show.
+    pub start: Option<StartUp>,
     /// The question that is open.
     pub asked: Option<Asked>,
     /// The operator's overrides.
@@ -82,6 +97,7 @@ impl Default for Snapshot {
             opened: None,
             job: None,
             interrupted: None,
+            start: None,
             asked: None,
             overrides: Overrides::default(),
             printed: Vec::new(),

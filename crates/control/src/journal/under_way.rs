@@ -1,5 +1,6 @@
 //! The run under way: everything needed to run it again up to where it is.
 
+use crate::switches::{self, SWITCHES};
 use super::history::{self, Past};
 use super::kept_work::{KeptWork, WorkKind};
 use super::progress::{PROGRESS, Progress, Reached};
@@ -11,6 +12,7 @@ use crate::files::Folders;
 use crate::machine_file::MACHINE_FILE;
 use crate::{RunOptions, Session, Shell, Summary, Work};
 use kerf_program::{Settings, Status};
+use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -106,6 +108,9 @@ impl CutShort {
         session.gcode = self.run.session.gcode.clone();
         let machine = kerf_machine::file::read(&Arc::from(MACHINE_FILE), &self.run.machine);
         session.machine_is = Arc::new(machine.unwrap_or_default());
+        let switches = self.run.values.get(SWITCHES).map(|text| switches::read(text));
+        let machine = Machine::default().with_switches(&switches.unwrap_or_default());
+        session.machine = Some(machine);
         session
     }
 }

@@ -305,6 +305,8 @@ impl Sink for Steps {
         match event {
             Event::Input { t, .. } => self.edge = Some(*t),
             Event::Move(made) => {
+                let ways = Axis::ALL.map(|axis| made.to.of(axis) - made.from.of(axis));
+                let length = ways[..3].iter().map(|way| way * way).sum::<f64>().sqrt();
                 for axis in Axis::ALL {
                     let (from, to) = (made.from.of(axis), made.to.of(axis));
                     if (from - to).abs() > 1e-9 {
@@ -313,7 +315,10 @@ impl Sink for Steps {
                         let (t0, t1) = (made.t0, made.t1);
                         let span = format!("{t0:8.3} to {t1:8.3} s");
                         let way = format!("{name:<2} {from:9.3} to {to:9.3}");
-                        out::print(&format!("{span}  {way}, up to {:.3}/s{kind}\n", made.speed));
+                        // The speed is that along the path; an axis has its part of it.
+                        let part = if length > 0.0 { (to - from).abs() / length } else { 1.0 };
+                        let speed = made.speed * part;
+                        out::print(&format!("{span}  {way}, up to {speed:.3}/s{kind}\n"));
                     }
                 }
                 if let Some(t) = self.edge.take() {

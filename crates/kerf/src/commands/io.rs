@@ -2,14 +2,17 @@
 
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
+use crate::signals::VcdArgs;
 use crate::{memory, out, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
 use kerf_control::journal::Journal;
+use kerf_control::{Event, Sink};
 use kerf_machine::Configuration;
-use kerf_machine::lines::Input;
+use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
+use kerf_program::OutputReason;
 use kerf_sim::ports::Ports;
 use std::path::PathBuf;
 use std::thread;
@@ -48,6 +51,8 @@ enum Action {
         /// 0 or 1
         #[arg(value_parser = clap::value_parser!(u8).range(0..=1))]
         value: u8,
+        #[command(flatten)]
+        vcd: VcdArgs,
     },
     /// Steps a motor once
     Step {
@@ -98,7 +103,7 @@ pub fn run(args: &IoArgs) -> Result<Exit> {
             let (is_output, bit) = known(name)?;
             out::print(&format!("{}\n", u8::from(args.ports()?.is_on(is_output, bit))));
         }
-        Action::Set { name, value } => set(args, name, *value == 1)?,
+        Action::Set { name, value, vcd } => set(args, name, *value == 1, vcd)?,
         Action::Step { motor, way } => step(args, motor, *way == Way::Forward)?,
         Action::Watch { seconds } => watch(args, *seconds)?,
         Action::Map { card, notes } => map(card, *notes)?,
@@ -163,7 +168,7 @@ fn list(ports: &Ports, machine: &Configuration) {
     out::print(&lines);
 }
 
-fn set(args: &IoArgs, name: &str, on: bool) -> Result<()> {
+fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs) -> Result<()> {
     let (is_output, bit) = known(name)?;
     let (ports, ()) = args.change(|ports| {
         match is_output {
@@ -175,7 +180,31 @@ fn set(args: &IoArgs, name: &str, on: bool) -> Result<()> {
     let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
     let side = if is_output { "output" } else { "input" };
     out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
-    Ok(())
+    traced(args, vcd, is_output, bit.name, on)
+}
+
+/// The change as signals, where a file for them is named.
+fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -> Result<()> {
+    let mut signals = vcd.sink(setup::machine(args.config.as_deref(), &args.folder())?)?;
+    let changed = match is_output {
+        true => Output::of_name(name).map(|line| Event::Output {
+            n: line.number(),
+            on,
+            t: 0.0,
+            why: OutputReason::Program,
+            name: Some(line.name()),
+        }),
+        false => Input::of_name(name).map(|line| Event::Input {
+            n: line.number(),
+            on,
+            t: 0.0,
+            name: Some(line.name()),
+        }),
+    };
+    if let (Some(signals), Some(changed)) = (&mut signals, changed) {
+        signals.event(&changed);
+    }
+    vcd.finish(signals)
 }
 
 fn step(args: &IoArgs, name: &str, forward: bool) -> Result<()> {

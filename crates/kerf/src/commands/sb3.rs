@@ -1,6 +1,7 @@
 //! `kerf sb3`: the start-up line of the handbook.
 
 use super::run::{MachineArgs, on_machine};
+use super::serve::ServeArgs;
 use crate::args::{RunArgs, Start};
 use crate::exit::{Exit, Usage};
 use crate::machine_file;
@@ -12,12 +13,14 @@ use clap::Args;
 use kerf_control::Company;
 use kerf_control::start_up::{CloseMethod, OpenMethod, Port, StartUp};
 use std::io::{self, IsTerminal, Write};
+use std::net::SocketAddr;
 use std::path::Path;
 
 /// Starts as the software of the handbooks does: "file, port, open, timing, close, display, offset"
 ///
-/// open: 1 to 3 show the sheet of the file and wait, which needs the console; 4 runs it at once; 5
-/// draws it at once; 6 only makes it the current file. close: 0 stays, 1 asks, 2 closes. offset: 0
+/// open: 1 to 3 show the sheet of the file in the console and wait; 4 runs it at once; 5 draws it at
+/// once; 6 only makes it the current file. close: 0 stays and serves the console, at a terminal or with
+/// --console, 1 asks, 2 closes. display: 0 as last used, 1 console on, 2 off, 9 files only. offset: 0
 /// none, 1 3D, 2 2D, where the file runs at once. Items may be left blank.
 #[derive(Args)]
 #[command(
@@ -26,6 +29,15 @@ use std::path::Path;
 pub struct Sb3Args {
     /// The line
     line: String,
+    /// Opens the console, also where nobody sits at a terminal
+    #[arg(long)]
+    console: bool,
+    /// Where the console listens
+    #[arg(long, value_name = "ADDR", default_value = "127.0.0.1:8710")]
+    listen: SocketAddr,
+    /// Seconds of machine time in a second, for tests
+    #[arg(long, hide = true, default_value_t = 1.0)]
+    rate: f64,
     /// Answers yes when it asks whether to close
     #[arg(long)]
     yes: bool,
@@ -38,6 +50,9 @@ pub struct Sb3Args {
 pub fn run(args: &Sb3Args) -> Result<Exit> {
     args.machine.check()?;
     let line = StartUp::read(&args.line).map_err(Usage)?;
+    if line.close == CloseMethod::Stay && (args.console || io::stdin().is_terminal()) {
+        return serves(args, &line);
+    }
     match line.open {
         OpenMethod::Run => runs(args, &line),
         OpenMethod::Preview => draws(args, &line),
@@ -48,6 +63,15 @@ pub fn run(args: &Sb3Args) -> Result<Exit> {
             Ok(Exit::Stopped)
         }
     }
+}
+
+/// The console opens, and stays after the file.
+fn serves(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
+    if let Some(Port::Number(port)) = line.port {
+        keep_port(&args.run, port)?;
+    }
+    make_current(args, line)?;
+    super::serve::run(&ServeArgs::of(line, args.listen, args.rate, &args.run.place))
 }
 
 /// The file runs at once.
@@ -94,14 +118,18 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
 
 /// The file is what FP and GetPartFileName mean from now on.
 fn becomes_current(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
+    make_current(args, line)?;
+    logged(args, line, line.open == OpenMethod::SheetInPreview)?()?;
+    Ok(Exit::Good)
+}
+
+fn make_current(args: &Sb3Args, line: &StartUp) -> Result<()> {
     let run = &args.run;
     let path = std::fs::canonicalize(&line.file)
         .map_err(|error| Usage(format!("cannot read {}: {error}", line.file)))?;
     let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
     shelf.make_current(&path);
-    drop(shelf);
-    logged(args, line, line.open == OpenMethod::SheetInPreview)?()?;
-    Ok(Exit::Good)
+    Ok(())
 }
 
 /// Begins a visit in the log; what comes back ends it.

@@ -9,6 +9,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::Shelf;
 use kerf_control::machine_file::MachineFile;
+use kerf_control::start_up::{OpenMethod, StartUp};
 use kerf_server::{Builders, Options, Server, Workshop};
 use std::io;
 use std::net::SocketAddr;
@@ -42,9 +43,50 @@ pub struct ServeArgs {
     rate: f64,
     #[command(flatten)]
     place: PlaceArgs,
+    /// The start-up line that began it.
+    #[arg(skip)]
+    line: Option<StartUp>,
 }
 
 impl ServeArgs {
+    /// The console for a start-up line.
+    pub fn of(line: &StartUp, listen: SocketAddr, rate: f64, place: &PlaceArgs) -> Self {
+        let path = Path::new(&line.file);
+        let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
+        let parts = place.parts.clone().or(folder.map(Path::to_owned));
+        let file = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        Self {
+            file,
+            listen,
+            lan: false,
+            hosts: Vec::new(),
+            drawing_only: false,
+            rate,
+            place: PlaceArgs { parts, ..place.clone() },
+            line: Some(line.clone()),
+        }
+    }
+
+    fn visit(&self) -> Visit {
+        let opening = self.line.as_ref().map(|line| line.opening.clone()).unwrap_or_default();
+        Visit { opening, ..Visit::default() }
+    }
+
+    /// What pages show, and what is carried out at once.
+    fn start(&self) -> (Option<kerf_server::StartUp>, Vec<String>) {
+        let Some(line) = &self.line else { return (None, Vec::new()) };
+        let file = self.file.clone().unwrap_or_default();
+        let sheet = matches!(line.open, OpenMethod::Sheet | OpenMethod::SheetInPreview);
+        let run = format!("FP,{file},,,,,{}", line.offset);
+        let lines = match line.open {
+            OpenMethod::Run => vec![run],
+            OpenMethod::Preview => vec!["SP".into(), run],
+            OpenMethod::SheetInPreview => vec!["SP".into()],
+            OpenMethod::Sheet | OpenMethod::Current => Vec::new(),
+        };
+        (Some(kerf_server::StartUp { file, sheet, display: line.display }), lines)
+    }
+
     /// The same for drawings only, when that is wanted.
     pub fn drawing_only(self, wanted: bool) -> Self {
         Self { drawing_only: self.drawing_only || wanted, ..self }
@@ -65,7 +107,10 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
 }
 
 fn options(args: &ServeArgs) -> Result<Options> {
+    let (start, begin_with) = args.start();
     Ok(Options {
+        start,
+        begin_with,
         listen: args.listen,
         lan: args.lan,
         names: args.hosts.clone(),
@@ -113,7 +158,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     }
     if kept {
         // The log begins, and a command that was passed in before is forgotten.
-        Visit::default().begins(&session, &mut shelf)?;
+        args.visit().begins(&session, &mut shelf)?;
     }
     Ok(Workshop { session, shelf, kept, started: || Some(clock::started()) })
 }

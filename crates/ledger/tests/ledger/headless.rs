@@ -120,6 +120,16 @@ fn sbp_val_vd_display() {
 fn sbp_val_vi_port() {
     assert_eq!(value("VI,3", "VI", 1), "3");
     run("VI,17").status("failed");
+    let mapped = |program: &str| {
+        sbp(program).settings(|s| {
+            s.controller.ports[2] = "/dev/ttyUSB0".into();
+            s.controller.ports[3] = "sim".into();
+        })
+    };
+    mapped("MX,1").run().ends_at([1.0]);
+    mapped("VI,4 ⏎ MX,1").run().ends_at([1.0]);
+    let elsewhere = mapped("VI,3 ⏎ MX,1").run();
+    elsewhere.fails(2, "M005").says("port 3, /dev/ttyUSB0").stands_at([0.0]);
 }
 
 #[test]
@@ -129,6 +139,11 @@ fn sbp_val_vi_speed() {
         assert_eq!(value(&format!("VI,,,,,,,,,{code}"), "VI", 9), code);
     }
     run("VI,,,,,,,,,9").status("failed");
+    for (code, baud) in [("2", 115_200), ("3", 230_400), ("4", 460_800), ("5", 921_600)] {
+        let case = sbp(&format!("VI,3,,,,,,,,{code} ⏎ MX,1"));
+        let run = case.settings(|s| s.controller.ports[2] = "/dev/ttyUSB0".into()).run();
+        run.fails(2, "M005").says(&format!("/dev/ttyUSB0, {baud} baud"));
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Outputs and spindles.
 
 use kerf_ledger::{run, sbp};
+use kerf_sim::STALL;
 
 #[test]
 fn sbp_out_so() {
@@ -14,6 +15,9 @@ fn sbp_out_so() {
 fn sbp_out_so_range() {
     run("SO,12,1 ⏎ PRINT %(139)").prints(&["1"]);
     run("SO,13,1").fails(1, "R009");
+    let eight = |program: &str| sbp(program).settings(|s| s.controller.outputs = 8).run();
+    eight("SO,8,1").is_ok();
+    eight("SO,9,1").fails(1, "R009").says("this controller has 8 outputs");
 }
 
 #[test]
@@ -170,4 +174,46 @@ fn sbp_val_vh_freq() {
     let khz = |program: &str| run(program).events("pwm").next().unwrap()["khz"].as_f64().unwrap();
     assert_eq!(khz("VN,,,2 ⏎ VH,1,,20,80"), 5.4);
     assert_eq!(khz("VN,,,2 ⏎ VH,1,,20,80,10"), 10.0);
+}
+
+#[test]
+fn sbp_out_so4_m3() {
+    let stalls = |mode: i8| {
+        let case = sbp(&format!("SO,4,{mode} ⏎ MX,10")).input(STALL, 1.0, true);
+        let run = case.run();
+        run.status("failed").says("stalled");
+        run
+    };
+    stalls(-3).switches(4, &[(true, "motion"), (false, "stop")]);
+    // In mode -2 only the panic bar does: it stays on until the warning ends.
+    stalls(-2).switches(4, &[(true, "motion"), (false, "motion")]);
+    let stopped = sbp("SO,4,-3 ⏎ MX,10").stopped_at(1.0).run();
+    stopped.switches(4, &[(true, "motion"), (false, "stop")]);
+    assert_eq!(stalls(-3).end()["verify"], serde_json::json!(["X", "Y", "Z"]));
+}
+
+#[test]
+fn sbp_out_pwm() {
+    let laser = "VN,,,2 ⏎ VH,1,,20,80,5.4 ⏎ MX,2";
+    let run = sbp(laser).run();
+    let pwm: Vec<_> = run.is_ok().events("pwm").collect();
+    assert!(pwm.iter().all(|e| e["channel"] == 1 && e["khz"] == 5.4), "{run}");
+    assert!(pwm.iter().any(|e| e["percent"] == 80.0), "{run}");
+    let without = sbp(laser).settings(|s| s.controller.pwm = false).run();
+    without.status("failed").says("no PWM on this controller");
+    sbp("VH,0,,20,80").settings(|s| s.controller.pwm = false).run().is_ok();
+}
+
+/// The machine as it is shipped: a line typed right after the installation.
+#[test]
+fn sbp_out_warn_default() {
+    let router = kerf_machine::profile::profile("router-96x48").unwrap();
+    let router = kerf_machine::file::read(&"router".into(), router.text).unwrap();
+    let run = sbp("MX,1").settings(|s| *s = router.program.clone()).typed().run();
+    assert_eq!(lights(&run)[0], (0.0, true), "{run}");
+    let first = run.events("move").next().unwrap();
+    assert!((first["t0"].as_f64().unwrap() - 2.0).abs() < 1e-9, "{run}");
+    let output = run.events("output").next().unwrap();
+    assert_eq!((&output["n"], &output["on"]), (&4.into(), &true.into()));
+    assert_eq!(output["t"].as_f64(), Some(0.0));
 }

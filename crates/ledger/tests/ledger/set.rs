@@ -1,6 +1,7 @@
 //! Setting modes.
 
 use kerf_ledger::{at, run, sbp};
+use kerf_sim::CABLE;
 
 #[test]
 fn sbp_cmd_sa() {
@@ -24,7 +25,10 @@ fn sbp_cmd_sr_rounding() {
 
 #[test]
 fn sbp_cmd_sm() {
-    run("SP ⏎ SM ⏎ PRINT %(22) ⏎ MX,5").ends_at([5.0]).prints(&["0"]);
+    run("SP ⏎ SM ⏎ PRINT %(22) ⏎ MX,5").ends_at([5.0]).prints(&["0"]).shows(&[]);
+    let unplugged = sbp("SM ⏎ PRINT %(22)").input(CABLE, 99.0, true).run();
+    unplugged.is_ok().shows(&["not connected: nothing moves; SP shows files in preview"]);
+    sbp("SP ⏎ MX,5").input(CABLE, 99.0, true).run().is_ok();
 }
 
 #[test]

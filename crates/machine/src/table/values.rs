@@ -189,6 +189,38 @@ const DRIVER: &[Setting] = &[
         "2 115.2, 3 230.4, 4 460.8, 5 921.6 kbaud."
     ),
     row!(c, "driver.enabled", c.program.driver.enabled, None, Any, "Steps and outputs are given."),
+    row!(
+        c,
+        "driver.ports",
+        c.program.controller.ports,
+        None,
+        Any,
+        "What each port of VI is: a serial device, a TCP address, or sim; blank is sim too."
+    ),
+    row!(
+        c,
+        "driver.outputs",
+        c.program.controller.outputs,
+        None,
+        Range(1.0, 12.0),
+        "Outputs that the controller has."
+    ),
+    row!(
+        c,
+        "driver.pwm",
+        c.program.controller.pwm,
+        None,
+        Any,
+        "The controller has PWM, for a laser or a heater."
+    ),
+    row!(
+        c,
+        "driver.independent",
+        c.program.controller.independent,
+        None,
+        Any,
+        "Axes can move beside the others (MI)."
+    ),
 ];
 
 const VIEW: &[Setting] = &[

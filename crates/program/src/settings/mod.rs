@@ -5,6 +5,7 @@
 //! the unit changes how they are shown, so there is no drift. The defaults are those of the OpenSBP
 //! command reference where it gives one; the notes beside the others say so.
 
+mod controller;
 mod cutter;
 mod io;
 mod speeds;
@@ -12,6 +13,7 @@ mod table;
 mod unit;
 mod view;
 
+pub use controller::{Controller, PORTS, SIM};
 pub use cutter::{Cutter, PlungeSign, Tabs, ToolOffset, Trigger};
 pub use io::{Height, IoModes, LINES, SWITCHES};
 pub use speeds::{PerGroup, RAMP_SPEED_STEP_MM_S, Ramps, Speeds};
@@ -61,6 +63,9 @@ pub struct Settings {
     pub io: IoModes,
     pub height: Height,
     pub driver: Driver,
+    /// What the controller can do, and how it is reached.
+    #[serde(default)]
+    pub controller: Controller,
     pub tool_offset: ToolOffset,
     pub view: View,
     pub display: Display,
@@ -159,6 +164,7 @@ impl Default for Settings {
             io: IoModes::default(),
             height: Height::default(),
             driver: Driver::default(),
+            controller: Controller::default(),
             tool_offset: ToolOffset::default(),
             view: View::default(),
             display: Display::default(),

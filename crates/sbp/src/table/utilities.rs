@@ -89,6 +89,8 @@ fn diagnostics(c: &mut Context<'_>) -> Result<String, Stop> {
     let mut lines = vec![format!("software: {}", crate::VERSION)];
     lines.push(format!("driver: {}", c.host.driver()));
     lines.push(format!("firmware: {}", c.host.firmware()));
+    let settings = c.settings();
+    lines.push(format!("connection: {}", settings.driver.connection(&settings.controller)));
     lines.push(format!("port: {}", c.settings().driver.port));
     lines.push(format!("working: {}", places(c, |c, axis| c.core.working()[axis])));
     lines.push(format!("base: {}", places(c, |c, axis| c.core.frame.base(c.core.position)[axis])));

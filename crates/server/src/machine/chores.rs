@@ -45,7 +45,7 @@ impl Owner {
 
     /// Moves a switch of the machine, which stands.
     pub(super) fn press(&mut self, press: Press) {
-        self.workshop.session.press(press);
+        self.workshop.session.press(press, &mut self.workshop.shelf);
         self.rest(State::Idle, None);
     }
 

@@ -33,11 +33,19 @@ pub struct Wanted {
     pub files: Vec<(&'static str, &'static str)>,
     pub settings: fn(&mut kerf_program::Settings),
     pub drawing_only: bool,
+    pub start: Option<kerf_server::StartUp>,
 }
 
 impl Default for Wanted {
     fn default() -> Self {
-        Self { rate: 1.0, lan: false, files: Vec::new(), settings: |_| {}, drawing_only: false }
+        Self {
+            rate: 1.0,
+            lan: false,
+            files: Vec::new(),
+            settings: |_| {},
+            drawing_only: false,
+            start: None,
+        }
     }
 }
 
@@ -62,6 +70,8 @@ pub fn start(wanted: Wanted) -> Shop {
         drawing_only: wanted.drawing_only,
         open: None,
         rate: wanted.rate,
+        start: wanted.start,
+        begin_with: Vec::new(),
     };
     let server = Server::start(options, builders(&parts, wanted.settings)).unwrap();
     Shop { server, dir }
@@ -107,6 +117,8 @@ pub fn kept(dir: TempDir) -> Shop {
         drawing_only: false,
         open: None,
         rate: 1.0,
+        start: None,
+        begin_with: Vec::new(),
     };
     let builders = Builders { workshop: Arc::new(workshop), ..builders(&parts, |_| {}) };
     Shop { server: Server::start(options, builders).unwrap(), dir }

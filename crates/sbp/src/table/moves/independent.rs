@@ -102,6 +102,11 @@ fn refuse_too_fast(
     axis: Axis,
     motion: Independent,
 ) -> Result<(), Stop> {
+    if !c.settings().controller.independent {
+        let hint = "driver.independent says whether axes can move beside the others";
+        let message = "not supported by this controller";
+        return Err(c.fail_at(a.span(0), Code::NotSupported, message, hint));
+    }
     let Some(dynamics) = c.settings().dynamics else { return Ok(()) };
     let (fastest, value) = match motion {
         Independent::Off => return Ok(()),

@@ -176,6 +176,12 @@ fn sbp_cmd_mi_limits() {
         let ran = run_with(&format!("VD,,5⏎{text}"), FakeHost::default(), session);
         ran.error.map(|e| e.message)
     };
+    let without = || {
+        let mut session = Session::default();
+        session.settings.controller.independent = false;
+        run_with("VD,,5⏎MI,B,1,9", FakeHost::default(), session)
+    };
+    without().fails_with("not supported by this controller");
     let b = Some("B axis moves 90 units a second at most".to_owned());
     assert_eq!((refuses("MI,B,1,91"), refuses("MI,B,-1,91")), (b.clone(), b));
     assert_eq!(refuses("MI,B,1,90"), None);

@@ -33,9 +33,14 @@ pub(super) static SR: CommandSpec = plain(
 pub(super) static SM: CommandSpec = plain(
     "SM",
     "Set move/cut mode",
-    "Commands drive the tool. After a preview everything is as it was before it.",
+    "Commands drive the tool. After a preview everything is as it was before it. Without a controller \
+     nothing moves: preview is offered.",
     |c, _| {
         c.leave_preview();
+        if !c.core.options.preview && !c.host.is_connected() {
+            let text = "not connected: nothing moves; SP shows files in preview".into();
+            c.emit(Command::Message { text });
+        }
         Ok(())
     },
 );

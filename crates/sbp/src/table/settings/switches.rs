@@ -80,6 +80,11 @@ const FREE: i8 = -4;
 fn output(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let number = a.whole(0).unwrap_or_default() as u8;
     let state = a.whole(1).unwrap_or_default() as i8;
+    let outputs = c.settings().controller.outputs;
+    if number > outputs {
+        let message = format!("this controller has {outputs} outputs, there is no output {number}");
+        return Err(c.fail_at(a.span(0), Code::OutOfRange, message, "driver.outputs says how many"));
+    }
     if state < 0 {
         return output_mode(c, a, number, state);
     }

@@ -47,6 +47,10 @@ fn height(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         let hint = "VN,,,1 enables the torch, 2 the laser, 3 to 5 analog inputs";
         return Err(c.fail_at(a.span(0), Code::NotEnabled, "not enabled in VN", hint));
     }
+    if settings.height.on && settings.io.analog >= 2 && !settings.controller.pwm {
+        let hint = "driver.pwm says whether the controller has it";
+        return Err(c.fail_at(a.span(0), Code::NotSupported, "no PWM on this controller", hint));
+    }
     c.change_settings(|s| *s = settings);
     Ok(())
 }
