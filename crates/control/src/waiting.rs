@@ -23,7 +23,8 @@ impl<I: Interpreter> Runner<'_, I> {
         let watches = self.watched(self.world.now());
         let halt = self.world.machine.first_halt(until_s, &watches);
         // Nothing moves: a limit has nothing to stop.
-        let halt = halt.filter(|halt| !matches!(halt.cause, HaltCause::Limit(_) | HaltCause::Stall));
+        let halt =
+            halt.filter(|halt| !matches!(halt.cause, HaltCause::Limit(_) | HaltCause::Stall));
         let end_s = halt.map_or(until_s, |halt| halt.t_s);
         let wish = self.ask_pace(self.world.now(), end_s, None);
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));

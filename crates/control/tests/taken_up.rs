@@ -216,9 +216,8 @@ fn a_switch_that_was_moved_at_rest_is_on_record() {
     // Kerf is started anew.
     let (mut session, mut shelf) = open(&folder);
     assert!(session.look(|machine| machine.input(3)), "it stays as it was put");
-    let cut = catch_unwind(AssertUnwindSafe(|| {
-        start(&mut session, &mut shelf, &mut PowerCut(6.0))
-    }));
+    let cut =
+        catch_unwind(AssertUnwindSafe(|| start(&mut session, &mut shelf, &mut PowerCut(6.0))));
     assert!(cut.is_err(), "the power failed");
     drop((session, shelf));
     let (events, status) = resume(&folder, "hold=Resume");

@@ -98,7 +98,9 @@ pub fn input(text: &str) -> Result<Change, String> {
         _ => None,
     };
     match (input, at_s, on) {
-        (None, ..) => Err("inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into()),
+        (None, ..) => {
+            Err("inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into())
+        }
         (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
         (.., None) => Err("the state is 0 or 1".into()),
         (Some(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),

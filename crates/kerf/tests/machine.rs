@@ -101,7 +101,8 @@ fn pro_io_diag_write() {
     io(folder.path(), &["set", "tool2", "1", "--vcd", trace.to_str().unwrap()]);
     let text = std::fs::read_to_string(trace).unwrap();
     let of = |name: &str| {
-        let is_it = |line: &&str| line.starts_with("$var") && line.contains(&format!(" {name} $end"));
+        let is_it =
+            |line: &&str| line.starts_with("$var") && line.contains(&format!(" {name} $end"));
         let declared = text.lines().find(is_it).unwrap();
         declared.split(' ').nth(3).unwrap().to_owned()
     };

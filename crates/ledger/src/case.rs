@@ -6,8 +6,8 @@ use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, StopAt, json};
 use kerf_machine::Configuration;
 use kerf_machine::settings::estop::EmergencyStop;
-use kerf_program::{Axis, Settings};
 use kerf_program::settings::LinearUnit;
+use kerf_program::{Axis, Settings};
 use kerf_sim::{Change, Push};
 use std::sync::Arc;
 

@@ -460,7 +460,7 @@ impl Machine {
                 t_s,
                 match change.input {
                     CABLE => What::Link(on),
-                STALL => What::Stall(on),
+                    STALL => What::Stall(on),
                     number => What::Input { number, on },
                 },
             );

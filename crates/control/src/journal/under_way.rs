@@ -1,6 +1,5 @@
 //! The run under way: everything needed to run it again up to where it is.
 
-use crate::switches::{self, SWITCHES};
 use super::history::{self, Past};
 use super::kept_work::{KeptWork, WorkKind};
 use super::progress::{PROGRESS, Progress, Reached};
@@ -10,6 +9,7 @@ use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::files::Folders;
 use crate::machine_file::MACHINE_FILE;
+use crate::switches::{self, SWITCHES};
 use crate::{RunOptions, Session, Shell, Summary, Work};
 use kerf_program::{Settings, Status};
 use kerf_sim::Machine;

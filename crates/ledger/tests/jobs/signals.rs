@@ -1,6 +1,6 @@
 //! Inputs, outputs and steps of jobs, as their signals show them.
 
-use kerf_ledger::jobs::{JobRun, Signals, job, square, t1, t2};
+use kerf_ledger::jobs::{JobRun, Signals, job, t1, t2};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::motors::FreeMotor;
 use std::sync::LazyLock;
@@ -224,38 +224,4 @@ fn pro_io_io_in_bdel__in_a_job() {
     // A millisecond is enough; before the cut bit at 3.84 it is nothing.
     assert!(cut(pulse(waits(), 4.64)).starts_with("4.640-"), "{}", cut(pulse(waits(), 4.64)));
     assert!(cut(pulse(pulse(waits(), 3.0), 5.0)).starts_with("5.000-"));
-}
-
-/// A square left and one right of a divider at 1250.
-fn two_jigs() -> JobRun {
-    let shapes = [square(1, (100.0, 0.0), 50.0), square(2, (1300.0, 0.0), 50.0)];
-    let run = JobRun::new(job(shapes));
-    run.with(|machine| (machine.job.two_jigs, machine.job.divider_mm) = (true, 1250.0))
-}
-
-/// When the byte of port C is that of a jig and nothing else, and 0 otherwise.
-fn jig_byte(signals: &Signals, name: &str, byte: &str) {
-    let on = signals.on(name);
-    assert_eq!(on.len(), 1, "{name} {on:?}");
-    let cut = signals.on("cut1");
-    assert!(on[0].0 <= cut[0].0 && on[0].1 >= cut[0].1, "{on:?} {cut:?}");
-    let (begin, end) = (on[0].0, on[0].1);
-    let bytes = signals.changes("port_c");
-    let within: Vec<_> = bytes.iter().filter(|(t, _)| (begin..end).contains(t)).collect();
-    assert_eq!(within, [&(begin, byte.to_owned())], "{bytes:?}");
-    assert!(bytes.iter().all(|(t, it)| (begin..end).contains(t) || it == "b00000000"), "{bytes:?}");
-}
-
-#[test]
-fn pro_io_outc0() {
-    let signals = two_jigs().input(Input::Jig1, 1.0, true).signals();
-    jig_byte(&signals, "jig1", "b00000001");
-    assert!(signals.on("jig2").is_empty());
-}
-
-#[test]
-fn pro_io_outc1() {
-    let signals = two_jigs().input(Input::Jig2, 1.0, true).signals();
-    jig_byte(&signals, "jig2", "b00000010");
-    assert!(signals.on("jig1").is_empty());
 }

@@ -83,7 +83,12 @@ fn output(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let outputs = c.settings().controller.outputs;
     if number > outputs {
         let message = format!("this controller has {outputs} outputs, there is no output {number}");
-        return Err(c.fail_at(a.span(0), Code::OutOfRange, message, "driver.outputs says how many"));
+        return Err(c.fail_at(
+            a.span(0),
+            Code::OutOfRange,
+            message,
+            "driver.outputs says how many",
+        ));
     }
     if state < 0 {
         return output_mode(c, a, number, state);
