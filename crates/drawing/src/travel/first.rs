@@ -24,7 +24,7 @@ pub(super) fn tour(site: &Site) -> Tour<'_> {
             open[parent] = waits[parent] == 0;
         }
         // Places that are done with would be looked at again and again.
-        if 2 * (site.stops() - order.len()) < map.len() {
+        if 4 * (site.stops() - order.len()) < 3 * map.len() {
             map = Map::of(site, (0..site.stops()).filter(|n| !done[*n]));
         }
     }
@@ -59,5 +59,72 @@ fn nearest(
             return found;
         }
         reach *= 2.0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::travel::Search;
+    use crate::{Drawing, Shape};
+
+    /// Circles and points of three tools, by a rule that scatters them; some lie in others.
+    fn scattered(count: usize) -> Drawing {
+        let place = |n: usize| Point2::new((n * 7919 % 1009) as f64, (n * 104_729 % 997) as f64);
+        let shape = |n: usize| match n % 3 {
+            0 => Shape::point(place(n)),
+            _ => Shape::flat(kerf_geom::Polyarc::circle(place(n), (n % 17 + 1) as f64)),
+        };
+        let mut drawing = Drawing::of((0..count).map(shape));
+        for (n, group) in crate::Group::ALL.into_iter().take(3).enumerate() {
+            drawing.settings_mut(group).tool = n as u8 + 1;
+        }
+        let coloured = drawing.shapes.iter().enumerate().map(|(n, shape)| {
+            let group = crate::Group::ALL[n / 40 % 3];
+            std::sync::Arc::new(Shape { group, ..shape.as_ref().clone() })
+        });
+        drawing.shapes = coloured.collect();
+        drawing
+    }
+
+    /// The same order with a look at all stops for each.
+    fn looked_at_all(site: &Site) -> Vec<usize> {
+        let (mut order, mut at, mut tool) = (Vec::new(), site.ways(site.home())[0].leave, None);
+        let mut left: Vec<usize> = (0..site.stops()).collect();
+        while !left.is_empty() {
+            let ready =
+                |stop: &&usize| site.stop(**stop).children.iter().all(|c| order.contains(c));
+            let ways = left.iter().filter(ready).flat_map(|stop| {
+                let tools = [tool, site.stop(*stop).tool];
+                let seconds = move |enter| site.seconds(at, enter, tools);
+                site.ways(*stop).iter().map(move |way| (seconds(way.enter), *stop, way.leave))
+            });
+            let best = ways.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let Some((_, stop, leave)) = best else { break };
+            (at, tool) = (leave, site.stop(stop).tool);
+            order.push(stop);
+            left.retain(|other| *other != stop);
+        }
+        order
+    }
+
+    #[test]
+    fn the_nearest_is_found_without_a_look_at_all() {
+        for (count, starts) in [(1, true), (2, false), (60, true), (300, false), (300, true)] {
+            let drawing = scattered(count);
+            let site = Site::of(&drawing, &Search { starts, ..Search::default() });
+            let order: Vec<usize> = tour(&site).shapes().collect();
+            assert_eq!(order, looked_at_all(&site), "{count}");
+        }
+    }
+
+    #[test]
+    fn places_in_one_line_and_in_one_place_are_found() {
+        let line = |n: usize| Point2::new((n * 31 % 50) as f64, 3.0);
+        for place in [line, |_| Point2::new(5.0, 5.0)] {
+            let drawing = Drawing::of((0..50).map(|n| Shape::point(place(n))));
+            let site = Site::of(&drawing, &Search::default());
+            assert_eq!(tour(&site).shapes().count(), 50);
+        }
     }
 }

@@ -79,10 +79,13 @@ pub(crate) struct Trip {
     pub starts: Vec<(usize, Point2)>,
 }
 
-/// The fewest and the most tries when nothing is said: the most take about a second for 1,000 shapes.
+/// The fewest and the most tries when nothing is said, up to 1,000 shapes: the most take about a second for
+/// these.
 const TRIES: (u32, u32) = (2_000, 8_000);
 /// Tries for each shape when nothing is said.
 const TRIES_PER_STOP: u32 = 100;
+/// A try takes longer with more shapes: tries times shapes are no more than this.
+const MOST_WORK: u32 = 8_000_000;
 
 /// Seeks the trip with the least time between the cuts.
 pub(crate) fn trip(drawing: &Drawing, search: &Search) -> Trip {
@@ -90,11 +93,9 @@ pub(crate) fn trip(drawing: &Drawing, search: &Search) -> Trip {
     let mut tour = if site.stops() <= EXACT_STOPS {
         exact::tour(&site)
     } else {
-        let stops = u32::try_from(site.stops()).unwrap_or(u32::MAX);
-        let deserved = stops.saturating_mul(TRIES_PER_STOP).clamp(TRIES.0, TRIES.1);
         let mut tour = first::tour(&site);
         ways::choose(&mut tour);
-        match search.tries.unwrap_or(deserved) {
+        match search.tries.unwrap_or_else(|| deserved(site.stops())) {
             0 => {}
             tries => improve::improve(&mut tour, tries),
         }
@@ -103,6 +104,12 @@ pub(crate) fn trip(drawing: &Drawing, search: &Search) -> Trip {
     };
     polish::polish(&mut tour, drawing);
     told(&tour)
+}
+
+/// How many tries so many shapes deserve.
+fn deserved(stops: usize) -> u32 {
+    let stops = u32::try_from(stops).unwrap_or(u32::MAX).max(1);
+    stops.saturating_mul(TRIES_PER_STOP).clamp(TRIES.0, TRIES.1).min(MOST_WORK / stops)
 }
 
 fn told(tour: &Tour) -> Trip {
@@ -144,6 +151,12 @@ mod tests {
             let at = Point2::new(place(300), place(300));
             if n % 3 == 0 { Shape::point(at) } else { circle(at, 4.0 + place(20)) }
         }))
+    }
+
+    #[test]
+    fn many_shapes_are_not_searched_for_ever() {
+        let all = [13, 1000, 20_000, 1_000_000, usize::MAX].map(deserved);
+        assert_eq!(all, [2000, 8000, 400, 8, 0]);
     }
 
     /// The search finds the best tour of few shapes nearly always, although it does not compare all.
