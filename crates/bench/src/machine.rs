@@ -74,6 +74,11 @@ pub fn references() -> Result<String> {
     Ok(text)
 }
 
+/// The moves of R5, the 3D raster; nothing where it is not at hand.
+pub fn raster3d() -> Result<Option<Vec<Move>>> {
+    folder().map(|folder| moves(&folder.join("R5_raster3d_5000.xyz"))).transpose()
+}
+
 /// `anchors/motion` in the folder `shared` beside the checkout or one of its parents, or where
 /// `KERF_SHARED` says.
 fn folder() -> Option<PathBuf> {

@@ -149,9 +149,8 @@ impl Clocked {
         self.clock.turns_after(t_s).unwrap_or(t_s)
     }
 
-    /// From a stand where this one ends up to the plan.
-    pub fn started(&self) -> Clock {
-        let plan_s = self.clock.last().plan_s;
+    /// A clock from a stand up to the plan.
+    pub fn started(&self, plan_s: f64) -> Clock {
         let ticks = self.dynamics().map(|dynamics| Easing::new(self, dynamics).start(plan_s));
         Clock::of(ticks.unwrap_or_else(|| vec![Tick::plain(0.0, plan_s)]))
     }

@@ -75,9 +75,14 @@ impl Clock {
         self.0.last().copied().unwrap_or_default()
     }
 
-    /// What it shows at a time; before the first tick, that.
+    /// What it shows at a time; before the first tick, that. At the very moment at which it stops at
+    /// once it still runs: where a plan is cut it has the speed with which another goes on.
     pub fn at(&self, t_s: f64) -> Tick {
-        let later = self.0.partition_point(|tick| tick.t_s <= t_s);
+        let mut later = self.0.partition_point(|tick| tick.t_s <= t_s);
+        let stops = |tick: &Tick| tick.t_s == t_s && tick.stands();
+        if later > 1 && later == self.0.len() && self.0.last().is_some_and(stops) {
+            later -= 1;
+        }
         let tick = self.0.get(later.saturating_sub(1)).copied().unwrap_or_default();
         tick.after((t_s - tick.t_s).max(0.0))
     }
@@ -106,12 +111,15 @@ impl Clock {
         } else {
             tick.reaches(plan_s, most)
         };
-        let stands = tick.rate <= 0.0 && tick.gain <= 0.0 && tick.push <= 0.0;
-        tick.t_s + if stands { 0.0 } else { s.min(most) }
+        tick.t_s + if tick.stands() { 0.0 } else { s.min(most) }
     }
 }
 
 impl Tick {
+    const fn stands(&self) -> bool {
+        self.rate <= 0.0 && self.gain <= 0.0 && self.push <= 0.0
+    }
+
     fn reaches(&self, plan_s: f64, most: f64) -> f64 {
         let (mut low, mut high) = (0.0, most);
         for _ in 0..HALVINGS {
@@ -143,6 +151,13 @@ mod tests {
             let back = clock.when(clock.at(t).plan_s);
             assert!((back - t).abs() < 1e-6, "{t} {back}");
         }
+    }
+
+    #[test]
+    fn a_clock_that_stops_at_once_runs_up_to_that_moment() {
+        let cut = Clock::plain(0.0, 0.0).then(vec![Tick { rate: 0.0, ..Tick::plain(2.0, 2.0) }]);
+        assert_eq!(cut.at(2.0).rate, 1.0);
+        assert_eq!((cut.at(2.0_f64.next_up()).rate, cut.at(3.0).plan_s), (0.0, 2.0));
     }
 
     #[test]

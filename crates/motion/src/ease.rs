@@ -32,8 +32,16 @@ const COARSE: f64 = 8.0;
 const PARTS: usize = 24;
 
 /// By how much a longer time is tried when a limit does not hold, and how often.
-const LONGER: f64 = 1.15;
-const TRIALS: u32 = 48;
+const LONGER: f64 = 1.2;
+const TRIALS: u32 = 6;
+const TRIALS_FROM_REST: u32 = 24;
+
+/// Moments, so far apart, seconds, at which a smooth change may begin.
+const WAIT_S: f64 = 0.02;
+const WAITS: u32 = 50;
+
+/// At this rate a plan goes on that was started under a limit of jerk.
+const STARTED: f64 = 0.5;
 
 /// No change of the rate takes more steps.
 const MOST_STEPS: usize = 100_000;
@@ -61,12 +69,13 @@ impl<'a> Easing<'a> {
         }
     }
 
-    /// From a stand up to the rate of the plan.
+    /// From a stand up to the rate of the plan, or with a limit of jerk to a part of it, which leaves
+    /// room: another plan begins there.
     pub fn start(&self, plan_s: f64) -> Vec<Tick> {
         let from = Tick { plan_s, ..Tick::default() };
         match self.dynamics.jerk_mm_s3 {
             None => self.steps(from, 1.0),
-            Some(jerk) => self.smooth(from, 1.0, &jerk.0),
+            Some(jerk) => self.smooth(from, STARTED, &jerk.0),
         }
     }
 
@@ -115,14 +124,17 @@ impl<'a> Easing<'a> {
     fn gain(&self, tick: &Tick, up: bool) -> f64 {
         let here = self.plan.planned(tick.plan_s);
         let next = self.plan.planned(tick.plan_s + tick.rate * STEP_S);
+        // Where the curvature jumps, what lies between counts as well.
+        let middle = self.plan.planned(tick.plan_s + 0.5 * tick.rate * STEP_S);
         let mut gain = 0.0;
         // The rate at the end of the step depends on what is sought.
         for _ in 0..2 {
             let after = (tick.rate + gain * STEP_S).max(0.0);
             let [a, b] = [self.room(&here, tick.rate), self.room(&next, after)];
             let [c, d] = [self.room(&here, after), self.room(&next, tick.rate)];
-            let low = a.0.max(b.0).max(c.0).max(d.0).max(-MOST_GAIN);
-            let high = a.1.min(b.1).min(c.1).min(d.1).min(MOST_GAIN);
+            let e = self.room(&middle, after.max(tick.rate));
+            let low = a.0.max(b.0).max(c.0).max(d.0).max(e.0).max(-MOST_GAIN);
+            let high = a.1.min(b.1).min(c.1).min(d.1).min(e.1).min(MOST_GAIN);
             gain = if up { high.max(0.0) } else { low.min(0.0) };
         }
         gain
@@ -143,19 +155,32 @@ impl<'a> Easing<'a> {
         (low, high)
     }
 
-    /// Changes the rate smoothly, in the shortest time for which the limits hold; when none is found
-    /// it stays.
+    /// Changes the rate smoothly, as soon as the limits let it and in the shortest time; when they never
+    /// do it stays.
+    ///
+    /// A plan that slows as steeply as it can leaves no room to slow more: then the change waits until
+    /// that is over.
     fn smooth(&self, from: Tick, goal: f64, jerk: &[f64; AXES]) -> Vec<Tick> {
+        let waits = if from.rate > 0.0 && from.gain == 0.0 { WAITS } else { 1 };
+        let moments = (0..waits).map(|k| from.after(f64::from(k) * WAIT_S));
+        let known = moments.take_while(|tick| tick.plan_s < self.end_s);
+        let mut changes = known.map(|tick| self.smooth_from(tick, goal, jerk));
+        changes.find_map(|ticks| ticks).unwrap_or_else(|| vec![from.turned(0.0, 0.0)])
+    }
+
+    /// The same from a moment on.
+    fn smooth_from(&self, from: Tick, goal: f64, jerk: &[f64; AXES]) -> Option<Vec<Tick>> {
         let state = self.plan.planned(from.plan_s);
         let mut takes_s = self.at_least(&state, jerk).max(2.0 * STEP_S);
-        for _ in 0..TRIALS {
+        let trials = if from.rate > 0.0 { TRIALS } else { TRIALS_FROM_REST };
+        for _ in 0..trials {
             let ticks = smooth(from, goal, takes_s);
             if self.holds(&ticks, jerk, COARSE * STEP_S) && self.holds(&ticks, jerk, STEP_S) {
-                return ticks;
+                return Some(ticks);
             }
             takes_s *= LONGER;
         }
-        vec![from.turned(0.0, 0.0)]
+        None
     }
 
     /// No change from here is quicker, seconds: half of the peaks that it would have.
@@ -164,7 +189,7 @@ impl<'a> Easing<'a> {
         axes.map(|((v, a), j)| (v.abs() / a).max((v.abs() / j).sqrt())).fold(0.0, f64::max)
     }
 
-    /// Whether no axis exceeds its acceleration and jerk, by sampling.
+    /// Whether no axis exceeds its acceleration and jerk, by sampling, and the plan does not end before.
     fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES], step_s: f64) -> bool {
         let (Some(first), Some(last)) = (ticks.first(), ticks.last()) else { return true };
         let steps = ((last.t_s - first.t_s) / step_s).ceil().max(1.0) as usize;
@@ -176,19 +201,26 @@ impl<'a> Easing<'a> {
         };
         let mut before = accel(first);
         let mut k = 0;
-        (1..=steps).all(|i| {
+        for i in 1..=steps {
             let t_s = first.t_s + i as f64 * h;
             while k + 1 < ticks.len() && ticks[k + 1].t_s <= t_s {
                 k += 1;
             }
-            let now = accel(&ticks[k].after(t_s - ticks[k].t_s));
+            let tick = ticks[k].after(t_s - ticks[k].t_s);
+            if tick.plan_s >= self.end_s {
+                return false;
+            }
+            let now = accel(&tick);
             let fits = (0..AXES).all(|k| {
                 now[k].abs() <= self.dynamics.accel_mm_s2.0[k] * ACCEL_SLACK
                     && (now[k] - before[k]).abs() <= jerk[k] * JERK_SLACK * h
             });
+            if !fits {
+                return false;
+            }
             before = now;
-            fits
-        })
+        }
+        true
     }
 }
 

@@ -59,6 +59,7 @@ mod rejoin;
 mod retimed;
 mod shopbot;
 mod slowing;
+mod splice;
 mod steps;
 mod stop;
 mod surge;

@@ -123,6 +123,15 @@ impl Plan {
         }
     }
 
+    /// Whether the machine stands at its end as it is planned.
+    pub(crate) fn ends_at_rest(&self) -> bool {
+        match &self.law {
+            Law::Ramped(_) => true,
+            Law::Timed(law) => law.nodes.last().is_none_or(|node| node.v == 0.0),
+            Law::Clocked(law) => law.pieces.last().is_none_or(|piece| piece.ends_at_rest()),
+        }
+    }
+
     /// Time of the whole stack, seconds; of a piece of plan, the time at its end.
     pub fn duration_s(&self) -> f64 {
         match &self.law {

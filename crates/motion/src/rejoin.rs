@@ -16,7 +16,8 @@ use crate::ease::Easing;
 use crate::moves::Move;
 use crate::optimal::{Running, Way};
 use crate::plan::{Law, Plan, State};
-use crate::retimed::{Retimed, same_course, speed};
+use crate::retimed::Retimed;
+use crate::splice::{same_course, speed};
 use crate::stop::Stop;
 use std::sync::Arc;
 
@@ -27,21 +28,37 @@ const BEHIND: usize = 64;
 /// already, and there may be no other way.
 const STANDS_SOON_S: f64 = 0.25;
 
+/// The old plan runs on for so long, seconds, while the new one is made.
+const LEAD_S: f64 = 0.05;
+
+/// Over so many pieces of plan a way to slow is looked for.
+const PIECES: u32 = 3;
+
 /// Slower than this is at rest, mm/s.
 const REST_MM_S: f64 = 1e-3;
 
 /// Speeds that differ by less are the same, as a share.
 const SAME: f64 = 1e-6;
 
+/// A plan that is left at a time for one that is still to be made.
+#[derive(Clone, Debug)]
+pub(crate) struct Lead {
+    /// The plan as it would run on, at a rate that stays from that time on.
+    uncut: Plan,
+    at_s: f64,
+    /// The new feed, if it is another.
+    share: Option<f32>,
+}
+
 impl Retimed {
-    /// Goes on with another feed; from a stand where no way is found.
+    /// Goes on with another feed. The plan that runs, slowed where the feed is lower, leads over to it.
     pub(crate) fn feed_with_jerk(
         &mut self,
         piece: Plan,
         t_s: f64,
         share: f32,
     ) -> Option<(Plan, Stop)> {
-        let mut all = piece.by(plain_clock());
+        let mut all = self.uncut(piece);
         let Some((slowed, joins)) = self.slowed(&mut all, t_s, share) else {
             return self.leave(all, t_s, share);
         };
@@ -49,38 +66,104 @@ impl Retimed {
             all.law = Law::Clocked(Box::new(slowed));
             let stop = all.stop(end_s, false)?;
             let (made, rest) = all.cut(&stop);
-            self.wait_with(share);
-            self.begin_anew(rest.into_iter().map(|m| m.at_feed(share)));
+            self.begin_anew(&rest, Some(share));
             return Some((made, stop));
         }
-        self.wait_with(share);
+        all.law = Law::Clocked(Box::new(slowed.clone()));
+        let stop = all.stop(joins.t_s, false)?;
+        let left = slowed.left_after(&stop, Clock::of(vec![Tick { t_s: 0.0, ..joins }]));
+        let (made, moves) = all.cut(&stop);
+        self.last.clear();
+        self.lead(Plan { moves, law: Law::Clocked(Box::new(left)) }, LEAD_S, Some(share));
+        Some((made, stop))
+    }
+
+    /// A piece that came out, which may have been cut for another plan: as it would run on.
+    pub(crate) fn uncut(&mut self, piece: Plan) -> Plan {
+        match self.leads.take() {
+            Some(lead) => lead.uncut,
+            None => piece.by(plain_clock()),
+        }
+    }
+
+    /// The plan that comes next runs until a time, and from there on another, with another feed if
+    /// there is one.
+    pub(crate) fn lead(&mut self, mut uncut: Plan, at_s: f64, share: Option<f32>) {
+        while uncut.duration_s() <= at_s {
+            let Some(next) = self.at_once() else { break };
+            uncut.join(next);
+        }
+        let cut = match &uncut.law {
+            Law::Clocked(law) if law.stands_soon(&law.clock.at(at_s)).is_none() => {
+                uncut.stop(at_s, false).filter(|_| at_s < uncut.duration_s())
+            }
+            _ => None,
+        };
+        let Some(stop) = cut else {
+            return self.run_to_stand(uncut, at_s, share);
+        };
+        let (lead, _) = uncut.clone().cut(&stop);
+        self.ready = Some(lead);
+        self.leads = Some(Lead { uncut, at_s, share });
+    }
+
+    /// The plan that comes next runs to the stand that it comes to.
+    fn run_to_stand(&mut self, uncut: Plan, at_s: f64, share: Option<f32>) {
+        let Law::Clocked(law) = &uncut.law else { return };
+        let end_s = law.stands_soon(&law.clock.at(at_s)).unwrap_or(uncut.duration_s());
+        let Some(stop) = uncut.stop(end_s, false) else { return };
+        let (made, rest) = uncut.cut(&stop);
+        self.begin_anew(&rest, share);
+        self.clock = Some(Arc::new(Clock::plain(stop.end_s, 0.0)));
+        self.ready = Some(made);
+    }
+
+    /// Goes over to the plan that is led to; should none be found, the old one leads on.
+    pub(crate) fn over(&mut self, lead: Lead) {
+        let before = self.clone();
+        if let Some(plan) = self.joined(&lead) {
+            self.forget_made();
+            self.clock = None;
+            return self.go_on(Some(plan));
+        }
+        *self = before;
+        let Lead { uncut, at_s, share } = lead;
+        let Law::Clocked(law) = &uncut.law else { return };
+        let Some(stop) = uncut.stop(at_s, false) else { return };
+        let left = law.left_after(&stop, Clock::of(vec![law.clock.at(at_s)]));
+        let (_, moves) = uncut.cut(&stop);
+        self.lead(Plan { moves, law: Law::Clocked(Box::new(left)) }, at_s + LEAD_S, share);
+    }
+
+    /// A plan that goes on where another leads to.
+    fn joined(&mut self, lead: &Lead) -> Option<Plan> {
+        let Law::Clocked(law) = &lead.uncut.law else { return None };
+        let joins = law.clock.at(lead.at_s);
+        let (old, ways) = (law.planned(joins.plan_s), law.ways(&joins));
+        if ways.is_empty() {
+            return None;
+        }
+        self.wait_with(lead.share);
         self.behind.drain(..self.behind.len().saturating_sub(BEHIND));
-        let old = slowed.planned(joins.plan_s);
         let ended = usize::from(old.share >= 1.0);
         let index = self.behind.len() + old.move_index + ended;
         let begin = (index, if ended > 0 { 0.0 } else { old.share });
-        let planned = self.behind.iter().copied().chain(slowed.planned_moves());
-        let planned: Vec<Move> = planned.map(|m| m.at_feed(share)).collect();
-        let count = planned.len();
-        let running = Running { begin, ways: slowed.ways(&joins) };
-        self.run_on(&planned[..=index], &planned[index + 1..], running);
-        let fresh = self.next()?;
-        let Some(mut left) = goes_on(&fresh, &old, joins.rate).filter(|_| !self.is_lost()) else {
-            self.take_back(&fresh.moves, count);
-            return self.leave(all, t_s, share);
+        let planned = self.behind.iter().copied().chain(law.planned_moves());
+        let planned: Vec<Move> = match lead.share {
+            Some(share) => planned.map(|m| m.at_feed(share)).collect(),
+            None => planned.collect(),
         };
+        self.run_on(planned.get(..=index)?, &planned[index + 1..], Running { begin, ways });
+        let fresh = self.next()?;
+        let mut left = goes_on(&fresh, &old, joins.rate).filter(|_| !self.is_lost())?;
         left.begin = begin;
-        all.law = Law::Clocked(Box::new(slowed));
-        let stop = all.stop(joins.t_s, false)?;
-        let (made, _) = all.cut(&stop);
+        left.clock = Arc::new(Clock::plain(lead.at_s, 0.0));
         let mut moves = fresh.moves;
         moves.drain(..begin.0);
         if let Some(first) = moves.first_mut() {
             *first = first.split(begin.1).1;
         }
-        self.forget_made();
-        self.go_on(Some(Plan { moves, law: Law::Clocked(Box::new(left)) }));
-        Some((made, stop))
+        Some(Plan { moves, law: Law::Clocked(Box::new(left)) })
     }
 
     /// A plan that is slowed to a share of its feed, if that is lower, and when it is; as much of the
@@ -88,7 +171,7 @@ impl Retimed {
     fn slowed(&mut self, all: &mut Plan, t_s: f64, share: f32) -> Option<(Clocked, Tick)> {
         let made = all.moves.get(all.index_at(t_s)?)?;
         let rate = f64::from(made.at_feed(share).feed / made.feed).min(1.0);
-        loop {
+        for _ in 0..PIECES {
             let Law::Clocked(law) = &all.law else { return None };
             let here = law.clock.at(t_s);
             // A smooth change that goes on is made to its end first.
@@ -108,6 +191,7 @@ impl Retimed {
             }
             all.join(self.next()?);
         }
+        None
     }
 }
 
@@ -117,7 +201,7 @@ fn goes_on(fresh: &Plan, old: &State, rate: f64) -> Option<Clocked> {
     let new = law.planned(0.0);
     let (v, w) = (speed(old) * rate, speed(&new));
     let same = (v - w).abs() <= SAME * v && same_course(old, &new);
-    same.then(|| Clocked { clock: Arc::new(Clock::plain(0.0, 0.0)), ..*law })
+    same.then_some(*law)
 }
 
 impl Clocked {

@@ -5,15 +5,13 @@
 //! another feed, once both go through the same place in the same direction. With a limit of jerk the
 //! clock is slowed to a lower feed, and the other plan begins there, at that speed and acceleration.
 
-use crate::chain::{Clocked, plain_clock};
-use crate::clock::{Clock, Tick};
-use crate::ease::Easing;
+use crate::clock::Clock;
 use crate::moves::Move;
 use crate::optimal::{OptimalPlanner, Running};
-use crate::plan::{Law, Plan, State};
+use crate::plan::{Law, Plan};
 use crate::planner::{Planner, Replanner};
+use crate::rejoin::Lead;
 use crate::stop::Stop;
-use kerf_program::Axes;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -27,37 +25,28 @@ const AT_ONCE: usize = 128;
 /// The same with a limit of jerk.
 const AT_ONCE_WITH_JERK: usize = 32;
 
-/// The plan with another feed is looked for at moments so far apart, seconds, and at so many.
-const LOOK_S: f64 = 1e-3;
-const LOOKS: u32 = 1000;
-
-/// Places and directions that differ by less are the same, mm and share of the speed.
-const SAME: f64 = 1e-6;
-
 /// A planner of the `optimal` model that can be stopped and overridden.
 #[derive(Clone, Debug)]
 pub struct Retimed {
     planner: OptimalPlanner,
-    /// Moves that the planner does not have yet.
+    /// Moves that the planner does not have yet: it gets them as far as a piece of plan takes, so that
+    /// it has little to give back when the operator intervenes.
     waiting: VecDeque<Move>,
+    /// How many of them, from the first on, have another feed, and its share.
+    overridden: (usize, f32),
     /// What comes out next, before what the planner gives.
-    ready: Option<Plan>,
+    pub(crate) ready: Option<Plan>,
+    /// The piece after that which came out last: it is there before it is needed, and a machine that
+    /// slows may run on into it.
+    ahead: Option<Plan>,
+    /// What came out last, or comes out next, leads over to a plan that is still to be made.
+    pub(crate) leads: Option<Lead>,
     /// The clock for what the planner gives.
-    clock: Option<Arc<Clock>>,
+    pub(crate) clock: Option<Arc<Clock>>,
     /// The last moves that came out before the piece that came out last.
     pub(crate) behind: Vec<Move>,
     /// The moves of that.
-    last: Vec<Move>,
-}
-
-/// Where one plan is left for another.
-struct Splice {
-    /// When, in the plan that is left, seconds.
-    t_s: f64,
-    /// The move in the other plan, and how much of it lies before.
-    begin: (usize, f64),
-    /// The clock of the other from there on.
-    clock: Clock,
+    pub(crate) last: Vec<Move>,
 }
 
 impl Retimed {
@@ -66,7 +55,10 @@ impl Retimed {
         Self {
             planner,
             waiting: VecDeque::new(),
+            overridden: (0, 1.0),
             ready: None,
+            ahead: None,
+            leads: None,
             clock: None,
             behind: Vec::new(),
             last: Vec::new(),
@@ -75,7 +67,8 @@ impl Retimed {
 
     /// The next piece; when the planner has none, what it would give if the stack were complete.
     pub(crate) fn next(&mut self) -> Option<Plan> {
-        if let Some(piece) = self.known() {
+        let known = self.ready.take().or_else(|| self.ahead.take());
+        if let Some(piece) = known.or_else(|| self.planned()) {
             return Some(piece);
         }
         let last = self.planner.finish().map(|piece| self.by_clock(piece))?;
@@ -84,12 +77,36 @@ impl Retimed {
         Some(last)
     }
 
-    /// The next piece that no later move can change. Moves that wait are given to the planner as far
-    /// as it takes to get one.
+    /// The next piece without planning one: where none is planned, the way to a stand that the planner
+    /// keeps ready.
+    pub(crate) fn at_once(&mut self) -> Option<Plan> {
+        let piece = self.ready.take().or_else(|| self.ahead.take());
+        if piece.is_some() || self.leads.is_some() {
+            return piece;
+        }
+        let piece = self.planner.take_early().map(|piece| self.by_clock(piece));
+        piece.or_else(|| self.next())
+    }
+
+    /// The next piece that no later move can change.
     fn known(&mut self) -> Option<Plan> {
+        if self.ready.is_none()
+            && let Some(lead) = self.leads.take()
+        {
+            self.over(lead);
+        }
         if self.ready.is_some() {
             return self.ready.take();
         }
+        let piece = self.ahead.take().or_else(|| self.planned());
+        if piece.is_some() {
+            self.ahead = self.planned();
+        }
+        piece
+    }
+
+    /// The next piece that the planner gives. Moves that wait are given to it as far as that takes.
+    pub(crate) fn planned(&mut self) -> Option<Plan> {
         loop {
             if let Some(piece) = self.planner.take() {
                 return Some(self.by_clock(piece));
@@ -100,7 +117,24 @@ impl Retimed {
             let jerk = self.planner.dynamics().jerk_mm_s3;
             let most = jerk.map_or(AT_ONCE, |_| AT_ONCE_WITH_JERK);
             let count = self.waiting.len().min(most);
-            self.waiting.drain(..count).for_each(|m| self.planner.push(m));
+            self.give(count);
+        }
+    }
+
+    /// Gives the planner the first moves that wait.
+    fn give(&mut self, count: usize) {
+        let (overridden, share) = &mut self.overridden;
+        for (k, made) in self.waiting.drain(..count).enumerate() {
+            self.planner.push(if k < *overridden { made.at_feed(*share) } else { made });
+        }
+        *overridden = overridden.saturating_sub(count);
+    }
+
+    /// These wait before all others, with their feed.
+    pub(crate) fn wait_first(&mut self, moves: &[Move]) {
+        moves.iter().rev().for_each(|m| self.waiting.push_front(*m));
+        if self.overridden.0 > 0 {
+            self.overridden.0 += moves.len();
         }
     }
 
@@ -129,33 +163,66 @@ impl Retimed {
 
     /// Stops, and plans what is left with another feed.
     pub(crate) fn leave(&mut self, all: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        let stop = all.stop(t_s, true)?;
+        let (all, stop) = self.until_stand(all, t_s, true)?;
         let (made, rest) = all.cut(&stop);
-        self.begin_anew(rest.into_iter().map(|m| m.at_feed(share)));
+        self.begin_anew(&rest, Some(share));
         Some((made, stop))
     }
 
-    /// Another stack, from a stand, before all that waits.
-    pub(crate) fn begin_anew(&mut self, moves: impl Iterator<Item = Move>) {
-        (self.ready, self.clock) = (None, None);
-        moves.for_each(|m| self.planner.push(m));
+    /// Another stack, from a stand: these moves before all that waits, with another feed if there is
+    /// one.
+    pub(crate) fn begin_anew(&mut self, moves: &[Move], share: Option<f32>) {
+        self.wait_with(None);
+        self.wait_first(moves);
+        self.override_waiting(share);
+        self.clock = None;
+        self.forget_made();
     }
 
     /// Stops a plan that can be run by another clock; the rest keeps its path.
     fn stop_clock(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
-        let (all, stop) = self.until_stand(piece, t_s, ramped)?;
-        let left = all.left(&stop);
+        let all = self.uncut(piece);
+        let (all, stop) = self.until_stand(all, t_s, ramped)?;
+        let Some((left, plan_s)) = all.left(&stop) else { return Some((all, stop)) };
         let (made, moves) = all.cut(&stop);
-        self.go_on(left.map(|law| Plan { moves, law: Law::Clocked(Box::new(law)) }));
+        let left = Plan { moves, law: Law::Clocked(Box::new(left)) };
+        self.start(left, plan_s);
         Some((made, stop))
     }
 
+    /// Goes on from a stand, by the clock of a plan that starts there.
+    fn start(&mut self, mut left: Plan, plan_s: f64) {
+        self.last.clear();
+        while !left.moves.is_empty() {
+            let Law::Clocked(law) = &mut left.law else { return };
+            let clock = law.started(plan_s);
+            let runs = clock.last();
+            law.clock = Arc::new(clock);
+            if runs.rate == 0.0 {
+                return self.begin_anew(&left.moves, None);
+            }
+            if runs.plan_s < law.plan_end_s() {
+                return match self.planner.dynamics().jerk_mm_s3 {
+                    None => self.go_on(Some(left)),
+                    Some(_) => self.lead(left, runs.t_s, None),
+                };
+            }
+            let Some(next) = self.at_once() else { break };
+            left.join(next);
+        }
+        self.go_on(Some(left));
+    }
+
     /// A piece and as many behind it as it takes to come to a stand, and where that is.
-    fn until_stand(&mut self, piece: Plan, t_s: f64, ramped: bool) -> Option<(Plan, Stop)> {
-        let mut all = piece.by(plain_clock());
+    pub(crate) fn until_stand(
+        &mut self,
+        mut all: Plan,
+        t_s: f64,
+        ramped: bool,
+    ) -> Option<(Plan, Stop)> {
         let mut stop = all.stop(t_s, ramped)?;
-        while stop.end_s >= all.duration_s() {
-            let Some(next) = self.next() else { break };
+        while stop.end_s >= all.duration_s() && !all.ends_at_rest() {
+            let Some(next) = self.at_once() else { break };
             all.join(next);
             stop = all.stop(t_s, ramped)?;
         }
@@ -173,47 +240,10 @@ impl Retimed {
         self.ready = left;
     }
 
-    /// Goes on at the present speed with another feed, where both plans are at the same place. Only
-    /// what lies before the place where the machine could stand is planned for that.
-    fn feed_clock(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)> {
-        let (mut all, stand) = self.until_stand(piece, t_s, true)?;
-        let Law::Clocked(law) = &all.law else { return None };
-        self.wait_with(share);
-        let behind = self.behind.len();
-        let planned = self.behind.iter().copied().chain(law.planned_moves());
-        let planned: Vec<Move> = planned.map(|m| m.at_feed(share)).collect();
-        let count = (behind + law.begin.0 + stand.move_index + 1).min(planned.len());
-        planned[count..].iter().rev().for_each(|m| self.waiting.push_front(*m));
-        self.begin_anew(planned[..count].iter().copied());
-        let mut fresh = self.next()?.by(plain_clock());
-        while fresh.moves.len() < count {
-            let Some(next) = self.next() else { break };
-            fresh.join(next);
-        }
-        let Law::Clocked(other) = &fresh.law else { return None };
-        let Some((splice, slowed)) = splice(law, other, behind, t_s) else {
-            self.take_back(&fresh.moves, planned.len());
-            return self.leave(all, t_s, share);
-        };
-        let (index, before) = splice.begin;
-        let left =
-            Clocked { begin: splice.begin, clock: Arc::new(splice.clock), ..(**other).clone() };
-        all.law = Law::Clocked(Box::new(slowed));
-        let stop = all.stop(splice.t_s, false)?;
-        let (made, _) = all.cut(&stop);
-        self.forget_made();
-        let mut moves = fresh.moves.split_off(index);
-        if let Some(first) = moves.first_mut() {
-            *first = first.split(before).1;
-        }
-        self.go_on(Some(Plan { moves, law: Law::Clocked(Box::new(left)) }));
-        Some((made, stop))
-    }
-
     /// The planner goes on in motion: with some moves at once, with more before all that waits.
     pub(crate) fn run_on(&mut self, now: &[Move], later: &[Move], running: Running) {
-        later.iter().rev().for_each(|m| self.waiting.push_front(*m));
-        (self.ready, self.clock) = (None, None);
+        self.wait_first(later);
+        self.clock = None;
         self.planner.run_on(now, running);
     }
 
@@ -227,79 +257,36 @@ impl Retimed {
         (self.behind, self.last) = (Vec::new(), Vec::new());
     }
 
-    /// Takes back from the planner what did not come out; it waits with another feed.
-    pub(crate) fn wait_with(&mut self, share: f32) {
-        let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
-        let mut left: VecDeque<Move> = ready.chain(self.planner.withdraw()).collect();
-        left.append(&mut self.waiting);
-        self.waiting = left;
-        self.waiting.iter_mut().for_each(|m| *m = m.at_feed(share));
+    /// Takes back from the planner what did not come out; it waits, with another feed if there is one.
+    pub(crate) fn wait_with(&mut self, share: Option<f32>) {
+        let planned = self.ready.take().into_iter().chain(self.ahead.take());
+        let planned = planned.flat_map(|piece| piece.moves);
+        let left: Vec<Move> = planned.chain(self.planner.withdraw()).collect();
+        self.wait_first(&left);
+        self.override_waiting(share);
+        self.leads = None;
+    }
+
+    fn override_waiting(&mut self, share: Option<f32>) {
+        if let Some(share) = share {
+            self.overridden = (self.waiting.len(), share);
+        }
     }
 
     /// Takes back a plan that is not run: what lies beyond so many moves waits again.
     pub(crate) fn take_back(&mut self, fresh: &[Move], beyond: usize) {
         let left = [fresh, &self.planner.withdraw()].concat();
-        left.into_iter().rev().for_each(|m| self.waiting.push_front(m));
-        self.waiting.drain(..beyond.min(self.waiting.len()));
+        let beyond = beyond.min(left.len() + self.waiting.len());
+        self.wait_first(left.get(beyond..).unwrap_or_default());
+        let rest = beyond.saturating_sub(left.len());
+        self.waiting.drain(..rest);
+        self.overridden.0 = self.overridden.0.saturating_sub(rest);
     }
-}
-
-/// Where one plan is left for another whose moves begin so many earlier: at once, or where it has
-/// slowed to the speed of the other; and the plan as it runs until then.
-fn splice(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<(Splice, Clocked)> {
-    if let Some(splice) = splice_at(from, to, behind, t_s) {
-        return Some((splice, from.clone()));
-    }
-    let slowed = from.stopped(t_s, true);
-    let steps = ((slowed.duration_s() - t_s) / LOOK_S) as u32;
-    let moments = (1..steps.min(LOOKS)).map(|k| t_s + f64::from(k) * LOOK_S);
-    let splice = moments.into_iter().find_map(|t_s| splice_at(&slowed, to, behind, t_s))?;
-    Some((splice, slowed))
-}
-
-/// The same at a moment; `None` where the other plan is slower, or elsewhere.
-fn splice_at(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<Splice> {
-    let tick = from.clock.at(t_s);
-    let old = from.planned(tick.plan_s);
-    let begin = (old.move_index + behind, old.share);
-    let plan_s = to.planned_at(begin.0, begin.1)?;
-    let new = to.planned(plan_s);
-    let (v, w) = (speed(&old) * tick.rate, speed(&new));
-    let rate = v / w;
-    if !(v > 0.0 && rate <= 1.0 + SAME && same_course(&old, &new)) {
-        return None;
-    }
-    // The acceleration along the path goes on as well.
-    let along = |state: &State| dot(&state.acceleration, &new.velocity) / (w * w);
-    let accel = along(&old) * tick.rate * tick.rate + tick.gain * v / (tick.rate * w);
-    let gain = accel - along(&new) * rate * rate;
-    let joins = Tick { t_s: 0.0, plan_s, rate: rate.min(1.0), gain, push: 0.0 };
-    let ticks = Easing::new(to, to.dynamics()?).join(joins)?;
-    Some(Splice { t_s, begin, clock: Clock::of(ticks) })
-}
-
-pub(crate) fn speed(state: &State) -> f64 {
-    dot(&state.velocity, &state.velocity).sqrt()
-}
-
-fn dot(a: &Axes, b: &Axes) -> f64 {
-    a.zip(*b, |a, b| a * b).0.iter().sum()
-}
-
-/// Whether two plans are at the same place and go in the same direction.
-pub(crate) fn same_course(a: &State, b: &State) -> bool {
-    let near = |d: Axes| d.0.iter().all(|d| d.abs() <= SAME);
-    let (v, w) = (speed(a), speed(b));
-    near(a.position.minus(b.position)) && near(a.velocity.zip(b.velocity, |x, y| x / v - y / w))
 }
 
 impl Planner for Retimed {
     fn push(&mut self, made: Move) {
-        if self.waiting.is_empty() {
-            self.planner.push(made);
-        } else {
-            self.waiting.push_back(made);
-        }
+        self.waiting.push_back(made);
     }
 
     fn take(&mut self) -> Option<Plan> {
@@ -320,7 +307,10 @@ impl Planner for Retimed {
     fn withdraw(&mut self) -> Vec<Move> {
         self.clock = None;
         let ready = self.ready.take().into_iter().flat_map(|piece| piece.moves);
-        ready.chain(self.planner.withdraw()).chain(self.waiting.drain(..)).collect()
+        let mut left: Vec<Move> = ready.chain(self.planner.withdraw()).collect();
+        self.give(self.waiting.len());
+        left.append(&mut self.planner.withdraw());
+        left
     }
 }
 

@@ -6,6 +6,7 @@
 //! its clock ([`ease`](crate::ease)), within the limits of every axis.
 
 use crate::chain::{Clocked, plain_clock};
+use crate::clock::{Clock, Tick};
 use crate::moves::Move;
 use crate::plan::{Law, Plan, State};
 use crate::profile::Profile;
@@ -98,20 +99,29 @@ impl Plan {
 }
 
 impl Plan {
-    /// What is left after a stop, from a stand on along the same path; `None` for a plan of ramps.
-    pub(crate) fn left(&self, stop: &Stop) -> Option<Clocked> {
+    /// What is left after a stop, along the same path, by a clock that stands, and the time of the plan
+    /// at which it does; `None` for a plan of ramps.
+    pub(crate) fn left(&self, stop: &Stop) -> Option<(Clocked, f64)> {
         let Braked::Clocked(slowed) = &stop.law else { return None };
-        let whole = stop.share >= 1.0;
-        let (index, share) =
-            if whole { (stop.move_index + 1, 0.0) } else { (stop.move_index, stop.share) };
-        Some(slowed.left(index, share, slowed.started()))
+        let stands = Tick { t_s: 0.0, rate: 0.0, ..slowed.clock.last().turned(0.0, 0.0) };
+        Some((slowed.left_after(stop, Clock::of(vec![stands])), stands.plan_s))
     }
 }
 
 impl Clocked {
+    /// What is left after a stop, by a clock of its own.
+    pub(crate) fn left_after(&self, stop: &Stop, clock: Clock) -> Self {
+        let whole = stop.share >= 1.0;
+        let (index, share) =
+            if whole { (stop.move_index + 1, 0.0) } else { (stop.move_index, stop.share) };
+        self.left(index, share, clock)
+    }
+
     fn stop(&self, t_s: f64, ramped: bool) -> Stop {
         let slowed = self.stopped(t_s, ramped);
-        let (begin_s, end_s) = (slowed.slows_from(t_s), slowed.duration_s());
+        let begin_s = slowed.slows_from(t_s);
+        // A stop at once ends when it begins, whatever rounding says.
+        let end_s = slowed.duration_s().max(begin_s);
         let State { position, move_index, share, .. } = slowed.at(end_s);
         let law = Braked::Clocked(Box::new(slowed));
         Stop { begin_s, end_s, position, move_index, share, law }

@@ -137,6 +137,16 @@ proptest! {
     fn with_a_limit_of_jerk_as_well(seed in any::<u64>(), turns in turns()) {
         check(&path(seed, 60), Some(10_000.0), &turns);
     }
+
+    #[test]
+    fn across_pieces_of_plan_with_jerk(seed in any::<u64>(), turns in turns()) {
+        check(&path(seed, 300), Some(10_000.0), &turns);
+    }
+
+    #[test]
+    fn across_pieces_of_plan(seed in any::<u64>(), turns in turns()) {
+        check(&path(seed, 2500), None, &turns);
+    }
 }
 
 #[test]

@@ -356,6 +356,16 @@ impl<const N: usize> Horizon<N> {
         Some(at_mm + end.way_mm)
     }
 
+    /// Takes the way of the last window to its stand as final.
+    pub fn settle_early(&mut self) {
+        let Some(at_mm) = self.cells.first().map(|cell| cell.at_mm) else { return };
+        if matches!(self.begin, Begin::Motion(_, Some(_)))
+            && let Some(at_mm) = self.give_up(at_mm, true)
+        {
+            self.forget_cells(at_mm);
+        }
+    }
+
     /// A run that is one straight line.
     fn straight(&mut self, moves: &[Move]) -> bool {
         let ([cell], Begin::Rest) = (&self.cells[..], &self.begin) else { return false };

@@ -242,11 +242,14 @@ impl<'a, const N: usize> Search<'a, N> {
                 weight = (weight * SHARPER).max(first).min(sharpest);
             }
         }
+        let mut slower_yet = SLOWER_YET;
         while !self.newton(&b, 0.0).2 {
             if matches!(self.problem.begin, End::Motion(_)) {
                 return None;
             }
-            b.iter_mut().for_each(|b| *b *= SLOWER_YET);
+            b.iter_mut().for_each(|b| *b *= slower_yet);
+            // Soon by much, should it be missed by more than rounding.
+            slower_yet *= slower_yet;
         }
         Some((0..n).map(|k| self.local(&b, k)).collect())
     }

@@ -69,6 +69,12 @@ impl OptimalPlanner {
         self.0 = Stream::running(self.dynamics(), moves, running);
     }
 
+    /// The way to a stand that the last window found, as if it could not be bettered, up to the end of
+    /// the last move in it; `None` when none is known.
+    pub(crate) fn take_early(&mut self) -> Option<Plan> {
+        self.0.take_early()
+    }
+
     /// What the axes can do.
     pub(crate) const fn dynamics(&self) -> &Dynamics {
         &self.0.dynamics

@@ -58,6 +58,9 @@ enum Lanes {
 trait Speeds {
     fn advance(&mut self, track: &Track, moves: &[Move], ended: bool);
 
+    /// Takes the motion as final that was found, although it could be bettered.
+    fn settle_early(&mut self) {}
+
     /// The nodes that are final, and with a limit of jerk how the motion goes on after each.
     fn nodes(&mut self) -> (&mut Vec<Node>, Option<&mut Vec<Push>>);
 
@@ -159,6 +162,13 @@ impl Stream {
         let piece = self.piece(end);
         self.forget(end);
         Some(piece)
+    }
+
+    /// The next piece, where the motion that was found last is taken as final, to its stand, although
+    /// more of the path could better it.
+    pub fn take_early(&mut self) -> Option<Plan> {
+        self.lanes.speeds_mut().settle_early();
+        self.take()
     }
 
     /// The stack is complete: the rest of its plan.
@@ -378,6 +388,10 @@ impl<const N: usize> Speeds for Lane<N> {
 impl<const N: usize> Speeds for Horizon<N> {
     fn advance(&mut self, track: &Track, moves: &[Move], ended: bool) {
         Self::advance(self, track, moves, ended);
+    }
+
+    fn settle_early(&mut self) {
+        Self::settle_early(self);
     }
 
     fn nodes(&mut self) -> (&mut Vec<Node>, Option<&mut Vec<Push>>) {

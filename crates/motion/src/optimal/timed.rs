@@ -47,24 +47,23 @@ impl Timed {
         self.nodes.last().map_or(0.0, |n| n.t_s)
     }
 
-    /// The motion along the path at a time.
+    /// The motion along the path at a time. Before the first node and after the last, where a piece
+    /// ends in motion, it is that at the node: rounding may ask a moment too early or too late.
     pub fn along(&self, t_s: f64) -> Along {
-        let later = self.nodes.partition_point(|n| n.t_s <= t_s);
-        let Some(a) = self.nodes.get(later.saturating_sub(1)) else {
-            return Along { at_mm: 0.0, v: 0.0, accel: 0.0 };
-        };
-        match self.nodes.get(later) {
-            Some(b) if later > 0 && !self.pushes.is_empty() => {
-                pushed(a, &self.pushes[later - 1], b, t_s - a.t_s)
-            }
-            Some(b) if later > 0 => {
-                let accel = (b.v - a.v) / (b.t_s - a.t_s);
-                let s = t_s - a.t_s;
-                let at_mm = between(a, b, a.at_mm + s * (a.v + 0.5 * accel * s));
-                Along { at_mm, v: a.v + accel * s, accel }
-            }
-            _ => Along { at_mm: a.at_mm, v: a.v, accel: 0.0 },
+        let Some(last) = self.nodes.last() else { return Along { at_mm: 0.0, v: 0.0, accel: 0.0 } };
+        let stands = Along { at_mm: last.at_mm, v: last.v, accel: 0.0 };
+        if self.nodes.len() < 2 || (t_s >= last.t_s && last.v == 0.0) {
+            return stands;
         }
+        let later = self.nodes.partition_point(|n| n.t_s <= t_s).clamp(1, self.nodes.len() - 1);
+        let (a, b) = (&self.nodes[later - 1], &self.nodes[later]);
+        let s = (t_s - a.t_s).clamp(0.0, b.t_s - a.t_s);
+        if let Some(push) = self.pushes.get(later - 1) {
+            return pushed(a, push, b, s);
+        }
+        let accel = (b.v - a.v) / (b.t_s - a.t_s);
+        let at_mm = between(a, b, a.at_mm + s * (a.v + 0.5 * accel * s));
+        Along { at_mm, v: a.v + accel * s, accel }
     }
 
     /// The motion along the path from a time on, in ways, at a rate of time; and whether they
