@@ -9,7 +9,6 @@
 //! level 0     01234567 89...                  boxes of the segments
 //! ```
 
-use crate::pool::Buffer;
 use crate::{Bounds2, Point2};
 
 /// Steps along each side when boxes are put in order of their places.
@@ -27,7 +26,7 @@ const FEW: usize = 16;
 #[derive(Clone, Debug, Default)]
 pub struct BoxTree {
     /// All levels, lowest first.
-    boxes: Buffer<Bounds2>,
+    boxes: Vec<Bounds2>,
     /// Where each level begins in `boxes`; the one after the last is the end.
     levels: [usize; MOST_LEVELS + 1],
     level_count: usize,
@@ -36,8 +35,15 @@ pub struct BoxTree {
 impl BoxTree {
     /// The tree over boxes in the order of travel.
     pub fn new(leaves: impl IntoIterator<Item = Bounds2>) -> Self {
+        Self::in_list(Vec::new(), leaves)
+    }
+
+    /// The same in an empty list that somebody has at hand.
+    pub(crate) fn in_list(
+        mut boxes: Vec<Bounds2>,
+        leaves: impl IntoIterator<Item = Bounds2>,
+    ) -> Self {
         let leaves = leaves.into_iter();
-        let mut boxes: Buffer<Bounds2> = Buffer::default();
         boxes.reserve(leaves.size_hint().0 * FAN / (FAN - 1) + FAN);
         boxes.extend(leaves);
         let mut levels = [0; MOST_LEVELS + 1];
@@ -56,6 +62,11 @@ impl BoxTree {
             levels[level_count] = boxes.len();
         }
         Self { boxes, levels, level_count }
+    }
+
+    /// The list, to be used again.
+    pub(crate) fn into_list(self) -> Vec<Bounds2> {
+        self.boxes
     }
 
     /// An order of boxes in which neighbours in the plane are neighbours, for those that come in none: a

@@ -1,23 +1,29 @@
 //! Many questions to the same curves, each answered without looking at all of them.
 
 use crate::polyarc::winding_of;
-use crate::pool::Buffer;
-use crate::{BoxTree, Foot, Point2, Polyarc, Segment};
+use crate::{Bounds2, BoxTree, Foot, Point2, Polyarc, Segment};
 
 /// Segments with an index over them.
 #[derive(Clone, Debug, Default)]
 pub struct Indexed {
-    segments: Buffer<Segment>,
+    segments: Vec<Segment>,
     tree: BoxTree,
 }
 
 impl Indexed {
     /// The segments of all contours, numbered through.
     pub fn new<'a>(contours: impl IntoIterator<Item = &'a Polyarc>) -> Self {
-        let mut segments: Buffer<Segment> = Buffer::default();
+        Self::in_lists((Vec::new(), Vec::new()), contours)
+    }
+
+    /// The same in empty lists that somebody has at hand.
+    pub(crate) fn in_lists<'a>(
+        (mut segments, boxes): (Vec<Segment>, Vec<Bounds2>),
+        contours: impl IntoIterator<Item = &'a Polyarc>,
+    ) -> Self {
         // Contour by contour, as each knows how many it has.
         contours.into_iter().for_each(|contour| segments.extend(contour.segments()));
-        let tree = BoxTree::new(segments.iter().map(Segment::bounds));
+        let tree = BoxTree::in_list(boxes, segments.iter().map(Segment::bounds));
         Self { segments, tree }
     }
 
@@ -29,6 +35,11 @@ impl Indexed {
     /// Their boxes.
     pub fn tree(&self) -> &BoxTree {
         &self.tree
+    }
+
+    /// The lists, to be used again.
+    pub(crate) fn into_lists(self) -> (Vec<Segment>, Vec<Bounds2>) {
+        (self.segments, self.tree.into_list())
     }
 
     /// The nearest segment and its nearest place; nothing when there are no segments.

@@ -30,7 +30,6 @@ mod indexed;
 mod offset;
 mod point;
 mod polyarc;
-mod pool;
 mod segment;
 mod stitch;
 pub mod tol;

@@ -1,7 +1,7 @@
 //! Many short segments in a row, most of which a few sums show to be far from a place.
 
+use super::scratch::Buffer;
 use super::source::{Range2, Source};
-use crate::pool::{Buffer, kept};
 use crate::segment::square;
 use crate::{Point2, Segment};
 
@@ -49,7 +49,7 @@ const PLACES: usize = BLOCK + 2;
 
 /// The ends of neighbouring segments, in the order in which processors like to have them.
 #[derive(Clone, Copy)]
-struct Block {
+pub(super) struct Block {
     x: [f64; PLACES],
     y: [f64; PLACES],
     /// The greatest slack of its segments; without bound where they do not follow each other.
@@ -80,19 +80,18 @@ impl Block {
     }
 }
 
-kept!(Chord, Block);
-
 /// All segments of a source, in blocks.
-pub(super) struct Chains {
-    chords: Buffer<Chord>,
-    blocks: Buffer<Block>,
+pub(super) struct Chains<'a> {
+    chords: Buffer<'a, Chord>,
+    blocks: Buffer<'a, Block>,
 }
 
-impl Chains {
+impl<'a> Chains<'a> {
     /// For limits of no more than a distance.
-    pub fn of(source: &Source, most: f64) -> Self {
-        let chords: Buffer<Chord> = source.segments().iter().map(|s| Chord::of(s, most)).collect();
-        let blocks = chords.chunks(BLOCK).map(Block::of).collect();
+    pub fn of(source: &Source<'a>, most: f64) -> Self {
+        let of = |s| Chord::of(s, most);
+        let chords = Buffer::of(source.scratch, source.segments().iter().map(of));
+        let blocks = Buffer::of(source.scratch, chords.chunks(BLOCK).map(Block::of));
         Self { chords, blocks }
     }
 

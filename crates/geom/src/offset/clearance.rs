@@ -5,8 +5,8 @@
 
 use super::beyond::Beyond;
 use super::chains::Chains;
+use super::scratch::Buffer;
 use super::source::{Range2, Source};
-use crate::pool::Buffer;
 use crate::segment::square;
 use crate::{Bounds2, Point2, Segment};
 use std::cell::OnceCell;
@@ -29,7 +29,7 @@ pub(super) fn too_near(
     segments: &[Segment],
 ) -> Option<Point2> {
     let limit = distance.abs() - within;
-    let mut runs: Buffer<Range2> = Buffer::default();
+    let mut runs: Buffer<Range2> = Buffer::new(source.scratch);
     let mut boxes = [Bounds2::default(); MOST_TOGETHER];
     let chains = OnceCell::new();
     let mut rest = segments;
@@ -71,14 +71,14 @@ fn group(segments: &[Segment], size: f64, boxes: &mut [Bounds2]) -> (usize, Boun
 }
 
 /// What of the source may be nearer to some segments than a limit.
-struct Near<'a> {
-    source: &'a Source<'a>,
+struct Near<'n, 's> {
+    source: &'n Source<'s>,
     limit: f64,
-    runs: &'a [Range2],
-    chains: &'a OnceCell<Chains>,
+    runs: &'n [Range2],
+    chains: &'n OnceCell<Chains<'s>>,
 }
 
-impl Near<'_> {
+impl Near<'_, '_> {
     /// The middle of a segment, if it is too near.
     fn place(&self, segment: &Segment) -> Option<Point2> {
         let at = segment.middle();

@@ -25,6 +25,7 @@ mod clearance;
 mod prepared;
 mod raw;
 mod rings;
+mod scratch;
 mod slices;
 mod source;
 mod validate;
@@ -35,6 +36,7 @@ pub(crate) use raw::parallel;
 
 use crate::{GeomError, Polyarc, tol};
 use prepared::Prepared;
+use scratch::Scratch;
 use std::fmt;
 
 /// What a segment of an offset is parallel to.
@@ -116,6 +118,7 @@ pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPa
 pub type Proposer<'a> = dyn Fn(&[Polyarc], f64) -> Option<Vec<OffsetPath>> + 'a;
 
 /// Makes offsets: the first engine proposes, the check decides, and what it refuses the second engine makes.
+/// One that is kept makes those of many shapes in the same buffers, which takes half of the time for small ones.
 ///
 /// The first engine is Kerf's own, unless another one is given; then only its proposals are held to the
 /// check, and it may even lie.
@@ -128,15 +131,16 @@ pub type Proposer<'a> = dyn Fn(&[Polyarc], f64) -> Option<Vec<OffsetPath>> + 'a;
 /// assert!((found[0].path.length() - offset(&square, 2.0)?[0].path.length()).abs() < 1e-9);
 /// # Ok::<(), kerf_geom::GeomError>(())
 /// ```
-#[derive(Clone, Copy, Default)]
+#[derive(Default)]
 pub struct Offsetter<'a> {
     first: Option<&'a Proposer<'a>>,
+    scratch: Scratch,
 }
 
 impl<'a> Offsetter<'a> {
     /// With another first engine.
     pub fn with_first(first: &'a Proposer<'a>) -> Self {
-        Self { first: Some(first) }
+        Self { first: Some(first), scratch: Scratch::default() }
     }
 
     /// As [`offset`].
@@ -160,7 +164,7 @@ impl<'a> Offsetter<'a> {
         if distance.abs() <= tol::SAME_PLACE_MM {
             return Ok(contours.iter().enumerate().map(|(k, c)| unmoved(k, c)).collect());
         }
-        let prepared = Prepared::new(contours)?;
+        let prepared = Prepared::new(contours, &self.scratch)?;
         let mut found = prepared.proved(distance, self.first)?;
         found.iter_mut().for_each(|path| prepared.restore(path));
         Ok(found)
@@ -181,7 +185,8 @@ fn checked_input(contours: &[Polyarc], distance: f64) -> Result<(), GeomError> {
 /// As [`offset_region`].
 pub fn offset_by_chords(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
     checked_input(contours, distance)?;
-    let prepared = Prepared::new(contours)?;
+    let scratch = Scratch::default();
+    let prepared = Prepared::new(contours, &scratch)?;
     let mut found = prepared.by_chords(distance)?;
     found.iter_mut().for_each(|path| prepared.restore(path));
     Ok(found)
@@ -203,7 +208,7 @@ pub fn parallel_path(source: &Polyarc, distance: f64) -> Result<Polyarc, GeomErr
     let mut pieces = Vec::new();
     let segments: Vec<_> = source.segments().collect();
     let ways: Vec<_> = segments.iter().map(source::Ways::of).collect();
-    raw::append(0, (&segments, &ways, source.closed), distance, &mut pieces);
+    raw::append(&Scratch::default(), 0, (&segments, &ways, source.closed), distance, &mut pieces);
     let joints = if source.closed { pieces.len() } else { pieces.len().saturating_sub(1) };
     let broken = pieces[..joints].iter().find(|piece| piece.next.is_none());
     if let Some(piece) = broken {

@@ -1,38 +1,39 @@
 //! From contours as they come to an offset that passed its check, by one engine or the other.
 
+use super::scratch::{Buffer, Scratch};
 use super::source::Source;
 use super::{CHECK_MM, OffsetPath, Proposer, chords, raw, rings, slices, validate};
-use crate::pool::{self, Buffer};
 use crate::{Bounds2, BoxTree, GeomError, Point2, Polyarc, Transform2};
 
 /// The contours moved to the origin, without empty segments and long arcs.
-pub(super) struct Prepared {
+pub(super) struct Prepared<'s> {
+    scratch: &'s Scratch,
     contours: Vec<Polyarc>,
     /// For each segment of all prepared contours the segment it was.
-    were: Buffer<usize>,
+    were: Buffer<'s, usize>,
     /// Where those of each contour begin.
-    first: Buffer<usize>,
+    first: Buffer<'s, usize>,
     middle: Point2,
 }
 
-impl Drop for Prepared {
+impl Drop for Prepared<'_> {
     fn drop(&mut self) {
-        self.contours.drain(..).for_each(|contour| pool::give(contour.vertices));
+        self.contours.drain(..).for_each(|contour| self.scratch.give(contour.vertices));
     }
 }
 
-impl Prepared {
-    pub fn new(contours: &[Polyarc]) -> Result<Self, GeomError> {
+impl<'s> Prepared<'s> {
+    pub fn new(contours: &[Polyarc], scratch: &'s Scratch) -> Result<Self, GeomError> {
         let mut bounds = Bounds2::default();
         contours.iter().flat_map(|c| &c.vertices).for_each(|v| bounds.add(v.at));
         let middle = if bounds.is_empty() { Point2::default() } else { bounds.centre() };
         let to_origin = Point2::default() - middle;
-        let (were, first) = (Buffer::default(), Buffer::default());
+        let (were, first) = (Buffer::new(scratch), Buffer::new(scratch));
         let list = Vec::with_capacity(contours.len());
-        let mut prepared = Self { contours: list, were, first, middle };
+        let mut prepared = Self { scratch, contours: list, were, first, middle };
         for contour in contours {
             prepared.first.push(prepared.were.len());
-            let mut ready = contour.tidied_with_names(&mut prepared.were);
+            let mut ready = contour.tidied_with_names(scratch.take(), &mut prepared.were);
             ready.vertices.iter_mut().for_each(|v| v.at += to_origin);
             if ready.segment_count() == 0 {
                 let found = ready.vertices.len();
@@ -49,7 +50,7 @@ impl Prepared {
         distance: f64,
         first: Option<&Proposer>,
     ) -> Result<Vec<OffsetPath>, GeomError> {
-        let source = Source::new(&self.contours);
+        let source = Source::new(&self.contours, self.scratch);
         let tangle = GeomError::Unproved { why: "a tangle of crossings", at: Point2::default() };
         let checked = |found: Vec<OffsetPath>| {
             validate::validate(&source, distance, &found, CHECK_MM).map(|()| found)
@@ -74,7 +75,7 @@ impl Prepared {
     /// The offset by the second engine alone.
     pub fn by_chords(&self, distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
         let why = GeomError::Unproved { why: "contours that bound no region", at: self.middle };
-        by_chords(&Source::new(&self.contours), distance).ok_or(why)
+        by_chords(&Source::new(&self.contours, self.scratch), distance).ok_or(why)
     }
 
     /// The offset of the turned contours, turned back.
@@ -82,7 +83,7 @@ impl Prepared {
         let turn = Transform2::turned(Point2::default(), turn_rad);
         let back = Transform2::turned(Point2::default(), -turn_rad);
         let turned: Vec<Polyarc> = self.contours.iter().map(|c| c.similar(&turn)).collect();
-        let mut found = attempt(&Source::new(&turned), distance)?;
+        let mut found = attempt(&Source::new(&turned, self.scratch), distance)?;
         found.iter_mut().for_each(|offset| offset.path = offset.path.similar(&back));
         Some(found)
     }
@@ -139,17 +140,20 @@ fn by_chords(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
 
 /// Steps 1 to 3; nothing when the raw offset is a tangle.
 fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
-    let mut pieces = Buffer::default();
+    let scratch = source.scratch;
+    let mut pieces = Buffer::new(scratch);
     for (number, contour) in source.contours.iter().enumerate() {
         let (segments, ways) = source.of_contour(number);
-        raw::append(number, (segments, ways, contour.closed), distance, &mut pieces);
+        raw::append(scratch, number, (segments, ways, contour.closed), distance, &mut pieces);
     }
-    let mut tree = slices::index(&pieces);
+    let mut tree = slices::index(scratch, &pieces);
     if slices::is_crowded(&tree) {
         slices::drop_buried(&mut pieces, source, distance);
-        tree = slices::index(&pieces);
+        tree = slices::index(scratch, &pieces);
     }
     let caps = raw::caps(source.contours, distance);
-    let slices = slices::valid_slices(&pieces, &tree, &caps, source, distance)?;
+    let slices = slices::valid_slices(&pieces, &tree, &caps, source, distance);
+    scratch.give(tree.into_list());
+    let slices = slices?;
     Some(rings::rings(source, distance, &pieces, &slices))
 }

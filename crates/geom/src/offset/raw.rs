@@ -7,8 +7,8 @@
 //! ```
 
 use super::Origin;
+use super::scratch::{Buffer, Scratch};
 use super::source::Ways;
-use crate::pool::{Buffer, kept};
 use crate::segment::square;
 use crate::{Point2, Polyarc, Segment, Vec2, tol};
 
@@ -22,15 +22,14 @@ pub(super) struct Piece {
 }
 
 /// Shares on two neighbours where they are cut back.
-type Cut = Option<[f64; 2]>;
-
-kept!(Piece, Cut, [f64; 2], Option<Point2>);
+pub(super) type Trim = Option<[f64; 2]>;
 
 /// Angles whose arc about a corner would be shorter than this are no corners.
 const NO_CORNER_MM: f64 = tol::CONTACT_MM;
 
 /// The raw offset of one contour, appended to `pieces`.
 pub(super) fn append(
+    scratch: &Scratch,
     contour: usize,
     (segments, ways, closed): (&[Segment], &[Ways], bool),
     distance: f64,
@@ -61,7 +60,7 @@ pub(super) fn append(
             pieces[last].next = Some(first);
         }
     }
-    trim_closing_corners(closed, first, pieces);
+    trim_closing_corners(scratch, closed, first, pieces);
 }
 
 fn is_near(a: Point2, b: Point2) -> bool {
@@ -151,7 +150,7 @@ fn turn(u: Vec2, v: Vec2) -> f64 {
 
 /// Cuts neighbours that cross at a closing corner back to where they cross. What is cut off lies nearer
 /// to the neighbour than the offset, so nothing is lost, and most crossings need not be looked for.
-fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
+fn trim_closing_corners(scratch: &Scratch, closed: bool, first: usize, pieces: &mut [Piece]) {
     let count = pieces.len() - first;
     if count < 2 {
         return;
@@ -162,7 +161,7 @@ fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
     if own[..joints].iter().all(|piece| piece.next.is_some()) {
         return;
     }
-    let mut cuts: Buffer<Cut> = Buffer::filled(None, joints);
+    let mut cuts: Buffer<Trim> = Buffer::filled(scratch, None, joints);
     for (k, cut) in cuts.iter_mut().enumerate() {
         let next = after(k);
         if own[k].next.is_none() && next != k {
@@ -170,7 +169,7 @@ fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
         }
     }
     refuse_overlapping(&mut cuts, count, closed);
-    let mut kept = Buffer::filled([0.0, 1.0], count);
+    let mut kept = Buffer::filled(scratch, [0.0, 1.0], count);
     for (k, cut) in cuts.iter().enumerate() {
         if let Some([end, start]) = *cut {
             kept[k][1] = end;
@@ -178,11 +177,8 @@ fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
             own[k].next = Some(first + after(k));
         }
     }
-    let places: Buffer<Option<Point2>> = cuts
-        .iter()
-        .enumerate()
-        .map(|(k, cut)| cut.map(|[end, _]| own[k].segment.at(end)))
-        .collect();
+    let place = |(k, cut): (usize, &Trim)| cut.map(|[end, _]| own[k].segment.at(end));
+    let places = Buffer::of(scratch, cuts.iter().enumerate().map(place));
     for (piece, [from, to]) in own.iter_mut().zip(kept.iter().copied()) {
         if (from, to) != (0.0, 1.0) {
             piece.segment = piece.segment.part(from, to);
@@ -196,7 +192,7 @@ fn trim_closing_corners(closed: bool, first: usize, pieces: &mut [Piece]) {
 }
 
 /// Shares on both pieces of their crossing nearest to the corner.
-fn crossing_at_joint(before: &Segment, after: &Segment) -> Cut {
+fn crossing_at_joint(before: &Segment, after: &Segment) -> Trim {
     let contacts = before.meet(after);
     if contacts.along {
         return None;
@@ -209,7 +205,7 @@ fn crossing_at_joint(before: &Segment, after: &Segment) -> Cut {
 
 /// A piece cut from both ends must keep something; otherwise neither cut is made, and the crossings
 /// that remain are found like all others.
-fn refuse_overlapping(cuts: &mut [Cut], count: usize, closed: bool) {
+fn refuse_overlapping(cuts: &mut [Trim], count: usize, closed: bool) {
     for k in 0..count {
         let before = if k > 0 { Some(k - 1) } else { closed.then_some(count - 1) };
         let (Some(before), true) = (before, k < cuts.len()) else { continue };

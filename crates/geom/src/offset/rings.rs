@@ -1,10 +1,10 @@
 //! Slices joined into rings, with their starts put where the source starts.
 
 use super::raw::{self, Piece};
+use super::scratch::{Buffer, Scratch};
 use super::slices::{Slice, Slices, Stretch};
 use super::source::Source;
 use super::{CHECK_MM, OffsetPath, Origin};
-use crate::pool::{Buffer, kept};
 use crate::segment::square;
 use crate::stitch::{Strand, Turn, stitch};
 use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
@@ -19,34 +19,32 @@ const THIN_MM: f64 = tol::SAME_PLACE_MM;
 /// One piece of a ring.
 pub(super) type Part = (Segment, Origin);
 
-kept!(Part, Strand);
-
 pub(super) fn rings(
     source: &Source,
     distance: f64,
     pieces: &[Piece],
     slices: &Slices,
 ) -> Vec<OffsetPath> {
-    let mut found = Vec::new();
+    let (mut found, scratch) = (Vec::new(), source.scratch);
     let whole = slices.list.iter().filter(|slice| slice.ring);
     for ring in whole {
         let part = |&(k, from, to): &Stretch| (pieces[k].segment.part(from, to), pieces[k].origin);
-        let parts = slices.parts(ring).iter().map(part).collect();
+        let parts = Buffer::of(scratch, slices.parts(ring).iter().map(part));
         found.extend(path(parts, true).map(|path| started_like_source(source, distance, path)));
     }
     if slices.list.iter().all(|slice| slice.ring) {
         return found;
     }
-    let cut: Buffer<Slice> = slices.list.iter().filter(|slice| !slice.ring).copied().collect();
+    let cut = Buffer::of(scratch, slices.list.iter().filter(|slice| !slice.ring).copied());
     let look = LOOK_AHEAD * distance.abs();
     let of = |s: &Slice| strand(pieces, slices.parts(s), s.sure, look);
-    let strands: Buffer<Strand> = cut.iter().map(of).collect();
+    let strands = Buffer::of(scratch, cut.iter().map(of));
     // The sharpest turn is the one away from the source: see the drawing in `stitch`.
     let turn = if distance > 0.0 { Turn::Right } else { Turn::Left };
     let open = source.contours.iter().any(|c| !c.closed);
     let stitched = stitch(&strands, turn, open);
     let collect = |way: &Vec<usize>| -> Buffer<Part> {
-        parts_of(pieces, way.iter().flat_map(|&n| slices.parts(&cut[n])))
+        parts_of(scratch, pieces, way.iter().flat_map(|&n| slices.parts(&cut[n])))
     };
     for way in &stitched.loops {
         let parts = collect(way);
@@ -93,8 +91,12 @@ fn middle(pieces: &[Piece], parts: &[Stretch], mut left: f64) -> Point2 {
 }
 
 /// The parts of a way, stretches of one piece in one.
-fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) -> Buffer<Part> {
-    let mut merged: Buffer<Stretch> = Buffer::default();
+fn parts_of<'b, 's>(
+    scratch: &'b Scratch,
+    pieces: &[Piece],
+    way: impl IntoIterator<Item = &'s Stretch>,
+) -> Buffer<'b, Part> {
+    let mut merged: Buffer<Stretch> = Buffer::new(scratch);
     for &(k, from, to) in way {
         match merged.last_mut() {
             Some(last) if last.0 == k && (from - last.2).abs() < 1e-9 => last.2 = to,
@@ -109,14 +111,12 @@ fn parts_of<'s>(pieces: &[Piece], way: impl IntoIterator<Item = &'s Stretch>) ->
         merged[0].1 = last.1;
         merged.pop();
     }
-    merged
-        .iter()
-        .map(|&(k, from, to)| (pieces[k].segment.part(from, to), pieces[k].origin))
-        .collect()
+    let part = |&(k, from, to): &Stretch| (pieces[k].segment.part(from, to), pieces[k].origin);
+    Buffer::of(scratch, merged.iter().map(part))
 }
 
 /// A path of parts that are worth something, or nothing.
-pub(super) fn path(mut parts: Buffer<Part>, closed: bool) -> Option<OffsetPath> {
+pub(super) fn path(mut parts: Buffer<'_, Part>, closed: bool) -> Option<OffsetPath> {
     parts.retain(|(s, _)| is_long(s));
     let path = Polyarc::from_parts(parts.iter().map(|p| &p.0), closed);
     if parts.is_empty() || (closed && is_thin(&path)) {

@@ -5,8 +5,8 @@
 //! of each slice decides about all of it.
 
 use super::raw::Piece;
+use super::scratch::{Buffer, Scratch};
 use super::source::Source;
-use crate::pool::{Buffer, kept};
 use crate::segment::square;
 use crate::{Bounds2, BoxTree, Point2, Segment, Vec2, tol};
 
@@ -30,13 +30,12 @@ pub(super) struct Slice {
 }
 
 /// Slices, and the stretches of all of them.
-#[derive(Default)]
-pub(super) struct Slices {
-    pub list: Buffer<Slice>,
-    parts: Buffer<Stretch>,
+pub(super) struct Slices<'a> {
+    pub list: Buffer<'a, Slice>,
+    parts: Buffer<'a, Stretch>,
 }
 
-impl Slices {
+impl Slices<'_> {
     /// The stretches of a slice.
     pub fn parts(&self, slice: &Slice) -> &[Stretch] {
         &self.parts[slice.from..slice.to]
@@ -49,25 +48,21 @@ impl Slices {
 }
 
 /// Where on a piece the raw offset is cut.
-type Cut = (usize, f64);
+pub(super) type Cut = (usize, f64);
 
 /// All cuts, by piece and share.
-type Cuts = Buffer<Cut>;
-
-kept!(Slice, Stretch, Cut);
+type Cuts<'a> = Buffer<'a, Cut>;
 
 /// Drops pieces that lie wholly too near to one source segment: nothing of them can remain, and no cut
 /// they make on others can matter. By the triangle inequality a piece of length l about a place m
 /// comes nowhere farther away than m is, plus l/2.
 pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f64) {
-    let buried: Buffer<bool> = pieces
-        .iter()
-        .map(|p| {
-            let limit = distance.abs() - TOO_NEAR_MM - p.segment.length() * 0.5;
-            limit > 0.0 && source.is_nearer(p.segment.at(0.5), limit)
-        })
-        .collect();
-    let mut renumbered: Buffer<usize> = Buffer::default();
+    let is_buried = |p: &Piece| {
+        let limit = distance.abs() - TOO_NEAR_MM - p.segment.length() * 0.5;
+        limit > 0.0 && source.is_nearer(p.segment.at(0.5), limit)
+    };
+    let buried = Buffer::of(source.scratch, pieces.iter().map(is_buried));
+    let mut renumbered: Buffer<usize> = Buffer::new(source.scratch);
     let mut count = 0;
     for &gone in buried.iter() {
         renumbered.push(count);
@@ -99,9 +94,12 @@ pub(super) fn is_crowded(tree: &BoxTree) -> bool {
 }
 
 /// The boxes of the pieces.
-pub(super) fn index(pieces: &[Piece]) -> BoxTree {
+pub(super) fn index(scratch: &Scratch, pieces: &[Piece]) -> BoxTree {
     let margin = tol::CONTACT_MM;
-    BoxTree::new(pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }))
+    BoxTree::in_list(
+        scratch.take(),
+        pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }),
+    )
 }
 
 /// Curves whose directions differ by less at their joint are tangent.
@@ -115,8 +113,13 @@ const MOST_CUTS_EACH: usize = 200;
 
 /// All cuts, sorted by piece and share; nothing when there are too many. `extra` are curves that cut but
 /// are not cut.
-fn cuts(pieces: &[Piece], tree: &BoxTree, extra: &[Segment]) -> Option<Cuts> {
-    let mut cuts = Cuts::default();
+fn cuts<'a>(
+    scratch: &'a Scratch,
+    pieces: &[Piece],
+    tree: &BoxTree,
+    extra: &[Segment],
+) -> Option<Cuts<'a>> {
+    let mut cuts = Cuts::new(scratch);
     let most = MOST_CUTS_EACH * (pieces.len() + 100);
     let all = tree.own_pairs_while(|a, b| {
         if goes_on(pieces, a, b) || goes_on(pieces, b, a) {
@@ -206,15 +209,15 @@ fn at_start(segment: &Segment, share: f64) -> bool {
 }
 
 /// The slices that are at their distance from the source; nothing when there are too many cuts.
-pub(super) fn valid_slices(
+pub(super) fn valid_slices<'a>(
     pieces: &[Piece],
     tree: &BoxTree,
     extra: &[Segment],
-    source: &Source,
+    source: &Source<'a>,
     distance: f64,
-) -> Option<Slices> {
-    let cuts = cuts(pieces, tree, extra)?;
-    let Slices { mut list, parts } = sliced(pieces, &cuts);
+) -> Option<Slices<'a>> {
+    let cuts = cuts(source.scratch, pieces, tree, extra)?;
+    let Slices { mut list, parts } = sliced(source.scratch, pieces, &cuts);
     list.retain_mut(|slice| {
         let probe = probe(pieces, &parts[slice.from..slice.to]);
         let valid = !source.is_nearer(probe, distance.abs() - TOO_NEAR_MM);
@@ -235,8 +238,8 @@ fn probe(pieces: &[Piece], parts: &[Stretch]) -> Point2 {
 }
 
 /// Cuts the chains of pieces; a chain without any cut is a closed slice of its own.
-fn sliced(pieces: &[Piece], cuts: &[Cut]) -> Slices {
-    let mut first_cut = Buffer::default();
+fn sliced<'a>(scratch: &'a Scratch, pieces: &[Piece], cuts: &[Cut]) -> Slices<'a> {
+    let mut first_cut = Buffer::new(scratch);
     if !cuts.is_empty() {
         first_cut.resize(pieces.len() + 1, 0);
         cuts.iter().for_each(|c| first_cut[c.0 + 1] += 1);
@@ -246,10 +249,10 @@ fn sliced(pieces: &[Piece], cuts: &[Cut]) -> Slices {
         [] => &[][..],
         cuts => &cuts[first_cut[k]..first_cut[k + 1]],
     };
-    let mut preceded = Buffer::filled(false, pieces.len());
+    let mut preceded = Buffer::filled(scratch, false, pieces.len());
     pieces.iter().filter_map(|p| p.next).for_each(|n| preceded[n] = true);
-    let mut seen = Buffer::filled(false, pieces.len());
-    let mut slices = Slices::default();
+    let mut seen = Buffer::filled(scratch, false, pieces.len());
+    let mut slices = Slices { list: Buffer::new(scratch), parts: Buffer::new(scratch) };
     // A chain begins where nothing precedes it; a ring anywhere, best where it is cut.
     let begins = |k: &usize| !preceded[*k];
     let cut = |k: &usize| !cuts_of(*k).is_empty();

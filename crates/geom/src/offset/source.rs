@@ -1,6 +1,6 @@
 //! The contours that are offset, and how far places are from them.
 
-use crate::pool::{Buffer, kept};
+use super::scratch::{Buffer, Scratch};
 use crate::segment::square;
 use crate::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
 
@@ -8,9 +8,11 @@ use crate::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
 pub(super) struct Source<'a> {
     pub contours: &'a [Polyarc],
     /// Number of the first segment of each contour.
-    pub first: Buffer<usize>,
+    pub first: Buffer<'a, usize>,
+    /// Where lists of what is made of it wait.
+    pub scratch: &'a Scratch,
     indexed: Indexed,
-    ways: Buffer<Ways>,
+    ways: Buffer<'a, Ways>,
 }
 
 /// Unit directions of travel at the ends of a segment.
@@ -19,8 +21,6 @@ pub(super) struct Ways {
     pub leaves: Vec2,
     pub arrives: Vec2,
 }
-
-kept!(Ways, Range2);
 
 /// From a number to before another.
 pub(super) type Range2 = (usize, usize);
@@ -41,17 +41,25 @@ impl Ways {
     }
 }
 
+impl Drop for Source<'_> {
+    fn drop(&mut self) {
+        let (segments, boxes) = std::mem::take(&mut self.indexed).into_lists();
+        self.scratch.give(segments);
+        self.scratch.give(boxes);
+    }
+}
+
 impl<'a> Source<'a> {
-    pub fn new(contours: &'a [Polyarc]) -> Self {
-        let mut first = Buffer::default();
+    pub fn new(contours: &'a [Polyarc], scratch: &'a Scratch) -> Self {
+        let mut first = Buffer::new(scratch);
         let mut count = 0;
         for contour in contours {
             first.push(count);
             count += contour.segment_count();
         }
-        let indexed = Indexed::new(contours);
-        let ways = indexed.segments().iter().map(Ways::of).collect();
-        Self { contours, first, indexed, ways }
+        let indexed = Indexed::in_lists((scratch.take(), scratch.take()), contours);
+        let ways = Buffer::of(scratch, indexed.segments().iter().map(Ways::of));
+        Self { contours, first, scratch, indexed, ways }
     }
 
     /// The segments of all contours, numbered through.

@@ -8,9 +8,9 @@
 //!   room on its far side it must belong to the result.
 
 use super::clearance::too_near;
+use super::scratch::Buffer;
 use super::source::Source;
 use super::{OffsetPath, Origin, raw};
-use crate::pool::Buffer;
 use crate::segment::square;
 use crate::{BoxTree, GeomError, Point2, Polyarc, Segment, Vec2};
 use std::cell::OnceCell;
@@ -52,7 +52,7 @@ pub(super) fn validate(
     within: f64,
 ) -> Checked {
     let wanted = Wanted { source, distance, within };
-    let mut segments: Buffer<Segment> = Buffer::default();
+    let mut segments: Buffer<Segment> = Buffer::new(source.scratch);
     found.iter().for_each(|f| segments.extend(f.path.segments()));
     if let Some(odd) = found.iter().find(|f| f.origins.len() != f.path.segment_count()) {
         return unproved("a piece without extent", odd.path.start().unwrap_or_default());
@@ -188,23 +188,23 @@ fn right_of(of: &Segment, place: Point2, within: f64) -> f64 {
 const NONE: usize = usize::MAX;
 
 /// The segments of the result that belong to each element of the source.
-struct Coverage {
-    segments: Buffer<Segment>,
+struct Coverage<'a> {
+    segments: Buffer<'a, Segment>,
     /// The first segment of element e is `first[2e]`, that of the corner at its start `first[2e + 1]`.
-    first: Buffer<usize>,
+    first: Buffer<'a, usize>,
     /// The next segment of the same.
-    next: Buffer<usize>,
+    next: Buffer<'a, usize>,
     /// All of them by place; rarely needed.
     index: OnceCell<BoxTree>,
     within: f64,
     room: f64,
 }
 
-impl Coverage {
-    fn new(wanted: &Wanted, found: &[OffsetPath], segments: Buffer<Segment>) -> Self {
+impl<'a> Coverage<'a> {
+    fn new(wanted: &Wanted<'a>, found: &[OffsetPath], segments: Buffer<'a, Segment>) -> Self {
         let source = wanted.source;
-        let mut first = Buffer::filled(NONE, 2 * source.segments().len());
-        let mut next = Buffer::filled(NONE, segments.len());
+        let mut first = Buffer::filled(source.scratch, NONE, 2 * source.segments().len());
+        let mut next = Buffer::filled(source.scratch, NONE, segments.len());
         // From the last to the first, so that each stands before those after it.
         let origins = found.iter().rev().flat_map(|f| f.origins.iter().rev());
         for (number, o) in (0..segments.len()).rev().zip(origins) {

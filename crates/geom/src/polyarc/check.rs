@@ -2,7 +2,7 @@
 
 use super::{Polyarc, Vertex};
 use crate::segment::square;
-use crate::{GeomError, Point2, pool, tol};
+use crate::{GeomError, Point2, tol};
 
 impl Polyarc {
     /// Whether every number is finite and every place, the tops of arcs too, within
@@ -49,11 +49,11 @@ impl Polyarc {
         Self { vertices, closed: self.closed }
     }
 
-    /// Tidied and with short arcs; to `names` is added for each segment of the result the segment it was a part
+    /// Tidied and with short arcs, in an empty list; to `names` is added for each segment of the result the segment it was a part
     /// of.
-    pub(crate) fn tidied_with_names(&self, names: &mut Vec<usize>) -> Self {
+    pub(crate) fn tidied_with_names(&self, vertices: Vec<Vertex>, names: &mut Vec<usize>) -> Self {
         let near = |a: Point2, b: Point2| square(a - b) <= tol::SAME_PLACE_MM * tol::SAME_PLACE_MM;
-        let mut ready = Self { vertices: pool::take(), closed: self.closed };
+        let mut ready = Self { vertices, closed: self.closed };
         ready.vertices.reserve(self.vertices.len());
         let count = self.segment_count();
         for (number, v) in self.vertices.iter().enumerate() {

@@ -8,7 +8,7 @@ use cavalier_contours::polyline::{
 use clipper2_rust::{EndType, JoinType, PathsD, PointD};
 use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
-use kerf_geom::{Point2, Polyarc, Vertex};
+use kerf_geom::{Offsetter, Point2, Polyarc, Vertex};
 
 /// Where rings are kept to be looked at; while time is measured they are not.
 type Kept<'a> = Option<&'a mut Vec<Polyarc>>;
@@ -27,9 +27,9 @@ pub const ALL: &[(&str, Offset)] = &[
 const CHORD_MM: f64 = 0.001;
 
 fn kerf(contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
-    let mut outcome = Outcome::default();
+    let (mut outcome, offsetter) = (Outcome::default(), Offsetter::default());
     for contour in contours {
-        let Ok(found) = kerf_geom::offset(contour, distance) else { return Outcome::default() };
+        let Ok(found) = offsetter.offset(contour, distance) else { return Outcome::default() };
         for ring in found {
             outcome.add(ring.path.vertices.len(), ring.path.signed_area());
             keep(&mut kept, || ring.path);

@@ -3,10 +3,10 @@
 //! Every edge of the polygon lies on the parallel of a segment or on the circle about a corner. Edges in a
 //! row on the same curve are one *stretch* of it; where two stretches meet, their curves do.
 
+use super::super::scratch::{Buffer, Scratch};
 use super::super::source::Source;
 use super::super::{OffsetPath, Origin, raw, rings};
 use super::CHORD_MM;
-use crate::pool::Buffer;
 use crate::{BoxTree, Point2, Polyarc, Segment, tol};
 
 /// An edge belongs to a curve that it leaves by no more than this: a chord does by [`CHORD_MM`].
@@ -27,6 +27,7 @@ pub(super) struct Curves {
     list: Vec<(Segment, Origin)>,
     tree: BoxTree,
     reach: f64,
+    scratch: Scratch,
 }
 
 /// A part of one curve between two corners of the polygon.
@@ -56,7 +57,7 @@ impl Curves {
             }
         }
         let tree = BoxTree::new(list.iter().map(|(s, _)| s.bounds().grown(NEAR_MM)));
-        Self { list, tree, reach: REACH * distance.abs() }
+        Self { list, tree, reach: REACH * distance.abs(), scratch: Scratch::default() }
     }
 
     /// The paths along a polygon: a ring, or the pieces beside open contours. Nothing when the polygon
@@ -135,7 +136,7 @@ impl Curves {
         };
         let last = if closed { count } else { count - 1 };
         let corners: Vec<Option<Point2>> = (0..last).map(meeting).collect();
-        let mut parts = Buffer::default();
+        let mut parts = Buffer::new(&self.scratch);
         for (n, stretch) in stretches.iter().enumerate() {
             let (curve, origin) = &self.list[stretch.curve?];
             let before = if n > 0 { Some(n - 1) } else { closed.then_some(count - 1) };
