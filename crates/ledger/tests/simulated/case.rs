@@ -108,15 +108,16 @@ impl Case {
     pub fn keeps_its_path(&self) -> bool {
         let early = |(_, at, _): &(u8, f64, bool)| *at == 0.0;
         // A way down along the path is made again when it is left.
-        let slopes = match &self.what {
-            // The sensor of a torch may stop a job that the other run does not.
-            What::Job(_, machine) if machine.plasma.use_sequence => true,
-            What::Job(job, _) => job.shapes.iter().any(|shape| shape.plunge != Plunge::Straight),
-            What::Part { .. } => false,
-        };
-        !slopes
+        self.sloped().is_empty()
             && self.inputs.iter().all(early)
             && !self.wishes.iter().any(|(_, w)| *w == Wish::End)
+    }
+
+    /// Shapes that the tool goes down into along their path.
+    pub fn sloped(&self) -> Vec<u32> {
+        let What::Job(job, _) = &self.what else { return Vec::new() };
+        let sloped = job.shapes.iter().filter(|shape| shape.plunge != Plunge::Straight);
+        sloped.map(|shape| shape.number).collect()
     }
 
     /// Whether heights of the path are planned ones.
@@ -156,6 +157,8 @@ impl Case {
         let feed = feeds.fold(1.0, f64::max);
         // A smoothed path is measured in chords.
         let smooth = self.settings.ramp_model == Some(RampModel::Optimal);
+        // A limit and the emergency stop of part files stop at once, as fast as the machine will.
+        let ramps = self.inputs.iter().all(|(input, ..)| *input > 4);
         let (hair, jump_mm) = if smooth { (2e-3, 0.02) } else { (1e-6, 1e-6) };
         match &self.what {
             What::Part { .. } => {
@@ -163,6 +166,7 @@ impl Case {
                 Allowed {
                     bounds: limits.check.then_some([limits.low, limits.high]),
                     axis_mm_s: self.settings.dynamics.map(|dynamics| dynamics.speed_mm_s),
+                    axis_mm_s2: self.settings.dynamics.map(|it| it.accel_mm_s2).filter(|_| ramps),
                     feed,
                     hair,
                     jump_mm,
@@ -177,6 +181,7 @@ impl Case {
                 Allowed {
                     bounds: machine.axes.limit_movement.then_some([low, high]),
                     axis_mm_s: Some(machine.program.axis_dynamics().speed_mm_s),
+                    axis_mm_s2: ramps.then(|| machine.program.axis_dynamics().accel_mm_s2),
                     feed,
                     hair,
                     jump_mm,

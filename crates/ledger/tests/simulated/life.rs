@@ -124,8 +124,12 @@ impl<'a> Life<'a> {
             session.memory.settings = self.case.settings.clone();
         }
         let from = session.memory.position;
-        let mut watch =
-            Watch { doom: &self.doom, allowed: self.case.allowed(), seen: Seen::default() };
+        let mut watch = Watch {
+            doom: &self.doom,
+            allowed: self.case.allowed(),
+            sloped: self.case.sloped(),
+            seen: Seen::default(),
+        };
         let mut person = Person { doom: &self.doom, wishes: &self.wishes };
         let mut helpful = Helpful(&self.doom, 0);
         let ran = catch_unwind(AssertUnwindSafe(|| {

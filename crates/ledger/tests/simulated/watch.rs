@@ -10,6 +10,9 @@ use std::collections::BTreeSet;
 /// Looks at the plan of a move, beside its ends.
 const LOOKS: u32 = 5;
 
+/// Looks at its acceleration.
+const RATES: u32 = 16;
+
 /// No run of a case tells so much.
 const MOST: usize = 20_000;
 
@@ -46,6 +49,8 @@ pub struct Allowed {
     pub bounds: Option<[Axes; 2]>,
     /// Speed of each axis, where it is known what they can do.
     pub axis_mm_s: Option<Axes>,
+    /// Acceleration of each axis, likewise.
+    pub axis_mm_s2: Option<Axes>,
     /// Share of a speed asked for that the operator allows: a plan slows down to a lesser one.
     pub feed: f64,
     /// Share by which rounding of the path may exceed it.
@@ -62,6 +67,8 @@ pub struct Allowed {
 pub struct Watch<'a> {
     pub doom: &'a Doom,
     pub allowed: Allowed,
+    /// Shapes whose way down along the path is no part of it: it is made again when it is left.
+    pub sloped: Vec<u32>,
     pub seen: Seen,
 }
 
@@ -155,6 +162,7 @@ impl Sink for Watch<'_> {
         self.seen.way = self.seen.way.plus(it.to.minus(it.from));
         self.seen.at = Some(it.to);
         self.seen.t = made.t0_s + made.span.t1_s;
+        self.accelerations(made);
         let top_mm_s = self.allowed.feed * self.allowed.top_mm_s(made);
         for look in 0..=LOOKS {
             let share = f64::from(look) / f64::from(LOOKS);
@@ -164,7 +172,39 @@ impl Sink for Watch<'_> {
             self.allowed.speed(&state.velocity, state.path_speed_mm_s, top_mm_s);
         }
         self.allowed.place(it.to);
-        self.seen.pieces.extend(Piece::of(made));
+        let slope = it.from[Axis::Z] != it.to[Axis::Z] && self.sloped.contains(&it.at.line);
+        self.seen.pieces.extend(Piece::of(made).filter(|_| !slope));
+    }
+}
+
+impl Watch<'_> {
+    /// What every axis gains in speed from one look to the next is what it can.
+    fn accelerations(&self, made: &Made<'_>) {
+        let Some(most) = self.allowed.axis_mm_s2 else { return };
+        let [from_s, to_s] = [made.span.t0_s, made.span.t1_s];
+        let step_s = (to_s - from_s) / f64::from(RATES);
+        if step_s < 1e-4 {
+            return;
+        }
+        let it = made.span.made;
+        let way: f64 = it.to.minus(it.from).first3().iter().map(|v| v * v).sum();
+        // Round a bend the way in and the way along may both be at their highest.
+        let bends = it.arc().is_some() || it.length_mm > way.sqrt() + 1e-6;
+        let share = if bends { std::f64::consts::SQRT_2 } else { 1.0 };
+        // Inside the move: at its ends another may say how fast.
+        let moment = |look: u32| from_s + (f64::from(look) + 0.5) * step_s;
+        let velocity = |look: u32| made.plan.at(moment(look)).velocity;
+        for look in 0..RATES - 1 {
+            let gained = velocity(look + 1).minus(velocity(look));
+            for axis in Axis::ALL {
+                let (is, may) = (gained[axis].abs() / step_s, share * most[axis]);
+                assert!(
+                    is <= may * (1.0 + self.allowed.hair) + 1e-3,
+                    "{axis:?}: {is} mm/s2 where {may} are allowed, {:?}",
+                    made.span.made
+                );
+            }
+        }
     }
 }
 
