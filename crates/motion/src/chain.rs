@@ -133,15 +133,13 @@ impl Clocked {
 
     /// Where it stands when it is stopped at a time: ramped, or at once.
     pub fn stopped(&self, t_s: f64, ramped: bool) -> Self {
-        let mut from = self.clock.at(t_s);
+        let now = self.clock.at(t_s);
         let Some(dynamics) = self.dynamics().filter(|_| ramped) else {
-            return self.by(vec![Tick { rate: 0.0, ..from.turned(0.0, 0.0) }]);
+            return self.by(vec![Tick { rate: 0.0, ..now.turned(0.0, 0.0) }]);
         };
-        if dynamics.jerk_mm_s3.is_some() && from.gain != 0.0 {
-            // A smooth change is made to its end first.
-            from = self.clock.last();
-        }
-        self.by(Easing::new(self, dynamics).stand(from))
+        // A smooth change is made to its end first, if there is time.
+        let settled = if now.gain == 0.0 { now } else { self.clock.last() };
+        self.by(Easing::new(self, dynamics).stand(now, settled))
     }
 
     /// When it begins to slow, not before a time.

@@ -40,6 +40,10 @@ const TRIALS_FROM_REST: u32 = 24;
 const WAIT_S: f64 = 0.02;
 const WAITS: u32 = 50;
 
+/// A stop within a limit of jerk may take so long, seconds, and so many times the least that the axes need.
+const LATE_S: f64 = 0.25;
+const LATE: f64 = 3.0;
+
 /// At this rate a plan goes on that was started under a limit of jerk.
 const STARTED: f64 = 0.5;
 
@@ -61,12 +65,25 @@ impl<'a> Easing<'a> {
     }
 
     /// From a moment on down to a stand; the last tick is where the machine stands, unless the plan
-    /// ends before.
-    pub fn stand(&self, from: Tick) -> Vec<Tick> {
-        match self.dynamics.jerk_mm_s3 {
-            None => self.steps(from, 0.0),
-            Some(jerk) => self.smooth(from, 0.0, &jerk.0),
+    /// ends before. Where `settled` the rate has come to rest after a change that still goes on.
+    ///
+    /// A limit of jerk holds as long as the machine does not stand much later for it; else it brakes at
+    /// once, as steeply as the accelerations allow: a stop must never be waited for.
+    pub fn stand(&self, now: Tick, settled: Tick) -> Vec<Tick> {
+        let Some(jerk) = self.dynamics.jerk_mm_s3 else { return self.steps(now, 0.0) };
+        let state = self.plan.planned(now.plan_s);
+        let latest_s = now.t_s + LATE_S + LATE * self.at_least(&state, &jerk.0);
+        let ticks = self.smooth(settled, 0.0, &jerk.0, latest_s);
+        match ticks.last() {
+            Some(last) if self.rests_at(last) <= latest_s => ticks,
+            _ => self.steps(now, 0.0),
         }
+    }
+
+    /// When the machine stands or the plan ends, if the rate stays as it is.
+    fn rests_at(&self, tick: &Tick) -> f64 {
+        let left_s = (self.end_s - tick.plan_s).max(0.0);
+        tick.t_s + if tick.rate > 0.0 { left_s / tick.rate } else { 0.0 }
     }
 
     /// From a stand up to the rate of the plan, or with a limit of jerk to a part of it, which leaves
@@ -75,7 +92,7 @@ impl<'a> Easing<'a> {
         let from = Tick { plan_s, ..Tick::default() };
         match self.dynamics.jerk_mm_s3 {
             None => self.steps(from, 1.0),
-            Some(jerk) => self.smooth(from, STARTED, &jerk.0),
+            Some(jerk) => self.smooth(from, STARTED, &jerk.0, f64::INFINITY),
         }
     }
 
@@ -84,7 +101,7 @@ impl<'a> Easing<'a> {
     pub fn to_rate(&self, from: Tick, rate: f64) -> Option<Vec<Tick>> {
         let ticks = match self.dynamics.jerk_mm_s3 {
             None => self.steps(from, rate),
-            Some(jerk) => self.smooth(from, rate, &jerk.0),
+            Some(jerk) => self.smooth(from, rate, &jerk.0, f64::INFINITY),
         };
         ticks.last().is_some_and(|last| last.rate == rate).then_some(ticks)
     }
@@ -159,11 +176,11 @@ impl<'a> Easing<'a> {
     /// do it stays.
     ///
     /// A plan that slows as steeply as it can leaves no room to slow more: then the change waits until
-    /// that is over.
-    fn smooth(&self, from: Tick, goal: f64, jerk: &[f64; AXES]) -> Vec<Tick> {
+    /// that is over, but not beyond the latest moment.
+    fn smooth(&self, from: Tick, goal: f64, jerk: &[f64; AXES], latest_s: f64) -> Vec<Tick> {
         let waits = if from.rate > 0.0 && from.gain == 0.0 { WAITS } else { 1 };
         let moments = (0..waits).map(|k| from.after(f64::from(k) * WAIT_S));
-        let known = moments.take_while(|tick| tick.plan_s < self.end_s);
+        let known = moments.take_while(|tick| tick.plan_s < self.end_s && tick.t_s < latest_s);
         let mut changes = known.map(|tick| self.smooth_from(tick, goal, jerk));
         changes.find_map(|ticks| ticks).unwrap_or_else(|| vec![from.turned(0.0, 0.0)])
     }

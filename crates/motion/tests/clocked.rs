@@ -7,6 +7,9 @@ use proptest::prelude::*;
 
 const STEP_S: f64 = 1e-3;
 
+/// A hold stands after so long, seconds.
+const LATEST_S: f64 = 1.0;
+
 fn dynamics(jerk: Option<f64>) -> Dynamics {
     Dynamics {
         speed_mm_s: Axes::splat(200.0),
@@ -46,15 +49,21 @@ enum Turn {
     Feed(f32),
 }
 
+/// A piece of plan that was run, and from when on it slowed for a hold.
+struct Piece {
+    plan: Plan,
+    holds_s: Option<f64>,
+}
+
 /// Runs a stack through moments, each told since the last one.
-fn run(moves: &[Move], dynamics: &Dynamics, turns: &[(f64, Turn)]) -> Vec<Plan> {
+fn run(moves: &[Move], dynamics: &Dynamics, turns: &[(f64, Turn)]) -> Vec<Piece> {
     let mut planner = Retimed::new(OptimalPlanner::new(dynamics));
     moves.iter().for_each(|m| planner.push(*m));
     let (mut pieces, mut done_s, mut turns) = (Vec::new(), 0.0, turns.iter().peekable());
     while let Some(piece) = planner.take().or_else(|| planner.finish()) {
         let (begin_s, end_s) = (piece.span_s(0).0, piece.duration_s());
         let Some((t_s, turn)) = turns.next_if(|(t_s, _)| done_s + t_s < end_s) else {
-            pieces.push(piece);
+            pieces.push(Piece { plan: piece, holds_s: None });
             continue;
         };
         let at_s = begin_s.max(done_s + t_s);
@@ -64,21 +73,28 @@ fn run(moves: &[Move], dynamics: &Dynamics, turns: &[(f64, Turn)]) -> Vec<Plan> 
         }
         .unwrap();
         assert!(stop.begin_s >= at_s - 1e-9 && stop.end_s >= stop.begin_s, "{stop:?}");
-        pieces.push(made);
+        // Whoever asks for a hold gets it: whatever the plan is about, it takes not much longer than
+        // axes at 100 mm/s need.
+        let waited_s = stop.end_s - at_s;
+        assert!(matches!(turn, Turn::Feed(_)) || waited_s < LATEST_S, "stood after {waited_s} s");
+        let holds_s = matches!(turn, Turn::Hold).then_some(at_s);
+        pieces.push(Piece { plan: made, holds_s });
         done_s = 0.0;
     }
     pieces
 }
 
-/// Samples of position, velocity and acceleration, a step apart, over all pieces.
-fn samples(pieces: &[Plan]) -> Vec<[Axes; 3]> {
+/// Samples of position, velocity and acceleration, a step apart, over all pieces, and whether the
+/// machine slows for a hold then.
+fn samples(pieces: &[Piece]) -> Vec<([Axes; 3], bool)> {
     let mut all = Vec::new();
-    for plan in pieces {
+    for Piece { plan, holds_s } in pieces {
         let (from, to) = (plan.span_s(0).0, plan.duration_s());
         let steps = ((to - from) / STEP_S).floor() as usize;
-        for k in 0..=steps {
-            let state = plan.at(from + k as f64 * STEP_S);
-            all.push([state.position, state.velocity, state.acceleration]);
+        for t_s in (0..=steps).map(|k| from + k as f64 * STEP_S) {
+            let state = plan.at(t_s);
+            let holds = holds_s.is_some_and(|holds_s| t_s > holds_s - STEP_S);
+            all.push(([state.position, state.velocity, state.acceleration], holds));
         }
     }
     all
@@ -92,24 +108,27 @@ fn check(moves: &[Move], jerk: Option<f64>, turns: &[(f64, Turn)]) {
     let dynamics = dynamics(jerk);
     let pieces = run(moves, &dynamics, turns);
     let all = samples(&pieces);
-    for (i, [_, velocity, acceleration]) in all.iter().enumerate() {
+    for (i, ([_, velocity, acceleration], _)) in all.iter().enumerate() {
         assert!(most(*velocity) <= 200.0 * 1.001, "{velocity:?} at {i}");
         assert!(most(*acceleration) <= 500.0 * 1.02, "{acceleration:?} at {i} of {turns:?}");
     }
-    for (i, pair) in all.windows(2).enumerate() {
-        let way = most(pair[1][0].minus(pair[0][0]));
+    for (i, both) in all.windows(2).enumerate() {
+        let ((before, holds), (after, _)) = (both[0], both[1]);
+        let change = |what: usize| most(after[what].minus(before[what]));
+        let way = change(0);
         assert!(way <= 200.0 * STEP_S * 1.01 + 1e-6, "a jump of {way} mm at {i} of {turns:?}");
-        let gain = most(pair[1][1].minus(pair[0][1]));
+        let gain = change(1);
         assert!(gain <= 500.0 * STEP_S * 1.05 + 1e-3, "a jump of {gain} mm/s at {i} of {turns:?}");
-        let push = most(pair[1][2].minus(pair[0][2]));
+        // A hold that would have to wait for the limit of jerk brakes at once.
+        let push = if holds { 0.0 } else { change(2) };
         let limit = jerk.map_or(f64::INFINITY, |jerk| jerk * STEP_S * 1.05 + 0.5);
         assert!(push <= limit, "a jump of {push} mm/s² at {i} of {turns:?}");
     }
-    let end = all.last().unwrap()[0].minus(moves.last().unwrap().to);
+    let end = all.last().unwrap().0[0].minus(moves.last().unwrap().to);
     assert!(most(end) < 0.2, "{end:?}");
     let (way, made): (f64, f64) = (
         moves.iter().map(|m| m.length_mm).sum(),
-        pieces.iter().flat_map(Plan::moves).map(|m| m.length_mm).sum(),
+        pieces.iter().flat_map(|piece| piece.plan.moves()).map(|m| m.length_mm).sum(),
     );
     assert!((way - made).abs() < 1e-6 * way, "{made} of {way} mm");
 }
@@ -163,13 +182,36 @@ fn a_hold_takes_no_longer_than_the_axes_need() {
     assert!((stop.end_s - stop.begin_s - 0.2).abs() < 5e-3, "{stop:?}");
 }
 
+/// Where the plan slows as steeply as it can a hold cannot keep the limit of jerk; nobody waits for it.
+#[test]
+fn a_hold_under_a_limit_of_jerk_comes_at_once_and_is_mostly_smooth() {
+    let jerk = 10_000.0;
+    let mut planner = Retimed::new(OptimalPlanner::new(&dynamics(Some(jerk))));
+    path(7, 300).iter().for_each(|m| planner.push(*m));
+    let (mut holds, mut smooth) = (0, 0);
+    while let Some(piece) = planner.take().or_else(|| planner.finish()) {
+        let mut t_s = piece.span_s(0).0;
+        while t_s < piece.duration_s() {
+            let (made, stop) = planner.clone().stop(piece.clone(), t_s, true).unwrap();
+            assert!(stop.end_s - t_s < LATEST_S, "at {t_s} s: stood after {} s", stop.end_s - t_s);
+            let slows = [Piece { plan: made, holds_s: Some(t_s) }];
+            let push = |both: &[([Axes; 3], bool)]| most(both[1].0[2].minus(both[0].0[2]));
+            let kept =
+                samples(&slows).windows(2).all(|both| push(both) <= jerk * STEP_S * 1.05 + 0.5);
+            (holds, smooth) = (holds + 1, smooth + usize::from(kept));
+            t_s += 0.083;
+        }
+    }
+    assert!(holds > 100 && smooth * 5 > holds * 3, "{smooth} of {holds} kept the limit");
+}
+
 #[test]
 fn half_the_feed_takes_twice_the_time_and_more_feed_less() {
     let moves = path(3, 150);
     for jerk in [None, Some(20_000.0)] {
         let seconds = |turns: &[(f64, Turn)]| -> f64 {
             let pieces = run(&moves, &dynamics(jerk), turns);
-            pieces.iter().map(|plan| plan.duration_s() - plan.span_s(0).0).sum()
+            pieces.iter().map(|p| p.plan.duration_s() - p.plan.span_s(0).0).sum()
         };
         let plain = seconds(&[]);
         let [slow, same, fast] = [0.2, 1.0, 1.9].map(|share| seconds(&[(0.3, Turn::Feed(share))]));
@@ -188,7 +230,7 @@ fn the_path_after_a_hold_is_the_path_without() {
         .collect();
     let held = run(&moves, &dynamics, &[(0.7, Turn::Hold), (0.31, Turn::Hold), (0.5, Turn::Hold)]);
     let mut near = 0;
-    for [place, ..] in samples(&held) {
+    for ([place, ..], _) in samples(&held) {
         let off = |k: usize| most(line[k].minus(place));
         // The nearest place lies behind the last one.
         while near + 1 < line.len() && off(near + 1) <= off(near) {

@@ -341,3 +341,21 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn an_axis_whose_jerk_is_free_does_not_hold_up_the_search() {
+    let places: Vec<[f64; 3]> =
+        (0..12).map(|k| [f64::from(k % 2) * 30.0, f64::from(k), 0.0]).collect();
+    let moves = polyline(&places, 80.0);
+    let free = dynamics(150.0, 600.0, 0.01);
+    let limited = |y: f64| {
+        let mut jerk = Axes::splat(5_000.0);
+        jerk.0[1] = y;
+        plan(&moves, &Dynamics { jerk_mm_s3: Some(jerk), ..free }).duration_s()
+    };
+    let (all, but_y, none) =
+        (limited(5_000.0), limited(f64::INFINITY), plan(&moves, &free).duration_s());
+    assert!(none < but_y && but_y <= all * 1.001, "{none} {but_y} {all}");
+    let unlimited = Dynamics { jerk_mm_s3: Some(Axes::splat(f64::INFINITY)), ..free };
+    assert_eq!(plan(&moves, &unlimited).duration_s(), none);
+}

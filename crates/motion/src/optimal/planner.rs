@@ -18,7 +18,7 @@ use super::walk::{Smoothed, Walk};
 use super::widths::{REACH, Smoothing};
 use crate::moves::Move;
 use crate::plan::{Law, Plan};
-use kerf_program::{AXES, Dynamics};
+use kerf_program::{AXES, Axes, Dynamics};
 
 /// So many moves are looked at together, and with a limit of jerk.
 const BLOCK: usize = 512;
@@ -29,6 +29,9 @@ const ENOUGH: usize = 1024;
 
 /// Nodes closer to the end of a move than this are at it, mm.
 const SAME_MM: f64 = 1e-9;
+
+/// An axis whose jerk is free reaches its acceleration within this, seconds: the search needs a number.
+const FREE_RISE_S: f64 = 1e-3;
 
 /// Plans a stack of moves while it is read.
 #[derive(Clone, Debug)]
@@ -96,9 +99,18 @@ struct Lane<const N: usize> {
     enough: usize,
 }
 
+/// A limit of jerk that leaves an axis free as a high one, and one that leaves all of them free as none.
+fn bounded(dynamics: Dynamics) -> Dynamics {
+    let limit = dynamics.jerk_mm_s3.filter(|jerk| jerk.0.iter().any(|j| j.is_finite()));
+    let high = |k: usize| dynamics.accel_mm_s2.0[k] / FREE_RISE_S;
+    let finite = |jerk: Axes| Axes(std::array::from_fn(|k| jerk.0[k].min(high(k))));
+    Dynamics { jerk_mm_s3: limit.map(finite), ..dynamics }
+}
+
 impl Stream {
     /// For a stack that begins under these limits.
     pub fn new(dynamics: &Dynamics) -> Self {
+        let dynamics = &bounded(*dynamics);
         let (block, lanes) = match dynamics.jerk_mm_s3 {
             None => (BLOCK, Lanes::Three(Box::new(Lane::new(Bounds::of(dynamics))))),
             Some(_) => (BLOCK_WITH_JERK, Lanes::ThreeWithJerk(Box::new(Horizon::new(dynamics)))),
