@@ -172,6 +172,19 @@ fn every_case(count: u64, check: impl Fn(&str, u64, Polyarc, f64)) {
 }
 
 #[test]
+fn an_offsetter_that_is_kept_makes_the_same() {
+    let kept = Offsetter::default();
+    let tangle = Polyarc::lines([p(0., 0.), p(10., 10.), p(10., 0.), p(0., 10.)], true);
+    every_case(3, |name, seed, shape, by| {
+        // What fails between them leaves nothing behind.
+        assert!(matches!(kept.offset(&tangle, 1.0), Err(GeomError::Crosses { .. })));
+        for by in [by, -by] {
+            assert_eq!(kept.offset(&shape, by), offset(&shape, by), "{name} {seed} {by}");
+        }
+    });
+}
+
+#[test]
 fn hard_families_are_proved() {
     every_case(20, |name, seed, shape, by| {
         if let Err(why) = offset(&shape, by) {

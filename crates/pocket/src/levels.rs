@@ -1,7 +1,7 @@
 //! Rings at growing distance from the contours.
 
 use crate::{Cutter, PocketError};
-use kerf_geom::{Bounds2, Coarse, GeomError, OffsetPath, Polyarc, offset_region};
+use kerf_geom::{Bounds2, Coarse, GeomError, OffsetPath, Offsetter, Polyarc};
 
 /// More rings one inside the other than this are a slip of the decimal point.
 pub(crate) const MOST_RINGS: f64 = 20_000.0;
@@ -13,20 +13,24 @@ pub(crate) struct Levels {
 }
 
 /// Offsets, and the coarsest of those that could not be exact.
-#[derive(Default)]
-pub(crate) struct Offsets {
+pub(crate) struct Offsets<'o> {
+    offsetter: &'o Offsetter<'o>,
     pub coarse: Option<Coarse>,
 }
 
-impl Offsets {
+impl<'o> Offsets<'o> {
+    pub fn new(offsetter: &'o Offsetter<'o>) -> Self {
+        Self { offsetter, coarse: None }
+    }
+
     /// The contours of what lies at least so deep inside a region.
     pub fn inset(&mut self, region: &[Polyarc], depth: f64) -> Result<Vec<Polyarc>, GeomError> {
-        Ok(self.noted(offset_region(region, -depth)?))
+        Ok(self.noted(self.offsetter.region(region, -depth)?))
     }
 
     /// The contours of what lies no farther than a distance outside rings.
     pub fn outset(&mut self, rings: &[Polyarc], by: f64) -> Result<Vec<Polyarc>, GeomError> {
-        Ok(self.noted(offset_region(rings, by)?))
+        Ok(self.noted(self.offsetter.region(rings, by)?))
     }
 
     fn noted(&mut self, found: Vec<OffsetPath>) -> Vec<Polyarc> {
@@ -83,7 +87,8 @@ mod tests {
     #[test]
     fn the_coarsest_offset_is_told() {
         let path = |within_mm| OffsetPath { path: Polyarc::default(), origins: vec![], within_mm };
-        let mut offsets = Offsets::default();
+        let offsetter = Offsetter::default();
+        let mut offsets = Offsets::new(&offsetter);
         for (within, told) in
             [(1e-6, None), (1e-3, Some(1e-3)), (1e-4, Some(1e-3)), (1e-6, Some(1e-3))]
         {

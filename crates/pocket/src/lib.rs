@@ -48,7 +48,7 @@ pub use error::PocketError;
 pub use left_over::SMALLEST_MM2;
 pub use zigzag::{Zigzag, zigzag};
 
-use kerf_geom::{Coarse, Indexed, Polyarc};
+use kerf_geom::{Coarse, Indexed, Offsetter, Polyarc};
 use levels::{Levels, Offsets};
 
 /// The paths that clear a region.
@@ -61,12 +61,18 @@ pub struct Cleared {
 }
 
 /// The paths that clear a region ring by ring, one for each island of places where the tool fits.
-/// Nothing comes of a region into which the tool does not fit.
+/// Nothing comes of a region into which the tool does not fit. Who clears many regions keeps one offsetter
+/// for all of them.
 ///
 /// # Errors
 /// Contours that are open, broken or cross each other, and more rings than anybody cuts.
-pub fn rings(region: &[Polyarc], cutter: &Cutter, way: Way) -> Result<Cleared, PocketError> {
-    let mut offsets = Offsets::default();
+pub fn rings(
+    region: &[Polyarc],
+    cutter: &Cutter,
+    way: Way,
+    offsetter: &Offsetter,
+) -> Result<Cleared, PocketError> {
+    let mut offsets = Offsets::new(offsetter);
     let levels = Levels::of(region, cutter, &mut offsets)?;
     let inside = inside::Inside::of(region, cutter);
     let pieces = left_over::pieces(region, cutter, &levels, &mut offsets)?;

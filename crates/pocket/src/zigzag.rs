@@ -19,7 +19,7 @@ use crate::route::Route;
 use crate::spans::chains;
 use crate::tour::along_walls;
 use crate::{Cleared, Cutter, PocketError};
-use kerf_geom::{Point2, Polyarc, Transform2};
+use kerf_geom::{Offsetter, Point2, Polyarc, Transform2};
 use serde::{Deserialize, Serialize};
 
 /// How the lines run.
@@ -34,11 +34,16 @@ pub struct Zigzag {
 }
 
 /// The paths that clear a region line by line, one or a few for each island of places where the tool
-/// fits.
+/// fits. Who clears many regions keeps one offsetter for all of them.
 ///
 /// # Errors
 /// As [`crate::rings`], and a finish out of bounds.
-pub fn zigzag(region: &[Polyarc], cutter: &Cutter, lines: &Zigzag) -> Result<Cleared, PocketError> {
+pub fn zigzag(
+    region: &[Polyarc],
+    cutter: &Cutter,
+    lines: &Zigzag,
+    offsetter: &Offsetter,
+) -> Result<Cleared, PocketError> {
     if !(0.0..=cutter.radius_mm()).contains(&lines.finish_mm) {
         let bound = "0 or more and no more than half the diameter of the tool";
         return Err(PocketError::Bound { what: "the finish", value: lines.finish_mm, bound });
@@ -49,14 +54,18 @@ pub fn zigzag(region: &[Polyarc], cutter: &Cutter, lines: &Zigzag) -> Result<Cle
     let turn = |rad: f64| Transform2::turned(Point2::default(), rad);
     let angle = lines.angle_deg.to_radians();
     let level: Vec<Polyarc> = region.iter().map(|contour| contour.similar(&turn(-angle))).collect();
-    let mut found = cleared(&level, cutter, lines)?;
+    let mut found = cleared(&level, cutter, lines, Offsets::new(offsetter))?;
     found.paths.iter_mut().for_each(|path| *path = path.similar(&turn(angle)));
     Ok(found)
 }
 
 /// Clears a region with level lines.
-fn cleared(region: &[Polyarc], cutter: &Cutter, lines: &Zigzag) -> Result<Cleared, PocketError> {
-    let mut offsets = Offsets::default();
+fn cleared(
+    region: &[Polyarc],
+    cutter: &Cutter,
+    lines: &Zigzag,
+    mut offsets: Offsets,
+) -> Result<Cleared, PocketError> {
     let inside = Inside::of(region, cutter);
     let way = Way { climb: lines.climb, outward: false };
     let depth = cutter.first_depth_mm();

@@ -1,6 +1,6 @@
 //! A whole job offset: every path cut beside itself (Profiler reference, "Hand Console", function 60).
 
-use kerf_geom::{Polyarc, offset};
+use kerf_geom::{Offsetter, Polyarc};
 use kerf_program::job::{Job, JobShape};
 use thiserror::Error;
 
@@ -31,18 +31,23 @@ pub fn beside(job: &Job, by_mm: f64) -> Result<Job, NoRoom> {
     if by_mm == 0.0 {
         return Ok(job.clone());
     }
+    let offsetter = Offsetter::default();
     let moved: Result<Vec<Vec<JobShape>>, NoRoom> =
-        job.shapes.iter().map(|shape| shape_beside(shape, by_mm)).collect();
+        job.shapes.iter().map(|shape| shape_beside(shape, by_mm, &offsetter)).collect();
     Ok(Job { shapes: moved?.into_iter().flatten().collect(), ..job.clone() })
 }
 
-fn shape_beside(shape: &JobShape, by_mm: f64) -> Result<Vec<JobShape>, NoRoom> {
+fn shape_beside(
+    shape: &JobShape,
+    by_mm: f64,
+    offsetter: &Offsetter,
+) -> Result<Vec<JobShape>, NoRoom> {
     let number = shape.number;
     if shape.z_mm.iter().any(|z| *z != 0.0) {
         return Err(NoRoom::Heights { number });
     }
     let lost = NoRoom::Lost { number, by_mm };
-    let found = offset(&shape.path, by_mm).map_err(|_| lost.clone())?;
+    let found = offsetter.offset(&shape.path, by_mm).map_err(|_| lost.clone())?;
     if found.is_empty() {
         return Err(lost);
     }

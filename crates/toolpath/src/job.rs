@@ -9,7 +9,7 @@ use crate::twice;
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_geom::fit::smoothed;
-use kerf_geom::{Point2, Transform2, Vec2};
+use kerf_geom::{Offsetter, Point2, Transform2, Vec2};
 use kerf_program::Smoothing;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -136,14 +136,14 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
     let twins = twice::twins(drawing);
     twice::told(&twins, warnings);
     overlap::crossing(drawing, warnings);
-    let mut block = Vec::new();
+    let (mut block, offsetter) = (Vec::new(), Offsetter::default());
     for (n, shape) in drawing.shapes.iter().enumerate() {
         let settings = drawing.settings(shape.group);
         if !settings.on {
             continue;
         }
         let number = n + 1;
-        let found = paths(number, &shaped(shape, shaping), settings, warnings);
+        let found = paths(number, &shaped(shape, shaping), settings, &offsetter, warnings);
         overlap::check(number, &found, &contours, &twins, warnings);
         // The machine halts before the shape, not before each of its paths.
         let mut pause = shape.pause;

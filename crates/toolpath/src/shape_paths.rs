@@ -7,7 +7,7 @@ use crate::neutral::plunge;
 use crate::tag::without_tag;
 use crate::warning::Warning;
 use kerf_drawing::{GroupSettings, Kind, Shape, spot};
-use kerf_geom::{Coarse, GeomError, Polyarc, offset, parallel_path};
+use kerf_geom::{Coarse, GeomError, Offsetter, Polyarc, parallel_path};
 use kerf_program::job::{Plunge, helix_circle};
 use serde::{Deserialize, Serialize};
 
@@ -36,11 +36,12 @@ pub(crate) struct ShapePath {
     pub leads: Vec<(&'static str, Polyarc)>,
 }
 
-/// The paths of a shape, in cutting order.
+/// The paths of a shape, in cutting order; the offsetter is that of the whole job.
 pub(crate) fn paths(
     number: usize,
     shape: &Shape,
     settings: &GroupSettings,
+    offsetter: &Offsetter,
     warnings: &mut Vec<Warning>,
 ) -> Vec<ShapePath> {
     if settings.traversal || shape.kind() == Kind::Point {
@@ -50,7 +51,7 @@ pub(crate) fn paths(
     let mut paths = Vec::new();
     for side in sides(shape, settings) {
         for (pass, distance) in passes(settings) {
-            match offset_paths(shape, side * distance) {
+            match offset_paths(shape, side * distance, offsetter) {
                 Ok((found, coarse)) => {
                     warnings.extend(coarse.map(|coarse| Warning::new(number, coarse.to_string())));
                     if found.is_empty() {
@@ -107,7 +108,11 @@ struct Base {
     offset_mm: f64,
 }
 
-fn offset_paths(shape: &Shape, distance: f64) -> Result<(Vec<Base>, Option<Coarse>), GeomError> {
+fn offset_paths(
+    shape: &Shape,
+    distance: f64,
+    offsetter: &Offsetter,
+) -> Result<(Vec<Base>, Option<Coarse>), GeomError> {
     if distance == 0.0 {
         let base = Base { path: shape.path.clone(), z_mm: shape.z_mm.clone(), offset_mm: 0.0 };
         return Ok((vec![base], None));
@@ -116,7 +121,7 @@ fn offset_paths(shape: &Shape, distance: f64) -> Result<(Vec<Base>, Option<Coars
     let (found, coarse) = if crosses && !shape.is_closed() && shape.z_mm.is_none() {
         (vec![parallel_path(&shape.path, distance)?], None)
     } else {
-        let found = offset(&shape.path, distance)?;
+        let found = offsetter.offset(&shape.path, distance)?;
         let coarse = Coarse::of(&found);
         (found.into_iter().map(|found| found.path).collect(), coarse)
     };

@@ -7,7 +7,7 @@ use super::region::regions;
 use super::words::{WordError, Words, number};
 use super::{OpError, Operation};
 use crate::{Drawing, Editor, Group, GroupSettings, Lead, Shape};
-use kerf_geom::{GeomError, Polyarc};
+use kerf_geom::{GeomError, Offsetter, Polyarc};
 use kerf_pocket::{Cleared, Cutter, PocketError, Way, Zigzag};
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
@@ -155,16 +155,18 @@ pub(super) fn pocket(
     clearing: &Clearing,
     pattern: &Pattern,
 ) -> Result<Vec<String>, OpError> {
-    clear(draft, clearing, |region, cutter| match pattern {
-        Pattern::Rings(way) => kerf_pocket::rings(region, cutter, *way),
-        Pattern::Zigzag(lines) => kerf_pocket::zigzag(region, cutter, lines),
+    clear(draft, clearing, |region, cutter, offsetter| match pattern {
+        Pattern::Rings(way) => kerf_pocket::rings(region, cutter, *way, offsetter),
+        Pattern::Zigzag(lines) => kerf_pocket::zigzag(region, cutter, lines, offsetter),
     })
 }
 
 /// Rings from the wall to the middle, with the directions of the shapes reversed (Profiler notes, 32 to
 /// 34).
 pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Vec<String>, OpError> {
-    clear(draft, clearing, |region, cutter| kerf_pocket::rings(region, cutter, Way::default()))
+    clear(draft, clearing, |region, cutter, offsetter| {
+        kerf_pocket::rings(region, cutter, Way::default(), offsetter)
+    })
 }
 
 type Found = Result<Cleared, PocketError>;
@@ -172,7 +174,7 @@ type Found = Result<Cleared, PocketError>;
 fn clear(
     draft: &mut Editor,
     clearing: &Clearing,
-    paths: impl Fn(&[Polyarc], &Cutter) -> Found,
+    paths: impl Fn(&[Polyarc], &Cutter, &Offsetter) -> Found,
 ) -> Result<Vec<String>, OpError> {
     let cutter = Cutter::new(clearing.tool_mm, clearing.overlap_mm).map_err(OpError::Clearing)?;
     let chosen = if clearing.all { every(draft)? } else { draft.selected()? };
@@ -180,11 +182,12 @@ fn clear(
     let (regions, mut warnings) = regions(&draft.drawing, &chosen)?;
     warnings.extend(other_cutter);
     let first = draft.drawing.shapes.len();
+    let offsetter = Offsetter::default();
     for region in regions {
-        let found = match paths(&region.contours, &cutter) {
+        let found = match paths(&region.contours, &cutter, &offsetter) {
             // Contours may touch each other; then their outline is one contour.
             Err(PocketError::Geometry(GeomError::Crosses { .. })) => {
-                paths(&region.untangled()?.contours, &cutter)
+                paths(&region.untangled()?.contours, &cutter, &offsetter)
             }
             found => found,
         };

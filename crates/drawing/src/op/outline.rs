@@ -4,7 +4,7 @@
 use super::OpError;
 use super::edit::above_zero;
 use crate::{Editor, Shape};
-use kerf_geom::{Coarse, GeomError, Point2, Polyarc, edit};
+use kerf_geom::{Coarse, GeomError, Offsetter, Point2, Polyarc, edit};
 use std::sync::Arc;
 
 /// Directions that differ by less make no corner, radians.
@@ -95,12 +95,12 @@ pub(super) fn offset(
     distance: f64,
     keep: bool,
 ) -> Result<Vec<String>, OpError> {
-    let mut warnings = Vec::new();
+    let (mut warnings, offsetter) = (Vec::new(), Offsetter::default());
     for place in draft.selected()?.into_iter().rev() {
         let shape = draft.drawing.shapes[place].clone();
         flat_only(place + 1, &shape)?;
         let found =
-            kerf_geom::offset(&shape.path, distance).map_err(|error| told(place + 1, &error))?;
+            offsetter.offset(&shape.path, distance).map_err(|error| told(place + 1, &error))?;
         if let Some(coarse) = Coarse::of(&found) {
             warnings.insert(0, format!("shape {}: {coarse}", place + 1));
         }

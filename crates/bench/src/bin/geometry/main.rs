@@ -16,7 +16,7 @@ mod shapes;
 mod usage;
 
 use anyhow::Result;
-use kerf_geom::{Indexed, Polyarc};
+use kerf_geom::{Indexed, Offsetter, Polyarc};
 
 /// What an offset gave: rings, vertices, area.
 #[derive(Clone, Copy, Debug, Default)]
@@ -51,13 +51,14 @@ fn main() -> Result<()> {
         "| case | by | milliseconds (least of runs) | rings | vertices | area mm² | deviation mm |"
     );
     println!("|---|---|---|---|---|---|---|");
+    let offsetter = Offsetter::default();
     for case in shapes::cases().iter().filter(|case| case.name.contains(word)) {
         for (name, offset) in peers::ALL.iter().filter(|peer| peer.0.contains(by)) {
-            let (time, outcome) = timed(|| offset(&case.contours, case.distance, None));
+            let (time, outcome) = timed(|| offset(&offsetter, &case.contours, case.distance, None));
             let Outcome { rings, vertices, area } = outcome;
             let off = case.contours.iter().map(|contour| {
                 let (alone, mut kept) = (std::slice::from_ref(contour), Vec::new());
-                offset(alone, case.distance, Some(&mut kept));
+                offset(&offsetter, alone, case.distance, Some(&mut kept));
                 deviation(alone, case.distance, &kept)
             });
             let off = off.fold(0.0, f64::max);

