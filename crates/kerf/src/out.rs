@@ -1,11 +1,22 @@
 //! Words and numbers for people, and standard output.
 
+use anyhow::{Context, Result};
 use kerf_control::Summary;
+use kerf_control::files::{Disk, RealDisk};
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Writes to standard output. A reader that went away (`kerf … | head`) is no error.
 pub fn print(text: &str) {
     let _ = io::stdout().write_all(text.as_bytes());
+}
+
+/// Writes a file whole: where that fails half-way, what stood there stays.
+///
+/// # Errors
+/// Names the file and what the system said.
+pub fn file(path: &Path, bytes: impl AsRef<[u8]>) -> Result<()> {
+    RealDisk.write(path, bytes.as_ref()).with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// A duration: `12.3 s`, `4 min 05 s`, `2 h 03 min`.

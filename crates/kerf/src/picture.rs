@@ -1,14 +1,14 @@
 //! From the events of a run to a picture.
 
 use crate::exit::Usage;
-use anyhow::{Context, Result, bail};
+use crate::out;
+use anyhow::{Result, bail};
 use kerf_control::event::{ArcEvent, MoveEvent, Place};
 use kerf_control::{Event, Session, Sink, Summary, ToolPathTime};
 use kerf_diag::Severity;
 use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath};
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
 use kerf_program::{Axis, Settings};
-use std::fs;
 use std::path::Path;
 
 /// The kinds of picture.
@@ -141,7 +141,7 @@ pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
         Format::Html => kerf_preview::html(scene, &options).into_bytes(),
         Format::Png => kerf_preview::png(scene, &options)?,
     };
-    fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()))
+    out::file(path, bytes)
 }
 
 #[cfg(test)]

@@ -57,3 +57,37 @@ fn sbp_val_vp_jogs() {
     assert_eq!(last_path(&hidden, "jogs"), "");
     assert!(last_path(&hidden, "cuts").ends_with("M254 127l1016 635"));
 }
+
+#[cfg(unix)]
+#[test]
+fn the_picture_on_disk_outlives_a_full_disk() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = env!("CARGO_BIN_EXE_kerf");
+    std::fs::write(folder.path().join("part.sbp"), PART).unwrap();
+    let pictures = [
+        ("preview part.sbp -o", "picture.svg"),
+        ("preview part.sbp -o", "picture.png"),
+        ("preview part.sbp -o", "picture.html"),
+        ("plot part.sbp -o", "curves.svg"),
+        ("timing part.sbp -o", "lines.svg"),
+    ];
+    for (words, picture) in pictures {
+        let file = folder.path().join(picture);
+        std::fs::write(&file, "the picture of yesterday").unwrap();
+        // A bound on the size of files fails as a full disk does.
+        let full = format!("trap '' XFSZ; ulimit -f 1; exec '{program}' {words} {picture}");
+        let shell = Command::new("sh")
+            .current_dir(folder.path())
+            .env("KERF_DATA", folder.path())
+            .args(["-c", &full])
+            .output()
+            .unwrap();
+        let told = String::from_utf8_lossy(&shell.stderr);
+        assert_eq!(shell.status.code(), Some(1), "{picture}: {told}");
+        assert!(told.contains(&format!("cannot write {picture}")), "{told}");
+        assert_eq!(std::fs::read(&file).unwrap(), b"the picture of yesterday", "{picture}");
+    }
+    let left = std::fs::read_dir(folder.path()).unwrap().map(|it| it.unwrap().file_name());
+    let left: Vec<_> = left.filter(|name| name.to_string_lossy().starts_with('.')).collect();
+    assert!(left.is_empty(), "nothing is left beside them: {left:?}");
+}

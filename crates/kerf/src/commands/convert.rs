@@ -4,12 +4,11 @@ use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
 use crate::{date, drawings, out, parse, setup};
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::Desk;
 use kerf_control::answers::Answers;
 use kerf_control::drawn::{self, Drawn};
-use kerf_control::files::{Disk, RealDisk};
 use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_gcode::Dialect;
 use kerf_gcode::{Writer, Writing};
@@ -225,9 +224,7 @@ fn refuse_to_overwrite(args: &ConvertArgs) -> Result<()> {
 }
 
 fn keep(args: &ConvertArgs, text: &str) -> Result<Exit> {
-    RealDisk
-        .write(&args.target, text.as_bytes())
-        .with_context(|| format!("cannot write {}", args.target.display()))?;
+    out::file(&args.target, text)?;
     out::print(&format!("{}: {} lines\n", args.target.display(), text.lines().count()));
     Ok(Exit::Good)
 }

@@ -1,10 +1,10 @@
 //! `kerf fmt`: part files, tidied.
 
 use crate::exit::{Exit, Usage};
+use crate::out;
 use crate::parse::{self, Dialects};
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use kerf_control::files::{Disk, RealDisk};
 use kerf_sbp::{Dialect, Language};
 use std::fs;
 use std::io::{self, Read, Write};
@@ -51,9 +51,7 @@ fn one(file: &Path, args: &FmtArgs) -> Result<bool> {
     } else if stream {
         io::stdout().write_all(&formatted).context("cannot write the formatted text")?;
     } else if changes {
-        RealDisk
-            .write(file, &formatted)
-            .with_context(|| format!("cannot write {}", file.display()))?;
+        out::file(file, &formatted)?;
     }
     Ok(changes)
 }

@@ -4,13 +4,12 @@ use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
 use crate::{out, setup};
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::{Company, Event, Made, Sink, Work};
 use kerf_preview::heights::{HeightPlot, Reading};
 use kerf_program::{Axis, MoveKind};
 use kerf_sim::Sheet;
-use std::fs;
 use std::path::PathBuf;
 
 /// Measures height control: how far the gap between tool and sheet is from what is wanted
@@ -204,5 +203,5 @@ fn write(args: &HeightsArgs, plot: &HeightPlot) -> Result<()> {
         "png" => plot.png(PIXELS)?,
         _ => bail!(Usage(format!("{}: diagrams end in .svg or .png", path.display()))),
     };
-    fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()))
+    out::file(path, bytes)
 }

@@ -4,13 +4,12 @@ use crate::args::RunArgs;
 use crate::curves::Curves;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
-use crate::{parse, setup};
-use anyhow::{Context, Result, bail};
+use crate::{out, parse, setup};
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::Company;
 use kerf_preview::plot::{Plot, Sides};
 use kerf_program::Axis;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Plots speed, acceleration and jerk of a run, over time and along the path
@@ -100,6 +99,5 @@ fn write(plot: &Plot, format: Format, args: &PlotArgs) -> Result<()> {
         Format::Svg => plot.svg(sides).into_bytes(),
         Format::Png => plot.png(sides, args.pixels)?,
     };
-    fs::write(&args.output, bytes)
-        .with_context(|| format!("cannot write {}", args.output.display()))
+    out::file(&args.output, bytes)
 }

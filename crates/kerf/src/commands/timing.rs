@@ -3,14 +3,13 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
-use crate::setup;
-use anyhow::{Context, Result, bail};
+use crate::{out, setup};
+use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::{Company, Event, Made, Sink};
 use kerf_preview::timing::{Course, Timing, Track};
 use kerf_program::Axis;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::PathBuf;
 
 /// Draws the timing of a job or part file: inputs and outputs under the motion
@@ -151,7 +150,6 @@ pub fn run(args: &TimingArgs) -> Result<Exit> {
         "svg" => timing.svg().into_bytes(),
         _ => timing.png(PIXELS)?,
     };
-    fs::write(&args.output, bytes)
-        .with_context(|| format!("cannot write {}", args.output.display()))?;
+    out::file(&args.output, bytes)?;
     Ok(summary.status.into())
 }

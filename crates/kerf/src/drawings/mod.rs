@@ -3,8 +3,8 @@
 pub mod programs;
 
 use crate::exit::Usage;
-use anyhow::{Context, Result, bail};
-use kerf_control::files::{Disk, RealDisk};
+use crate::out;
+use anyhow::{Result, bail};
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_formats::{Finding, Imported, Weight, dxf, hpgl, rsg, svg};
 use kerf_gcode::{Writer, Writing};
@@ -178,9 +178,7 @@ pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
         "{}: caution: tool paths were changed by hand; making them anew from the drawing loses that",
         file.display()
     );
-    RealDisk
-        .write(file, kerf_toolpath::write(&job.edited(drawing)).as_bytes())
-        .with_context(|| format!("cannot write {}", file.display()))
+    out::file(file, kerf_toolpath::write(&job.edited(drawing)))
 }
 
 /// The job in a file, to be changed by hand.
@@ -219,9 +217,7 @@ pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
             bail!(Usage(format!("{}: a drawing is written as .rsg, .dxf or .svg", file.display())))
         }
     };
-    RealDisk
-        .write(file, text.as_bytes())
-        .with_context(|| format!("cannot write {}", file.display()))
+    out::file(file, text)
 }
 
 /// Whether a drawing has something that DXF has no place for.

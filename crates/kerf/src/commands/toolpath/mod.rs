@@ -7,10 +7,9 @@ use crate::args::{Format, RunArgs};
 use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
 use crate::picture::{self, Format as Picture};
-use crate::{drawings, parse};
-use anyhow::{Context, Result, bail};
+use crate::{drawings, out, parse};
+use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::files::{Disk, RealDisk};
 use kerf_geom::{Bounds2, Point2};
 use kerf_program::Smoothing;
 use kerf_program::Written;
@@ -144,9 +143,7 @@ fn keep(args: &ToolpathArgs, output: &Path, job: &Job, heights: &Heights) -> Res
             output.display()
         ))),
     };
-    RealDisk
-        .write(output, text.as_bytes())
-        .with_context(|| format!("cannot write {}", output.display()))
+    out::file(output, text)
 }
 
 /// The text of a program; what it does not say is told.
