@@ -16,14 +16,19 @@ struct Share {
     unit: &'static str,
 }
 
+const HINT: &str = "Lower it, or raise what the axis can do (dynamics).";
+
+/// The last bits of a conversion from mm/min are no excess.
+fn beyond(value: f64, most: f64) -> bool {
+    value > most * (1.0 + 1e-9)
+}
+
 impl Share {
     fn check(&self, of: &'static str, found: &mut Found) {
-        // The last bits of a conversion from mm/min are no excess.
-        if self.value > self.most * (1.0 + 1e-9) {
+        if beyond(self.value, self.most) {
             let Self { key, value, axis, most, unit } = self;
             let message = format!("{key} is {value} {unit}, axis {} reaches {most}", axis.letter());
-            let hint = "Lower it, or raise what the axis can do (dynamics).";
-            found.push(Contradiction::new(&[key, of], message, hint));
+            found.push(Contradiction::new(&[key, of], message, HINT));
         }
     }
 }
@@ -40,7 +45,15 @@ pub(super) fn cutting(c: &Configuration, found: &mut Found) {
         ("plunge.speed_mm_s", c.speeds.plunge_mm_s, Axis::Z),
     ];
     for (key, value, axis) in shares {
-        Share { key, value, axis, most: most[axis], unit: "mm/s" }.check(SPEED, found);
+        if beyond(value, most[axis]) {
+            let [value_min, most_min] = [value, most[axis]].map(|v| (v * 6e4).round() / 1e3);
+            let message = format!(
+                "{key} is {value} mm/s ({value_min} mm/min), axis {} reaches {} ({most_min})",
+                axis.letter(),
+                most[axis]
+            );
+            found.push(Contradiction::new(&[key, SPEED], message, HINT));
+        }
     }
 }
 

@@ -111,14 +111,20 @@ fn pro_homing_speeds__above_the_axis() {
 #[test]
 fn pro_speeds_cut() {
     accepted("smoothing.cut_speed_mm_s = 200");
-    // 12001 mm/min
+    accepted("smoothing.cut_speed_mm_s = \"12000 mm/min\"");
+    refused(
+        "smoothing.cut_speed_mm_s = \"12001 mm/min\"",
+        "mm/s (12001 mm/min), axis X reaches 200 (12000)",
+    );
     refused("smoothing.cut_speed_mm_s = 200.017", "smoothing.cut_speed_mm_s is 200.017 mm/s");
 }
 
 #[test]
 fn pro_speeds_plunge_max() {
     accepted("plunge.speed_mm_s = 50");
-    refused("plunge.speed_mm_s = 50.017", "plunge.speed_mm_s is 50.017 mm/s, axis Z reaches 50");
+    refused("plunge.speed_mm_s = 50.017", "plunge.speed_mm_s is 50.017 mm/s (3001.02 mm/min)");
+    accepted("plunge.speed_mm_s = \"3000 mm/min\"");
+    refused("plunge.speed_mm_s = \"3001 mm/min\"", "(3001 mm/min), axis Z reaches 50 (3000)");
 }
 
 #[test]

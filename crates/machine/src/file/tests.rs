@@ -171,3 +171,26 @@ fn pro_plasma_times() {
         check(&format!("[plasma]\n{key} = -0.1"), 2, &wanted);
     }
 }
+
+#[test]
+fn a_speed_may_carry_its_unit() {
+    for (written, mm_s) in [
+        ("100", 100.0),
+        ("\"6000 mm/min\"", 100.0),
+        ("\"6000mm/min\"", 100.0),
+        ("\"6 m/min\"", 100.0),
+        ("\"100 mm/s\"", 100.0),
+        ("\"2 in/s\"", 50.8),
+        ("\"60 IN/MIN\"", 25.4),
+    ] {
+        let text = format!("smoothing.cut_speed_mm_s = {written}");
+        let read = read(&"m.toml".into(), &text).unwrap();
+        assert_eq!(read.program.smoothing.cut_speed_mm_s, Some(mm_s), "{written}");
+    }
+    let none = read(&"m.toml".into(), "smoothing.cut_speed_mm_s = \"none\"").unwrap();
+    assert_eq!(none.program.smoothing.cut_speed_mm_s, None);
+    let units = "must be a number of mm/s, or one with its unit: mm/s, mm/min, m/min, in/s, in/min";
+    check("plunge.speed_mm_s = \"20 rpm\"", 1, &format!("plunge.speed_mm_s {units}"));
+    check("plunge.speed_mm_s = \"-1 mm/min\"", 1, "plunge.speed_mm_s must be greater than 0");
+    check("zpos.top_mm = \"1 mm/min\"", 1, "zpos.top_mm must be a number");
+}

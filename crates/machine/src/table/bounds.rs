@@ -1,6 +1,7 @@
 //! Units and bounds of settings.
 
 use crate::value::Value;
+use kerf_program::settings::MM_PER_INCH;
 
 /// What a number is measured in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +59,31 @@ impl Unit {
             Self::Pixels => "px",
             Self::Twips => "twips",
         }
+    }
+}
+
+/// Units in which a speed may be written: how many mm in how many seconds.
+const SPEEDS: [(&str, f64, f64); 5] = [
+    ("mm/s", 1.0, 1.0),
+    ("mm/min", 1.0, 60.0),
+    ("m/min", 1000.0, 60.0),
+    ("in/s", MM_PER_INCH, 1.0),
+    ("in/min", MM_PER_INCH, 60.0),
+];
+
+impl Unit {
+    /// A value in this unit. A speed may carry another behind it, `6000 mm/min`; the error says which.
+    pub(super) fn plain(self, value: &Value) -> Result<Value, String> {
+        let (Self::MmPerS, Value::Text(text)) = (self, value) else { return Ok(value.clone()) };
+        let text = text.trim();
+        let end = text.find(|c: char| !(c.is_ascii_digit() || ".+-".contains(c)));
+        let (number, unit) = text.split_at(end.unwrap_or(text.len()));
+        let Ok(number) = number.parse::<f64>() else { return Ok(value.clone()) };
+        let known = SPEEDS.iter().find(|(name, ..)| unit.trim().eq_ignore_ascii_case(name));
+        known.map(|(_, mm, seconds)| Value::Number(number * mm / seconds)).ok_or_else(|| {
+            let names = SPEEDS.map(|(name, ..)| name).join(", ");
+            format!("a number of mm/s, or one with its unit: {names}")
+        })
     }
 }
 

@@ -172,7 +172,7 @@ const SPEEDS: &[Setting] = &[
         c.speeds.plunge_mm_s,
         MmPerS,
         Positive,
-        "Speed from Z top down to the cutting height; at most that of the Z axis."
+        "Speed from Z top down to the cutting height, also as \"1200 mm/min\"; at most that of the Z axis."
     ),
     row!(
         c,

@@ -132,13 +132,16 @@ impl Setting {
         (self.words)(&Configuration::default())
     }
 
-    /// Sets it; the configuration stays as it was where the value is refused.
+    /// Sets it; a speed may carry its unit. The configuration stays as it was where the value is refused.
     ///
     /// # Errors
     /// What the setting accepts, when the value is none of it.
     pub fn set(&self, configuration: &mut Configuration, value: &Value) -> Result<(), Refused> {
         let mut changed = configuration.clone();
-        let fits = self.bounds.check(value).and_then(|()| (self.put)(&mut changed, value));
+        let fits = self.unit.plain(value).and_then(|plain| {
+            self.bounds.check(&plain)?;
+            (self.put)(&mut changed, &plain)
+        });
         match fits {
             Ok(()) => *configuration = changed,
             Err(wanted) => return Err(Refused { key: self.key, wanted, got: value.clone() }),

@@ -419,7 +419,7 @@ const SMOOTHING: &[Setting] = &[
         c.program.smoothing.cut_speed_mm_s,
         MmPerS,
         Positive,
-        "The machine's highest cutting speed along X; none for that of the X axis."
+        "The machine's highest cutting speed along X, also as \"6000 mm/min\"; none for that of the X axis."
     ),
     row!(
         c,
