@@ -229,6 +229,8 @@ codes! {
         "The machine is set to run only after its axes were homed (`homing.before_runs`). Home them with `kerf machine home`, or at the question.";
     NotConnected "M005" Error "the machine is not connected"
         "The controller does not answer. What moved has slowed down, outputs went off, the run is over. The last location is kept, but nobody knows whether it is still true: before the next file is cut Kerf asks whether to home, or whether the location is right. Look at the cable; meanwhile SP shows files in preview.";
+    SpeedLimited "M006" Warning "a group is cut slower than it asks for"
+        "The cutting speed of a group is higher than the machine's cutting speed (`smoothing.cut_speed_mm_s`, `cut` in a pause), which holds then. Lower the group's speed, or raise the machine's.";
     NotConverted "C001" Warning "not in the other language"
         "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
     StartTaken "C002" Note "the program goes on from where the tool stands"

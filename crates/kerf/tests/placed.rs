@@ -90,6 +90,14 @@ fn pro_job_step_speeds() {
 }
 
 #[test]
+fn pro_speeds_cut_group__told() {
+    let shop = shop("line 0,0 100,0; set black speed=9000");
+    shop.kerf("toolpath job.rsg").exits(0);
+    let did = shop.kerf("run job.rsm --start kept");
+    did.exits(0).complains("group black: 9000 mm/min is limited to 6000 mm/min");
+}
+
+#[test]
 fn pro_job_step_z() {
     let shop = shop("line 0,0 10,0");
     shop.kerf("toolpath job.rsg").exits(0);

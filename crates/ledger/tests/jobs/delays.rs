@@ -1,6 +1,7 @@
 //! Areas `delays`, `speeds` and `zpos`: what the waits, speeds and heights of the machine do to a job.
 
-use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1, t2};
+use kerf_control::Event;
+use kerf_ledger::jobs::{JobRun, JobTrace, drawn, job, line, t1, t2};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::delays::{BottomDelayType, TimeoutAction};
 use kerf_program::job::{Depth, Job};
@@ -221,5 +222,53 @@ fn pro_speeds_cut_group() {
         shapes[0].speed_mm_s = Some(150.0);
         job.shapes = shapes.into();
     });
-    assert_eq!(fast.run().cutting_speeds(), [100.0]);
+    let trace = fast.run();
+    assert_eq!(trace.cutting_speeds(), [100.0]);
+    assert_eq!(warnings(&trace), ["group black: 9000 mm/min is limited to 6000 mm/min"]);
+    assert_eq!(warnings(&JobRun::new(t1()).run()), Vec::<String>::new());
+}
+
+/// What a run warns of.
+fn warnings(trace: &JobTrace) -> Vec<String> {
+    let told = |event: &Event| match event {
+        Event::Diag(told) => Some(told.message.clone()),
+        _ => None,
+    };
+    trace.events.iter().filter_map(told).collect()
+}
+
+#[test]
+fn pro_speeds_units() {
+    // Cutting speeds are said in mm/min, those of the machine and of the trace are in mm/s.
+    let cut = drawn("line 0,0 100,0; set black speed=6000");
+    let run = JobRun::new(cut).with(|machine| machine.program.smoothing.cut_speed_mm_s = None);
+    assert_eq!(run.run().cutting_speeds(), [100.0]);
+}
+
+#[test]
+fn pro_speeds_cut_group__once_for_each_group_and_speed() {
+    let fast = |number: u32, y: f64, group: &str, mm_s: f64| {
+        let mut shape = line(number, (0.0, y), (100.0, y));
+        (shape.group, shape.speed_mm_s) = (group.into(), Some(mm_s));
+        shape
+    };
+    let shapes = || {
+        let mut last = fast(4, 30.0, "black", 150.0);
+        last.pause = true;
+        [
+            fast(1, 0.0, "black", 150.0),
+            fast(2, 10.0, "black", 150.0),
+            fast(3, 20.0, "red", 100.0),
+            last,
+        ]
+    };
+    let black = "group black: 9000 mm/min is limited to 6000 mm/min".to_owned();
+    let run = JobRun::new(job(shapes())).say("resume").run();
+    assert_eq!(warnings(&run), std::slice::from_ref(&black));
+    // A lower speed of the machine holds from the pause on.
+    let run = JobRun::new(job(shapes())).say("cut 3000\nresume").run();
+    assert_eq!(
+        warnings(&run),
+        [black, "group black: 9000 mm/min is limited to 3000 mm/min".into()]
+    );
 }

@@ -21,6 +21,7 @@ mod beam;
 mod begin;
 mod carry;
 mod height;
+mod limited;
 mod path;
 mod pause;
 mod place;
@@ -105,6 +106,8 @@ pub struct Sequence {
     cut: u64,
     /// The group told last.
     group: Option<Arc<str>>,
+    /// Groups that were told to be slower than they ask for.
+    limited: Vec<Arc<str>>,
     over: Option<(Status, Option<Box<Diagnostic>>)>,
 }
 
@@ -147,6 +150,7 @@ impl Sequence {
             halted_before: false,
             cut: 0,
             group: None,
+            limited: Vec::new(),
             over: None,
             whole: job.clone(),
             jig: None,

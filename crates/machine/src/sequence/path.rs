@@ -24,6 +24,7 @@ impl Sequence {
         let job = self.job.clone();
         let Some(shape) = self.here.shape(&job) else { return };
         let Some(spot) = self.here.spot(shape) else { return };
+        self.tell_limited(shape, out);
         self.followed = Followed { first: self.motions + 1, segments: Vec::new() };
         for number in spot.segment..shape.path.segment_count() {
             let segment = shape.path.segment(number);

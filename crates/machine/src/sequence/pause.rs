@@ -289,7 +289,7 @@ impl Sequence {
 
     fn obey(&mut self, word: Word) {
         match word {
-            Word::CutSpeed(mm_s) => self.cut_mm_s = mm_s,
+            Word::CutSpeed(mm_s) => self.use_cut_speed(mm_s),
             Word::PlungeSpeed(mm_s) => self.plunge_mm_s = mm_s,
             Word::AdjustBottom(by) => {
                 self.heights.bottom_mm += by;
