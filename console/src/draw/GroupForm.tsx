@@ -61,8 +61,8 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
       <LeadRow name="lead-in" label="Lead-in" lead={group.leadIn} mm={mm} set={set} />
       <LeadRow name="lead-out" label="Lead-out" lead={group.leadOut} mm={mm} set={set} />
       <Entry
-        label="Speed"
-        title="Millimetres a minute; max is the machine's cutting speed"
+        label="Speed, mm/min"
+        title="Cutting speed; max is the machine's cutting speed"
         text={group.speed === null ? "max" : shown(group.speed, 1)}
         onText={(text) => {
           const read = readNumber(text);

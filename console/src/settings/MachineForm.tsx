@@ -97,7 +97,7 @@ function SettingField({ entry }: { entry: SettingEntry }) {
         value={text}
         onChange={setText}
         onBlur={leave}
-        unit={shownUnit(entry.unit, mm).unit}
+        unit={shownUnit(entry, mm).unit}
         hint={hint}
         error={wrong}
       />

@@ -3,11 +3,24 @@
 import { evaluate, resultText } from "../app/expression";
 import type { SettingEntry } from "../wire/messages";
 
-/** The unit that is shown for one of the configuration, and how many of the latter it has. */
-export function shownUnit(unit: string, mm: number): { unit: string; scale: number } {
+/** Cutting speeds: told by the minute, while machines' speeds are told by the second. */
+const cutting = new Set(["smoothing.cut_speed_mm_s", "plunge.speed_mm_s"]);
+
+/** The unit that is shown for a setting of the configuration, and how many of its own it has. */
+export function shownUnit(
+  { key, unit }: Pick<SettingEntry, "key" | "unit">,
+  mm: number,
+): { unit: string; scale: number } {
   const plain = /^mm(\/s[²³]?)?$/.test(unit);
-  return plain && mm !== 1 ? { unit: unit.replace("mm", "in"), scale: mm } : { unit, scale: 1 };
+  const shown =
+    plain && mm !== 1 ? { unit: unit.replace("mm", "in"), scale: mm } : { unit, scale: 1 };
+  return cutting.has(key)
+    ? { unit: shown.unit.replace("/s", "/min"), scale: shown.scale / 60 }
+    : shown;
 }
+
+/** A speed with its unit, as the configuration takes it too. */
+const withUnit = /^[\d.]+ ?(mm|m|in)\/(s|min)$/i;
 
 const isNumber = (text: string): boolean => text.trim() !== "" && Number.isFinite(Number(text));
 
@@ -24,9 +37,10 @@ const each = (text: string, change: (n: number) => number): string =>
     .map((part) => (isNumber(part) ? resultText(change(Number(part))) : part))
     .join(", ");
 
-export function shownValue({ value, unit, kind }: SettingEntry, mm: number): string {
+export function shownValue(entry: SettingEntry, mm: number): string {
+  const { value, kind } = entry;
   if (kind.is !== "number" && kind.is !== "list") return value;
-  const { scale } = shownUnit(unit, mm);
+  const { scale } = shownUnit(entry, mm);
   return each(value, (n) => n / scale);
 }
 
@@ -34,7 +48,8 @@ export function shownValue({ value, unit, kind }: SettingEntry, mm: number): str
 export function writtenValue(entry: SettingEntry, text: string, mm: number): string | undefined {
   const { kind } = entry;
   if (kind.is !== "number" && kind.is !== "list") return text;
-  const { scale } = shownUnit(entry.unit, mm);
+  if (entry.unit === "mm/s" && withUnit.test(text.trim())) return text.trim();
+  const { scale } = shownUnit(entry, mm);
   const one = (part: string): string | undefined => {
     if (/^[a-z]+$/i.test(part)) return part;
     const value = evaluate(part);
