@@ -1,6 +1,6 @@
 import { type KeyboardEvent, useRef, useState } from "react";
 import { drive } from "../actions/ask";
-import { useHands, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { CommandEntry } from "../wire/messages";
@@ -23,7 +23,17 @@ import { findCommand, useCommands } from "./table";
 /** The fill-in sheet of a command; settings in it are those of now. */
 export function CommandSheet({ letters, given }: { letters: string; given: readonly string[] }) {
   const entry = findCommand(useCommands(true), letters);
-  return entry ? <FilledSheet key={letters} entry={entry} given={given} /> : null;
+  const current = useCurrentFile();
+  const named = letters === "FP" && !given[0] ? [current, ...given.slice(1)] : given;
+  return entry ? <FilledSheet key={letters} entry={entry} given={named} /> : null;
+}
+
+/** The current part file as FP names it: below the folder that part files are chosen from. */
+function useCurrentFile(): string {
+  const folder = useSnapshot("folder")?.name ?? "";
+  const name = useSnapshot("opened")?.name ?? "";
+  if (folder === "") return name;
+  return name.startsWith(`${folder}/`) ? name.slice(folder.length + 1) : "";
 }
 
 /** Commands whose sheet is about a part file. */

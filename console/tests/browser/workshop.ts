@@ -96,6 +96,10 @@ export interface WorkshopOptions {
   readonly drawingOnly?: boolean;
   /** Opened at the start. */
   readonly open?: string;
+  /** The start-up line of the handbooks that begins it, read in the part folder. */
+  readonly line?: string;
+  /** Where it listens; a free port unless told. */
+  readonly listen?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
 }
@@ -136,9 +140,11 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   }
   const file = options.open ? [options.open] : [];
   const rate = String(options.rate ?? 1);
-  const places = ["--listen", "127.0.0.1:0", "--parts", folder, "--data", folder, "--rate", rate];
+  const listen = options.listen ?? "127.0.0.1:0";
+  const places = ["--listen", listen, "--parts", folder, "--data", folder, "--rate", rate];
   const only = options.drawingOnly ? ["--drawing-only"] : [];
-  const server = spawn(kerf, ["serve", ...file, ...places, ...only]);
+  const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
+  const server = spawn(kerf, [...begins, ...places, ...only], { cwd: folder });
   const address = await addressOf(server);
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",

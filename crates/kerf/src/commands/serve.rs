@@ -72,6 +72,12 @@ impl ServeArgs {
         Visit { opening, ..Visit::default() }
     }
 
+    /// Whether it begins in preview.
+    fn draws(&self) -> bool {
+        let open = self.line.as_ref().map(|line| line.open);
+        matches!(open, Some(OpenMethod::Preview | OpenMethod::SheetInPreview))
+    }
+
     /// What pages show, and what is carried out at once.
     fn start(&self) -> (Option<kerf_server::StartUp>, Vec<String>) {
         let Some(line) = &self.line else { return (None, Vec::new()) };
@@ -158,7 +164,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     }
     if kept {
         // The log begins, and a command that was passed in before is forgotten.
-        args.visit().begins(&session, &mut shelf)?;
+        args.visit().begins_drawing(&session, &mut shelf, args.draws())?;
     }
     Ok(Workshop { session, shelf, kept, started: || Some(clock::started()) })
 }
