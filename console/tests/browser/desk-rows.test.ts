@@ -4,7 +4,16 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
-import { arm, command, location, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  command,
+  commandDesk,
+  location,
+  openWorkshop,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -16,11 +25,7 @@ beforeAll(async () => {
   file("words.sbp", "'alpha\nMX,1\n'beta\nEND\n");
   file("inner.sbp", "PAUSE 1\nMX,0\nPAUSE 60\n");
   file("outer.sbp", "SA\n\nFP,inner.sbp,,,1\nEND\n");
-  page = await workshop.page();
-  page.setDefaultTimeout(8000);
-  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
-  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
-  await page.reload();
+  page = await commandDesk(workshop, 8000);
   await arm(page);
 });
 afterAll(() => workshop?.close());

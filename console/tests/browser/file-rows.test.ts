@@ -4,7 +4,16 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
-import { arm, command, location, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  command,
+  commandDesk,
+  location,
+  openWorkshop,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -21,11 +30,7 @@ beforeAll(async () => {
   file("door.sbp", "'Contact: Ann\n'Material: birch, 18 mm\n\nMX,3\nEND\n");
   mkdirSync(place("x"));
   file("x/in.sbp", "MX,4\nEND\n");
-  page = await workshop.page();
-  page.setDefaultTimeout(10_000);
-  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
-  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
-  await page.reload();
+  page = await commandDesk(workshop);
   await arm(page);
 });
 afterAll(() => workshop?.close());

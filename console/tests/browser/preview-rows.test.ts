@@ -5,7 +5,16 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { type Painted, type Pixel, painted } from "./pixels";
-import { arm, command, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  command,
+  commandDesk,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -20,11 +29,7 @@ beforeAll(async () => {
   const line = (text: string, n: number) => `'line ${n}\n${text}\n`;
   file("thousand.sbp", `SA\nJ2,8,6\nMZ,-.1\n${moves.map(line).join("")}JZ,.5\nEND\n`);
   file("ring.sbp", "SA\nMZ,-.1\nCC,4\nJZ,.5\nJ2,-3,-3\nEND\n");
-  page = await workshop.page();
-  page.setDefaultTimeout(10_000);
-  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
-  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
-  await page.reload();
+  page = await commandDesk(workshop);
   await arm(page);
 });
 afterAll(() => workshop?.close());

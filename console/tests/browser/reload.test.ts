@@ -4,7 +4,16 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
-import { arm, command, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  command,
+  commandDesk,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -37,15 +46,7 @@ afterEach(async () => {
   await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
 });
 
-async function comes(): Promise<Page> {
-  const made = await workshop.page();
-  made.setDefaultTimeout(10_000);
-  await made.evaluate(() => localStorage.setItem("kerf.face", "full"));
-  await made.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
-  await made.reload();
-  await made.getByLabel("Command line").waitFor();
-  return made;
-}
+const comes = () => commandDesk(workshop);
 
 const now = async () => (await stateOf(workshop)).machine.state;
 const begins = (state: string) => until(async () => (await now()) === state, state);

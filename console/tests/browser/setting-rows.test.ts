@@ -7,6 +7,7 @@ import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
 import {
   arm,
   command,
+  commandDesk,
   location,
   openWorkshop,
   script,
@@ -23,11 +24,7 @@ beforeAll(async () => {
   const long = "SA\nMS,1,1\nMZ,-.1\nM2,4,0\nM2,4,3\nM2,0,3\nM2,0,0\nJZ,.5\nEND\n";
   writeFileSync(join(workshop.parts, "long.sbp"), long);
   writeFileSync(join(workshop.parts, "hello.sbp"), 'PRINT "Hello"\nEND\n');
-  page = await workshop.page();
-  page.setDefaultTimeout(10_000);
-  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
-  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
-  await page.reload();
+  page = await commandDesk(workshop);
   await arm(page);
 });
 afterAll(() => workshop?.close());

@@ -52,6 +52,17 @@ export async function fullFace(page: Page): Promise<void> {
   await page.getByLabel("Command line").waitFor();
 }
 
+/** A page with the FULL face on which the sheets stay closed: what is typed is sent as it is. */
+export async function commandDesk(workshop: Workshop, patience_ms = 10_000): Promise<Page> {
+  const page = await workshop.page();
+  page.setDefaultTimeout(patience_ms);
+  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
+  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
+  await page.reload();
+  await page.getByLabel("Command line").waitFor();
+  return page;
+}
+
 /** Types a line at the command line and sends it. */
 export async function command(page: Page, line: string): Promise<void> {
   await page.getByLabel("Command line").pressSequentially(line);
