@@ -61,11 +61,23 @@ async function settled(): Promise<{ tookMs: number; wayMm: number }> {
   return { tookMs: performance.now() - begin, wayMm: now.x - x };
 }
 
-/** Presses the key and waits until the machine moves. */
+/** Presses the key and waits until the machine moves; over a link that is slow for a moment it makes one
+ * step only, then the key is pressed again. */
 async function jogs(): Promise<void> {
   const { x } = await watched();
-  await page.keyboard.down("ArrowRight");
-  await until(async () => (await watched()).x > x + 1, "the machine moves");
+  const goes = async () => {
+    const now = await watched();
+    return now.moves && now.x > x + 1;
+  };
+  await until(async () => {
+    await page.keyboard.down("ArrowRight");
+    for (let look = 0; look < 60; look += 1) {
+      if (await goes()) return true;
+      await wait(50);
+    }
+    await page.keyboard.up("ArrowRight");
+    return false;
+  }, "the machine moves");
 }
 
 /** Nothing moves for a while. */

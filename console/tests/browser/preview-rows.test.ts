@@ -139,36 +139,3 @@ it("sbp_cmd_sp_clear: SP in preview empties the picture on every page, the next 
   await page.getByRole("button", { name: "SIMULATED" }).waitFor();
   await idle();
 });
-
-/** Two colours are so near that the light alone makes the difference. */
-const near = (a: Pixel, b: Pixel): boolean =>
-  a.every((value, n) => Math.abs(value - (b[n] ?? 0)) < 14);
-
-it("sbp_con_preview_cut: with simulate on, CC,4 takes a ring a quarter of an inch wide out of the stock", async () => {
-  await command(page, "VP,,,,,1");
-  await idle();
-  await opens("ring.sbp");
-  const stock = page.getByRole("button", { name: "Stock" });
-  await expect.poll(() => stock.getAttribute("aria-pressed")).toBe("true");
-  const whole = await painted(page, box());
-  const end = page.getByRole("slider", { name: "Planned time" });
-  const count = await pictures();
-  await end.focus();
-  await page.keyboard.press("End");
-  await drawn(count);
-  const cut = await painted(page, box());
-  const changed = (x: number, y: number) => !near(whole.at(x, y), cut.at(x, y));
-  // The ring lies about the middle of what is seen: outwards from there, left of the zero mark.
-  const [mx, my] = [cut.width / 2, cut.height / 2];
-  const rows = Array.from({ length: 9 }, (_, n) => Math.round(my + 12 + 3 * n));
-  const widths = rows.map((y) => {
-    const across = Array.from({ length: Math.floor(mx) }, (_, x) => x).filter((x) => changed(x, y));
-    const [left = 0, right = 0] = [across[0], across.at(-1)];
-    return { outer: Math.hypot(mx - left, y - my), inner: Math.hypot(mx - right, y - my) };
-  });
-  const [middle] = widths.sort((a, b) => a.outer - b.outer).slice(4);
-  if (!middle) throw new Error("there is no ring");
-  // 2.125 in outside, 1.875 in inside.
-  expect(middle.inner / middle.outer).toBeCloseTo(1.875 / 2.125, 1);
-  expect(middle.outer - middle.inner).toBeGreaterThan(4);
-});
