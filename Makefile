@@ -36,6 +36,8 @@ soak: prepare ## RUNS (100000) random runs in the simulation, then the process i
 	  $(CARGO) test --locked --package kerf --test killed -- --nocapture
 
 fuzz: ## throw bytes at everything that reads them, FUZZ_SECONDS (60) for each target
+	@cargo-fuzz --version >/dev/null 2>&1 || $(CARGO) install cargo-fuzz --locked
+	@rustup toolchain list | grep -q '^nightly' || rustup toolchain install nightly --profile minimal
 	@for target in $$(sed -n 's/^path = "fuzz_targets\/\(.*\)\.rs"/\1/p' fuzz/Cargo.toml); do \
 	  mkdir -p fuzz/corpus/$$target; \
 	  $(CARGO) +nightly fuzz run $$target fuzz/corpus/$$target fuzz/seeds/$$target -- \
