@@ -60,16 +60,27 @@ impl Clocked {
 
     /// What the plan says at a time of its own; the move is counted from the first of the first piece.
     pub fn planned(&self, plan_s: f64) -> State {
+        let Some((piece, before)) = self.running(plan_s) else { return State::default() };
+        let state = piece.at(plan_s);
+        State { move_index: before + state.move_index, ..state }
+    }
+
+    /// Velocity and acceleration of every axis that the plan says at a time of its own.
+    pub fn rates(&self, plan_s: f64) -> [Axes; 2] {
+        self.running(plan_s).map_or_else(Default::default, |(piece, _)| piece.rates(plan_s))
+    }
+
+    /// The piece that runs at a time of the plan, and how many moves lie in those before.
+    fn running(&self, plan_s: f64) -> Option<(&Plan, usize)> {
         let mut before = 0;
-        let last = self.pieces.len().saturating_sub(1);
-        for (k, piece) in self.pieces.iter().enumerate() {
-            if k == last || plan_s < piece.duration_s() {
-                let state = piece.at(plan_s);
-                return State { move_index: before + state.move_index, ..state };
+        let (last, others) = self.pieces.split_last()?;
+        for piece in others {
+            if plan_s < piece.duration_s() {
+                return Some((piece, before));
             }
             before += piece.moves().len();
         }
-        State::default()
+        Some((last, before))
     }
 
     pub fn at(&self, t_s: f64) -> State {

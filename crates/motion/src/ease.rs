@@ -9,8 +9,7 @@
 
 use crate::chain::Clocked;
 use crate::clock::Tick;
-use crate::plan::State;
-use kerf_program::{AXES, Dynamics};
+use kerf_program::{AXES, Axes, Dynamics};
 
 /// The rate is chosen, and limits are looked at, so often, seconds.
 const STEP_S: f64 = 1e-3;
@@ -71,8 +70,8 @@ impl<'a> Easing<'a> {
     /// once, as steeply as the accelerations allow: a stop must never be waited for.
     pub fn stand(&self, now: Tick, settled: Tick) -> Vec<Tick> {
         let Some(jerk) = self.dynamics.jerk_mm_s3 else { return self.steps(now, 0.0) };
-        let state = self.plan.planned(now.plan_s);
-        let latest_s = now.t_s + LATE_S + LATE * self.at_least(&state, &jerk.0);
+        let [velocity, _] = self.plan.rates(now.plan_s);
+        let latest_s = now.t_s + LATE_S + LATE * self.at_least(&velocity, &jerk.0);
         let ticks = self.smooth(settled, 0.0, &jerk.0, latest_s);
         match ticks.last() {
             Some(last) if self.rests_at(last) <= latest_s => ticks,
@@ -139,10 +138,10 @@ impl<'a> Easing<'a> {
 
     /// The greatest change of the rate over a step, up or down.
     fn gain(&self, tick: &Tick, up: bool) -> f64 {
-        let here = self.plan.planned(tick.plan_s);
-        let next = self.plan.planned(tick.plan_s + tick.rate * STEP_S);
+        let here = self.plan.rates(tick.plan_s);
+        let next = self.plan.rates(tick.plan_s + tick.rate * STEP_S);
         // Where the curvature jumps, what lies between counts as well.
-        let middle = self.plan.planned(tick.plan_s + 0.5 * tick.rate * STEP_S);
+        let middle = self.plan.rates(tick.plan_s + 0.5 * tick.rate * STEP_S);
         let mut gain = 0.0;
         // The rate at the end of the step depends on what is sought.
         for _ in 0..2 {
@@ -158,10 +157,10 @@ impl<'a> Easing<'a> {
     }
 
     /// The changes of the rate that keep every axis within its acceleration.
-    fn room(&self, state: &State, rate: f64) -> (f64, f64) {
+    fn room(&self, [velocity, acceleration]: &[Axes; 2], rate: f64) -> (f64, f64) {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for k in 0..AXES {
-            let (v, a) = (state.velocity.0[k], state.acceleration.0[k] * rate * rate);
+            let (v, a) = (velocity.0[k], acceleration.0[k] * rate * rate);
             if v.abs() > STILL_MM_S {
                 let most = self.dynamics.accel_mm_s2.0[k] * ACCEL_SLACK;
                 let (one, other) = ((-most - a) / v, (most - a) / v);
@@ -187,8 +186,8 @@ impl<'a> Easing<'a> {
 
     /// The same from a moment on.
     fn smooth_from(&self, from: Tick, goal: f64, jerk: &[f64; AXES]) -> Option<Vec<Tick>> {
-        let state = self.plan.planned(from.plan_s);
-        let mut takes_s = self.at_least(&state, jerk).max(2.0 * STEP_S);
+        let [velocity, _] = self.plan.rates(from.plan_s);
+        let mut takes_s = self.at_least(&velocity, jerk).max(2.0 * STEP_S);
         let trials = if from.rate > 0.0 { TRIALS } else { TRIALS_FROM_REST };
         for _ in 0..trials {
             let ticks = smooth(from, goal, takes_s);
@@ -201,8 +200,8 @@ impl<'a> Easing<'a> {
     }
 
     /// No change from here is quicker, seconds: half of the peaks that it would have.
-    fn at_least(&self, state: &State, jerk: &[f64; AXES]) -> f64 {
-        let axes = state.velocity.0.iter().zip(&self.dynamics.accel_mm_s2.0).zip(jerk);
+    fn at_least(&self, velocity: &Axes, jerk: &[f64; AXES]) -> f64 {
+        let axes = velocity.0.iter().zip(&self.dynamics.accel_mm_s2.0).zip(jerk);
         axes.map(|((v, a), j)| (v.abs() / a).max((v.abs() / j).sqrt())).fold(0.0, f64::max)
     }
 
@@ -212,8 +211,8 @@ impl<'a> Easing<'a> {
         let steps = ((last.t_s - first.t_s) / step_s).ceil().max(1.0) as usize;
         let h = (last.t_s - first.t_s) / steps as f64;
         let accel = |tick: &Tick| {
-            let state = self.plan.planned(tick.plan_s);
-            let (v, a, square) = (state.velocity.0, state.acceleration.0, tick.rate * tick.rate);
+            let [Axes(v), Axes(a)] = self.plan.rates(tick.plan_s);
+            let square = tick.rate * tick.rate;
             std::array::from_fn::<f64, AXES, _>(|k| a[k] * square + v[k] * tick.gain)
         };
         let mut before = accel(first);

@@ -190,6 +190,17 @@ impl Plan {
         }
     }
 
+    /// Velocity and acceleration of every axis at a time.
+    pub(crate) fn rates(&self, t_s: f64) -> [Axes; 2] {
+        match &self.law {
+            Law::Timed(law) if !self.moves.is_empty() => law.rates(t_s.max(0.0)),
+            _ => {
+                let state = self.at(t_s);
+                [state.velocity, state.acceleration]
+            }
+        }
+    }
+
     /// When a share 0 … 1 of a move's path has been made, seconds.
     pub fn time_at_share(&self, index: usize, share: f64) -> f64 {
         let Some(made) = self.moves.get(index) else { return self.duration_s() };

@@ -41,12 +41,15 @@ pub(crate) const PARTS: usize = 11;
 impl Kernel {
     /// The triangles of which the kernel for a turn is made.
     pub fn parts(self, turn: f64) -> [(f64, f64); PARTS] {
-        if self.is_corner(turn) {
-            return CORNER;
-        }
         let mut parts = [(0.0, 1.0); PARTS];
-        parts[0] = (1.0, 1.0);
+        let made = self.triangles(turn);
+        parts[..made.len()].copy_from_slice(made);
         parts
+    }
+
+    /// The same, without those that have no area.
+    fn triangles(self, turn: f64) -> &'static [(f64, f64)] {
+        if self.is_corner(turn) { &CORNER } else { &[(1.0, 1.0)] }
     }
 
     /// Whether the kernel for a turn is that of a corner.
@@ -61,9 +64,9 @@ impl Kernel {
             return (left * left / (4.0 * c), left * (c + distance) / (4.0 * c * c));
         }
         let mut sum = (0.0, 0.0);
-        for (share, width) in self.parts(turn) {
+        for (share, width) in self.triangles(turn) {
             let (c, left) = (c * width, c * width - distance);
-            if share != 0.0 && left > 0.0 {
+            if left > 0.0 {
                 let square = share * left * left / (6.0 * c * c);
                 sum.0 += square * left;
                 sum.1 += width * square * (c + 2.0 * distance) / c;
@@ -86,7 +89,7 @@ impl Kernel {
         match self {
             Self::Box => 4.0,
             Self::Triangle => {
-                6.0 / self.parts(turn).iter().map(|(share, width)| share * width).sum::<f64>()
+                6.0 / self.triangles(turn).iter().map(|(share, width)| share * width).sum::<f64>()
             }
         }
     }
@@ -100,9 +103,9 @@ impl Kernel {
             return [left * left / (4.0 * c), side * left / (2.0 * c), 0.5 / c];
         }
         let mut sum = [0.0; 3];
-        for (share, width) in self.parts(turn) {
+        for (share, width) in self.triangles(turn) {
             let left = c * width - offset.abs();
-            if share != 0.0 && left > 0.0 {
+            if left > 0.0 {
                 let scale = share / (c * width * c * width);
                 sum[0] += scale * left * left * left / 6.0;
                 sum[1] += side * 0.5 * scale * left * left;

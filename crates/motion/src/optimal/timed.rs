@@ -127,27 +127,39 @@ impl Timed {
 
     /// The move to which a place on the track belongs, and how much of its path lies before.
     pub fn share(&self, at_mm: f64) -> (usize, f64) {
-        let index = self.track.owner[self.track.segment(at_mm)] as usize;
-        let (a, b) = (self.start_mm(index), self.start_mm(index + 1));
-        let share = if b > a { (at_mm - a) / (b - a) } else { 1.0 };
-        (index, share.clamp(0.0, 1.0))
+        let (index, [a, b]) = self.reach(self.track.segment(at_mm));
+        (index, share_of(at_mm, a, b))
+    }
+
+    /// The move to which a segment belongs, and from where to where it goes on the track.
+    fn reach(&self, segment: usize) -> (usize, [f64; 2]) {
+        let index = self.track.owner[segment] as usize;
+        (index, [self.start_mm(index), self.start_mm(index + 1)])
     }
 
     /// What the machine does at a time.
     pub fn at(&self, t_s: f64, moves: &[Move]) -> State {
         let along = self.along(t_s);
-        let (move_index, share) = self.share(along.at_mm);
+        let segment = self.track.segment(along.at_mm);
+        let (move_index, [a, b]) = self.reach(segment);
         let made = &moves[move_index.min(moves.len() - 1)];
-        let [position, slope, bend] = self.geometry(along.at_mm);
-        let square = along.v * along.v;
+        let scale = if b > a { made.length_mm / (b - a) } else { 1.0 };
+        let geometry = self.geometry(along.at_mm);
+        let [velocity, acceleration] = rates(&along, &geometry);
         State {
-            position,
-            path_speed_mm_s: along.v * self.scale(move_index, made),
-            velocity: Axes(slope.0.map(|p| p * along.v)),
-            acceleration: slope.zip(bend, |p, c| p * along.accel + c * square),
+            position: geometry[0],
+            path_speed_mm_s: along.v * scale,
+            velocity,
+            acceleration,
             move_index,
-            share,
+            share: share_of(along.at_mm, a, b),
         }
+    }
+
+    /// Velocity and acceleration of every axis at a time.
+    pub fn rates(&self, t_s: f64) -> [Axes; 2] {
+        let along = self.along(t_s);
+        rates(&along, &self.geometry(along.at_mm))
     }
 
     /// Reference length of a move for a millimetre of the track.
@@ -173,38 +185,63 @@ impl Timed {
 
     /// Position, slope and curvature by the length at a place on the track.
     pub fn geometry(&self, at_mm: f64) -> [Axes; 3] {
+        if self.track.dims == 3 { self.shape::<3>(at_mm) } else { self.shape::<AXES>(at_mm) }
+    }
+
+    /// The same, of the first axes; the others stand still.
+    fn shape<const N: usize>(&self, at_mm: f64) -> [Axes; 3] {
         let at = &self.track.at_mm;
         let at_mm = at_mm.min(at[at.len() - 1]);
         let segment = self.track.segment(at_mm);
-        let direction = self.track.direction::<AXES>(segment);
+        let direction = self.track.direction::<N>(segment);
         // At its end exactly where the program says.
         let ends = at_mm >= at[at.len() - 1];
         let from = self.track.point::<AXES>(if ends { at.len() - 1 } else { segment });
         let way = if ends { 0.0 } else { at_mm - at[segment] };
-        let mut out =
-            [std::array::from_fn(|k| from[k] + way * direction[k]), direction, [0.0; AXES]];
-        let mut add = |j: usize, offset: f64| {
-            if self.widths[j] < 0.0 {
-                return;
-            }
-            let turn = self.track.turn::<AXES>(j);
+        let mut out = [from, [0.0; AXES], [0.0; AXES]];
+        for (k, slope) in direction.iter().enumerate() {
+            (out[0][k], out[1][k]) = (from[k] + way * slope, *slope);
+        }
+        let mut add = |j: usize, turn: [f64; N], offset: f64| {
             let shape = self.kernel.shape(norm(&turn), self.widths[j], offset);
             for (value, factor) in out.iter_mut().zip(shape) {
-                (0..AXES).for_each(|k| value[k] += factor * turn[k]);
+                (0..N).for_each(|k| value[k] += factor * turn[k]);
             }
         };
-        let mut j = segment;
+        let (mut j, mut after) = (segment, direction);
         while self.widths[j].abs() > at_mm - at[j] {
-            add(j, (at_mm - at[j]).max(f64::MIN_POSITIVE));
-            j -= 1;
+            let before = self.track.direction::<N>(j - 1);
+            if self.widths[j] >= 0.0 {
+                add(j, minus(&after, &before), (at_mm - at[j]).max(f64::MIN_POSITIVE));
+            }
+            (j, after) = (j - 1, before);
         }
-        let mut j = segment + 1;
+        let (mut j, mut before) = (segment + 1, direction);
         while j < at.len() && self.widths[j].abs() > at[j] - at_mm {
-            add(j, -(at[j] - at_mm).max(f64::MIN_POSITIVE));
-            j += 1;
+            let after = self.track.direction::<N>(j);
+            if self.widths[j] >= 0.0 {
+                add(j, minus(&after, &before), -(at[j] - at_mm).max(f64::MIN_POSITIVE));
+            }
+            (j, before) = (j + 1, after);
         }
         out.map(Axes)
     }
+}
+
+/// How much of a move from one place to another lies before a third.
+fn share_of(at_mm: f64, a: f64, b: f64) -> f64 {
+    let share = if b > a { (at_mm - a) / (b - a) } else { 1.0 };
+    share.clamp(0.0, 1.0)
+}
+
+/// Velocity and acceleration of a motion along a path of which slope and curvature are known.
+fn rates(along: &Along, [_, slope, bend]: &[Axes; 3]) -> [Axes; 2] {
+    let square = along.v * along.v;
+    [Axes(slope.0.map(|p| p * along.v)), slope.zip(*bend, |p, c| p * along.accel + c * square)]
+}
+
+fn minus<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|k| a[k] - b[k])
 }
 
 /// The motion at a time since a node, where jerk is limited.
