@@ -135,6 +135,7 @@ pub(crate) fn run(
                 max_lines: how.sbp.max_lines,
                 proportion: how.sbp.file.proportion,
                 path_only,
+                speeds_known: path_only || how.to == Language::OpenSbp,
                 tolerance_mm: if path_only { DRAWN_MM } else { plain.tolerance_mm },
                 ..plain
             };

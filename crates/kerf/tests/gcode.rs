@@ -36,6 +36,30 @@ fn a_run_begins_at_a_line() {
 }
 
 #[test]
+fn a_cut_without_a_feed_is_an_error_and_the_rest_is_checked() {
+    let shop = Shop::new(&[
+        ("bare.nc", "G21\nG0 X1\nG1 X2\nX3\nG2 X9 I2\n"),
+        ("calls.sbp", "FP,bare.nc\nMX,1\n"),
+        ("mixed.sbp", "MS,2\nG1 X1\nMY,1\n"),
+    ]);
+    for dialect in ["sb3", "linuxcnc", "grbl"] {
+        let check = shop.kerf(&format!("check bare.nc --dialect {dialect}"));
+        check.exits(1).says("3 | G1 X2").says("G016").says("give F in it or before it");
+        check.says("R018");
+        assert_eq!(check.out().matches("G016").count(), 1, "{}", check.out());
+    }
+    shop.kerf("run bare.nc").exits(1).complains("a cutting move without a feed");
+    shop.kerf("run calls.sbp").exits(1).complains("a cutting move without a feed");
+    let mixed = shop.kerf("trace mixed.sbp");
+    mixed.exits(0);
+    assert_eq!(mixed.all("move")[0]["speed"], 2.0, "OpenSBP's speeds hold");
+    let converted = shop.kerf("convert bare.nc bare.sbp");
+    converted.exits(1).complains("R018");
+    shop.write("bare.nc", b"G21\nG0 X1\nG1 X2\n");
+    shop.kerf("convert bare.nc bare.sbp").exits(0);
+}
+
+#[test]
 fn a_run_is_stepped_through() {
     let shop = shop();
     shop.write("answers", b"Step\n4 settings\nStep\nRun\n");

@@ -203,6 +203,7 @@ impl Interpreter {
             || {
                 let options = kerf_gcode::Options {
                     unit_known: true,
+                    speeds_known: true,
                     keep_modes: self.options.typed,
                     stepped: false,
                     from: None,

@@ -1,6 +1,5 @@
 //! F: how fast a cutting move goes.
 
-use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::{FeedMode, Rates};
 use crate::gathered::Gathered;
@@ -58,10 +57,10 @@ impl Context<'_> {
         let (message, hint) = if inverse {
             ("no F in this block", "with G93 every cutting block needs its own F")
         } else {
-            ("a cutting move without a feed", "give F with a value above zero before it or in it")
+            ("a cutting move without a feed", "give F in it or before it, as in G1 X10 F600")
         };
         let told = std::mem::replace(&mut self.core.told.feed, true);
-        if self.core.options.dialect != Dialect::Generic || inverse {
+        if !self.core.options.speeds_known || inverse {
             // A check tells it once; the rest of the file would only repeat it.
             if told && self.core.options.keep_going {
                 return Ok(Feed::Axis);

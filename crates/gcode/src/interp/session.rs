@@ -61,6 +61,10 @@ pub struct Options {
     pub lines_before: u64,
     /// The unit at the start is the right one: no doubt is told where the program does not say it.
     pub unit_known: bool,
+    /// A cut without F goes at the move speeds of the settings, as in OpenSBP, with a warning: for lines
+    /// that stand among OpenSBP and for files that become OpenSBP. Elsewhere it is an error.
+    #[serde(default)]
+    pub speeds_known: bool,
     /// The operator is asked before the spindle starts, unless it counts as active.
     pub ask_spindle: bool,
     /// Modes of the state hold from the start, as for lines typed one by one; otherwise a program
@@ -103,6 +107,7 @@ impl Default for Options {
             optional_stop: false,
             lines_before: 0,
             unit_known: false,
+            speeds_known: false,
             ask_spindle: false,
             keep_modes: false,
             laser: false,

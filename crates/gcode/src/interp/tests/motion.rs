@@ -95,8 +95,20 @@ fn cutting_needs_a_feed() {
     fails("F0⏎G1 X1", "G016 3:1");
     fails("G93 G1 X1 F2⏎X2", "G016 3:1 no F in this block");
     fails("G93⏎G94⏎G1 X1", "G016 4:1");
-    let generic = Options { dialect: Dialect::Generic, ..Options::default() };
-    let ran = run_with("G21⏎G1 X1⏎X2", FakeHost::default(), metric(), generic);
+    for dialect in [Dialect::Generic, Dialect::Grbl] {
+        let options = Options { dialect, ..Options::default() };
+        let ran = run_with("G21⏎G0 X1⏎G1 X2", FakeHost::default(), metric(), options);
+        assert_eq!(
+            (ran.error.as_ref().unwrap().code.as_str(), ran.path().as_str()),
+            ("G016", "J1,0,0")
+        );
+    }
+}
+
+#[test]
+fn lines_among_opensbp_have_its_speeds() {
+    let options = Options { speeds_known: true, ..Options::default() };
+    let ran = run_with("G21⏎G1 X1⏎X2", FakeHost::default(), metric(), options);
     assert_eq!((ran.codes().as_str(), ran.path().as_str()), ("G016", "L1,0,0 L2,0,0"));
     assert_eq!(feeds(&ran), [Feed::Axis; 2]);
 }
