@@ -2,7 +2,7 @@
 
 import { type Route, routes } from "../app/routes";
 import type { Sheet } from "../app/screen";
-import { busy, refusal } from "../keypad/refusal";
+import { busy, filesOnly, refusal } from "../keypad/refusal";
 import { themeNames, themes } from "../theme/theme";
 import type { Action } from "./action";
 import { drive } from "./ask";
@@ -33,7 +33,7 @@ export const openKeypad: Action = {
   run: (world) => {
     const refused = refusal(world.shown);
     if (refused === undefined) void drive(world, { do: "command", line: "SK" });
-    else if (refused === busy) world.screen.tell(refused);
+    else if (refused === busy || refused === filesOnly) world.screen.tell(refused);
     else world.screen.open({ kind: "keypad" });
   },
 };

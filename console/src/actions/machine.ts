@@ -1,5 +1,6 @@
 /** What the machine does: stop, hold, resume, arm, zero. */
 
+import { leaseOf } from "../link/shown";
 import type { Snapshot, State } from "../wire/messages";
 import type { Action, World } from "./action";
 import { ask, drive } from "./ask";
@@ -97,6 +98,18 @@ export const takeControl: Action = {
   run: (world) => void ask(world, { do: "takeLease", force: true }),
 };
 
+/** Lets another page, or a program beside Kerf, drive. */
+export const giveControl: Action = {
+  id: "machine.give",
+  title: "Give up control",
+  section: "machine",
+  refused: ({ shown }) => (leaseOf(shown) === undefined ? "You do not drive." : undefined),
+  run: (world) => {
+    const lease = leaseOf(world.shown);
+    if (lease !== undefined) void ask(world, { do: "giveLease", lease });
+  },
+};
+
 /** A line of OpenSBP as an action. */
 export function command(id: string, title: string, line: string): Action {
   return {
@@ -152,6 +165,7 @@ export const machineActions: readonly Action[] = [
   disarm,
   acknowledge,
   takeControl,
+  giveControl,
   preview,
   moveMode,
   home,

@@ -1,17 +1,19 @@
-import { takeControl } from "../actions/machine";
+import { giveControl, takeControl } from "../actions/machine";
+import { leaseOf } from "../link/shown";
 import { ActionButton } from "../ui/ActionButton";
 import { useShown } from "./context";
 import "./lease-chip.css";
 
-/** Who drives, when it is not this page; nobody needs to know otherwise. */
+/** Who drives, where there is more than one page; nobody needs to know otherwise. */
 export function LeaseChip() {
   const lease = useShown((shown) => shown.snapshot?.lease);
-  const client = useShown((shown) => shown.who?.client);
-  if (!lease || lease.client === client) return null;
+  const drives = useShown((shown) => leaseOf(shown) !== undefined);
+  const alone = useShown((shown) => (shown.snapshot?.clients.length ?? 0) < 2);
+  if (!lease || (drives && alone)) return null;
   return (
     <div className="lease">
-      <span>Driven by {lease.device || "another page"}</span>
-      <ActionButton action={takeControl} size="small" />
+      <span>{drives ? "You drive" : `Driven by ${lease.device || "another page"}`}</span>
+      <ActionButton action={drives ? giveControl : takeControl} size="small" />
     </div>
   );
 }

@@ -1,5 +1,7 @@
 import { useEffect, useRef } from "react";
-import { useHands, useSnapshot } from "./context";
+import { ask } from "../actions/ask";
+import { useHands, useShown, useSnapshot, worldOf } from "./context";
+import type { Sheet } from "./screen";
 
 /** Follows the start-up line with which Kerf was started: the console on or off, the FP sheet on its file. */
 export function StartedUp() {
@@ -11,7 +13,28 @@ export function StartedUp() {
     followed.current = true;
     if (start.display === 1) screen.face("full");
     if (start.display === 2) screen.face("easy");
-    if (start.sheet) screen.open({ kind: "command", letters: "FP", given: [start.file] });
   }, [start, screen]);
+  const looksOnly = useShown((shown) => shown.who?.role === "observer");
+  useFirstSheet(start?.sheet && !looksOnly ? start.file : undefined);
   return null;
+}
+
+/** The sheet waits, also when the page is loaded again, until it is filled in or put away on one page. */
+function useFirstSheet(file: string | undefined) {
+  const hands = useHands();
+  useEffect(() => {
+    if (file === undefined) return;
+    const { screen } = hands;
+    const sheet: Sheet = { kind: "command", letters: "FP", given: [file] };
+    screen.open(sheet);
+    const unwatch = screen.watch(() => {
+      if (screen.get().sheet === sheet) return;
+      unwatch();
+      void ask(worldOf(hands), { do: "sheetDone" });
+    });
+    return () => {
+      unwatch();
+      if (screen.get().sheet === sheet) screen.open(null);
+    };
+  }, [file, hands]);
 }

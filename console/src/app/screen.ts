@@ -124,8 +124,12 @@ export function createScreen(): Screen {
     tell(text) {
       notices += 1;
       const notice = { id: notices, text };
+      const other = (all: readonly Notice[]) => all.filter((told) => told.text !== text);
       const dismissed = () => this.dismiss(notice.id);
-      store.update((now) => ({ ...now, notices: [...now.notices, notice].slice(-mostNotices) }));
+      store.update((now) => ({
+        ...now,
+        notices: [...other(now.notices), notice].slice(-mostNotices),
+      }));
       setTimeout(dismissed, noticeMs);
     },
     dismiss: (id) =>

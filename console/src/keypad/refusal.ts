@@ -3,12 +3,13 @@
 import type { Shown } from "../link/shown";
 
 export const busy = "The machine is busy.";
+export const filesOnly = "Kerf was started for files only: there is no keypad.";
 
 /** The keypad works connected, armed and not in preview. */
 export function refusal({ status, snapshot, who }: Shown): string | undefined {
   if (status !== "open" || !snapshot) return "There is no link to the machine.";
   const { state, armed, mode } = snapshot.machine;
-  if (snapshot.start?.display === 9) return "Kerf was started for files only: there is no keypad.";
+  if (snapshot.start?.display === 9) return filesOnly;
   if (mode === "preview") return "Nothing moves in preview: switch to move mode (SM).";
   const { lease } = snapshot;
   if (lease && lease.client !== who?.client) return "Somebody else drives: take control first.";

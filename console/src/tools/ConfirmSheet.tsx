@@ -1,4 +1,4 @@
-import { perform } from "../actions/action";
+import { attempt } from "../actions/action";
 import { actions } from "../actions/registry";
 import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
@@ -24,7 +24,7 @@ export function ConfirmSheet({ action: id, onClose }: { action: string; onClose:
             look="primary"
             autoFocus
             onPress={() => {
-              perform(action, worldOf(hands));
+              attempt(action, worldOf(hands));
               onClose();
             }}
           >

@@ -1,6 +1,6 @@
 import type { ReactNode } from "react";
 import { useCallback } from "react";
-import { type Action, perform } from "../actions/action";
+import { type Action, attempt } from "../actions/action";
 import { useHands, useShown, worldOf } from "../app/context";
 import type { Shown } from "../link/shown";
 import { Button, type ButtonProps } from "./Button";
@@ -11,7 +11,7 @@ interface ActionButtonProps extends Omit<ButtonProps, "children" | "onPress" | "
   children?: ReactNode;
 }
 
-/** A button that does an action, and is greyed with the reason when it cannot be done. */
+/** A button that does an action, and is greyed when it cannot be done; a press on it then tells why. */
 export function ActionButton({ action, children, ...rest }: ActionButtonProps) {
   const hands = useHands();
   const { screen, link } = hands;
@@ -22,11 +22,17 @@ export function ActionButton({ action, children, ...rest }: ActionButtonProps) {
     ),
   );
   return (
-    <span className="action-place" title={refused}>
+    // biome-ignore lint/a11y/noStaticElementInteractions: a finger sees no title
+    // biome-ignore lint/a11y/useKeyWithClickEvents: what has the focus can be pressed
+    <span
+      className="action-place"
+      title={refused}
+      onClick={() => refused !== undefined && screen.tell(refused)}
+    >
       <Button
         {...rest}
         isDisabled={refused !== undefined}
-        onPress={() => perform(action, worldOf(hands))}
+        onPress={() => attempt(action, worldOf(hands))}
       >
         {children ?? action.title}
       </Button>

@@ -5,6 +5,7 @@ import { type Marks, paintMarks } from "./overlay";
 import type { Told } from "./scene/orders";
 import { PathScene } from "./scene/PathScene";
 import type { Palette } from "./scene/palette";
+import type { Bared } from "./stock";
 import type { ToolPath } from "./toolPath";
 import "./tool-path-view.css";
 
@@ -42,6 +43,7 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
         className="path-lines"
         data-path={path ? (told.whole ? "all" : "some") : "none"}
         data-pictures={told.pictures}
+        data-bared={told.bared ? baredWords(told.bared) : ""}
         role="img"
         aria-label={describe(path)}
       />
@@ -54,7 +56,7 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
 function useScene(host: React.RefObject<HTMLDivElement | null>) {
   const theme = useScreen("theme");
   const [scene, setScene] = useState<PathScene | null>(null);
-  const [told, setTold] = useState<Told>({ pictures: 0, whole: false });
+  const [told, setTold] = useState<Told>({ pictures: 0, whole: false, bared: null });
   const [palette, setPalette] = useState<Palette | null>(null);
   useEffect(() => {
     if (!host.current) return;
@@ -66,6 +68,10 @@ function useScene(host: React.RefObject<HTMLDivElement | null>) {
   useEffect(() => setPalette(scene?.paint() ?? null), [scene, theme]);
   return { scene, palette, told };
 }
+
+/** Square millimetres that are cut, then how wide and deep that is. */
+const baredWords = ({ area, min, max }: Bared): string =>
+  [area, max[0] - min[0], max[1] - min[1]].map((mm) => mm.toFixed(2)).join(" ");
 
 /** What somebody who does not see the picture is told of it. */
 function describe(path: ToolPath | null): string {

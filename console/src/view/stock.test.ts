@@ -31,6 +31,18 @@ describe("the stock", () => {
     expect(heightAt(stock, 5, 5)).toBe(0);
   });
 
+  it("tells where it is cut, and how much of it", () => {
+    const stock = new Stock(shape);
+    stock.aim([path(-3)], 0);
+    expect(stock.bared()).toBe(null);
+    cutUntil(stock, [path(-3)], 11);
+    const { area = 0, min = [], max = [] } = stock.bared() ?? {};
+    // A slot of 80 mm with round ends of a cutter of 10 mm.
+    expect(area / (80 * 10 + Math.PI * 25)).toBeCloseTo(1, 1);
+    expect([min[0], max[0]].map((x) => Math.round(x ?? 0))).toEqual([5, 95]);
+    expect([min[1], max[1]].map((y) => Math.round(y ?? 0))).toEqual([45, 55]);
+  });
+
   it("is whole again before the cut", () => {
     const stock = new Stock(shape);
     const pieces = [path(-3)];

@@ -18,6 +18,14 @@ export interface StockShape {
   readonly radius: number;
 }
 
+/** Where a stock is cut, seen from above: mm from the origin of the preview. */
+export interface Bared {
+  /** Square millimetres. */
+  readonly area: number;
+  readonly min: readonly [number, number];
+  readonly max: readonly [number, number];
+}
+
 /** Cells along the longer side. */
 const cells = 320;
 
@@ -67,6 +75,26 @@ export class Stock {
       this.#segment += 1;
     }
     return false;
+  }
+
+  /** What is cut so far, seen from above; nothing before the first cut. */
+  bared(): Bared | null {
+    const { x, y, top } = this.shape;
+    let [cellsCut, left, right, low, high] = [0, this.columns, -1, this.rows, -1];
+    this.heights.forEach((height, n) => {
+      if (height >= top) return;
+      const [column, row] = [n % this.columns, Math.floor(n / this.columns)];
+      [left, right] = [Math.min(left, column), Math.max(right, column)];
+      [low, high] = [Math.min(low, row), Math.max(high, row)];
+      cellsCut += 1;
+    });
+    if (cellsCut === 0) return null;
+    const { cell } = this;
+    return {
+      area: cellsCut * cell * cell,
+      min: [x + left * cell, y + low * cell],
+      max: [x + right * cell, y + high * cell],
+    };
   }
 
   /** Lowers what lies under the cutter along a segment, disc by disc. */

@@ -139,3 +139,21 @@ it("sbp_cmd_sp_clear: SP in preview empties the picture on every page, the next 
   await page.getByRole("button", { name: "SIMULATED" }).waitFor();
   await idle();
 });
+
+it("sbp_con_preview_cut: with simulate on, CC,4 takes a ring a quarter of an inch wide out of the stock", async () => {
+  await command(page, "VP,,,,,1");
+  await idle();
+  await opens("ring.sbp");
+  const stock = page.getByRole("button", { name: "Stock" });
+  await expect.poll(() => stock.getAttribute("aria-pressed")).toBe("true");
+  const bared = async () =>
+    ((await picture().getAttribute("data-bared")) ?? "").split(" ").map((mm) => Number(mm) / 25.4);
+  expect(await bared(), "nothing is cut yet").toEqual([0]);
+  await page.getByRole("slider", { name: "Planned time" }).focus();
+  await page.keyboard.press("End");
+  await until(async () => (await bared()).length === 3, "all is cut");
+  const [area = 0, wide = 0, deep = 0] = await bared();
+  // A ring about a circle of 4 inches: its outside is wider by the cutter, and so is its inside narrower.
+  for (const inches of [wide, deep]) expect(inches).toBeCloseTo(4.25, 1);
+  expect(area / 25.4 / (Math.PI * 4), "width of the ring").toBeCloseTo(0.25, 2);
+});

@@ -1,6 +1,6 @@
 /** The start-up line of the handbooks, `kerf sb3 LINE --console`: what its page shows, what it refuses. */
 
-import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
@@ -144,6 +144,35 @@ it("sbp_ctl_sb3_display2: the console is off, and can be shown again", async () 
   await line(page).waitFor();
 });
 
+it("a sheet that was put away stays away: on a reload, on a second page, on one that shows it too", async () => {
+  const page = await started(",,1");
+  await waitsAtSheet(page);
+  await page.reload();
+  await waitsAtSheet(page);
+  const other = await shown(await workshop.page());
+  await waitsAtSheet(other);
+  await page.keyboard.press("Escape");
+  await is("it is put away", ({ start }) => start?.sheet === false);
+  await sheet(other).waitFor({ state: "detached" });
+  for (const one of [page, other]) {
+    await one.reload();
+    await shown(one);
+    await one.locator(".job-name", { hasText: "a.sbp" }).waitFor();
+    expect(await sheet(one).count()).toBe(0);
+  }
+});
+
+it("a file below the part folder is named from there, commas and all", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "kerf-console-"));
+  mkdirSync(join(folder, "doors"));
+  writeFileSync(join(folder, "doors", "a, b.sbp"), "MX,2\nEND\n");
+  workshop = await openWorkshop({ line: '"doors/a, b.sbp",,4', folder, rate: 20 });
+  await done("the file");
+  const page = await shown(await workshop.page());
+  await expect.poll(() => location(page, "X")).toBe(2);
+  await page.locator(".job-name", { hasText: "doors/a, b.sbp" }).waitFor();
+});
+
 /** Goes an inch further each time; from the second time on it waits there. */
 const further = "&n = %(1) + 1\nMX,&n\nIF &n < 2 THEN GOTO DONE\nPAUSE 6000\nDONE:\nEND\n";
 
@@ -166,11 +195,8 @@ it("sbp_ctl_sb3_display9: no commands, no keypad; only file runs and Stop", asyn
   await chip(page, "SIMULATED").click();
   await page.getByText("started for files only").first().waitFor();
   await page.keyboard.press("k");
-  await page.getByRole("dialog", { name: "Keypad" }).waitFor();
-  await page.keyboard.down("ArrowRight");
-  await page.getByText("started for files only").nth(1).waitFor();
-  await page.keyboard.up("ArrowRight");
-  await page.keyboard.press("Escape");
+  await page.getByText("there is no keypad").waitFor();
+  expect(await page.getByRole("dialog", { name: "Keypad" }).count()).toBe(0);
   for (const text of ["MX,5", "SK", "FP,a.sbp\nMX,5"]) {
     expect(await refusal("command", { lease: 0, line: text })).toContain("started for files only");
   }

@@ -10,6 +10,10 @@ use std::time::Duration;
 /// How often it is looked whether the machine is done.
 const LOOK: Duration = Duration::from_millis(50);
 
+/// What to do where a page has the machine.
+const BESIDE: &str = "the lines were not sent. A line that may be carried out beside a page that drives is \
+    passed in: kerf registry set uCommand 'MX,2'";
+
 /// A server.
 pub struct Remote {
     address: String,
@@ -25,7 +29,7 @@ impl Remote {
     /// Carries lines out and waits for their end; what it was, as the trace writes it.
     pub fn send(&self, lines: &str) -> Result<String> {
         let before = self.state()?;
-        self.act("takeLease", json!({ "force": false }))?;
+        self.act("takeLease", json!({ "force": false })).context(BESIDE)?;
         let lease = self.state()?["lease"]["number"].clone();
         let (driven, before) = (!before["lease"].is_null(), before["job"]["run"].as_u64());
         let before = before.unwrap_or_default();

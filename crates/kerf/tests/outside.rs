@@ -186,6 +186,18 @@ fn sbp_ctl_sb3_file__names_with_blanks() {
 }
 
 #[test]
+fn sbp_ctl_sb3_file__the_console_opens_nothing_beside_the_part_folder() {
+    let shop = shop();
+    std::fs::create_dir_all(shop.file("parts")).unwrap();
+    let console = |line: &str| {
+        let args = ["sb3", line, "--console", "--parts", "parts", "--listen", "127.0.0.1:0"];
+        Did::of(shop.command().args(args).output().unwrap())
+    };
+    console("a.sbp,,6").exits(2).complains("is not in the part folder");
+    console("none.sbp,,6").exits(2).complains("none.sbp, nor parts");
+}
+
+#[test]
 fn sbp_ctl_sb3_port__is_kept() {
     let shop = shop();
     sb3(&shop, "a.sbp,5,4,,2").exits(0);

@@ -8,7 +8,7 @@ use crate::shop;
 use kerf_control::Jog;
 use kerf_program::{Axes, Axis};
 use kerf_sbp::table::{self, Group};
-use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, State, Who, Why};
+use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, StartUp, State, Who, Why};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
@@ -56,6 +56,7 @@ const fn is_of_drawings(act: &Act) -> bool {
             | Act::Parameters { .. }
             | Act::Close
             | Act::ClearPrinted
+            | Act::SheetDone
             | Act::Unlock { .. }
             | Act::Protect { .. }
     )
@@ -107,6 +108,7 @@ fn needs(act: &Act) -> Need {
         | Act::Watch { .. }
         | Act::Close
         | Act::ClearPrinted
+        | Act::SheetDone
         | Act::Acknowledge
         | Act::Draw { .. } => need(Role::Operator),
     }
@@ -168,6 +170,7 @@ impl App {
             Act::JogStop { seq } => self.jog_stop(who, seq),
             Act::Nudge { axis, distance, .. } => self.nudge(axis, distance)?,
             Act::Override { feed, .. } => self.override_feed(feed)?,
+            Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
             Act::Acknowledge => self.acknowledge(),
             Act::Draw { op } => return self.draw(op),
@@ -190,7 +193,7 @@ impl App {
                 Some(lease) if lease.client == who.client => {
                     return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
                 }
-                Some(_) => return Err(problem(Why::Lease, "somebody else drives")),
+                Some(lease) => return Err(driven_by(&lease)),
                 None => return Err(problem(Why::Lease, "take the machine first")),
             }
         }
@@ -250,8 +253,8 @@ impl App {
         self.hub.changing(|now| {
             match &now.lease {
                 Some(lease) if lease.client == who.client => return Vec::new(),
-                Some(_) if !force || jogs => {
-                    taken = Err(problem(Why::Lease, "somebody else drives"));
+                Some(lease) if !force || jogs => {
+                    taken = Err(driven_by(lease));
                     return Vec::new();
                 }
                 _ => {}
@@ -264,6 +267,17 @@ impl App {
             vec![Change::Lease { lease }, Change::Machine { machine }]
         });
         taken
+    }
+
+    /// No page opens the sheet of the start-up line any more.
+    fn sheet_done(&self) {
+        self.hub.changing(|now| match &now.start {
+            Some(start) if start.sheet => {
+                let start = Some(StartUp { sheet: false, ..start.clone() });
+                vec![Change::Start { start }]
+            }
+            _ => Vec::new(),
+        });
     }
 
     /// Nobody drives any more: nothing moves before somebody arms the machine again. A job goes on.
@@ -461,6 +475,16 @@ impl App {
         self.pages.jog_over(who.client, seq);
         self.link.release(|held| held.client == who.client && held.seq == seq);
     }
+}
+
+/// Who has the machine, and how it is had from there.
+fn driven_by(Lease { device, .. }: &Lease) -> Problem {
+    let who = if device.is_empty() { "another page" } else { device };
+    let text = format!(
+        "somebody else drives: {who}. Press Give up control there, or close that page; another page \
+         takes it with Take control"
+    );
+    problem(Why::Lease, text)
 }
 
 /// Whether a jog goes anywhere.

@@ -168,6 +168,8 @@ pub enum Act {
         /// Percent of the speed asked for, 10 … 200.
         feed: f64,
     },
+    /// The FP sheet that a start-up line opens was filled in or put away: no page opens it any more.
+    SheetDone,
     /// Empties the print window.
     ClearPrinted,
     /// Takes note of an alarm: the machine is idle and disarmed afterwards.

@@ -2,7 +2,7 @@
 
 use crate::{
     Asked, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Recorder, Reply, Setup, Snapshot, Speeds, Units, Who,
+    NamedValue, Opened, Overrides, Recorder, Reply, Setup, Snapshot, Speeds, StartUp, Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -55,6 +55,10 @@ pub enum Change {
     /// Messages are added.
     Messages {
         messages: Vec<Message>,
+    },
+    /// The sheet of the start-up line is done.
+    Start {
+        start: Option<StartUp>,
     },
     Lease {
         lease: Option<Lease>,

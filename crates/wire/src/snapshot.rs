@@ -127,6 +127,7 @@ impl Snapshot {
             Change::Opened { opened } => self.opened = opened,
             Change::Job { job } => self.job = job,
             Change::Interrupted { interrupted } => self.interrupted = interrupted,
+            Change::Start { start } => self.start = start,
             Change::Asked { asked } => self.asked = asked,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),

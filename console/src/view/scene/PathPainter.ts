@@ -15,6 +15,7 @@ import {
 } from "three";
 import type { Camera, Size } from "../camera";
 import type { Piece } from "../piece";
+import type { Bared } from "../stock";
 import { CutStock } from "./cutStock";
 import type { CoarsePath } from "./orders";
 import type { Palette } from "./palette";
@@ -47,6 +48,7 @@ export class PathPainter {
   #now = 0;
   #stock: CutStock | null = null;
   #carving = 0;
+  #bared: Bared | null = null;
   #queue: readonly Line[] = [];
   #frame = 0;
   #still: ReturnType<typeof setTimeout> | undefined;
@@ -113,10 +115,17 @@ export class PathPainter {
     this.#moved();
   }
 
+  /** What is cut of the material, once all is that is made. */
+  get bared(): Bared | null {
+    return this.#bared;
+  }
+
   /** Cuts on for a part of a frame, and again in the next until all is cut. */
   #carve(): void {
     cancelAnimationFrame(this.#carving);
-    if (!this.#stock || this.#stock.carve(this.#now)) return;
+    const all = this.#stock?.carve(this.#now) ?? true;
+    this.#bared = all ? (this.#stock?.bared() ?? null) : null;
+    if (all) return;
     this.#carving = requestAnimationFrame(() => {
       this.#carve();
       this.#moved();

@@ -1,6 +1,6 @@
 /** The material of a path and the surface that shows it. */
 
-import { Stock, type StockShape } from "../stock";
+import { type Bared, Stock, type StockShape } from "../stock";
 import type { CoarsePath } from "./orders";
 import { StockMesh } from "./stockMesh";
 
@@ -27,6 +27,11 @@ export class CutStock {
     const all = this.#stock.cutOn(swift);
     this.mesh.show();
     return all;
+  }
+
+  /** What is cut so far. */
+  bared(): Bared | null {
+    return this.#stock.bared();
   }
 
   dispose(): void {

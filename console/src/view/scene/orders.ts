@@ -3,6 +3,7 @@
 import type { PreviewInfo } from "../../wire/messages";
 import type { Camera, Size } from "../camera";
 import type { Piece } from "../piece";
+import type { Bared } from "../stock";
 import type { Palette } from "./palette";
 
 /** A path as it is drawn while the picture moves. */
@@ -25,8 +26,10 @@ export type Order =
   | { readonly do: "look"; readonly camera: Camera; readonly size: Size }
   | { readonly do: "simulate"; readonly on: boolean };
 
-/** What the painter tells: a picture is done; and whether the path that was shown last is whole. */
+/** What the painter tells: a picture is done; whether the path that was shown last is whole; what is cut. */
 export interface Told {
   readonly pictures: number;
   readonly whole: boolean;
+  /** Of the stock, when it is shown and everything up to now is cut. */
+  readonly bared: Bared | null;
 }

@@ -13,7 +13,7 @@ let [pictures, whole] = [0, false];
 /** A picture is done. */
 function drawn(): void {
   pictures += 1;
-  postMessage({ pictures, whole } satisfies Told);
+  postMessage({ pictures, whole, bared: painter?.bared ?? null } satisfies Told);
 }
 
 /** Fetches the whole path, piece by piece, and draws it when all is there. */

@@ -10,7 +10,9 @@ import {
   PlaneGeometry,
   RawShaderMaterial,
   RedFormat,
+  RGFormat,
 } from "three";
+import { slopesOf } from "../slopes";
 import type { Stock } from "../stock";
 import type { Palette } from "./palette";
 
@@ -22,35 +24,33 @@ uniform mat4 projectionMatrix;
 uniform sampler2D heights;
 uniform vec2 corner;
 uniform vec2 extent;
-uniform float top;
-out vec3 vNormal;
-out float vDepth;
-float heightAt(ivec2 cell) {
-  ivec2 size = textureSize(heights, 0);
-  return texelFetch(heights, clamp(cell, ivec2(0), size - 1), 0).r;
-}
+out vec2 vCell;
+out vec3 vPlace;
 void main() {
-  ivec2 size = textureSize(heights, 0);
-  ivec2 cell = ivec2(round(uv * vec2(size - 1)));
-  vec2 step = extent / vec2(size - 1);
-  float z = heightAt(cell);
-  float dx = (heightAt(cell + ivec2(1, 0)) - heightAt(cell - ivec2(1, 0))) / (2.0 * step.x);
-  float dy = (heightAt(cell + ivec2(0, 1)) - heightAt(cell - ivec2(0, 1))) / (2.0 * step.y);
-  vNormal = normalize(vec3(-dx, -dy, 1.0));
-  vDepth = top - z;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(corner + uv * extent, z, 1.0);
+  vec2 last = vec2(textureSize(heights, 0) - 1);
+  vCell = uv * last;
+  float z = texelFetch(heights, ivec2(round(vCell)), 0).r;
+  vPlace = vec3(corner + uv * extent, z);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vPlace, 1.0);
 }`;
 
 const fragmentShader = `
 precision highp float;
+uniform sampler2D slopes;
+uniform float cell;
+uniform float top;
 uniform vec3 whole;
 uniform vec3 bared;
-in vec3 vNormal;
-in float vDepth;
+in vec2 vCell;
+in vec3 vPlace;
 out vec4 colour;
 void main() {
-  float light = 0.45 + 0.55 * max(dot(normalize(vNormal), normalize(vec3(-0.5, 0.4, 0.9))), 0.0);
-  vec3 wood = vDepth > 1e-4 ? bared : whole;
+  // What is level stays level, next to a wall too.
+  vec3 facet = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
+  bool level = abs(facet.z) > 0.98;
+  vec3 normal = level ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-texelFetch(slopes, ivec2(round(vCell)), 0).rg, cell));
+  float light = 0.45 + 0.55 * max(dot(normal, normalize(vec3(-0.5, 0.4, 0.9))), 0.0);
+  vec3 wood = top - vPlace.z > 1e-4 ? bared : whole;
   colour = vec4(wood * light, 1.0);
 }`;
 
@@ -58,19 +58,26 @@ void main() {
 export class StockMesh {
   readonly mesh: Mesh;
   readonly #material: RawShaderMaterial;
-  readonly #texture: DataTexture;
+  readonly #stock: Stock;
+  readonly #heights: DataTexture;
+  readonly #slopes: DataTexture;
 
   constructor(stock: Stock) {
     const { columns, rows, cell, shape } = stock;
-    this.#texture = new DataTexture(stock.heights, columns, rows, RedFormat, FloatType);
-    this.#texture.needsUpdate = true;
+    this.#stock = stock;
+    this.#heights = new DataTexture(stock.heights, columns, rows, RedFormat, FloatType);
+    const slopes = new Float32Array(2 * stock.heights.length);
+    this.#slopes = new DataTexture(slopes, columns, rows, RGFormat, FloatType);
+    this.show();
     this.#material = new RawShaderMaterial({
       glslVersion: GLSL3,
       side: DoubleSide,
       vertexShader,
       fragmentShader,
       uniforms: {
-        heights: { value: this.#texture },
+        heights: { value: this.#heights },
+        slopes: { value: this.#slopes },
+        cell: { value: cell },
         corner: { value: [shape.x, shape.y] },
         extent: { value: [(columns - 1) * cell, (rows - 1) * cell] },
         top: { value: shape.top },
@@ -84,7 +91,9 @@ export class StockMesh {
 
   /** The heights changed. */
   show(): void {
-    this.#texture.needsUpdate = true;
+    slopesOf(this.#stock.heights, this.#stock, this.#slopes.image.data as Float32Array);
+    this.#heights.needsUpdate = true;
+    this.#slopes.needsUpdate = true;
   }
 
   paint(palette: Palette): void {
@@ -98,6 +107,7 @@ export class StockMesh {
   dispose(): void {
     this.mesh.geometry.dispose();
     this.#material.dispose();
-    this.#texture.dispose();
+    this.#heights.dispose();
+    this.#slopes.dispose();
   }
 }

@@ -2,7 +2,7 @@
 
 use super::run::{MachineArgs, on_machine};
 use super::serve::ServeArgs;
-use crate::args::{RunArgs, Start};
+use crate::args::{PlaceArgs, RunArgs, Start};
 use crate::exit::{Exit, Usage};
 use crate::machine_file;
 use crate::report::Talk;
@@ -13,8 +13,9 @@ use clap::Args;
 use kerf_control::Company;
 use kerf_control::start_up::{CloseMethod, OpenMethod, Port, StartUp};
 use std::io::{self, IsTerminal, Write};
+use std::iter::once;
 use std::net::SocketAddr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Starts as the software of the handbooks does: "file, port, open, timing, close, display, offset"
 ///
@@ -70,8 +71,11 @@ fn serves(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     if let Some(Port::Number(port)) = line.port {
         keep_port(&args.run, port)?;
     }
-    make_current(args, line)?;
-    super::serve::run(&ServeArgs::of(line, args.listen, args.rate, &args.run.place))
+    let place = &args.run.place;
+    let path = found(line, place)?;
+    let served = ServeArgs::of(line, &path, args.listen, args.rate, place)?;
+    make_current(args, &path)?;
+    super::serve::run(&served)
 }
 
 /// The file runs at once.
@@ -118,18 +122,25 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
 
 /// The file is what FP and GetPartFileName mean from now on.
 fn becomes_current(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
-    make_current(args, line)?;
+    make_current(args, &found(line, &args.run.place)?)?;
     logged(args, line, line.open == OpenMethod::SheetInPreview)?()?;
     Ok(Exit::Good)
 }
 
-fn make_current(args: &Sb3Args, line: &StartUp) -> Result<()> {
-    let run = &args.run;
-    let path = std::fs::canonicalize(&line.file)
-        .map_err(|error| Usage(format!("cannot read {}: {error}", line.file)))?;
-    let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
-    shelf.make_current(&path);
+fn make_current(args: &Sb3Args, path: &Path) -> Result<()> {
+    let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
+    shelf.make_current(path);
     Ok(())
+}
+
+/// Where the file of the line is: as it is named here, or below the part folder.
+fn found(line: &StartUp, place: &PlaceArgs) -> Result<PathBuf> {
+    let below = place.parts.iter().map(|parts| parts.join(&line.file));
+    let all: Vec<_> = once(PathBuf::from(&line.file)).chain(below).collect();
+    let there = all.iter().find_map(|path| path.canonicalize().ok().filter(|it| it.is_file()));
+    let names =
+        || all.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", nor ");
+    there.ok_or_else(|| Usage(format!("there is no file {}", names())).into())
 }
 
 /// Begins a visit in the log; what comes back ends it.

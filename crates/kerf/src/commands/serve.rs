@@ -2,7 +2,7 @@
 
 use crate::args::PlaceArgs;
 use crate::clock;
-use crate::exit::Exit;
+use crate::exit::{Exit, Usage};
 use crate::visit::Visit;
 use crate::{out, setup};
 use anyhow::{Context, Result};
@@ -49,14 +49,21 @@ pub struct ServeArgs {
 }
 
 impl ServeArgs {
-    /// The console for a start-up line.
-    pub fn of(line: &StartUp, listen: SocketAddr, rate: f64, place: &PlaceArgs) -> Self {
-        let path = Path::new(&line.file);
-        let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
-        let parts = place.parts.clone().or(folder.map(Path::to_owned));
-        let file = path.file_name().map(|name| name.to_string_lossy().into_owned());
-        Self {
-            file,
+    /// The console for a start-up line whose file is at `path`.
+    ///
+    /// # Errors
+    /// The file is not in the part folder that was named.
+    pub fn of(
+        line: &StartUp,
+        path: &Path,
+        listen: SocketAddr,
+        rate: f64,
+        place: &PlaceArgs,
+    ) -> Result<Self> {
+        let parts = place.parts.clone().or_else(|| path.parent().map(Path::to_owned));
+        let file = below(parts.as_deref().unwrap_or(Path::new(".")), path)?;
+        Ok(Self {
+            file: Some(file),
             listen,
             lan: false,
             hosts: Vec::new(),
@@ -64,7 +71,7 @@ impl ServeArgs {
             rate,
             place: PlaceArgs { parts, ..place.clone() },
             line: Some(line.clone()),
-        }
+        })
     }
 
     fn visit(&self) -> Visit {
@@ -83,7 +90,8 @@ impl ServeArgs {
         let Some(line) = &self.line else { return (None, Vec::new()) };
         let file = self.file.clone().unwrap_or_default();
         let sheet = matches!(line.open, OpenMethod::Sheet | OpenMethod::SheetInPreview);
-        let run = format!("FP,{file},,,,,{}", line.offset);
+        let named = if file.contains(',') { format!("\"{file}\"") } else { file.clone() };
+        let run = format!("FP,{named},,,,,{}", line.offset);
         let lines = match line.open {
             OpenMethod::Run => vec![run],
             OpenMethod::Preview => vec!["SP".into(), run],
@@ -97,6 +105,23 @@ impl ServeArgs {
     pub fn drawing_only(self, wanted: bool) -> Self {
         Self { drawing_only: self.drawing_only || wanted, ..self }
     }
+}
+
+/// The name of a file below the part folder.
+fn below(parts: &Path, file: &Path) -> Result<String> {
+    let whole = |path: &Path| {
+        path.canonicalize()
+            .map_err(|error| Usage(format!("cannot read {}: {error}", path.display())))
+    };
+    let (folder, file) = (whole(parts)?, whole(file)?);
+    let name = file.strip_prefix(&folder).map_err(|_| {
+        let (file, folder) = (file.display(), folder.display());
+        Usage(format!(
+            "{file} is not in the part folder {folder}, and the console opens nothing else: copy it \
+             there, or name its folder with --parts"
+        ))
+    })?;
+    Ok(name.to_string_lossy().into_owned())
 }
 
 pub fn run(args: &ServeArgs) -> Result<Exit> {
