@@ -69,6 +69,8 @@ export const firstSnapshot: Snapshot = {
   opened: {
     name: "first-cut.sbp",
     hash: "abc",
+    kind: "program",
+    choice: { start: null, offset: 0, origin: null },
     parameters: usualParameters,
     lines: 24,
     header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",

@@ -142,10 +142,15 @@ fn command(question: &Question, words: &str) -> bool {
     match question.kind {
         QuestionKind::Hold => Nudge::read(words).is_some() || Jog::read(words).is_some(),
         QuestionKind::Keypad => Jog::read(words).is_some(),
-        QuestionKind::Paused => Word::read(words).is_some() || Jog::read(words).is_some(),
+        QuestionKind::Paused => is_word(words),
         QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,
     }
+}
+
+/// Whether words tell a job that waits something: go on, end, move, another speed or height.
+pub fn is_word(words: &str) -> bool {
+    Word::read(words).is_some() || Jog::read(words).is_some()
 }
 
 /// What ENTER alone answers.

@@ -30,6 +30,7 @@ mod heights;
 mod hold;
 mod homing;
 mod host;
+pub mod job_file;
 pub mod journal;
 pub mod json;
 mod kept;

@@ -10,6 +10,7 @@ use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
 use kerf_control::files::{Folders, RealDisk};
+use kerf_control::job_file;
 use kerf_control::machine_file::told;
 use kerf_control::stored::Stored;
 use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell, Work};
@@ -51,9 +52,9 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
         let machine = machine(args.place.config.as_deref(), &args.place.data)?;
         let smoothing = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
         let job = drawings::job(file, smoothing)?;
-        let neutral = job.neutral(name);
+        let work = job_file::work(&job, name, machine);
         drawing = Some(job.drawing);
-        Work::Job(Arc::new(neutral), Arc::new(machine))
+        work
     } else {
         read_program(file, args.dialect.sbp)?.into()
     };
@@ -105,11 +106,11 @@ pub fn job_of(
 
 /// A job whose paths are all cut beside themselves, right of travel.
 pub fn beside(work: Work, by_mm: f64) -> Result<Work> {
-    let Work::Job(job, machine) = work else {
+    if !matches!(work, Work::Job(..)) {
         bail!(Usage("only a job is offset: --offset-job".into()))
-    };
-    let moved = kerf_toolpath::beside(&job, by_mm).map_err(|why| Usage(why.to_string()))?;
-    Ok(Work::Job(Arc::new(moved), machine))
+    }
+    let choice = job_file::Choice { offset_mm: by_mm, ..job_file::Choice::default() };
+    Ok(choice.of(work).map_err(|why| Usage(why.to_string()))?)
 }
 
 /// The script of answers.

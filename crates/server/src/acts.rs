@@ -5,7 +5,7 @@ use crate::machine::link::Held;
 use crate::machine::{Order, reach};
 use crate::preview::Preview;
 use crate::shop;
-use kerf_control::Jog;
+use kerf_control::{Jog, answers};
 use kerf_program::{Axes, Axis};
 use kerf_sbp::table::{self, Group};
 use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, StartUp, State, Who, Why};
@@ -103,6 +103,8 @@ fn needs(act: &Act) -> Need {
         | Act::TakeLease { .. }
         | Act::Open { .. }
         | Act::Parameters { .. }
+        | Act::Choose { .. }
+        | Act::Machine { .. }
         | Act::Folder { .. }
         | Act::Record { .. }
         | Act::Watch { .. }
@@ -151,6 +153,8 @@ impl App {
             Act::Arm { .. } => self.arm()?,
             Act::Open { name, parameters } => self.open_with(&name, parameters)?,
             Act::Parameters { parameters } => self.run_with(parameters)?,
+            Act::Choose { choice } => self.choose(choice)?,
+            Act::Machine { drawing, anew } => return self.machine(drawing.as_deref(), anew),
             Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
             Act::Record { line } => self.record(line)?,
             Act::Watch { names } => self.watch(names)?,
@@ -313,7 +317,11 @@ impl App {
             return Err(problem(Why::Late, "this question is not open any more"));
         };
         let button = |word: &String| word.eq_ignore_ascii_case(answer.trim());
-        let free = asked.entry || ["hold", "step"].contains(&asked.kind.as_str());
+        let free = asked.entry || ["hold", "step", "paused"].contains(&asked.kind.as_str());
+        if asked.kind == "paused" && !answers::is_word(&answer) {
+            let text = format!("'{answer}' is nothing that a job that waits could be told");
+            return Err(problem(Why::Mistake, text));
+        }
         if !free && !asked.buttons.iter().any(button) {
             let text = format!("answer one of {}", asked.buttons.join(", "));
             return Err(problem(Why::Mistake, text));
@@ -349,8 +357,12 @@ impl App {
 
     fn run(&self, hash: &str, step: bool) -> Result<(), Problem> {
         let open = lock(&self.open).clone();
+        self.has_tool_path(&open)?;
         if open.name.is_empty() || open.hash != hash {
             return Err(problem(Why::Changed, "this is not the file that is open"));
+        }
+        if let Some(question) = self.waits_for_start(hash) {
+            return self.answer(question, "Resume".into());
         }
         let Some(preview) = open.preview.clone() else {
             return Err(problem(Why::State, "the preview is not ready"));
@@ -359,11 +371,11 @@ impl App {
             return Err(problem(Why::Mistake, "the file has mistakes; see its messages"));
         }
         self.unchanged(&open, &preview)?;
-        let (program, times) = (Box::new(self.program(&open)), preview.times.clone());
+        let (work, planned) = (Box::new(self.work(&open)?), preview.planned.clone());
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let Open { name, hash, .. } = open;
-        self.order(Order::File { program, name, hash, times, parameters }, State::Running)
+        self.order(Order::File { work, name, hash, planned, parameters }, State::Running)
     }
 
     /// What was previewed is what runs: the file, and those that it calls.
@@ -449,7 +461,7 @@ impl App {
         self.hub.read(|now| {
             let stands = matches!(now.machine.state, State::Asking | State::Stopped);
             let asked = now.asked.as_ref().filter(|_| stands)?;
-            ["keypad", "hold"].contains(&asked.kind.as_str()).then_some(asked.number)
+            ["keypad", "hold", "paused"].contains(&asked.kind.as_str()).then_some(asked.number)
         })
     }
 

@@ -3,6 +3,7 @@
 use crate::desk::Desk;
 use crate::files::PartFolder;
 use crate::hub::Hub;
+use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
 use crate::preview::{self, Called, Preview};
@@ -11,7 +12,7 @@ use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
-use kerf_wire::{Change, FileParameters, Opened, PreviewState, Problem, Why};
+use kerf_wire::{Change, FileKind, FileParameters, JobChoice, Opened, PreviewState, Problem, Why};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -60,6 +61,8 @@ pub struct Open {
     pub hash: String,
     /// How it is run.
     pub parameters: FileParameters,
+    /// How it is cut, when it is a job.
+    pub choice: JobChoice,
     /// Key of the preview.
     pub key: String,
     /// The preview, when it is ready.
@@ -84,7 +87,11 @@ pub fn hash(bytes: &[u8]) -> String {
 }
 
 /// What a file is run by: the hash of its bytes, and of parameters other than the usual.
-fn hash_of(bytes: &[u8], parameters: &FileParameters) -> String {
+fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> String {
+    if *choice != JobChoice::default() {
+        let JobChoice { start, offset, origin } = choice;
+        return hash(&[bytes, format!("{start:?} {offset} {origin:?}").as_bytes()].concat());
+    }
     if *parameters == FileParameters::default() {
         return hash(bytes);
     }
@@ -178,7 +185,7 @@ impl App {
     ) -> Result<(), Problem> {
         shop::check(&parameters)?;
         let bytes: Arc<[u8]> = self.parts.read(name)?.into();
-        let hash = hash_of(&bytes, &parameters);
+        let hash = hash_of(&bytes, &parameters, &JobChoice::default());
         self.show(Open { name: name.into(), hash, bytes, parameters, ..Open::default() });
         Ok(())
     }
@@ -193,9 +200,15 @@ impl App {
         if open.name.is_empty() {
             return Err(problem(Why::State, "no file is open"));
         }
-        let hash = hash_of(&open.bytes, &parameters);
+        let hash = hash_of(&open.bytes, &parameters, &open.choice);
         self.show(Open { hash, parameters, preview: None, given_up: Arc::default(), ..open });
         Ok(())
+    }
+
+    /// Cuts the open job otherwise.
+    pub fn cut_with(self: &Arc<Self>, open: Open, choice: JobChoice) {
+        let hash = hash_of(&open.bytes, &open.parameters, &choice);
+        self.show(Open { hash, choice, preview: None, given_up: Arc::default(), ..open });
     }
 
     /// Makes the preview of the open file anew.
@@ -217,15 +230,7 @@ impl App {
     fn show(self: &Arc<Self>, mut open: Open) {
         let number = self.previews.fetch_add(1, Ordering::Relaxed);
         open.key = format!("{}-{number}", &open.hash[..16.min(open.hash.len())]);
-        let text = String::from_utf8_lossy(&open.bytes);
-        let opened = Opened {
-            name: open.name.clone(),
-            hash: open.hash.clone(),
-            parameters: open.parameters,
-            lines: text.lines().count() as u32,
-            header: kerf_sbp::Header::read(&text).map(|header| header.text),
-            ..Opened::default()
-        };
+        let opened = self.opened_of(&open);
         let mut present = lock(&self.open);
         present.given_up.store(true, Ordering::Relaxed);
         *present = open.clone();
@@ -233,6 +238,24 @@ impl App {
         drop(present);
         let app = self.clone();
         std::thread::spawn(move || app.preview(open));
+    }
+
+    /// What pages are told of a file before its preview is there.
+    fn opened_of(&self, open: &Open) -> Opened {
+        let opened = Opened {
+            name: open.name.clone(),
+            hash: open.hash.clone(),
+            kind: kind_of(&open.name),
+            parameters: open.parameters,
+            choice: open.choice,
+            ..Opened::default()
+        };
+        if opened.kind != FileKind::Program {
+            return Opened { lines: self.path_count(open), ..opened };
+        }
+        let text = String::from_utf8_lossy(&open.bytes);
+        let header = kerf_sbp::Header::read(&text).map(|header| header.text);
+        Opened { lines: text.lines().count() as u32, header, ..opened }
     }
 
     /// The program of an open file, named by its place on the disk.
@@ -245,11 +268,10 @@ impl App {
         let session = lock(&self.left).session.clone();
         let made = match self.preview_shelf() {
             Err(error) => Err(error.to_string()),
-            Ok(mut shelf) => {
+            Ok(mut shelf) => self.work(&open).map_err(|problem| problem.text).map(|work| {
                 let parameters = shop::parameters(&open.parameters);
-                let program = self.program(&open);
-                Ok(preview::make(program, parameters, session, &mut shelf, &open.given_up))
-            }
+                preview::make(work, parameters, session, &mut shelf, &open.given_up)
+            }),
         };
         let state = match made {
             Ok(None) => return,
@@ -285,7 +307,7 @@ impl App {
         }
         present.preview = made.as_ref().ok().cloned();
         if let Some(preview) = &present.preview {
-            let own = hash_of(&present.bytes, &present.parameters);
+            let own = hash_of(&present.bytes, &present.parameters, &present.choice);
             present.hash = job_hash(own, &preview.called);
         }
         let job = present.hash.clone();
@@ -305,11 +327,8 @@ impl App {
             // It was written a moment ago; where it cannot be read nothing is opened.
             drop(self.open_file(&name));
         }
-        let memory = {
-            let left = lock(&self.left);
-            (left.session.memory.settings.clone(), left.session.memory.frame)
-        };
-        let stale = lock(&self.open).preview.as_ref().is_some_and(|p| p.start != memory);
+        let session = lock(&self.left).session.clone();
+        let stale = lock(&self.open).preview.as_ref().is_some_and(|p| p.is_stale(&session));
         if stale {
             self.preview_again();
         }

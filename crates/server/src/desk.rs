@@ -105,7 +105,7 @@ impl App {
         Ok(job.map(|bytes| kerf_toolpath::read(&bytes).0.finish).unwrap_or_default())
     }
 
-    fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
+    pub(crate) fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
         let read = |bytes: &[u8]| match extension(name).as_str() {
             "dxf" => {
                 let options = dxf::Options { scale: true, explode: true, ..Default::default() };
@@ -219,6 +219,7 @@ pub(crate) fn job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Strin
     Ok((job, warnings.iter().map(ToString::to_string).collect()))
 }
 
-fn extension(name: &str) -> String {
+/// The extension of a name, in small letters.
+pub fn extension(name: &str) -> String {
     name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase()).unwrap_or_default()
 }

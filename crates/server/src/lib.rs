@@ -22,6 +22,7 @@ mod desk;
 mod files;
 mod http;
 mod hub;
+mod job;
 mod machine;
 mod operations;
 mod paths;

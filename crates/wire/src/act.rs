@@ -1,6 +1,6 @@
 //! What a page asks for.
 
-use crate::{AXES, FileParameters, Op};
+use crate::{AXES, FileParameters, JobChoice, Op};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -66,6 +66,19 @@ pub enum Act {
     Parameters {
         /// How it is run.
         parameters: FileParameters,
+    },
+    /// Cuts the open job otherwise: its preview is made anew, and its hash is another. Not while a job runs.
+    Choose {
+        /// How it is cut.
+        choice: JobChoice,
+    },
+    /// Makes the tool path of a drawing: its job, in a file beside it, which is opened.
+    Machine {
+        /// The drawing, a file of the part folder; nothing for the one that is drawn.
+        drawing: Option<String>,
+        /// Also where the paths of that job were changed by hand, which is lost then.
+        #[serde(default)]
+        anew: bool,
     },
     /// Chooses the folder of part files and which of them lists show, as FS does.
     Folder {

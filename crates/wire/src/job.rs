@@ -1,6 +1,6 @@
 //! Files and jobs as a page shows them.
 
-use crate::{Finding, State};
+use crate::{FileKind, Finding, JobChoice, State};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -80,9 +80,13 @@ pub struct Opened {
     /// What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are
     /// others than the usual, or when the preview is ready and knows the program files that it calls.
     pub hash: String,
-    /// How it is run.
+    /// What sort of file it is.
+    pub kind: FileKind,
+    /// How it is run, when it is a part program.
     pub parameters: FileParameters,
-    /// Lines.
+    /// How it is run, when it is a job.
+    pub choice: JobChoice,
+    /// Lines; paths of a job.
     pub lines: u32,
     /// What its head tells about the job.
     pub header: Option<String>,
@@ -167,7 +171,7 @@ pub struct Call {
 pub struct Asked {
     /// Its number; an answer names it, so that none goes to another question.
     pub number: u32,
-    /// `input`, `msgbox`, `pause`, `spindle`, `limit`, `keypad`, `editor`, `speed`, `hold`, `step`.
+    /// `input`, `msgbox`, `pause`, `spindle`, `limit`, `keypad`, `editor`, `speed`, `hold`, `step`, `paused`.
     pub kind: String,
     /// The text.
     pub text: String,

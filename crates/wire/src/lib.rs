@@ -22,6 +22,7 @@ mod act;
 mod change;
 mod drawing;
 mod job;
+mod job_view;
 mod language;
 mod machine;
 mod operation;
@@ -43,6 +44,7 @@ pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, Interrupted, Job, Message, Opened, Overrides,
     PreviewState, Recorder, Tone,
 };
+pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{
     Checked, CommandEntry, Completion, Finding, Hint, Hover, Level, NamedValue, Parameter,
     ParameterKind, SystemValue, Values,

@@ -2,8 +2,8 @@
 
 use crate::preview::PreviewInfo;
 use crate::{
-    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, Lamp, OperationEntry, Request,
-    SettingArea, ShapeList, ToPage, ToolPaths, Values,
+    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, JobView, Lamp, OperationEntry,
+    Request, SettingArea, ShapeList, ToPage, ToolPaths, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -39,6 +39,7 @@ pub fn typescript() -> String {
     declared.visit::<PreviewInfo>();
     declared.visit::<ShapeList>();
     declared.visit::<ToolPaths>();
+    declared.visit::<JobView>();
     declared.visit::<OperationEntry>();
     declared.visit::<Checked>();
     declared.visit::<Completion>();

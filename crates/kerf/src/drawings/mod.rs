@@ -5,6 +5,7 @@ pub mod programs;
 use crate::exit::Usage;
 use crate::out;
 use anyhow::{Result, bail};
+use kerf_control::job_file;
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_formats::{Finding, Imported, Weight, dxf, hpgl, rsg, svg};
 use kerf_gcode::{Writer, Writing};
@@ -114,23 +115,12 @@ pub fn job(file: &Path, smoothing: f64) -> Result<Job> {
 /// The same, with what was noticed while the tool paths were made.
 pub fn job_with_warnings(file: &Path, smoothing: f64) -> Result<(Job, Vec<Warning>)> {
     if extension(file) == "rsm" {
-        let (job, read) = kerf_toolpath::read(&bytes(file)?);
-        tell(file, &read);
-        tell_other_smoothing(file, &job, smoothing);
+        let (job, findings) = job_file::read(&bytes(file)?, smoothing);
+        tell_all(file, &findings);
         return Ok((job, Vec::new()));
     }
     let reading = Reading { layers: false, scale: true, explode: true };
     Ok(kerf_toolpath::smoothed_job(&open(&[file], &reading)?, smoothing)?)
-}
-
-fn tell_other_smoothing(file: &Path, job: &Job, now: f64) {
-    if let Some(made) = job.smoothing.filter(|made| *made != now) {
-        let file = file.display();
-        eprintln!(
-            "{file}: warning: tool path made with other smoothing values: the factor was {made} and is {now} \
-             now; make it anew from the drawing"
-        );
-    }
 }
 
 /// A job as a part program of OpenSBP, millimetres.

@@ -218,7 +218,7 @@ impl Sequence {
     }
 
     /// How far an axis may go, machine frame; `None` when it has no bounds.
-    pub(super) fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
+    pub fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
         soft_bounds(&self.machine, axis).map(Into::into)
     }
 

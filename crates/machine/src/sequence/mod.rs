@@ -164,6 +164,16 @@ impl Sequence {
         self.state
     }
 
+    /// The job where it is cut, and how often.
+    pub fn job(&self) -> &Job {
+        &self.job
+    }
+
+    /// Highest cutting speed, mm/s.
+    pub const fn cut_mm_s(&self) -> f64 {
+        self.cut_mm_s
+    }
+
     /// The heights in force.
     pub const fn heights(&self) -> Heights {
         self.heights

@@ -6,7 +6,7 @@ use crate::app::{App, problem};
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
 use kerf_wire::{
-    Act, OperationEntry, Problem, Reply, Role, ShapeList, Snapshot, ToolPaths, Who, Why,
+    Act, JobView, OperationEntry, Problem, Reply, Role, ShapeList, Snapshot, ToolPaths, Who, Why,
 };
 use serde_json::Value;
 use std::sync::Arc;
@@ -78,6 +78,20 @@ pub async fn shapes(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refu
 /// What the drawing becomes when it is machined.
 pub async fn tool_paths(State(app): State<Arc<App>>) -> Result<Json<ToolPaths>, Refused> {
     Ok(Json(aside(move || Ok(app.tool_paths())).await?))
+}
+
+/// The job that is open.
+pub async fn job(State(app): State<Arc<App>>) -> Result<Json<JobView>, Refused> {
+    Ok(Json(aside(move || app.job_view()).await?))
+}
+
+/// Starts the job or part file that is open, as the Start key does.
+pub async fn start(
+    app: State<Arc<App>>,
+    caller: Extension<Caller>,
+    body: Json<Value>,
+) -> Result<Json<Reply>, Refused> {
+    act(app, caller, Path("run".into()), body).await
 }
 
 /// The operations of drawings, as forms.

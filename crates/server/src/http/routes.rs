@@ -10,8 +10,8 @@ use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
-    Act, Checked, CommandEntry, Completion, FileInfo, Hover, Lamp, NamedValue, OperationEntry,
-    Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
+    Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
+    OperationEntry, Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -43,6 +43,8 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/files/{*name}", upload),
         ("/api/preview/{key}", get(preview::info)),
         ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
+        ("/api/job", get(rest::job)),
+        ("/api/job/start", post(rest::start)),
         ("/api/drawing/shapes", get(rest::shapes)),
         ("/api/drawing/paths", get(rest::tool_paths)),
         ("/api/drawing/operations", get(rest::operations)),
@@ -118,6 +120,15 @@ fn routes() -> Vec<Route> {
         },
         looks("/api/preview/{key}", "The preview of the open file", Some(schema::<PreviewInfo>)),
         looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
+        looks("/api/job", "The paths of the open job, and how it is cut", Some(schema::<JobView>)),
+        Route {
+            path: "/api/job/start",
+            method: "post",
+            doc: "Starts the open file, as the Start key does: lease and hash, as the act run; a job that is \
+                  paused goes on",
+            body: Some(schema::<Value>),
+            answer: Some(schema::<Reply>),
+        },
         looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ToolPaths>)),
         looks("/api/drawing/operations", "What can be done to a drawing", Some(operations)),

@@ -3,7 +3,7 @@
 
 use crate::hub::Hub;
 use crate::told;
-use kerf_control::Doing;
+use kerf_control::{Doing, Made};
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
 use kerf_wire::{Call, Change, Io, Message, Motion, NamedValue, Speeds, Tone, Units};
@@ -16,8 +16,38 @@ pub const TELL: Duration = Duration::from_millis(33);
 /// Lines of the print window that wait to be told, at most.
 const PRINTED: usize = 1000;
 
-/// When each move of the job is over in its plan, seconds.
-pub type Times = Arc<[f32]>;
+/// The moves of a run as they were planned in its preview.
+#[derive(Clone, Debug, Default)]
+pub struct Planned {
+    /// When each is over, seconds.
+    pub times: Arc<[f32]>,
+    /// Which path of a job each belongs to, and where it ends in the plane; empty for a part program.
+    pub ends: Arc<[PathEnd]>,
+}
+
+/// Number of a path, and where a move of it ends, X and Y of the machine frame.
+pub type PathEnd = (u32, [f64; 2]);
+
+/// Two sums of the same way may differ in the last digits, mm.
+const SAME_MM: f64 = 1e-6;
+
+impl Planned {
+    /// How many of the moves are made behind one that ends there, when so many were before. What a pause
+    /// adds to a job, and moves by hand, are not in its plan.
+    fn made(&self, before: u32, (path, [x, y]): PathEnd) -> u32 {
+        if self.ends.is_empty() {
+            return before + 1;
+        }
+        let same = |at: &usize| {
+            let (number, [px, py]) = self.ends[*at];
+            number == path && (px - x).abs() < SAME_MM && (py - y).abs() < SAME_MM
+        };
+        let (from, all) = ((before as usize).min(self.ends.len()), self.ends.len());
+        // Behind the present place first; a jig may be cut before another.
+        let found = (from..all).find(same).or_else(|| (0..from).find(same));
+        found.map_or(before, |at| at as u32 + 1)
+    }
+}
 
 /// Gathers.
 #[derive(Debug)]
@@ -34,16 +64,16 @@ pub struct Board {
     messages: Vec<Message>,
     /// Number of the run.
     run: u32,
-    times: Times,
+    planned: Planned,
     /// Moves that were made.
-    pub made: u32,
+    made: u32,
     /// Share of the speed asked for.
     pub feed: f64,
 }
 
 impl Board {
     /// For a run with this plan.
-    pub fn new(hub: Arc<Hub>, run: u32, times: Times) -> Self {
+    pub fn new(hub: Arc<Hub>, run: u32, planned: Planned) -> Self {
         let (units, speeds, io) = hub.read(|now| (now.units.clone(), now.speeds, now.io.clone()));
         Self {
             hub,
@@ -57,7 +87,7 @@ impl Board {
             printed: Vec::new(),
             messages: Vec::new(),
             run,
-            times,
+            planned,
             made: 0,
             feed: 1.0,
         }
@@ -99,13 +129,21 @@ impl Board {
 
     /// How far the job is and how long it takes from here, by its plan.
     fn progress(&self) -> (f64, f64) {
-        let total = self.times.last().copied().map_or(0.0, f64::from);
+        let times = &self.planned.times;
+        let total = times.last().copied().map_or(0.0, f64::from);
         if total <= 0.0 {
             return (0.0, 0.0);
         }
-        let made = (self.made as usize).min(self.times.len());
-        let done = made.checked_sub(1).map_or(0.0, |last| f64::from(self.times[last]));
+        let made = (self.made as usize).min(times.len());
+        let done = made.checked_sub(1).map_or(0.0, |last| f64::from(times[last]));
         (done / total, (total - done) / self.feed.max(0.1))
+    }
+
+    /// A move was made.
+    pub fn made(&mut self, made: &Made<'_>) {
+        let step = made.span.made;
+        let [x, y, _] = step.to.first3();
+        self.made = self.planned.made(self.made, (step.at.line, [x, y]));
     }
 
     /// A spindle got a speed.

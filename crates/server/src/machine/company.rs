@@ -218,8 +218,7 @@ impl Operator for Pages {
         if !pressed {
             self.shared.link.lock().jog = None;
         }
-        let stopped = question.kind == QuestionKind::Hold;
-        self.shared.state(if stopped { State::Stopped } else { State::Asking });
+        self.shared.state(if stands(question) { State::Stopped } else { State::Asking });
         let file = self.shared.parts.name_of(file);
         let edits = question.kind == QuestionKind::Editor;
         let edits = edits.then(|| self.shared.name_from_root(&question.text));
@@ -238,6 +237,16 @@ impl Operator for Pages {
 
     fn gives_up(&self) -> bool {
         self.stopped
+    }
+}
+
+/// Whether something stopped the machine in the middle: whoever does not answer ends the run. A job that
+/// waits before its start, or at a pause mark, was meant to.
+fn stands(question: &Question) -> bool {
+    match question.kind {
+        QuestionKind::Hold => true,
+        QuestionKind::Paused => question.default != 0,
+        _ => false,
     }
 }
 
@@ -301,8 +310,8 @@ impl Sink for Teller {
         false
     }
 
-    fn made(&mut self, _: &Made<'_>) {
-        self.shared.board.borrow_mut().made += 1;
+    fn made(&mut self, made: &Made<'_>) {
+        self.shared.board.borrow_mut().made(made);
     }
 
     fn standing(&mut self, standing: &Standing) {

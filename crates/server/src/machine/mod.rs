@@ -14,6 +14,7 @@ pub mod link;
 mod owner;
 mod reach;
 
+pub use board::{PathEnd, Planned};
 pub use left::Left;
 pub use link::Link;
 pub use owner::{Order, Owner};

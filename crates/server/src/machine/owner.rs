@@ -1,6 +1,6 @@
 //! The owner of the machine, on its thread.
 
-use super::board::{Board, Times};
+use super::board::{Board, Planned};
 use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
@@ -12,7 +12,6 @@ use kerf_control::journal::JournalError;
 use kerf_control::{Company, Press, RunOptions, Summary, Work};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad};
-use kerf_part::Program;
 use kerf_program::{AXES, Axis};
 use kerf_sbp::{FileParameters, Status};
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
@@ -26,17 +25,17 @@ use std::time::Duration;
 /// What the machine is to do next.
 #[derive(Debug)]
 pub enum Order {
-    /// Run a part file.
+    /// Run a part file or a job.
     File {
-        /// The file.
-        program: Box<Program>,
+        /// What is in it.
+        work: Box<Work>,
         /// Its name, for pages.
         name: String,
         /// Its hash.
         hash: String,
         /// Its plan.
-        times: Times,
-        /// How it is run.
+        planned: Planned,
+        /// How a part file is run.
         parameters: FileParameters,
     },
     /// Take up the run that was cut short.
@@ -114,12 +113,12 @@ impl Owner {
                 Err(RecvTimeoutError::Disconnected) => break,
             };
             match order {
-                Order::File { program, name, hash, times, parameters } => {
+                Order::File { work, name, hash, planned, parameters } => {
                     let mut options = self.options();
                     options.program.file = parameters;
                     let hash = Some(hash);
                     let job = Job { file: name, hash, ..Job::default() };
-                    self.run(*program, options, job, times);
+                    self.run(*work, options, job, planned);
                 }
                 Order::TakeUp => self.take_up(),
                 Order::Command(line) => self.command(&line),
@@ -141,9 +140,9 @@ impl Owner {
         RunOptions { started: (self.workshop.started)(), ..RunOptions::default() }
     }
 
-    fn run(&mut self, program: Program, options: RunOptions, job: Job, times: Times) {
-        let job = self.tell_begun(job, &times);
-        let driven = self.drive(program, options, times);
+    fn run(&mut self, work: Work, options: RunOptions, job: Job, planned: Planned) {
+        let job = self.tell_begun(job, &planned);
+        let driven = self.drive(work, options, planned);
         self.tell_ended(job, driven);
     }
 
@@ -155,16 +154,16 @@ impl Owner {
             Err(error) => return self.rest(State::Idle, Some(error.to_string())),
         };
         let file = self.parts.name_of(cut.file());
-        let job = self.tell_begun(Job { file, ..Job::default() }, &Times::default());
-        let driven = self.accompanied(Times::default(), |workshop, company| {
+        let job = self.tell_begun(Job { file, ..Job::default() }, &Planned::default());
+        let driven = self.accompanied(Planned::default(), |workshop, company| {
             workshop.session.resume(&cut, &mut workshop.shelf, company)
         });
         self.tell_ended(job, driven);
     }
 
-    fn tell_begun(&mut self, job: Job, times: &Times) -> Job {
+    fn tell_begun(&mut self, job: Job, planned: &Planned) -> Job {
         self.run += 1;
-        let seconds = times.last().copied().map_or(0.0, f64::from);
+        let seconds = planned.times.last().copied().map_or(0.0, f64::from);
         let job = Job { run: self.run, seconds, ..job };
         if job.command.is_none() {
             self.hub.cleared(false);
@@ -191,9 +190,9 @@ impl Owner {
         &mut self,
         work: impl Into<Work>,
         options: RunOptions,
-        times: Times,
+        planned: Planned,
     ) -> Result<Summary, JournalError> {
-        self.accompanied(times, |workshop, company| {
+        self.accompanied(planned, |workshop, company| {
             let Workshop { session, shelf, kept, .. } = workshop;
             match kept {
                 true => session.run_on_record(work, options, None, shelf, company),
@@ -205,10 +204,10 @@ impl Owner {
     /// Something runs, told to pages; whoever sits at them answers its questions.
     fn accompanied(
         &mut self,
-        times: Times,
+        planned: Planned,
         runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
     ) -> Result<Summary, JournalError> {
-        let board = Rc::new(RefCell::new(Board::new(self.hub.clone(), self.run, times)));
+        let board = Rc::new(RefCell::new(Board::new(self.hub.clone(), self.run, planned)));
         let shared = Shared {
             board: board.clone(),
             hub: self.hub.clone(),
@@ -273,7 +272,7 @@ impl Owner {
         let mut options = self.options();
         options.program.typed = true;
         let job = Job { command: Some(line.into()), ..Job::default() };
-        self.run(program.into(), options, job, Times::default());
+        self.run(program.into(), options, job, Planned::default());
     }
 
     /// Moves for as long as somebody holds a key, as far as the axes go.
@@ -282,7 +281,7 @@ impl Owner {
         let keypad = Keypad { way, times, speed, bounded: session.homed };
         let machine = Arc::new(session.configuration());
         let work = Work::Hand(Errand::Keypad(keypad), machine);
-        let driven = self.drive(work, self.options(), Times::default());
+        let driven = self.drive(work, self.options(), Planned::default());
         self.link.lock().jog = None;
         self.come_to_rest(driven);
     }

@@ -1,6 +1,7 @@
 //! The path of a run.
 
 use super::path::{Path, Segment};
+use crate::machine::PathEnd;
 use kerf_control::{Event, Made, Sink};
 use kerf_diag::Diagnostic;
 use kerf_motion::{Move, Path as Way};
@@ -23,6 +24,8 @@ pub struct Collector {
     pub path: Path,
     /// When each move is over, seconds.
     pub times: Vec<f32>,
+    /// Of a job: which path each belongs to, and where it ends.
+    pub ends: Vec<PathEnd>,
     /// What was found.
     pub findings: Vec<Diagnostic>,
     at: [f64; 3],
@@ -34,7 +37,7 @@ impl Collector {
     /// A path that begins at a place, machine frame.
     pub fn new(start: [f64; 3]) -> Self {
         let path = Path::new(start, CHORD_MM);
-        Self { path, times: Vec::new(), findings: Vec::new(), at: start, line: 0 }
+        Self { path, times: Vec::new(), ends: Vec::new(), findings: Vec::new(), at: start, line: 0 }
     }
 
     fn clear(&mut self) {
@@ -71,6 +74,7 @@ impl Collector {
         }
         self.at = step.to.first3();
         self.times.push(t1_s as f32);
+        self.ends.push((step.at.line, [self.at[0], self.at[1]]));
     }
 }
 

@@ -10,11 +10,12 @@ mod path;
 
 pub use path::Path;
 
+use crate::machine::Planned;
 use collect::Collector;
-use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Summary, Wish};
-use kerf_part::Program;
+use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Summary, Wish, Work};
+use kerf_machine::Configuration;
 use kerf_program::{Axis, Frame, Settings};
-use kerf_sbp::FileParameters;
+use kerf_sbp::{FileParameters, Status};
 use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, ToolPathInfo};
 use std::collections::BTreeMap;
@@ -35,16 +36,29 @@ pub struct Preview {
     pub info: PreviewInfo,
     /// The path, from all of it to the coarsest.
     pub paths: Vec<Path>,
-    /// When each move is over, seconds of planned time.
-    pub times: Arc<[f32]>,
+    /// The moves, as whoever follows the run needs them.
+    pub planned: Planned,
     /// What was found.
     pub findings: Vec<Finding>,
     /// It has mistakes that keep it from running at all.
     pub failed: bool,
     /// The settings and frame that it was made with.
     pub start: (Settings, Frame),
+    /// The machine that a job was made with.
+    pub machine: Option<Arc<Configuration>>,
     /// Other program files that it called, as they were.
     pub called: Called,
+}
+
+impl Preview {
+    /// Whether the machine is not any more what it was made with.
+    pub fn is_stale(&self, session: &Session) -> bool {
+        match &self.machine {
+            // A job brings its own frame.
+            Some(machine) => **machine != session.configuration(),
+            None => self.start != (session.memory.settings.clone(), session.memory.frame),
+        }
+    }
 }
 
 /// Program files on the disk and their bytes.
@@ -65,13 +79,15 @@ impl Pace for Until<'_> {
 
 /// Makes a preview on a copy of a session; nothing when it was given up.
 pub fn make(
-    program: Program,
+    work: Work,
     parameters: FileParameters,
     mut session: Session,
     shelf: &mut Shelf,
     given_up: &AtomicBool,
 ) -> Option<Preview> {
-    let failed = program.has_errors();
+    let failed = matches!(&work, Work::Part(program) if program.has_errors());
+    let (work, machine) = unattended(work);
+    let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
     let mut sink = Collector::new(session.memory.position.first3());
     let mut options = RunOptions::default();
@@ -79,11 +95,25 @@ pub fn make(
     options.program.file = parameters;
     options.program.max_lines = MOST_LINES;
     let company = Company { sink: &mut sink, operator: &mut (), pace: &mut Until(given_up) };
-    let summary = session.run(program, options, shelf, company);
+    let summary = session.run(work, options, shelf, company);
     if given_up.load(Ordering::Relaxed) {
         return None;
     }
-    Some(Preview { failed, called: shelf.take_called(), ..finish(sink, &summary, start) })
+    let failed = failed || is_job && summary.status == Status::Failed;
+    if !is_job {
+        sink.ends.clear();
+    }
+    let called = shelf.take_called();
+    Some(Preview { failed, machine, called, ..finish(sink, &summary, start) })
+}
+
+/// A job that waits for no door, no jig and no second Start: its preview shows what is cut. With it comes the
+/// machine that cuts it.
+fn unattended(work: Work) -> (Work, Option<Arc<Configuration>>) {
+    let Work::Job(job, machine) = work else { return (work, None) };
+    let mut alone = (*machine).clone();
+    (alone.misc.double_start, alone.job.external_start, alone.job.two_jigs) = (false, false, false);
+    (Work::Job(job, Arc::new(alone)), Some(machine))
 }
 
 fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Preview {
@@ -93,10 +123,11 @@ fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Previ
     Preview {
         info,
         paths,
-        times: sink.times.into(),
+        planned: Planned { times: sink.times.into(), ends: sink.ends.into() },
         findings: sink.findings.iter().map(kerf_language::finding).collect(),
         failed: false,
         start,
+        machine: None,
         called: Called::new(),
     }
 }

@@ -26,12 +26,17 @@ pub struct Shop {
     pub dir: TempDir,
 }
 
+/// What a test changes of a machine.
+pub type Change = fn(&mut kerf_machine::Configuration);
+
 /// How a test's server differs from the usual.
 pub struct Wanted {
     pub rate: f64,
     pub lan: bool,
     pub files: Vec<(&'static str, &'static str)>,
     pub settings: fn(&mut kerf_program::Settings),
+    /// A ready-made machine, and what is changed of it.
+    pub machine: Option<(&'static str, Change)>,
     pub drawing_only: bool,
     pub start: Option<kerf_server::StartUp>,
 }
@@ -43,6 +48,7 @@ impl Default for Wanted {
             lan: false,
             files: Vec::new(),
             settings: |_| {},
+            machine: None,
             drawing_only: false,
             start: None,
         }
@@ -73,8 +79,23 @@ pub fn start(wanted: Wanted) -> Shop {
         start: wanted.start,
         begin_with: Vec::new(),
     };
-    let server = Server::start(options, builders(&parts, wanted.settings)).unwrap();
+    let mut builders = builders(&parts, wanted.settings);
+    if let Some((name, change)) = wanted.machine {
+        let plain = builders.workshop;
+        builders.workshop = Arc::new(move || Ok(equipped(plain()?, name, change)));
+    }
+    let server = Server::start(options, builders).unwrap();
     Shop { server, dir }
+}
+
+/// A workshop with a ready-made machine, homed.
+fn equipped(mut workshop: Workshop, name: &str, change: Change) -> Workshop {
+    let mut machine = kerf_machine::profile::profile(name).unwrap().configuration().unwrap();
+    change(&mut machine);
+    workshop.session.memory.settings = machine.program.clone();
+    workshop.session.machine_is = Arc::new(machine);
+    workshop.session.homed = kerf_program::AxisSet::first(3);
+    workshop
 }
 
 pub fn builders(parts: &Path, settings: fn(&mut kerf_program::Settings)) -> Builders {

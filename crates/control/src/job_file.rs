@@ -1,0 +1,64 @@
+//! Jobs in files (`.rsm`) as whoever runs them reads them: the command line and the server.
+
+use crate::Work;
+use kerf_formats::{Finding, Weight};
+use kerf_geom::Point2;
+use kerf_machine::Configuration;
+use kerf_program::job::JobShape;
+use kerf_toolpath::{Job, NoRoom};
+use std::sync::Arc;
+
+/// The extension of jobs.
+pub const EXTENSION: &str = "rsm";
+
+/// What is said where a drawing is started that has no tool path yet.
+pub const NO_TOOL_PATH: &str = "create the tool path first";
+
+/// What the person who starts a job decides about it. The file stays as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Choice {
+    /// The path with which it begins, counted from 1 in cutting order; that of the file for nothing.
+    pub start: Option<usize>,
+    /// How far beside itself every path is cut, mm, to the right of travel.
+    pub offset_mm: f64,
+    /// Where its origin lies on the table, mm from home; that of the file for nothing.
+    pub origin: Option<Point2>,
+}
+
+/// The job in the bytes of a file, and what was noticed: also that it was made with another smoothing factor
+/// than the one in force.
+pub fn read(bytes: &[u8], smoothing: f64) -> (Job, Vec<Finding>) {
+    let (job, read) = kerf_toolpath::read(bytes);
+    let mut findings = read.findings;
+    if let Some(made) = job.smoothing.filter(|made| *made != smoothing) {
+        let text = format!(
+            "tool path made with other smoothing values: the factor was {made} and is {smoothing} now; \
+             make it anew from the drawing"
+        );
+        findings.push(Finding { line: 0, weight: Weight::Warning, text });
+    }
+    (job, findings)
+}
+
+/// A job as it runs on a machine, under a name. People know its paths by their place in cutting order, as
+/// `kerf draw --list` numbers them.
+pub fn work(job: &Job, name: Arc<str>, machine: Configuration) -> Work {
+    let mut neutral = job.neutral(name);
+    let shapes = neutral.shapes.iter().zip(1..);
+    neutral.shapes = shapes.map(|(shape, number)| JobShape { number, ..shape.clone() }).collect();
+    Work::Job(Arc::new(neutral), Arc::new(machine))
+}
+
+impl Choice {
+    /// The job as it was chosen to be cut.
+    ///
+    /// # Errors
+    /// A path has no room for the offset.
+    pub fn of(&self, work: Work) -> Result<Work, NoRoom> {
+        let Work::Job(job, machine) = work else { return Ok(work) };
+        let mut chosen = kerf_toolpath::beside(&job, self.offset_mm)?;
+        chosen.start = self.start.unwrap_or(chosen.start).clamp(1, chosen.shapes.len().max(1));
+        chosen.origin = self.origin.unwrap_or(chosen.origin);
+        Ok(Work::Job(Arc::new(chosen), machine))
+    }
+}

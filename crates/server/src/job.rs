@@ -1,0 +1,206 @@
+//! Jobs: the tool paths of drawings, cut as `kerf run` cuts them, and how they come from a drawing.
+
+use crate::acts::Done;
+use crate::app::{App, Open, lock, problem};
+use crate::desk::{extension, job};
+use kerf_control::Work;
+use kerf_control::job_file::{self, Choice};
+use kerf_drawing::Drawing;
+use kerf_geom::Point2;
+use kerf_machine::{Configuration, Sequence};
+use kerf_program::Axis;
+use kerf_program::job::JobShape;
+use kerf_toolpath::Job;
+use kerf_wire::{FileKind, JobChoice, JobPath, JobView, Problem, ShapePath, State, Why};
+use std::sync::Arc;
+
+/// What sort of file a name belongs to.
+pub fn kind_of(name: &str) -> FileKind {
+    match extension(name).as_str() {
+        job_file::EXTENSION => FileKind::Job,
+        "rsg" | "dxf" | "svg" | "plt" | "hpg" | "hpgl" => FileKind::Drawing,
+        _ => FileKind::Program,
+    }
+}
+
+impl App {
+    /// What an open file has the machine do.
+    ///
+    /// # Errors
+    /// It is a drawing, or a path of a job has no room for its offset.
+    pub fn work(&self, open: &Open) -> Result<Work, Problem> {
+        match kind_of(&open.name) {
+            FileKind::Program => Ok(self.program(open).into()),
+            FileKind::Job => self.job_of(open),
+            FileKind::Drawing => Err(problem(Why::State, job_file::NO_TOOL_PATH)),
+        }
+    }
+
+    fn job_of(&self, open: &Open) -> Result<Work, Problem> {
+        let machine = lock(&self.left).session.configuration();
+        let (job, _) = job_file::read(&open.bytes, machine.program.smoothing.factor);
+        let name = self.parts.root().join(&open.name).display().to_string();
+        let work = job_file::work(&job, name.into(), machine);
+        let no_room = |why: kerf_toolpath::NoRoom| problem(Why::Mistake, why.to_string());
+        chosen(&open.choice).of(work).map_err(no_room)
+    }
+
+    /// How many paths an open job has.
+    pub fn path_count(&self, open: &Open) -> u32 {
+        if kind_of(&open.name) == FileKind::Job {
+            kerf_toolpath::read(&open.bytes).0.paths.len() as u32
+        } else {
+            0
+        }
+    }
+
+    /// Refuses to start where only a drawing is open.
+    ///
+    /// # Errors
+    /// That.
+    pub fn has_tool_path(&self, open: &Open) -> Result<(), Problem> {
+        let draws = open.name.is_empty() && self.hub.read(|now| now.drawing.is_some());
+        if draws || kind_of(&open.name) == FileKind::Drawing {
+            let text = format!("{}: Machine makes it from the drawing", job_file::NO_TOOL_PATH);
+            return Err(problem(Why::State, text));
+        }
+        Ok(())
+    }
+
+    /// The question of the job that runs, where Start answers it.
+    pub fn waits_for_start(&self, hash: &str) -> Option<u32> {
+        self.hub.read(|now| {
+            let mine = now.job.as_ref().is_some_and(|job| job.hash.as_deref() == Some(hash));
+            let stands = matches!(now.machine.state, State::Asking | State::Stopped);
+            let asked = now.asked.as_ref().filter(|asked| asked.kind == "paused");
+            asked.filter(|_| mine && stands).map(|asked| asked.number)
+        })
+    }
+
+    /// Cuts the open job otherwise from now on.
+    ///
+    /// # Errors
+    /// No job is open, one runs, or the choice makes no sense.
+    pub fn choose(self: &Arc<Self>, choice: JobChoice) -> Result<(), Problem> {
+        let open = lock(&self.open).clone();
+        if kind_of(&open.name) != FileKind::Job {
+            return Err(problem(Why::State, "no job is open"));
+        }
+        if !matches!(self.state(), State::Idle | State::Alarm) {
+            return Err(problem(Why::State, "the machine is busy"));
+        }
+        let count = self.path_count(&open);
+        let numbers = choice.origin.into_iter().flatten().chain([choice.offset]);
+        if choice.start.is_some_and(|start| start == 0 || start > count) {
+            return Err(problem(Why::Mistake, format!("the job has the paths 1 to {count}")));
+        }
+        if !numbers.into_iter().all(f64::is_finite) {
+            return Err(problem(Why::Malformed, "offset and origin are lengths"));
+        }
+        self.cut_with(open, choice);
+        Ok(())
+    }
+
+    /// Makes the job of a drawing, writes it beside the drawing and opens it.
+    ///
+    /// # Errors
+    /// There is nothing to cut, or the file of the job was changed by hand.
+    pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool) -> Done {
+        let (name, drawing, finish) = self.drawing_to_machine(drawing)?;
+        let name = format!("{}.{}", stem(&name), job_file::EXTENSION);
+        if !anew && self.was_edited(&name) {
+            let text =
+                format!("{name}: its paths were changed by hand; making them anew loses that");
+            return Err(problem(Why::Changed, text));
+        }
+        let (made, warnings) = job(&drawing, self.shaping())?;
+        if made.paths.is_empty() {
+            return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
+        }
+        let made = Job { finish, ..made };
+        self.parts.write(&name, kerf_toolpath::write(&made).as_bytes())?;
+        self.files_changed();
+        self.open_file(&name)?;
+        Ok(warnings)
+    }
+
+    /// A drawing of the part folder, or the one on the desk: name, drawing, finish position.
+    fn drawing_to_machine(
+        &self,
+        drawing: Option<&str>,
+    ) -> Result<(String, Drawing, Point2), Problem> {
+        if let Some(name) = drawing {
+            return Ok((name.into(), self.read_drawing(name)?.drawing, Point2::default()));
+        }
+        let desk = lock(&self.desk);
+        let name = desk.name.clone().unwrap_or_else(|| "drawing".into());
+        Ok((name, desk.editor.drawing.clone(), desk.finish))
+    }
+
+    fn was_edited(&self, name: &str) -> bool {
+        self.parts.read(name).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
+    }
+
+    /// The open job as a page shows it.
+    ///
+    /// # Errors
+    /// None is open.
+    pub fn job_view(&self) -> Result<JobView, Problem> {
+        let open = lock(&self.open).clone();
+        if kind_of(&open.name) != FileKind::Job {
+            return Err(problem(Why::State, "no job is open"));
+        }
+        let position = lock(&self.left).session.memory.position;
+        let Work::Job(job, machine) = self.job_of(&open)? else {
+            return Err(problem(Why::State, "no job is open"));
+        };
+        let sequence = Sequence::new(job, machine.clone(), position);
+        Ok(JobView { hash: open.hash, ..view(&sequence, &machine) })
+    }
+}
+
+/// What stands before the extension of a name.
+fn stem(name: &str) -> &str {
+    name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+}
+
+fn chosen(choice: &JobChoice) -> Choice {
+    let JobChoice { start, offset, origin } = *choice;
+    Choice {
+        start: start.map(|start| start as usize),
+        offset_mm: offset,
+        origin: origin.map(|[x, y]| Point2::new(x, y)),
+    }
+}
+
+fn view(sequence: &Sequence, machine: &Configuration) -> JobView {
+    let (job, heights) = (sequence.job(), sequence.heights());
+    let reach = |axis| sequence.reach(axis).unwrap_or_default();
+    JobView {
+        paths: job.shapes.iter().map(path).collect(),
+        origin: [job.origin.x, job.origin.y],
+        finish: [job.finish.x, job.finish.y],
+        start: u32::try_from(job.start).unwrap_or(1),
+        repeats: job.repeats,
+        cut: sequence.cut_mm_s(),
+        plunge: machine.speeds.plunge_mm_s,
+        heights: [heights.top_mm, heights.surface_mm, heights.bottom_mm],
+        raise: machine.pause.raise,
+        table: [reach(Axis::X), reach(Axis::Y)],
+        origin_at_start: machine.job.change_origin_at_start,
+        ..JobView::default()
+    }
+}
+
+fn path(shape: &JobShape) -> JobPath {
+    let points = shape.path.vertices.iter().flat_map(|v| [v.at.x, v.at.y, v.bulge]);
+    let path = ShapePath {
+        number: shape.number,
+        group: shape.group.to_string(),
+        closed: shape.path.closed,
+        points: points.collect(),
+        z: None,
+        pause: shape.pause,
+    };
+    JobPath { path, traversal: shape.traversal, tool: shape.tool }
+}

@@ -1,0 +1,264 @@
+//! Jobs: tool paths of drawings, run by the server as the command line runs them.
+
+#![allow(clippy::unwrap_used, non_snake_case)]
+
+mod support;
+
+use kerf_drawing::{Editor, script};
+use kerf_machine::Configuration;
+use serde_json::{Value, json};
+use support::{Page, Shop, Wanted, start};
+
+/// The job of a drawing made by a script, as its file.
+fn rsm(clauses: &str) -> String {
+    let mut editor = Editor::default();
+    for (_, operation) in script(clauses).unwrap() {
+        editor.apply(&operation).unwrap();
+    }
+    let (job, _) = kerf_toolpath::job(&editor.drawing).unwrap();
+    kerf_toolpath::write(&job)
+}
+
+/// Five lines above each other.
+const FIVE: &str =
+    "line 0,10 100,10; line 0,20 100,20; line 0,30 100,30; line 0,40 100,40; line 0,50 100,50";
+
+/// SIM, in a hurry, with this job.
+fn shop(clauses: &str, change: fn(&mut Configuration)) -> Shop {
+    let shop = start(Wanted { rate: 8.0, machine: Some(("sim", change)), ..Wanted::default() });
+    shop.write("job.rsm", rsm(clauses).as_bytes());
+    shop
+}
+
+fn at(page: &Page) -> [f64; 3] {
+    [0, 1, 2].map(|axis| page.shown["motion"]["at"]["machine"][axis].as_f64().unwrap())
+}
+
+/// The path that is made.
+fn path(page: &Page) -> u64 {
+    page.shown["motion"]["line"].as_u64().unwrap()
+}
+
+fn answer(page: &mut Page, words: &str) -> Option<String> {
+    let number = page.asked("paused");
+    let refused = page.act(json!({ "do": "answer", "question": number, "answer": words }));
+    if refused.is_none() {
+        page.until("the next question", |page| page.shown["asked"]["number"] != number);
+    }
+    refused
+}
+
+/// Stops the job on a path, behind a place in X, and waits until it asks.
+fn stop_on(page: &mut Page, number: u64, x: f64) {
+    let there = |page: &Page| {
+        path(page) == number && at(page)[0] > x && page.shown["motion"]["cutting"] == true
+    };
+    page.until("the place to stop", there);
+    assert_eq!(page.act(json!({ "do": "stop" })), None);
+    page.until_state("stopped");
+    page.asked("paused");
+}
+
+fn finished(page: &mut Page) {
+    page.until("the end", |page| page.shown["job"]["ended"] == "ok");
+    page.until_state("idle");
+}
+
+fn choose(page: &mut Page, choice: Value) -> Option<String> {
+    let refused = page.act(json!({ "do": "choose", "choice": choice }));
+    if refused.is_none() {
+        page.until("the preview", |page| page.shown["opened"]["preview"]["state"] == "ready");
+    }
+    refused
+}
+
+#[test]
+fn a_job_is_opened_previewed_and_cut() {
+    let shop = shop(FIVE, |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    let opened = page.shown["opened"].clone();
+    assert_eq!((&opened["kind"], &opened["lines"]), (&json!("job"), &json!(5)));
+    assert!(opened["seconds"].as_f64().unwrap() > 5.0);
+    let view = shop.get("/api/job").json();
+    assert_eq!(view["hash"], opened["hash"]);
+    assert_eq!(view["heights"], json!([-10.0, -20.0, -30.0]));
+    let numbers: Vec<u64> =
+        view["paths"].as_array().unwrap().iter().map(|p| p["number"].as_u64().unwrap()).collect();
+    assert_eq!(numbers, [1, 2, 3, 4, 5]);
+    assert_eq!(page.run(), None);
+    page.until("the third path", |page| path(page) == 3);
+    let progress = page.shown["motion"]["progress"].as_f64().unwrap();
+    assert!(progress > 0.3 && progress < 0.8, "{progress}");
+    finished(&mut page);
+    assert_eq!(at(&page), [0.0, 0.0, -10.0]);
+}
+
+#[test]
+fn a_job_is_paused_moved_and_goes_on_at_the_very_place() {
+    let shop = shop("line 0,0 100,0; line 0,50 100,50", |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    assert_eq!(page.run(), None);
+    stop_on(&mut page, 1, 30.0);
+    let [x, ..] = at(&page);
+    assert_eq!(at(&page)[2], -10.0, "the tool rose");
+    assert_eq!(answer(&mut page, "nonsense").as_deref(), Some("mistake"));
+    // By a key that is held, and by a distance.
+    let jog = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
+        "direction": [0, 1, 0, 0, 0, 0], "distance": 20.0, "speed": 1.0 });
+    page.act(jog);
+    for _ in 0..400 {
+        page.act(json!({ "do": "jogRenew", "lease": page.lease, "seq": 1 }));
+        if at(&page)[1] == 20.0 {
+            break;
+        }
+    }
+    page.act(json!({ "do": "jogStop", "seq": 1 }));
+    page.until("20 mm by hand", |page| at(page)[1] == 20.0);
+    page.until_state("stopped");
+    assert_eq!(answer(&mut page, "move x 12.5"), None);
+    page.until("12.5 mm further", |page| (at(page)[0] - x - 12.5).abs() < 1e-6);
+    page.until_state("stopped");
+    assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
+    let cuts = |page: &Page| page.shown["motion"]["cutting"] == true && at(page)[2] == -30.0;
+    page.until("the cut", cuts);
+    assert!(at(&page)[0] >= x - 1e-6 && at(&page)[0] < 100.1, "{:?} behind {x}", at(&page));
+    assert!(at(&page)[1].abs() < 1e-6);
+    finished(&mut page);
+}
+
+#[test]
+fn a_start_path_is_part_of_what_was_previewed() {
+    let shop = shop(FIVE, |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    let whole = page.shown["opened"].clone();
+    assert_eq!(choose(&mut page, json!({ "start": 4 })), None);
+    let part = page.shown["opened"].clone();
+    assert_ne!(part["hash"], whole["hash"]);
+    assert!(part["seconds"].as_f64().unwrap() < whole["seconds"].as_f64().unwrap() * 0.6);
+    assert_eq!(shop.get("/api/job").json()["start"], 4);
+    let old = json!({ "do": "run", "lease": page.lease, "hash": whole["hash"] });
+    assert_eq!(page.act(old).as_deref(), Some("changed"));
+    for wrong in [json!({ "start": 6 }), json!({ "start": 0 })] {
+        assert_eq!(choose(&mut page, wrong).as_deref(), Some("mistake"));
+    }
+    assert_eq!(page.run(), None);
+    page.until("a cut", |page| page.shown["motion"]["cutting"] == true);
+    assert_eq!(path(&page), 4);
+    assert_eq!(choose(&mut page, json!({ "start": 1 })).as_deref(), Some("state"));
+    finished(&mut page);
+    // The file on the disk is another by now.
+    shop.write("job.rsm", rsm("line 0,0 1,0").as_bytes());
+    assert_eq!(page.run().as_deref(), Some("changed"));
+}
+
+#[test]
+fn an_origin_and_an_offset_hold_without_changing_the_file() {
+    let shop = shop("rect 0,0 90,90", |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    assert_eq!(choose(&mut page, json!({ "origin": [300, 200], "offset": 1 })), None);
+    let view = shop.get("/api/job").json();
+    assert_eq!(view["origin"], json!([300.0, 200.0]));
+    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
+    let bounds = shop.get(&format!("/api/preview/{key}")).json()["bounds"].clone();
+    let x = bounds.to_string();
+    assert!(x.contains("301") || x.contains("299"), "{x}");
+    assert_eq!(choose(&mut page, json!({ "offset": 60 })), None);
+    assert_eq!(page.run().as_deref(), Some("mistake"), "out of bounds");
+}
+
+#[test]
+fn pro_job_view() {
+    let shop = shop(FIVE, |_| {});
+    let mut editor = Editor::default();
+    for (_, operation) in script(FIVE).unwrap() {
+        editor.apply(&operation).unwrap();
+    }
+    shop.write("part.rsg", kerf_formats::rsg::write(&editor.drawing).as_bytes());
+    let mut page = shop.driver();
+    page.open_file("part.rsg");
+    assert_eq!(page.shown["opened"]["kind"], "drawing");
+    let id = page
+        .send(json!({ "do": "run", "lease": page.lease, "hash": page.shown["opened"]["hash"] }));
+    assert!(page.problem(id).starts_with("create the tool path first"));
+    page.until_state("idle");
+    assert_eq!(page.act(json!({ "do": "machine", "drawing": "part.rsg" })), None);
+    let ready = |page: &Page| {
+        let opened = &page.shown["opened"];
+        opened["name"] == "part.rsm" && opened["preview"]["state"] == "ready"
+    };
+    page.until("the job", ready);
+    assert_eq!(page.run(), None);
+    finished(&mut page);
+    // With a drawing on the desk and no file: the same.
+    page.act(json!({ "do": "close" }));
+    assert_eq!(page.act(json!({ "do": "draw", "op": { "op": "open", "name": "part.rsg" } })), None);
+    let id = page.send(json!({ "do": "run", "lease": page.lease, "hash": "" }));
+    assert!(page.problem(id).starts_with("create the tool path first"));
+}
+
+#[test]
+fn a_job_changed_by_hand_is_not_made_anew_without_a_word() {
+    let shop = shop(FIVE, |_| {});
+    let (job, _) = kerf_toolpath::read(rsm(FIVE).as_bytes());
+    let drawing = job.as_drawing();
+    shop.write("part.rsg", kerf_formats::rsg::write(&drawing).as_bytes());
+    shop.write("part.rsm", kerf_toolpath::write(&job.edited(&drawing)).as_bytes());
+    let mut page = shop.driver();
+    let make = |anew: bool| json!({ "do": "machine", "drawing": "part.rsg", "anew": anew });
+    assert_eq!(page.act(make(false)).as_deref(), Some("changed"));
+    assert_eq!(page.act(make(true)), None);
+}
+
+#[test]
+fn pro_job_step_start__over_http() {
+    let shop = shop(FIVE, |machine| machine.misc.double_start = true);
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    let start = json!({ "lease": page.lease, "hash": page.shown["opened"]["hash"] });
+    // The lease is this page's, not that of a script.
+    assert_eq!(shop.post("/api/job/start", start, &[]).status, 403);
+    let act = |name: &str, body| shop.post(&format!("/api/do/{name}"), body, &[]);
+    assert_eq!(act("takeLease", json!({ "force": true })).status, 200);
+    let lease = |page: &Page| page.shown["lease"]["number"].clone();
+    let mine = page.lease;
+    page.until("another driver", |page| lease(page) != json!(mine) && lease(page) != Value::Null);
+    let lease = lease(&page);
+    assert_eq!(act("arm", json!({ "lease": lease })).status, 200);
+    let start = json!({ "lease": lease, "hash": page.shown["opened"]["hash"] });
+    assert_eq!(shop.post("/api/job/start", start.clone(), &[]).status, 200);
+    // The first Start prepares, the second cuts.
+    page.until_state("asking");
+    page.asked("paused");
+    assert_eq!(page.shown["asked"]["text"], "Start with shape 1?");
+    assert_eq!(path(&page), 0, "nothing is cut yet");
+    assert_eq!(shop.post("/api/job/start", start, &[]).status, 200);
+    finished(&mut page);
+}
+
+#[test]
+fn speeds_and_heights_are_changed_in_a_pause() {
+    let shop = shop("line 0,0 200,0; line 0,50 200,50", |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    assert_eq!(page.run(), None);
+    stop_on(&mut page, 1, 30.0);
+    for words in ["zbottom -0.5", "cut 3000", "raise no"] {
+        assert_eq!(answer(&mut page, words), None, "{words}");
+        page.until_state("stopped");
+    }
+    assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
+    page.until("half a millimetre deeper", |page| (at(page)[2] + 30.5).abs() < 1e-6);
+    let speed = |page: &Page| page.shown["motion"]["speed"].as_f64().unwrap();
+    page.until("50 mm/s", |page| at(page)[2] < -30.4 && (speed(page) - 50.0).abs() < 1e-6);
+    stop_on(&mut page, 1, 0.0);
+    assert!((at(&page)[2] + 30.5).abs() < 1e-6, "it does not rise any more: {:?}", at(&page));
+    // STOP once more gives the job up.
+    assert_eq!(page.act(json!({ "do": "stop" })), None);
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "stopped");
+    assert!(page.shown["io"]["outputs"].as_array().unwrap().iter().all(|lamp| lamp["on"] == false));
+}

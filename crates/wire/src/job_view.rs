@@ -1,0 +1,75 @@
+//! Jobs as a page shows them: the tool paths of a drawing, and how they are cut.
+
+use crate::ShapePath;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// What sort of file is open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum FileKind {
+    /// A part program.
+    #[default]
+    Program,
+    /// A job: the tool path of a drawing. The machine cuts it.
+    Job,
+    /// A drawing, which has no tool path yet: nothing can be cut.
+    Drawing,
+}
+
+/// What the person who starts a job decides about it. Its file stays as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", default, deny_unknown_fields)]
+#[ts(optional_fields = false)]
+pub struct JobChoice {
+    /// The path with which it begins, counted from 1 in cutting order; that of the file for nothing.
+    pub start: Option<u32>,
+    /// How far beside itself every path is cut, mm, to the right of travel.
+    pub offset: f64,
+    /// Where its origin lies on the table, X and Y from home, mm; that of the file for nothing.
+    pub origin: Option<[f64; 2]>,
+}
+
+/// A job, to be looked at and started.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct JobView {
+    /// The hash by which it is run.
+    pub hash: String,
+    /// Its paths in cutting order, arrays laid out, mm from the origin.
+    pub paths: Vec<JobPath>,
+    /// Where the origin lies on the table, X and Y from home, mm.
+    pub origin: [f64; 2],
+    /// Where the head goes at the end, X and Y from the origin, mm.
+    pub finish: [f64; 2],
+    /// The path with which it begins, from 1.
+    pub start: u32,
+    /// How often it is cut.
+    pub repeats: u32,
+    /// Cutting speed, mm a second.
+    pub cut: f64,
+    /// Plunging speed, mm a second.
+    pub plunge: f64,
+    /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm.
+    pub heights: [f64; 3],
+    /// Whether the tool rises when the job is paused.
+    pub raise: bool,
+    /// Reaches of X and Y, from home, mm.
+    pub table: [[f64; 2]; 2],
+    /// The origin becomes the present position at each start.
+    pub origin_at_start: bool,
+}
+
+/// One path of a job.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct JobPath {
+    /// The path; its number is its place in cutting order, from 1.
+    #[serde(flatten)]
+    pub path: ShapePath,
+    /// It is followed and not cut.
+    pub traversal: bool,
+    /// The tool that cuts it.
+    pub tool: u8,
+}
