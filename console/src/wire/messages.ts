@@ -19,7 +19,13 @@ name: string,
 /** How it is run. */
 parameters?: FileParameters, } | { "do": "parameters",
 /** How it is run. */
-parameters: FileParameters, } | { "do": "folder",
+parameters: FileParameters, } | { "do": "choose",
+/** How it is cut. */
+choice: JobChoice, } | { "do": "machine",
+/** The drawing, a file of the part folder; nothing for the one that is drawn. */
+drawing: string | null,
+/** Also where the paths of that job were changed by hand, which is lost then. */
+anew: boolean, } | { "do": "folder",
 /** Below the part folder that the server was given, which an empty name means. */
 name: string,
 /** As `*.sb?`; nothing keeps what is shown. */
@@ -91,7 +97,7 @@ new: [string, string] | null, } | { "do": "ping" };
 export type Asked = {
 /** Its number; an answer names it, so that none goes to another question. */
 number: number,
-/** `input`, `msgbox`, `pause`, `spindle`, `limit`, `keypad`, `editor`, `speed`, `hold`, `step`. */
+/** `input`, `msgbox`, `pause`, `spindle`, `limit`, `keypad`, `editor`, `speed`, `hold`, `step`, `paused`. */
 kind: string,
 /** The text. */
 text: string,
@@ -267,6 +273,9 @@ header: string | null,
 /** Whether it is a part file: one that the mask of the part folder lets through, or G-code. */
 part: boolean, };
 
+/** What sort of file is open. */
+export type FileKind = "program" | "job" | "drawing";
+
 /** How a part file is run: the parameters of FP. */
 export type FileParameters = {
 /** Scales X, Y and Z. */
@@ -400,6 +409,61 @@ ended: string | null,
 /** What ended it, when it was an error. */
 error: Finding | null, };
 
+/** What the person who starts a job decides about it. Its file stays as it is. */
+export type JobChoice = {
+/** The path with which it begins, counted from 1 in cutting order; that of the file for nothing. */
+start: number | null,
+/** How far beside itself every path is cut, mm, to the right of travel. */
+offset: number,
+/** Where its origin lies on the table, X and Y from home, mm; that of the file for nothing. */
+origin: [number, number] | null, };
+
+/** One path of a job. */
+export type JobPath = {
+/** It is followed and not cut. */
+traversal: boolean,
+/** The tool that cuts it. */
+tool: number,
+/** Number of the shape, from 1. */
+number: number,
+/** Its group: black, blue, green, cyan, red, magenta, brown, white. */
+group: string,
+/** Whether its end is its start. */
+closed: boolean,
+/** Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 is a line. */
+points: Array<number>,
+/** Height of each vertex, for a 3D shape. */
+z: Array<number> | null,
+/** Whether the machine halts before it. */
+pause: boolean, };
+
+/** A job, to be looked at and started. */
+export type JobView = {
+/** The hash by which it is run. */
+hash: string,
+/** Its paths in cutting order, arrays laid out, mm from the origin. */
+paths: Array<JobPath>,
+/** Where the origin lies on the table, X and Y from home, mm. */
+origin: [number, number],
+/** Where the head goes at the end, X and Y from the origin, mm. */
+finish: [number, number],
+/** The path with which it begins, from 1. */
+start: number,
+/** How often it is cut. */
+repeats: number,
+/** Cutting speed, mm a second. */
+cut: number,
+/** Plunging speed, mm a second. */
+plunge: number,
+/** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm. */
+heights: [number, number, number],
+/** Whether the tool rises when the job is paused. */
+raise: boolean,
+/** Reaches of X and Y, from home, mm. */
+table: [[number, number], [number, number]],
+/** The origin becomes the present position at each start. */
+originAtStart: boolean, };
+
 /** An input or output. */
 export type Lamp = {
 /** Its number, from 1. */
@@ -493,9 +557,13 @@ export type Opened = {
 name: string,
 /** What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are others than the usual, or when the preview is ready and knows the program files that it calls. */
 hash: string,
-/** How it is run. */
+/** What sort of file it is. */
+kind: FileKind,
+/** How it is run, when it is a part program. */
 parameters: FileParameters,
-/** Lines. */
+/** How it is run, when it is a job. */
+choice: JobChoice,
+/** Lines; paths of a job. */
 lines: number,
 /** What its head tells about the job. */
 header: string | null,
