@@ -38,7 +38,14 @@ export const openKeypad: Action = {
   },
 };
 export const openScratch = sheetAction({ kind: "scratch" }, "Scratch pad", ["i"]);
-export const openCalculator = sheetAction({ kind: "calculator" }, "Calculator", ["F10"]);
+export const openCalculator: Action = {
+  id: "sheet.calculator",
+  title: "Calculator",
+  section: "go",
+  keys: ["F10"],
+  everywhere: true,
+  run: ({ screen }) => screen.calculate(true),
+};
 export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
 export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
 export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);

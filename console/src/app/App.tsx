@@ -4,6 +4,7 @@ import "./app.css";
 import { HelpScreen } from "../help/HelpScreen";
 import { MessageWindow } from "../operator/MessageWindow";
 import { SettingsScreen } from "../settings/SettingsScreen";
+import { CalculatorSheet } from "../tools/CalculatorSheet";
 import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown, useSnapshot } from "./context";
@@ -41,7 +42,8 @@ const DrawScreen = lazy(async () => ({
 function Body() {
   const sheet = useScreen("sheet");
   const asked = useShown((shown) => shown.snapshot?.asked);
-  const covered = sheet !== null || (asked ? covers(asked) : false);
+  const calculator = useScreen("calculator");
+  const covered = sheet !== null || calculator !== null || (asked ? covers(asked) : false);
   return (
     <div className="body">
       <main className="screen" inert={covered}>
@@ -54,6 +56,7 @@ function Body() {
       <StartedUp />
       {sheet && <OpenSheet sheet={sheet} />}
       {asked && <Asking asked={asked} />}
+      {calculator && <CalculatorSheet field={calculator.field} />}
       <LostLink />
       <PairScreen />
     </div>

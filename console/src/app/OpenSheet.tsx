@@ -1,7 +1,6 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
-import { CalculatorSheet } from "../tools/CalculatorSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
 import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
@@ -24,8 +23,6 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <CommandSheet letters={sheet.letters} given={sheet.given} />;
     case "keypad":
       return <KeypadWaits onClose={close} />;
-    case "calculator":
-      return <CalculatorSheet onClose={close} />;
     case "scratch":
       return <ScratchSheet onClose={close} />;
     case "nudge":

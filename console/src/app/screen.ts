@@ -10,7 +10,6 @@ export type Sheet =
   | { readonly kind: "command"; readonly letters: string; readonly given: readonly string[] }
   | { readonly kind: "keypad" }
   | { readonly kind: "nudge" }
-  | { readonly kind: "calculator" }
   | {
       readonly kind: "values";
       readonly which?: "variables" | "system" | "settings" | "diagnostics";
@@ -29,6 +28,8 @@ export interface ScreenState {
   readonly theme: Theme;
   readonly face: Face;
   readonly sheet: Sheet | null;
+  /** The calculator lies over whatever is open, and knows the field that it was called from. */
+  readonly calculator: { readonly field: HTMLInputElement | null } | null;
   /** Lines of the open file at which going line by line halts. */
   readonly breakpoints: readonly number[];
   /** The tool path takes the whole screen. */
@@ -51,6 +52,8 @@ export interface Notice {
 export interface Screen extends Store<ScreenState> {
   go(route: Route): void;
   open(sheet: Sheet | null): void;
+  /** Opens the calculator for the field that has the focus, or closes it. */
+  calculate(open: boolean): void;
   /** Goes to the drawing and begins a tool. */
   takeTool(id: string): void;
   wear(theme: Theme): void;
@@ -79,6 +82,7 @@ export function createScreen(): Screen {
     theme: rememberedTheme(),
     face: localStorage.getItem(faceKey) === "full" ? "full" : "easy",
     sheet: null,
+    calculator: null,
     breakpoints: [],
     large: false,
     topic: "HQ",
@@ -96,9 +100,14 @@ export function createScreen(): Screen {
     go(route) {
       if (route === store.get().route) return;
       history.pushState(null, "", route);
-      store.update((now) => ({ ...now, route, sheet: null }));
+      store.update((now) => ({ ...now, route, sheet: null, calculator: null }));
     },
     open: (sheet) => store.update((now) => ({ ...now, sheet })),
+    calculate(open) {
+      const focused = document.activeElement;
+      const field = focused instanceof HTMLInputElement ? focused : null;
+      store.update((now) => ({ ...now, calculator: open ? (now.calculator ?? { field }) : null }));
+    },
     takeTool(id) {
       this.go("/draw");
       store.update((now) => ({ ...now, sheet: null, tool: { id } }));

@@ -79,6 +79,7 @@ export function CommandLine() {
         </span>
         <input
           ref={input}
+          data-takes="more"
           value={state.text}
           placeholder="Command, such as MX,2"
           autoComplete="off"

@@ -2,7 +2,7 @@
 
 import type { World } from "../actions/action";
 import { drive } from "../actions/ask";
-import { openKeypad } from "../actions/go";
+import { openCalculator, openKeypad } from "../actions/go";
 import { evaluate, isExpression, resultText } from "../app/expression";
 import type { Sheet } from "../app/screen";
 import { getJson } from "../link/http";
@@ -13,7 +13,6 @@ import { argumentsOf, lettersOf } from "./line";
 const opens: Record<string, Sheet> = {
   MN: { kind: "nudge" },
   FP: { kind: "files" },
-  UU: { kind: "calculator" },
   SI: { kind: "scratch" },
   UV: { kind: "values", which: "settings" },
   UL: { kind: "values", which: "variables" },
@@ -31,6 +30,7 @@ export function execute(world: World, text: string): void {
   const given = argumentsOf(text);
   const sheet = given.length === 0 ? opens[letters] : undefined;
   if (sheet) world.screen.open(sheet);
+  else if (letters === "UU" && given.length === 0) openCalculator.run(world);
   else if (letters === "SK" && given.length === 0) openKeypad.run(world);
   else if (explains.test(letters)) world.screen.explain(letters);
   else if (letters === "FN") world.screen.edit("");

@@ -1,11 +1,18 @@
 import { useState } from "react";
+import { useHands } from "../app/context";
 import { evaluate, resultText } from "../app/expression";
+import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import "./tools.css";
 
-/** The calculator (UU, F10): inches and millimetres may be mixed. */
-export function CalculatorSheet({ onClose }: { onClose: () => void }) {
+/**
+ * The calculator (UU, F10): inches and millimetres may be mixed. The result goes into the field that
+ * it was called from.
+ */
+export function CalculatorSheet({ field }: { field: HTMLInputElement | null }) {
+  const { screen } = useHands();
+  const close = () => screen.calculate(false);
   const [text, setText] = useState("");
   const [done, setDone] = useState<readonly string[]>([]);
   const value = evaluate(text);
@@ -15,7 +22,24 @@ export function CalculatorSheet({ onClose }: { onClose: () => void }) {
     setText(resultText(value));
   };
   return (
-    <Sheet title="Calculator" onClose={onClose}>
+    <Sheet
+      title="Calculator"
+      onClose={close}
+      foot={
+        field?.isConnected && (
+          <Button
+            look="primary"
+            isDisabled={value === undefined}
+            onPress={() => {
+              if (value !== undefined) enter(field, resultText(value));
+              close();
+            }}
+          >
+            Paste into {nameOf(field)}
+          </Button>
+        )
+      }
+    >
       <form
         onSubmit={(event) => {
           event.preventDefault();
@@ -39,4 +63,21 @@ export function CalculatorSheet({ onClose }: { onClose: () => void }) {
       </ol>
     </Sheet>
   );
+}
+
+/** What a field is called. */
+const nameOf = (field: HTMLInputElement): string =>
+  field.labels?.[0]?.querySelector(".hidden-text")?.textContent?.toLowerCase() ??
+  field.labels?.[0]?.firstChild?.textContent ??
+  "the field";
+
+/** Enters a result as typing would: it takes the place of a value, or joins what the field has more of. */
+function enter(field: HTMLInputElement, text: string) {
+  const [from, to] =
+    field.dataset["takes"] === "more"
+      ? [field.selectionStart ?? field.value.length, field.selectionEnd ?? field.value.length]
+      : [0, field.value.length];
+  const value = field.value.slice(0, from) + text + field.value.slice(to);
+  Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value")?.set?.call(field, value);
+  field.dispatchEvent(new Event("input", { bubbles: true }));
 }

@@ -48,6 +48,61 @@ it("sbp_con_direct_immediate: what needs no parameters acts on the second key", 
   await ready();
 });
 
+it("sbp_cmd_home_immediate: MH and JH move on their second letter", async () => {
+  for (const home of ["mh", "jh"]) {
+    await command(page, "m2,1,1");
+    await reaches("Y", 1);
+    await ready();
+    await line().pressSequentially(home);
+    await reaches("X", 0);
+    await reaches("Y", 0);
+    await ready();
+    expect(await page.getByRole("dialog").count()).toBe(0);
+    expect(await line().inputValue()).toBe("");
+  }
+});
+
+it("sbp_cmd_uu: F10 and UU open the calculator, its result goes into the parameter", async () => {
+  const calculator = page.getByRole("dialog", { name: "Calculator" });
+  const result = calculator.locator(".calculator-result");
+  const calculate = async (text: string) => {
+    await calculator.getByLabel("Expression").fill(text);
+    await until(async () => (await result.textContent()) === "12.6875", `${text} comes to 12.6875`);
+  };
+  await line().pressSequentially("vs");
+  const sheet = page.getByRole("dialog", { name: /^VS/ });
+  const jog = sheet.getByRole("textbox").nth(1);
+  const others = await sheet.getByRole("textbox").nth(0).inputValue();
+  await jog.fill("3");
+  await page.keyboard.press("F10");
+  await calculate("12+11/16");
+  await calculator.getByRole("button", { name: /^Paste into/ }).click();
+  await calculator.waitFor({ state: "detached" });
+  expect(await jog.inputValue()).toBe("12.6875");
+  expect(await sheet.getByRole("textbox").nth(0).inputValue()).toBe(others);
+  await page.keyboard.press("Escape");
+  await sheet.waitFor({ state: "detached" });
+
+  await line().fill("MX,");
+  await page.keyboard.press("F10");
+  await calculate("12+11/16");
+  await calculator.getByRole("button", { name: "Paste into command line" }).click();
+  await until(async () => (await line().inputValue()) === "MX,12.6875", "the result is typed");
+  await page.keyboard.press("Escape");
+
+  await line().fill("UU");
+  await page.keyboard.press("Enter");
+  await calculator.waitFor();
+  for (const screen of ["Edit", "Draw", "Settings", "Help", "Operate"]) {
+    await page.keyboard.press("Escape");
+    await page.getByRole("link", { name: screen }).click();
+    await page.keyboard.press("F10");
+    await calculator.waitFor();
+  }
+  await page.keyboard.press("Escape");
+  await calculator.waitFor({ state: "detached" });
+});
+
 it("sbp_con_paramline: shows the order of parameters and opens the sheet with what is typed", async () => {
   await page.getByRole("button", { name: "Settings", exact: true }).first().focus();
   await line().click({ button: "right" });

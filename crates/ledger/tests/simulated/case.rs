@@ -6,7 +6,7 @@ use crate::{jobs, programs};
 use kerf_control::{RunOptions, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
-use kerf_program::job::{Job, Plunge};
+use kerf_program::job::Job;
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sim::{Change, Sheet};
 use std::fmt;
@@ -107,17 +107,7 @@ impl Case {
     /// Whether the path is the same whenever the process dies: nothing changes it on the way.
     pub fn keeps_its_path(&self) -> bool {
         let early = |(_, at, _): &(u8, f64, bool)| *at == 0.0;
-        // A way down along the path is made again when it is left.
-        self.sloped().is_empty()
-            && self.inputs.iter().all(early)
-            && !self.wishes.iter().any(|(_, w)| *w == Wish::End)
-    }
-
-    /// Shapes that the tool goes down into along their path.
-    pub fn sloped(&self) -> Vec<u32> {
-        let What::Job(job, _) = &self.what else { return Vec::new() };
-        let sloped = job.shapes.iter().filter(|shape| shape.plunge != Plunge::Straight);
-        sloped.map(|shape| shape.number).collect()
+        self.inputs.iter().all(early) && !self.wishes.iter().any(|(_, w)| *w == Wish::End)
     }
 
     /// Whether heights of the path are planned ones.

@@ -1,7 +1,7 @@
 //! A case lived through: once without a kill, once with kills and resumes, on a journal of its own.
 
 use crate::case::{Case, What};
-use crate::path::{Piece, difference, same};
+use crate::path::{Piece, difference, follow_on, laid};
 use crate::programs::SUB;
 use crate::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
@@ -124,12 +124,8 @@ impl<'a> Life<'a> {
             session.memory.settings = self.case.settings.clone();
         }
         let from = session.memory.position;
-        let mut watch = Watch {
-            doom: &self.doom,
-            allowed: self.case.allowed(),
-            sloped: self.case.sloped(),
-            seen: Seen::default(),
-        };
+        let mut watch =
+            Watch { doom: &self.doom, allowed: self.case.allowed(), seen: Seen::default() };
         let mut person = Person { doom: &self.doom, wishes: &self.wishes };
         let mut helpful = Helpful(&self.doom, 0);
         let ran = catch_unwind(AssertUnwindSafe(|| {
@@ -203,7 +199,8 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     let mut done: Vec<Piece> = Vec::new();
     let mut kills = case.kills.iter().zip(&case.pushed);
     let mut pushed = Axes::default();
-    let mut partly = false;
+    let path = laid(&whole.seen.pieces, case.keeps_heights());
+    let mut lost = None;
     let status = loop {
         let kill = kills.next();
         life.doom.after(kill.map_or(0, |(share, _)| 1 + (share * all) as u64));
@@ -211,17 +208,15 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         life.doom.after(0);
         pushed = kill.map(|(_, by)| *by).unwrap_or_default();
         lived.resumes += u64::from(process.took_up);
-        // What the dead process made of the move under way it did not tell.
-        let begins = |from| whole.seen.pieces.iter().any(|piece| same(piece.from, from));
-        partly |= process.seen.pieces.first().is_some_and(|first| !begins(first.from));
-        follow_on(&mut done, &process.seen.pieces);
+        let next = laid(&process.seen.pieces, case.keeps_heights());
+        lost = lost.or_else(|| follow_on(&mut done, &next, &path).err());
         if let Some(summary) = process.summary {
             break Some(summary.status);
         }
         lived.kills += 1;
     };
-    if case.keeps_its_path() && !partly && status.is_none_or(|it| it == whole.status()) {
-        let different = difference(&whole.seen.pieces, &done, case.keeps_heights());
+    if case.keeps_its_path() && status.is_none_or(|it| it == whole.status()) {
+        let different = lost.or_else(|| difference(&path, &done));
         assert!(different.is_none(), "the path differs: {}", different.unwrap_or_default());
         lived.compared = true;
     }
@@ -229,17 +224,6 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         assert!(status.is_none_or(|status| status == Status::Ok), "it ended as {status:?}");
     }
     lived
-}
-
-/// Adds what the next process cut. The move under way is made again from its start.
-fn follow_on(done: &mut Vec<Piece>, next: &[Piece]) {
-    if let (Some(last), Some(first)) = (done.last(), next.first())
-        && !same(last.to, first.from)
-        && same(last.from, first.from)
-    {
-        done.pop();
-    }
-    done.extend(next);
 }
 
 impl Process {

@@ -3,6 +3,7 @@
 use kerf_control::Made;
 use kerf_geom::Arc2;
 use kerf_program::{Axis, MoveKind};
+use std::f64::consts::TAU;
 
 /// Places closer than this are the same, mm.
 const SAME: f64 = 1e-6;
@@ -49,12 +50,68 @@ impl Piece {
     }
 }
 
+impl Piece {
+    /// The part of it that leads to a place on it.
+    fn up_to(&self, at: [f64; 3]) -> Option<Self> {
+        let share = self.share(at)?;
+        Some(Self { to: at, arc: self.arc.map(|arc| turned(arc, share)), ..*self })
+    }
+
+    /// The part of it that begins at a place on it.
+    fn beyond(&self, at: [f64; 3]) -> Option<Self> {
+        let share = self.share(at)?;
+        Some(Self { from: at, arc: self.arc.map(|arc| turned(arc, 1.0 - share)), ..*self })
+    }
+
+    /// How much of it lies before a place on it.
+    fn share(&self, at: [f64; 3]) -> Option<f64> {
+        let share = match self.arc {
+            Some(arc) => {
+                let angle = |p: [f64; 3]| (p[1] - arc.centre.y).atan2(p[0] - arc.centre.x);
+                let turn = (angle(at) - angle(self.from)) * arc.sweep_rad.signum();
+                // As good as at its start.
+                let turn = turn.rem_euclid(TAU);
+                let turn = if TAU - turn < 1e-3 { 0.0 } else { turn };
+                turn / arc.sweep_rad.abs()
+            }
+            None => {
+                let way = [0, 1, 2].map(|i| self.to[i] - self.from[i]);
+                let gone = [0, 1, 2].map(|i| at[i] - self.from[i]);
+                let dot =
+                    |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+                dot(gone, way) / dot(way, way)
+            }
+        };
+        let share = if (-1e-3..=1.0 + 1e-3).contains(&share) {
+            share.clamp(0.0, 1.0)
+        } else {
+            return None;
+        };
+        near(self.at(share), at).then_some(share)
+    }
+
+    /// The place at a share of it.
+    fn at(&self, share: f64) -> [f64; 3] {
+        let mut at = [0, 1, 2].map(|i| self.from[i] + (self.to[i] - self.from[i]) * share);
+        if let Some(arc) = self.arc {
+            let [x, y] = [self.from[0] - arc.centre.x, self.from[1] - arc.centre.y];
+            let (sin, cos) = (arc.sweep_rad * share).sin_cos();
+            at[0] = arc.centre.x + x * cos - y * sin;
+            at[1] = arc.centre.y + x * sin + y * cos;
+        }
+        at
+    }
+}
+
+fn turned(arc: Arc2, share: f64) -> Arc2 {
+    Arc2 { sweep_rad: arc.sweep_rad * share, ..arc }
+}
+
 fn apart(from: [f64; 3], to: [f64; 3], axis: Axis) -> bool {
     (from[axis.index()] - to[axis.index()]).abs() > SAME
 }
 
-/// Whether two places are one.
-pub fn same(a: [f64; 3], b: [f64; 3]) -> bool {
+fn same(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
 }
 
@@ -88,16 +145,46 @@ pub fn whole(pieces: &[Piece]) -> Vec<Piece> {
     path
 }
 
-/// Where two paths differ, heights aside when they do not count.
-pub fn difference(a: &[Piece], b: &[Piece], heights: bool) -> Option<String> {
-    let flat = |pieces: &[Piece]| -> Vec<Piece> {
-        let lay = |p: &Piece| {
-            let down = |[x, y, z]: [f64; 3]| [x, y, if heights { z } else { 0.0 }];
-            Piece { from: down(p.from), to: down(p.to), ..*p }
-        };
-        whole(&pieces.iter().map(lay).collect::<Vec<_>>())
-    };
-    let (a, b) = (flat(a), flat(b));
+/// The path without its heights when they do not count.
+pub fn laid(pieces: &[Piece], heights: bool) -> Vec<Piece> {
+    let down = |[x, y, z]: [f64; 3]| [x, y, if heights { z } else { 0.0 }];
+    let lay = |p: &Piece| Piece { from: down(p.from), to: down(p.to), ..*p };
+    pieces.iter().map(lay).collect()
+}
+
+/// Adds what the next process cut to what those before it did. Of the move under way a process that dies
+/// tells nothing: it was made up to where the next one begins, along the path, or is made again.
+pub fn follow_on(done: &mut Vec<Piece>, next: &[Piece], path: &[Piece]) -> Result<(), String> {
+    let Some(first) = next.first() else { return Ok(()) };
+    let at = first.from;
+    match done.last() {
+        Some(last) if near(last.to, at) => {}
+        Some(last) if near(last.from, at) => drop(done.pop()),
+        Some(last) if last.up_to(at).is_some() => {
+            let made = last.up_to(at);
+            done.pop();
+            done.extend(made);
+        }
+        _ => {
+            let made = untold(done, path, at);
+            done.push(made.ok_or_else(|| format!("{at:?} is not where the path goes on"))?);
+        }
+    }
+    done.extend(next);
+    Ok(())
+}
+
+/// What was made between the end of what was told and a place on the path.
+fn untold(done: &[Piece], path: &[Piece], at: [f64; 3]) -> Option<Piece> {
+    let (done, path) = (whole(done), whole(path));
+    let under_way = done.last().zip(done.len().checked_sub(1).and_then(|last| path.get(last)));
+    let rest = under_way.and_then(|(last, of)| of.beyond(last.to)?.up_to(at));
+    rest.or_else(|| path.get(done.len())?.up_to(at))
+}
+
+/// Where two paths differ.
+pub fn difference(a: &[Piece], b: &[Piece]) -> Option<String> {
+    let (a, b) = (whole(a), whole(b));
     let alike = |(a, b): (&Piece, &Piece)| {
         let sweep = |p: &Piece| p.arc.map_or(0.0, |arc| arc.sweep_rad);
         near(a.from, b.from) && near(a.to, b.to) && (sweep(a) - sweep(b)).abs() < NEAR

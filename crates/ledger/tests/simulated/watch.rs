@@ -67,8 +67,6 @@ pub struct Allowed {
 pub struct Watch<'a> {
     pub doom: &'a Doom,
     pub allowed: Allowed,
-    /// Shapes whose way down along the path is no part of it: it is made again when it is left.
-    pub sloped: Vec<u32>,
     pub seen: Seen,
 }
 
@@ -172,8 +170,7 @@ impl Sink for Watch<'_> {
             self.allowed.speed(&state.velocity, state.path_speed_mm_s, top_mm_s);
         }
         self.allowed.place(it.to);
-        let slope = it.from[Axis::Z] != it.to[Axis::Z] && self.sloped.contains(&it.at.line);
-        self.seen.pieces.extend(Piece::of(made).filter(|_| !slope));
+        self.seen.pieces.extend(Piece::of(made));
     }
 }
 
