@@ -3,6 +3,9 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+/// The most passes of one path: more are a slip of the decimal point.
+const MOST_PASSES: f64 = 10_000.0;
+
 /// What the depth of a cut is measured from (Profiler reference, "Height type").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -186,6 +189,7 @@ impl GroupSettings {
         [
             ("height", depth, true, number),
             ("pass", pass, pass > 0.0, "above 0 mm"),
+            ("pass", pass, -depth <= MOST_PASSES * pass, "at least a 10,000th of the height"),
             ("speed", speed, speed > 0.0, "above 0 mm/min"),
             ("offset", self.offset_mm, true, number),
             ("rough", self.rough_mm, true, number),
@@ -260,6 +264,7 @@ mod tests {
         refused(|s| s.cut = 0, "cut is 0");
         refused(|s| s.pass_mm = Some(2.0), "multi-pass needs height type MM");
         refused(|s| (s.height, s.pass_mm) = (Height::Mm(-3.0), Some(0.0)), "pass is 0");
+        refused(|s| (s.height, s.pass_mm) = (Height::Mm(-3.0), Some(1e-4)), "at least a 10,000th");
         refused(|s| s.tag_mm = -1.0, "tag is -1");
         refused(|s| s.offset_mm = f64::NAN, "offset is NaN");
         refused(|s| s.lead_in.angle_deg = 361.0, "lead-in angle");

@@ -295,3 +295,69 @@ fn operations_of_one_hand_are_one_change() {
     assert_eq!(number, 3);
     assert_eq!(editor, before, "nothing is half done");
 }
+
+#[test]
+fn what_would_change_nothing_is_told() {
+    let told = |before: &str, text: &str, why: &str| {
+        assert_eq!(refused(before, text), why, "{before}; {text}");
+    };
+    let square = format!("{SQ100}; select all");
+    let no_corner = "no corner in the selected shapes: nothing would change";
+    told("circle 0,0 5; select all", "fillet 1", no_corner);
+    told("circle 0,0 5; select all", "chamfer 1 at 5,0", no_corner);
+    let no_vertex = "no vertex of the selected shapes in the window: nothing would change";
+    told(&square, "stretch 200,200 300,300 by 1,1", no_vertex);
+    let line = "line 0,0 10,0";
+    told(line, "break 1 0,0", "shape 1 at 0,0: it ends there: there is nothing to break");
+    told("point 3,4", "break 1 3,4", "shape 1 at 3,4: it is a point: there is nothing to break");
+    told(&square, "offset 0", "the distance is 0: it must be other than 0");
+    told(&square, "justify bottom 5", "ZBottom above ZSurface is 5: it must be 0 or below");
+    told(&square, "sequence 1,1", "shape 1 is named twice");
+    told(&square, "sequence level 1,1", "shape 1 is named twice");
+    told(&square, "pick remove 1", "shape 1 is not picked");
+    told("point 0,0; pick groups red", "pick remove 1", "shape 1 is not picked");
+    let tangle = "line 0,0 100,100 100,0 0,100 close; select all";
+    told(tangle, "offset 3", "shape 1 at 0,0: it crosses itself at 50.000, 50.000");
+    let base = |text: &str| script(text).unwrap_err().to_string();
+    for text in ["rotate to 5 from 1,1 1,1", "scale to 5 from 1,1 1,1"] {
+        let why = "`1,1` is not an end of the base line as x,y, other than its beginning";
+        assert!(base(text).contains(why), "{}", base(text));
+    }
+}
+
+/// What the last clause tells.
+fn notes(text: &str) -> Vec<String> {
+    let (before, last) = text.rsplit_once("; ").unwrap_or(("", text));
+    let outcome = after(before).apply(&script(last).unwrap()[0].1).unwrap();
+    [outcome.warnings, outcome.notes].concat()
+}
+
+#[test]
+fn groups_without_shapes_and_segments_without_length_are_told() {
+    assert_eq!(notes("point 0,0; sequence groups red,black"), ["group red has no shapes"]);
+    assert_eq!(notes("point 0,0; pick groups red,black"), ["group red has no shapes"]);
+    let told = ["shape 1: a segment without length at 10,0 is left out"];
+    assert_eq!(notes("line 0,0 10,0 10,0 10,5"), told);
+    assert_eq!(notes("line 0,0 10,0 10,0"), Vec::<String>::new(), "the line ends there");
+    check("line 0,0 10,0 10,0 10,5", &["0,0 10,0 10,5"]);
+}
+
+#[test]
+fn lines_that_come_back_to_their_beginning_are_closed() {
+    check("line 25,0,1 -25,0,1 25,0", &["25,0,1 -25,0,1 close"]);
+    check("line 0,0 10,0 10,10 0,0", &["0,0 10,0 10,10 close"]);
+    check("line 0,0 10,0 0,0", &["0,0 10,0 0,0"]);
+    check("line 0,0,1 10,0 0,0", &["0,0,1 10,0 close"]);
+}
+
+#[test]
+fn a_level_takes_along_what_lies_in_its_shapes() {
+    let nest =
+        "rect 0,0 100,100; rect 10,10 40,40; rect 50,10 90,40; rect 20,20 30,30; rect 60,20 70,30";
+    let starts = |text: &str| {
+        let shapes = after(text).drawing.shapes;
+        shapes.iter().map(|shape| shape.start().x).collect::<Vec<_>>()
+    };
+    let level = format!("{nest}; sequence level 3,2");
+    assert_eq!(starts(&level), [0.0, 50.0, 60.0, 10.0, 20.0]);
+}

@@ -33,7 +33,7 @@ pub enum GeomError {
         contour: usize,
     },
     /// A contour crosses or touches itself, or another, where it may not.
-    #[error("contours {first} and {second} cross at {:.3}, {:.3}", at.x, at.y)]
+    #[error("{} at {:.3}, {:.3}", crossing(*first, *second), at.x, at.y)]
     Crosses {
         /// One contour.
         first: usize,
@@ -73,4 +73,12 @@ pub enum GeomError {
         /// Where.
         at: Point2,
     },
+}
+
+fn crossing(first: usize, second: usize) -> String {
+    if first == second {
+        "it crosses itself".into()
+    } else {
+        format!("contours {first} and {second} cross")
+    }
 }

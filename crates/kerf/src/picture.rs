@@ -1,10 +1,13 @@
 //! From the events of a run to a picture.
 
+use crate::args::OperatorArgs;
 use crate::exit::Usage;
 use crate::out;
+use crate::report::Diagnostics;
+use crate::setup::Job;
 use anyhow::{Result, bail};
 use kerf_control::event::{ArcEvent, MoveEvent, Place};
-use kerf_control::{Event, Session, Sink, Summary, ToolPathTime};
+use kerf_control::{Company, Event, Session, Sink, Summary, ToolPathTime, Work};
 use kerf_diag::Severity;
 use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath};
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
@@ -50,6 +53,24 @@ impl Picture {
     pub fn new(title: &Path) -> Self {
         let title = title.file_name().unwrap_or_default().to_string_lossy().into_owned();
         Self { scene: Scene { title, ..Scene::default() }, mm: MM_PER_INCH, cleared: 0 }
+    }
+
+    /// Runs what is prepared, with its findings told, and takes the picture of it.
+    pub fn follow(mut job: Job, title: &Path, operator: &OperatorArgs) -> (Scene, Summary) {
+        let surface_mm = match &job.work {
+            Work::Job(_, machine) => Some(machine.zpos.surface_mm),
+            _ => None,
+        };
+        let mut sink = (Diagnostics::default(), Self::new(title));
+        let mut pace = operator.script();
+        let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
+        let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+        let mut scene = sink.1.finish(&summary, &job.session);
+        if let Some(surface_mm) = surface_mm {
+            let frame = &job.session.memory.frame;
+            scene.surface_z_mm = surface_mm + frame.base_zero.0[2] - frame.working_zero.0[2];
+        }
+        (scene, summary)
     }
 
     /// The scene with the facts that are known when the run is over.

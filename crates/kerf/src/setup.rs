@@ -81,7 +81,7 @@ pub fn job_of(
     if let Some(unit) = args.units {
         settings.use_linear_unit(unit);
     }
-    choose_model(&args.motion, &mut settings)?;
+    choose_model(&args.motion, &mut settings, matches!(work, Work::Job(..)))?;
     let answers = answers(args)?;
     for (name, value) in &args.set {
         session.memory.variables.set(name, value.clone());
@@ -162,11 +162,11 @@ pub fn read_text(file: &Path) -> Result<String> {
     Ok(String::from_utf8_lossy(&read_bytes(file)?).into_owned())
 }
 
-/// Chooses the model of motion, and what belongs to it.
-fn choose_model(motion: &MotionArgs, settings: &mut Settings) -> Result<()> {
+/// Chooses the model of motion, and what belongs to it. The paths of a job are made with the smoothing factor.
+fn choose_model(motion: &MotionArgs, settings: &mut Settings, is_job: bool) -> Result<()> {
     settings.ramp_model = motion.ramps.or(settings.ramp_model);
     let model = settings.model();
-    if let Some(name) = foreign_option(motion, model) {
+    if let Some(name) = foreign_option(motion, model, is_job) {
         bail!(Usage(format!("{name} does not belong to --ramps {}", model.word())));
     }
     if model != RampModel::Shopbot {
@@ -180,14 +180,14 @@ fn choose_model(motion: &MotionArgs, settings: &mut Settings) -> Result<()> {
 }
 
 /// An option that says nothing to the model in force.
-fn foreign_option(motion: &MotionArgs, model: RampModel) -> Option<&'static str> {
+fn foreign_option(motion: &MotionArgs, model: RampModel, is_job: bool) -> Option<&'static str> {
     let (optimal, profiler) = (model == RampModel::Optimal, model == RampModel::Profiler);
     let options = [
         ("--tolerance", motion.tolerance.is_some(), optimal),
         ("--axis-speed", motion.axis_speed.is_some(), optimal || profiler),
         ("--accel", motion.accel.is_some(), optimal || profiler),
         ("--jerk", motion.jerk.is_some(), optimal),
-        ("--smoothing", motion.smoothing.is_some(), profiler),
+        ("--smoothing", motion.smoothing.is_some(), profiler || is_job),
         ("--stop-angle", motion.stop_angle.is_some(), profiler),
         ("--centripetal", motion.centripetal.is_some(), profiler),
     ];

@@ -232,6 +232,13 @@ fn other_programs_read_what_is_written() {
 const PLATE: &str = "rect 0,0 100,60; circle 50,30 12; directions auto; set black offset=3 height=-4; \
                      select 2; group red; set red tool=2 offset=2 height=-2; sequence 2,1";
 
+/// A number of the JSON that a command prints.
+fn total_of(folder: &Path, args: &[&str], name: &str) -> f64 {
+    let made = kerf(folder, &[args, &["--format", "json"]].concat());
+    let told: serde_json::Value = serde_json::from_slice(&made.stdout).unwrap();
+    told[name].as_f64().unwrap()
+}
+
 #[test]
 fn a_report_tells_lengths_and_times_of_groups() {
     let folder = tempfile::tempdir().unwrap();
@@ -246,17 +253,53 @@ fn a_report_tells_lengths_and_times_of_groups() {
     assert_eq!((&groups[0]["paths"], &groups[1]["tool"]), (&1.into(), &2.into()));
     let length = groups[1]["length_mm"].as_f64().unwrap();
     assert!((length - 20.0 * std::f64::consts::PI).abs() < 1e-6, "{length}");
-    // The same plan as `kerf time` follows.
-    kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.sbp"]);
-    let time = kerf(folder.path(), &["time", "job.sbp", "--units", "mm", "--format", "json"]);
-    let time: serde_json::Value = serde_json::from_slice(&time.stdout).unwrap();
-    let (total, told_total) = (time["total"].as_f64().unwrap(), told["seconds"].as_f64().unwrap());
+    // The same plan as `kerf time` follows, of the job or of the program.
+    let total = total_of(folder.path(), &["time", "job.rsm"], "total");
+    let told_total = told["seconds"].as_f64().unwrap();
     assert!((total - told_total).abs() < 1e-6, "{total} {told_total}");
+    let program = ["toolpath", "job.rsg", "-o", "job.sbp", "--report"];
+    let told_program = total_of(folder.path(), &program, "seconds");
+    let program = total_of(folder.path(), &["time", "job.sbp", "--units", "mm"], "total");
+    assert!((program - told_program).abs() < 1e-6, "{program} {told_program}");
     let sum: f64 = groups.iter().map(|group| group["seconds"].as_f64().unwrap()).sum();
     assert!(sum > 0.5 * total && sum <= total + 1e-6, "{sum} of {total}");
     let warnings = told["warnings"].as_array().unwrap();
     let left = "shape 2 at 0,-3: leaves the table: 3.000 mm at the left, 2.000 mm at the right, 3.000 mm at the front";
     assert_eq!(warnings, &[serde_json::Value::from(left)]);
+}
+
+#[test]
+fn a_job_too_deep_for_the_machine_is_told_when_it_is_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let deep = "rect 0,0 10,10; set black height=-12; array block 3x3 gap 5,5";
+    kerf(folder.path(), &["draw", "--do", deep, "-o", "job.rsg"]);
+    let warned = |options: &[&str]| {
+        let made = kerf(folder.path(), &[&["toolpath", "job.rsg"], options].concat());
+        assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+        told(&made)
+    };
+    let why = "shape 1 at 0,0: it would be cut at -32, below ZBottom: -32 < -30";
+    assert_eq!(warned(&[]).trim_end(), format!("job.rsg: warning: {why}"), "once for nine copies");
+    assert_eq!(warned(&["--z-bottom", "-40"]), "");
+    assert_eq!(warned(&["--z-surface=-18", "--z-top=-5"]), "");
+    // The machine that is asked refuses it.
+    let report = kerf(folder.path(), &["toolpath", "job.rsg", "--report"]);
+    assert_eq!(report.status.code(), Some(1), "{}", told(&report));
+    assert!(told(&report).contains("below ZBottom"));
+}
+
+#[test]
+fn smoothing_is_for_every_model_of_motion_when_paths_are_made() {
+    let folder = tempfile::tempdir().unwrap();
+    kerf(folder.path(), &["draw", "--do", PLATE, "-o", "job.rsg"]);
+    for args in [
+        &["toolpath", "job.rsg", "--smoothing", "0", "--report"][..],
+        &["toolpath", "job.rsg", "--smoothing", "0", "--report", "-o", "job.nc"],
+        &["preview", "job.rsg", "--smoothing", "0", "-o", "job.svg"],
+    ] {
+        let made = kerf(folder.path(), args);
+        assert_eq!(made.status.code(), Some(0), "{args:?}: {}", told(&made));
+    }
 }
 
 #[test]

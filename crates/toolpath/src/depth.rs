@@ -32,6 +32,18 @@ mod tests {
     }
 
     #[test]
+    fn a_depth_of_nothing_is_one_pass_and_too_many_passes_are_made_deeper() {
+        check(Height::Mm(0.0), None, &[-20.0]);
+        check(Height::Mm(0.0), Some(1.0), &[-20.0]);
+        let Ok(Depths::Level(levels)) = depths(Height::Mm(-12.0), Some(1e-4), -35.0) else {
+            panic!("levels are wanted")
+        };
+        let steps: Vec<f64> = levels.windows(2).map(|pair| pair[0] - pair[1]).collect();
+        assert_eq!(levels.len(), 10_000);
+        assert!(steps.iter().all(|step| (step - 0.0012).abs() < 1e-9));
+    }
+
+    #[test]
     fn pro_group_multi_dist() {
         check(Height::Mm(-12.0), Some(4.0), &[-24.0, -28.0, -32.0]);
         check(Height::Mm(-3.0), Some(4.0), &[-23.0]);

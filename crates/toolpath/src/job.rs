@@ -12,6 +12,7 @@ use kerf_geom::fit::smoothed;
 use kerf_geom::{Offsetter, Point2, Transform2, Vec2};
 use kerf_program::Smoothing;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -179,6 +180,14 @@ fn moved(path: &CutPath, by: Vec2) -> CutPath {
     }
     let shape = Arc::new(path.shape.mapped(&Transform2::moved(by)));
     CutPath { shape, ..path.clone() }
+}
+
+/// Tells the shapes that would be cut below ZBottom, each once, however often arrays repeat it: the job is
+/// refused where it is to run.
+pub fn too_deep(job: &Job, heights: &Heights) -> Vec<Warning> {
+    let mut told = BTreeSet::new();
+    let wrong = job.paths.iter().filter_map(|path| job.depths(path, heights).err());
+    wrong.filter(|warning| told.insert(warning.shape)).collect()
 }
 
 impl Job {

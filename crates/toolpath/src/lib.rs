@@ -32,7 +32,9 @@ mod warning;
 pub use beside::{NoRoom, beside};
 pub use depth::{Depths, Heights, LowError};
 pub use filter::{filtered, too_near};
-pub use job::{CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job};
+pub use job::{
+    CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job, too_deep,
+};
 pub use lead::{Side, lead_in, lead_out};
 pub use program::print;
 pub use relief::{Relief, print_relief};

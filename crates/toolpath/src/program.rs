@@ -9,7 +9,7 @@
 //! The origin of the program is the job's origin, its Z zero ZSurface.
 
 use crate::depth::{Depths, Heights};
-use crate::job::{CutPath, Job};
+use crate::job::{CutPath, Job, too_deep};
 use crate::neutral::plunge;
 use crate::shape_paths::Pass;
 use crate::warning::Warning;
@@ -31,11 +31,11 @@ const CHORDS: u32 = 360;
 /// # Errors
 /// Paths that would go below ZBottom; then nothing was written.
 pub fn print(job: &Job, heights: &Heights, printer: &mut dyn Printer) -> Result<(), Vec<Warning>> {
-    let depths: Vec<_> = job.paths.iter().map(|path| job.depths(path, heights)).collect();
-    let wrong: Vec<Warning> = depths.iter().filter_map(|d| d.as_ref().err().cloned()).collect();
+    let wrong = too_deep(job, heights);
     if !wrong.is_empty() {
         return Err(wrong);
     }
+    let depths = job.paths.iter().map(|path| job.depths(path, heights));
     let surface = heights.surface_mm;
     let rest = Spot { at: Point2::default(), z: surface };
     let (at, top) = (At::default(), heights.top_mm);
@@ -43,7 +43,7 @@ pub fn print(job: &Job, heights: &Heights, printer: &mut dyn Printer) -> Result<
     job.drawing.comments().iter().for_each(|line| writing.printer.comment(line));
     writing.command(Command::Output { number: ROUTER, on: true });
     let first = job.start.saturating_sub(1);
-    for (path, depths) in job.paths.iter().zip(depths.into_iter().flatten()).skip(first) {
+    for (path, depths) in job.paths.iter().zip(depths.flatten()).skip(first) {
         writing.path(path, job, &depths);
     }
     writing.jog_up();

@@ -35,7 +35,9 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Circle { centre, radius_mm } => draw::circle(draft, *centre, *radius_mm)?,
         O::Rectangle { a, b } => draw::rectangle(draft, *a, *b)?,
         O::Point { at } => draw::point(draft, *at),
-        O::Polyarc { vertices, closed } => draw::polyarc(draft, vertices, *closed)?,
+        O::Polyarc { vertices, closed } => {
+            outcome.warnings = draw::polyarc(draft, vertices, *closed)?;
+        }
         O::Reverse => path::reverse(draft)?,
         O::Directions => outcome.warnings = path::directions(draft),
         O::Start { shape, at } => path::start(draft, *shape, *at)?,
@@ -47,12 +49,12 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
             outcome.warnings = clear::pocket(draft, clearing, pattern)?;
         }
         O::Engrave(clearing) => outcome.warnings = clear::engrave(draft, clearing)?,
-        O::Pick { picking } => picks::pick(draft, picking)?,
+        O::Pick { picking } => outcome.notes = picks::pick(draft, picking)?,
         O::Sequence { order } => outcome = sequence::order(draft, order)?,
         O::Array { level, array } => arrays::set(draft, *level, *array)?,
         O::JustifyLeft => layout::left(draft),
         O::JustifySurface => layout::surface(draft),
-        O::JustifyBottom { bottom_mm } => layout::bottom(draft, *bottom_mm),
+        O::JustifyBottom { bottom_mm } => layout::bottom(draft, *bottom_mm)?,
         O::Rotate90 => layout::rotate90(draft),
         O::MirrorDrawing => layout::mirror(draft),
         O::Origin { at } => layout::origin(draft, *at),

@@ -1,7 +1,7 @@
 //! New shapes (Profiler reference, "Draw").
 
-use super::OpError;
 use super::edit::above_zero;
+use super::{OpError, spot};
 use crate::{Editor, Shape};
 use kerf_geom::{Point2, Polyarc, Vertex};
 
@@ -27,15 +27,37 @@ pub(super) fn point(draft: &mut Editor, at: Point2) {
     draft.drawing.add(Shape::point(at));
 }
 
+/// Whether lines that end where they began go round something: then they are closed (Profiler reference,
+/// glossary, "Polyline"). A way there and back along itself is not.
+fn comes_back(vertices: &[Vertex]) -> bool {
+    let [first, inner @ .., last] = vertices else { return false };
+    let arcs = inner.iter().chain([first]).any(|vertex| vertex.bulge != 0.0);
+    first.at == last.at && inner.len() > usize::from(!arcs)
+}
+
 pub(super) fn polyarc(
     draft: &mut Editor,
     vertices: &[Vertex],
     closed: bool,
-) -> Result<(), OpError> {
-    let path = Polyarc { vertices: vertices.to_vec(), closed }.tidied();
+) -> Result<Vec<String>, OpError> {
+    let returns = closed || comes_back(vertices);
+    let path = Polyarc { vertices: vertices.to_vec(), closed: returns }.tidied();
     if path.segment_count() == 0 {
         return Err(OpError::SamePlace("all points of the line"));
     }
     draft.drawing.add(Shape::flat(path));
-    Ok(())
+    let told = |at| {
+        format!(
+            "shape {}: a segment without length{} is left out",
+            draft.drawing.shapes.len(),
+            spot(Some(at))
+        )
+    };
+    Ok(repeated(vertices).map(told).collect())
+}
+
+/// Places that are drawn again at once; the last one again says that the line ends there.
+fn repeated(vertices: &[Vertex]) -> impl Iterator<Item = Point2> {
+    let before_last = &vertices[..vertices.len().saturating_sub(1)];
+    before_last.windows(2).filter(|pair| pair[0].at == pair[1].at).map(|pair| pair[0].at)
 }

@@ -10,7 +10,7 @@ pub(super) fn select(draft: &mut Editor, choice: &Choice, how: How) -> Result<()
     let before = std::mem::take(&mut draft.selection);
     draft.selection = match how {
         How::New => chosen,
-        How::Remove => before.into_iter().filter(|n| !chosen.contains(n)).collect(),
+        How::Remove => before.into_iter().filter(|n| chosen.binary_search(n).is_err()).collect(),
         How::Add => {
             let mut all = [before, chosen].concat();
             all.sort_unstable();

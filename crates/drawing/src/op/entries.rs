@@ -346,7 +346,10 @@ fn distance(w: &mut Words) -> Result<Vec2, WordError> {
 fn base_line(w: &mut Words) -> Result<(Point2, Vec2), WordError> {
     w.keyword("from", ())?;
     let base = w.point("the base point")?;
-    Ok((base, w.point("the end of the base line")? - base))
+    let elsewhere =
+        |word: &str| pair(word).map(|(x, y)| Point2::new(x, y)).filter(|at| *at != base);
+    let end = "an end of the base line as x,y, other than its beginning";
+    Ok((base, w.read("the end of the base line", end, elsewhere)? - base))
 }
 
 fn rotate(w: &mut Words) -> Read {
@@ -383,7 +386,7 @@ pub(super) fn group(w: &mut Words) -> Result<Group, WordError> {
 
 /// `3,5-9`.
 pub(super) fn numbers(w: &mut Words) -> Result<Vec<usize>, WordError> {
-    w.read("the shapes", "a list of shapes such as 1,3-5", |word| {
+    w.read("the list of shapes", "a list of shapes such as 1,3-5", |word| {
         let ranges = word.split(',').map(range).collect::<Option<Vec<_>>>()?;
         Some(ranges.into_iter().flatten().collect())
     })

@@ -43,6 +43,15 @@ pub enum OpError {
         /// The bound, in words.
         bound: &'static str,
     },
+    /// Nothing of what the operation changes is there.
+    #[error("{0} {1}: nothing would change")]
+    NothingThere(&'static str, &'static str),
+    /// A shape that is named again.
+    #[error("shape {0} is named twice")]
+    NamedTwice(usize),
+    /// A shape that is taken back but was not picked.
+    #[error("shape {0} is not picked")]
+    NotPicked(usize),
     /// Two places that must differ are one.
     #[error("{0} are the same place")]
     SamePlace(&'static str),

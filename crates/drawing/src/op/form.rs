@@ -170,9 +170,10 @@ mod tests {
     use super::*;
     use crate::op::ENTRIES;
 
-    fn said(value: &Value) -> String {
+    /// What a hand would say for a part; places of a clause differ.
+    fn said(part: usize, value: &Value) -> String {
         match value {
-            Value::Pair | Value::Vertex => "10,5".into(),
+            Value::Pair | Value::Vertex => format!("10,{part}"),
             Value::Length(_) | Value::Number(_) => "4".into(),
             Value::Arc => "5,90".into(),
             Value::Grid => "2x3".into(),
@@ -188,8 +189,8 @@ mod tests {
 
     fn clause(entry: &Entry, variant: &Variant, all: bool) -> String {
         let mut words = vec![entry.name.to_owned()];
-        for part in variant.parts.iter().filter(|part| all || !part.optional) {
-            let value = part.value.as_ref().map(said).unwrap_or_default();
+        for (n, part) in variant.parts.iter().enumerate().filter(|(_, it)| all || !it.optional) {
+            let value = part.value.as_ref().map(|value| said(n, value)).unwrap_or_default();
             let times = if part.repeats && all { 2 } else { 1 };
             words.extend(std::iter::repeat_n(format!("{}{value}", part.lead), times));
         }

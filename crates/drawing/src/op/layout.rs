@@ -1,5 +1,6 @@
 //! The drawing as a whole on the table (Profiler reference, "Layout").
 
+use super::OpError;
 use super::edit::mirrored;
 use crate::{Drawing, Editor, Shape};
 use kerf_geom::{Point2, Transform2, Vec2};
@@ -16,9 +17,14 @@ pub(super) fn surface(draft: &mut Editor) {
     raise(&mut draft.drawing, |(_, top)| -top);
 }
 
-pub(super) fn bottom(draft: &mut Editor, bottom_mm: f64) {
+pub(super) fn bottom(draft: &mut Editor, bottom_mm: f64) -> Result<(), OpError> {
+    if bottom_mm > 0.0 {
+        let (what, bound) = ("ZBottom above ZSurface", "0 or below");
+        return Err(OpError::Bound { what, value: bottom_mm, bound });
+    }
     left(draft);
     raise(&mut draft.drawing, |(low, _)| bottom_mm - low);
+    Ok(())
 }
 
 /// Turned and put back at the origin: (x, y) goes to (height − y, x) (Profiler notes, 26).

@@ -3,7 +3,7 @@
 
 use super::OpError;
 use super::edit::above_zero;
-use crate::{Editor, Shape};
+use crate::{Editor, Kind, Shape};
 use kerf_geom::{Coarse, GeomError, Offsetter, Point2, Polyarc, edit};
 use std::sync::Arc;
 
@@ -27,6 +27,13 @@ fn corners(
     at: Option<Point2>,
     change: impl Fn(&Polyarc, usize) -> Result<Polyarc, GeomError>,
 ) -> Result<(), OpError> {
+    if draft
+        .selected()?
+        .iter()
+        .all(|place| corner_vertices(&draft.drawing.shapes[*place].path).is_empty())
+    {
+        return Err(OpError::NothingThere("no corner", "in the selected shapes"));
+    }
     match at {
         None => draft.change_selected(|number, shape| every_corner(number, shape, &change)),
         Some(at) => nearest_corner(draft, at, &change),
@@ -50,13 +57,7 @@ fn nearest_corner(draft: &mut Editor, at: Point2, change: &Change) -> Result<(),
         corner_vertices(path).into_iter().map(far).collect::<Vec<_>>()
     });
     let nearest = corners.min_by(|a, b| a.0.total_cmp(&b.0));
-    let Some((_, place, vertex)) = nearest else {
-        return Err(OpError::Bound {
-            what: "the number of corners",
-            value: 0.0,
-            bound: "1 or more",
-        });
-    };
+    let Some((_, place, vertex)) = nearest else { return Ok(()) };
     let shape = &draft.drawing.shapes[place];
     flat_only(place + 1, shape)?;
     let path = change(&shape.path, vertex).map_err(|error| told(place + 1, &error))?;
@@ -95,6 +96,9 @@ pub(super) fn offset(
     distance: f64,
     keep: bool,
 ) -> Result<Vec<String>, OpError> {
+    if distance == 0.0 {
+        return Err(OpError::Bound { what: "the distance", value: 0.0, bound: "other than 0" });
+    }
     let (mut warnings, offsetter) = (Vec::new(), Offsetter::default());
     for place in draft.selected()?.into_iter().rev() {
         let shape = draft.drawing.shapes[place].clone();
@@ -148,8 +152,14 @@ pub(super) fn break_at(draft: &mut Editor, number: usize, at: Point2) -> Result<
     let (place, shape) = draft.shape(number)?;
     flat_only(number, shape)?;
     let shape = shape.clone();
-    let Some((found, _)) = shape.path.nearest(at) else { return Ok(()) };
-    replace_paths(draft, place, &shape, edit::broken(&shape.path, &found));
+    let parts = shape.path.nearest(at).map(|(found, _)| edit::broken(&shape.path, &found));
+    // An open shape in one part is what it was.
+    let Some(parts) = parts.filter(|parts| shape.is_closed() || parts.len() > 1) else {
+        let why = if shape.kind() == Kind::Point { "it is a point" } else { "it ends there" };
+        let why = format!("{why}: there is nothing to break");
+        return Err(OpError::Shape { shape: number, at: None, why });
+    };
+    replace_paths(draft, place, &shape, parts);
     Ok(())
 }
 

@@ -2,11 +2,12 @@
 //! Manual Sequencing", "Group Manual Sequencing").
 
 use super::entries::numbers;
-use super::sequence::groups;
+use super::sequence::{groups, without_shapes};
 use super::words::{WordError, Words};
 use super::{OpError, Operation};
 use crate::{Drawing, Editor, Group};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// What has been picked so far, in order. It lasts until the drawing changes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,8 +60,9 @@ pub enum Picking {
     None,
 }
 
-pub(super) fn pick(draft: &mut Editor, picking: &Picking) -> Result<(), OpError> {
-    let mut picks = draft.picks.clone();
+/// Groups without shapes are told.
+pub(super) fn pick(draft: &mut Editor, picking: &Picking) -> Result<Vec<String>, OpError> {
+    let (mut picks, mut notes) = (draft.picks.clone(), Vec::new());
     match picking {
         Picking::None => picks = Picks::default(),
         Picking::Shapes(numbers) => {
@@ -70,36 +72,44 @@ pub(super) fn pick(draft: &mut Editor, picking: &Picking) -> Result<(), OpError>
                 Picks::Groups(_) => picks = Picks::Shapes(places),
             }
         }
-        Picking::Groups(groups) => match &mut picks {
-            Picks::Groups(picked) => extend(picked, groups.clone()),
-            Picks::Shapes(_) => {
-                let mut picked = Vec::new();
-                extend(&mut picked, groups.clone());
-                picks = Picks::Groups(picked);
-            }
-        },
+        Picking::Groups(groups) => {
+            notes = without_shapes(&draft.drawing, groups);
+            let mut picked = match picks {
+                Picks::Groups(picked) => picked,
+                Picks::Shapes(_) => Vec::new(),
+            };
+            extend(&mut picked, groups.clone());
+            picks = Picks::Groups(picked);
+        }
         Picking::Remove(numbers) => {
             let gone = places(draft, numbers)?;
             let group = |n: &usize| draft.drawing.shapes[*n].group;
             match &mut picks {
-                Picks::Shapes(picked) => picked.retain(|n| !gone.contains(n)),
+                Picks::Shapes(picked) => {
+                    let gone: BTreeSet<usize> = gone.into_iter().collect();
+                    let picked_now: BTreeSet<usize> = picked.iter().copied().collect();
+                    if let Some(other) = gone.difference(&picked_now).next() {
+                        return Err(OpError::NotPicked(other + 1));
+                    }
+                    picked.retain(|n| !gone.contains(n));
+                }
                 Picks::Groups(picked) => {
+                    if let Some(other) = gone.iter().find(|n| !picked.contains(&group(n))) {
+                        return Err(OpError::NotPicked(other + 1));
+                    }
                     picked.retain(|it| !gone.iter().any(|n| group(n) == *it));
                 }
             }
         }
     }
     draft.picks = picks;
-    Ok(())
+    Ok(notes)
 }
 
 /// Adds what is not there yet.
-fn extend<T: PartialEq>(picked: &mut Vec<T>, more: Vec<T>) {
-    for it in more {
-        if !picked.contains(&it) {
-            picked.push(it);
-        }
-    }
+fn extend<T: Ord + Copy>(picked: &mut Vec<T>, more: Vec<T>) {
+    let mut there: BTreeSet<T> = picked.iter().copied().collect();
+    picked.extend(more.into_iter().filter(|it| there.insert(*it)));
 }
 
 /// The places of shapes, each once.

@@ -32,6 +32,9 @@ pub enum Sequencing {
 pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Outcome, OpError> {
     let drawing = &draft.drawing;
     let mut notes = Vec::new();
+    if let Sequencing::Groups(groups) = sequencing {
+        notes.extend(without_shapes(drawing, groups));
+    }
     let order = match sequencing {
         Sequencing::Travel(search) => by_travel(draft, search, &mut notes)?,
         Sequencing::Full(numbers) => named_first(draft, numbers)?,
@@ -80,9 +83,10 @@ fn named_first(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError>
     let mut order = Vec::with_capacity(taken.len());
     for number in numbers {
         let (place, _) = draft.shape(*number)?;
-        if !std::mem::replace(&mut taken[place], true) {
-            order.push(place);
+        if std::mem::replace(&mut taken[place], true) {
+            return Err(OpError::NamedTwice(*number));
         }
+        order.push(place);
     }
     order.extend((0..taken.len()).filter(|place| !taken[*place]));
     Ok(order)
@@ -108,6 +112,12 @@ fn by_group(drawing: &Drawing, groups: &[Group]) -> Vec<usize> {
     order
 }
 
+/// Tells groups that are named but have no shapes.
+pub(super) fn without_shapes(drawing: &Drawing, groups: &[Group]) -> Vec<String> {
+    let empty = |group: &&Group| drawing.shapes.iter().all(|shape| shape.group != **group);
+    groups.iter().filter(empty).map(|group| format!("group {group} has no shapes")).collect()
+}
+
 fn by_distance(shapes: &[Arc<Shape>], from: Point2) -> Vec<usize> {
     let far: Vec<f64> = shapes.iter().map(|shape| shape.start().distance(from)).collect();
     Nesting::of(shapes).inside_first(|level| level.sort_by(|a, b| far[*a].total_cmp(&far[*b])))
@@ -118,9 +128,12 @@ fn by_distance(shapes: &[Arc<Shape>], from: Point2) -> Vec<usize> {
 fn within_level(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError> {
     let shapes = &draft.drawing.shapes;
     let nesting = Nesting::of(shapes);
-    let mut level = Vec::new();
+    let (mut level, mut named) = (Vec::new(), vec![false; shapes.len()]);
     for number in numbers {
         let (place, _) = draft.shape(*number)?;
+        if std::mem::replace(&mut named[place], true) {
+            return Err(OpError::NamedTwice(*number));
+        }
         level.push(place);
     }
     let Some(parent) = level.first().map(|first| nesting.parent(*first)) else {
@@ -130,11 +143,14 @@ fn within_level(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError
         let why = format!("it does not lie in the same shape as shape {}", level[0] + 1);
         return Err(OpError::Shape { shape: other + 1, at: None, why });
     }
-    level.extend(nesting.children(parent).filter(|n| !numbers.contains(&(n + 1))));
-    let top = |n: usize| ancestor_in(&nesting, n, parent);
-    let mut filled =
-        level.iter().flat_map(|head| (0..shapes.len()).filter(move |n| top(*n) == Some(*head)));
-    let refill = |n| if top(n).is_some() { filled.next().unwrap_or(n) } else { n };
+    level.extend(nesting.children(parent).filter(|n| !named[*n]));
+    let tops: Vec<_> = (0..shapes.len()).map(|n| ancestor_in(&nesting, n, parent)).collect();
+    let mut of_head = vec![Vec::new(); shapes.len()];
+    tops.iter().enumerate().for_each(|(n, top)| {
+        top.iter().for_each(|head| of_head[*head].push(n));
+    });
+    let mut filled = level.iter().flat_map(|head| of_head[*head].iter().copied());
+    let refill = |n: usize| tops[n].and_then(|_| filled.next()).unwrap_or(n);
     Ok((0..shapes.len()).map(refill).collect())
 }
 
@@ -170,7 +186,7 @@ pub(super) fn read(w: &mut Words) -> Result<Operation, WordError> {
 
 /// `red,black`.
 pub(super) fn groups(w: &mut Words) -> Result<Vec<Group>, WordError> {
-    w.read("the groups", "a list of groups such as red,black", |word| {
+    w.read("the list of groups", "a list of groups such as red,black", |word| {
         word.split(',').map(Group::named).collect()
     })
 }

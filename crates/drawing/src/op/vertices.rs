@@ -80,6 +80,13 @@ fn through(start: Point2, middle: Point2, end: Point2) -> f64 {
 
 pub(super) fn stretch(draft: &mut Editor, a: Point2, b: Point2, by: Vec2) -> Result<(), OpError> {
     let window = Bounds2::of(a, b);
+    let reached = |place: &usize| {
+        let vertices = &draft.drawing.shapes[*place].path.vertices;
+        vertices.iter().any(|vertex| window.holds(vertex.at))
+    };
+    if !draft.selected()?.iter().any(reached) {
+        return Err(OpError::NothingThere("no vertex of the selected shapes", "in the window"));
+    }
     draft.change_selected(|_, shape| {
         let mut shape = shape.clone();
         let inside = shape.path.vertices.iter_mut().filter(|vertex| window.holds(vertex.at));

@@ -17,7 +17,8 @@ pub struct Place {
 impl Polyarc {
     /// Length of the path.
     pub fn length(&self) -> f64 {
-        self.segments().map(|s| s.length()).sum()
+        // A sum of nothing is −0.
+        self.segments().map(|s| s.length()).sum::<f64>() + 0.0
     }
 
     /// Area enclosed, positive when travelled counter-clockwise. An open polyarc is closed by a

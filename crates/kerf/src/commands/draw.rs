@@ -3,7 +3,7 @@
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::out;
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use kerf_drawing::{ENTRIES, Editor, Group, Kind, Operation, Shape, script};
 use serde_json::{Value, json};
@@ -93,7 +93,8 @@ fn edit_job(args: &DrawArgs, file: &Path, output: &Path) -> Result<Exit> {
 
 fn carry_out(editor: &mut Editor, text: &str, reading: &drawings::Reading) -> Result<()> {
     for (number, operation) in script(text)? {
-        let operation = with_file(operation, reading)?;
+        let clause = format!("clause {number} `{operation}`");
+        let operation = with_file(operation, reading).context(clause)?;
         let outcome = editor.apply(&operation).map_err(|error| told(number, &operation, &error))?;
         for told in outcome.warnings.iter().chain(&outcome.notes) {
             eprintln!("clause {number} `{operation}`: {told}");

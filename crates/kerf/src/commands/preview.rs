@@ -5,11 +5,9 @@ use crate::coloured::{Colours, coloured};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::picture::{self, Format, Picture};
-use crate::report::Diagnostics;
 use crate::setup;
 use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::{Company, Work};
 use kerf_drawing::Drawing;
 use std::path::PathBuf;
 
@@ -37,21 +35,10 @@ pub fn run(args: &PreviewArgs) -> Result<Exit> {
     if args.colours == Some(Colours::Group) && !drawings::is_drawing(&args.file) {
         bail!(Usage(format!("{} is a program: it has no groups to colour", args.file.display())));
     }
-    let mut job = setup::job(&args.file, &args.run, true)?;
-    let surface_mm = match &job.work {
-        Work::Job(_, machine) => Some(machine.zpos.surface_mm),
-        _ => None,
-    };
-    let mut sink = (Diagnostics::default(), Picture::new(&args.file));
-    let mut pace = args.run.operator.script();
-    let company = Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace };
-    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
-    let mut scene = sink.1.finish(&summary, &job.session);
-    if let Some(surface_mm) = surface_mm {
-        let frame = &job.session.memory.frame;
-        scene.surface_z_mm = surface_mm + frame.base_zero.0[2] - frame.working_zero.0[2];
-    }
-    let scene = match (&job.drawing, args.colours) {
+    let job = setup::job(&args.file, &args.run, true)?;
+    let drawing = job.drawing.clone();
+    let (scene, summary) = Picture::follow(job, &args.file, &args.run.operator);
+    let scene = match (&drawing, args.colours) {
         (Some(drawing), how) => coloured(&scene, drawing, how.unwrap_or(Colours::Group)),
         (None, Some(how)) => coloured(&scene, &Drawing::default(), how),
         (None, None) => scene,

@@ -84,6 +84,11 @@ const MOST_PASSES: f64 = 10_000.0;
 
 fn steps(depth: f64, pass: Option<f64>) -> impl Iterator<Item = f64> {
     let pass = pass.filter(|pass| depth < 0.0 && *pass > 0.0).unwrap_or(depth.abs());
-    let count = (depth.abs() / pass).ceil().clamp(1.0, MOST_PASSES) as u32;
+    // At the surface itself there is one pass.
+    let count =
+        if depth == 0.0 { 1.0 } else { (depth.abs() / pass).ceil().clamp(1.0, MOST_PASSES) };
+    // More passes than there may be are made deeper, all of them.
+    let pass = pass.max(depth.abs() / count);
+    let count = count as u32;
     (1..=count).map(move |k| if k == count { depth } else { depth.signum() * pass * f64::from(k) })
 }

@@ -7,14 +7,17 @@ use crate::args::{Format, RunArgs};
 use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
 use crate::picture::{self, Format as Picture};
-use crate::{drawings, out, parse};
+use crate::{drawings, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::Args;
+use kerf_control::Work;
 use kerf_geom::{Bounds2, Point2};
-use kerf_program::Smoothing;
+use kerf_machine::Configuration;
+use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Written;
-use kerf_toolpath::{Heights, Job, Warning, off_table, write};
+use kerf_toolpath::{Heights, Job, Warning, off_table, too_deep, write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Makes the tool paths of a drawing: offsets, tags, leads, arrays
 ///
@@ -59,54 +62,114 @@ pub struct ToolpathArgs {
     run: Box<RunArgs>,
 }
 
-/// Heights of the machine, as Z above its home.
+/// Heights of the machine, as Z above its home; what is not said is the machine's, in a part program 10, 0 and
+/// −10 mm.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct HeightArgs {
-    /// Where the tool travels
-    #[arg(long, value_name = "MM", default_value_t = 10.0, allow_negative_numbers = true)]
-    z_top: f64,
-    /// The surface of the material; zero of Z in a part program
-    #[arg(long, value_name = "MM", default_value_t = 0.0, allow_negative_numbers = true)]
-    z_surface: f64,
-    /// Where THRU cuts; nothing is cut below it
-    #[arg(long, value_name = "MM", default_value_t = -10.0, allow_negative_numbers = true)]
-    z_bottom: f64,
+    /// Where the tool travels [default: the machine's; in a part program 10]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    z_top: Option<f64>,
+    /// The surface of the material; zero of Z in a part program [default: the machine's; in a part program 0]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    z_surface: Option<f64>,
+    /// Where THRU cuts; nothing is cut below it [default: the machine's; in a part program -10]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    z_bottom: Option<f64>,
 }
 
+/// The heights of a part program: its zero of Z is the surface.
+const PROGRAM: Heights = Heights { top_mm: 10.0, surface_mm: 0.0, bottom_mm: -10.0 };
+
 impl HeightArgs {
-    fn heights(self) -> Result<Heights> {
-        let Self { z_top, z_surface, z_bottom } = self;
-        if !(z_bottom < z_surface && z_surface < z_top) {
-            bail!(Usage("Z top must lie above Z surface, and Z bottom below it".into()));
+    fn over(self, usual: Heights) -> Result<Heights> {
+        let top_mm = self.z_top.unwrap_or(usual.top_mm);
+        let surface_mm = self.z_surface.unwrap_or(usual.surface_mm);
+        let bottom_mm = self.z_bottom.unwrap_or(usual.bottom_mm);
+        if !(bottom_mm < surface_mm && surface_mm < top_mm) {
+            bail!(Usage(format!(
+                "Z top must lie above Z surface, and Z bottom below it: they are {top_mm}, {surface_mm} and \
+                 {bottom_mm}"
+            )));
         }
-        Ok(Heights { top_mm: z_top, surface_mm: z_surface, bottom_mm: z_bottom })
+        Ok(Heights { top_mm, surface_mm, bottom_mm })
     }
 }
 
 pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let output = args.output.clone().unwrap_or_else(|| args.drawing.with_extension("rsm"));
-    let heights = args.heights.heights()?;
-    let smoothing = args.run.motion.smoothing.unwrap_or(Smoothing::default().factor);
+    let kind = Kind::of(&output)?;
+    let machine = setup::machine(args.run.place.config.as_deref(), &args.run.place.data)?;
+    let heights = args.heights.over(if kind == Kind::Program {
+        PROGRAM
+    } else {
+        let zpos = machine.zpos;
+        Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm }
+    })?;
+    let smoothing = args.run.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
     let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, smoothing)?;
     let job = args.placed(job)?;
     if let Some(table) = table(args, &job)? {
         warnings.extend(off_table(&job, &table));
     }
+    if kind != Kind::Program {
+        warnings.extend(too_deep(&job, &heights));
+    }
     tell(args, &warnings);
-    let pictured = matches!(drawings::extension(&output).as_str(), "svg" | "png");
-    let dry =
-        (pictured || args.report).then(|| dry_run::follow(args, &job, &heights)).transpose()?;
-    match &dry {
-        Some(dry) if pictured => {
-            let scene = coloured(&dry.scene, &job.drawing, args.colours);
-            picture::write(&scene, Picture::of(&output)?, &output)?;
+    if kind != Kind::Picture {
+        keep(args, &output, kind, &job, &heights)?;
+    }
+    if kind != Kind::Picture && !args.report {
+        return Ok(Exit::Good);
+    }
+    let dry = dry_run::follow(args, work(args, kind, &job, machine, &heights)?)?;
+    if kind == Kind::Picture {
+        let scene = coloured(&dry.scene, &job.drawing, args.colours);
+        picture::write(&scene, Picture::of(&output)?, &output)?;
+    }
+    if args.report {
+        report::tell(&job, &dry.summary, &warnings, args.format);
+    }
+    Ok(dry.summary.status.into())
+}
+
+/// What is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Job,
+    Program,
+    Picture,
+}
+
+impl Kind {
+    fn of(output: &Path) -> Result<Self> {
+        match drawings::extension(output).as_str() {
+            "rsm" => Ok(Self::Job),
+            "sbp" | "nc" | "ngc" | "tap" | "gcode" => Ok(Self::Program),
+            "svg" | "png" => Ok(Self::Picture),
+            _ => bail!(Usage(format!(
+                "{}: written are .rsm, .sbp, .nc, .svg and .png",
+                output.display()
+            ))),
         }
-        _ => keep(args, &output, &job, &heights)?,
     }
-    if let Some(dry) = dry.filter(|_| args.report) {
-        report::tell(&job, &dry.tally, dry.seconds, &warnings, args.format);
+}
+
+/// What a dry run follows: the part program when one is written, else the job as `kerf run` runs it.
+fn work(
+    args: &ToolpathArgs,
+    kind: Kind,
+    job: &Job,
+    mut machine: Configuration,
+    heights: &Heights,
+) -> Result<Work> {
+    let name = args.drawing.display().to_string();
+    if kind == Kind::Program {
+        let text = drawings::part_program(&args.drawing, job, heights)?.text;
+        return Ok(kerf_part::read(name.into(), text.into_bytes()).into());
     }
-    Ok(Exit::Good)
+    let Heights { top_mm, surface_mm, bottom_mm } = *heights;
+    machine.zpos = ZPositions { top_mm, surface_mm, bottom_mm };
+    Ok(Work::Job(Arc::new(job.neutral(name.into())), Arc::new(machine)))
 }
 
 impl ToolpathArgs {
@@ -125,7 +188,13 @@ impl ToolpathArgs {
 }
 
 /// Writes the job or its program, whole or not at all.
-fn keep(args: &ToolpathArgs, output: &Path, job: &Job, heights: &Heights) -> Result<()> {
+fn keep(
+    args: &ToolpathArgs,
+    output: &Path,
+    kind: Kind,
+    job: &Job,
+    heights: &Heights,
+) -> Result<()> {
     if !args.force && args.drawing != output && drawings::is_edited(output) {
         bail!(
             "{}: its paths were changed by hand; --force makes them anew, -o names another file",
@@ -133,15 +202,9 @@ fn keep(args: &ToolpathArgs, output: &Path, job: &Job, heights: &Heights) -> Res
         );
     }
     let text = match drawings::extension(output).as_str() {
-        "rsm" => write(job),
+        _ if kind == Kind::Job => write(job),
         "sbp" => told(output, drawings::part_program(&args.drawing, job, heights)?),
-        "nc" | "ngc" | "tap" | "gcode" => {
-            told(output, drawings::gcode_program(&args.drawing, job, heights)?)
-        }
-        _ => bail!(Usage(format!(
-            "{}: written are .rsm, .sbp, .nc, .svg and .png",
-            output.display()
-        ))),
+        _ => told(output, drawings::gcode_program(&args.drawing, job, heights)?),
     };
     out::file(output, text)
 }
@@ -165,7 +228,7 @@ fn table(args: &ToolpathArgs, job: &Job) -> Result<Option<Bounds2>> {
     let corners = match args.table {
         Some([x, y]) => Some((Point2::default(), Point2::new(x, y))),
         None if args.run.place.config.is_some() => {
-            let settings = crate::setup::settings(&args.run.place, Default::default())?;
+            let settings = setup::settings(&args.run.place, Default::default())?;
             let (low, high) = (settings.limits.low.0, settings.limits.high.0);
             Some((Point2::new(low[0], low[1]), Point2::new(high[0], high[1])))
         }

@@ -2,7 +2,7 @@
 
 use crate::args::Format;
 use crate::out;
-use kerf_control::{Tally, json};
+use kerf_control::{Summary, Tally, json};
 use kerf_drawing::Group;
 use kerf_toolpath::{Job, Pass, Warning};
 use serde::Serialize;
@@ -30,14 +30,15 @@ struct OfGroup {
 }
 
 /// Prints the report.
-pub fn tell(job: &Job, tally: &Tally, seconds: f64, warnings: &[Warning], format: Format) {
+pub fn tell(job: &Job, summary: &Summary, warnings: &[Warning], format: Format) {
+    let tally = &summary.tally;
     let groups: Vec<OfGroup> = job
         .lengths()
         .into_iter()
         .filter_map(|(group, mm)| of_group(job, tally, group, mm))
         .collect();
     let report = Report {
-        seconds,
+        seconds: summary.seconds,
         cut_seconds: tally.cut_s,
         jog_seconds: tally.jog_s,
         paths: groups.iter().map(|group| group.paths).sum(),
