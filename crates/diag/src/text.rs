@@ -2,23 +2,45 @@
 
 use std::borrow::Cow;
 
+/// What some editors put before UTF-8.
+const UTF_8_MARK: &[u8] = b"\xEF\xBB\xBF";
+
 /// The text of a file, without a byte-order mark; line ends stay as they are.
 ///
-/// UTF-8 where the bytes are valid UTF-8, Windows-1252 otherwise: that is what old editors wrote.
+/// UTF-16 where its byte-order mark says so, UTF-8 where the bytes are valid UTF-8, Windows-1252
+/// otherwise: that is what old editors wrote.
 ///
 /// # Errors
 /// The line (from 1) of the first NUL byte: such a file is no text.
-pub fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, u32> {
+pub fn decode(bytes: Cow<'_, [u8]>) -> Result<String, u32> {
+    match &*bytes {
+        [0xFF, 0xFE, rest @ ..] => return whole(utf_16(rest, u16::from_le_bytes)),
+        [0xFE, 0xFF, rest @ ..] => return whole(utf_16(rest, u16::from_be_bytes)),
+        _ => {}
+    }
     // `contains` looks at many bytes at a time.
     if bytes.contains(&0) {
         let above = bytes.iter().take_while(|b| **b != 0).filter(|b| **b == b'\n').count();
         return Err(above as u32 + 1);
     }
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    Ok(match std::str::from_utf8(bytes) {
-        Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(bytes.iter().map(|b| windows_1252(*b)).collect()),
-    })
+    let mut bytes = bytes.into_owned();
+    if bytes.starts_with(UTF_8_MARK) {
+        bytes.drain(..UTF_8_MARK.len());
+    }
+    let old = |bytes: Vec<u8>| bytes.into_iter().map(windows_1252).collect();
+    Ok(String::from_utf8(bytes).unwrap_or_else(|error| old(error.into_bytes())))
+}
+
+fn utf_16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
+    let units = bytes.chunks(2).map(|pair| unit([pair[0], pair.get(1).copied().unwrap_or(0)]));
+    char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
+}
+
+fn whole(text: String) -> Result<String, u32> {
+    match text.find('\0') {
+        Some(at) => Err(text[..at].matches('\n').count() as u32 + 1),
+        None => Ok(text),
+    }
 }
 
 /// Windows-1252, 0x80 to 0x9F; the five unused places become the replacement character.
@@ -46,9 +68,12 @@ mod tests {
             (b"\xEF\xBB\xBFMX,1", "MX,1"),
             ("'größe".as_bytes(), "'größe"),
             (b"'gr\xF6\xDFe \x80\x93", "'größe €“"),
+            (b"\xFF\xFEM\0X\0", "MX"),
+            (b"\xFE\xFF\0M\0X", "MX"),
         ] {
-            assert_eq!(decode(bytes).as_deref(), Ok(text));
+            assert_eq!(decode(bytes.into()).as_deref(), Ok(text));
         }
-        assert_eq!(decode(b"MX,1\n\0"), Err(2));
+        assert_eq!(decode(b"MX,1\n\0"[..].into()), Err(2));
+        assert_eq!(decode(b"\xFF\xFEM\0\n\0\0\0"[..].into()), Err(2));
     }
 }

@@ -65,7 +65,7 @@ impl Gathered {
             let h_unset = letter == b'H' && self.or_zero(letter) == -1.0;
             if self.get(letter).is_some_and(|v| v < 0.0) && !h_unset {
                 let message = format!("{} may not be negative", letter as char);
-                fault(Fault::new(Code::OutOfRange, span, message));
+                fault(Fault::new(Code::OutOfRange, span, message).hint("write 0 or more"));
             }
         }
         if self.axes_taken()

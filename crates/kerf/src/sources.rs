@@ -19,5 +19,7 @@ impl Sources for FileLines {
 
 fn read_lines(file: &str) -> Vec<String> {
     let bytes = fs::read(file).unwrap_or_default();
-    String::from_utf8_lossy(&bytes).lines().map(str::to_owned).collect()
+    let text = kerf_diag::decode(bytes.as_slice().into())
+        .unwrap_or_else(|_| String::from_utf8_lossy(&bytes).into_owned());
+    text.replace("\r\n", "\n").replace('\r', "\n").lines().map(str::to_owned).collect()
 }

@@ -105,7 +105,11 @@ impl Context<'_> {
             return Err(self.fail(Code::MissingWord, message, "Q is the depth of one peck"));
         }
         if peck > 0.0 && (r - bottom) / peck > MOST_PECKS {
-            return Err(self.fail(Code::OutOfRange, "Q is far too small for this depth", ""));
+            return Err(self.fail(
+                Code::OutOfRange,
+                "Q is far too small for this depth",
+                "Q is the depth of one peck",
+            ));
         }
         if cycle.p.is_some_and(|p| p < 0.0) {
             return Err(self.fail(

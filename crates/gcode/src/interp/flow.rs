@@ -206,7 +206,11 @@ impl Context<'_> {
         }
         // An endsub that is run into without a call: the definition is just text.
         if flow.keyword == Keyword::Return {
-            return Err(self.fail(Code::BadFlow, "return outside a subroutine", ""));
+            return Err(self.fail(
+                Code::BadFlow,
+                "return outside a subroutine",
+                "M2 or M30 ends a program",
+            ));
         }
         Ok(())
     }

@@ -67,7 +67,9 @@ impl Core {
             Expr::Binary(operator, a, b) => {
                 let (a, b) = (self.evaluate(program, a, span)?, self.evaluate(program, b, span)?);
                 if b == 0.0 && matches!(operator, Operator::Over | Operator::Mod) {
-                    return Err(Fault::new(Code::DivisionByZero, span, "division by zero"));
+                    return Err(Fault::new(Code::DivisionByZero, span, "division by zero").hint(
+                        "which parameter in it is zero? a parameter that was never set is 0",
+                    ));
                 }
                 operator.of(a, b)
             }

@@ -6,6 +6,7 @@
 
 use super::Core;
 use super::context::{Context, Stop};
+use super::step::whole_line;
 use crate::codes::g_name;
 use crate::gathered::Gathered;
 use kerf_diag::Code;
@@ -18,6 +19,9 @@ pub(super) struct Probe {
     pub(super) watch: Watch,
     /// Its code, in tenths.
     code: i32,
+    /// Its line, from 1.
+    #[serde(default)]
+    line: u32,
     /// Where the machine was when the probe changed.
     contact: Option<Axes>,
 }
@@ -60,7 +64,7 @@ impl Context<'_> {
         self.core.beside = None;
         self.emit(Command::Line(Line { kind: MoveKind::Cut, to, feed }));
         let watch = Watch::change(input, on, false);
-        self.core.probing = Some(Probe { watch, code, contact: None });
+        self.core.probing = Some(Probe { watch, code, line: self.at.line, contact: None });
         Ok(())
     }
 
@@ -68,6 +72,8 @@ impl Context<'_> {
     pub(super) fn end_probe(&mut self) -> Result<(), Stop> {
         self.settle()?;
         let Some(probe) = self.core.probing.take() else { return Ok(()) };
+        self.at.line = probe.line;
+        self.span = whole_line(&self.program(), probe.line);
         let met = probe.contact.is_some();
         self.core.state.probed = self.core.position;
         self.core.state.probe_hit = met || self.core.options.preview;

@@ -116,7 +116,11 @@ impl Context<'_> {
         };
         let weight = g.get(b'P').unwrap_or(1.0);
         if weight <= 0.0 || nurbs.points.len() >= MOST_POINTS {
-            return Err(self.fail(Code::OutOfRange, "the weight P of a point is above zero", ""));
+            return Err(self.fail(
+                Code::OutOfRange,
+                "the weight P of a point is above zero",
+                "P1 is the usual weight",
+            ));
         }
         if g.has_any(letters(b"XY")) {
             let at = self.core.place_of(self.target(g)?);

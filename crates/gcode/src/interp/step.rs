@@ -263,7 +263,7 @@ fn is_comment(program: &Program, node: Node) -> bool {
 }
 
 /// The code of a line, blanks around it left out.
-fn whole_line(program: &Program, line: u32) -> Span {
+pub(super) fn whole_line(program: &Program, line: u32) -> Span {
     let text = program.line_text(line);
     let code = text.trim_start();
     Span { start: (text.len() - code.len()) as u32, end: text.trim_end().len() as u32 }

@@ -138,9 +138,23 @@ impl Reader<'_> {
                 fault.hint("a letter is followed by a number, a parameter or [an expression]")
             );
         };
+        self.no_exponent(letter, start)?;
         let span = self.compact.span(start, self.at);
         self.file.words.push(Word { letter, span, value });
         Ok(())
+    }
+
+    /// Numbers have no exponents: X1e-5 would be X1, with an E that nobody asked for.
+    fn no_exponent(&mut self, letter: u8, start: usize) -> Result<(), Fault> {
+        let is_number = self.compact.byte(self.at.wrapping_sub(1)).is_ascii_digit();
+        let sign = usize::from(matches!(self.peek_at(1), b'-' | b'+'));
+        let exponent = self.peek() == b'E' && self.peek_at(1 + sign).is_ascii_digit();
+        if !(is_number && exponent && b"XYZABCIJKRFS".contains(&letter)) {
+            return Ok(());
+        }
+        self.at += 2 + sign;
+        let fault = self.fault_from(start, Code::BadBlock, "a number with an exponent");
+        Err(fault.hint("G-code has none: write 0.00001 for 1e-5"))
     }
 
     /// `#… = …`

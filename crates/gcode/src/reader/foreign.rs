@@ -31,7 +31,8 @@ pub fn looks_like_opensbp(line: &str) -> bool {
 
 /// A file that is mostly something else gets one diagnostic instead of one a line.
 pub(super) fn judge(program: &mut Program, foreign: usize) {
-    let code = program.lines.iter().filter(|l| l.node() != Node::Blank).count();
+    let code =
+        program.lines.iter().filter(|l| !matches!(l.node(), Node::Blank | Node::Percent)).count();
     let bad = program.lines.iter().filter(|l| l.node() == Node::Bad).count();
     let other = other_language(&program.text);
     let sbp = foreign > 0 && foreign * 2 >= code;
@@ -47,26 +48,35 @@ pub(super) fn judge(program: &mut Program, foreign: usize) {
     program.diagnostics = vec![Diagnostic::new(Code::NotGcode, place, message).hint(hint)];
 }
 
-/// What a text is by the way it begins.
+/// What a text is by the way it begins, and what to do with it.
 fn other_language(text: &str) -> Option<(&'static str, &'static str)> {
+    const CONVERT: &str = "kerf convert makes a program of it";
     let head = text.trim_start();
     let begins = |mark: &str| head.get(..mark.len()).is_some_and(|h| h.eq_ignore_ascii_case(mark));
-    let dxf = head.lines().next().is_some_and(|l| l.trim() == "0")
-        && head.lines().nth(1).is_some_and(|l| l.trim().eq_ignore_ascii_case("SECTION"));
-    if dxf {
-        return Some((
-            "this file is a DXF drawing, not G-code",
-            "kerf convert makes a program of it",
-        ));
+    let second = head.lines().nth(1).unwrap_or_default().trim();
+    let is_second =
+        |mark: &str| second.get(..mark.len()).is_some_and(|h| h.eq_ignore_ascii_case(mark));
+    if head.lines().next().is_some_and(|l| l.trim() == "0") && is_second("SECTION") {
+        return Some(("this file is a DXF drawing, not G-code", CONVERT));
     }
-    if begins("IN;") || begins("SP1;") || begins("PU;") || begins("PA;") {
-        return Some((
-            "this file is a plot (HPGL), not G-code",
-            "kerf convert makes a program of it",
-        ));
+    if ["IN;", "SP1;", "PU;", "PA;"].into_iter().any(begins) {
+        return Some(("this file is a plot (HPGL), not G-code", CONVERT));
     }
-    if begins("<svg") || begins("<?xml") || begins("<!doctype") {
-        return Some(("this file is a web or SVG document, not G-code", ""));
+    if ["<svg", "<?xml", "<!doctype", "<html"].into_iter().any(begins) {
+        let hint = "kerf convert makes a program of an SVG drawing; give it the ending .svg";
+        return Some(("this file is a web or SVG document, not G-code", hint));
+    }
+    if begins("solid") && is_second("facet") {
+        let hint = "a CAM program makes a program from a solid";
+        return Some(("this file is a solid (STL), not G-code", hint));
+    }
+    if begins("%PDF-") || begins("%!PS") {
+        let hint = "export the drawing as DXF or SVG; kerf convert makes a program of it";
+        return Some(("this file is a printed page (PDF, PostScript), not G-code", hint));
+    }
+    if head.starts_with(['{', '[']) {
+        let hint = "was it saved by a program that keeps its projects so? export G-code there";
+        return Some(("this file is data (JSON), not G-code", hint));
     }
     None
 }

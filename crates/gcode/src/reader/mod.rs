@@ -37,8 +37,8 @@ const MOST_DIAGNOSTICS: usize = 10_000;
 ///
 /// Every line becomes one node; what is wrong or doubtful stands in [`Program::diagnostics`].
 pub fn read(name: Arc<str>, bytes: &[u8]) -> Program {
-    match kerf_diag::decode(bytes) {
-        Ok(text) => read_text(name, Arc::new(text.into_owned())),
+    match kerf_diag::decode(bytes.into()) {
+        Ok(text) => read_text(name, Arc::new(text)),
         Err(line) => refused(name, line, "not a text file"),
     }
 }

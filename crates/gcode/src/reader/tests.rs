@@ -104,6 +104,9 @@ fn faults_have_place_and_code() {
     finds("#1", &["G004 1:1+2 = expected"]);
     finds("#<a=1", &["G011 1:2+"]);
     finds("G1 X1 0 Y2", &["G022 1:7+1"]);
+    finds("G1 X1e-5 Y2", &["G004 1:4+5 a number with an exponent"]);
+    finds("F1.5E3", &["G004 1:1+6 a number with an exponent"]);
+    finds("M67 E0 Q.5⏎M67E0Q.5⏎M68Q5E0⏎M66E1L0", &[]);
     finds("(a (b) c)", &["W003 1:4+1"]);
     finds("G1 X1 ⏎ G1 Q⏎G2 X1 X1⏎G999", &["G005 2:4+1", "G006 3:7+2", "G002 4:1+4"]);
     finds("X1 M3 X2 M4 G999", &["G006 1:7+2", "G007 1:10+2", "G002 1:13+4"]);
@@ -136,9 +139,30 @@ fn other_languages_are_said_once() {
     finds("'a part⏎M3,1,2,3⏎MX,4⏎&a=1⏎IF &a=1 THEN GOTO x", &["G001 1:1+0 this file is OpenSBP"]);
     finds("0⏎SECTION⏎2⏎HEADER⏎9⏎$ACADVER", &["G001 1:1+0 this file is a DXF"]);
     finds("IN;SP1;PU0,0;PD100,0;", &["G001 1:1+0 this file is a plot"]);
+    finds(
+        "solid cube⏎ facet normal 0 0 1⏎ outer loop⏎ vertex 1 2 3",
+        &["G001 1:1+0 this file is a solid"],
+    );
+    finds("%PDF-1.4⏎%âã⏎1 0 obj⏎<< /Type /Page >>", &["G001 1:1+0 this file is a printed page"]);
+    finds("{⏎\"layers\": [1, 2]⏎}", &["G001 1:1+0 this file is data (JSON)"]);
     finds("G1 X1⏎G0 Y2⏎G0 Y3⏎MX,4", &["G005 4:1+1"]);
     let program = crate::read("x".into(), b"G1 X1\nG1 \0");
     assert_eq!(program.diagnostics[0].code.as_str(), "S001");
+}
+
+#[test]
+fn files_in_old_and_wide_encodings() {
+    let wide: Vec<u8> =
+        "\u{FEFF}G1 X1 (é)\r\nG999".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let program = crate::read("x".into(), &wide);
+    assert_eq!(shown_codes(&program), ["G002 2"]);
+    let program = crate::read("x".into(), b"G1 X1 (caf\xE9)\rG999");
+    assert_eq!(shown_codes(&program), ["G002 2"]);
+    assert!(program.text.contains("café"));
+}
+
+fn shown_codes(program: &Program) -> Vec<String> {
+    program.diagnostics.iter().map(|d| format!("{} {}", d.code, d.place.line)).collect()
 }
 
 #[test]

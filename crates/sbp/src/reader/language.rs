@@ -38,7 +38,7 @@ pub fn read_part_as<'a>(
     if !is_gcode_name(&name) {
         return gcode_in_disguise(super::read_as(name, bytes, dialect));
     }
-    let text = match text::decode(bytes) {
+    let text = match kerf_diag::decode(bytes) {
         Ok(text) if text.len() < u32::MAX as usize => text,
         Ok(_) => return super::refused(name, 1, "the file is larger than 4 GB"),
         Err(line) => return super::refused(name, line, "not a text file"),

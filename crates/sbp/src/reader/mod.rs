@@ -63,7 +63,7 @@ pub fn read_as<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>, dialect: Dia
 }
 
 fn read_bytes(name: Arc<str>, bytes: Cow<'_, [u8]>, dialect: Dialect) -> Program {
-    let text = match text::decode(bytes) {
+    let text = match kerf_diag::decode(bytes) {
         Ok(text) if text.len() < u32::MAX as usize => text,
         Ok(_) => return refused(name, 1, "the file is larger than 4 GB"),
         Err(line) => return refused(name, line, "not a text file"),

@@ -1,42 +1,4 @@
-//! Bytes to text: old files come in several encodings.
-
-use std::borrow::Cow;
-
-/// What some editors put before UTF-8.
-const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-
-/// The text of a file, without a byte-order mark; line ends stay as they are.
-///
-/// UTF-8 where the bytes are valid UTF-8, Windows-1252 otherwise: that is what old editors wrote.
-///
-/// # Errors
-/// The line (from 1) of the first NUL byte: such a file is no text.
-pub(super) fn decode(bytes: Cow<'_, [u8]>) -> Result<String, u32> {
-    if let Some(at) = memchr::memchr(0, &bytes) {
-        let above = bytes[..at].iter().filter(|b| **b == b'\n').count();
-        return Err(above as u32 + 1);
-    }
-    let mut bytes = bytes.into_owned();
-    if bytes.starts_with(BYTE_ORDER_MARK) {
-        bytes.drain(..BYTE_ORDER_MARK.len());
-    }
-    let wide = |bytes: Vec<u8>| bytes.into_iter().map(windows_1252).collect();
-    Ok(String::from_utf8(bytes).unwrap_or_else(|error| wide(error.into_bytes())))
-}
-
-/// Windows-1252, 0x80 to 0x9F; the five unused places become the replacement character.
-const HIGH: [char; 32] = [
-    '€', '\u{FFFD}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{FFFD}', 'Ž',
-    '\u{FFFD}', '\u{FFFD}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{FFFD}',
-    'ž', 'Ÿ',
-];
-
-fn windows_1252(byte: u8) -> char {
-    match byte {
-        0x80..=0x9F => HIGH[usize::from(byte - 0x80)],
-        _ => char::from(byte),
-    }
-}
+//! Blanks, line ends and comments.
 
 /// True for what separates words: blanks, tabs and the control characters old editors left behind.
 pub(crate) const fn is_blank(byte: u8) -> bool {
@@ -90,19 +52,6 @@ pub(crate) fn code_end(line: &[u8]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn bytes_become_text() {
-        for (bytes, text) in [
-            (&b"MX,1"[..], "MX,1"),
-            (b"\xEF\xBB\xBFMX,1", "MX,1"),
-            ("'größe".as_bytes(), "'größe"),
-            (b"'gr\xF6\xDFe \x80\x93", "'größe €“"),
-        ] {
-            assert_eq!(decode(bytes.into()).as_deref(), Ok(text));
-        }
-        assert_eq!(decode(b"MX,1\n\0".into()), Err(2));
-    }
 
     #[test]
     fn lines_end_in_three_ways() {

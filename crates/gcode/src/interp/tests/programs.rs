@@ -114,6 +114,11 @@ fn a_check_goes_on_behind_an_error() {
 }
 
 #[test]
+fn a_probe_that_meets_nothing_is_told_at_its_own_line() {
+    fails("G38.2 Z-10 F100⏎#1=2⏎G0 X1", "G018 2:1 G38.2 ended without");
+}
+
+#[test]
 fn one_mistake_is_told_once() {
     let options = Options { keep_going: true, ..Options::default() };
     // The reader told the bad word; nothing is said of the lines that relied on its G0.
