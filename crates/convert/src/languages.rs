@@ -39,8 +39,7 @@ impl Language for kerf_gcode::Interpreter {
 
     fn comment_beside(&self, at: At) -> Option<Arc<str>> {
         let program = self.program(at.file)?;
-        let GNode::Block(index) = program.lines.get(at.line.checked_sub(1)? as usize)?.node()
-        else {
+        let GNode::Block(index) = program.line(at.line)?.node() else {
             return None;
         };
         let block = program.blocks.get(index as usize)?;
@@ -64,8 +63,7 @@ impl Language for kerf_gcode::Interpreter {
 
     fn machine_place(&self, at: At) -> Option<&'static str> {
         let program = self.program(at.file)?;
-        let GNode::Block(index) = program.lines.get(at.line.checked_sub(1)? as usize)?.node()
-        else {
+        let GNode::Block(index) = program.line(at.line)?.node() else {
             return None;
         };
         let block = program.blocks.get(index as usize)?;

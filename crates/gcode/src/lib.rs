@@ -22,6 +22,7 @@ mod expr;
 mod format;
 mod gathered;
 mod interp;
+mod lines;
 mod no_path;
 mod reader;
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! The tree of a G-code file: one node a line.
 //!
-//! Most lines of a large file are moves with literal numbers. Of these only the place is kept, eight bytes a
-//! line: the text says all the rest, and is read again ([`Program::move_of`]) when the move is made. Everything
-//! else becomes a [`Block`].
+//! Most lines of a large file are moves with literal numbers. Of these hardly more than the text is kept: it
+//! is read again ([`Program::move_of`]) when the move is made. Everything else becomes a [`Block`].
 
 use crate::expr::Expr;
-use crate::reader::moves;
+use crate::lines::Lines;
+use crate::reader::{moves, next_line};
 use kerf_diag::{Diagnostic, Place};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,8 +26,8 @@ pub struct Program {
     pub name: Arc<str>,
     /// The whole text, as it was read (line ends kept, byte-order mark removed).
     pub text: Arc<String>,
-    /// One entry a line; line n of the file is `lines[n - 1]`.
-    pub lines: Vec<LineNode>,
+    /// What every line is: see [`Program::line`].
+    pub(crate) lines: Lines,
     /// What [`Node::Block`] points to.
     pub blocks: Vec<Block>,
     /// The words of all blocks, in order.
@@ -330,25 +330,30 @@ impl Keyword {
 }
 
 impl Program {
+    /// How many lines the file has.
+    pub const fn line_count(&self) -> u32 {
+        self.lines.len()
+    }
+
+    /// A line, counted from 1.
+    pub fn line(&self, line: u32) -> Option<LineNode> {
+        self.lines.get(&self.text, line.checked_sub(1)?)
+    }
+
     /// The text of a line, counted from 1, without its line end.
     pub fn line_text(&self, line: u32) -> &str {
-        let index = line.saturating_sub(1) as usize;
-        let start_of = |i: usize| self.lines.get(i).map(|l| l.start as usize);
-        let start = start_of(index).unwrap_or(self.text.len());
-        let end = start_of(index + 1).unwrap_or(self.text.len());
-        self.text.get(start..end).unwrap_or_default().trim_end_matches(['\r', '\n'])
+        let Some(node) = self.line(line) else { return "" };
+        let end = next_line(self.text.as_bytes(), node.start as usize);
+        let whole = self.text.get(node.start as usize..end).unwrap_or_default();
+        whole.trim_end_matches(['\r', '\n'])
     }
 
     /// The move of a line, counted from 1, that is a [`Node::Move`].
     pub fn move_of(&self, line: u32) -> Option<PlainMove> {
+        let node = self.line(line).filter(|l| l.node() == Node::Move)?;
         let mut found = PlainMove::default();
-        let node = self.lines.get(line.checked_sub(1)? as usize)?;
-        (node.node() == Node::Move && self.read_move(*node, &mut found)).then_some(found)
-    }
-
-    /// Reads the words of such a line once more.
-    pub(crate) fn read_move(&self, line: LineNode, into: &mut PlainMove) -> bool {
-        moves::read(self.text.as_bytes(), line.start as usize, into).is_some()
+        moves::read(self.text.as_bytes(), node.start as usize, &mut found)?;
+        Some(found)
     }
 
     /// The place of a stretch of a line.
@@ -372,7 +377,7 @@ impl Program {
     /// Whether a line (from 1) lies between the first and the last of a subroutine.
     pub fn is_in_subroutine(&self, line: u32) -> bool {
         let end_of = |first: u32| {
-            let Node::Block(index) = self.lines.get(first as usize - 1)?.node() else {
+            let Node::Block(index) = self.line(first)?.node() else {
                 return None;
             };
             let extra = self.extra_of(self.blocks.get(index as usize)?)?;

@@ -59,7 +59,7 @@ impl Program {
 
     /// How many lines it has.
     pub fn line_count(&self) -> usize {
-        let gcode = self.gcode.as_ref().map_or(0, |g| g.lines.len());
+        let gcode = self.gcode.as_ref().map_or(0, |g| g.line_count() as usize);
         gcode.max(self.sbp.lines.len())
     }
 

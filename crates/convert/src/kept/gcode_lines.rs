@@ -23,7 +23,7 @@ pub(super) fn to_sbp(program: &Program, how: &Conversion) -> Result<String, Unke
         tool: None,
         over: false,
     };
-    for line in 1..=program.lines.len() as u32 {
+    for line in 1..=program.line_count() {
         if !keeper.over {
             keeper.one(line)?;
         }
@@ -79,7 +79,7 @@ impl Keeper<'_> {
 
     fn one(&mut self, line: u32) -> Result<(), Unkept> {
         let program = self.program;
-        match program.lines.get(line as usize - 1).map(|l| l.node()) {
+        match program.line(line).map(|l| l.node()) {
             Some(Node::Move) => self.literal_move(line, &program.move_of(line).unwrap_or_default()),
             Some(Node::Block(index)) => match program.blocks.get(index as usize) {
                 Some(block) => self.block(line, block),

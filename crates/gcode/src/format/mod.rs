@@ -19,7 +19,7 @@ mod tests;
 mod value;
 
 use crate::read;
-use crate::reader::is_blank;
+use crate::reader::{is_blank, next_line};
 use crate::tree::{Node, Program};
 
 /// Formats G-code.
@@ -30,16 +30,16 @@ use crate::tree::{Node, Program};
 /// ```
 pub fn format(text: &str) -> String {
     let program = read("".into(), text.as_bytes());
-    if program.lines.is_empty() {
+    if program.line_count() == 0 {
         return text.to_string();
     }
     let mut out = String::with_capacity(text.len() + text.len() / 8);
     if text.starts_with('\u{feff}') {
         out.push('\u{feff}');
     }
-    for (index, line) in program.lines.iter().enumerate() {
+    for line in program.lines.iter(&program.text) {
         let start = line.start as usize;
-        let next = program.lines.get(index + 1).map_or(program.text.len(), |l| l.start as usize);
+        let next = next_line(program.text.as_bytes(), start);
         let whole = program.text.get(start..next).unwrap_or_default();
         let written = whole.trim_end_matches(['\r', '\n']);
         push_line(&program, line.node(), written, &mut out);

@@ -12,10 +12,10 @@ fn check(text: &str, expected: &str) {
 }
 
 /// What a line means, without where its parts stand.
-fn meaning(program: &Program, index: usize) -> String {
-    match program.lines[index].node() {
+fn meaning(program: &Program, index: u32) -> String {
+    match program.line(index + 1).unwrap().node() {
         Node::Move => {
-            let plain = program.move_of(index as u32 + 1).unwrap();
+            let plain = program.move_of(index + 1).unwrap();
             format!("{} {:?}", plain.motion, plain.words().collect::<Vec<_>>())
         }
         Node::Block(at) => {
@@ -48,8 +48,11 @@ fn keeps_meaning(text: &str) {
     let once = format(text);
     assert_eq!(format(&once), once, "formatting twice\n{text:?}");
     let (before, after) = (read("".into(), text.as_bytes()), read("".into(), once.as_bytes()));
-    let count = after.lines.len();
-    assert!(before.lines[count..].iter().all(|l| l.node() == Node::Blank), "{text:?}\n{once:?}");
+    let count = after.line_count();
+    assert!(
+        (count + 1..=before.line_count()).all(|l| before.line(l).unwrap().node() == Node::Blank),
+        "{text:?}\n{once:?}"
+    );
     for index in 0..count {
         assert_eq!(meaning(&before, index), meaning(&after, index), "{text:?}\n{once:?}");
     }

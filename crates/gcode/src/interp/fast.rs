@@ -8,7 +8,8 @@ use super::arc;
 use super::feed;
 use super::modes;
 use super::state::{FeedMode, Plane, Rates};
-use crate::tree::{Node, PlainMove};
+use crate::reader::{after_line_end, moves};
+use crate::tree::PlainMove;
 use kerf_program::{AXES, At, Axes, Command, Feed, Line, MoveKind, Settings, Sourced};
 use std::sync::Arc;
 
@@ -33,13 +34,15 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     let most = most.min(bound.saturating_sub(core.lines));
     let (first, before) = (call.next, out.len());
     let mut road = Road::of(core, call.file, first);
-    let lines = program.lines.get(first as usize..).unwrap_or_default();
+    let Some(line) = program.line(first + 1) else { return };
+    let (bytes, mut start) = (program.text.as_bytes(), line.start as usize);
     let mut plain = PlainMove::default();
-    for line in lines.iter().take(usize::try_from(most).unwrap_or(usize::MAX)) {
-        let is_move = line.node() == Node::Move && program.read_move(*line, &mut plain);
-        if !is_move || road.go(&plain, out).is_none() {
+    for _ in 0..program.lines.moves_from(first, u32::try_from(most).unwrap_or(u32::MAX)) {
+        let Some(end) = moves::read(bytes, start, &mut plain) else { break };
+        if road.go(&plain, out).is_none() {
             break;
         }
+        start = after_line_end(bytes, end);
     }
     road.arrive(core, first, out.len() == before);
 }

@@ -253,7 +253,7 @@ fn is_linked(flow: &Flow) -> bool {
 }
 
 fn flow_at(program: &Program, line: u32) -> Option<&Flow> {
-    let node = program.lines.get(line.checked_sub(1)? as usize)?.node();
+    let node = program.line(line)?.node();
     let crate::tree::Node::Block(index) = node else { return None };
     let block = program.blocks.get(index as usize)?;
     program.extra_of(block)?.flow.as_ref()

@@ -24,7 +24,7 @@ pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>)
     }
     let (file, next) = core.calls.last().map_or((0, 0), |c| (c.file, c.next));
     let program = core.programs.get(file as usize).cloned().unwrap_or_default();
-    let node = program.lines.get(next as usize).map(|l| l.node());
+    let node = program.line(next + 1).map(|l| l.node());
     let at = At { file, line: if node.is_some() { next + 1 } else { next } };
     if node.is_some() && core.options.max_lines > 0 && core.lines >= core.options.max_lines {
         return too_many_lines(core, host, out, at);
@@ -215,9 +215,11 @@ impl Context<'_> {
 
     /// `%`: the first line of a file, or its end.
     fn percent(&mut self, program: &Program) -> Result<(), Stop> {
-        let above = program.lines.iter().take(self.at.line as usize - 1);
-        let mut nodes = above.map(|l| l.node());
-        let begins = nodes.all(|n| n == Node::Blank || is_comment(program, n));
+        let mut others = program.lines.others();
+        let begins = (0..self.at.line - 1).all(|index| {
+            let (line, node) = others.next().unwrap_or((index, Node::Bad));
+            line == index && (node == Node::Blank || is_comment(program, node))
+        });
         if !begins {
             self.core.over = true;
         }

@@ -112,9 +112,9 @@ impl Context<'_> {
 
     fn go_to(&mut self, to: GoTo) -> Result<(), Stop> {
         let program = self.program();
-        if to.line as usize > program.lines.len() {
+        if to.line > program.line_count() {
             let message = format!("there is no line {} in {}", to.line, program.name);
-            let hint = format!("its last line is {}", program.lines.len());
+            let hint = format!("its last line is {}", program.line_count());
             self.warn(Code::OutOfRange, message, hint);
             return Ok(());
         }

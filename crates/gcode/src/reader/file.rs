@@ -4,7 +4,8 @@ use super::compact::Compact;
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, foreign, is_blank, link, moves};
 use crate::expr::Expr;
 use crate::gathered::Fault;
-use crate::tree::{Block, Extra, LineNode, Node, PlainMove, Program, Span, Word};
+use crate::lines::Lines;
+use crate::tree::{Block, Extra, Node, PlainMove, Program, Span, Word};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,7 +14,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct File {
     name: Arc<str>,
-    lines: Vec<LineNode>,
+    lines: Lines,
     pub(super) blocks: Vec<Block>,
     pub(super) words: Vec<Word>,
     pub(super) extras: Vec<Extra>,
@@ -32,7 +33,7 @@ impl File {
     pub(super) fn new(name: Arc<str>) -> Self {
         Self {
             name,
-            lines: Vec::new(),
+            lines: Lines::default(),
             blocks: Vec::new(),
             words: Vec::new(),
             extras: Vec::new(),
@@ -49,7 +50,6 @@ impl File {
     /// Reads every line of a text.
     pub(super) fn read(&mut self, text: &str) {
         let bytes = text.as_bytes();
-        self.lines.reserve(memchr::memchr_iter(b'\n', bytes).count() + 1);
         let (mut start, mut plain) = (0, PlainMove::default());
         while start < bytes.len() {
             let (node, next) = match moves::end(bytes, start, &mut plain) {
@@ -59,7 +59,7 @@ impl File {
                     (self.line(&text[start..end]), next)
                 }
             };
-            self.lines.push(LineNode::new(node, start as u32));
+            self.lines.push(node, start as u32);
             start = next;
         }
     }
@@ -104,7 +104,7 @@ impl File {
 
     /// The line that is being read, from 1.
     pub(super) fn number(&self) -> u32 {
-        self.lines.len() as u32 + 1
+        self.lines.len() + 1
     }
 
     /// Something wrong with the line that is being read.
@@ -152,7 +152,7 @@ impl File {
     pub(super) fn finish(mut self, text: Arc<String>) -> Program {
         if self.untold > 0 {
             let message = format!("{} more findings are not listed", self.untold);
-            let place = Place::line(self.name.clone(), self.lines.len() as u32);
+            let place = Place::line(self.name.clone(), self.lines.len());
             self.diagnostics.push(Diagnostic::new(Code::BadBlock, place, message));
         }
         let foreign = self.foreign;
@@ -194,8 +194,13 @@ fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
     (end, after_line_end(bytes, end))
 }
 
+/// Where the next line begins.
+pub(crate) fn next_line(bytes: &[u8], start: usize) -> usize {
+    line_end(bytes, start.min(bytes.len())).1
+}
+
 /// Where the next line begins when the line end starts at `end`.
-fn after_line_end(bytes: &[u8], end: usize) -> usize {
+pub(crate) fn after_line_end(bytes: &[u8], end: usize) -> usize {
     let both = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) == Some(&b'\n');
     (end + 1 + usize::from(both)).min(bytes.len())
 }

@@ -31,9 +31,10 @@ pub fn looks_like_opensbp(line: &str) -> bool {
 
 /// A file that is mostly something else gets one diagnostic instead of one a line.
 pub(super) fn judge(program: &mut Program, foreign: usize) {
-    let code =
-        program.lines.iter().filter(|l| !matches!(l.node(), Node::Blank | Node::Percent)).count();
-    let bad = program.lines.iter().filter(|l| l.node() == Node::Bad).count();
+    let others = || program.lines.others().map(|(_, node)| node);
+    let moves = program.lines.len() as usize - others().count();
+    let code = moves + others().filter(|n| !matches!(n, Node::Blank | Node::Percent)).count();
+    let bad = others().filter(|n| *n == Node::Bad).count();
     let other = other_language(&program.text);
     let sbp = foreign > 0 && foreign * 2 >= code;
     if !(sbp || other.is_some() && bad * 2 >= code) {

@@ -39,15 +39,16 @@ impl Linker<'_> {
         if self.program.extras.is_empty() {
             return;
         }
-        for index in 0..self.program.lines.len() {
-            let Node::Block(block) = self.program.lines[index].node() else { continue };
+        let mut marks = 0..;
+        while let Some((index, node)) = marks.next().and_then(|at| self.program.lines.marked(at)) {
+            let Node::Block(block) = node else { continue };
             let extra = self.program.blocks.get(block as usize).and_then(|b| b.extra);
             let Some(extra) = extra.map(|e| e as usize) else { continue };
             let Some(flow) = self.program.extras.get(extra).and_then(|e| e.flow.as_ref()) else {
                 continue;
             };
             let (keyword, label, span) = (flow.keyword, flow.label.clone(), flow.span);
-            self.take(index as u32 + 1, extra, keyword, label, span);
+            self.take(index + 1, extra, keyword, label, span);
         }
         for open in std::mem::take(&mut self.open) {
             self.unclosed(&open);

@@ -21,6 +21,7 @@ pub(crate) mod moves;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use file::{after_line_end, next_line};
 pub use foreign::looks_like_opensbp;
 
 use crate::Program;

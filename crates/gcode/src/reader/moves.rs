@@ -124,30 +124,86 @@ impl Scan<'_> {
     fn signed(&mut self, valued: bool) -> Option<f64> {
         let negative = self.peek() == b'-';
         self.at += usize::from(negative || self.peek() == b'+');
-        if !valued && let Some(end) = short_number(self.bytes, self.at) {
-            self.at = end;
-            return Some(0.0);
+        if valued {
+            let magnitude = number(self.bytes, &mut self.at)?;
+            return Some(if negative { -magnitude } else { magnitude });
         }
-        let magnitude = number(self.bytes, &mut self.at)?;
-        Some(if negative { -magnitude } else { magnitude })
+        match Short::read(self.bytes, self.at) {
+            Some(short) => self.at = short.end,
+            None => _ = number(self.bytes, &mut self.at)?,
+        }
+        Some(0.0)
     }
 }
 
-/// Where a number of so few digits ends that it is surely one.
-fn short_number(bytes: &[u8], start: usize) -> Option<usize> {
-    let digits = |from: usize| {
-        let is_digit = |byte: &&u8| byte.is_ascii_digit();
-        from + bytes.get(from..).unwrap_or_default().iter().take_while(is_digit).count()
-    };
-    let whole = digits(start);
-    let point = bytes.get(whole) == Some(&b'.');
-    let end = if point { digits(whole + 1) } else { whole };
-    let count = end - start - usize::from(point);
-    (1..=15).contains(&count).then_some(end)
+/// A number of at most seven digits before the point and seven behind it, read eight bytes at a time.
+struct Short {
+    whole: Digits,
+    fraction: Digits,
+    end: usize,
+}
+
+impl Short {
+    /// `None` when it is longer, no number, or too close to the end of the text.
+    fn read(bytes: &[u8], start: usize) -> Option<Self> {
+        let whole = Digits::at(bytes, start)?;
+        let mut end = start + whole.count;
+        let mut fraction = Digits { bytes: 0, count: 0 };
+        if bytes.get(end) == Some(&b'.') {
+            fraction = Digits::at(bytes, end + 1)?;
+            end += 1 + fraction.count;
+        }
+        (whole.count + fraction.count > 0).then_some(Self { whole, fraction, end })
+    }
+
+    /// Exact: its digits and the power of ten fit a double, so one division rounds rightly.
+    fn value(&self) -> f64 {
+        if self.fraction.count == 0 {
+            return self.whole.value() as f64;
+        }
+        let ten = TENS[self.fraction.count];
+        (self.whole.value() as f64 * ten + self.fraction.value() as f64) / ten
+    }
+}
+
+/// Up to seven digits.
+#[derive(Clone, Copy)]
+struct Digits {
+    /// The value of each digit in a byte of its own, the first one lowest; rubbish behind them.
+    bytes: u64,
+    count: usize,
+}
+
+impl Digits {
+    /// The digits that begin at a byte; `None` when there are eight or more.
+    fn at(text: &[u8], start: usize) -> Option<Self> {
+        let eight = u64::from_le_bytes(*text.get(start..)?.first_chunk()?);
+        let bytes = eight ^ 0x3030_3030_3030_3030;
+        // The high bit of every byte above 9, up to the first such byte at least: a carry comes only
+        // out of one that is above.
+        let other = (bytes.wrapping_add(0x7676_7676_7676_7676) | bytes) & 0x8080_8080_8080_8080;
+        let count = other.trailing_zeros() as usize / 8;
+        (count < 8).then_some(Self { bytes, count })
+    }
+
+    /// Neighbours are put together: digits to pairs, pairs to fours, fours to all eight.
+    fn value(self) -> u64 {
+        if self.count == 0 {
+            return 0;
+        }
+        let digits = self.bytes << (64 - 8 * self.count);
+        let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8) & 0x00FF_00FF_00FF_00FF;
+        let fours = pairs.wrapping_mul(100).wrapping_add(pairs >> 16) & 0x0000_FFFF_0000_FFFF;
+        fours.wrapping_mul(10_000).wrapping_add(fours >> 32) & 0xFFFF_FFFF
+    }
 }
 
 /// Reads an unsigned decimal number without exponent at `at` and goes behind it.
 pub(super) fn number(bytes: &[u8], at: &mut usize) -> Option<f64> {
+    if let Some(short) = Short::read(bytes, *at) {
+        *at = short.end;
+        return Some(short.value());
+    }
     let start = *at;
     let (mut digits, mut places) = (0u64, 0);
     let mut here = start;
@@ -182,4 +238,31 @@ pub(super) fn number(bytes: &[u8], at: &mut usize) -> Option<f64> {
 fn digit(bytes: &[u8], at: usize) -> Option<u64> {
     let d = bytes.get(at)?.wrapping_sub(b'0');
     (d < 10).then_some(u64::from(d))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_of_every_length_are_read_rightly() {
+        let digits = "9876543210123456789";
+        for whole in 0..=12 {
+            for places in 0..=12 {
+                for tail in ["", " ", "Y1 Z2 A345", ".5", "\n:::::::", "/////////"] {
+                    let point = if places > 0 { "." } else { "" };
+                    let text = format!("{}{point}{}", &digits[..whole], &digits[3..3 + places]);
+                    let (line, mut at) = (format!("{text}{tail}"), 0);
+                    let found = number(line.as_bytes(), &mut at);
+                    if tail == ".5" && places == 0 {
+                        assert_eq!(found, format!("0{text}.5").parse().ok(), "{line}");
+                        continue;
+                    }
+                    let expected =
+                        if text.is_empty() { None } else { format!("0{text}").parse().ok() };
+                    assert_eq!((found, at), (expected, text.len()), "{line}");
+                }
+            }
+        }
+    }
 }

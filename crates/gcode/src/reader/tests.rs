@@ -23,7 +23,9 @@ fn finds(text: &str, expected: &[&str]) {
 
 /// A first line that is a move, as text.
 fn shown(program: &Program) -> String {
-    let Some(plain) = program.move_of(1) else { return format!("{:?}", program.lines[0].node()) };
+    let Some(plain) = program.move_of(1) else {
+        return format!("{:?}", program.line(1).unwrap().node());
+    };
     let known = plain.motion < PlainMove::MODAL;
     let mut text = if known { format!("G{}", plain.motion) } else { "-".into() };
     for (letter, value) in plain.words() {
@@ -71,7 +73,7 @@ fn what_is_no_plain_move_is_a_block() {
     ] {
         let program = program(text);
         assert!(program.diagnostics.is_empty(), "{text}: {:?}", program.diagnostics);
-        let node = program.lines[0].node();
+        let node = program.line(1).unwrap().node();
         let is_move = node == Node::Move;
         assert_eq!(is_move, text == "F100", "{text}: {node:?}");
     }
