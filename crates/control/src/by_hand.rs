@@ -157,6 +157,7 @@ impl<I: Interpreter> Runner<'_, I> {
         loop {
             match self.pass(self.world.now(), until_s, Some(going)) {
                 Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
+                Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
                 Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
                 Some(_) => {}
                 None => break,

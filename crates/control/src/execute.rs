@@ -89,24 +89,6 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.shelf.tape.moves(false, self.world.placed());
     }
 
-    /// Makes moves that nothing stops.
-    pub(crate) fn make_unasked(&mut self, moves: impl IntoIterator<Item = Move>) {
-        self.world.shelf.tape.moves(true, self.world.placed());
-        let t0_s = self.world.now();
-        let mut planner = planner(self.world.machine.settings());
-        moves.into_iter().for_each(|made| planner.push(made));
-        while let Some(plan) = planner.finish() {
-            for index in 0..plan.moves().len() {
-                let [_, end_s] = self.moments(t0_s, plan.span_s(index).into());
-                let going = Going { plan: &plan, index, t0_s };
-                // What is wanted meanwhile comes after it.
-                self.pass_on(&Turn::Operator(Wish::End), end_s, going);
-                self.make_one(&plan, index, t0_s);
-            }
-        }
-        self.world.shelf.tape.moves(false, self.world.placed());
-    }
-
     /// Makes a piece of plan; what is left of the stack goes on after it, unless something halts it.
     fn run_piece(&mut self, piece: Plan) -> Option<Halted> {
         let turned = self.follow_plan(piece);
@@ -369,7 +351,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Whether a stop input is the emergency stop of a machine that cuts its power with it.
-    fn cuts_power(&self, input: u8) -> bool {
+    pub(crate) fn cuts_power(&self, input: u8) -> bool {
         input == kerf_sim::STOP_INPUT && self.world.machine_is.estop.cuts_power
     }
 }

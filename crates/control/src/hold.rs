@@ -16,8 +16,7 @@ use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{
-    Answer, Axes, Axis, AxisSet, Button, Feed, Interpreter, Line, MoveKind, Question, QuestionKind,
-    Status,
+    Answer, Axes, Axis, AxisSet, Button, Interpreter, MoveKind, Question, QuestionKind, Status,
 };
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -28,6 +27,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
         self.on(Stopped::Stop, settings, "");
         self.on(Stopped::Stands, settings, "");
+        self.heeded()?;
         let (resumed, nudged) = self.until_resumed(&hold_question());
         self.kept.nudged = nudged;
         if resumed.is_err() {
@@ -39,7 +39,7 @@ impl<I: Interpreter> Runner<'_, I> {
         resumed?;
         self.world.shelf.tape.goes_on();
         self.on(Stopped::Continue, settings, "");
-        Ok(())
+        self.heeded()
     }
 
     /// Goes back to a place, from wherever the operator moved the machine: over it at a height, or
@@ -47,11 +47,13 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn go_back_to(&mut self, stood: Axes, lifted_mm: f64) {
         let mut above = self.world.machine.position();
         above[Axis::Z] = above[Axis::Z].max(lifted_mm);
-        self.go(MoveKind::Jog, above);
         let mut over = stood;
         over[Axis::Z] = above[Axis::Z];
-        self.go(MoveKind::Jog, over);
-        self.go(MoveKind::Cut, stood);
+        let before = self.nudged.unwrap_or_default();
+        for (kind, to) in [(MoveKind::Jog, above), (MoveKind::Jog, over), (MoveKind::Cut, stood)] {
+            let on_the_way = self.nudged.unwrap_or_default().minus(before);
+            self.go(kind, to.plus(on_the_way));
+        }
     }
 
     /// Does what the operator says until the run goes on, or is given up. With it goes the sum of all
@@ -65,6 +67,9 @@ impl<I: Interpreter> Runner<'_, I> {
                 Ok(Answer::Text(words)) => {
                     if let Some(nudge) = Nudge::read(&words) {
                         nudged = nudged.plus(self.nudge(nudge));
+                        if let Err(over) = self.heeded() {
+                            return (Err(over), nudged);
+                        }
                     } else if let Some(jog) = Jog::read(&words) {
                         self.jog(jog);
                     }
@@ -122,21 +127,17 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Lifts the tool to safe Z when it is lower (command reference, stopping).
     pub(crate) fn lift(&mut self) {
         let mut to = self.world.machine.position();
-        let Some(safe_mm) = self.world.machine.settings().cutter.safe_z_mm else { return };
-        let safe = self.world.machine.frame().working_zero[Axis::Z] + safe_mm;
-        if to[Axis::Z] < safe {
-            to[Axis::Z] = safe;
+        let Some(safe_mm) = self.lift_mm() else { return };
+        if to[Axis::Z] < safe_mm {
+            to[Axis::Z] = safe_mm;
             self.go(MoveKind::Jog, to);
         }
     }
 
-    /// Goes to a place, machine frame, beside the program.
-    pub(crate) fn go(&mut self, kind: MoveKind, to: Axes) {
-        self.mover.set_position(self.world.machine.position());
-        let line = Line { kind, to, feed: Feed::Axis };
-        if let Some(made) = self.mover.line(self.last_move, &line) {
-            self.make_unasked([made]);
-        }
+    /// How high the tool is lifted, machine frame.
+    pub(crate) fn lift_mm(&self) -> Option<f64> {
+        let safe_mm = self.world.machine.settings().cutter.safe_z_mm?;
+        Some(self.world.machine.frame().working_zero[Axis::Z] + safe_mm)
     }
 }
 

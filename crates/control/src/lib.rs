@@ -16,6 +16,7 @@
 
 pub mod answers;
 mod at_rest;
+mod beside;
 mod by_hand;
 mod check;
 pub mod command_passing;

@@ -138,6 +138,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.machine.begin_motion();
         self.tell_taken_up();
         self.lift();
+        self.heeded()?;
         // Cut short before the answer, it is asked when this is gone through again.
         let unanswered = self.world.silent && !self.world.shelf.tape.plays();
         let (ready, nudged) = match unanswered {
@@ -151,9 +152,13 @@ impl<I: Interpreter> Runner<'_, I> {
         ready?;
         self.world.shelf.tape.goes_on();
         self.switch_on(&was_on);
+        let before = self.nudged.unwrap_or_default();
         self.approach(to.plus(nudged));
-        self.go(MoveKind::Cut, to.plus(nudged));
-        self.mover.set_position(ahead.plus(nudged));
+        let on_the_way = self.nudged.unwrap_or_default().minus(before);
+        self.go(MoveKind::Cut, to.plus(nudged).plus(on_the_way));
+        self.heeded()?;
+        let on_the_way = self.nudged.unwrap_or_default().minus(before);
+        self.mover.set_position(ahead.plus(nudged).plus(on_the_way));
         self.shift(nudged);
         self.world.tell(&Event::Resume { t: self.world.now() });
         Ok(())

@@ -59,6 +59,8 @@ pub(crate) struct Runner<'a, I> {
     pub state: State,
     /// Where a run that was stopped comes back to.
     pub kept: Kept,
+    /// What ended the run while the machine moved beside the program.
+    pub ends: Option<Over>,
     /// The run is taken up: where the machine stands meanwhile.
     pub reentry: Option<Placed>,
 }
@@ -110,6 +112,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             trail: Trail::default(),
             state: State::Idle,
             kept: Kept::default(),
+            ends: None,
             reentry: None,
         }
     }

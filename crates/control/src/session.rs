@@ -19,7 +19,7 @@ use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{AXES, Axis, AxisSet, Interpreter as _};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
-use kerf_sim::{Change, Inputs, Machine, Push, Sheet};
+use kerf_sim::{Change, Inputs, Machine, Push, Sheet, Touch};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -35,6 +35,9 @@ pub struct RunOptions {
     pub inputs: Vec<Change>,
     /// The sheet on the table of the simulated machine.
     pub sheet: Option<Sheet>,
+    /// What switches of the simulated machine feel where the tool is.
+    #[serde(default)]
+    pub touches: Vec<Touch>,
     /// Pushes of the simulated machine by hand.
     pub pushes: Vec<Push>,
     /// Tell the user's variables at the end.
@@ -191,7 +194,11 @@ impl Session {
         self.tell_not_homed(&self.machine_is, &options, sink);
         let log = PartLog::begin(self, &options.program, options.started);
         let depth = usize::from(options.program.typed);
-        let machine = self.machine(options.inputs).pushed(options.pushes).doubting(lost(shelf));
+        let machine = self
+            .machine(options.inputs)
+            .with_touches(&options.touches)
+            .pushed(options.pushes)
+            .doubting(lost(shelf));
         let memory = kerf_part::Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
@@ -242,6 +249,7 @@ impl Session {
         let simulated = self
             .machine_like(machine, options.inputs, AxisSet::first(AXES))
             .with_sheet(options.sheet)
+            .with_touches(&options.touches)
             .pushed(options.pushes)
             .doubting(lost(shelf));
         (self.memory.settings, self.memory.frame) = (settings, frame);

@@ -39,7 +39,7 @@ pub(crate) struct Kept {
     /// How far the workpiece was nudged since.
     pub nudged: Axes,
     /// Spindles that turned.
-    spindles: Vec<u8>,
+    pub spindles: Vec<u8>,
     /// Axes that moved by themselves.
     alone: Vec<(Axis, Independent)>,
 }
@@ -65,7 +65,9 @@ impl<I: Interpreter> Runner<'_, I> {
             Effect::SpindleOff => self.stop_spindles(),
             Effect::Raise => {
                 self.lift();
-                self.kept.lifted_mm = self.world.machine.position()[Axis::Z];
+                // The way back is as high although something ended the lift early.
+                let lifted_mm = self.lift_mm().unwrap_or(f64::NEG_INFINITY);
+                self.kept.lifted_mm = lifted_mm.max(self.world.machine.position()[Axis::Z]);
             }
             Effect::AllOff => self.world.machine.outputs_off(),
             Effect::MotorsOff => self.cut_power(),
@@ -89,7 +91,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
     }
 
-    fn stop_spindles(&mut self) {
+    pub(crate) fn stop_spindles(&mut self) {
         self.kept.alone = self.world.machine.moving_alone();
         self.kept.spindles = self.world.machine.stop_spindles();
         self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
@@ -125,11 +127,14 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell_log();
         self.world.tell(&Event::Resume { t: self.world.now() });
         self.spindles_on(&spindles, alone);
+        // What somebody nudges when it is stopped on the way back moves what is ahead too.
+        let before = self.nudged.unwrap_or_default();
         if moved {
             self.go_back_to(stood.plus(nudged), lifted_mm + nudged[Axis::Z]);
         }
+        let on_the_way = self.nudged.unwrap_or_default().minus(before);
         self.shift(nudged);
-        self.mover.set_position(ahead.plus(nudged));
+        self.mover.set_position(ahead.plus(nudged).plus(on_the_way));
         self.tell_standing(0);
     }
 
@@ -172,11 +177,12 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         self.world.shelf.tape.goes_on();
         self.on(Stopped::Released, settings, "");
+        self.heeded()?;
         self.on(Stopped::Continue, settings, "");
-        Ok(())
+        self.heeded()
     }
 
-    fn until_released(&mut self, message: &str) -> Result<(), Over> {
+    pub(crate) fn until_released(&mut self, message: &str) -> Result<(), Over> {
         let question = blocked_question(message, &self.kept.spindles);
         for _ in 0..MOST_REFUSALS {
             match self.ask(&question, self.last_move)? {
@@ -202,7 +208,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let answer = self.ask(&limit_question(message.clone()), at);
         if matches!(answer, Ok(Answer::Button(Button::Continue))) {
             self.on(Stopped::Override, StopSettings::OPENSBP, "");
-            return Ok(());
+            return self.heeded();
         }
         self.on(Stopped::Abort, StopSettings::OPENSBP, &message);
         answer?;

@@ -241,7 +241,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand_until(resumed_s);
         self.world.shelf.tape.goes_on();
         self.on(Stopped::Continue, settings, "");
-        Ok(())
+        self.heeded()
     }
 
     /// Answers the question that is open: an input does, or the operator.

@@ -6,7 +6,8 @@ use kerf_control::answers::Answers;
 use kerf_control::event::Place;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, Outcome, RunOptions, Session, Shelf, Summary, TextOptions, run_text,
+    Company, Event, Outcome, RunOptions, Script, Session, Shelf, Summary, TextOptions, Wish,
+    run_text,
 };
 use kerf_machine::Configuration;
 use kerf_machine::settings::estop::EmergencyStop;
@@ -33,7 +34,11 @@ fn ends(outcome: &Outcome) -> Vec<Place> {
         Event::Arc(arc) => Some(arc.made.to),
         _ => None,
     });
-    to.map(|p| Place { x: round(p.x), y: round(p.y), z: round(p.z), ..p }).collect()
+    to.map(rounded).collect()
+}
+
+fn rounded(p: Place) -> Place {
+    Place { x: round(p.x), y: round(p.y), z: round(p.z), ..p }
 }
 
 fn round(value: f64) -> f64 {
@@ -63,6 +68,109 @@ fn sbp_lim_stop_resume() {
     assert!(stood.x > 0.5 && stood.x < 9.5 && stood.z == -0.5, "{ends:?}");
     assert_eq!(ends[1..5], [stood, lifted, stood, xyz(10.0, 0.0, -0.5)]);
     assert!(resumed.events.iter().any(|e| matches!(e, Event::Resume { .. })));
+}
+
+/// A run that is stopped at 2 s and resumed; the operator wants more, and an input changes.
+fn stopped_again(
+    wishes: &[(f64, Wish)],
+    inputs: &[Change],
+    answers: &str,
+) -> (Summary, Vec<Event>) {
+    let mut events = Vec::new();
+    let mut session = Session::default();
+    session.memory.settings.warning_s = 0.0;
+    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut operator = Answers::read(answers);
+    let wishes = [&[(2.0, Wish::Stop)], wishes].concat();
+    let mut pace = Script::new(wishes, Vec::new());
+    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+    let options = RunOptions { inputs: inputs.to_vec(), ..RunOptions::default() };
+    let program = kerf_sbp::read("a.sbp".into(), format!("SO,1,1\n{SQUARE}").as_bytes());
+    let summary = session.run(program, options, &mut shelf, company);
+    (summary, events)
+}
+
+/// Moves of a run: when they begin and end, where they lead.
+fn moves(events: &[Event]) -> Vec<(f64, f64, Place)> {
+    let made = events.iter().filter_map(|event| match event {
+        Event::Move(made) => Some((made.t0, made.t1, made.to)),
+        _ => None,
+    });
+    made.collect()
+}
+
+/// Moments within the lift and the way back of a run that is stopped at 2 s and resumed.
+fn lift_and_way_back() -> Vec<f64> {
+    let (_, events) = stopped_again(&[], &[], "hold=Resume");
+    let beside = &moves(&events)[2..4];
+    assert!(beside[0].2.z == 1.0 && beside[1].2.z == -0.5, "{beside:?}");
+    let share = |(from, to, _): &(f64, f64, Place)| [0.1, 0.5, 0.9].map(|s| from + (to - from) * s);
+    beside.iter().flat_map(share).collect()
+}
+
+#[test]
+fn the_operator_stops_the_lift_and_the_way_back() {
+    for at_s in lift_and_way_back() {
+        let (summary, events) = stopped_again(&[(at_s, Wish::Stop)], &[], "hold=Resume");
+        assert_eq!(summary.status, Status::Ok, "{at_s}");
+        let stops: Vec<f64> = events
+            .iter()
+            .filter_map(|event| match event {
+                Event::Stop { t, .. } => Some(*t),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(stops.len(), 2, "{at_s}");
+        assert!((stops[1] - at_s).abs() < 0.3, "it stands at {} and not at {at_s}", stops[1]);
+        let mut made = moves(&events);
+        let corners: Vec<Place> =
+            made.split_off(made.len() - 4).into_iter().map(|(.., to)| rounded(to)).collect();
+        let square =
+            [(10.0, 0.0), (10.0, 5.0), (0.0, 5.0), (0.0, 0.0)].map(|(x, y)| xyz(x, y, -0.5));
+        assert_eq!(corners, square, "{at_s}");
+        let given_up = stopped_again(&[(at_s, Wish::Stop)], &[], "Resume\nQuit\nQuit").0;
+        assert!([Status::Stopped, Status::Ok].contains(&given_up.status), "{at_s}");
+    }
+}
+
+#[test]
+fn a_stop_input_stops_the_lift_and_the_way_back() {
+    for at_s in lift_and_way_back() {
+        let pressed =
+            [(at_s, false), (at_s + 3.0, true)].map(|(at_s, on)| Change { input: 4, at_s, on });
+        let (summary, events) = stopped_again(&[], &pressed, "hold=Resume");
+        assert_eq!(summary.status, Status::Ok, "{at_s}");
+        for (from, to, _) in moves(&events) {
+            let apart = to <= at_s + 1e-6 || from >= at_s + 3.0 - 1e-6;
+            assert!(apart, "it moves from {from} to {to} although stopped at {at_s}");
+        }
+        let spindle: Vec<(f64, bool)> = events
+            .iter()
+            .filter_map(|event| match event {
+                Event::Output { n: 1, on, t, .. } => Some((*t, *on)),
+                _ => None,
+            })
+            .collect();
+        let during =
+            |t: f64| spindle.iter().rfind(|(when, _)| *when <= t + 1e-6).is_some_and(|it| it.1);
+        assert!(during(at_s - 0.01) && !during(at_s) && !during(at_s + 2.9), "{at_s}: {spindle:?}");
+        let last = moves(&events).last().unwrap().0;
+        assert!(during(last), "it turns when it cuts again: {spindle:?}");
+        let corner = |at: Place| moves(&events).iter().any(|it| (it.2.x, it.2.y) == (at.x, at.y));
+        assert!(corner(xyz(10.0, 5.0, 0.0)) && corner(xyz(0.0, 5.0, 0.0)), "{at_s}");
+        let given_up = stopped_again(&[], &pressed, "Resume\nQuit\nQuit").0;
+        assert_eq!(given_up.status, Status::Stopped, "{at_s}");
+    }
+}
+
+#[test]
+fn a_lost_link_ends_the_lift_and_the_way_back() {
+    for at_s in lift_and_way_back() {
+        let pulled = [Change { input: CABLE, at_s, on: false }];
+        let (summary, events) = stopped_again(&[], &pulled, "hold=Resume");
+        assert_eq!(summary.status, Status::Failed, "{at_s}");
+        assert!(moves(&events).iter().all(|(_, to, _)| *to < at_s + 0.5), "{at_s}");
+    }
 }
 
 #[test]

@@ -25,6 +25,11 @@ pub struct RunArgs {
     /// the one to the controller, `stall` has a motor stall; may be repeated
     #[arg(long, value_name = "N@T=0|1", value_parser = parse::input)]
     pub input: Vec<Change>,
+    /// What the inputs of the simulated machine do by time and by place, a statement a line: `input 3 on at
+    /// 2.5`, `input 1 on in box 1,2,-1 3,4,0` (also sphere and cylinder, `*` for no bound; mm unless a line
+    /// says `units in`)
+    #[arg(long, value_name = "FILE")]
+    pub script: Option<PathBuf>,
     /// Lays a sheet on the table of the simulated machine: how high it lies, how it rises along X and Y, height
     /// and length of its waves along X
     #[arg(long, value_name = "Z[,X,Y[,WAVE,LENGTH]]", value_parser = parse::sheet, allow_negative_numbers = true)]

@@ -21,6 +21,7 @@ mod picture;
 mod progress;
 mod remote;
 mod report;
+mod script;
 mod setup;
 mod signals;
 mod sources;

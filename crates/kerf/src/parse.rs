@@ -84,13 +84,7 @@ pub fn input(text: &str) -> Result<Change, String> {
     let Some((input, (at, state))) = parts else {
         return Err("give NUMBER@SECONDS=STATE, as 3@2.5=1".into());
     };
-    let number = input.trim().parse().ok().filter(|n| (1..=12).contains(n));
-    let named = || match input.trim() {
-        "cable" => Some(kerf_sim::CABLE),
-        "stall" => Some(kerf_sim::STALL),
-        name => Input::named(name).map(Input::number),
-    };
-    let input = number.or_else(named);
+    let input = input_number(input);
     let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
     let on = match state.trim() {
         "0" => Some(false),
@@ -98,13 +92,23 @@ pub fn input(text: &str) -> Result<Change, String> {
         _ => None,
     };
     match (input, at_s, on) {
-        (None, ..) => {
-            Err("inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into())
-        }
+        (Err(why), ..) => Err(why),
         (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
         (.., None) => Err("the state is 0 or 1".into()),
-        (Some(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),
+        (Ok(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),
     }
+}
+
+/// An input, by its number or its name.
+pub fn input_number(text: &str) -> Result<u8, String> {
+    let number = text.trim().parse().ok().filter(|n| (1..=12).contains(n));
+    let named = || match text.trim() {
+        "cable" => Some(kerf_sim::CABLE),
+        "stall" => Some(kerf_sim::STALL),
+        name => Input::named(name).map(Input::number),
+    };
+    let unknown = || "inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into();
+    number.or_else(named).ok_or_else(unknown)
 }
 
 /// `AXIS@T=BY`, in units of the axis.

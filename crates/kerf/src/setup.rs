@@ -6,6 +6,7 @@ use crate::drawings;
 use crate::exit::Usage;
 use crate::machine_file;
 use crate::memory;
+use crate::script::Script;
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use kerf_control::answers::Answers;
@@ -87,6 +88,11 @@ pub fn job_of(
         session.memory.variables.set(name, value.clone());
     }
     let mut options = run_options(args, &settings, preview);
+    if let Some(path) = &args.script {
+        let script = script(path)?;
+        options.inputs.extend(script.changes);
+        options.touches = script.touches;
+    }
     match &mut work {
         Work::Part(program) => {
             options.program.file.from = from_line(&args.file, program, &shelf)?;
@@ -111,6 +117,15 @@ pub fn beside(work: Work, by_mm: f64) -> Result<Work> {
     }
     let choice = job_file::Choice { offset_mm: by_mm, ..job_file::Choice::default() };
     Ok(choice.of(work).map_err(|why| Usage(why.to_string()))?)
+}
+
+/// The script of the inputs.
+fn script(path: &Path) -> Result<Script> {
+    let of = |wrong: Vec<String>| {
+        let told = |line: &String| format!("{}, {line}", path.display());
+        Usage(wrong.iter().map(told).collect::<Vec<_>>().join("\n"))
+    };
+    Ok(Script::read(&read_text(path)?).map_err(of)?)
 }
 
 /// The script of answers.

@@ -17,6 +17,7 @@ use crate::laser;
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
+use crate::scene::Touch;
 use crate::sheet::Sheet;
 use crate::trigger;
 use kerf_motion::{Plan, Span};
@@ -81,6 +82,8 @@ pub struct Machine {
     /// When the beam that follows the speed goes off, in the move under way.
     beam_ends_s: Option<f64>,
     sheet: Option<Sheet>,
+    /// What switches feel where the tool is.
+    touches: Arc<[Touch]>,
     /// Height control, while it is on.
     law: Option<HeightLaw>,
     follower: Follower,
@@ -129,6 +132,7 @@ impl Machine {
             beam: Beam::Off,
             beam_ends_s: None,
             sheet: None,
+            touches: Arc::default(),
             law: None,
             follower: Follower::default(),
             intensity: (0, false),

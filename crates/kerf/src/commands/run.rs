@@ -22,7 +22,7 @@ use kerf_machine::Configuration;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::FileParameters;
 use std::fs::File;
-use std::io::{self, IsTerminal, LineWriter};
+use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -48,6 +48,9 @@ pub struct RunCommand {
     run: RunArgs,
 }
 
+/// The name of standard output where a file is asked for.
+const STANDARD_OUTPUT: &str = "-";
+
 /// What everything that moves a machine can be told.
 #[derive(Args, Clone)]
 pub struct MachineArgs {
@@ -63,7 +66,8 @@ pub struct MachineArgs {
     /// Draws the tool path as it was run: .svg, .png or .html
     #[arg(long, value_name = "OUT")]
     picture: Option<PathBuf>,
-    /// Writes everything that the run does to a file, an event a line, as `kerf trace` prints it
+    /// Writes everything that the run does to a file, an event a line, as `kerf trace` prints it; with `-` to
+    /// standard output, and nothing else there
     #[arg(long, value_name = "OUT")]
     trace: Option<PathBuf>,
     /// Writes every reading of the height sensor to a file or a device, a byte each, as a potentiometer sends
@@ -96,7 +100,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
             if let Some(by_mm) = args.machine.offset_job {
                 job.work = setup::beside(job.work, by_mm)?;
             }
-            if let (Work::Job(_, machine), false) = (&job.work, args.machine.quiet) {
+            if let (Work::Job(_, machine), false) = (&job.work, args.machine.quiet()) {
                 out::print(&format!("{}\n", in_force(machine)));
             }
             on_machine(job, &args.machine, &run, Talk::default())
@@ -242,8 +246,9 @@ fn attended<'a>(
     let trace = args.trace.as_deref().map(trace).transpose()?;
     let signals = args.vcd.sink(show.machine)?;
     let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
+    let talk = (!args.traces_out()).then_some(show.talk);
     let mut sink =
-        ((show.talk, (trace, (signals, readings))), (Diagnostics::default(), (picture, progress)));
+        ((talk, (trace, (signals, readings))), (Diagnostics::default(), (picture, progress)));
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
@@ -263,7 +268,7 @@ fn attended<'a>(
     if let (Some(picture), Some(format), Some(path)) = (picture, format, &args.picture) {
         picture::write(&picture.finish(&summary, session), format, path)?;
     }
-    if !args.quiet {
+    if !args.quiet() {
         tell(&summary);
     }
     Ok(summary.status.into())
@@ -275,15 +280,24 @@ pub fn tell(summary: &Summary) {
 }
 
 /// A file that takes the trace of a run.
-fn trace(path: &Path) -> Result<JsonLines<LineWriter<File>>> {
+fn trace(path: &Path) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
     let cannot = |e: io::Error| Usage(format!("cannot write {}: {e}", path.display()));
-    Ok(JsonLines::new(LineWriter::new(File::create(path).map_err(cannot)?)))
+    let to: Box<dyn Write> = match path == Path::new(STANDARD_OUTPUT) {
+        true => Box::new(io::stdout()),
+        false => Box::new(File::create(path).map_err(cannot)?),
+    };
+    Ok(JsonLines::new(LineWriter::new(to)))
 }
 
 impl MachineArgs {
     /// No summary is wanted.
-    pub const fn quiet(&self) -> bool {
-        self.quiet
+    pub fn quiet(&self) -> bool {
+        self.quiet || self.traces_out()
+    }
+
+    /// Standard output belongs to the trace.
+    fn traces_out(&self) -> bool {
+        self.trace.as_deref() == Some(Path::new(STANDARD_OUTPUT))
     }
 
     /// Refuses machines that are not there.

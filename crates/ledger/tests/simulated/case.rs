@@ -148,7 +148,7 @@ impl Case {
         // A smoothed path is measured in chords.
         let smooth = self.settings.ramp_model == Some(RampModel::Optimal);
         // A limit and the emergency stop of part files stop at once, as fast as the machine will.
-        let ramps = self.inputs.iter().all(|(input, ..)| *input > 4);
+        let ramps = true;
         let (hair, jump_mm) = if smooth { (2e-3, 0.02) } else { (1e-6, 1e-6) };
         match &self.what {
             What::Part { .. } => {

@@ -206,7 +206,7 @@ impl Machine {
 }
 
 /// When something becomes true or false in a stretch of time, the state at its beginning first.
-fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f64, bool)> {
+pub(super) fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f64, bool)> {
     let mut states = vec![(from_s, is(from_s))];
     let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0) as u64;
     for slice in 1..=slices {

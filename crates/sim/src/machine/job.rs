@@ -1,7 +1,10 @@
 //! What jobs use beside the switches: intensity, pulse frequency, jigs.
 
 use super::Machine;
+use super::height::flips;
+use crate::inputs::Change;
 use crate::log::What;
+use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use kerf_machine::lines::{Input, Output};
 use kerf_motion::{Plan, Span};
@@ -40,6 +43,33 @@ impl Machine {
         self
     }
 
+    /// The same machine with things on its table that switches feel.
+    #[must_use]
+    pub fn with_touches(mut self, touches: &[Touch]) -> Self {
+        self.touches = touches.into();
+        let at = self.true_position();
+        for input in scene::inputs(touches) {
+            if let Some(on) = scene::contact(touches, input, &at) {
+                self.inputs.put(input, on);
+            }
+        }
+        self
+    }
+
+    /// What switches will feel on the way.
+    fn foreseen_touches(&self, plan: &Plan, t0_s: f64) -> Vec<Change> {
+        let change = |input: u8| {
+            let felt = |t_s: f64| {
+                let at = plan.at(t_s).position;
+                scene::contact(&self.touches, input, &at).unwrap_or_default()
+            };
+            let from_s = (self.clock_s - t0_s).max(0.0);
+            let flips = flips(from_s, plan.duration_s(), &felt).into_iter();
+            flips.map(move |(t_s, on)| Change { input, at_s: t0_s + t_s, on })
+        };
+        scene::inputs(&self.touches).into_iter().flat_map(change).collect()
+    }
+
     /// Motion will follow this plan from a moment on: what the sensors will tell is worked out.
     pub fn foresee(&mut self, plan: &Plan, t0_s: f64) {
         if self.draws() {
@@ -50,6 +80,7 @@ impl Machine {
         if let Some(sheet) = self.sheet {
             all.extend(self.foreseen_sensors(plan, t0_s, sheet, &ticks));
         }
+        all.extend(self.foreseen_touches(plan, t0_s));
         all.extend(self.foreseen_faults(&ticks));
         all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
         self.inputs.foresee(all);

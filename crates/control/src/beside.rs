@@ -1,0 +1,109 @@
+//! Moves beside the program: up after a stop, and back to where it was stopped.
+//!
+//! They heed every stop as those of the program do. While the program runs, which is so on the way back, a
+//! stop on the way is a stop like any other: the tool rises, and comes back to that place before it goes on.
+//! While it is stopped already, the question that comes next, or is open, says what follows.
+
+use crate::Event;
+use crate::by_hand::Driven;
+use crate::pace::Wish;
+use crate::runner::{Over, Runner};
+use kerf_diag::Code;
+use kerf_machine::state::State;
+use kerf_program::{Axes, Feed, Interpreter, Line, MoveKind, Status};
+use kerf_sim::HaltCause;
+
+/// What became of a move that was stopped on the way.
+enum After {
+    /// It goes on.
+    On,
+    /// It ends there.
+    Ended,
+}
+
+impl<I: Interpreter> Runner<'_, I> {
+    /// Goes to a place, machine frame; stays on the way when something says so. What ends the run is told
+    /// by [`Runner::heeded`], and nothing moves any more.
+    pub(crate) fn go(&mut self, kind: MoveKind, to: Axes) {
+        let nudged = self.nudged.unwrap_or_default();
+        while self.ends.is_none() {
+            // Whoever stopped it on the way may have nudged the workpiece.
+            let to = to.plus(self.nudged.unwrap_or_default().minus(nudged));
+            self.mover.set_position(self.world.machine.position());
+            let line = Line { kind, to, feed: Feed::Axis };
+            let Some(made) = self.mover.line(self.last_move, &line) else { return };
+            let settings = self.world.machine.settings().clone();
+            let driven = match self.world.machine.stop_input() {
+                Some(n) => Driven::StopInput(n),
+                None => self.drive(made, &settings, None),
+            };
+            match self.on_the_way(driven) {
+                Ok(After::On) => {}
+                Ok(After::Ended) => return,
+                Err(over) => self.ends = Some(over),
+            }
+        }
+    }
+
+    /// What ended the run beside the program.
+    pub(crate) fn heeded(&mut self) -> Result<(), Over> {
+        self.ends.take().map_or(Ok(()), Err)
+    }
+
+    fn on_the_way(&mut self, driven: Driven) -> Result<After, Over> {
+        let runs = self.state == State::Running;
+        let (by, n) = match driven {
+            Driven::There | Driven::Edge(_) => return Ok(After::Ended),
+            Driven::Wish(Wish::End) => {
+                return Err(Over { status: Status::Ended, diagnostic: None });
+            }
+            Driven::Wish(wish) if runs => return self.stands(wish).map(|()| After::On),
+            Driven::Wish(_) => {
+                self.pace.heard();
+                ("operator", 0)
+            }
+            Driven::EmergencyStop => return Err(self.interrupted(&driven)),
+            Driven::Limit(n) => ("limit", n),
+            Driven::StopInput(n) => ("stop", n),
+            Driven::LinkLost => ("link", 0),
+            Driven::Stalled => ("stall", 0),
+        };
+        self.world.tell(&Event::Stop { by, n, t: self.world.now() });
+        match driven {
+            Driven::Limit(n) if runs => {
+                let message = format!("stopped by limit input {n}");
+                self.limited(self.last_move, Code::InputStop, message).map(|()| After::On)
+            }
+            Driven::StopInput(n) if runs || self.cuts_power(n) => self.ended_by(HaltCause::Stop(n)),
+            Driven::StopInput(n) => self.stopped_again(n).map(|()| After::On),
+            Driven::LinkLost => self.ended_by(HaltCause::LinkLost),
+            Driven::Stalled => self.ended_by(HaltCause::Stall),
+            _ => Ok(After::Ended),
+        }
+    }
+
+    /// What follows on an input in a run of a part file; a job never comes here.
+    fn ended_by(&mut self, cause: HaltCause) -> Result<After, Over> {
+        match cause {
+            HaltCause::Stop(n) if self.cuts_power(n) => Err(self.power_is_cut()),
+            HaltCause::Stop(n) => self.blocked(n).map(|()| After::On),
+            HaltCause::LinkLost => Err(self.link_is_lost()),
+            _ => Err(self.has_stalled()),
+        }
+    }
+
+    /// A stop input while the machine is stopped already: nothing moves or turns before it is released.
+    fn stopped_again(&mut self, n: u8) -> Result<(), Over> {
+        let message = self.stop_input_message(format!("stopped by stop input {n}"));
+        let spindles = self.kept.spindles.clone();
+        self.stop_spindles();
+        // They come on again with those that were stopped before.
+        for number in spindles {
+            if !self.kept.spindles.contains(&number) {
+                self.kept.spindles.push(number);
+            }
+        }
+        self.world.tell_log();
+        self.until_released(&message)
+    }
+}
