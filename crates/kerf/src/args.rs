@@ -105,7 +105,8 @@ pub struct PlaceArgs {
     pub allow_path: Vec<PathBuf>,
     #[command(flatten)]
     pub data: DataArgs,
-    /// Start from the machine as it was left, or from inches and zeros [default: kept for send and,
+    /// Start from the machine as it was left, or from inches and zeros, with speeds as Kerf comes with them
+    /// unless --config names a machine [default: kept for send and,
     /// where a data folder is named, for run; fresh for the others]
     #[arg(long, value_enum, value_name = "HOW")]
     pub start: Option<Start>,

@@ -50,7 +50,10 @@ impl Script {
                 let input = parse::input_number(input)?;
                 self.touches.push(Touch { input, on: *state == "on", body: read_body(body, *mm)? });
             }
-            _ => return Err("'input N on|off at SECONDS', 'input N on|off in BODY' or 'units in|mm' expected".into()),
+            _ => return Err(
+                "'input N on|off at SECONDS', 'input N on|off in BODY' or 'units in|mm' expected"
+                    .into(),
+            ),
         }
         Ok(())
     }
@@ -62,7 +65,10 @@ fn read_body(words: &[&str], mm: f64) -> Result<Body, String> {
             let (low, high) = (bounds(low, mm)?, bounds(high, mm)?);
             let turned = |i: usize| low[i].zip(high[i]).is_some_and(|(low, high)| low > high);
             match (0..3).find(|i| turned(*i)) {
-                Some(i) => Err(format!("the lower corner comes first: {} is the wrong way round", ["X", "Y", "Z"][i])),
+                Some(i) => Err(format!(
+                    "the lower corner comes first: {} is the wrong way round",
+                    ["X", "Y", "Z"][i]
+                )),
                 None => Ok(Body::Box { low, high }),
             }
         }
@@ -72,9 +78,16 @@ fn read_body(words: &[&str], mm: f64) -> Result<Body, String> {
         ["cylinder", centre, radius, bottom, top] => {
             let [z] = numbers(bottom, mm)?;
             let [top] = numbers(top, mm)?;
-            Ok(Body::Cylinder { centre: numbers(centre, mm)?, radius: length(radius, mm)?, z: [z, top] })
+            Ok(Body::Cylinder {
+                centre: numbers(centre, mm)?,
+                radius: length(radius, mm)?,
+                z: [z, top],
+            })
         }
-        _ => Err("'box X,Y,Z X,Y,Z', 'sphere X,Y,Z R' or 'cylinder X,Y R BOTTOM TOP' expected".into()),
+        _ => {
+            Err("'box X,Y,Z X,Y,Z', 'sphere X,Y,Z R' or 'cylinder X,Y R BOTTOM TOP' expected"
+                .into())
+        }
     }
 }
 
@@ -94,7 +107,9 @@ fn numbers<const N: usize>(text: &str, mm: f64) -> Result<[f64; N], String> {
 }
 
 fn length(text: &str, mm: f64) -> Result<f64, String> {
-    number(text, mm).and_then(|it| if it > 0.0 { Ok(it) } else { Err(format!("a radius is more than 0, not '{text}'")) })
+    number(text, mm).and_then(|it| {
+        if it > 0.0 { Ok(it) } else { Err(format!("a radius is more than 0, not '{text}'")) }
+    })
 }
 
 fn number(text: &str, mm: f64) -> Result<f64, String> {

@@ -25,6 +25,47 @@ fn sbp_io_open_absolute() {
 }
 
 #[test]
+fn sbp_ctl_run() {
+    let probe = "ON INPUT(1,1) GOTO HIT\nMZ,-3\nPRINT \"nothing\"\nEND\nHIT:\nPRINT %(3)\n";
+    let shop = Shop::new(&[
+        ("probe.sbp", probe),
+        ("plate.txt", "# a plate\nunits in\ninput 1 on in box *,*,-5 *,*,-.6\n"),
+        ("ball.txt", "units in\ninput 1 on in sphere 0,0,-2 .5\n"),
+        ("post.txt", "input 1 on in cylinder 0,0 10 -50 -25.4\n"),
+        ("late.txt", "input 1 on at 1\n"),
+        ("bad.txt", "input 1 on\n\ninput 77 off at 2\n"),
+        ("wait.sbp", "M2,4,0\nPRINT %(51)\nM2,8,0\nPRINT %(51)\nM2,1,0\nPRINT %(51)\n"),
+        ("far.txt", "units in\ninput 1 on in box 5,*,* *,*,*\n"),
+        ("ok.sbp", "MX,1\n"),
+        ("failed.sbp", "MX,1/0\n"),
+    ]);
+    // By place: where a probe going down meets a plate, a ball, a post.
+    for (script, z) in [("plate", -0.6), ("ball", -1.5), ("post", -1.0)] {
+        let did = shop.kerf(&format!("run probe.sbp --start fresh --script {script}.txt"));
+        let text = did.exits(0).out();
+        let told: f64 = text.lines().next().and_then(|line| line.trim().parse().ok()).unwrap();
+        assert!((told - z).abs() < 0.2 && told <= z, "{script}: {told}");
+    }
+    shop.kerf("run wait.sbp --start fresh --script far.txt").exits(0).says("0\n1\n0\n");
+    // By time.
+    shop.kerf("run probe.sbp --start fresh --script late.txt").exits(0).says("-0.");
+    let bad = shop.kerf("run probe.sbp --script bad.txt");
+    bad.exits(2).complains("bad.txt, line 1: ").complains("bad.txt, line 3: inputs are numbered");
+    // Events as JSON lines, and nothing else.
+    for (file, status, code) in [("ok.sbp", "ok", 0), ("failed.sbp", "failed", 1)] {
+        let did = shop.kerf(&format!("run {file} --start fresh --trace -"));
+        let out = did.exits(code).out();
+        let events: Vec<serde_json::Value> =
+            out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        assert_eq!(events[0]["e"], "start");
+        let end = events.last().unwrap();
+        assert_eq!((end["e"].as_str(), end["status"].as_str()), (Some("end"), Some(status)));
+    }
+    shop.kerf("run ok.sbp --start fresh --trace - --stop-at .1").exits(3);
+    shop.kerf("run ok.sbp --machine mill").exits(2).complains("no machine 'mill'");
+}
+
+#[test]
 fn sbp_io_input_headless() {
     let program = "INPUT \"Depth?\" &d\nMSGBOX(Go?,YesNo,x)\nPAUSE\nMZ,&d\n";
     let shop = Shop::new(&[
