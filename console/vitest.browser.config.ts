@@ -4,8 +4,10 @@ import { defineConfig } from "vitest/config";
 export default defineConfig({
   test: {
     include: ["**/*.test.ts"],
-    testTimeout: 60_000,
-    hookTimeout: 60_000,
+    // What a test waits for comes when it comes: these only end one that waits for ever.
+    testTimeout: 240_000,
+    hookTimeout: 120_000,
+    expect: { poll: { timeout: 40_000, interval: 50 } },
     fileParallelism: false,
   },
 });

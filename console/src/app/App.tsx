@@ -3,6 +3,7 @@ import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
 import { HelpScreen } from "../help/HelpScreen";
 import { MessageWindow } from "../operator/MessageWindow";
+import { PauseCard } from "../operator/PauseCard";
 import { SettingsScreen } from "../settings/SettingsScreen";
 import { CalculatorSheet } from "../tools/CalculatorSheet";
 import { Asking, covers } from "./Asking";
@@ -52,6 +53,7 @@ function Body() {
         </Suspense>
       </main>
       <MessageWindow />
+      <PauseCard />
       <FollowedFace />
       <StartedUp />
       {sheet && <OpenSheet sheet={sheet} />}

@@ -46,6 +46,20 @@ describe("selecting", () => {
     expect(hand.clauses).toEqual([]);
   });
 
+  it("picks in cutting order carry their numbers; picked again, a shape loses its own", () => {
+    const third = rectangle(3, 80, 0, 90, 20);
+    const hand = new Hand([small, far, third]).begin("sequence");
+    const numbers = (now: Hand) => {
+      const { picked, numbered } = overlayOf(now.state, now.around);
+      return numbered ? picked.map(({ number }) => number) : undefined;
+    };
+    expect(numbers(hand.click(80, 5).click(10, 5).click(40, 5))).toEqual([3, 1, 2]);
+    expect(numbers(hand.click(10, 5))).toEqual([3, 2]);
+    expect(hand.right().clauses).toEqual(["sequence 3,2"]);
+    // Where the order means nothing, no numbers are drawn.
+    expect(numbers(new Hand([small, far]).begin("erase").click(10, 5))).toBeUndefined();
+  });
+
   it("pro_select_rmb_finish: the right button ends the picking of shapes", () => {
     const hand = new Hand([small, far]).begin("move").click(10, 5).click(40, 5).right();
     expect(hand.state.running?.answers).toEqual([{ kind: "shapes", numbers: [1, 2] }]);

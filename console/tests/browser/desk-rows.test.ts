@@ -8,6 +8,8 @@ import {
   arm,
   command,
   commandDesk,
+  hold,
+  keysOf,
   location,
   openWorkshop,
   stateOf,
@@ -276,11 +278,9 @@ it("sbp_con_keypad_alt: Alt makes PgUp and PgDn move the accessory axis", async 
   const [a, z] = [await location(page, "A"), await location(page, "Z")];
   await line().press("k");
   await page.getByRole("dialog", { name: "Keypad" }).waitFor();
-  await page.keyboard.down("Alt");
-  await page.keyboard.down("PageUp");
-  await until(async () => (await location(page, "A")) > a, "A moves");
-  await page.keyboard.up("PageUp");
-  await page.keyboard.up("Alt");
+  const hand = keysOf(page, ["Alt", "PageUp"]);
+  await hold(workshop, hand, ({ motion }) => motion.at.working[3] > a, "A moves");
+  await hand.up();
   await until(async () => (await stateOf(workshop)).machine.state === "asking", "it stands");
   expect(await location(page, "Z")).toBe(z);
   await page.keyboard.press("Escape");

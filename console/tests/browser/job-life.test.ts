@@ -4,7 +4,17 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
-import { arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  comesToRest,
+  hold,
+  keysOf,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let pages: Page[] = [];
@@ -17,23 +27,17 @@ beforeAll(async () => {
 });
 afterAll(() => workshop?.close());
 afterEach(async () => {
-  await script(workshop, "stop");
-  await wait(300);
-  await script(workshop, "stop");
-  await script(workshop, "acknowledge");
-  await begins("idle");
+  await comesToRest(workshop);
   for (const page of pages) await page.close();
   pages = [];
   await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
 });
 
-const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
 const begins = (state: string) =>
   until(async () => (await stateOf(workshop)).machine.state === state, state);
 
 async function comes(): Promise<Page> {
   const page = await workshop.page();
-  page.setDefaultTimeout(10_000);
   pages.push(page);
   await page.locator(".location-number").first().waitFor();
   return page;
@@ -64,12 +68,9 @@ it("after a stop the tool is moved away, and the cut goes on where it was", asyn
   const stood = (await stateOf(workshop)).motion.at.working;
   await page.getByRole("button", { name: "Move the tool…" }).click();
   await page.getByRole("dialog", { name: "Keypad" }).waitFor();
-  await page.keyboard.down("ArrowUp");
-  await until(async () => {
-    const { motion } = await stateOf(workshop);
-    return motion.at.working[1] > stood[1] + 2;
-  }, "the tool is moved");
-  await page.keyboard.up("ArrowUp");
+  const hand = keysOf(page, ["ArrowUp"]);
+  await hold(workshop, hand, (now) => now.motion.at.working[1] > stood[1] + 2, "it is moved");
+  await hand.up();
   await begins("stopped");
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Resume" }).last().click();
@@ -103,8 +104,7 @@ it("a page that is loaded again shows what the machine does, in each of its stat
     await shows();
     expect(await word(page)).toBe(before);
   };
-  const state = (text: string) => () =>
-    page.locator(".state", { hasText: text }).waitFor({ timeout: 10_000 });
+  const state = (text: string) => () => page.locator(".state", { hasText: text }).waitFor();
   await same(state("Disarmed"));
   await arm(page);
   await cuts(page);
@@ -173,8 +173,7 @@ it("an emergency stop of the machine ends the job, and the page says so", async 
   await page.getByRole("button", { name: "In", exact: true }).click();
   await page.getByRole("switch", { name: "Input 5" }).click();
   await until(async () => (await stateOf(workshop)).machine.state !== "running", "it stands");
-  await wait(300);
-  expect((await stateOf(workshop)).motion.speed).toBe(0);
+  await until(async () => (await stateOf(workshop)).motion.speed === 0, "nothing moves");
   expect(await word(page)).not.toBe("Running");
   // The switch is let go from the question that stands over everything.
   await page.getByRole("button", { name: "Inputs…" }).click();

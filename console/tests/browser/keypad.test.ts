@@ -1,6 +1,18 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
-import { arm, location, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import type { Snapshot } from "../../src/wire/messages";
+import {
+  arm,
+  hold,
+  keysOf,
+  location,
+  moment,
+  openWorkshop,
+  stands,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -11,22 +23,22 @@ beforeAll(async () => {
 });
 afterAll(() => workshop?.close());
 
-const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
-const stands = async () => {
-  if ((await stateOf(workshop)).machine.state === "jogging") return false;
-  const before = await location(page, "X");
-  await wait(300);
-  return before === (await location(page, "X"));
+const inch = 25.4;
+const at = async () => {
+  const [x, y] = (await stateOf(workshop)).motion.at.working;
+  return { x: x / inch, y: y / inch };
 };
+const standing = () => until(() => stands(workshop), "the machine stands");
 
-/** Holds a key for a while and waits until the machine stands; how far X went. */
-async function held(keys: string[], ms: number): Promise<number> {
-  const before = await location(page, "X");
-  for (const key of keys) await page.keyboard.down(key);
-  await wait(ms);
-  for (const key of [...keys].reverse()) await page.keyboard.up(key);
-  await until(stands, "the machine stands");
-  return (await location(page, "X")) - before;
+/** Holds keys until X has gone so far, lets go, and waits until it stands; how far it went, in inches. */
+async function held(keys: string[], inches = 0.3): Promise<number> {
+  const before = (await at()).x;
+  const goes = ({ motion }: Snapshot) => motion.at.working[0] / inch - before > inches;
+  const hand = keysOf(page, keys);
+  await hold(workshop, hand, goes, `${keys.join()} moves`);
+  await hand.up();
+  await standing();
+  return (await at()).x - before;
 }
 
 beforeEach(async () => {
@@ -37,15 +49,19 @@ beforeEach(async () => {
 
 it("sbp_con_keypad_mode: a machine that is not armed does not move, and says why", async () => {
   await page.getByText("Arm the machine first.").waitFor();
-  expect(await held(["ArrowRight"], 300)).toBe(0);
+  const before = await at();
+  await page.keyboard.press("ArrowRight", { delay: 300 });
+  await standing();
+  expect(await at()).toEqual(before);
   await page.keyboard.press("Escape");
   await arm(page);
 });
 
 it("sbp_con_keypad_open: arrows move as long as they are held, ESC closes", async () => {
-  const way = await held(["ArrowRight"], 800);
-  expect(way).toBeGreaterThan(0.2);
-  expect(way).toBeLessThan(3);
+  expect(await held(["ArrowRight"])).toBeGreaterThan(0.3);
+  const there = await at();
+  await moment(300);
+  expect(await at(), "nothing moves any more").toEqual(there);
   // Other software is told so: bit 4 of the status.
   const status = async () =>
     Number(await (await fetch(`${workshop.address}/api/registry/Status`)).text());
@@ -56,22 +72,44 @@ it("sbp_con_keypad_open: arrows move as long as they are held, ESC closes", asyn
 });
 
 it("sbp_con_keypad_jog: with Ctrl at jog speed", async () => {
-  const slow = await held(["ArrowRight"], 1000);
-  const fast = await held(["Control", "ArrowRight"], 1000);
-  expect(fast).toBeGreaterThan(slow * 1.5);
+  const { cut, jog } = (await stateOf(workshop)).speeds;
+  for (const [keys, speed] of [
+    [["ArrowRight"], cut[0]],
+    [["Control", "ArrowRight"], jog[0]],
+  ] as const) {
+    const hand = keysOf(page, keys);
+    const near = ({ motion }: Snapshot) => Math.abs(motion.speed / speed - 1) < 0.02;
+    await hold(workshop, hand, near, `${keys.join()} moves at ${speed} mm/s`);
+    await hand.up();
+    await standing();
+  }
+  expect(jog[0]).toBeGreaterThan(cut[0]);
 });
 
 it("sbp_con_keypad_diag: / moves both axes alike", async () => {
-  const y = await location(page, "Y");
-  const way = await held(["/"], 700);
-  expect(way).toBeGreaterThan(0.1);
-  expect((await location(page, "Y")) - y).toBeCloseTo(way, 2);
+  const { y } = await at();
+  const way = await held(["/"]);
+  expect((await at()).y - y).toBeCloseTo(way, 2);
 });
 
 it("sbp_con_keypad_fixed: D moves the distance that is set", async () => {
   await page.keyboard.press("d");
-  expect(await held(["ArrowLeft"], 900)).toBeCloseTo(-0.1, 3);
-  expect(await held(["ArrowLeft"], 900)).toBeCloseTo(-0.1, 3);
+  /** Holds the key until the step is made; how far it went. */
+  const step = async () => {
+    const { x } = await at();
+    const hand = keysOf(page, ["ArrowLeft"]);
+    await hold(workshop, hand, ({ motion }) => motion.at.working[0] / inch < x - 1e-6, "it moves");
+    await standing();
+    await moment(200);
+    await hand.up();
+    await standing();
+    const way = (await at()).x - x;
+    expect(way, "it goes no further, however long the key is held").toBeGreaterThan(-0.1001);
+    return way;
+  };
+  // Where the link is slow for a moment a step ends early.
+  await until(async () => Math.abs((await step()) + 0.1) < 1e-4, "a step of 0.1 in");
+  await until(async () => Math.abs((await step()) + 0.1) < 1e-4, "one more");
   await page.keyboard.press("d");
 });
 
@@ -80,6 +118,7 @@ it("sbp_con_keypad_record: # and a digit keep the place", async () => {
   await page.keyboard.press("2");
   const kept = await page.locator(".recorded-list").textContent();
   const [x, y] = [await location(page, "X"), await location(page, "Y")];
+  expect(x).toBeCloseTo((await at()).x, 3);
   expect(kept).toBe(`J2,${x},${y}`);
 });
 
@@ -88,13 +127,16 @@ it("sbp_con_keypad_pendant: e makes the mouse a pendant", async () => {
   const pendant = page.locator(".pendant");
   const axis = page.locator(".pendant-axis");
   expect(await axis.textContent()).toBe("X");
-  const before = await location(page, "X");
+  const before = (await at()).x;
   await pendant.hover();
-  await page.mouse.down({ button: "right" });
-  await wait(600);
-  await page.mouse.up({ button: "right" });
-  await until(stands, "the machine stands");
-  expect(await location(page, "X")).toBeGreaterThan(before);
+  const hand = {
+    down: () => page.mouse.down({ button: "right" }),
+    up: () => page.mouse.up({ button: "right" }),
+  };
+  const goes = ({ motion }: Snapshot) => motion.at.working[0] / inch > before + 0.1;
+  await hold(workshop, hand, goes, "the pendant moves it");
+  await hand.up();
+  await standing();
   await pendant.click({ button: "middle" });
   expect(await axis.textContent()).toBe("Y");
   await page.keyboard.press("e");
@@ -106,22 +148,28 @@ it("sbp_con_keypad_help: the keys are listed", async () => {
     expect(help).toContain(key);
 });
 
+/** Holds the arrow until the tool moves. */
+async function moves(): Promise<void> {
+  const before = (await at()).x;
+  const goes = ({ motion }: Snapshot) => motion.at.working[0] / inch > before + 0.05;
+  await hold(workshop, keysOf(page, ["ArrowRight"]), goes, "it moves");
+}
+
 it("stops when the window loses the focus, and starts nothing by itself", async () => {
-  await page.keyboard.down("ArrowRight");
-  await wait(300);
+  await moves();
   await page.evaluate(() => dispatchEvent(new Event("blur")));
-  await until(stands, "the machine stands");
-  expect(await stands()).toBe(true);
+  await standing();
+  const there = await at();
+  await moment(300);
+  expect(await at()).toEqual(there);
   await page.keyboard.up("ArrowRight");
 });
 
 it("stops when the page is gone", async () => {
-  const other = await workshop.page();
-  await page.keyboard.down("ArrowRight");
-  await wait(300);
+  await moves();
   await page.close();
-  await wait(1500);
-  const x = await location(other, "X");
-  await wait(500);
-  expect(await location(other, "X")).toBe(x);
+  await standing();
+  const there = await at();
+  await moment(500);
+  expect(await at()).toEqual(there);
 });

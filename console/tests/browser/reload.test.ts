@@ -4,10 +4,14 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
+import type { Snapshot } from "../../src/wire/messages";
 import {
   arm,
+  comesToRest,
   command,
   commandDesk,
+  hold,
+  keysOf,
   openWorkshop,
   script,
   stateOf,
@@ -35,12 +39,7 @@ beforeEach(async () => {
   await arm(page);
 });
 afterEach(async () => {
-  for (let n = 0; n < 4 && (await now()) !== "idle"; n += 1) {
-    await script(workshop, "stop");
-    await script(workshop, "acknowledge");
-    await new Promise((done) => setTimeout(done, 400));
-  }
-  await begins("idle");
+  await comesToRest(workshop);
   await page.close();
   await other.close();
   await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
@@ -110,7 +109,10 @@ it("the keypad of a part file, with what it says, is open everywhere; a jog is s
   const shows = (one: Page) => keypad(one).getByText("Move it to the corner").waitFor();
   for (const one of [page, other]) await shows(one);
   await keypad(other).getByText("Somebody else drives").waitFor();
-  await page.keyboard.down("ArrowRight");
+  const stood = (await stateOf(workshop)).motion.at.working[0];
+  const hand = keysOf(page, ["ArrowRight"]);
+  const goes = (here: Snapshot) => here.motion.at.working[0] > stood + 1;
+  await hold(workshop, hand, goes, "it moves");
   await begins("jogging");
   await word("Jogging")(other);
   // The page that holds the key is loaded again: nobody holds it any more.
@@ -119,8 +121,9 @@ it("the keypad of a part file, with what it says, is open everywhere; a jog is s
   const { motion } = await stateOf(workshop);
   expect(motion.at.working[0]).toBeGreaterThan(0);
   for (const one of [page, other]) await shows(one);
-  await page.keyboard.up("ArrowRight");
-  await arm(page).catch(() => undefined);
+  await hand.up();
+  await page.getByRole("button", { name: "Arm", exact: true }).click();
+  await until(async () => (await stateOf(workshop)).machine.armed, "it is armed");
   await page.keyboard.press("Escape");
   await keypad(other).waitFor({ state: "detached" });
   await begins("idle");

@@ -22,7 +22,6 @@ async function started(items: string, text = "MX,2\nMY,1\nEND\n"): Promise<Page>
 }
 
 async function shown(page: Page): Promise<Page> {
-  page.setDefaultTimeout(10_000);
   await page.locator(".mode").waitFor();
   return page;
 }
@@ -105,7 +104,7 @@ it("sbp_ctl_sb3_close0: after the file the console is served on", async () => {
   await page.getByRole("radio", { name: "FULL" }).click();
   await arm(page);
   await command(page, "MX,3");
-  await expect.poll(() => location(page, "X"), { timeout: 10_000 }).toBe(3);
+  await expect.poll(() => location(page, "X")).toBe(3);
 });
 
 it("sbp_ctl_sb3_display0: the console is as it was last used", async () => {
@@ -203,7 +202,7 @@ it("sbp_ctl_sb3_display9: no commands, no keypad; only file runs and Stop", asyn
   await is("it stands", ({ machine }) => machine.state === "idle" && machine.mode === "simulated");
   expect(await location(page, "X")).toBe(1);
   await page.getByRole("button", { name: /Start|Cut part/ }).click();
-  await expect.poll(() => location(page, "X"), { timeout: 10_000 }).toBe(2);
+  await expect.poll(() => location(page, "X")).toBe(2);
   await page.getByRole("button", { name: "STOP" }).click();
   await is("it is stopped", ({ machine }) => machine.state === "stopped");
 });

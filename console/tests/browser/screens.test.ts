@@ -16,7 +16,6 @@ beforeAll(async () => {
   file("input.sbp", 'INPUT "How deep" &d\nEND\n');
   file("edit.sbp", "FE,ask.sbp\nEND\n");
   page = await workshop.page();
-  page.setDefaultTimeout(10_000);
   await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
   await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
 });

@@ -15,7 +15,6 @@ beforeAll(async () => {
   workshop = await openWorkshop({ rate: 200 });
   writeFileSync(join(workshop.parts, "a.sbp"), "PAUSE 0.1\nEND\n");
   page = await workshop.page();
-  page.setDefaultTimeout(8000);
   await fullFace(page);
   await arm(page);
   table = (await (await fetch(`${workshop.address}/api/commands`)).json()) as CommandEntry[];

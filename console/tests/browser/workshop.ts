@@ -53,7 +53,7 @@ export async function fullFace(page: Page): Promise<void> {
 }
 
 /** A page with the FULL face on which the sheets stay closed: what is typed is sent as it is. */
-export async function commandDesk(workshop: Workshop, patience_ms = 10_000): Promise<Page> {
+export async function commandDesk(workshop: Workshop, patience_ms = 30_000): Promise<Page> {
   const page = await workshop.page();
   page.setDefaultTimeout(patience_ms);
   await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
@@ -89,13 +89,79 @@ export async function enter(page: Page, name: string | RegExp): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
+/** How long a test waits for anything before it says that it never comes. */
+const patienceMs = 60_000;
+
 /** Waits until something holds, looked at again and again. */
 export async function until(holds: () => Promise<boolean>, words: string): Promise<void> {
-  const end = Date.now() + 20_000;
+  const end = Date.now() + patienceMs;
   while (!(await holds())) {
     if (Date.now() > end) throw new Error(`never: ${words}`);
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
+}
+
+const looks = 100;
+
+/** A short moment between two looks. */
+export const moment = (ms = 40) => new Promise<void>((resolve) => setTimeout(resolve, ms));
+
+/** Whether nothing moves. */
+export const stands = async (workshop: Workshop): Promise<boolean> => {
+  const { machine, motion } = await stateOf(workshop);
+  return machine.state !== "jogging" && machine.state !== "running" && motion.speed === 0;
+};
+
+export interface Hand {
+  down(): Promise<void>;
+  up(): Promise<void>;
+}
+
+/** The keys of a keypad as a hand. */
+export const keysOf = (page: Page, keys: readonly string[]): Hand => ({
+  async down() {
+    for (const key of keys) await page.keyboard.down(key);
+  },
+  async up() {
+    for (const key of [...keys].reverse()) await page.keyboard.up(key);
+  },
+});
+
+/**
+ * Holds what moves the tool until something is so, and does not let go. On a busy computer a link may be
+ * slow for a moment, which ends a jog: then it is let go and held again.
+ */
+export async function hold(
+  workshop: Workshop,
+  hand: Hand,
+  holds: (now: Snapshot) => boolean,
+  words: string,
+): Promise<void> {
+  await until(async () => {
+    await hand.down();
+    for (let [look, moved] = [0, false]; look < looks; look += 1) {
+      const now = await stateOf(workshop);
+      if (holds(now)) return true;
+      const moves = now.machine.state === "jogging";
+      if (moved && !moves) break;
+      moved ||= moves;
+      await moment();
+    }
+    await hand.up();
+    await until(() => stands(workshop), "what was begun is over");
+    return false;
+  }, words);
+}
+
+/** Stops and acknowledges until the machine is idle. */
+export async function comesToRest(workshop: Workshop): Promise<void> {
+  await until(async () => {
+    if ((await stateOf(workshop)).machine.state === "idle") return true;
+    await script(workshop, "stop");
+    await script(workshop, "acknowledge");
+    await moment(150);
+    return (await stateOf(workshop)).machine.state === "idle";
+  }, "the machine is at rest");
 }
 
 export interface WorkshopOptions {
@@ -169,6 +235,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
     mistakes,
     async page(size = { width: 1280, height: 720 }) {
       const page = await browser.newPage({ viewport: size });
+      page.setDefaultTimeout(patienceMs);
       page.on("pageerror", (error) => mistakes.push(error.message));
       page.on("console", (message) => {
         if (message.type() === "error") mistakes.push(message.text());

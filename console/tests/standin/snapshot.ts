@@ -81,6 +81,7 @@ export const firstSnapshot: Snapshot = {
   },
   job: null,
   interrupted: null,
+  pause: null,
   start: null,
   asked: null,
   overrides: { feed: 100 },

@@ -2,7 +2,8 @@
 
 use crate::{
     Asked, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Recorder, Reply, Setup, Snapshot, Speeds, StartUp, Units, Who,
+    NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Speeds, StartUp, Units,
+    Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,6 +43,10 @@ pub enum Change {
     },
     Asked {
         asked: Option<Asked>,
+    },
+    /// A pause of so many seconds begins, or is over.
+    Pause {
+        pause: Option<Pause>,
     },
     Overrides {
         overrides: Overrides,

@@ -51,6 +51,16 @@ impl Default for FileParameters {
     }
 }
 
+/// A pause of so many seconds, while it lasts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Pause {
+    /// The comment of the program right above it; empty where there is none.
+    pub text: String,
+    /// Machine time since the run began at which it is over, seconds.
+    pub until: f64,
+}
+
 /// The folder that part files are chosen from.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]

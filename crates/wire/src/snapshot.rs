@@ -2,7 +2,7 @@
 
 use crate::{
     Asked, Change, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message,
-    Motion, NamedValue, Opened, Overrides, Recorder, Setup, Speeds, Units, VERSION,
+    Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -58,6 +58,8 @@ pub struct Snapshot {
     pub start: Option<StartUp>,
     /// The question that is open.
     pub asked: Option<Asked>,
+    /// The pause of so many seconds that is under way.
+    pub pause: Option<Pause>,
     /// The operator's overrides.
     pub overrides: Overrides,
     /// The print window, oldest line first.
@@ -99,6 +101,7 @@ impl Default for Snapshot {
             interrupted: None,
             start: None,
             asked: None,
+            pause: None,
             overrides: Overrides::default(),
             printed: Vec::new(),
             messages: Vec::new(),
@@ -129,6 +132,7 @@ impl Snapshot {
             Change::Interrupted { interrupted } => self.interrupted = interrupted,
             Change::Start { start } => self.start = start,
             Change::Asked { asked } => self.asked = asked,
+            Change::Pause { pause } => self.pause = pause,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),
             Change::ClearPrinted => self.printed.clear(),

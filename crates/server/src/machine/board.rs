@@ -6,7 +6,7 @@ use crate::told;
 use kerf_control::{Doing, Made};
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
-use kerf_wire::{Call, Change, Io, Message, Motion, NamedValue, Speeds, Tone, Units};
+use kerf_wire::{Call, Change, Io, Message, Motion, NamedValue, Pause, Speeds, Tone, Units};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -62,6 +62,9 @@ pub struct Board {
     watched: Option<Vec<NamedValue>>,
     printed: Vec<String>,
     messages: Vec<Message>,
+    pause: Option<Pause>,
+    /// What the program said last, while nothing came behind it.
+    comment: Option<Arc<str>>,
     /// Number of the run.
     run: u32,
     planned: Planned,
@@ -86,6 +89,8 @@ impl Board {
             watched: None,
             printed: Vec::new(),
             messages: Vec::new(),
+            pause: None,
+            comment: None,
             run,
             planned,
             made: 0,
@@ -96,6 +101,7 @@ impl Board {
     /// Where the machine is at a moment, and what else can be seen of it.
     pub fn see(&mut self, doing: &Doing<'_>, t_s: f64) {
         self.look_at(doing.machine);
+        self.pause.take_if(|pause| pause.until <= t_s);
         let frame = doing.machine.frame();
         let (place, speed, going) = match &doing.going {
             Some(going) => {
@@ -163,6 +169,29 @@ impl Board {
         self.messages.push(Message { tone, text: text.into(), run: self.run });
     }
 
+    /// A comment of the program: the text of a pause that comes next.
+    pub fn comment(&mut self, text: &Arc<str>) {
+        self.say(Tone::Program, &**text);
+        self.comment = Some(text.clone());
+    }
+
+    /// A pause begins.
+    pub fn pause(&mut self, from_s: f64, seconds: f64) {
+        let text = self.comment.take().map(|text| text.to_string()).unwrap_or_default();
+        self.pause = Some(Pause { text, until: from_s + seconds });
+    }
+
+    /// Something else goes on: no pause does.
+    pub fn goes_on(&mut self) {
+        (self.pause, self.comment) = (None, None);
+    }
+
+    /// The run is over.
+    pub fn ends(&mut self) {
+        self.goes_on();
+        self.tell();
+    }
+
     /// Where the run is in its files.
     pub fn stands(&mut self, calls: Vec<Call>) {
         self.calls = Some(calls);
@@ -195,6 +224,8 @@ impl Board {
                 let job = Some(kerf_wire::Job { calls, ..job.clone() });
                 put(now.job != job, Change::Job { job });
             }
+            let pause = self.pause.clone();
+            put(now.pause != pause, Change::Pause { pause });
             if let Some(watched) = self.watched.take() {
                 put(now.watched != watched, Change::Watched { watched });
             }

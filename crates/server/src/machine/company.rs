@@ -10,7 +10,7 @@ use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish};
 use kerf_program::{Question, QuestionKind};
-use kerf_wire::{Asked, Call, Change, Machine, State, Tone};
+use kerf_wire::{Asked, Call, Change, Machine, State};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
@@ -285,8 +285,13 @@ impl Sink for Teller {
     fn event(&mut self, event: &Event) {
         let mut board = self.shared.board.borrow_mut();
         match event {
+            Event::Message { .. } | Event::Wait { .. } | Event::State { .. } => {}
+            _ => board.goes_on(),
+        }
+        match event {
             Event::Print { text, .. } => board.print(text),
-            Event::Message { text, .. } => board.say(Tone::Program, &**text),
+            Event::Message { text, .. } => board.comment(text),
+            Event::Wait { seconds, t } => board.pause(*t, *seconds),
             Event::Diag(found) => board.say(told::tone(found), told::sentence(found)),
             Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
             Event::Clear { .. } => {

@@ -220,7 +220,7 @@ impl Owner {
         let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
         let summary = runs(&mut self.workshop, company);
         self.asked = pages.asked();
-        board.borrow_mut().tell();
+        board.borrow_mut().ends();
         summary
     }
 

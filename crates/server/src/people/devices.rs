@@ -169,7 +169,7 @@ fn token() -> Result<String, PairError> {
 }
 
 /// Whether two texts are the same, in a time that does not tell where they differ.
-fn same(a: &[u8], b: &[u8]) -> bool {
+fn same<T: ConstantTimeEq>(a: &[T], b: &[T]) -> bool {
     a.ct_eq(b).into()
 }
 
@@ -177,6 +177,8 @@ fn same(a: &[u8], b: &[u8]) -> bool {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use std::cell::Cell;
+    use subtle::Choice;
 
     fn devices() -> (tempfile::TempDir, Devices) {
         let dir = tempfile::tempdir().unwrap();
@@ -198,6 +200,48 @@ mod tests {
         again.revoke(device.number).unwrap();
         assert_eq!((again.find(&token), again.has(device.number)), (None, false));
         assert_eq!(Devices::read(dir.path()).unwrap().find(&token), None);
+    }
+
+    /// A byte that counts how often it is compared, and that can be compared in no other way.
+    struct Counted<'a>(u8, &'a Cell<usize>);
+
+    impl ConstantTimeEq for Counted<'_> {
+        fn ct_eq(&self, other: &Self) -> Choice {
+            self.1.set(self.1.get() + 1);
+            self.0.ct_eq(&other.0)
+        }
+    }
+
+    #[test]
+    fn every_byte_is_compared_wherever_the_first_difference_is() {
+        let counter = Cell::new(0);
+        let bytes = |text: &[u8]| text.iter().map(|&b| Counted(b, &counter)).collect::<Vec<_>>();
+        let shown = bytes(b"48210957");
+        for (given, is) in
+            [("48210957", true), ("08210957", false), ("48219957", false), ("48210950", false)]
+        {
+            counter.set(0);
+            assert_eq!(same(&shown, &bytes(given.as_bytes())), is, "{given}");
+            assert_eq!(counter.get(), shown.len(), "{given}: as many as there are");
+        }
+        assert!(!same(&shown, &bytes(b"4821095")), "a shorter one is another");
+    }
+
+    #[test]
+    fn every_device_is_looked_at_and_the_right_one_is_found() {
+        let (_dir, devices) = devices();
+        let tokens: Vec<String> = (0..4)
+            .map(|n| {
+                let code = devices.show_code(Role::Observer).unwrap();
+                devices.pair(&code, &format!("device {n}")).unwrap().0
+            })
+            .collect();
+        for (n, token) in tokens.iter().enumerate() {
+            assert_eq!(devices.find(token).unwrap().name, format!("device {n}"));
+            let mut near = token.clone();
+            near.replace_range(63.., if token.ends_with('0') { "1" } else { "0" });
+            assert_eq!(devices.find(&near), None, "one digit off");
+        }
     }
 
     #[test]
