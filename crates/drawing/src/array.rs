@@ -2,6 +2,7 @@
 
 use kerf_geom::Vec2;
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 /// The corner block at which an array begins.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -171,7 +172,42 @@ pub enum Level {
     Job,
 }
 
+/// Copies that would lie on each other.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error(
+    "the gap between the {lines} of the {level} array is {gap_mm} mm: it must be above {least_mm} mm, so that \
+     they do not lie on each other"
+)]
+pub struct GapError {
+    /// `block` or `job`.
+    pub level: &'static str,
+    /// `rows` or `columns`.
+    pub lines: &'static str,
+    /// The gap.
+    pub gap_mm: f64,
+    /// What it has to be above: the size of what is repeated, negative.
+    pub least_mm: f64,
+}
+
 impl Arrays {
+    /// Checks that copies of a block of this size go on by more than nothing (Profiler notes, "Arrays").
+    ///
+    /// # Errors
+    /// The first gap that is too small.
+    pub fn check(&self, block: Vec2) -> Result<(), GapError> {
+        let job = self.block.size(block);
+        for (level, array, size) in [("block", self.block, block), ("job", self.job, job)] {
+            let rows = ("rows", array.rows, array.row_gap_mm, size.y);
+            let columns = ("columns", array.columns, array.column_gap_mm, size.x);
+            for (lines, count, gap_mm, size) in [rows, columns] {
+                if count > 1 && gap_mm + size <= 0.0 {
+                    return Err(GapError { level, lines, gap_mm, least_mm: -size + 0.0 });
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// A level, to be changed.
     pub fn level_mut(&mut self, level: Level) -> &mut ArrayLevel {
         match level {
@@ -206,6 +242,7 @@ fn place((row, column): (u32, u32), pitch: Vec2) -> Vec2 {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, non_snake_case)]
 mod tests {
     use super::*;
 
@@ -260,6 +297,31 @@ mod tests {
         let block = Vec2::new(100.0, 50.0);
         assert_eq!(two_by_three().pitch(block), Vec2::new(110.0, 70.0));
         assert_eq!(two_by_three().size(block), Vec2::new(320.0, 120.0));
+    }
+
+    #[test]
+    fn pro_array_spacing__negative_gaps_above_the_size() {
+        let block = Vec2::new(100.0, 50.0);
+        let gap = |column_gap_mm: f64, row_gap_mm: f64| {
+            let block = ArrayLevel { column_gap_mm, row_gap_mm, ..two_by_three() };
+            Arrays { block, ..Arrays::default() }
+        };
+        assert_eq!(gap(-99.0, -49.0).check(block), Ok(()));
+        let told = |arrays: Arrays| arrays.check(block).unwrap_err().to_string();
+        let why = "so that they do not lie on each other";
+        let columns =
+            "the gap between the columns of the block array is -100 mm: it must be above -100 mm";
+        assert_eq!(told(gap(-100.0, 0.0)), format!("{columns}, {why}"));
+        let rows = "the gap between the rows of the block array is -60 mm: it must be above -50 mm";
+        assert_eq!(told(gap(0.0, -60.0)), format!("{rows}, {why}"));
+        let job = ArrayLevel { columns: 2, column_gap_mm: -320.0, ..ArrayLevel::default() };
+        let both = Arrays { job, ..gap(10.0, 20.0) };
+        assert!(
+            told(both).contains("columns of the job array is -320 mm: it must be above -320 mm")
+        );
+        // One column has no gap.
+        let one = ArrayLevel { columns: 1, column_gap_mm: -500.0, ..two_by_three() };
+        assert_eq!(Arrays { block: one, ..Arrays::default() }.check(block), Ok(()));
     }
 
     #[test]

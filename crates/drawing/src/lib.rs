@@ -26,7 +26,7 @@ mod settings;
 mod shape;
 mod travel;
 
-pub use array::{ArrayLevel, Arrays, Corner, Level, Order};
+pub use array::{ArrayLevel, Arrays, Corner, GapError, Level, Order};
 pub use drawing::{CommentError, Drawing, MAX_COMMENT_LENGTH, MAX_COMMENTS, bounds_of};
 pub use editor::Editor;
 pub use group::Group;

@@ -269,3 +269,34 @@ fn no_bytes_make_it_panic() {
         read(&bytes, &Options::default());
     }
 }
+
+/// The curve that ezdxf lays through these places is 124.2301 mm long (`fit_points_to_cad_cv`).
+#[test]
+fn a_spline_given_by_the_points_it_goes_through_is_the_curve_of_drawing_programs() {
+    let places = "11 0/21 0/11 10/21 20/11 30/21 0/11 50/21 10/11 70/21 -30";
+    let read = drawn(&format!("0 SPLINE/70 8/71 3/74 5/{places}"));
+    let note =
+        "SPLINE given only by points it goes through: drawn as the cubic spline through them";
+    assert_eq!(told(&read), [note]);
+    let path = &read.drawing.shapes[0].path;
+    near(path.length(), 124.2301, 2e-3);
+    for at in [(0.0, 0.0), (10.0, 20.0), (30.0, 0.0), (50.0, 10.0), (70.0, -30.0)] {
+        let far = path.nearest(kerf_geom::Point2::new(at.0, at.1)).unwrap().1;
+        assert!(far <= 2e-3, "{far} from {at:?}");
+    }
+    let closed = drawn(&format!("0 SPLINE/70 9/71 3/{places}"));
+    assert!(closed.drawing.shapes[0].is_closed());
+    broken(
+        "0 SPLINE/71 3/11 1/21 1/11 1/21 1",
+        "SPLINE with fewer than two different points: left out",
+    );
+}
+
+#[test]
+fn segments_without_length_are_told_with_their_place() {
+    let read =
+        drawn("0 LWPOLYLINE/70 1/10 0/20 0/10 0/20 0/10 10/20 5/10 10/20 5/10 5/20 9/10 0/20 0");
+    let note = "LWPOLYLINE: segments without length left out: 2, the first at 0, 0";
+    assert_eq!(told(&read), [note]);
+    assert_eq!(read.drawing.shapes[0].path.vertices.len(), 3);
+}

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use kerf_drawing::{Drawing, Editor, Group, script};
+use kerf_drawing::{Drawing, Editor, Group, Kind, script};
 use kerf_formats::{Imported, svg};
 
 /// An SVG of 100 × 50 mm, a unit a millimetre.
@@ -110,6 +110,39 @@ fn the_size_of_the_page_is_the_scale() {
 }
 
 #[test]
+fn a_view_is_fitted_into_its_room_as_the_file_says() {
+    let line = "<line x2=\"100\" y2=\"0\"/>";
+    let fitted = |aspect: &str, expected: &str| {
+        let head = format!("width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 100\" {aspect}");
+        let text = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" {head}>{line}</svg>");
+        assert_eq!(shapes(&svg::read(text.as_bytes()).drawing), [expected], "{aspect}");
+    };
+    fitted("", "25,50 75,50");
+    fitted("preserveAspectRatio=\"xMinYMin\"", "0,50 50,50");
+    fitted("preserveAspectRatio=\"xMaxYMax meet\"", "50,50 100,50");
+    fitted("preserveAspectRatio=\"none\"", "0,50 100,50");
+    fitted("preserveAspectRatio=\"xMidYMid slice\"", "0,75 100,75");
+    let rect = "<rect width=\"10\" height=\"10\"/>";
+    let symbol = format!(
+        "<symbol id=\"s\" viewBox=\"0 0 10 10\">{rect}</symbol>\
+         <use href=\"#s\" x=\"5\" y=\"5\" width=\"20\" height=\"20\"/>"
+    );
+    check(&symbol, &["5,45 25,45 25,25 5,25 close"]);
+    let within = "<svg x=\"5\" y=\"5\" width=\"20\" height=\"20\" viewBox=\"10 0 10 10\">\
+        <rect x=\"10\" width=\"10\" height=\"10\"/></svg>";
+    check(within, &["5,45 25,45 25,25 5,25 close"]);
+}
+
+#[test]
+fn segments_without_length_are_told() {
+    let read = drawn("<polygon points=\"0,0 0,0 10,0 10,10\"/>\n<path d=\"M0 0h0h5v0v5\"/>");
+    let told: Vec<_> = read.findings.iter().map(|it| (it.line, it.text.as_str())).collect();
+    let expected =
+        ["polygon", "path"].map(|name| format!("<{name}>: segments without length left out: "));
+    assert_eq!(told, [(1, &*format!("{}1", expected[0])), (2, &*format!("{}2", expected[1]))]);
+}
+
+#[test]
 fn layers_and_what_is_left_out_are_told() {
     let read = drawn(
         "<g id=\"cuts\"><line x2=\"1\"/></g><g id=\"holes\"><circle r=\"1\"/><text>a</text></g>\
@@ -129,12 +162,14 @@ fn what_is_no_svg_is_told() {
     assert!(told(b"<html/>").starts_with("the file is no SVG"));
     let read = drawn("<path d=\"M0 50 L10 50 oops\"/><g id=\"me\"><use href=\"#me\"/></g>");
     assert_eq!(read.drawing.shapes.len(), 1, "what comes before a mistake is kept");
-    assert!(read.findings[0].text.starts_with("too many elements, or one within itself"));
+    let told: Vec<_> = read.findings.iter().map(|finding| finding.text.as_str()).collect();
+    assert_eq!(told[0], "<path>: unexpected data at position 14: the rest is left out");
+    assert!(told[1].starts_with("too many elements, or one within itself"));
 }
 
 #[test]
 fn a_drawing_comes_back_from_svg() {
-    let text = "circle 50,50 25; line 0,0,0.3 10,1 20,5 close; line 5,5 9,9,-0.7 9,20; select 1; group red";
+    let text = "circle 50,50 25; line 0,0,0.3 10,1 20,5 close; line -5,5 9,9,-0.7 9,20; point -7,-3; select 1,2; group red";
     let mut editor = Editor::default();
     for (_, op) in script(text).unwrap() {
         editor.apply(&op).unwrap();
@@ -142,12 +177,10 @@ fn a_drawing_comes_back_from_svg() {
     let written = svg::write(&editor.drawing);
     let back = svg::read(written.as_bytes());
     assert_eq!(back.findings, []);
-    // The page begins at the lower left of the bounds; groups come one after the other.
-    let corner = editor.drawing.bounds().unwrap().min;
+    // Groups come one after the other.
     let mut old = editor.drawing.clone();
     old.shapes.sort_by_key(|shape| shape.group);
-    let moved = kerf_geom::Transform2::moved(kerf_geom::Point2::default() - corner);
-    let expected = Drawing::of(old.shapes.iter().map(|shape| shape.mapped(&moved)));
-    assert_eq!(shapes(&back.drawing), shapes(&expected));
+    assert_eq!(shapes(&back.drawing), shapes(&old));
+    assert_eq!(back.drawing.shapes[1].kind(), Kind::Point);
     assert!(back.layers.iter().any(|(name, _)| name == Group::Red.name()));
 }

@@ -84,13 +84,14 @@ fn what_cannot_be_read_is_told() {
 fn the_layers_of_a_file_become_groups_when_asked() {
     let folder = tempfile::tempdir().unwrap();
     let point = |layer: &str| format!("0\nPOINT\n8\n{layer}\n10\n5\n20\n6\n");
-    let text = point("holes") + &point("cuts") + &point("holes") + "0\nEOF\n";
+    let text = point("holes") + &point("cuts") + &point("holes") + &point("Black") + "0\nEOF\n";
     std::fs::write(folder.path().join("part.dxf"), text).unwrap();
     let output = kerf(folder.path(), &["draw", "part.dxf", "--layers", "-o", "part.rsg"]);
-    assert!(told(&output).contains("layer cuts is group blue"));
+    assert!(told(&output).contains("layer cuts is group green"));
     let groups: Vec<_> =
         shapes(folder.path(), "part.rsg").iter().map(|shape| shape["group"].clone()).collect();
-    assert_eq!(groups, ["black", "blue", "black"]);
+    // A layer named as a group is that group.
+    assert_eq!(groups, ["blue", "green", "blue", "black"]);
 }
 
 #[test]

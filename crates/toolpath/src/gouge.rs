@@ -72,6 +72,16 @@ impl Contours {
         });
     }
 
+    /// Calls `visit` with the shapes whose contours a tool of that radius cuts into on a path; of a tool without
+    /// one with those that a closed path crosses.
+    pub fn touched(&self, path: &Polyarc, radius: f64, mut visit: impl FnMut(usize)) {
+        if radius > 0.0 {
+            path.segments().for_each(|segment| self.nearer(&segment, radius, &mut visit));
+        } else if path.closed {
+            self.crossed_by(path).into_iter().for_each(visit);
+        }
+    }
+
     /// The first shape whose contour a closed path crosses.
     fn crossed_by(&self, path: &Polyarc) -> Option<usize> {
         let mut near = BTreeSet::new();

@@ -3,11 +3,12 @@
 use crate::depth::{Depths, Heights, depth};
 use crate::filter::filtered;
 use crate::gouge::{self, Contours};
+use crate::neighbours;
 use crate::overlap;
 use crate::shape_paths::{Pass, paths};
 use crate::twice;
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, Group, Shape};
+use kerf_drawing::{Drawing, GapError, Group, Shape};
 use kerf_geom::fit::smoothed;
 use kerf_geom::{Offsetter, Point2, Transform2, Vec2};
 use kerf_program::Smoothing;
@@ -62,6 +63,9 @@ pub enum JobError {
         /// Copies of the drawing.
         copies: u64,
     },
+    /// Arrays whose copies lie on each other.
+    #[error(transparent)]
+    Gap(#[from] GapError),
 }
 
 /// Where the copies of a shape come from and go.
@@ -75,7 +79,7 @@ pub(crate) struct Origin {
 /// sequence, block after block, smoothed as is usual.
 ///
 /// # Errors
-/// Arrays that make more than [`MOST_PATHS`].
+/// Arrays that make more than [`MOST_PATHS`], or whose copies lie on each other.
 pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
     smoothed_job(drawing, Smoothing::default().factor)
 }
@@ -118,6 +122,7 @@ pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warni
         return Err(JobError::TooMany { paths, copies });
     }
     let size = drawing.bounds().map_or(Vec2::default(), |bounds| bounds.size());
+    drawing.arrays.check(size)?;
     let places = drawing.arrays.placements(size);
     let laid_out = places.flat_map(|by| block.iter().map(move |path| moved(path, by)));
     let plain = drawing.with_shapes(Vec::new());
@@ -160,6 +165,7 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
             block.push(CutPath { shape: Arc::new(cut), from: number, pass: path.pass });
         }
     }
+    neighbours::check(drawing, &block, &contours, warnings);
     block
 }
 

@@ -18,6 +18,7 @@ mod filter;
 mod gouge;
 mod job;
 mod lead;
+mod neighbours;
 mod neutral;
 mod overlap;
 mod program;

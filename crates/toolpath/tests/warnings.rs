@@ -129,3 +129,32 @@ fn an_offset_that_is_not_exact_is_told() {
         }
     }
 }
+
+#[test]
+fn neighbours_in_an_array_that_cut_into_each_other_are_told() {
+    let plate =
+        |gap: &str| format!("rect 0,0 50,50; set black offset=3; array block 2x3 gap {gap}");
+    let next = |by: &str| {
+        let text = "in the array its cut takes from shape 1 of the block";
+        format!("shape 1 at 0,0: {text} {by} away: make the gap larger")
+    };
+    check(&plate("6,6"), &[]);
+    check(&plate("5.9,6"), &[&next("55.9,0")]);
+    check(&plate("6,5"), &[&next("0,55")]);
+    // The gap between jobs counts as well.
+    let jobs =
+        "rect 0,0 50,50; set black offset=3; array block 1x2 gap 10,0; array job 1x2 gap 4,0";
+    check(jobs, &[&next("54,0")]);
+    // Blocks that overlap without an offset: their outlines cross.
+    check("rect 0,0 50,50; array block 1x2 gap 0,0", &[]);
+    check("rect 0,0 50,50; array block 1x2 gap -10,0", &[&next("40,0")]);
+}
+
+#[test]
+fn arrays_whose_copies_lie_on_each_other_are_refused() {
+    let mut drawing = drawn("rect 0,0 50,50; array block 1x2 gap 40,0");
+    assert!(job(&drawing).is_ok());
+    drawing.arrays.block.column_gap_mm = -50.0;
+    let told = job(&drawing).unwrap_err().to_string();
+    assert!(told.contains("the columns of the block array is -50 mm"), "{told}");
+}

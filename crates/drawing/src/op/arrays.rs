@@ -20,5 +20,8 @@ pub(super) fn set(draft: &mut Editor, level: Level, array: ArrayLevel) -> Result
         return Err(OpError::Bound { what, value, bound });
     }
     *draft.drawing.arrays.level_mut(level) = array;
+    if let Some(bounds) = draft.drawing.bounds() {
+        draft.drawing.arrays.check(bounds.size())?;
+    }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Why an operation was not carried out, and what was noticed when it was.
 
-use crate::{CommentError, SettingsError};
+use crate::{CommentError, GapError, SettingsError};
 use kerf_geom::Point2;
 use thiserror::Error;
 
@@ -99,6 +99,9 @@ pub enum OpError {
         /// The group.
         group: crate::Group,
     },
+    /// An array whose copies lie on each other.
+    #[error(transparent)]
+    Gap(#[from] GapError),
     /// A comment.
     #[error(transparent)]
     Comment(#[from] CommentError),

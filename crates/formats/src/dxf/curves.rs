@@ -3,6 +3,7 @@
 use super::file::Entity;
 use super::import::{Import, Place};
 use super::map::Vec3;
+use super::through::through;
 use kerf_drawing::Shape;
 use kerf_geom::fit::{Ellipse, Nurbs};
 use kerf_geom::{Point2, Polyarc, Segment, Vec2};
@@ -57,20 +58,29 @@ pub(super) fn ellipse<'f, 'a>(
 /// of two metres.
 const SLANTED_CHORDS: usize = 720;
 
+/// Bit of group code 70 of a SPLINE: it returns to its beginning.
+const CLOSED: i64 = 1;
+
 pub(super) fn spline<'f, 'a>(
     import: &mut Import<'f, 'a>,
     entity: &Entity<'f, 'a>,
     place: &Place<'a>,
 ) {
-    let Some(parts) = parts(import, entity) else { return };
-    if parts.points.is_empty() && parts.through.len() > 1 {
-        let text = "SPLINE given only by points it goes through: drawn as lines between them";
-        import.findings.warn("spline", entity.line, text);
-        let world: Vec<Vec3> = parts.through.iter().map(|p| place.map.apply(*p)).collect();
-        return lines(import, entity, place, world);
-    }
+    let Some(mut parts) = parts(import, entity) else { return };
     // Numbers of codes 70 to 74 are small; what does not fit is refused by the spline.
-    let degree = usize::try_from(entity.whole(71, &mut import.findings)).unwrap_or_default();
+    let mut degree = usize::try_from(entity.whole(71, &mut import.findings)).unwrap_or_default();
+    if parts.points.is_empty() && !parts.through.is_empty() {
+        let closed = entity.whole(70, &mut import.findings) & CLOSED != 0;
+        let Some(curve) = through(&parts.through, closed, parts.ends) else {
+            let text = "SPLINE with fewer than two different points: left out";
+            return import.findings.warn("length", entity.line, text);
+        };
+        let text =
+            "SPLINE given only by points it goes through: drawn as the cubic spline through them";
+        import.findings.note("spline", entity.line, text);
+        (degree, parts.knots, parts.points) = (3, curve.knots, curve.points);
+        parts.weights.clear();
+    }
     let world: Vec<Vec3> = parts.points.iter().map(|p| place.map.apply(*p)).collect();
     let flat: Vec<Point2> = world.iter().map(|p| p.flat()).collect();
     let level = world.iter().all(|p| p.z == world[0].z);
@@ -132,12 +142,14 @@ struct Parts {
     weights: Vec<f64>,
     points: Vec<Vec3>,
     through: Vec<Vec3>,
+    /// Directions of the ends.
+    ends: [Option<Vec3>; 2],
 }
 
 fn parts<'f, 'a>(import: &mut Import<'f, 'a>, entity: &Entity<'f, 'a>) -> Option<Parts> {
     let mut parts = Parts::default();
     for tag in entity.tags {
-        if !matches!(tag.code, 10..=31 | 40 | 41) {
+        if !matches!(tag.code, 10..=33 | 40 | 41) {
             continue;
         }
         let Some(value) = tag.real() else {
@@ -150,21 +162,23 @@ fn parts<'f, 'a>(import: &mut Import<'f, 'a>, entity: &Entity<'f, 'a>) -> Option
             41 => parts.weights.push(value),
             10 => parts.points.push(Vec3::new(value, 0.0, 0.0)),
             11 => parts.through.push(Vec3::new(value, 0.0, 0.0)),
-            code => {
-                set(if code % 2 == 0 { &mut parts.points } else { &mut parts.through }, code, value)
+            12 | 13 => parts.ends[usize::from(tag.code) - 12] = Some(Vec3::new(value, 0.0, 0.0)),
+            22 | 23 | 32 | 33 => {
+                let end = parts.ends[usize::from(tag.code) % 10 - 2].as_mut();
+                set(end, tag.code, value);
             }
+            20 | 30 => set(parts.points.last_mut(), tag.code, value),
+            21 | 31 => set(parts.through.last_mut(), tag.code, value),
+            _ => {}
         }
     }
     Some(parts)
 }
 
-fn set(points: &mut [Vec3], code: u16, value: f64) {
-    if let Some(last) = points.last_mut() {
-        match code {
-            20 | 21 => last.y = value,
-            30 | 31 => last.z = value,
-            _ => {}
-        }
+/// Codes of Y are in the twenties, of Z in the thirties.
+fn set(point: Option<&mut Vec3>, code: u16, value: f64) {
+    if let Some(point) = point {
+        *(if code < 30 { &mut point.y } else { &mut point.z }) = value;
     }
 }
 

@@ -16,6 +16,7 @@ mod map;
 mod polyline;
 mod skipped;
 mod tag;
+mod through;
 mod units;
 mod write;
 

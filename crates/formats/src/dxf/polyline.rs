@@ -119,11 +119,31 @@ fn add<'f, 'a>(
     closed: bool,
     height: f64,
 ) {
-    let path = Polyarc { vertices, closed }.tidied();
+    let drawn = Polyarc { vertices, closed };
+    let path = drawn.tidied();
     if path.segment_count() == 0 {
         return too_short(import, entity);
     }
+    tell_repeated(import, entity, &drawn);
     import.flat(entity, place, &path, height);
+}
+
+/// Tells vertices that are written again at once. That the last one is the first says only that it is closed.
+fn tell_repeated(import: &mut Import, entity: &Entity, drawn: &Polyarc) {
+    let pairs = drawn.vertices.windows(2).filter(|pair| pair[0].at == pair[1].at);
+    let (mut count, mut first) = (0, None);
+    pairs.for_each(|pair| {
+        count += 1;
+        first = first.or(Some(pair[0].at));
+    });
+    if let Some(at) = first {
+        let name = entity.shown();
+        let text = format!(
+            "{name}: segments without length left out: {count}, the first at {}, {}",
+            at.x, at.y
+        );
+        import.findings.note("repeated", entity.line, text);
+    }
 }
 
 fn too_short(import: &mut Import, entity: &Entity) {

@@ -8,6 +8,7 @@
 //! Source: SVG 1.1 (second edition), W3C.
 
 mod arc;
+mod page;
 mod path;
 mod read;
 mod shapes;

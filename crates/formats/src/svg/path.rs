@@ -1,25 +1,27 @@
 //! Path data: `M 0 0 L 10 0 A …`.
 
 use super::arc::{ArcWords, ellipse};
+use super::shapes::Drawn;
 use kerf_geom::fit::{Bezier, Ellipse, curve};
 use kerf_geom::{Point2, Polyarc, Segment, Transform2, Vec2, tol};
 use svgtypes::{PathParser, PathSegment};
 
 /// The paths in path data, mapped to millimetres. What comes before a mistake is kept; then the
 /// mistake is told too.
-pub fn paths(data: &str, map: &Transform2, tolerance: f64) -> (Vec<Polyarc>, Option<String>) {
+pub fn paths(data: &str, map: &Transform2, tolerance: f64) -> Drawn {
     let mut pen = Pen::new(map, tolerance);
     for segment in PathParser::from(data) {
         match segment {
             Ok(segment) => pen.follow(&segment),
             Err(error) => {
                 pen.lift(false);
-                return (pen.done, Some(error.to_string()));
+                let wrong = Some(error.to_string());
+                return Drawn { paths: pen.done, wrong, repeated: pen.repeated };
             }
         }
     }
     pen.lift(false);
-    (pen.done, None)
+    Drawn { paths: pen.done, wrong: None, repeated: pen.repeated }
 }
 
 /// Follows path data in the units of the file; what it draws is in millimetres.
@@ -32,6 +34,8 @@ struct Pen<'a> {
     control: Option<Control>,
     drawn: Vec<Segment>,
     done: Vec<Polyarc>,
+    /// Lines without length.
+    repeated: usize,
 }
 
 #[derive(Clone, Copy)]
@@ -43,7 +47,8 @@ enum Control {
 impl<'a> Pen<'a> {
     fn new(map: &'a Transform2, tolerance: f64) -> Self {
         let (at, start) = (Point2::default(), Point2::default());
-        Self { map, tolerance, at, start, control: None, drawn: Vec::new(), done: Vec::new() }
+        let (drawn, done) = (Vec::new(), Vec::new());
+        Self { map, tolerance, at, start, control: None, drawn, done, repeated: 0 }
     }
 
     /// A place of a command, relative to the pen unless it is absolute.
@@ -104,6 +109,7 @@ impl<'a> Pen<'a> {
     }
 
     fn line(&mut self, to: Point2) {
+        self.repeated += usize::from(to == self.at);
         self.draw(&[Segment::line(self.map.apply(self.at), self.map.apply(to))]);
         (self.at, self.control) = (to, None);
     }

@@ -1,15 +1,13 @@
 //! From an SVG file to a drawing.
 
-use super::shapes::{drawn, length};
+use super::page::{inner, page};
+use super::shapes::{Drawn, drawn, spot};
 use crate::Imported;
 use crate::finding::Findings;
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Point2, Polyarc, Transform2, Vec2, tol};
 use roxmltree::{Document, Node};
 use svgtypes::{TransformListParser, TransformListToken};
-
-/// Millimetres in a unit of a file that does not tell its size otherwise.
-const UNIT_MM: f64 = 25.4 / 96.0;
 
 /// Elements within elements, at the most.
 const DEEPEST: usize = 200;
@@ -44,29 +42,6 @@ pub fn read(bytes: &[u8]) -> Imported {
 fn imported(shapes: Vec<Shape>, layers: Vec<(String, Vec<usize>)>, findings: Findings) -> Imported {
     let skipped = findings.skipped();
     Imported { drawing: Drawing::of(shapes), findings: findings.finish(), layers, skipped }
-}
-
-/// From the units of the file to millimetres with Y upwards, the lower edge of the page at 0.
-fn page(root: Node, findings: &mut Findings) -> Transform2 {
-    let box_of = root.attribute("viewBox").and_then(|text| text.parse::<svgtypes::ViewBox>().ok());
-    let size = |name| root.attribute(name).and_then(length).filter(|size| *size > 0.0);
-    let (width, height) = (size("width"), size("height"));
-    let Some(view) = box_of.filter(|view| view.w > 0.0 && view.h > 0.0) else {
-        let height = height.unwrap_or_default() * UNIT_MM;
-        return upwards(Point2::default(), UNIT_MM, height);
-    };
-    let across = width.map(|width| width * UNIT_MM / view.w);
-    let scale = across.or(height.map(|height| height * UNIT_MM / view.h)).unwrap_or_else(|| {
-        findings.note("size", 1, "no width in mm or inches: 96 units to the inch");
-        UNIT_MM
-    });
-    upwards(Point2::new(view.x, view.y), scale, view.h * scale)
-}
-
-fn upwards(corner: Point2, scale: f64, height: f64) -> Transform2 {
-    let to_corner = Transform2::moved(Point2::default() - corner);
-    let flip = Transform2::scaled(Point2::default(), scale, -scale);
-    to_corner.then(&flip).then(&Transform2::moved(Vec2::new(0.0, height)))
 }
 
 /// Where an element is drawn.
@@ -106,7 +81,8 @@ impl<'a> Reading<'a> {
         }
         let place = self.place_of(node, place);
         match node.tag_name().name() {
-            "g" | "a" | "svg" | "switch" => self.children(node, &place),
+            "g" | "a" | "switch" => self.children(node, &place),
+            "svg" => self.children(node, &within(node, node, &place)),
             "use" => self.use_again(node, &place),
             // What these hold is drawn only where something refers to it.
             "defs" | "symbol" | "clipPath" | "mask" | "marker" | "pattern" | "style" | "title"
@@ -145,19 +121,30 @@ impl<'a> Reading<'a> {
         let map = Transform2::moved(Vec2::new(x, y)).then(&place.map);
         let place = Place { map, ..*place };
         match found.tag_name().name() {
-            "symbol" => self.children(found, &place),
+            "symbol" => self.children(found, &within(found, node, &place)),
             _ => self.element(found, &place),
         }
     }
 
     fn shape(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
+        if let Some(at) = spot(node) {
+            return self.keep(Shape::point(place.map.apply(at)), place);
+        }
+        let line = self.line(node);
         match drawn(node, &place.map, tol::FIT_MM) {
             None => self.findings.skip(&format!("<{}>", node.tag_name().name())),
-            Some(Err(why)) => {
-                let line = self.line(node);
-                self.findings.warn("shape", line, format!("{why}: left out"));
+            Some(Err(why)) => self.findings.warn("shape", line, format!("{why}: left out")),
+            Some(Ok(Drawn { paths, wrong, repeated })) => {
+                paths.into_iter().for_each(|path| self.add(node, path, place));
+                if let Some(why) = wrong {
+                    self.findings.warn("shape", line, format!("{why}: the rest is left out"));
+                }
+                if repeated > 0 {
+                    let name = node.tag_name().name();
+                    let text = format!("<{name}>: segments without length left out: {repeated}");
+                    self.findings.note("repeated", line, text);
+                }
             }
-            Some(Ok(paths)) => paths.into_iter().for_each(|path| self.add(node, path, place)),
         }
     }
 
@@ -166,10 +153,16 @@ impl<'a> Reading<'a> {
             let line = self.line(node);
             return self.findings.warn("place", line, format!("{error}: left out"));
         }
-        let Some(shape) = crate::tidy::tidied(Shape::flat(path)) else {
-            let line = self.line(node);
-            return self.findings.warn("length", line, "a path without length: left out");
-        };
+        match crate::tidy::tidied(Shape::flat(path)) {
+            Some(shape) => self.keep(shape, place),
+            None => {
+                let line = self.line(node);
+                self.findings.warn("length", line, "a path without length: left out");
+            }
+        }
+    }
+
+    fn keep(&mut self, shape: Shape, place: &Place) {
         let (number, layer) = (self.shapes.len(), place.layer.unwrap_or("0"));
         match self.layers.iter_mut().find(|(name, _)| name == layer) {
             Some((_, shapes)) => shapes.push(number),
@@ -177,6 +170,11 @@ impl<'a> Reading<'a> {
         }
         self.shapes.push(shape);
     }
+}
+
+/// The same place seen through the view of an element; `user` says how large that is.
+fn within<'a>(node: Node, user: Node, place: &Place<'a>) -> Place<'a> {
+    Place { map: inner(node, user).then(&place.map), ..*place }
 }
 
 fn is_hidden(node: Node) -> bool {

@@ -7,17 +7,39 @@ use roxmltree::Node;
 use std::f64::consts::TAU;
 use svgtypes::PointsParser;
 
+/// What an element draws.
+#[derive(Debug, Default)]
+pub struct Drawn {
+    pub paths: Vec<Polyarc>,
+    /// The mistake at which the reading of it ended.
+    pub wrong: Option<String>,
+    /// How many segments have no length.
+    pub repeated: usize,
+}
+
+/// The class of the dots by which Kerf shows places to drill.
+pub const SPOT: &str = "point";
+
+/// A place to drill.
+pub fn spot(node: Node) -> Option<Point2> {
+    let is_spot = node.tag_name().name() == "circle" && node.attribute("class") == Some(SPOT);
+    is_spot.then(|| Point2::new(or_zero(node, "cx"), or_zero(node, "cy")))
+}
+
 /// What an element draws, or what is wrong with it. Nothing for elements that draw nothing.
-pub fn drawn(node: Node, map: &Transform2, tolerance: f64) -> Option<Result<Vec<Polyarc>, String>> {
-    let one = |path: Option<Polyarc>| {
+pub fn drawn(node: Node, map: &Transform2, tolerance: f64) -> Option<Result<Drawn, String>> {
+    let some = |path: Option<(Polyarc, usize)>| {
         let size = || format!("<{}> without a size", node.tag_name().name());
-        path.map(|path| vec![path]).ok_or_else(size)
+        let one = |(path, repeated)| Drawn { paths: vec![path], wrong: None, repeated };
+        path.map(one).ok_or_else(size)
     };
+    let one = |path: Option<Polyarc>| some(path.map(|path| (path, 0)));
     Some(match node.tag_name().name() {
         "path" => {
-            let (found, wrong) = paths(node.attribute("d").unwrap_or_default(), map, tolerance);
-            match wrong {
-                Some(error) if found.is_empty() => Err(format!("<path>: {error}")),
+            let mut found = paths(node.attribute("d").unwrap_or_default(), map, tolerance);
+            found.wrong = found.wrong.map(|error| format!("<path>: {error}"));
+            match found.wrong {
+                Some(error) if found.paths.is_empty() => Err(error),
                 _ => Ok(found),
             }
         }
@@ -28,8 +50,8 @@ pub fn drawn(node: Node, map: &Transform2, tolerance: f64) -> Option<Result<Vec<
             one(radii.and_then(|(rx, ry)| round(node, rx, ry, map, tolerance)))
         }
         "line" => one(line(node, map)),
-        "polyline" => one(points(node, map, false)),
-        "polygon" => one(points(node, map, true)),
+        "polyline" => some(points(node, map, false)),
+        "polygon" => some(points(node, map, true)),
         _ => return None,
     })
 }
@@ -100,9 +122,12 @@ fn line(node: Node, map: &Transform2) -> Option<Polyarc> {
     (from != to).then(|| Polyarc::lines([from, to], false))
 }
 
-fn points(node: Node, map: &Transform2, closed: bool) -> Option<Polyarc> {
+/// Lines through places, and how many of them have no length.
+fn points(node: Node, map: &Transform2, closed: bool) -> Option<(Polyarc, usize)> {
     let places = PointsParser::from(node.attribute("points")?);
     let places = places.map(|(x, y)| map.apply(Point2::new(x, y)));
-    let path = Polyarc::lines(places, closed).tidied();
-    (path.segment_count() > 0).then_some(path)
+    let lines = Polyarc::lines(places, closed);
+    let repeated = lines.vertices.windows(2).filter(|pair| pair[0].at == pair[1].at).count();
+    let path = lines.tidied();
+    (path.segment_count() > 0).then_some((path, repeated))
 }

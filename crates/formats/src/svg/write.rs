@@ -1,5 +1,7 @@
 //! A drawing as SVG: a millimetre is a unit, arcs are arcs, a group is a layer of its colour.
 
+use super::page::ORIGIN;
+use super::shapes::SPOT;
 use kerf_drawing::{Drawing, Group, Kind, Shape};
 use kerf_geom::{Point2, Segment};
 use std::fmt::Write;
@@ -10,8 +12,8 @@ const DOT_MM: f64 = 0.5;
 /// Width of lines, millimetres: what laser programs take for a cut.
 const LINE_MM: f64 = 0.1;
 
-/// A drawing as SVG, its size in millimetres, the lower left of its bounds at that of the page. Starts,
-/// directions and order stay; settings of groups and arrays are lost.
+/// A drawing as SVG, its size in millimetres, the lower left of its bounds at that of the page, which the
+/// attribute `data-origin` places. Starts and directions stay; settings of groups and arrays are lost.
 pub fn write(drawing: &Drawing) -> String {
     let bounds = drawing.bounds().unwrap_or_default();
     let (corner, size) = if bounds.is_empty() {
@@ -24,11 +26,12 @@ pub fn write(drawing: &Drawing) -> String {
     let _ = writeln!(
         out,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" \
-         viewBox=\"{x} {y} {w} {h}\">",
+         viewBox=\"{x} {y} {w} {h}\" {ORIGIN}=\"{x},{low}\">",
         w = size.x,
         h = size.y,
         x = corner.x,
         y = -corner.y,
+        low = corner.y - size.y,
     );
     for group in Group::ALL {
         let of_group: Vec<&Shape> =
@@ -50,8 +53,12 @@ fn write_group(out: &mut String, group: Group, shapes: &[&Shape]) {
     for shape in shapes {
         if shape.kind() == Kind::Point {
             let at = shape.start();
-            let _ =
-                writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"{DOT_MM}\"/>", at.x, -at.y + 0.0);
+            let _ = writeln!(
+                out,
+                "<circle class=\"{SPOT}\" cx=\"{}\" cy=\"{}\" r=\"{DOT_MM}\"/>",
+                at.x,
+                -at.y + 0.0
+            );
         } else {
             let _ = writeln!(out, "<path d=\"{}\"/>", data(shape));
         }

@@ -91,9 +91,15 @@ pub fn tell_all(file: &Path, findings: &[Finding]) {
     }
 }
 
-/// Eight groups for any number of layers: the ninth layer begins with black again.
+/// A layer named as a group is that group; the others get those that are left, in the order of the file. Eight
+/// groups are for any number of layers: when none is left, they begin with black again.
 fn group_by_layer(file: &Path, read: &mut Imported) {
-    for ((name, shapes), group) in read.layers.iter().zip(Group::ALL.into_iter().cycle()) {
+    let named: Vec<Group> = read.layers.iter().filter_map(|(name, _)| Group::named(name)).collect();
+    let left: Vec<Group> = Group::ALL.into_iter().filter(|it| !named.contains(it)).collect();
+    let left = if left.is_empty() { Group::ALL.to_vec() } else { left };
+    let mut left = left.into_iter().cycle();
+    for (name, shapes) in &read.layers {
+        let Some(group) = Group::named(name).or_else(|| left.next()) else { continue };
         eprintln!("{}: note: layer {name} is group {group}", file.display());
         for shape in shapes {
             let old = &mut read.drawing.shapes[*shape];
