@@ -10,7 +10,7 @@ export function Notices() {
     <div className="notices" role="status" aria-live="polite">
       {notices.map(({ id, text }) => (
         <div className="notice" key={id}>
-          <p>{text}</p>
+          <p className="notice-words">{text}</p>
           <Button look="quiet" size="small" onPress={() => screen.dismiss(id)}>
             Dismiss
           </Button>

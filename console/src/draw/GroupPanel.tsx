@@ -17,6 +17,8 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
   const [open, setOpen] = useState("black");
   const some = scene.selected.size > 0;
   const shown = groups.find(({ name }) => name === open);
+  // Before there is a drawing there is nothing to set.
+  if (groups.length === 0) return null;
   return (
     <Panel title="Groups">
       <ul className="groups">

@@ -14,8 +14,9 @@ export function NudgeSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const units = useSnapshot("units");
   const asked = useSnapshot("asked");
-  const [step, setStep] = useState("0.01");
+  const [typed, setStep] = useState<string | null>(null);
   if (!units) return null;
+  const step = typed ?? (units.mm === 1 ? "0.25" : "0.01");
   const nudge = (axis: AxisUnits, sign: 1 | -1) => {
     const distance = (evaluate(step, { mm: units.mm }) ?? 0) * sign;
     if (asked?.kind === "hold") {

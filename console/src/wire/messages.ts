@@ -150,7 +150,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -649,6 +649,13 @@ export type ParameterKind = { "is": "number" } | { "is": "whole" } | { "is": "ch
 /** As they are written. */
 words: Array<string>, } | { "is": "numberOrOff" } | { "is": "text" } | { "is": "file" } | { "is": "axis" } | { "is": "obsolete" };
 
+/** A pause of so many seconds, while it lasts. */
+export type Pause = {
+/** The comment of the program right above it; empty where there is none. */
+text: string,
+/** Machine time since the run began at which it is over, seconds. */
+until: number, };
+
 /** A place in every frame: mm or degrees, X Y Z A B C. */
 export type Positions = {
 /** Working location: what the location display shows. */
@@ -831,6 +838,8 @@ interrupted: Interrupted | null,
 start: StartUp | null,
 /** The question that is open. */
 asked: Asked | null,
+/** The pause of so many seconds that is under way. */
+pause: Pause | null,
 /** The operator's overrides. */
 overrides: Overrides,
 /** The print window, oldest line first. */

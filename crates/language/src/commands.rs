@@ -1,7 +1,7 @@
 //! The command table as fill-in sheets show it.
 
-use kerf_program::Settings;
 use kerf_program::settings::{AxisUnit, LinearUnit};
+use kerf_program::{Axis, Settings};
 use kerf_sbp::table::{self, Bound, CommandSpec, Default, Group, Kind, ParamSpec, Unit};
 use kerf_tools::{AddIn, Field, Tool};
 use kerf_wire::{CommandEntry, Parameter, ParameterKind};
@@ -144,15 +144,20 @@ fn unit_words(unit: Unit, settings: &Settings) -> String {
         Unit::None => String::new(),
         Unit::Length => linear.into(),
         Unit::Speed => format!("{linear}/s"),
-        Unit::Axis(axis) => match settings.axis_unit(axis) {
-            AxisUnit::Degrees => "deg".into(),
-            AxisUnit::Linear(unit) => unit.symbol().into(),
-        },
+        Unit::Axis(axis) => axis_unit(axis, settings).into(),
+        Unit::AxisSpeed(axis) => format!("{}/s", axis_unit(axis, settings)),
         Unit::StepsPer(_) => "steps".into(),
         Unit::Degrees => "deg".into(),
         Unit::Seconds => "s".into(),
         Unit::Percent => "%".into(),
         Unit::Twips => "1/1440 in".into(),
+    }
+}
+
+fn axis_unit(axis: Axis, settings: &Settings) -> &'static str {
+    match settings.axis_unit(axis) {
+        AxisUnit::Degrees => "deg",
+        AxisUnit::Linear(unit) => unit.symbol(),
     }
 }
 
@@ -227,6 +232,16 @@ mod tests {
         settings.use_linear_unit(LinearUnit::Mm);
         let millimetres = first(&settings);
         assert!(millimetres.as_ref().is_some_and(|p| p.unit == "mm/s"));
+        let units = |letters| {
+            let all = of(letters, &settings).map(|entry| entry.parameters).unwrap_or_default();
+            all.into_iter().map(|p| p.unit).collect::<Vec<_>>()
+        };
+        assert_eq!(
+            units("MS"),
+            ["mm/s", "mm/s", "mm/s", "deg/s"],
+            "a rotary axis turns in degrees"
+        );
+        assert_eq!(units("VR")[..4], ["mm/s", "mm/s", "mm/s", "deg/s"]);
         assert_ne!(inches.and_then(|p| p.present), millimetres.and_then(|p| p.present));
     }
 }

@@ -26,7 +26,7 @@ macro_rules! single {
             &[
                 ParamSpec::required("Target", Kind::Number(Unit::Axis(Axis::$axis)))
                     .about("Where the search ends at the latest."),
-                ParamSpec::required("Speed", Kind::Number(Unit::Axis(Axis::$axis)))
+                ParamSpec::required("Speed", Kind::Number(Unit::AxisSpeed(Axis::$axis)))
                     .within(Bound::Positive),
                 INPUT,
             ],
@@ -144,14 +144,14 @@ macro_rules! speed {
 static SPEEDS: [ParamSpec; 10] = [
     speed!("XY move speed", Unit::Speed, cut.xy),
     speed!("Z move speed", Unit::Speed, cut.z),
-    speed!("A move speed", Unit::Axis(Axis::A), cut.a),
-    speed!("B move speed", Unit::Axis(Axis::B), cut.b),
-    speed!("C move speed", Unit::Axis(Axis::C), cut.c),
+    speed!("A move speed", Unit::AxisSpeed(Axis::A), cut.a),
+    speed!("B move speed", Unit::AxisSpeed(Axis::B), cut.b),
+    speed!("C move speed", Unit::AxisSpeed(Axis::C), cut.c),
     speed!("XY jog speed", Unit::Speed, jog.xy),
     speed!("Z jog speed", Unit::Speed, jog.z),
-    speed!("A jog speed", Unit::Axis(Axis::A), jog.a),
-    speed!("B jog speed", Unit::Axis(Axis::B), jog.b),
-    speed!("C jog speed", Unit::Axis(Axis::C), jog.c),
+    speed!("A jog speed", Unit::AxisSpeed(Axis::A), jog.a),
+    speed!("B jog speed", Unit::AxisSpeed(Axis::B), jog.b),
+    speed!("C jog speed", Unit::AxisSpeed(Axis::C), jog.c),
 ];
 
 /// Targets of axes from the first one on, then speed and input.

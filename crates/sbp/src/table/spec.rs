@@ -107,8 +107,10 @@ pub enum Unit {
     Length,
     /// A speed in linear units a second → mm/s.
     Speed,
-    /// A location, distance or speed in the unit of an axis → mm or degrees.
+    /// A location or distance in the unit of an axis → mm or degrees.
     Axis(Axis),
+    /// A speed in units of an axis a second → mm/s or degrees/s.
+    AxisSpeed(Axis),
     /// Steps for one unit of an axis → steps for one mm or degree.
     StepsPer(Axis),
     /// Degrees.
@@ -160,7 +162,7 @@ impl Unit {
     pub fn scale(self, settings: &Settings) -> f64 {
         match self {
             Self::Length | Self::Speed => settings.linear_unit.mm(),
-            Self::Axis(axis) => settings.axis_scale(axis),
+            Self::Axis(axis) | Self::AxisSpeed(axis) => settings.axis_scale(axis),
             Self::StepsPer(axis) => 1.0 / settings.axis_scale(axis),
             Self::None | Self::Degrees | Self::Seconds | Self::Percent | Self::Twips => 1.0,
         }

@@ -101,7 +101,7 @@ const fn unit_word(unit: Unit) -> &'static str {
     match unit {
         Unit::None => "number",
         Unit::Length => "length",
-        Unit::Speed => "speed",
+        Unit::Speed | Unit::AxisSpeed(_) => "speed",
         Unit::Axis(_) => "location",
         Unit::StepsPer(_) => "steps a unit",
         Unit::Degrees => "degrees",

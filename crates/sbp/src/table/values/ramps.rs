@@ -10,8 +10,8 @@ use kerf_program::settings::{AxisUnit, MM_PER_INCH};
 const SPEED: Kind = Kind::Number(Unit::Speed);
 const LENGTH: Kind = Kind::Number(Unit::Length);
 const PERCENT: Kind = Kind::Number(Unit::Percent);
-const A: Kind = Kind::Number(Unit::Axis(Axis::A));
-const B: Kind = Kind::Number(Unit::Axis(Axis::B));
+const A: Kind = Kind::Number(Unit::AxisSpeed(Axis::A));
+const B: Kind = Kind::Number(Unit::AxisSpeed(Axis::B));
 
 macro_rules! ramp {
     ($name:literal, $kind:ident, $($place:tt)+) => {

@@ -13,8 +13,8 @@ macro_rules! speed {
     };
 }
 
-const A: Unit = Unit::Axis(Axis::A);
-const B: Unit = Unit::Axis(Axis::B);
+const A: Unit = Unit::AxisSpeed(Axis::A);
+const B: Unit = Unit::AxisSpeed(Axis::B);
 
 /// The move speeds, as MS lists them.
 pub(in crate::table) const MOVE: [ParamSpec; 4] = [
