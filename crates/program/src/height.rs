@@ -3,6 +3,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// The largest reading.
+const MOST: f64 = 255.0;
+
 /// How the height is sensed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Gauge {
@@ -13,11 +16,12 @@ pub enum Gauge {
         /// The head is too low.
         low: u8,
     },
-    /// Readings 0 … 255; a larger one means a larger gap.
+    /// Readings 0 … 255; a larger one means a larger gap, or a smaller one where the gain is negative.
     Proportional {
         /// Readings wanted along X and along Y.
         set_points: [f64; 2],
-        /// Millimetres that Z moves for one unit of error.
+        /// Millimetres that Z moves down for one unit of error; negative where a larger reading means a
+        /// smaller gap.
         gain_mm: f64,
         /// Millimetres of gap for one unit.
         scale_mm: f64,
@@ -52,6 +56,19 @@ impl HeightLaw {
     pub fn set_point(&self, dx: f64, dy: f64) -> f64 {
         let Gauge::Proportional { set_points: [x, y], .. } = self.gauge else { return 0.0 };
         x + (y - x) * dy.abs().atan2(dx.abs()) / std::f64::consts::FRAC_PI_2
+    }
+
+    /// What the sensor says of a gap, mm, before it is rounded and held within 0 … 255.
+    pub fn reading(&self, gap_mm: f64) -> f64 {
+        let Gauge::Proportional { gain_mm, scale_mm, .. } = self.gauge else { return 0.0 };
+        let units = gap_mm / scale_mm;
+        if gain_mm < 0.0 { MOST - units } else { units }
+    }
+
+    /// The gap at which the sensor says so, mm.
+    pub fn gap_mm(&self, reading: f64) -> f64 {
+        let Gauge::Proportional { gain_mm, scale_mm, .. } = self.gauge else { return 0.0 };
+        scale_mm * if gain_mm < 0.0 { MOST - reading } else { reading }
     }
 }
 

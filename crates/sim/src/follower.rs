@@ -77,7 +77,7 @@ impl Follower {
 
     /// Takes the reading that is due.
     fn read(&mut self, t_s: f64, law: &HeightLaw, sensed: &Sensed) -> Option<Reading> {
-        let Gauge::Proportional { gain_mm, scale_mm, interval_s, .. } = law.gauge else {
+        let Gauge::Proportional { gain_mm, interval_s, .. } = law.gauge else {
             return None;
         };
         let missing = sensed.silent && sensed.active;
@@ -87,11 +87,11 @@ impl Follower {
         // The line is never idle: a reading that was taken late does not put off the next.
         let late_s = t_s - self.reading_s;
         self.reading_s = interval_s + if late_s < interval_s { self.reading_s } else { t_s };
-        let reading = (gap_mm / scale_mm).round().clamp(0.0, 255.0);
+        let reading = law.reading(gap_mm).round().clamp(0.0, 255.0);
         let set_point = law.set_point(sensed.way[0], sensed.way[1]);
         let error = if sensed.active { reading - set_point } else { 0.0 };
         self.target_mm = self.offset_mm - error * gain_mm;
-        Some(Reading { value: reading as u8, error_mm: gap_mm - set_point * scale_mm })
+        Some(Reading { value: reading as u8, error_mm: gap_mm - law.gap_mm(set_point) })
     }
 
     /// The speed that comes to rest at the target.
@@ -182,6 +182,33 @@ mod tests {
         assert!(up[0] > 0.0 && up[..100].iter().all(|way| *way > 0.0), "from the first tick");
         assert!(up[180..].iter().all(|way| *way == 0.0), "it stops");
         assert!(up.iter().zip(&down).all(|(up, down)| (up + down).abs() < 1e-12));
+    }
+
+    /// A sensor whose reading falls as the gap grows leads to the gap that belongs to its set point.
+    #[test]
+    fn an_inverted_sensor_is_followed_to_its_gap() {
+        let Gauge::Proportional { set_points, gain_mm, scale_mm, interval_s } = law().gauge else {
+            unreachable!()
+        };
+        for sign in [1.0, -1.0] {
+            let gauge =
+                Gauge::Proportional { set_points, gain_mm: sign * gain_mm, scale_mm, interval_s };
+            let law = HeightLaw { gauge, ..law() };
+            let wanted_mm = if sign > 0.0 { 150.0 * 0.038 } else { 105.0 * 0.038 };
+            let (mut z, sheet_mm) = (Follower::default(), -20.0);
+            let mut last = None;
+            for ms in 0..2000 {
+                let gap_mm = -14.0 + z.offset_mm - sheet_mm;
+                last = z.tick(f64::from(ms) * 1e-3, -14.0, &law, &over(gap_mm)).or(last);
+            }
+            let gap_mm = -14.0 + z.offset_mm - sheet_mm;
+            assert!((gap_mm - wanted_mm).abs() < 0.038, "{sign}: {gap_mm}, not {wanted_mm}");
+            let last = last.expect("readings came");
+            assert!(
+                last.error_mm.abs() < 0.038 && last.value.abs_diff(150) <= 1,
+                "{sign}: {last:?}"
+            );
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::dice::Dice;
 use crate::watch::Allowed;
 use crate::{jobs, programs};
-use kerf_control::{RunOptions, Wish, Work};
+use kerf_control::{RunOptions, Started, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::job::Job;
@@ -11,6 +11,9 @@ use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sim::{Change, Sheet};
 use std::fmt;
 use std::sync::Arc;
+
+/// Sets the dice of what was thought of later apart.
+const VARIES: u64 = 0x5eed_0002;
 
 /// What is run.
 #[derive(Clone, Debug)]
@@ -34,6 +37,8 @@ pub struct Case {
     /// Somebody moved the machine by hand, and told where it is now.
     pub pushed: Vec<Axes>,
     pub sheet: Option<Sheet>,
+    /// What the wall clock says when it starts.
+    pub started: Started,
 }
 
 impl Case {
@@ -57,9 +62,19 @@ impl Case {
             kills: Vec::new(),
             pushed: Vec::new(),
             sheet: None,
+            started: Started::default(),
         };
         case.happen(&mut dice);
+        case.vary(&mut Dice::new(seed ^ VARIES));
         case
+    }
+
+    /// What was thought of later: earlier seeds stay what they were.
+    fn vary(&mut self, dice: &mut Dice) {
+        if let What::Job(_, machine) = &mut self.what {
+            machine.height.invert = dice.happens(30);
+        }
+        self.started = wall_clock(dice);
     }
 
     /// What happens to it.
@@ -133,6 +148,7 @@ impl Case {
         let mut options = RunOptions {
             inputs: self.inputs.iter().map(change).collect(),
             sheet: self.sheet,
+            started: Some(self.started.clone()),
             ..RunOptions::default()
         };
         options.program.max_lines = 4000;
@@ -147,8 +163,6 @@ impl Case {
         let feed = feeds.fold(1.0, f64::max);
         // A smoothed path is measured in chords.
         let smooth = self.settings.ramp_model == Some(RampModel::Optimal);
-        // A limit and the emergency stop of part files stop at once, as fast as the machine will.
-        let ramps = true;
         let (hair, jump_mm) = if smooth { (2e-3, 0.02) } else { (1e-6, 1e-6) };
         match &self.what {
             What::Part { .. } => {
@@ -156,7 +170,7 @@ impl Case {
                 Allowed {
                     bounds: limits.check.then_some([limits.low, limits.high]),
                     axis_mm_s: self.settings.dynamics.map(|dynamics| dynamics.speed_mm_s),
-                    axis_mm_s2: self.settings.dynamics.map(|it| it.accel_mm_s2).filter(|_| ramps),
+                    axis_mm_s2: self.settings.dynamics.map(|it| it.accel_mm_s2),
                     feed,
                     hair,
                     jump_mm,
@@ -171,7 +185,7 @@ impl Case {
                 Allowed {
                     bounds: machine.axes.limit_movement.then_some([low, high]),
                     axis_mm_s: Some(machine.program.axis_dynamics().speed_mm_s),
-                    axis_mm_s2: ramps.then(|| machine.program.axis_dynamics().accel_mm_s2),
+                    axis_mm_s2: Some(machine.program.axis_dynamics().accel_mm_s2),
                     feed,
                     hair,
                     jump_mm,
@@ -180,6 +194,16 @@ impl Case {
                 }
             }
         }
+    }
+}
+
+/// Any time of any day.
+fn wall_clock(dice: &mut Dice) -> Started {
+    let [hour, minute, second] = [24, 60, 60].map(|below| dice.below(below));
+    let [year, month, day] = [1970 + dice.below(130), 1 + dice.below(12), 1 + dice.below(28)];
+    Started {
+        time: format!("{hour:02}:{minute:02}:{second:02}"),
+        date: format!("{year}-{month:02}-{day:02}"),
     }
 }
 

@@ -67,6 +67,18 @@ fn whole_runs_hold_what_is_promised() {
     assert!(failed.is_empty(), "{} of {} runs failed, seeds {failed:?}", failed.len(), count.runs);
 }
 
+/// A wall clock that is set forward or back before or between runs changes dates in logs, nothing else.
+#[test]
+fn a_wall_clock_that_jumps_changes_nothing() {
+    for seed in [3, 14, 15, 92, 65, 116] {
+        let case = Case::of(seed);
+        let other = Case { started: Case::of(seed + 1).started, ..case.clone() };
+        assert_ne!(case.started, other.started);
+        let told = |case: &Case| format!("{:?}", life::events(case));
+        assert_eq!(told(&case), told(&other), "seed {seed}");
+    }
+}
+
 /// The same seed gives the same run, event by event.
 #[test]
 fn a_seed_replays_exactly() {

@@ -199,9 +199,9 @@ impl Machine {
     /// Whether the reading says that the head is above the band it is to keep.
     fn above_band(&self, sheet: &Sheet, at: &Axes) -> bool {
         let Some(law) = self.law else { return false };
-        let Gauge::Proportional { scale_mm, set_points, .. } = law.gauge else { return false };
+        let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
         let gap_mm = at[Axis::Z] - sheet.height_mm(at[Axis::X], at[Axis::Y]);
-        gap_mm / scale_mm - set_points[0] >= 1.0
+        (law.reading(gap_mm) - set_points[0]) * gain_mm.signum() >= 1.0
     }
 }
 
