@@ -102,6 +102,86 @@ fn sbp_cmd_ur_clearlog() {
     assert_eq!(shop.shelf.data_file("SbSys.log").as_deref(), Some(""), "yes: begun anew");
 }
 
+/// Runs the Copy Machine on an object; what it wrote.
+fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (Shop, String) {
+    let mut shop = Shop::new(&[]);
+    shop.does(&format!("TC, {entered}"));
+    let text = shop.shelf.text("copy_machine.sbp").unwrap();
+    let touch = kerf_sim::Touch { input: 1, on: !closed, body };
+    let options = RunOptions { touches: vec![touch], ..RunOptions::default() };
+    let program = kerf_sbp::read("copy_machine.sbp".into(), text.as_bytes());
+    let mut events: Vec<Event> = Vec::new();
+    let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+    let summary = shop.session.run(program, options, &mut shop.shelf, company);
+    assert!(summary.error.is_none(), "{:?}\n{text}", summary.error);
+    let written = shop.shelf.text(output).unwrap();
+    (shop, written)
+}
+
+/// Where a part file goes, inches.
+fn cuts(shop: &mut Shop, file: &str) -> Vec<[f64; 3]> {
+    let to = |event: &Event| match event {
+        Event::Move(made) if made.kind == kerf_program::MoveKind::Cut => {
+            Some([made.to.x, made.to.y, made.to.z])
+        }
+        _ => None,
+    };
+    shop.does(&format!("FP,{file}")).iter().filter_map(to).collect()
+}
+
+#[test]
+fn sbp_tool_tc() {
+    // A ball of 1 inch lies with its top at Z 0, its middle at 1,1.
+    let mm = |inches: f64| inches * 25.4;
+    let ball = kerf_sim::Body::Sphere { centre: [mm(1.0), mm(1.0), mm(-0.5)], radius: mm(0.5) };
+    let form = "pattern=3D,width=2,height=2,step=.2,safe_z=.25,lowest=-.5,output=sbp,file=ball";
+    let (mut shop, _) = copied(form, ball, false, "ball.sbp");
+    let points = cuts(&mut shop, "ball.sbp");
+    assert_eq!(points.len(), 121, "11 rows of 11");
+    let mut felt = 0;
+    for [x, y, z] in points {
+        let r2 = 0.25 - (x - 1.0).powi(2) - (y - 1.0).powi(2);
+        let surface = if r2 > 0.0 { (r2.sqrt() - 0.5).max(-0.5) } else { -0.5 };
+        assert!((z - surface).abs() < 0.005, "{x},{y}: {z}, not {surface}");
+        felt += usize::from(z > -0.49);
+    }
+    assert!(felt > 15, "{felt} points on the ball");
+
+    // The outline of a post at half its height; the probe's contact opens.
+    let post = kerf_sim::Body::Cylinder {
+        centre: [mm(3.0), mm(2.0)],
+        radius: mm(0.75),
+        z: [mm(-1.0), 0.0],
+    };
+    let form =
+        "pattern=2D,x=2.8,y=2.1,radius=1.5,points=36,lowest=-.5,probe=normally closed,file=post";
+    let near = |x: f64, y: f64| ((x - 3.0).hypot(y - 2.0) - 0.75).abs() < 0.005;
+    let (mut shop, _) = copied(&format!("{form},output=sbp,depth=.1"), post, true, "post.sbp");
+    let points = cuts(&mut shop, "post.sbp");
+    let outline: Vec<_> = points.iter().filter(|p| (p[2] + 0.1).abs() < 1e-6).collect();
+    assert!(outline.len() >= 37 && outline.iter().all(|p| near(p[0], p[1])), "{points:?}");
+    assert_eq!(outline[0][..2], outline[outline.len() - 1][..2], "it closes");
+
+    // The same as drawings.
+    for (output, kind, count) in [("dxf points", "POINT", 36), ("dxf polyline", "VERTEX", 36)] {
+        let (_, text) = copied(&format!("{form},output={output}"), post, true, "post.dxf");
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.iter().filter(|line| **line == kind).count(), count, "{text}");
+        let read = |code: &str| -> Vec<f64> {
+            let pairs = lines.chunks_exact(2).filter(|pair| pair[0] == code);
+            pairs.map(|pair| pair[1].parse().unwrap()).collect()
+        };
+        let (xs, ys) = (read("10"), read("20"));
+        assert!(xs.len() == count && xs.iter().zip(&ys).all(|(x, y)| near(*x, *y)), "{text}");
+        let opened =
+            kerf_formats::dxf::read(text.as_bytes(), &kerf_formats::dxf::Options::default());
+        let length: f64 = opened.drawing.shapes.iter().map(|shape| shape.path.length()).sum();
+        let round = mm(0.75) * std::f64::consts::TAU;
+        let outline = output == "dxf polyline";
+        assert!(!outline || (length - round).abs() < 0.01 * round, "{length}, not {round}");
+    }
+}
+
 #[test]
 fn sbp_tool_td() {
     let mut shop = Shop::new(&[]);

@@ -8,6 +8,7 @@
 //! it writes the files and previews or runs them.
 
 mod add_ins;
+mod copy;
 mod drill_press;
 mod entries;
 mod field;
@@ -67,7 +68,8 @@ pub enum Place {
 }
 
 /// Every tool, in the order of its letters.
-pub const TOOLS: [&Tool; 6] = [
+pub const TOOLS: [&Tool; 7] = [
+    &copy::TOOL,
     &drill_press::TOOL,
     &fluter::TOOL,
     &header::TOOL,
