@@ -257,6 +257,11 @@ impl Retimed {
         (self.behind, self.last) = (Vec::new(), Vec::new());
     }
 
+    /// The planner, which has nothing, gives its next pieces soon.
+    pub(crate) fn hurry(&mut self) {
+        self.planner.hurry();
+    }
+
     /// Takes back from the planner what did not come out; it waits, with another feed if there is one.
     pub(crate) fn wait_with(&mut self, share: Option<f32>) {
         let planned = self.ready.take().into_iter().chain(self.ahead.take());

@@ -8,7 +8,7 @@ use crate::moves::Move;
 use crate::plan::{Law, Plan, State};
 use crate::retimed::Retimed;
 use crate::stop::Stop;
-use kerf_program::Axes;
+use kerf_program::{AXES, Axes};
 use std::sync::Arc;
 
 /// The plan with another feed is looked for at moments so far apart, seconds, and at so many.
@@ -17,6 +17,11 @@ const LOOKS: u32 = 1000;
 
 /// Places and directions that differ by less are the same, mm and share of the speed.
 const SAME: f64 = 1e-6;
+
+/// The other plan begins so many times farther behind than a straight line needs to be up to speed, and
+/// at least so many moves: the path near a beginning is smoothed otherwise.
+const RISES: f64 = 4.0;
+const LEAST_BEHIND: usize = 64;
 
 /// Where one plan is left for another.
 struct Splice {
@@ -35,10 +40,15 @@ impl Retimed {
         let (mut all, stand) = self.until_stand(piece.by(plain_clock()), t_s, true)?;
         let Law::Clocked(law) = &all.law else { return None };
         self.wait_with(Some(share));
-        let behind = self.behind.len();
-        let planned = self.behind.iter().copied().chain(law.planned_moves());
-        let planned: Vec<Move> = planned.map(|m| m.at_feed(share)).collect();
-        let count = (behind + law.begin.0 + stand.move_index + 1).min(planned.len());
+        self.hurry();
+        let planned: Vec<Move> = self.behind.iter().copied().chain(law.planned_moves()).collect();
+        let here = law.planned(law.clock.at(t_s).plan_s);
+        let first = first_needed(&planned[..=self.behind.len() + here.move_index], speed(&here), law);
+        let planned: Vec<Move> = planned[first..].iter().map(|m| m.at_feed(share)).collect();
+        // How many moves the other plan has before the first of this one, or less than none.
+        let behind = self.behind.len() as isize - first as isize;
+        let last = law.begin.0 + stand.move_index + 1;
+        let count = last.saturating_add_signed(behind).min(planned.len());
         self.wait_first(&planned);
         self.clock = None;
         let mut fresh = self.next()?.by(plain_clock());
@@ -67,9 +77,24 @@ impl Retimed {
     }
 }
 
+/// The first of the moves, the last of which is being made, with which a plan from rest comes up to
+/// this speed in time, by the same path.
+fn first_needed(moves: &[Move], v_mm_s: f64, law: &Clocked) -> usize {
+    let accels = law.dynamics().map_or([0.0; AXES], |dynamics| dynamics.accel_mm_s2.0);
+    let least = accels.into_iter().fold(f64::INFINITY, f64::min);
+    let needed_mm = RISES * v_mm_s * v_mm_s / (2.0 * least);
+    let mut way_mm = 0.0;
+    let near = |m: &&Move| {
+        way_mm += m.length_mm;
+        way_mm < needed_mm
+    };
+    let count = moves.iter().rev().take_while(near).count().max(LEAST_BEHIND) + 1;
+    moves.len().saturating_sub(count)
+}
+
 /// Where one plan is left for another whose moves begin so many earlier: at once, or where it has
 /// slowed to the speed of the other; and the plan as it runs until then.
-fn splice(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<(Splice, Clocked)> {
+fn splice(from: &Clocked, to: &Clocked, behind: isize, t_s: f64) -> Option<(Splice, Clocked)> {
     if let Some(splice) = splice_at(from, to, behind, t_s) {
         return Some((splice, from.clone()));
     }
@@ -81,10 +106,10 @@ fn splice(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<(Spli
 }
 
 /// The same at a moment; `None` where the other plan is slower, or elsewhere.
-fn splice_at(from: &Clocked, to: &Clocked, behind: usize, t_s: f64) -> Option<Splice> {
+fn splice_at(from: &Clocked, to: &Clocked, behind: isize, t_s: f64) -> Option<Splice> {
     let tick = from.clock.at(t_s);
     let old = from.planned(tick.plan_s);
-    let begin = (old.move_index + behind, old.share);
+    let begin = (old.move_index.checked_add_signed(behind)?, old.share);
     let plan_s = to.planned_at(begin.0, begin.1)?;
     let new = to.planned(plan_s);
     let (v, w) = (speed(&old) * tick.rate, speed(&new));

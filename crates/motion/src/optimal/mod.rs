@@ -63,6 +63,11 @@ impl OptimalPlanner {
         Self(Stream::new(dynamics))
     }
 
+    /// The first pieces of plan are needed soon: they come out after few moves.
+    pub(crate) fn hurry(&mut self) {
+        self.0.hurry();
+    }
+
     /// Forgets the stack, and goes on in motion with these moves, of which the first lie before;
     /// under a limit of jerk.
     pub(crate) fn run_on(&mut self, moves: &[Move], running: Running) {

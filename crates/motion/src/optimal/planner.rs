@@ -27,6 +27,10 @@ const BLOCK_WITH_JERK: usize = 32;
 /// Speeds are looked for when at least so many cells wait for theirs.
 const ENOUGH: usize = 1024;
 
+/// Where somebody waits for the plan both begin with so few, and double from time to time.
+const BLOCK_SOON: usize = 64;
+const ENOUGH_SOON: usize = 128;
+
 /// Nodes closer to the end of a move than this are at it, mm.
 const SAME_MM: f64 = 1e-9;
 
@@ -119,6 +123,16 @@ impl Stream {
         Self { dynamics: *dynamics, block, moves: Vec::new(), seen: 0, track, begin: 0, lanes }
     }
 
+    /// The first pieces of plan come out after few moves.
+    pub fn hurry(&mut self) {
+        self.block = self.block.min(BLOCK_SOON);
+        match &mut self.lanes {
+            Lanes::Three(lane) => lane.enough = ENOUGH_SOON,
+            Lanes::All(lane) => lane.enough = ENOUGH_SOON,
+            Lanes::ThreeWithJerk(_) | Lanes::AllWithJerk(_) => {}
+        }
+    }
+
     /// Begins in motion, with a limit of jerk; the first of the moves lie before.
     pub fn running(dynamics: &Dynamics, moves: &[Move], running: Running) -> Self {
         let mut stream = Self::new(dynamics);
@@ -165,6 +179,8 @@ impl Stream {
         self.moves.push(made);
         if self.moves.len() - self.seen >= self.block {
             self.advance(self.moves.len(), false);
+            let most = self.dynamics.jerk_mm_s3.map_or(BLOCK, |_| BLOCK_WITH_JERK);
+            self.block = (2 * self.block).min(most);
         }
     }
 
@@ -372,7 +388,7 @@ impl<const N: usize> Speeds for Lane<N> {
         }
         if ended || passes.gates.len() >= self.enough {
             passes.settle(ended);
-            self.enough = ENOUGH.max(2 * passes.gates.len());
+            self.enough = ENOUGH.min(2 * self.enough).max(2 * passes.gates.len());
         }
     }
 
