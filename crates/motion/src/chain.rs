@@ -153,6 +153,13 @@ impl Clocked {
         self.by(Easing::new(self, dynamics).stand(now, settled))
     }
 
+    /// The same as steeply as the accelerations allow, whatever limit of jerk there is.
+    pub fn braked(&self, t_s: f64) -> Option<Self> {
+        let dynamics = Dynamics { jerk_mm_s3: None, ..self.dynamics()? };
+        let now = self.clock.at(t_s);
+        Some(self.by(Easing::new(self, dynamics).stand(now, now)))
+    }
+
     /// When it begins to slow, not before a time.
     pub fn slows_from(&self, t_s: f64) -> f64 {
         self.clock.turns_after(t_s).unwrap_or(t_s)

@@ -27,6 +27,11 @@ const JERK_SLACK: f64 = 1.02;
 /// A change that breaks a limit mostly shows at moments so many times farther apart.
 const COARSE: f64 = 8.0;
 
+/// What the plan says between two moments so far apart, seconds, is about what lies between; so a limit
+/// may be exceeded by so much.
+const SKETCH_S: f64 = 1e-3;
+const SKETCH_SLACK: f64 = 1.03;
+
 /// Parts of constant third derivative of a smooth change.
 const PARTS: usize = 24;
 
@@ -180,18 +185,27 @@ impl<'a> Easing<'a> {
         let waits = if from.rate > 0.0 && from.gain == 0.0 { WAITS } else { 1 };
         let moments = (0..waits).map(|k| from.after(f64::from(k) * WAIT_S));
         let known = moments.take_while(|tick| tick.plan_s < self.end_s && tick.t_s < latest_s);
-        let mut changes = known.map(|tick| self.smooth_from(tick, goal, jerk));
+        let mut sketch = Sketch { plan: self.plan, from_s: from.plan_s, rates: Vec::new() };
+        let mut changes = known.map(|tick| self.smooth_from(tick, goal, jerk, &mut sketch));
         changes.find_map(|ticks| ticks).unwrap_or_else(|| vec![from.turned(0.0, 0.0)])
     }
 
     /// The same from a moment on.
-    fn smooth_from(&self, from: Tick, goal: f64, jerk: &[f64; AXES]) -> Option<Vec<Tick>> {
+    fn smooth_from(
+        &self,
+        from: Tick,
+        goal: f64,
+        jerk: &[f64; AXES],
+        sketch: &mut Sketch<'_>,
+    ) -> Option<Vec<Tick>> {
         let [velocity, _] = self.plan.rates(from.plan_s);
         let mut takes_s = self.at_least(&velocity, jerk).max(2.0 * STEP_S);
         let trials = if from.rate > 0.0 { TRIALS } else { TRIALS_FROM_REST };
         for _ in 0..trials {
             let ticks = smooth(from, goal, takes_s);
-            if self.holds(&ticks, jerk, COARSE * STEP_S) && self.holds(&ticks, jerk, STEP_S) {
+            if [COARSE, 1.0].iter().all(|far| self.nearly_holds(&ticks, jerk, sketch, far * STEP_S))
+                && self.holds(&ticks, jerk)
+            {
                 return Some(ticks);
             }
             takes_s *= LONGER;
@@ -206,12 +220,38 @@ impl<'a> Easing<'a> {
     }
 
     /// Whether no axis exceeds its acceleration and jerk, by sampling, and the plan does not end before.
-    fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES], step_s: f64) -> bool {
+    fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES]) -> bool {
+        let accel = self.dynamics.accel_mm_s2.0.map(|most| most * ACCEL_SLACK);
+        let jerk = jerk.map(|most| most * JERK_SLACK);
+        self.within(ticks, STEP_S, [accel, jerk], |plan_s| self.plan.rates(plan_s))
+    }
+
+    /// The same by a sketch, at moments so far apart; what it finds to hold may still not.
+    fn nearly_holds(
+        &self,
+        ticks: &[Tick],
+        jerk: &[f64; AXES],
+        sketch: &mut Sketch<'_>,
+        step_s: f64,
+    ) -> bool {
+        let accel = self.dynamics.accel_mm_s2.0.map(|most| most * SKETCH_SLACK);
+        let jerk = jerk.map(|most| most * SKETCH_SLACK);
+        self.within(ticks, step_s, [accel, jerk], |plan_s| sketch.at(plan_s))
+    }
+
+    /// Whether no axis exceeds limits of acceleration and jerk at moments so far apart.
+    fn within(
+        &self,
+        ticks: &[Tick],
+        step_s: f64,
+        [most, jerk]: [[f64; AXES]; 2],
+        mut rates: impl FnMut(f64) -> [Axes; 2],
+    ) -> bool {
         let (Some(first), Some(last)) = (ticks.first(), ticks.last()) else { return true };
         let steps = ((last.t_s - first.t_s) / step_s).ceil().max(1.0) as usize;
         let h = (last.t_s - first.t_s) / steps as f64;
-        let accel = |tick: &Tick| {
-            let [Axes(v), Axes(a)] = self.plan.rates(tick.plan_s);
+        let mut accel = |tick: &Tick| {
+            let [Axes(v), Axes(a)] = rates(tick.plan_s);
             let square = tick.rate * tick.rate;
             std::array::from_fn::<f64, AXES, _>(|k| a[k] * square + v[k] * tick.gain)
         };
@@ -227,16 +267,34 @@ impl<'a> Easing<'a> {
                 return false;
             }
             let now = accel(&tick);
-            let fits = (0..AXES).all(|k| {
-                now[k].abs() <= self.dynamics.accel_mm_s2.0[k] * ACCEL_SLACK
-                    && (now[k] - before[k]).abs() <= jerk[k] * JERK_SLACK * h
-            });
+            let fits = (0..AXES)
+                .all(|k| now[k].abs() <= most[k] && (now[k] - before[k]).abs() <= jerk[k] * h);
             if !fits {
                 return false;
             }
             before = now;
         }
         true
+    }
+}
+
+/// Velocities and accelerations of a plan at moments evenly apart, as far as they were asked for.
+struct Sketch<'a> {
+    plan: &'a Clocked,
+    from_s: f64,
+    rates: Vec<[Axes; 2]>,
+}
+
+impl Sketch<'_> {
+    /// About what the plan says at a time of its own.
+    fn at(&mut self, plan_s: f64) -> [Axes; 2] {
+        let place = (plan_s - self.from_s).max(0.0) / SKETCH_S;
+        let (before, share) = (place as usize, place.fract());
+        while self.rates.len() < before + 2 {
+            self.rates.push(self.plan.rates(self.from_s + self.rates.len() as f64 * SKETCH_S));
+        }
+        let (a, b) = (&self.rates[before], &self.rates[before + 1]);
+        std::array::from_fn(|k| a[k].zip(b[k], |a, b| a + share * (b - a)))
     }
 }
 

@@ -14,7 +14,7 @@ use crate::chain::{Clocked, plain_clock};
 use crate::clock::{Clock, Tick};
 use crate::ease::Easing;
 use crate::moves::Move;
-use crate::optimal::{Running, Way};
+use crate::optimal::{Node, Running, Way};
 use crate::plan::{Law, Plan, State};
 use crate::retimed::Retimed;
 use crate::splice::{same_course, speed};
@@ -48,10 +48,20 @@ pub(crate) struct Lead {
     at_s: f64,
     /// The new feed, if it is another.
     share: Option<f32>,
+    /// Whether it must be slowed first, because that feed is lower.
+    fast: bool,
+}
+
+impl Lead {
+    /// Of a plan that was started after a stand.
+    pub const fn resumed(uncut: Plan, at_s: f64) -> Self {
+        Self { uncut, at_s, share: None, fast: false }
+    }
 }
 
 impl Retimed {
-    /// Goes on with another feed. The plan that runs, slowed where the feed is lower, leads over to it.
+    /// Goes on with another feed. The plan that runs leads over to it: a short way as it is, which is
+    /// there at once, then slowed where the feed is lower.
     pub(crate) fn feed_with_jerk(
         &mut self,
         piece: Plan,
@@ -59,22 +69,22 @@ impl Retimed {
         share: f32,
     ) -> Option<(Plan, Stop)> {
         let mut all = self.uncut(piece);
-        let Some((slowed, joins)) = self.slowed(&mut all, t_s, share) else {
-            return self.leave(all, t_s, share);
-        };
-        if let Some(end_s) = slowed.stands_soon(&joins) {
-            all.law = Law::Clocked(Box::new(slowed));
-            let stop = all.stop(end_s, false)?;
-            let (made, rest) = all.cut(&stop);
-            self.begin_anew(&rest, Some(share));
-            return Some((made, stop));
+        let clock = all.clock()?;
+        let here = clock.at(t_s);
+        // A smooth change that goes on is made to its end first.
+        let from = if here.gain == 0.0 { here } else { clock.last() };
+        while all.duration_s() <= from.t_s {
+            let Some(next) = self.at_once() else { break };
+            all.join(next);
         }
-        all.law = Law::Clocked(Box::new(slowed.clone()));
-        let stop = all.stop(joins.t_s, false)?;
-        let left = slowed.left_after(&stop, Clock::of(vec![Tick { t_s: 0.0, ..joins }]));
+        let Law::Clocked(law) = &all.law else { return None };
+        let stop = all.stop(from.t_s, false)?;
+        let left = law.left_after(&stop, Clock::of(vec![Tick { t_s: 0.0, ..from }]));
+        let fast = law.planned_share(from.plan_s, share).is_some_and(|rate| from.rate > rate);
         let (made, moves) = all.cut(&stop);
         self.last.clear();
-        self.lead(Plan { moves, law: Law::Clocked(Box::new(left)) }, LEAD_S, Some(share));
+        let uncut = Plan { moves, law: Law::Clocked(Box::new(left)) };
+        self.lead(Lead { uncut, at_s: LEAD_S, share: Some(share), fast });
         Some((made, stop))
     }
 
@@ -88,23 +98,24 @@ impl Retimed {
 
     /// The plan that comes next runs until a time, and from there on another, with another feed if
     /// there is one.
-    pub(crate) fn lead(&mut self, mut uncut: Plan, at_s: f64, share: Option<f32>) {
-        while uncut.duration_s() <= at_s {
+    pub(crate) fn lead(&mut self, mut lead: Lead) {
+        while lead.uncut.duration_s() <= lead.at_s {
             let Some(next) = self.at_once() else { break };
-            uncut.join(next);
+            lead.uncut.join(next);
         }
+        let Lead { uncut, at_s, share, .. } = &lead;
         let cut = match &uncut.law {
-            Law::Clocked(law) if law.stands_soon(&law.clock.at(at_s)).is_none() => {
-                uncut.stop(at_s, false).filter(|_| at_s < uncut.duration_s())
+            Law::Clocked(law) if law.stands_soon(&law.clock.at(*at_s)).is_none() => {
+                uncut.stop(*at_s, false).filter(|_| *at_s < uncut.duration_s())
             }
             _ => None,
         };
         let Some(stop) = cut else {
-            return self.run_to_stand(uncut, at_s, share);
+            let (share, at_s) = (*share, *at_s);
+            return self.run_to_stand(lead.uncut, at_s, share);
         };
-        let (lead, _) = uncut.clone().cut(&stop);
-        self.ready = Some(lead);
-        self.leads = Some(Lead { uncut, at_s, share });
+        self.ready = Some(uncut.clone().cut(&stop).0);
+        self.leads = Some(lead);
     }
 
     /// The plan that comes next runs to the stand that it comes to.
@@ -120,19 +131,41 @@ impl Retimed {
 
     /// Goes over to the plan that is led to; should none be found, the old one leads on.
     pub(crate) fn over(&mut self, lead: Lead) {
-        let before = self.clone();
-        if let Some(plan) = self.joined(&lead) {
-            self.forget_made();
-            self.clock = None;
-            return self.go_on(Some(plan));
+        if !lead.fast {
+            let before = self.clone();
+            if let Some(plan) = self.joined(&lead) {
+                self.forget_made();
+                self.clock = None;
+                return self.go_on(Some(plan));
+            }
+            *self = before;
         }
-        *self = before;
-        let Lead { uncut, at_s, share } = lead;
+        let Lead { uncut, at_s, share, .. } = lead;
         let Law::Clocked(law) = &uncut.law else { return };
         let Some(stop) = uncut.stop(at_s, false) else { return };
         let left = law.left_after(&stop, Clock::of(vec![law.clock.at(at_s)]));
         let (_, moves) = uncut.cut(&stop);
-        self.lead(Plan { moves, law: Law::Clocked(Box::new(left)) }, at_s + LEAD_S, share);
+        let uncut = Plan { moves, law: Law::Clocked(Box::new(left)) };
+        match share {
+            Some(share) => self.slow_over(uncut, at_s, share),
+            None => self.lead(Lead { uncut, at_s: at_s + LEAD_S, share, fast: false }),
+        }
+    }
+
+    /// The plan that comes next is slowed to another feed; where the limits do not let it, it runs on to
+    /// the next place where it is slow enough, or tries later.
+    fn slow_over(&mut self, mut uncut: Plan, from_s: f64, share: f32) {
+        if let Some((slowed, joins)) = self.slowed(&mut uncut, from_s, share) {
+            uncut.law = Law::Clocked(Box::new(slowed));
+            let at_s = joins.t_s.max(from_s + LEAD_S);
+            return self.lead(Lead { uncut, at_s, share: Some(share), fast: false });
+        }
+        let slow_s = match &uncut.law {
+            Law::Clocked(law) => law.slow_place(from_s + LEAD_S, share),
+            _ => None,
+        };
+        let at_s = slow_s.unwrap_or(from_s + LEAD_S);
+        self.lead(Lead { uncut, at_s, share: Some(share), fast: slow_s.is_none() });
     }
 
     /// A plan that goes on where another leads to.
@@ -169,13 +202,10 @@ impl Retimed {
     /// A plan that is slowed to a share of its feed, if that is lower, and when it is; as much of the
     /// stack is planned as that takes. `None` at rest, and where the limits do not let it.
     fn slowed(&mut self, all: &mut Plan, t_s: f64, share: f32) -> Option<(Clocked, Tick)> {
-        let made = all.moves.get(all.index_at(t_s)?)?;
-        let rate = f64::from(made.at_feed(share).feed / made.feed).min(1.0);
         for _ in 0..PIECES {
             let Law::Clocked(law) = &all.law else { return None };
-            let here = law.clock.at(t_s);
-            // A smooth change that goes on is made to its end first.
-            let from = if here.gain == 0.0 { here } else { law.clock.last() };
+            let from = law.clock.at(t_s);
+            let rate = law.planned_share(from.plan_s, share)?;
             let ticks = match from.rate <= rate {
                 true => Some(vec![from]),
                 false => Easing::new(law, law.dynamics()?).to_rate(from, rate),
@@ -205,13 +235,42 @@ fn goes_on(fresh: &Plan, old: &State, rate: f64) -> Option<Clocked> {
 }
 
 impl Clocked {
-    /// When the machine stands, if that is soon after a moment.
-    fn stands_soon(&self, from: &Tick) -> Option<f64> {
+    /// The rate at which a move, made at a time of the plan, has another feed; at most that of the plan.
+    fn planned_share(&self, plan_s: f64, share: f32) -> Option<f64> {
+        let made = self.planned_moves().nth(self.planned(plan_s).move_index)?;
+        Some(f64::from(made.at_feed(share).feed / made.feed).min(1.0))
+    }
+
+    /// The next time, not before one, at which the plan is slowest between faster places and not faster
+    /// than another feed allows.
+    fn slow_place(&self, from_s: f64, share: f32) -> Option<f64> {
+        let from = self.clock.at(from_s);
+        let nodes: Vec<Node> = self.nodes().filter(|node| node.t_s >= from.plan_s).collect();
+        let slow = |both: &&[Node]| {
+            let place = both[1];
+            let state = self.planned(place.t_s);
+            let least = place.v <= both[0].v && place.v <= both[2].v;
+            least
+                && self.planned_moves().nth(state.move_index).is_some_and(|made| {
+                    state.path_speed_mm_s * from.rate <= made.at_feed(share).top_mm_s()
+                })
+        };
+        let place = nodes.windows(3).find(slow)?[1];
+        Some(self.clock.when(place.t_s))
+    }
+
+    /// The nodes of the pieces, in order.
+    fn nodes(&self) -> impl Iterator<Item = Node> {
         let timed = self.pieces.iter().filter_map(|piece| match &piece.law {
             Law::Timed(timed) => Some(&timed.nodes),
             _ => None,
         });
-        let stand = timed.flatten().find(|node| node.v == 0.0 && node.t_s > from.plan_s)?;
+        timed.flatten().copied()
+    }
+
+    /// When the machine stands, if that is soon after a moment.
+    fn stands_soon(&self, from: &Tick) -> Option<f64> {
+        let stand = self.nodes().find(|node| node.v == 0.0 && node.t_s > from.plan_s)?;
         let end_s = self.clock.when(stand.t_s);
         (end_s < from.t_s + STANDS_SOON_S).then_some(end_s)
     }

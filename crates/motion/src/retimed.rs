@@ -25,6 +25,9 @@ const AT_ONCE: usize = 128;
 /// The same with a limit of jerk.
 const AT_ONCE_WITH_JERK: usize = 32;
 
+/// A machine mostly stands within so long, seconds.
+const STANDS_S: f64 = 0.4;
+
 /// A planner of the `optimal` model that can be stopped and overridden.
 #[derive(Clone, Debug)]
 pub struct Retimed {
@@ -77,15 +80,19 @@ impl Retimed {
         Some(last)
     }
 
-    /// The next piece without planning one: where none is planned, the way to a stand that the planner
-    /// keeps ready.
+    /// The next piece, without planning one if that can be.
     pub(crate) fn at_once(&mut self) -> Option<Plan> {
+        let piece = self.early();
+        if piece.is_some() || self.leads.is_some() { piece } else { self.next() }
+    }
+
+    /// The next piece that is planned; where none is, the way to a stand that the planner keeps ready.
+    pub(crate) fn early(&mut self) -> Option<Plan> {
         let piece = self.ready.take().or_else(|| self.ahead.take());
         if piece.is_some() || self.leads.is_some() {
             return piece;
         }
-        let piece = self.planner.take_early().map(|piece| self.by_clock(piece));
-        piece.or_else(|| self.next())
+        self.planner.take_early().map(|piece| self.by_clock(piece))
     }
 
     /// The next piece that no later move can change.
@@ -204,7 +211,7 @@ impl Retimed {
             if runs.plan_s < law.plan_end_s() {
                 return match self.planner.dynamics().jerk_mm_s3 {
                     None => self.go_on(Some(left)),
-                    Some(_) => self.lead(left, runs.t_s, None),
+                    Some(_) => self.lead(Lead::resumed(left, runs.t_s)),
                 };
             }
             let Some(next) = self.at_once() else { break };
@@ -220,9 +227,23 @@ impl Retimed {
         t_s: f64,
         ramped: bool,
     ) -> Option<(Plan, Stop)> {
+        if all.duration_s() < t_s + STANDS_S
+            && let Some(next) = self.ahead.take_if(|_| self.ready.is_none())
+        {
+            all.join(next);
+        }
         let mut stop = all.stop(t_s, ramped)?;
         while stop.end_s >= all.duration_s() && !all.ends_at_rest() {
-            let Some(next) = self.at_once() else { break };
+            let mut next = self.early();
+            if next.is_none() {
+                // Nobody waits for a plan as long as the machine can stand without.
+                let hard = all.brake(t_s).filter(|stop| stop.end_s < all.duration_s());
+                if let Some(hard) = hard {
+                    return Some((all, hard));
+                }
+                next = self.at_once();
+            }
+            let Some(next) = next else { break };
             all.join(next);
             stop = all.stop(t_s, ramped)?;
         }

@@ -69,6 +69,13 @@ impl Plan {
         })
     }
 
+    /// A stop that begins at a time and brakes as steeply as the accelerations allow, whatever limit of
+    /// jerk there is; `None` for a plan without a clock.
+    pub(crate) fn brake(&self, t_s: f64) -> Option<Stop> {
+        let Law::Clocked(law) = &self.law else { return None };
+        Some(Clocked::stands_by(law.braked(t_s)?, t_s))
+    }
+
     /// The plan as it runs with this stop, and the moves that are left for resuming. The stop must
     /// come from this plan.
     pub fn cut(mut self, stop: &Stop) -> (Self, Vec<Move>) {
@@ -118,7 +125,11 @@ impl Clocked {
     }
 
     fn stop(&self, t_s: f64, ramped: bool) -> Stop {
-        let slowed = self.stopped(t_s, ramped);
+        Self::stands_by(self.stopped(t_s, ramped), t_s)
+    }
+
+    /// The stop of a plan that is slowed from a time on.
+    fn stands_by(slowed: Self, t_s: f64) -> Stop {
         let begin_s = slowed.slows_from(t_s);
         // A stop at once ends when it begins, whatever rounding says.
         let end_s = slowed.duration_s().max(begin_s);

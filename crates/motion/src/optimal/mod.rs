@@ -30,6 +30,7 @@ mod widths;
 
 pub(crate) use horizon::Way;
 pub(crate) use planner::Running;
+pub(crate) use speeds::Node;
 pub(crate) use timed::Timed;
 
 use crate::moves::Move;
