@@ -42,7 +42,8 @@ fn goal(figure: &Figure) -> String {
 }
 
 fn ms(seconds: f64) -> String {
-    format!("{:.0} ms", seconds * 1e3)
+    let decimals = if seconds < 1e-2 { 2 } else { 0 };
+    format!("{:.decimals$} ms", seconds * 1e3)
 }
 
 fn megabytes(bytes: f64) -> String {

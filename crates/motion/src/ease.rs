@@ -29,8 +29,8 @@ const COARSE: f64 = 8.0;
 
 /// What the plan says between two moments so far apart, seconds, is about what lies between; so a limit
 /// may be exceeded by so much.
-const SKETCH_S: f64 = 1e-3;
-const SKETCH_SLACK: f64 = 1.03;
+const SKETCH_S: f64 = 2e-3;
+const SKETCH_SLACK: f64 = 1.05;
 
 /// Parts of constant third derivative of a smooth change.
 const PARTS: usize = 24;
@@ -203,7 +203,7 @@ impl<'a> Easing<'a> {
         let trials = if from.rate > 0.0 { TRIALS } else { TRIALS_FROM_REST };
         for _ in 0..trials {
             let ticks = smooth(from, goal, takes_s);
-            if [COARSE, 1.0].iter().all(|far| self.nearly_holds(&ticks, jerk, sketch, far * STEP_S))
+            if [COARSE, 2.0].iter().all(|far| self.nearly_holds(&ticks, jerk, sketch, far * STEP_S))
                 && self.holds(&ticks, jerk)
             {
                 return Some(ticks);

@@ -50,12 +50,25 @@ pub(crate) struct Lead {
     share: Option<f32>,
     /// Whether it must be slowed first, because that feed is lower.
     fast: bool,
+    /// Whether it was planned anew meanwhile, as the way to a stand stood in it that is not needed.
+    renewed: bool,
 }
 
 impl Lead {
     /// Of a plan that was started after a stand.
     pub const fn resumed(uncut: Plan, at_s: f64) -> Self {
-        Self { uncut, at_s, share: None, fast: false }
+        Self { uncut, at_s, share: None, fast: false, renewed: false }
+    }
+
+    /// What lies before the time is made.
+    fn run_on(&mut self) {
+        let uncut = std::mem::take(&mut self.uncut);
+        let (Law::Clocked(law), Some(stop)) = (&uncut.law, uncut.stop(self.at_s, false)) else {
+            return;
+        };
+        let left = law.left_after(&stop, Clock::of(vec![law.clock.at(self.at_s)]));
+        let (_, moves) = uncut.cut(&stop);
+        self.uncut = Plan { moves, law: Law::Clocked(Box::new(left)) };
     }
 }
 
@@ -84,7 +97,7 @@ impl Retimed {
         let (made, moves) = all.cut(&stop);
         self.last.clear();
         let uncut = Plan { moves, law: Law::Clocked(Box::new(left)) };
-        self.lead(Lead { uncut, at_s: LEAD_S, share: Some(share), fast });
+        self.lead(Lead { uncut, at_s: LEAD_S, share: Some(share), fast, renewed: false });
         Some((made, stop))
     }
 
@@ -131,58 +144,85 @@ impl Retimed {
 
     /// Goes over to the plan that is led to; should none be found, the old one leads on.
     pub(crate) fn over(&mut self, lead: Lead) {
-        if !lead.fast {
-            let before = self.clone();
-            if let Some(plan) = self.joined(&lead) {
-                self.forget_made();
-                self.clock = None;
-                return self.go_on(Some(plan));
+        let mut lead = lead;
+        if lead.fast {
+            return self.slow_over(lead);
+        }
+        if self.go_over(&lead, lead.share) {
+            return;
+        }
+        lead.run_on();
+        match lead.share {
+            Some(_) => self.slow_over(lead),
+            None => {
+                lead.at_s += LEAD_S;
+                self.lead(lead);
             }
+        }
+    }
+
+    /// Goes over to the plan that is led to, with a feed if there is another; whether one was found.
+    fn go_over(&mut self, lead: &Lead, share: Option<f32>) -> bool {
+        let before = self.clone();
+        let Some(plan) = self.joined(lead, share) else {
             *self = before;
-        }
-        let Lead { uncut, at_s, share, .. } = lead;
-        let Law::Clocked(law) = &uncut.law else { return };
-        let Some(stop) = uncut.stop(at_s, false) else { return };
-        let left = law.left_after(&stop, Clock::of(vec![law.clock.at(at_s)]));
-        let (_, moves) = uncut.cut(&stop);
-        let uncut = Plan { moves, law: Law::Clocked(Box::new(left)) };
-        match share {
-            Some(share) => self.slow_over(uncut, at_s, share),
-            None => self.lead(Lead { uncut, at_s: at_s + LEAD_S, share, fast: false }),
-        }
+            return false;
+        };
+        self.forget_made();
+        self.clock = None;
+        self.go_on(Some(plan));
+        true
     }
 
     /// The plan that comes next is slowed to another feed; where the limits do not let it, it runs on to
     /// the next place where it is slow enough, or tries later.
-    fn slow_over(&mut self, mut uncut: Plan, from_s: f64, share: f32) {
-        if let Some((slowed, joins)) = self.slowed(&mut uncut, from_s, share) {
-            uncut.law = Law::Clocked(Box::new(slowed));
-            let at_s = joins.t_s.max(from_s + LEAD_S);
-            return self.lead(Lead { uncut, at_s, share: Some(share), fast: false });
+    fn slow_over(&mut self, mut lead: Lead) {
+        let before = self.clone();
+        let (from_s, whole) = (lead.at_s, lead.clone());
+        lead.run_on();
+        let share = lead.share.unwrap_or(1.0);
+        let slowed = self.slowed(&mut lead.uncut, from_s, share);
+        let crosses = |slowed: &Clocked, joins: &Tick| {
+            slowed.stand_after(&slowed.clock.at(from_s)).is_some_and(|s| s < joins.t_s)
+        };
+        if let Some((slowed, joins)) = slowed.filter(|(slowed, joins)| !crosses(slowed, joins)) {
+            lead.uncut.law = Law::Clocked(Box::new(slowed));
+            (lead.at_s, lead.fast) = (joins.t_s.max(from_s + LEAD_S), false);
+            return self.lead(lead);
         }
-        let slow_s = match &uncut.law {
+        if !whole.renewed {
+            *self = before;
+            if self.go_over(&whole, None)
+                && let Some(uncut) = self.ready.take()
+            {
+                return self.lead(Lead { uncut, at_s: from_s + LEAD_S, renewed: true, ..whole });
+            }
+            lead = whole;
+            lead.run_on();
+        }
+        let slow_s = match &lead.uncut.law {
             Law::Clocked(law) => law.slow_place(from_s + LEAD_S, share),
             _ => None,
         };
-        let at_s = slow_s.unwrap_or(from_s + LEAD_S);
-        self.lead(Lead { uncut, at_s, share: Some(share), fast: slow_s.is_none() });
+        (lead.at_s, lead.fast) = (slow_s.unwrap_or(from_s + LEAD_S), slow_s.is_none());
+        self.lead(lead);
     }
 
     /// A plan that goes on where another leads to.
-    fn joined(&mut self, lead: &Lead) -> Option<Plan> {
+    fn joined(&mut self, lead: &Lead, share: Option<f32>) -> Option<Plan> {
         let Law::Clocked(law) = &lead.uncut.law else { return None };
         let joins = law.clock.at(lead.at_s);
         let (old, ways) = (law.planned(joins.plan_s), law.ways(&joins));
         if ways.is_empty() {
             return None;
         }
-        self.wait_with(lead.share);
+        self.wait_with(share);
         self.behind.drain(..self.behind.len().saturating_sub(BEHIND));
         let ended = usize::from(old.share >= 1.0);
         let index = self.behind.len() + old.move_index + ended;
         let begin = (index, if ended > 0 { 0.0 } else { old.share });
         let planned = self.behind.iter().copied().chain(law.planned_moves());
-        let planned: Vec<Move> = match lead.share {
+        let planned: Vec<Move> = match share {
             Some(share) => planned.map(|m| m.at_feed(share)).collect(),
             None => planned.collect(),
         };
@@ -270,9 +310,13 @@ impl Clocked {
 
     /// When the machine stands, if that is soon after a moment.
     fn stands_soon(&self, from: &Tick) -> Option<f64> {
+        self.stand_after(from).filter(|end_s| *end_s < from.t_s + STANDS_SOON_S)
+    }
+
+    /// When the machine stands after a moment, as far as it is known.
+    fn stand_after(&self, from: &Tick) -> Option<f64> {
         let stand = self.nodes().find(|node| node.v == 0.0 && node.t_s > from.plan_s)?;
-        let end_s = self.clock.when(stand.t_s);
-        (end_s < from.t_s + STANDS_SOON_S).then_some(end_s)
+        Some(self.clock.when(stand.t_s))
     }
 
     /// The motion along the path from a moment on, by a clock whose rate stays, as far as it is known.

@@ -43,7 +43,8 @@ impl Retimed {
         self.hurry();
         let planned: Vec<Move> = self.behind.iter().copied().chain(law.planned_moves()).collect();
         let here = law.planned(law.clock.at(t_s).plan_s);
-        let first = first_needed(&planned[..=self.behind.len() + here.move_index], speed(&here), law);
+        let first =
+            first_needed(&planned[..=self.behind.len() + here.move_index], speed(&here), law);
         let planned: Vec<Move> = planned[first..].iter().map(|m| m.at_feed(share)).collect();
         // How many moves the other plan has before the first of this one, or less than none.
         let behind = self.behind.len() as isize - first as isize;

@@ -247,3 +247,31 @@ fn another_feed_just_before_a_stand_keeps_the_limits() {
         check(&path(seed * 7919 + 3, 60), Some(10_000.0), &turns);
     }
 }
+
+/// Overrides are answered in motion, also where the plan brakes as steeply as it can: there the new feed
+/// waits for the next slow place, not the machine for a new plan.
+#[test]
+fn another_feed_under_a_limit_of_jerk_never_brings_the_machine_to_a_stand() {
+    let moves = path(21, 80);
+    let dynamics = dynamics(Some(10_000.0));
+    let speeds = |turns: &[(f64, Turn)]| -> Vec<f64> {
+        let all = samples(&run(&moves, &dynamics, turns));
+        let v = |velocity: Axes| velocity.0.iter().map(|v| v * v).sum::<f64>().sqrt();
+        all.into_iter().map(|([_, velocity, _], _)| v(velocity)).collect()
+    };
+    let within = |v: &[f64]| {
+        let inner = &v[300..v.len() - 500];
+        inner.iter().copied().fold(f64::INFINITY, f64::min)
+    };
+    let plain = speeds(&[]);
+    let least = within(&plain);
+    assert!(least > 1.0, "the path itself has no stand: {least}");
+    for t_s in (1..plain.len() / 200).map(|k| k as f64 * 200.0 * STEP_S) {
+        let v = speeds(&[(t_s, Turn::Feed(0.5))]);
+        let slowest = within(&v);
+        assert!(slowest > 0.4 * least, "{slowest} mm/s after an override at {t_s} s, not {least}");
+        let later = v.get((t_s / STEP_S) as usize + 2000..).unwrap_or_default();
+        let fastest = later.iter().copied().fold(0.0, f64::max);
+        assert!(fastest <= 50.0 * 1.001, "{fastest} mm/s two seconds after an override at {t_s} s");
+    }
+}

@@ -216,7 +216,8 @@ impl<const N: usize> Cells<N> {
             let offset = (self.at_mm - path.track.at_mm[j]).abs();
             let offset = offset.max(f64::MIN_POSITIVE) * if before { -1.0 } else { 1.0 };
             let turn = path.track.turn::<N>(j);
-            let [_, slope, bend] = Kernel::Triangle.shape(norm(&turn), path.widths[j], offset);
+            let [_, slope, bend] =
+                Kernel::Triangle.shape(turn.iter().map(|x| x * x).sum(), path.widths[j], offset);
             // By the places passed, not by distances, which rounding may see otherwise.
             let within = |part: &usize| (self.next[END - part]..self.next[*part]).contains(&j);
             let twists = twists(&turn, path.widths[j]);

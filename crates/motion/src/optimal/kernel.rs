@@ -54,7 +54,7 @@ impl Kernel {
 
     /// Whether the kernel for a turn is that of a corner.
     pub fn is_corner(self, turn: f64) -> bool {
-        self == Self::Triangle && turn > SHARP
+        self == Self::Triangle && turn * turn > SHARP * SHARP
     }
 
     /// The bump of half-width `c` at a distance, and its derivative by the half-width.
@@ -94,24 +94,26 @@ impl Kernel {
         }
     }
 
-    /// Value, slope and curvature of the bump at an offset from its vertex; at the vertex itself the
-    /// sign of the offset tells the side.
-    pub fn shape(self, turn: f64, c: f64, offset: f64) -> [f64; 3] {
+    /// Value, slope and curvature of the bump at an offset from its vertex, where the tangent turns by
+    /// so much squared; at the vertex itself the sign of the offset tells the side.
+    pub fn shape(self, turn_square: f64, c: f64, offset: f64) -> [f64; 3] {
         let side = -offset.signum();
-        if self == Self::Box {
-            let left = c - offset.abs();
-            return [left * left / (4.0 * c), side * left / (2.0 * c), 0.5 / c];
-        }
-        let mut sum = [0.0; 3];
-        for (share, width) in self.triangles(turn) {
-            let left = c * width - offset.abs();
-            if left > 0.0 {
-                let scale = share / (c * width * c * width);
-                sum[0] += scale * left * left * left / 6.0;
-                sum[1] += side * 0.5 * scale * left * left;
-                sum[2] += scale * left;
+        let triangle = |share: f64, c: f64| {
+            let left = (c - offset.abs()).max(0.0);
+            let scale = share / (c * c);
+            let area = scale * left * left;
+            [area * left / 6.0, side * 0.5 * area, scale * left]
+        };
+        match self {
+            Self::Box => {
+                let left = c - offset.abs();
+                [left * left / (4.0 * c), side * left / (2.0 * c), 0.5 / c]
             }
+            Self::Triangle if turn_square <= SHARP * SHARP => triangle(1.0, c),
+            Self::Triangle => CORNER.iter().fold([0.0; 3], |sum, (share, width)| {
+                let part = triangle(*share, c * width);
+                std::array::from_fn(|k| sum[k] + part[k])
+            }),
         }
-        sum
     }
 }

@@ -3,7 +3,7 @@
 use super::horizon::Way;
 use super::kernel::Kernel;
 use super::speeds::Node;
-use super::track::{Track, norm};
+use super::track::Track;
 use crate::moves::Move;
 use crate::plan::State;
 use kerf_program::{AXES, Axes, Dynamics};
@@ -203,7 +203,7 @@ impl Timed {
             (out[0][k], out[1][k]) = (from[k] + way * slope, *slope);
         }
         let mut add = |j: usize, turn: [f64; N], offset: f64| {
-            let shape = self.kernel.shape(norm(&turn), self.widths[j], offset);
+            let shape = self.kernel.shape(square(&turn), self.widths[j], offset);
             for (value, factor) in out.iter_mut().zip(shape) {
                 (0..N).for_each(|k| value[k] += factor * turn[k]);
             }
@@ -238,6 +238,10 @@ fn share_of(at_mm: f64, a: f64, b: f64) -> f64 {
 fn rates(along: &Along, [_, slope, bend]: &[Axes; 3]) -> [Axes; 2] {
     let square = along.v * along.v;
     [Axes(slope.0.map(|p| p * along.v)), slope.zip(*bend, |p, c| p * along.accel + c * square)]
+}
+
+fn square<const N: usize>(v: &[f64; N]) -> f64 {
+    v.iter().map(|x| x * x).sum()
 }
 
 fn minus<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {

@@ -144,8 +144,13 @@ impl Track {
 
     /// Direction of the segment after a vertex; zero for a segment without length.
     pub fn direction<const N: usize>(&self, segment: usize) -> [f64; N] {
-        let (a, b) = (self.point::<N>(segment), self.point::<N>(segment + 1));
-        let way: [f64; N] = std::array::from_fn(|k| b[k] - a[k]);
+        let way: [f64; N] = if N == self.dims {
+            let both = &self.coords[segment * N..(segment + 2) * N];
+            std::array::from_fn(|k| both[N + k] - both[k])
+        } else {
+            let (a, b) = (self.point::<N>(segment), self.point::<N>(segment + 1));
+            std::array::from_fn(|k| b[k] - a[k])
+        };
         let length = norm(&way);
         let scale = if length > 0.0 { 1.0 / length } else { 0.0 };
         way.map(|w| w * scale)
