@@ -27,6 +27,7 @@ mod errands;
 pub mod event;
 mod execute;
 pub mod files;
+mod fonts;
 mod heights;
 mod hold;
 mod homing;

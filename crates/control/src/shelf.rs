@@ -226,6 +226,21 @@ impl Shelf {
         self.data_text(name)
     }
 
+    /// A folder in the data folder.
+    pub(crate) fn data_folder(&self, name: &str) -> PathBuf {
+        self.data.join(name)
+    }
+
+    /// Names in a folder of the computer.
+    pub(crate) fn names_in(&self, folder: &Path) -> Vec<String> {
+        self.disk.names(folder).unwrap_or_default()
+    }
+
+    /// The bytes of a file of the computer.
+    pub(crate) fn bytes_of(&self, path: &Path) -> Option<Vec<u8>> {
+        self.disk.read(path).ok()
+    }
+
     /// Names in a folder of the data folder.
     pub(crate) fn names_in_data(&self, folder: &str) -> Vec<String> {
         self.disk.names(&self.data.join(folder)).unwrap_or_default()

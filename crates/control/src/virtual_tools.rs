@@ -3,10 +3,26 @@
 
 use crate::shelf::Shelf;
 use kerf_program::{FileRequest, Folder, HostError, ShellCall, ToolCall, no_such_tool};
-use kerf_tools::{AddIn, Made, Mistake, Place, Tool, add_ins, tool};
+use kerf_tools::{AddIn, Folders, Made, Mistake, Place, Tool, add_ins, tool};
+use std::cell::RefCell;
 
 /// Name of the file of added tools in the data folder.
 pub const ADD_INS: &str = "virtualtools.ini";
+
+/// What a tool reads of a shelf.
+struct Reading<'a>(RefCell<&'a mut Shelf>);
+
+impl Folders for Reading<'_> {
+    fn text(&self, name: &str) -> Option<String> {
+        let request = FileRequest { folder: Folder::Parts, name: name.into() };
+        let source = self.0.borrow_mut().source(&request).ok()?;
+        Some(String::from_utf8_lossy(&source.bytes).into_owned())
+    }
+
+    fn font(&self, name: &str) -> Result<Vec<u8>, String> {
+        self.0.borrow().font(name)
+    }
+}
 
 impl Shelf {
     /// Tools that somebody added, and what is wrong with their file: line and words.
@@ -44,13 +60,8 @@ impl Shelf {
         entered: &[(String, String)],
         metric: bool,
     ) -> Result<Result<Made, Vec<Mistake>>, HostError> {
-        let shelf = std::cell::RefCell::new(&mut *self);
-        let read = |name: &str| {
-            let request = FileRequest { folder: Folder::Parts, name: name.into() };
-            let source = shelf.borrow_mut().source(&request).ok()?;
-            Some(String::from_utf8_lossy(&source.bytes).into_owned())
-        };
-        let made = match tool.make(entered, metric, &read) {
+        let folders = Reading(RefCell::new(&mut *self));
+        let made = match tool.make(entered, metric, &folders) {
             Ok(made) => made,
             Err(mistakes) => return Ok(Err(mistakes)),
         };

@@ -183,6 +183,47 @@ fn sbp_tool_tc() {
 }
 
 #[test]
+fn sbp_tool_tt() {
+    let mut shop = Shop::new(&[("data/fonts/Broken.ttf", "no font")]);
+    // The stem of an I in the built-in font, an inch high, with a bit of 60 degrees.
+    shop.does("TT, text=I, font=Roboto, size=1, angle=60, x=2, y=3, safe_z=.25, file=letter");
+    let points = cuts(&mut shop, "letter.sbp");
+    // Width of the stem: 262 of the font's 2048 units, capitals are 1456.
+    let deepest = points.iter().map(|p| -p[2]).fold(0.0, f64::max);
+    let half = deepest * 30f64.to_radians().tan();
+    let box_of = |i: usize, pick: fn(f64, f64) -> f64, from: f64| {
+        points.iter().map(|p| p[i]).fold(from, pick)
+    };
+    // It rises to the surface in all four corners: they are the bounds of the letter.
+    let (left, right) = (box_of(0, f64::min, 99.0), box_of(0, f64::max, -99.0));
+    let (bottom, top) = (box_of(1, f64::min, 99.0), box_of(1, f64::max, -99.0));
+    assert!((half - (right - left) / 2.0).abs() < 0.002, "{half} of {left} to {right}");
+    assert!((bottom - 3.0).abs() < 1e-3 && (top - 4.0).abs() < 1e-3, "{bottom} to {top}");
+    for corner in [[left, bottom], [left, top], [right, bottom], [right, top]] {
+        let there = |p: &&[f64; 3]| (p[0] - corner[0]).hypot(p[1] - corner[1]) < 1e-3;
+        let at = points.iter().find(there).unwrap_or_else(|| panic!("{corner:?}: {points:?}"));
+        assert!(at[2].abs() < 1e-6, "{at:?}");
+    }
+    // Text of several letters and lines cuts, and nothing above the surface or deeper than the widest.
+    shop.does("TT, text=Kerf & Söhne|1984, font=Roboto Bold, size=.75, angle=90, file=sign");
+    let points = cuts(&mut shop, "sign.sbp");
+    assert!(points.len() > 300, "{}", points.len());
+    assert!(points.iter().all(|p| p[2] > -0.2 && p[2] < 1e-9), "{points:?}");
+    // What cannot be carved is said.
+    for (line, part) in [
+        ("TT, text=A, font=Nowhere Sans", "no font Nowhere Sans on this computer; there are"),
+        ("TT, text=A, font=Broken", "Broken cannot be read"),
+        ("TT, text=漢, font=Roboto", "Roboto has no letter '漢'"),
+        ("TT, text=I, font=Roboto, size=4, deepest=.1", "the widest stroke needs"),
+        ("TT, text=", "something to carve"),
+    ] {
+        let error = shop.types(line).0.error;
+        let told = error.map(|error| error.message.clone()).unwrap_or_default();
+        assert!(told.contains(part), "{line}: {told}");
+    }
+}
+
+#[test]
 fn sbp_tool_td() {
     let mut shop = Shop::new(&[]);
     shop.does("TD, holes=2 3 1; 6 3 .25 .5, bit=.25, passes=2, thickness=.5, file=drilled");

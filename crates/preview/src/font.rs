@@ -11,13 +11,18 @@ pub const FAMILY: &str = "Roboto, 'Helvetica Neue', Arial, 'Liberation Sans', sa
 static REGULAR: &[u8] = include_bytes!("../assets/font/Roboto-Regular.ttf");
 static BOLD: &[u8] = include_bytes!("../assets/font/Roboto-Bold.ttf");
 
+/// The file of the built-in font, regular or bold.
+pub const fn file(bold: bool) -> &'static [u8] {
+    if bold { BOLD } else { REGULAR }
+}
+
 /// One weight of the font.
 pub struct Font(Option<Face<'static>>);
 
 impl Font {
     /// The regular or the bold weight.
     pub fn new(bold: bool) -> Self {
-        Self(Face::parse(if bold { BOLD } else { REGULAR }, 0).ok())
+        Self(Face::parse(file(bold), 0).ok())
     }
 
     /// Width of a line of text in a size of 1.

@@ -37,6 +37,7 @@ mod sheet;
 mod svg;
 pub mod timing;
 
+pub use font::file as font_file;
 pub use options::Options;
 pub use png::PngError;
 pub use scene::{Coloured, FARTHEST_MM, Finding, Scene, Segment, Shape, TableView, ToolPath, Unit};

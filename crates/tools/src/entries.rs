@@ -1,5 +1,6 @@
 //! What was entered into a form, checked field by field.
 
+use crate::Folders;
 use crate::field::{Field, INCH_MM, Kind};
 use std::collections::BTreeMap;
 
@@ -23,7 +24,7 @@ impl Mistake {
 pub struct Entries<'a> {
     values: BTreeMap<&'static str, String>,
     metric: bool,
-    read: &'a dyn Fn(&str) -> Option<String>,
+    folders: &'a dyn Folders,
 }
 
 impl<'a> Entries<'a> {
@@ -32,7 +33,7 @@ impl<'a> Entries<'a> {
         fields: &'static [Field],
         entered: &[(String, String)],
         metric: bool,
-        read: &'a dyn Fn(&str) -> Option<String>,
+        folders: &'a dyn Folders,
     ) -> Result<Self, Vec<Mistake>> {
         let mut mistakes = Vec::new();
         for (key, _) in entered {
@@ -63,7 +64,7 @@ impl<'a> Entries<'a> {
                 }
             }
         }
-        let entries = Self { values, metric, read };
+        let entries = Self { values, metric, folders };
         if mistakes.is_empty() { Ok(entries) } else { Err(mistakes) }
     }
 
@@ -94,7 +95,15 @@ impl<'a> Entries<'a> {
 
     /// The text of a file in the part folder.
     pub fn file(&self, name: &str) -> Option<String> {
-        (self.read)(name)
+        self.folders.text(name)
+    }
+
+    /// The file of an installed font.
+    ///
+    /// # Errors
+    /// There is none, and which there are.
+    pub fn font(&self, name: &str) -> Result<Vec<u8>, String> {
+        self.folders.font(name)
     }
 }
 

@@ -100,18 +100,30 @@ pub fn with_header(
 
 #[cfg(test)]
 mod tests {
-    use crate::tool;
+    use crate::{Folders, tool};
+
+    /// A folder with a door in it.
+    struct Door;
+
+    impl Folders for Door {
+        fn text(&self, name: &str) -> Option<String> {
+            (name == "door.sbp").then(|| "MX,1\nEND\n".to_owned())
+        }
+
+        fn font(&self, name: &str) -> Result<Vec<u8>, String> {
+            ().font(name)
+        }
+    }
 
     #[test]
     fn the_header_stands_first_and_the_original_is_kept() {
         let th = tool('H').expect("TH");
         let line = "file=door,contact=Ann,material=birch,units=mm,before=warm.sbp,after=park.sbp";
-        let read = |name: &str| (name == "door.sbp").then(|| "MX,1\nEND\n".to_owned());
-        let made = th.make(&th.read_line(line), false, &read).expect("made");
+        let made = th.make(&th.read_line(line), false, &Door).expect("made");
         let head = "'Contact: Ann\n'Material: birch\n'Units: mm\nFP,warm.sbp\nMX,1\n";
         assert_eq!(made.files[0].text, format!("{head}FP,park.sbp\nEND\n"));
         assert_eq!((&*made.files[1].name, &*made.files[1].text), ("door.bak", "MX,1\nEND\n"));
-        let wrong = |line: &str| th.make(&th.read_line(line), false, &read).expect_err("wrong");
+        let wrong = |line: &str| th.make(&th.read_line(line), false, &Door).expect_err("wrong");
         assert_eq!(wrong("file=no.sbp,contact=x")[0].field, "file");
         assert!(wrong("file=door")[0].text.contains("at least one field"));
     }

@@ -8,6 +8,7 @@
 //! it writes the files and previews or runs them.
 
 mod add_ins;
+mod carve;
 mod copy;
 mod drill_press;
 mod entries;
@@ -18,6 +19,7 @@ mod indexer;
 mod lines;
 mod setup;
 mod surfacer;
+mod typesetter;
 
 pub use add_ins::{AddIn, add_ins};
 pub use entries::{Entries, Mistake};
@@ -67,8 +69,31 @@ pub enum Place {
     Custom,
 }
 
+/// What a tool may read.
+pub trait Folders {
+    /// The text of a file in the part folder.
+    fn text(&self, name: &str) -> Option<String>;
+
+    /// The file of an installed font, by the font's name.
+    ///
+    /// # Errors
+    /// There is none, and which there are.
+    fn font(&self, name: &str) -> Result<Vec<u8>, String>;
+}
+
+/// Nothing to read.
+impl Folders for () {
+    fn text(&self, _: &str) -> Option<String> {
+        None
+    }
+
+    fn font(&self, name: &str) -> Result<Vec<u8>, String> {
+        Err(format!("there is no font {name}"))
+    }
+}
+
 /// Every tool, in the order of its letters.
-pub const TOOLS: [&Tool; 7] = [
+pub const TOOLS: [&Tool; 8] = [
     &copy::TOOL,
     &drill_press::TOOL,
     &fluter::TOOL,
@@ -76,6 +101,7 @@ pub const TOOLS: [&Tool; 7] = [
     &indexer::TOOL,
     &setup::TOOL,
     &surfacer::TOOL,
+    &typesetter::TOOL,
 ];
 
 /// The tool of a letter.
@@ -84,7 +110,7 @@ pub fn tool(letter: char) -> Option<&'static Tool> {
 }
 
 impl Tool {
-    /// Makes its files of what was entered; `read` gives the text of a file in the part folder.
+    /// Makes its files of what was entered, with what the folders have.
     ///
     /// # Errors
     /// Every mistake in what was entered.
@@ -92,9 +118,9 @@ impl Tool {
         &self,
         entered: &[(String, String)],
         metric: bool,
-        read: &dyn Fn(&str) -> Option<String>,
+        folders: &dyn Folders,
     ) -> Result<Made, Vec<Mistake>> {
-        (self.make)(&Entries::new(self.fields, entered, metric, read)?)
+        (self.make)(&Entries::new(self.fields, entered, metric, folders)?)
     }
 
     /// What was entered in a line: `KEY=VALUE` items between commas, or values in the order of the
@@ -124,7 +150,7 @@ mod testing {
     /// What a tool makes of a line: its first file, or its mistakes, a line each.
     pub fn made(letter: char, line: &str) -> String {
         let tool = tool(letter).expect("a tool");
-        match tool.make(&tool.read_line(line), false, &|_| None) {
+        match tool.make(&tool.read_line(line), false, &()) {
             Ok(made) => made.files[0].text.clone(),
             Err(found) => {
                 let lines: Vec<_> =
