@@ -4,6 +4,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import { useShown } from "./context";
+import "./pair-screen.css";
 
 /** Asks for the code that the machine shows, on a device that is not paired. */
 export function PairScreen() {
@@ -12,6 +13,12 @@ export function PairScreen() {
   const [name, setName] = useState("");
   const [why, setWhy] = useState<string>();
   if (!unpaired) return null;
+  // What was wrong with the code before says nothing of this one.
+  const enter = (text: string) => {
+    setCode(text);
+    setWhy(undefined);
+  };
+  const ready = code.trim() !== "" && name.trim() !== "";
   const pair = () =>
     postJson("/api/pair", { code, name }).then(
       () => location.reload(),
@@ -22,7 +29,7 @@ export function PairScreen() {
       title="Pair this device"
       shape="question"
       foot={
-        <Button look="primary" size="large" isDisabled={!code || !name} onPress={() => void pair()}>
+        <Button look="primary" size="large" isDisabled={!ready} onPress={() => void pair()}>
           Pair
         </Button>
       }
@@ -30,8 +37,17 @@ export function PairScreen() {
       <p className="tool-words">
         At the machine, open Settings and let a device in: it shows a code. Enter it here.
       </p>
-      <Field label="Code" value={code} onChange={setCode} error={why} first />
-      <Field label="Name of this device" value={name} onChange={setName} placeholder="Tablet" />
+      <form
+        className="pair-fields"
+        onSubmit={(event) => {
+          event.preventDefault();
+          if (ready) void pair();
+        }}
+      >
+        <Field label="Code" value={code} onChange={enter} error={why} first />
+        <Field label="Name of this device" value={name} onChange={setName} placeholder="Tablet" />
+        <button type="submit" hidden />
+      </form>
     </Sheet>
   );
 }

@@ -12,14 +12,22 @@ const words: Record<State, string> = {
   alarm: "Alarm",
 };
 
+/** What stands open is no question to everybody. */
+const openWords: Record<string, string> = {
+  keypad: "Keypad",
+  step: "Line by line",
+  editor: "Editor",
+};
+
 /** What the machine is doing, and why it does not move. */
 export function StateWord() {
   const status = useShown((shown) => shown.status);
   const machine = useShown((shown) => shown.snapshot?.machine);
-  const keypad = useShown((shown) => shown.snapshot?.asked?.kind === "keypad");
+  const asked = useShown((shown) => shown.snapshot?.asked?.kind);
   if (status !== "open" || !machine) return <Word tone="lost" word="No link" />;
   const { state, armed, why } = machine;
-  if (keypad && state === "asking") return <Word tone="asking" word="Keypad" why={why} />;
+  const open = state === "asking" && asked ? openWords[asked] : undefined;
+  if (open) return <Word tone="asking" word={open} why={why} />;
   const word = state === "idle" ? (armed ? "Ready" : "Disarmed") : words[state];
   return <Word tone={state === "idle" && !armed ? "disarmed" : state} word={word} why={why} />;
 }

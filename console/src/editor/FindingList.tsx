@@ -13,7 +13,9 @@ export function FindingList({ findings }: { findings: readonly Finding[] }) {
               key={`${finding.line}:${finding.column}:${finding.code}`}
               className={`word word-${finding.level}`}
             >
-              <b>Line {finding.line}</b> {finding.message} <em>{finding.hint}</em>
+              <b>Line {finding.line}</b> {finding.message}
+              {finding.hint && " – "}
+              <em>{finding.hint}</em>
             </li>
           ))}
         </ul>

@@ -73,7 +73,9 @@ function FileNotes() {
           key={`${finding.code}${finding.line}${finding.column}`}
           className={`word word-${finding.level}`}
         >
-          Line {finding.line}: {finding.message} <em>{finding.hint}</em>
+          Line {finding.line}: {finding.message}
+          {finding.hint && " – "}
+          <em>{finding.hint}</em>
         </p>
       ))}
     </Tail>

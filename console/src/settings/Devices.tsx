@@ -1,5 +1,5 @@
 import { useCallback, useEffect, useState } from "react";
-import { useHands } from "../app/context";
+import { useHands, useSnapshot } from "../app/context";
 import { deleteAt, getJson, postJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
@@ -22,16 +22,21 @@ const roles: readonly { readonly role: Role; readonly may: string }[] = [
 export function Devices() {
   const { screen } = useHands();
   const [devices, setDevices] = useState<readonly Device[]>([]);
-  const [code, setCode] = useState<string | null>(null);
+  const [shown, setShown] = useState<{ code: string; role: Role; after: number } | null>(null);
+  const clients = useSnapshot("clients");
   const refused = useCallback((error: Error) => screen.tell(error.message), [screen]);
   const read = useCallback(
     () => getJson<Device[]>("/api/devices").then(setDevices, refused),
     [refused],
   );
-  useEffect(() => void read(), [read]);
+  // A device that was just let in comes as a page.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: whoever comes or goes
+  useEffect(() => void read(), [read, clients]);
+  // A code is good for one device.
+  const code = shown && devices.length <= shown.after ? shown : null;
   const invite = (role: Role) =>
     postJson<{ code: string }>("/api/pair/code", { role }).then(
-      (made) => setCode(made.code),
+      (made) => setShown({ code: made.code, role, after: devices.length }),
       refused,
     );
   const revoke = (number: number) => deleteAt(`/api/devices/${number}`).then(read, refused);
@@ -49,9 +54,14 @@ export function Devices() {
         </div>
       ))}
       {code && (
-        <output className="devices-code" aria-label="Code for the new device">
-          {code}
-        </output>
+        <>
+          <output className="devices-code" aria-label="Code for the new device">
+            {code.code}
+          </output>
+          <p className="settings-words">
+            Enter it on the new device within five minutes. It comes in as {code.role}.
+          </p>
+        </>
       )}
       <fieldset className="devices-new" aria-label="Let a device in">
         {roles.map(({ role, may }) => (

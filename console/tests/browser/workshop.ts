@@ -169,6 +169,8 @@ export interface WorkshopOptions {
   readonly parts?: readonly string[];
   /** A part folder that was there before, with what an earlier server left in it. */
   readonly folder?: string;
+  /** Other devices may come, after pairing; it listens on every address. */
+  readonly lan?: boolean;
   /** Drawings only. */
   readonly drawingOnly?: boolean;
   /** Opened at the start. */
@@ -217,12 +219,13 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   }
   const file = options.open ? [options.open] : [];
   const rate = String(options.rate ?? 1);
-  const listen = options.listen ?? "127.0.0.1:0";
+  const listen = options.listen ?? `${options.lan ? "0.0.0.0" : "127.0.0.1"}:0`;
   const places = ["--listen", listen, "--parts", folder, "--data", folder, "--rate", rate];
+  const lan = options.lan ? ["--lan"] : [];
   const only = options.drawingOnly ? ["--drawing-only"] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
-  const server = spawn(kerf, [...begins, ...places, ...only], { cwd: folder });
-  const address = await addressOf(server);
+  const server = spawn(kerf, [...begins, ...places, ...lan, ...only], { cwd: folder });
+  const address = (await addressOf(server)).replace("//0.0.0.0:", "//127.0.0.1:");
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: chromiumFlags,
