@@ -10,6 +10,7 @@ mod compare;
 mod generate;
 #[path = "../support/mod.rs"]
 mod support;
+mod written;
 
 use canon::Move;
 use compare::difference;
@@ -181,4 +182,24 @@ fn generated_programs_give_the_moves_of_rs274() {
     println!("{both} programs compared");
     assert!(bad.is_empty(), "{} of {PROGRAMS} differ\n{}", bad.len(), bad.join("\n"));
     assert!(only.is_some() || both > PROGRAMS / 2, "{both}");
+}
+
+#[test]
+fn programs_by_hand_give_the_moves_of_rs274() {
+    if !is_installed() {
+        println!("skipped: rs274 (Debian package linuxcnc-uspace) is not installed");
+        return;
+    }
+    let scratch = tempfile::tempdir().unwrap();
+    let file = scratch.path().join("written.ngc");
+    let mut bad = Vec::new();
+    for (about, blocks) in written::WRITTEN {
+        std::fs::write(&file, written::whole(blocks)).unwrap();
+        let found = match (ours(&file, SCALE), theirs(&file, scratch.path(), SCALE)) {
+            (Ok(a), Ok(b)) if b.len() > 3 => difference(&a, &b),
+            (a, b) => Some(format!("ours {:?}, theirs {:?}", a.err(), b.err())),
+        };
+        bad.extend(found.map(|f| format!("{about}: {f}")));
+    }
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
 }
