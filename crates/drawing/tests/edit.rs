@@ -361,3 +361,28 @@ fn a_level_takes_along_what_lies_in_its_shapes() {
     let level = format!("{nest}; sequence level 3,2");
     assert_eq!(starts(&level), [0.0, 50.0, 60.0, 10.0, 20.0]);
 }
+
+#[test]
+fn only_shapes_that_are_cut_are_told_to_be_cut_too_early() {
+    let nest = "rect 0,0 100,100; rect 10,10 90,90; rect 20,20 30,30; sequence 1,2,3";
+    let late = |outer: usize, inner: usize| {
+        format!("shape {outer} is cut before shape {inner}, which lies in it")
+    };
+    assert_eq!(notes(nest), [late(1, 2), late(2, 3)]);
+    let off = nest.replace("; sequence", "; select 2; group red; set red on=off; sequence");
+    assert_eq!(notes(&off), [late(1, 3)]);
+    assert_eq!(notes(&off.replace("select 2", "select 3")), [late(1, 2)]);
+    assert_eq!(notes(&off.replace("on=off", "traversal=on")), [late(1, 3)]);
+}
+
+#[test]
+fn a_group_that_gets_another_cutter_is_told() {
+    let two =
+        "rect 0,0 60,40; rect 100,0 160,40; select 1; pocket tool=6 overlap=2 group=red; select 2";
+    let told = "group red was cut by a cutter of 6 mm, now of 3 mm";
+    for op in ["pocket tool=3 overlap=1 group=red", "engrave tool=3 overlap=1 group=red"] {
+        assert_eq!(notes(&format!("{two}; {op}")), [told], "{op}");
+    }
+    assert_eq!(notes(&format!("{two}; pocket tool=6 overlap=1 group=red")), Vec::<String>::new());
+    assert_eq!(notes(&format!("{two}; pocket tool=3 overlap=1 group=blue")), Vec::<String>::new());
+}

@@ -10,8 +10,23 @@ pub fn tidied(shape: Shape) -> Option<Shape> {
     if shape.z_mm.is_some() {
         return Some(shape);
     }
-    let path = closed_by_its_end(shape.path.tidied());
+    let path = closed_by_its_end(straightened(shape.path).tidied());
     (path.segment_count() > 0).then_some(Shape { path, ..shape })
+}
+
+/// Arcs that rise above their chord by less than this are lines, millimetres: what programs that round their
+/// numbers make of a line. Their radius would be that of the Earth.
+const STRAIGHT_MM: f64 = 1e-6;
+
+fn straightened(mut path: Polyarc) -> Polyarc {
+    for n in 0..path.segment_count() {
+        let (from, to) = (path.vertices[n], path.vertices[(n + 1) % path.vertices.len()]);
+        if 0.5 * from.bulge.abs() * from.at.distance(to.at) < STRAIGHT_MM && from.bulge.abs() < 1e-6
+        {
+            path.vertices[n].bulge = 0.0;
+        }
+    }
+    path
 }
 
 fn closed_by_its_end(path: Polyarc) -> Polyarc {

@@ -300,3 +300,15 @@ fn segments_without_length_are_told_with_their_place() {
     assert_eq!(told(&read), [note]);
     assert_eq!(read.drawing.shapes[0].path.vertices.len(), 3);
 }
+
+/// The bulge that a rounded number leaves of a line: the radius would be 200 km.
+#[test]
+fn arcs_that_nobody_can_tell_from_lines_are_lines() {
+    let bulge = |bulge: f64| {
+        let text = format!("0 LWPOLYLINE/70 0/10 0/20 0/42 {bulge}/10 16/20 0");
+        drawn(&text).drawing.shapes[0].path.vertices[0].bulge
+    };
+    assert_eq!(bulge(2e-8), 0.0);
+    assert_eq!(bulge(-2e-8), 0.0);
+    assert_eq!(bulge(1e-5), 1e-5);
+}

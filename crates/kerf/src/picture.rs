@@ -119,6 +119,11 @@ impl Picture {
     }
 
     fn arc(&mut self, arc: &ArcEvent) {
+        let far = |centre: f64| (centre * self.mm).abs() > kerf_preview::FARTHEST_MM;
+        if far(arc.centre.x) || far(arc.centre.y) {
+            // So far away that nobody tells the arc from a line.
+            return self.segment(&arc.made, Shape::Line);
+        }
         let sweep_rad = arc.sweep.to_radians();
         self.segment(
             &arc.made,

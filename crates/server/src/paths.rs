@@ -143,7 +143,7 @@ fn levels(height: Height, pass_mm: Option<f64>, heights: &Heights) -> Vec<f64> {
     let depths = match height {
         Height::Thru => return vec![heights.bottom_mm],
         Height::ThreeD => return Vec::new(),
-        Height::Mm(depth_mm) => Depths::of(Depth::Mm { depth_mm, pass_mm }, &free),
+        Height::Mm(depth_mm) => Depths::of(Depth::Mm { depth_mm, pass_mm }, &[], &free),
     };
     if let Ok(Depths::Level(levels)) = depths { levels } else { Vec::new() }
 }

@@ -19,7 +19,7 @@ mod tests {
 
     fn depths(height: Height, pass_mm: Option<f64>, bottom_mm: f64) -> Result<Depths, LowError> {
         let settings = GroupSettings { height, pass_mm, ..Default::default() };
-        Depths::of(super::depth(&settings), &Heights { bottom_mm, ..Default::default() })
+        Depths::of(super::depth(&settings), &[], &Heights { bottom_mm, ..Default::default() })
     }
 
     fn check(height: Height, pass_mm: Option<f64>, expected: &[f64]) {
@@ -67,6 +67,15 @@ mod tests {
     fn pro_group_h_mm_pos() {
         check(Height::Mm(3.0), None, &[-17.0]);
         check(Height::Mm(3.0), Some(1.0), &[-17.0]);
+    }
+
+    #[test]
+    fn heights_of_points_below_z_bottom_are_refused() {
+        let along = |z_mm: &[f64]| Depths::of(Depth::ThreeD, z_mm, &Heights::default());
+        assert_eq!(along(&[0.0, 5.0, -10.0]), Ok(Depths::Along(-20.0)));
+        assert_eq!(along(&[]), Ok(Depths::Along(-20.0)));
+        let told = along(&[0.0, -10.5]).unwrap_err().to_string();
+        assert_eq!(told, "it would be cut at -30.5, below ZBottom: -30.5 < -30");
     }
 
     #[test]

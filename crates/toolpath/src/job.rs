@@ -223,7 +223,8 @@ impl Job {
     /// The pass that would go below ZBottom, with the shape it belongs to.
     pub fn depths(&self, path: &CutPath, heights: &Heights) -> Result<Depths, Warning> {
         let settings = self.drawing.settings(path.shape.group);
-        Depths::of(depth(settings), heights).map_err(|error| Warning {
+        let z_mm = path.shape.z_mm.as_deref().unwrap_or_default();
+        Depths::of(depth(settings), z_mm, heights).map_err(|error| Warning {
             at: path.shape.path.start(),
             ..Warning::new(path.from, error.to_string())
         })

@@ -48,7 +48,7 @@ pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Outco
     if *sequencing == Sequencing::Picked {
         draft.picks = Picks::default();
     }
-    Ok(Outcome { warnings: outer_before_inner(&draft.drawing.shapes), notes })
+    Ok(Outcome { warnings: outer_before_inner(&draft.drawing), notes })
 }
 
 /// The trip with the least time between the cuts, then what is not cut. It is told what it saves.
@@ -160,10 +160,23 @@ fn ancestor_in(nesting: &Nesting, shape: usize, parent: Option<usize>) -> Option
         .find(|n| nesting.parent(*n) == parent)
 }
 
-/// Warns of shapes that are cut before what lies in them: the part may come loose.
-fn outer_before_inner(shapes: &[Arc<Shape>]) -> Vec<String> {
+/// Warns of shapes that are cut before what lies in them: the part may come loose. Shapes of groups that are
+/// off are not cut.
+fn outer_before_inner(drawing: &Drawing) -> Vec<String> {
+    let shapes = &drawing.shapes;
     let nesting = Nesting::of(shapes);
-    let late = |n: usize| nesting.parent(n).filter(|outer| *outer < n).map(|outer| (outer, n));
+    let is_cut = |n: usize| {
+        let settings = drawing.settings(shapes[n].group);
+        settings.on && !settings.traversal
+    };
+    let outer = |n: usize| {
+        let around = std::iter::successors(nesting.parent(n), |outer| nesting.parent(*outer));
+        around.into_iter().find(|outer| is_cut(*outer))
+    };
+    let late = |n: usize| {
+        let before = outer(n).filter(|outer| *outer < n && is_cut(n));
+        before.map(|outer| (outer, n))
+    };
     let warn = |(outer, inner): (usize, usize)| {
         format!("shape {} is cut before shape {}, which lies in it", outer + 1, inner + 1)
     };

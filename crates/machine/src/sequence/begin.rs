@@ -112,7 +112,7 @@ impl Sequence {
     pub(super) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
         let job = self.job.clone();
         let Some(shape) = self.here.shape(&job) else { return self.leave() };
-        if let Err(low) = Depths::of(shape.depth, &self.heights) {
+        if let Err(low) = Depths::of(shape.depth, &shape.z_mm, &self.heights) {
             // A pause lifted ZBottom above it.
             return self.fault(&format!("shape {}: {low}", shape.number));
         }
@@ -129,7 +129,10 @@ impl Sequence {
 
     /// The heights of the path at hand are those of now.
     pub(super) fn refresh_depths(&mut self) {
-        let depths = self.here.shape(&self.job).map(|shape| Depths::of(shape.depth, &self.heights));
+        let depths = self
+            .here
+            .shape(&self.job)
+            .map(|shape| Depths::of(shape.depth, &shape.z_mm, &self.heights));
         if let Some(Ok(depths)) = depths {
             self.depths = depths;
         }
@@ -192,7 +195,7 @@ impl Sequence {
 
     fn too_low(&self) -> Option<(Code, u32, String)> {
         self.job.shapes.iter().find_map(|shape| {
-            let low = Depths::of(shape.depth, &self.heights).err()?;
+            let low = Depths::of(shape.depth, &shape.z_mm, &self.heights).err()?;
             Some((Code::OutsideLimits, shape.number, format!("shape {}: {low}", shape.number)))
         })
     }

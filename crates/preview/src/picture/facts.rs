@@ -7,6 +7,7 @@ use super::words;
 use crate::palette::{AXIS_X, Rgb, SOFT};
 use crate::scene::{Finding, Scene, ToolPath};
 use kerf_diag::Severity;
+use std::collections::BTreeMap;
 
 /// Tool paths and findings listed before the rest is only counted.
 const MOST_LISTED: usize = 8;
@@ -144,11 +145,34 @@ fn signs(drawn: &Drawn) -> Option<Block> {
 }
 
 fn toolpaths(scene: &Scene) -> Option<Block> {
-    let listed = scene.toolpaths.iter().take(MOST_LISTED);
+    let all = together(&scene.toolpaths);
     let mut rows = vec![Row::Head("Tool paths".into())];
-    rows.extend(listed.map(|t| pair(&toolpath_name(t), words::duration(t.seconds))));
-    rows.extend(rest(scene.toolpaths.len(), MOST_LISTED));
+    let listed = all.iter().take(MOST_LISTED);
+    rows.extend(listed.map(|(name, seconds)| pair(name, words::duration(*seconds))));
+    rows.extend(rest(all.len(), MOST_LISTED));
     (rows.len() > 1).then_some(rows)
+}
+
+/// Tool paths of one name in one row with their number, where they come again and again; else each in its own.
+fn together(toolpaths: &[ToolPath]) -> Vec<(String, f64)> {
+    let each = || toolpaths.iter().map(|t| (toolpath_name(t), t.seconds));
+    if toolpaths.len() <= MOST_LISTED {
+        return each().collect();
+    }
+    let mut rows: Vec<(String, f64, usize)> = Vec::new();
+    let mut places = BTreeMap::new();
+    for (name, seconds) in each() {
+        let place = *places.entry(name.clone()).or_insert(rows.len());
+        match rows.get_mut(place) {
+            Some(row) => (row.1, row.2) = (row.1 + seconds, row.2 + 1),
+            None => rows.push((name, seconds, 1)),
+        }
+    }
+    let named = |(name, seconds, count): (String, f64, usize)| match count {
+        1 => (name, seconds),
+        _ => (format!("{name}, {count} times"), seconds),
+    };
+    rows.into_iter().map(named).collect()
 }
 
 fn toolpath_name(toolpath: &ToolPath) -> String {
@@ -242,5 +266,21 @@ mod tests {
         let block = toolpaths(&scene).expect("there are tool paths");
         assert_eq!(block.last(), Some(&Row::Note("and 3 more".into(), SOFT)));
         assert_eq!(toolpaths(&Scene::default()), None);
+    }
+
+    #[test]
+    fn tool_paths_that_come_again_and_again_are_told_together() {
+        let toolpath = |i: usize| ToolPath {
+            name: ["red", "blue", "green"][if i == 0 { 2 } else { i % 2 }].into(),
+            tool: "1".into(),
+            seconds: 1.5,
+            first_segment: i,
+        };
+        let rows = |count: usize| together(&(0..count).map(toolpath).collect::<Vec<_>>());
+        let row = |name: &str, seconds: f64| (name.to_owned(), seconds);
+        assert_eq!(rows(3), [row("green · 1", 1.5), row("blue · 1", 1.5), row("red · 1", 1.5)]);
+        let many =
+            [row("green · 1", 1.5), row("blue · 1, 5 times", 7.5), row("red · 1, 4 times", 6.0)];
+        assert_eq!(rows(10), many);
     }
 }

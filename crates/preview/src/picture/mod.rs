@@ -154,14 +154,14 @@ fn motion(scene: &Scene, view: &View, tracks: &Tracks, ink: &Ink) -> Vec<Layer> 
     }
     layers.extend([cuts, jogs]);
     layers.push(rulers::zero(view));
-    if scene.colours.is_empty() {
-        layers.push(signs::plunges(tracks, ink.plunge(), ink.em));
-    } else {
+    let colour = |shade| shade_colour(scene, shade);
+    layers.push(signs::plunges(tracks, ink.plunge(), ink.em, colour));
+    if !scene.colours.is_empty() {
         layers.push(signs::bounds(scene, ink.em));
         layers.push(signs::starts(scene, ink.em));
     }
     layers.push(signs::arrows(scene, view));
-    layers.push(signs::ends(tracks, ink.em));
+    layers.push(signs::ends(tracks, view));
     layers
 }
 

@@ -1,9 +1,9 @@
 //! Signs on the path: direction arrows, plunges, start and end.
 
-use super::depth::DepthScale;
 use super::tracks::{Tracks, arc, flat, length, place};
 use super::view::View;
-use crate::palette::{AIR, AXIS_Y, BEGIN, INK, JOG, PAPER};
+use crate::font::Font;
+use crate::palette::{AIR, AXIS_Y, BEGIN, INK, JOG, PAPER, Rgb};
 use crate::scene::{Scene, Segment};
 use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Text};
 use kerf_geom::{Point2, Vec2};
@@ -120,13 +120,13 @@ pub fn head(heads: &mut Outline, at: Point2, along: Vec2, em: f64) {
     ]);
 }
 
-/// Places where the tool goes straight down, in the shade of their depth.
-pub fn plunges(tracks: &Tracks, radius: f64, em: f64) -> Layer {
+/// Places where the tool goes straight down, each in the colour of its cuts.
+pub fn plunges(tracks: &Tracks, radius: f64, em: f64, colour: impl Fn(usize) -> Rgb) -> Layer {
     let mut layer = Layer::new("plunges", Frame::Working, true);
     for same in tracks.plunges.chunk_by(|a, b| a.1 == b.1) {
         let mut dots = Outline::default();
         same.iter().for_each(|(at, _)| dots.circle(*at, radius));
-        let colour = same[0].1.map_or(AIR, DepthScale::colour);
+        let colour = same[0].1.map_or(AIR, &colour);
         layer.path(dots, Paint::edged(colour, PAPER, 0.06 * em));
     }
     layer
@@ -141,7 +141,8 @@ pub fn bores(tracks: &Tracks, shade: usize, cutter_mm: f64) -> Outline {
 }
 
 /// Start and end of the motion.
-pub fn ends(tracks: &Tracks, em: f64) -> Layer {
+pub fn ends(tracks: &Tracks, view: &View) -> Layer {
+    let em = view.em;
     let mut layer = Layer::new("ends", Frame::Page, true);
     let Some([start, end]) = tracks.ends.map(|e| e.map(|p| Point2::new(p.x, -p.y))) else {
         return layer;
@@ -149,10 +150,10 @@ pub fn ends(tracks: &Tracks, em: f64) -> Layer {
     start_sign(&mut layer, start, em);
     end_sign(&mut layer, end, em);
     if start.distance(end) < 3.0 * em {
-        layer.marks.push(name(start, em, "start, end"));
+        layer.marks.push(name(start, view, "start, end"));
     } else {
-        layer.marks.push(name(start, em, "start"));
-        layer.marks.push(name(end, em, "end"));
+        layer.marks.push(name(start, view, "start"));
+        layer.marks.push(name(end, view, "end"));
     }
     layer
 }
@@ -175,14 +176,49 @@ pub fn end_sign(layer: &mut Layer, at: Point2, em: f64) {
     layer.path(square, Paint::edged(INK, PAPER, 0.12 * em));
 }
 
-fn name(at: Point2, em: f64, text: &str) -> Mark {
+/// Right below a place, or left of it where the frame ends.
+fn name(at: Point2, view: &View, text: &str) -> Mark {
+    let em = view.em;
+    let long = Font::new(true).width(text) * em;
+    let fits = at.x + 0.9 * em + long <= view.panel.x + view.panel.w;
+    let (anchor, side) = if fits { (Anchor::Start, 0.9) } else { (Anchor::End, -0.9) };
     Mark::Text(Text {
-        at: at + Vec2::new(0.9 * em, 1.5 * em),
+        at: at + Vec2::new(side * em, 1.5 * em),
         size: em,
-        anchor: Anchor::Start,
+        anchor,
         bold: true,
         colour: INK,
         halo: true,
         text: text.into(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::extent::Extent;
+    use super::*;
+    use crate::scene::Shape;
+
+    #[test]
+    fn a_name_at_the_right_edge_stands_left_of_its_place() {
+        let from = |x: f64| Segment {
+            kind: MoveKind::Cut,
+            from: [x, 0.0, 0.0],
+            to: [0.0, 50.0, 0.0],
+            shape: Shape::Line,
+            line: 1,
+        };
+        let anchor = |x: f64| {
+            let scene = Scene { segments: vec![from(100.0)], ..Scene::default() };
+            let view = View::of(&scene, &Extent::of(&scene), 0.0);
+            match name(Point2::new(x, 0.0), &view, "start, end") {
+                Mark::Text(text) => (text.anchor, text.at.x),
+                Mark::Path { .. } => panic!("a text is wanted"),
+            }
+        };
+        let (left, at) = anchor(0.0);
+        assert!(left == Anchor::Start && at > 0.0);
+        let (right, at) = anchor(100.0);
+        assert!(right == Anchor::End && at < 100.0);
+    }
 }

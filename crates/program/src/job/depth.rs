@@ -61,13 +61,22 @@ impl Depths {
     /// The passes of a shape. Multi-pass divides a depth below the surface into equal steps with a
     /// last one that is smaller; above the surface there is one pass (Profiler notes, 3.8).
     ///
+    /// `z_mm` are the heights of the shape's points above the surface; flat ones have none.
+    ///
     /// # Errors
-    /// A pass lies below ZBottom.
-    pub fn of(depth: Depth, heights: &Heights) -> Result<Self, LowError> {
+    /// A pass or a point lies below ZBottom.
+    pub fn of(depth: Depth, z_mm: &[f64], heights: &Heights) -> Result<Self, LowError> {
         let Heights { surface_mm, bottom_mm, .. } = *heights;
         let levels = match depth {
             Depth::Thru => vec![bottom_mm],
-            Depth::ThreeD => return Ok(Self::Along(surface_mm)),
+            Depth::ThreeD => {
+                let lowest = surface_mm + z_mm.iter().copied().fold(0.0, f64::min);
+                // Heights that were moved onto ZBottom are rounded.
+                if lowest < bottom_mm - ROUNDED_MM {
+                    return Err(LowError { z_mm: lowest, bottom_mm });
+                }
+                return Ok(Self::Along(surface_mm));
+            }
             Depth::Mm { depth_mm, pass_mm } => {
                 steps(depth_mm, pass_mm).map(|z| surface_mm + z).collect()
             }
@@ -78,6 +87,9 @@ impl Depths {
         }
     }
 }
+
+/// Heights that differ by less are one, millimetres.
+const ROUNDED_MM: f64 = 1e-6;
 
 /// The most passes of one path: more are a slip of the decimal point.
 const MOST_PASSES: f64 = 10_000.0;
