@@ -51,6 +51,7 @@ export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", [
 export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);
 export const openTools = sheetAction({ kind: "tools" }, "Virtual tools", []);
 export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
+export const openPorts = sheetAction({ kind: "ports" }, "Ports of the card: diagnostics", []);
 export const openPalette = sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]);
 
 const themeActions = themes.map(
@@ -87,6 +88,7 @@ export const goActions: readonly Action[] = [
   openValues,
   openRecorder,
   openInputs,
+  openPorts,
   openTools,
   openPalette,
   ...themeActions,

@@ -1,6 +1,6 @@
 /** The file that is open and the job that runs it. */
 
-import type { Action, World } from "./action";
+import { type Action, attempt, type World } from "./action";
 import { ask, drive } from "./ask";
 import { unless, unlessReady, whenIdle } from "./machine";
 
@@ -27,6 +27,15 @@ const arms = ({ shown }: World): boolean =>
 const whenReady = (world: World) =>
   notPreviewed(world) ?? (arms(world) ? whenIdle(world) : unlessReady(world));
 
+/** The open job waits, paused or before its second Start: Start goes on with it. */
+const waits = ({ shown: { snapshot } }: World): boolean =>
+  snapshot?.asked?.kind === "paused" && snapshot.job?.hash === snapshot.opened?.hash;
+
+const whenStartable = (world: World) => {
+  if (!waits(world)) return whenReady(world);
+  return world.shown.snapshot?.machine.armed || arms(world) ? undefined : "Arm the machine first.";
+};
+
 const run = (step: boolean) => async (world: World) => {
   const opened = openedOf(world);
   if (!opened || (arms(world) && !(await drive(world, { do: "arm" })))) return;
@@ -37,7 +46,7 @@ export const start: Action = {
   id: "job.start",
   title: "Start",
   section: "job",
-  refused: whenReady,
+  refused: whenStartable,
   run: (world) => void run(false)(world),
 };
 
@@ -47,6 +56,37 @@ export const singleStep: Action = {
   section: "job",
   refused: whenReady,
   run: (world) => void run(true)(world),
+};
+
+/** The Start key of jobs. Where it starts nothing it says why. */
+export const startKey: Action = {
+  id: "job.startKey",
+  title: "Start the job, or go on with it",
+  section: "job",
+  keys: ["F10"],
+  where: "/job",
+  everywhere: true,
+  run: (world) => attempt(start, world),
+};
+
+/** Makes the tool path of a drawing anew, though its job was changed by hand. */
+export const machineAnew: Action = {
+  id: "job.anew",
+  title: "Make the tool path anew",
+  section: "job",
+  refused: (world) =>
+    drawingOf(world) === null && !world.shown.snapshot?.drawing ? "No drawing is open." : undefined,
+  warns: () => "Its paths were changed by hand. Making them anew from the drawing loses that.",
+  run: async (world) => {
+    const act = { do: "machine", drawing: drawingOf(world), anew: true } as const;
+    if (await ask(world, act)) world.screen.go("/job");
+  },
+};
+
+/** The drawing that is open as a file; nothing where the one on the sheet is meant. */
+const drawingOf = (world: World): string | null => {
+  const opened = openedOf(world);
+  return world.screen.get().route === "/job" && opened?.kind === "drawing" ? opened.name : null;
 };
 
 const interruptedOf = ({ shown }: World) => shown.snapshot?.interrupted ?? undefined;
@@ -88,4 +128,12 @@ export const clearPrinted: Action = {
   run: (world) => void ask(world, { do: "clearPrinted" }),
 };
 
-export const jobActions: readonly Action[] = [start, singleStep, takeUp, closeFile, clearPrinted];
+export const jobActions: readonly Action[] = [
+  startKey,
+  start,
+  singleStep,
+  machineAnew,
+  takeUp,
+  closeFile,
+  clearPrinted,
+];

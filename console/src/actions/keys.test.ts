@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import type { Route } from "../app/routes";
 import { actionOfKey, type KeyPress, keyName } from "./keys";
 import { actions } from "./registry";
 
@@ -23,9 +24,15 @@ describe("keys", () => {
     [press("o", { metaKey: true }), "Ctrl+O"],
   ])("are named", (key, name) => expect(keyName(key)).toBe(name));
 
-  it("mean one action each", () => {
-    const all = actions.flatMap((action) => action.keys ?? []);
+  it("mean one action each, and another one at the most on a screen of its own", () => {
+    const all = actions.flatMap(({ keys, where }) => (keys ?? []).map((key) => `${where} ${key}`));
     expect(new Set(all).size).toBe(all.length);
+    const ten = (route: Route) => actionOfKey(actions, press("F10"), true, route)?.id;
+    expect([ten("/job"), ten("/"), ten("/draw")]).toEqual([
+      "job.startKey",
+      "sheet.calculator",
+      "sheet.calculator",
+    ]);
   });
 
   it("belong to actions of different names", () => {

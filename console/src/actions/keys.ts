@@ -1,5 +1,6 @@
 /** Which action a key means. */
 
+import type { Route } from "../app/routes";
 import type { Action } from "./action";
 
 /** The parts of a `KeyboardEvent` that tell which key it is. */
@@ -26,13 +27,15 @@ export function keyName(press: KeyPress): string {
   return parts.filter((part) => part !== "").join("+");
 }
 
-/** The action of a key. A held key means nothing: whatever it did is done already. */
+/** The action of a key; that of the screen before one that is heard everywhere. A held key means nothing: whatever it did is done already. */
 export function actionOfKey(
   actions: readonly Action[],
   press: KeyPress,
   typing: boolean,
+  route: Route = "/",
 ): Action | undefined {
   if (press.repeat) return undefined;
   const name = keyName(press);
-  return actions.find((a) => a.keys?.includes(name) && (!typing || a.everywhere === true));
+  const found = actions.filter((a) => a.keys?.includes(name) && (!typing || a.everywhere === true));
+  return found.find(({ where }) => where === route) ?? found.find(({ where }) => !where);
 }

@@ -36,6 +36,10 @@ const EditScreen = lazy(async () => ({
   default: (await import("../editor/EditScreen")).EditScreen,
 }));
 
+const JobScreen = lazy(async () => ({
+  default: (await import("../job/JobScreen")).JobScreen,
+}));
+
 const DrawScreen = lazy(async () => ({
   default: (await import("../draw/DrawScreen")).DrawScreen,
 }));
@@ -71,6 +75,8 @@ function Route() {
   switch (route) {
     case "/":
       return <OperatorScreen />;
+    case "/job":
+      return <JobScreen />;
     case "/edit":
       return <EditScreen />;
     case "/draw":

@@ -1,6 +1,7 @@
 import { ask } from "../actions/ask";
 import { StepBar } from "../debugger/StepBar";
 import { EditorBar } from "../editor/EditorBar";
+import { PausedDialog } from "../job/PausedDialog";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { QuestionDialog } from "../operator/QuestionDialog";
 import { StoppedDialog } from "../operator/StoppedDialog";
@@ -22,6 +23,9 @@ export function Asking({ asked }: { asked: Asked }) {
       return <EditorBar key={asked.number} asked={asked} />;
     case "hold":
       return <StoppedDialog key={asked.number} asked={asked} />;
+    case "paused":
+      // What is said to it changes the question, not the dialog.
+      return <PausedDialog asked={asked} />;
     default:
       return <QuestionDialog key={asked.number} asked={asked} />;
   }

@@ -21,8 +21,10 @@ export function Keys() {
   useEffect(() => {
     const hear = (event: KeyboardEvent) => {
       if (event.defaultPrevented || presses(event.target, event.key)) return;
-      const action = actionOfKey(actions, event, typingIn(event.target));
-      if (action && perform(action, worldOf(hands))) event.preventDefault();
+      const world = worldOf(hands);
+      const { route } = hands.screen.get();
+      const action = actionOfKey(actions, event, typingIn(event.target), route);
+      if (action && perform(action, world)) event.preventDefault();
     };
     addEventListener("keydown", hear);
     return () => removeEventListener("keydown", hear);

@@ -5,6 +5,7 @@ import { ConfirmSheet } from "../tools/ConfirmSheet";
 import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
+import { PortsSheet } from "../tools/PortsSheet";
 import { RecorderSheet } from "../tools/RecorderSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
@@ -37,6 +38,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ToolsSheet onClose={close} />;
     case "inputs":
       return <InputsSheet onClose={close} />;
+    case "ports":
+      return <PortsSheet onClose={close} />;
     case "confirm":
       return <ConfirmSheet action={sheet.action} onClose={close} />;
   }

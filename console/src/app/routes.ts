@@ -2,6 +2,7 @@
 
 export const routes = [
   { path: "/", title: "Operate" },
+  { path: "/job", title: "Job" },
   { path: "/edit", title: "Edit" },
   { path: "/draw", title: "Draw" },
   { path: "/settings", title: "Settings" },

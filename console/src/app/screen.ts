@@ -17,6 +17,7 @@ export type Sheet =
   | { readonly kind: "scratch" }
   | { readonly kind: "recorder" }
   | { readonly kind: "inputs" }
+  | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "confirm"; readonly action: string }
   | { readonly kind: "palette" };

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
 import type { Op } from "../wire/messages";
 import { FileSheet } from "./FileSheet";
@@ -61,12 +62,21 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <span className="drawing-gap" />
         <Button
           size="small"
-          look="primary"
           isDisabled={!drawing || drawing.shapes === 0}
           onPress={() => setAsking("program")}
         >
           Make the part program…
         </Button>
+        {!drawingOnly && (
+          <Button
+            size="small"
+            look="primary"
+            isDisabled={!drawing || drawing.shapes === 0}
+            onPress={() => void machine(worldOf(hands), null)}
+          >
+            Machine
+          </Button>
+        )}
       </div>
       {asking === "open" && (
         <FileSheet

@@ -16,7 +16,8 @@ export function refusal({ status, snapshot, who }: Shown): string | undefined {
   if (!armed) return "Arm the machine first.";
   const kind = snapshot.asked?.kind;
   const inFile =
-    (state === "asking" && kind === "keypad") || (state === "stopped" && kind === "hold");
+    (state === "asking" && (kind === "keypad" || kind === "paused")) ||
+    (state === "stopped" && (kind === "hold" || kind === "paused"));
   if (state === "idle" || state === "jogging" || inFile) return undefined;
   return busy;
 }

@@ -31,6 +31,15 @@ function Row({ title, word, lamps }: { title: string; word: string; lamps: reado
         >
           {title}
         </button>
+      ) : word === "Output" ? (
+        <button
+          type="button"
+          className="lamps-press"
+          title="Every port of the card"
+          onClick={() => screen.open({ kind: "ports" })}
+        >
+          {title}
+        </button>
       ) : (
         <h3>{title}</h3>
       )}

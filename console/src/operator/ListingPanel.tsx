@@ -1,5 +1,6 @@
-import { useSnapshot } from "../app/context";
+import { useHands, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
+import type { Opened } from "../wire/messages";
 import { Listing } from "./Listing";
 import { useRunningLine } from "./useRunningLine";
 
@@ -10,15 +11,37 @@ export function ListingPanel() {
   return (
     <Panel
       title="Program"
-      aside={<span className="listing-count">{opened ? `${opened.lines} lines` : ""}</span>}
+      aside={<span className="listing-count">{opened ? countOf(opened) : ""}</span>}
     >
       <OpenFiles />
-      {opened ? (
+      {opened && opened.kind !== "program" ? (
+        <NoLines kind={opened.kind} />
+      ) : opened ? (
         <Listing name={opened.name} hash={opened.hash} lines={opened.lines} running={line} />
       ) : (
         <p className="tail-empty">No file is open.</p>
       )}
     </Panel>
+  );
+}
+
+const countOf = ({ kind, lines }: Opened): string =>
+  kind === "job" ? `${lines} paths` : kind === "drawing" ? "" : `${lines} lines`;
+
+/** A job has paths where a program has lines; they are on its own screen. */
+function NoLines({ kind }: { kind: "job" | "drawing" }) {
+  const { screen } = useHands();
+  const words =
+    kind === "job"
+      ? "A job: the tool path of a drawing. Its paths are on the screen of jobs."
+      : "A drawing, which has no tool path yet.";
+  return (
+    <p className="tail-empty">
+      {words}{" "}
+      <button type="button" className="listing-link" onClick={() => screen.go("/job")}>
+        Go to the job
+      </button>
+    </p>
   );
 }
 

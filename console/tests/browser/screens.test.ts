@@ -1,13 +1,11 @@
-import { readFileSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+import { openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 beforeAll(async () => {
   workshop = await openWorkshop({ parts: ["01-first-cut/first-cut.sbp"], open: "first-cut.sbp" });
@@ -21,25 +19,8 @@ beforeAll(async () => {
 });
 afterAll(() => workshop?.close());
 
-interface Violation {
-  id: string;
-  nodes: { target: string[]; failureSummary: string }[];
-}
-
-/** What axe finds on the page, as lines. */
-async function violations(): Promise<string[]> {
-  await page.evaluate(axe);
-  const found = await page.evaluate(async () => {
-    const tool = Reflect.get(window, "axe") as { run(): Promise<{ violations: Violation[] }> };
-    return (await tool.run()).violations;
-  });
-  return found.flatMap(({ id, nodes }) =>
-    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
-  );
-}
-
 const themes = ["light", "dark", "contrast"];
-const routes = ["/", "/edit", "/draw", "/settings", "/help"];
+const routes = ["/", "/job", "/edit", "/draw", "/settings", "/help"];
 
 it.each(themes.flatMap((theme) => routes.map((route) => [theme, route] as const)))(
   "has nothing in anybody's way: %s %s",
@@ -48,7 +29,7 @@ it.each(themes.flatMap((theme) => routes.map((route) => [theme, route] as const)
     await page.goto(`${workshop.address}${route}`);
     await page.getByRole("heading", { level: 1 }).waitFor({ state: "attached" });
     await page.locator(".state", { hasText: "Disarmed" }).waitFor();
-    expect(await violations()).toEqual([]);
+    expect(await violations(page)).toEqual([]);
   },
 );
 
@@ -99,6 +80,7 @@ const overlays: Record<string, () => Promise<void>> = {
   nudge: sheet("Nudge the workpiece"),
   recorder: sheet("Recorded commands"),
   inputs: sheet("Inputs of the simulated machine"),
+  ports: sheet("Ports of the card"),
   tools: sheet("Virtual tools"),
   "fill-in": fillIn("CC"),
   "fill-in of FP": fillIn("FP,first-cut.sbp"),
@@ -141,7 +123,7 @@ it.each(Object.entries(overlays))(
     const found: string[] = [];
     for (const theme of themes) {
       await wear(theme);
-      found.push(...(await violations()).map((text) => `${theme}: ${text}`));
+      found.push(...(await violations(page)).map((text) => `${theme}: ${text}`));
     }
     await script(workshop, "stop");
     await until(async () => (await stateOf(workshop)).machine.state === "idle", "it is over");

@@ -1,7 +1,8 @@
 /** A real server on the simulated machine and a real browser, for tests. */
 
 import { type ChildProcess, spawn } from "node:child_process";
-import { copyFileSync, mkdtempSync, rmSync } from "node:fs";
+import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { type Browser, chromium, type Page } from "playwright-core";
@@ -162,6 +163,24 @@ export async function comesToRest(workshop: Workshop): Promise<void> {
     await moment(150);
     return (await stateOf(workshop)).machine.state === "idle";
   }, "the machine is at rest");
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+interface Violation {
+  id: string;
+  nodes: { target: string[]; failureSummary: string }[];
+}
+
+/** What axe finds on a page, as lines. */
+export async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  const found = await page.evaluate(async () => {
+    const tool = Reflect.get(window, "axe") as { run(): Promise<{ violations: Violation[] }> };
+    return (await tool.run()).violations;
+  });
+  return found.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(" ")}: ${failureSummary}`),
+  );
 }
 
 export interface WorkshopOptions {

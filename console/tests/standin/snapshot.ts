@@ -65,7 +65,7 @@ export const firstSnapshot: Snapshot = {
     pickRadius: 8,
   },
   speeds: { cut: [38.1, 12.7, 25.4, 25.4, 25.4], jog: [152.4, 50.8, 50.8, 50.8, 50.8], rpm: 0 },
-  io: { inputs: lamps([4]), outputs: lamps([]) },
+  io: { inputs: lamps([4]), outputs: lamps([]), ports: { inputs: [0, 0], outputs: [0, 0, 0] } },
   opened: {
     name: "first-cut.sbp",
     hash: "abc",

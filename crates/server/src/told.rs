@@ -1,5 +1,6 @@
 //! From the words inside to those of the messages.
 
+use crate::machine::ports;
 use kerf_control::Session;
 use kerf_diag::{Diagnostic, Severity};
 use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
@@ -51,8 +52,8 @@ pub fn speeds(settings: &Settings) -> Speeds {
     Speeds { cut: list(&settings.speeds.cut), jog: list(&settings.speeds.jog), rpm: 0.0 }
 }
 
-/// Inputs and outputs as they are.
-pub fn io(machine: &Machine) -> Io {
+/// Inputs and outputs as they are, after others.
+pub fn io(machine: &Machine, before: &Io) -> Io {
     let output = |number| {
         let (on, label) = (machine.outputs().is_on(number), String::new());
         Lamp { number, on, label, duty: Duty::Standard }
@@ -60,6 +61,7 @@ pub fn io(machine: &Machine) -> Io {
     Io {
         inputs: (1..=LAMPS as u8).map(|number| input(machine, number)).collect(),
         outputs: (1..=LAMPS as u8).map(output).collect(),
+        ports: ports(machine, &before.ports),
     }
 }
 

@@ -215,7 +215,10 @@ fn a_job_changed_by_hand_is_not_made_anew_without_a_word() {
 
 #[test]
 fn pro_job_step_start__over_http() {
-    let shop = shop(FIVE, |machine| machine.misc.double_start = true);
+    let shop = shop(FIVE, |machine| {
+        machine.misc.double_start = true;
+        machine.homing.at_job_start = kerf_program::AxisSet::EMPTY.with(kerf_program::Axis::Z);
+    });
     let mut page = shop.driver();
     page.open_file("job.rsm");
     let start = json!({ "lease": page.lease, "hash": page.shown["opened"]["hash"] });
@@ -234,6 +237,8 @@ fn pro_job_step_start__over_http() {
     page.until_state("asking");
     page.asked("paused");
     assert_eq!(page.shown["asked"]["text"], "Start with shape 1?");
+    let said = page.shown["messages"].to_string();
+    assert!(said.contains("z homed") && !said.contains("x homed"), "{said}");
     assert_eq!(path(&page), 0, "nothing is cut yet");
     assert_eq!(shop.post("/api/job/start", start, &[]).status, 200);
     finished(&mut page);
@@ -261,4 +266,111 @@ fn speeds_and_heights_are_changed_in_a_pause() {
     page.until_state("idle");
     assert_eq!(page.shown["job"]["ended"], "stopped");
     assert!(page.shown["io"]["outputs"].as_array().unwrap().iter().all(|lamp| lamp["on"] == false));
+}
+
+fn ports(page: &Page) -> Value {
+    page.shown["io"]["ports"].clone()
+}
+
+#[test]
+fn pro_io_diag_read__in_the_state_of_pages() {
+    let shop = start(Wanted::default());
+    let mut page = shop.driver();
+    assert_eq!(ports(&page), json!({ "inputs": [0, 0], "outputs": [0, 0, 0] }));
+    // The switch of X is line 15.
+    let press = json!({ "do": "input", "lease": page.lease, "number": 15, "on": true });
+    assert_eq!(page.act(press), None);
+    page.until("port A", |page| ports(page)["inputs"] == json!([4, 0]));
+    let bits = shop.get("/api/ports").json();
+    let xhome = bits.as_array().unwrap().iter().find(|bit| bit["name"] == "xhome").unwrap();
+    let told = (&xhome["port"], &xhome["place"], &xhome["output"]);
+    assert_eq!(told, (&json!("A"), &json!(2), &json!(false)));
+    assert_eq!(bits.as_array().unwrap().len(), 40);
+}
+
+#[test]
+fn lamps_of_the_card_follow_a_job() {
+    let shop = shop("line 0,0 100,0; line 100,50 0,50", |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    assert_eq!(page.run(), None);
+    // Tool 1, cut 1, router and job running; X steps forwards, then backwards.
+    let x = |page: &Page| ports(page)["outputs"][0].as_u64().unwrap() & 0b11;
+    page.until("the first path", |page| {
+        x(page) == 0b11 && ports(page)["outputs"][1] == 0b1100_0011
+    });
+    page.until("the way back", |page| x(page) == 0b10 && path(page) == 2);
+    finished(&mut page);
+    assert_eq!(ports(&page)["outputs"][1], 0);
+    assert_eq!(ports(&page)["outputs"][0].as_u64().unwrap() & 0b1010_1010, 0, "nothing steps");
+}
+
+/// Every position and speed that a page is told while a job of two lines runs.
+fn told(tenths: u8) -> Vec<([f64; 3], f64)> {
+    fn with(tenths: u8) -> fn(&mut Configuration) {
+        match tenths {
+            0 => |machine| machine.misc.runtime_drawing = 0,
+            5 => |machine| machine.misc.runtime_drawing = 5,
+            _ => |machine| machine.misc.runtime_drawing = 10,
+        }
+    }
+    let shop = shop("line 0,0 100,0; line 700,0 600,0", with(tenths));
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    assert_eq!(page.run(), None);
+    let mut told = Vec::new();
+    while page.shown["job"]["ended"].is_null() {
+        assert!(page.read());
+        let speed = page.shown["motion"]["speed"].as_f64().unwrap();
+        if page.shown["machine"]["state"] == "running" && told.last() != Some(&(at(&page), speed)) {
+            told.push((at(&page), speed));
+        }
+    }
+    page.until_state("idle");
+    assert_eq!(at(&page), [0.0, 0.0, -10.0], "where it stands is told in any case");
+    told
+}
+
+/// Everything that a run tells.
+#[derive(Default)]
+struct Trace(Vec<kerf_control::Event>);
+
+impl kerf_control::Sink for Trace {
+    fn event(&mut self, event: &kerf_control::Event) {
+        self.0.push(event.clone());
+    }
+}
+
+/// The trace of the same job.
+fn trace(tenths: u8) -> Vec<kerf_control::Event> {
+    let mut machine = kerf_machine::profile::profile("sim").unwrap().configuration().unwrap();
+    machine.misc.runtime_drawing = tenths;
+    let (job, _) = kerf_toolpath::read(rsm("line 0,0 100,0; line 700,0 600,0").as_bytes());
+    let work = kerf_control::job_file::work(&job, "job.rsm".into(), machine);
+    let folders = kerf_control::files::Folders::new(".".into(), Vec::new(), Vec::new());
+    let stored = kerf_control::stored::Stored::in_memory(Default::default());
+    let disk = kerf_control::files::RealDisk;
+    let mut shelf = kerf_control::Shelf::preview(disk, folders, &stored, ".".into());
+    let mut sink = Trace::default();
+    let company = kerf_control::Company { sink: &mut sink, operator: &mut (), pace: &mut () };
+    let options = kerf_control::RunOptions::default();
+    kerf_control::Session::default().run(work, options, &mut shelf, company);
+    sink.0
+}
+
+#[test]
+fn pro_misc_runtime() {
+    assert!(trace(0).len() > 20 && trace(0) == trace(10), "what moves is the same");
+    let most = |told: &[([f64; 3], f64)]| told.iter().map(|(_, speed)| *speed).fold(0.0, f64::max);
+    let (never, half, always) = (told(0), told(5), told(10));
+    // SIM moves at 200 mm/s at the most.
+    assert!(always.len() > 15 && most(&always) > 150.0, "{always:?}");
+    assert!(half.len() > 5 && most(&half) > 50.0 && most(&half) <= 100.0 + 1e-6, "{half:?}");
+    assert!(never.iter().all(|(_, speed)| *speed == 0.0), "{never:?}");
+    let shop = shop(FIVE, |_| {});
+    let mut page = shop.driver();
+    for wrong in ["-1", "11"] {
+        let act = json!({ "do": "set", "lease": page.lease, "key": "misc.runtime_drawing", "value": wrong });
+        assert_eq!(page.act(act).as_deref(), Some("mistake"));
+    }
 }

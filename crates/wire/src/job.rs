@@ -159,6 +159,9 @@ pub struct Job {
     pub seconds: f64,
     /// The open files, outermost first, with the line that is read.
     pub calls: Vec<Call>,
+    /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they
+    /// are in force in a job. Pauses and height control change them.
+    pub heights: Option<[f64; 3]>,
     /// How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs.
     pub ended: Option<String>,
     /// What ended it, when it was an error.

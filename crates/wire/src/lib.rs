@@ -50,7 +50,8 @@ pub use language::{
     ParameterKind, SystemValue, Values,
 };
 pub use machine::{
-    AxisUnits, Duty, Io, Lamp, Machine, Mode, Motion, Positions, Speeds, State, Units,
+    AxisUnits, Duty, Io, Lamp, Machine, Mode, Motion, PortBit, Ports, Positions, Speeds, State,
+    Units,
 };
 pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};

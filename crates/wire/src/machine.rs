@@ -170,11 +170,39 @@ pub struct Io {
     pub inputs: Vec<Lamp>,
     /// Outputs 1 … 12.
     pub outputs: Vec<Lamp>,
+    /// The ports of the card.
+    pub ports: Ports,
+}
+
+/// The ports of the card, a byte each.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Ports {
+    /// Input ports A and B.
+    pub inputs: [u8; 2],
+    /// Output ports A, B and C. The step bit of a motor is on while it steps.
+    pub outputs: [u8; 3],
+}
+
+/// One bit of a port.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct PortBit {
+    /// An output; an input otherwise.
+    pub output: bool,
+    /// The letter of its port.
+    pub port: char,
+    /// Its place, 0 … 7.
+    pub place: u8,
+    /// Its name on this machine.
+    pub name: String,
+    /// What it is for.
+    pub about: String,
 }
 
 impl Default for Io {
     fn default() -> Self {
         let lamps = || (1..=LAMPS as u8).map(|number| Lamp { number, ..Lamp::default() }).collect();
-        Self { inputs: lamps(), outputs: lamps() }
+        Self { inputs: lamps(), outputs: lamps(), ports: Ports::default() }
     }
 }

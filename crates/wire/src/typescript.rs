@@ -3,7 +3,7 @@
 use crate::preview::PreviewInfo;
 use crate::{
     Checked, CommandEntry, Completion, FileInfo, Hint, Hover, JobView, Lamp, OperationEntry,
-    Request, SettingArea, ShapeList, ToPage, ToolPaths, Values,
+    PortBit, Request, SettingArea, ShapeList, ToPage, ToolPaths, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -50,6 +50,7 @@ pub fn typescript() -> String {
     declared.visit::<Values>();
     declared.visit::<SettingArea>();
     declared.visit::<Lamp>();
+    declared.visit::<PortBit>();
     let head = "// Made from crates/wire by `cargo xtask wire`; changes are lost.\n";
     let texts: Vec<String> = declared.texts.into_values().collect();
     format!("{head}\n{}", on_lines(&texts.join("\n")))

@@ -2,14 +2,15 @@
 
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
+use crate::machine::bits;
 use crate::{configure, told};
 use axum::Json;
 use axum::extract::State;
 use kerf_machine::lines::Input;
 use kerf_program::settings::LINES;
 use kerf_wire::{
-    Checked, CommandEntry, Completion, Hover, Lamp, NamedValue, Problem, SettingArea, SystemValue,
-    Values, Why,
+    Checked, CommandEntry, Completion, Hover, Lamp, NamedValue, PortBit, Problem, SettingArea,
+    SystemValue, Values, Why,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -110,6 +111,11 @@ fn read_values(app: &App) -> Result<Values, Problem> {
 /// The configuration of the machine, as a form.
 pub async fn settings(State(app): State<Arc<App>>) -> Json<Vec<SettingArea>> {
     Json(configure::form(&lock(&app.left).session.configuration()))
+}
+
+/// Every bit of the ports of the card.
+pub async fn ports(State(app): State<Arc<App>>) -> Json<Vec<PortBit>> {
+    Json(bits(&lock(&app.left).session.configuration()))
 }
 
 /// Every input of the simulated machine: those of the control box, and the lines of the ports.

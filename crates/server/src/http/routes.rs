@@ -11,7 +11,7 @@ use kerf_control::MOST_BYTES;
 use kerf_wire::preview::PreviewInfo;
 use kerf_wire::{
     Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
-    OperationEntry, Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
+    OperationEntry, PortBit, Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -53,6 +53,7 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/problems", get(rest::problems)),
         ("/api/settings", get(language::settings)),
         ("/api/inputs", get(language::inputs)),
+        ("/api/ports", get(language::ports)),
         ("/api/registry", get(registry::list)),
         ("/api/registry/{*key}", get(registry::get).put(registry::set)),
         ("/api/language/check", post(language::check)),
@@ -153,6 +154,7 @@ fn routes() -> Vec<Route> {
             answer: None,
         },
         looks("/api/inputs", "Every input of the simulated machine", Some(schema::<Vec<Lamp>>)),
+        looks("/api/ports", "Every bit of the card's ports", Some(schema::<Vec<PortBit>>)),
         looks("/api/commands", "The commands of OpenSBP", Some(schema::<Vec<CommandEntry>>)),
         asks(
             "/api/language/check",

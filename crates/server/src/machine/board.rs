@@ -1,12 +1,16 @@
 //! What a run has to tell the pages, gathered so that they are told some thirty times a second and
 //! not a thousand.
 
+use super::ports;
 use crate::hub::Hub;
 use crate::told;
 use kerf_control::{Doing, Made};
+use kerf_machine::Configuration;
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
-use kerf_wire::{Call, Change, Io, Message, Motion, NamedValue, Pause, Speeds, Tone, Units};
+use kerf_wire::{
+    Call, Change, Io, Message, Motion, NamedValue, Pause, Positions, Speeds, Tone, Units,
+};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -68,6 +72,15 @@ pub struct Board {
     /// Number of the run.
     run: u32,
     planned: Planned,
+    machine: Configuration,
+    /// Positions are told up to this speed, mm/s; nothing for never in motion.
+    live_mm_s: Option<f64>,
+    /// A job runs, no part program.
+    is_job: bool,
+    /// Where the machine was seen last, told or not.
+    seen: Option<Positions>,
+    /// Heights in force in a job.
+    heights: Option<[f64; 3]>,
     /// Moves that were made.
     made: u32,
     /// Share of the speed asked for.
@@ -76,12 +89,13 @@ pub struct Board {
 
 impl Board {
     /// For a run with this plan.
-    pub fn new(hub: Arc<Hub>, run: u32, planned: Planned) -> Self {
+    pub fn new(hub: Arc<Hub>, run: u32, planned: Planned, machine: Configuration) -> Self {
         let (units, speeds, io) = hub.read(|now| (now.units.clone(), now.speeds, now.io.clone()));
+        let motion = hub.read(|now| Motion { at: now.motion.at, ..Motion::default() });
         Self {
             hub,
             told: Instant::now(),
-            motion: Motion::default(),
+            motion,
             units,
             speeds,
             io,
@@ -93,6 +107,11 @@ impl Board {
             comment: None,
             run,
             planned,
+            live_mm_s: ports::live_mm_s(&machine),
+            machine,
+            seen: None,
+            heights: None,
+            is_job: false,
             made: 0,
             feed: 1.0,
         }
@@ -102,6 +121,9 @@ impl Board {
     pub fn see(&mut self, doing: &Doing<'_>, t_s: f64) {
         self.look_at(doing.machine);
         self.pause.take_if(|pause| pause.until <= t_s);
+        if let Some(going) = &doing.going {
+            ports::moving(&mut self.io.ports, going.at(t_s).velocity, &self.machine);
+        }
         let frame = doing.machine.frame();
         let (place, speed, going) = match &doing.going {
             Some(going) => {
@@ -111,26 +133,35 @@ impl Board {
             }
             None => (doing.machine.position(), 0.0, None),
         };
-        let cutting = going.is_some_and(|made| made.kind == MoveKind::Cut);
-        let line = going.map_or(self.motion.line, |made| made.at.line);
         let at = told::positions(frame, place);
+        self.seen = Some(at);
+        let cutting = going.is_some_and(|made| made.kind == MoveKind::Cut);
+        let live = doing.going.is_none() || self.live_mm_s.is_some_and(|most| speed <= most);
+        let before = (self.motion.at, self.motion.speed, self.motion.cutting);
+        let (at, speed, cutting) = if live { (at, speed, cutting) } else { before };
+        let line = going.map_or(self.motion.line, |made| made.at.line);
         let (progress, remaining) = self.progress();
         self.motion =
             Motion { at, speed, t: t_s, cutting, line, made: self.made, progress, remaining };
     }
 
     /// The machine stands.
-    pub const fn stand(&mut self) {
+    pub fn stand(&mut self) {
         (self.motion.speed, self.motion.cutting) = (0.0, false);
+        self.motion.at = self.seen.unwrap_or(self.motion.at);
+        ports::stand(&mut self.io.ports);
     }
 
     fn look_at(&mut self, machine: &Machine) {
         let settings = machine.settings();
-        let (units, rpm) = (told::units(settings), self.speeds.rpm);
+        let rpm = self.speeds.rpm;
         let speeds = Speeds { rpm, ..told::speeds(settings) };
-        self.units = units;
+        // A job counts in millimetres; people go on reading what they are used to.
+        if !self.is_job {
+            self.units = told::units(settings);
+        }
         self.speeds = speeds;
-        self.io = told::io(machine);
+        self.io = told::io(machine, &self.io);
     }
 
     /// How far the job is and how long it takes from here, by its plan.
@@ -150,6 +181,16 @@ impl Board {
         let step = made.span.made;
         let [x, y, _] = step.to.first3();
         self.made = self.planned.made(self.made, (step.at.line, [x, y]));
+    }
+
+    /// A job begins.
+    pub const fn begins_job(&mut self) {
+        self.is_job = true;
+    }
+
+    /// Other heights are in force.
+    pub const fn heights(&mut self, heights: [f64; 3]) {
+        self.heights = Some(heights);
     }
 
     /// A spindle got a speed.
@@ -220,8 +261,10 @@ impl Board {
             put(now.speeds != self.speeds, Change::Speeds { speeds: self.speeds });
             put(now.io != self.io, Change::Io { io: self.io.clone() });
             put(now.motion != self.motion, Change::Motion { motion: self.motion });
-            if let (Some(calls), Some(job)) = (self.calls.take(), &now.job) {
-                let job = Some(kerf_wire::Job { calls, ..job.clone() });
+            if let Some(job) = &now.job {
+                let calls = self.calls.take().unwrap_or_else(|| job.calls.clone());
+                let heights = self.heights.or(job.heights);
+                let job = Some(kerf_wire::Job { calls, heights, ..job.clone() });
                 put(now.job != job, Change::Job { job });
             }
             let pause = self.pause.clone();

@@ -2,7 +2,7 @@
 //!
 //! The three share a [`Board`]; they live on the machine's thread.
 
-use super::board::Board;
+use super::board::{Board, TELL};
 use super::link::Link;
 use crate::files::PartFolder;
 use crate::hub::Hub;
@@ -19,6 +19,9 @@ use std::time::{Duration, Instant};
 
 /// A nap while machine time passes: pages see the machine move, a jog that nobody renews is noticed.
 const NAP: Duration = Duration::from_millis(15);
+
+/// Lamps follow their bits within a tenth of a second (Profiler reference, "I/O Card").
+const _: () = assert!(NAP.as_millis() + TELL.as_millis() < 100);
 
 /// What the three share.
 #[derive(Clone, Debug)]
@@ -294,6 +297,11 @@ impl Sink for Teller {
             Event::Wait { seconds, t } => board.pause(*t, *seconds),
             Event::Diag(found) => board.say(told::tone(found), told::sentence(found)),
             Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
+            Event::Homed { axis, steps, .. } => {
+                board.say(Tone::Note, format!("{axis} homed; its last home was {steps} steps off"));
+            }
+            Event::Start { dialect: "job", .. } => board.begins_job(),
+            Event::Heights { top, surface, bottom, .. } => board.heights([*top, *surface, *bottom]),
             Event::Clear { .. } => {
                 drop(board);
                 self.shared.hub.cleared(true);

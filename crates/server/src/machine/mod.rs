@@ -12,10 +12,12 @@ mod company;
 mod left;
 pub mod link;
 mod owner;
+mod ports;
 mod reach;
 
 pub use board::{PathEnd, Planned};
 pub use left::Left;
 pub use link::Link;
 pub use owner::{Order, Owner};
+pub use ports::{bits, ports};
 pub use reach::reach;

@@ -207,7 +207,9 @@ impl Owner {
         planned: Planned,
         runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
     ) -> Result<Summary, JournalError> {
-        let board = Rc::new(RefCell::new(Board::new(self.hub.clone(), self.run, planned)));
+        let machine = self.workshop.session.configuration();
+        let board = Board::new(self.hub.clone(), self.run, planned, machine);
+        let board = Rc::new(RefCell::new(board));
         let shared = Shared {
             board: board.clone(),
             hub: self.hub.clone(),
@@ -256,7 +258,7 @@ impl Owner {
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
-            let io = self.workshop.session.look(told::io);
+            let io = self.workshop.session.look(|machine| told::io(machine, &now.io));
             vec![
                 Change::Io { io },
                 Change::Motion { motion },

@@ -1,0 +1,189 @@
+import { type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
+import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
+import { lengthText } from "../app/units";
+import { isEmpty, joined, type Place, place } from "../draw/geometry/vec";
+import { inkOf, pixelOf } from "../draw/ink";
+import { paintPaper } from "../draw/paint/paper";
+import { sheetOn } from "../draw/paint/pen";
+import { paintTable } from "../draw/paint/table";
+import type { TableItem } from "../draw/table";
+import { fitted, panned, toDrawing, type Window, zoomedAbout } from "../draw/window";
+import { Button } from "../ui/Button";
+import { useSize } from "../view/useSize";
+import { chooseStart } from "./actions";
+import { paintPlan, paintProgress } from "./paint";
+import { margin, type Plan, pathAt, type Standing, toolPlace } from "./plan";
+
+/** A click picks what lies so near, pixels. */
+const near = 10;
+
+/** A press that moves further than this moves the sheet, pixels. */
+const still = 4;
+
+interface JobSheetProps {
+  plan: Plan;
+  standing: Standing;
+}
+
+/** The paths of the job; a click on one begins the job with it. */
+export function JobSheet({ plan, standing }: JobSheetProps) {
+  const hands = useHands();
+  const box = useRef<HTMLDivElement>(null);
+  const size = useSize(box);
+  const [wanted, setWindow] = useState<Window | null>(null);
+  const [hover, setHover] = useState<number | null>(null);
+  const pressed = useRef<{ at: Place; window: Window } | null>(null);
+  const all = useMemo(() => boxOf(plan), [plan]);
+  const { width, height } = size;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: shows all of another job, not of each choice
+  useEffect(() => {
+    if (width > 0) setWindow(fitted(all, { width, height }, margin));
+  }, [plan.paths.length, width, height]);
+  const window = wanted ?? fitted(all, size, margin);
+  const found = (event: MouseEvent) =>
+    pathAt(plan, toDrawing(window, size, pixelOf(box.current, event)), near * window.mmPerPixel);
+  return (
+    <div className="job-sheet-box">
+      <div
+        ref={box}
+        className={hover === null ? "job-sheet" : "job-sheet job-sheet-picking"}
+        role="application"
+        aria-label="Paths of the job"
+        onPointerDown={(event) => {
+          event.currentTarget.setPointerCapture(event.pointerId);
+          pressed.current = { at: pixelOf(box.current, event), window };
+        }}
+        onPointerMove={(event) => {
+          const from = pressed.current;
+          const at = pixelOf(box.current, event);
+          if (!from) return setHover(found(event));
+          const [across, down] = [at.x - from.at.x, at.y - from.at.y];
+          if (Math.hypot(across, down) > still) setWindow(panned(from.window, across, down));
+        }}
+        onPointerUp={(event) => {
+          const from = pressed.current;
+          pressed.current = null;
+          const at = pixelOf(box.current, event);
+          if (!from || Math.hypot(at.x - from.at.x, at.y - from.at.y) > still) return;
+          const number = found(event);
+          if (number !== null) void chooseStart(worldOf(hands), number);
+        }}
+        onPointerLeave={() => setHover(null)}
+        onWheel={(event) => {
+          const at = toDrawing(window, size, pixelOf(box.current, event));
+          setWindow(zoomedAbout(window, at, Math.exp(-event.deltaY / 500)));
+        }}
+      >
+        <Canvases {...{ plan, standing, window, hover }} size={size} />
+      </div>
+      <div className="job-sheet-bar">
+        <Button size="small" onPress={() => setWindow(fitted(all, size, margin))}>
+          Show all
+        </Button>
+        <Legend plan={plan} />
+        <HoverWords plan={plan} number={hover} />
+      </div>
+    </div>
+  );
+}
+
+/** All paths, the origin and where the head goes at the end. */
+function boxOf({ box, view }: Plan) {
+  const [x, y] = view.finish;
+  const spots = {
+    min: place(Math.min(0, x), Math.min(0, y)),
+    max: place(Math.max(0, x), Math.max(0, y)),
+  };
+  return isEmpty(box) ? spots : joined(box, spots);
+}
+
+interface CanvasesProps extends JobSheetProps {
+  window: Window;
+  size: { width: number; height: number };
+  hover: number | null;
+}
+
+function Canvases({ plan, standing, window, size, hover }: CanvasesProps) {
+  const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
+  const theme = useScreen("theme");
+  const unitMm = useSnapshot("units")?.mm ?? 1;
+  const motion = useSnapshot("motion");
+  const snapshot = useShown((shown) => shown.snapshot);
+  const { start } = standing;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
+  useEffect(() => {
+    const sheet = base.current && sheetOn(base.current, window, size);
+    if (!sheet) return;
+    const ink = inkOf(sheet.pen.canvas);
+    paintPaper(sheet, unitMm, ink);
+    paintPlan(sheet, plan, { runs: false, at: 0, start, finished: false }, ink);
+  }, [plan, start, window, size.width, size.height, unitMm, theme]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
+  useEffect(() => {
+    const sheet = over.current && sheetOn(over.current, window, size);
+    if (!sheet) return;
+    const { pen } = sheet;
+    pen.clearRect(0, 0, size.width, size.height);
+    const ink = inkOf(pen.canvas);
+    paintProgress(sheet, plan, standing, { hover, ink });
+    paintTable(sheet, spots(plan, toolPlace(snapshot, plan)), ink);
+  }, [plan, standing, hover, motion, window, size.width, size.height, theme]);
+  return (
+    <>
+      <canvas ref={base} className="sheet-canvas" />
+      <canvas ref={over} className="sheet-canvas" />
+    </>
+  );
+}
+
+/** The machine round the job, from its origin. */
+function spots({ view }: Plan, tool: Place | null): TableItem[] {
+  const [[x0, y0], [fx, fy]] = [view.origin, view.finish];
+  const [[left, right], [bottom, top]] = view.table;
+  const bounds: TableItem[] =
+    right > left && top > bottom
+      ? [
+          {
+            kind: "bounds",
+            box: { min: place(left - x0, bottom - y0), max: place(right - x0, top - y0) },
+          },
+        ]
+      : [];
+  return [
+    ...bounds,
+    { kind: "home", at: place(-x0, -y0) },
+    { kind: "origin", at: place(0, 0) },
+    { kind: "finish", at: place(fx, fy) },
+    ...(tool ? [{ kind: "tool" as const, at: tool }] : []),
+  ];
+}
+
+/** The groups that have paths, in their colours. */
+function Legend({ plan }: { plan: Plan }) {
+  return (
+    <ul className="job-legend" aria-label="Groups">
+      {plan.groups.map((group) => (
+        <li key={group}>
+          <i style={{ background: `var(--draw-group-${group})` }} aria-hidden="true" />
+          {group}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+/** What lies under the pointer. */
+function HoverWords({ plan, number }: { plan: Plan; number: number | null }) {
+  const units = useSnapshot("units");
+  const path = number === null ? undefined : plan.paths[number - 1];
+  if (!path || !units)
+    return <p className="job-hover">A click on a path begins the job with it.</p>;
+  const { box, group } = path.shape;
+  const [wide, high] = [box.max.x - box.min.x, box.max.y - box.min.y];
+  return (
+    <p className="job-hover">
+      <b>Path {number}</b>, {group}, tool {path.tool}, {lengthText(wide, units)} ×{" "}
+      {lengthText(high, units)}
+    </p>
+  );
+}

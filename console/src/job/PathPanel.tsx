@@ -1,0 +1,125 @@
+import { useEffect, useRef } from "react";
+import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import { Panel } from "../ui/Panel";
+import { chooseStart } from "./actions";
+import { type Plan, type Share, type Standing, shareOf } from "./plan";
+import { ValueField } from "./ValueField";
+
+/** Paths that a list shows round the one at hand: a job can have a million. */
+const most = 400;
+
+const words: Record<Share, string> = {
+  skipped: "left out",
+  waiting: "",
+  running: "cutting",
+  done: "done",
+};
+
+interface PathPanelProps {
+  plan: Plan;
+  standing: Standing;
+}
+
+/** The paths in cutting order, and the one with which the job begins. */
+export function PathPanel({ plan, standing }: PathPanelProps) {
+  const count = plan.paths.length;
+  return (
+    <Panel
+      title="Paths"
+      className="path-panel"
+      aside={<span className="listing-count">{count}</span>}
+    >
+      <StartChoice count={count} start={standing.start} />
+      <PathList plan={plan} standing={standing} />
+      <Findings />
+    </Panel>
+  );
+}
+
+function StartChoice({ count, start }: { count: number; start: number }) {
+  const hands = useHands();
+  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const begin = (number: number) =>
+    chooseStart(worldOf(hands), Math.min(Math.max(Math.round(number), 1), count));
+  return (
+    <div className="start-choice">
+      <ValueField label="Begins with path" value={start} isDisabled={!idle} onSet={begin} />
+      <Button
+        size="small"
+        aria-label="The path before"
+        isDisabled={!idle || start <= 1}
+        onPress={() => void begin(start - 1)}
+      >
+        −
+      </Button>
+      <Button
+        size="small"
+        aria-label="The next path"
+        isDisabled={!idle || start >= count}
+        onPress={() => void begin(start + 1)}
+      >
+        +
+      </Button>
+      <Button size="small" isDisabled={!idle || start === 1} onPress={() => void begin(1)}>
+        First
+      </Button>
+    </div>
+  );
+}
+
+function PathList({ plan, standing }: PathPanelProps) {
+  const hands = useHands();
+  const here = standing.runs ? standing.at : standing.start;
+  const from = Math.max(0, Math.min(here - most / 2, plan.paths.length - most));
+  const shown = plan.paths.slice(from, from + most);
+  const row = useRef<HTMLLIElement>(null);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: follows the path at hand
+  useEffect(() => {
+    row.current?.scrollIntoView({ block: "nearest" });
+  }, [here]);
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a list that scrolls must be reached by key
+    <ol className="path-list" aria-label="Paths in cutting order" tabIndex={0}>
+      {shown.map(({ shape, traversal, tool }) => {
+        const share = shareOf(shape.number, standing);
+        return (
+          <li
+            key={shape.number}
+            ref={shape.number === here ? row : null}
+            className={`path-row path-${share}`}
+            aria-current={share === "running" ? "step" : undefined}
+          >
+            <button
+              type="button"
+              onClick={() => void chooseStart(worldOf(hands), shape.number)}
+              title="Begin with this path"
+            >
+              <b>{shape.number}</b>
+              <i style={{ background: `var(--draw-group-${shape.group})` }} aria-hidden="true" />
+              <span>
+                {shape.group}
+                {traversal ? ", way round" : `, tool ${tool}`}
+                {shape.pause && <em>pause</em>}
+              </span>
+              <span className="path-share">{words[share]}</span>
+            </button>
+          </li>
+        );
+      })}
+    </ol>
+  );
+}
+
+/** What is wrong with the job, before it is started. */
+function Findings() {
+  const findings = useSnapshot("opened")?.findings ?? [];
+  if (findings.length === 0) return null;
+  return (
+    <ul className="path-findings" aria-label="Findings">
+      {findings.map(({ message }) => (
+        <li key={message}>{message}</li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,28 @@
+/** What is done with the job that is open. */
+
+import type { World } from "../actions/action";
+import { ask } from "../actions/ask";
+import type { JobChoice } from "../wire/messages";
+
+/** Cuts the job otherwise; nothing while one runs. */
+export async function choose(world: World, change: Partial<JobChoice>): Promise<boolean> {
+  const snapshot = world.shown.snapshot;
+  if (snapshot?.opened?.kind !== "job") return false;
+  if (!["idle", "alarm"].includes(snapshot.machine.state)) {
+    world.screen.tell("A job runs: its first path is chosen before it starts.");
+    return false;
+  }
+  return ask(world, { do: "choose", choice: { ...snapshot.opened.choice, ...change } });
+}
+
+/** Begins with this path; with the first one as the file has it. */
+export const chooseStart = (world: World, start: number | null): Promise<boolean> =>
+  choose(world, { start });
+
+/** Makes the tool path of a drawing and goes to it; nothing for the drawing on the sheet. */
+export async function machine(world: World, drawing: string | null): Promise<void> {
+  const { problem } = await world.link.ask({ do: "machine", drawing, anew: false });
+  if (!problem) return world.screen.go("/job");
+  if (problem.why !== "changed") return world.screen.tell(problem.text);
+  world.screen.open({ kind: "confirm", action: "job.anew" });
+}
