@@ -388,7 +388,9 @@ export type Io = {
 /** Inputs 1 … 12. */
 inputs: Array<Lamp>,
 /** Outputs 1 … 12. */
-outputs: Array<Lamp>, };
+outputs: Array<Lamp>,
+/** The ports of the card. */
+ports: Ports, };
 
 /** What runs. */
 export type Job = {
@@ -404,6 +406,8 @@ command: string | null,
 seconds: number,
 /** The open files, outermost first, with the line that is read. */
 calls: Array<Call>,
+/** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they are in force in a job. Pauses and height control change them. */
+heights: [number, number, number] | null,
 /** How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
 ended: string | null,
 /** What ended it, when it was an error. */
@@ -655,6 +659,26 @@ export type Pause = {
 text: string,
 /** Machine time since the run began at which it is over, seconds. */
 until: number, };
+
+/** One bit of a port. */
+export type PortBit = {
+/** An output; an input otherwise. */
+output: boolean,
+/** The letter of its port. */
+port: string,
+/** Its place, 0 … 7. */
+place: number,
+/** Its name on this machine. */
+name: string,
+/** What it is for. */
+about: string, };
+
+/** The ports of the card, a byte each. */
+export type Ports = {
+/** Input ports A and B. */
+inputs: [number, number],
+/** Output ports A, B and C. The step bit of a motor is on while it steps. */
+outputs: [number, number, number], };
 
 /** A place in every frame: mm or degrees, X Y Z A B C. */
 export type Positions = {

@@ -8,7 +8,16 @@ import { boxOf, joined, noBox, place } from "../../src/draw/geometry/vec";
 import { fitted, toPixels } from "../../src/draw/window";
 import { margin } from "../../src/job/plan";
 import type { JobView } from "../../src/wire/messages";
-import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+import {
+  arm,
+  hold,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 const themes = ["dark", "contrast", "light"];
 
@@ -95,10 +104,16 @@ it("a job is cut, paused, moved away from, gone on with and finished, by mouse",
   await up.waitFor();
   const box = await up.boundingBox();
   if (!box) throw new Error("there is no button");
-  await page.mouse.move(box.x + 10, box.y + 10);
-  await page.mouse.down();
-  await until(async () => (await machinePlace())[1] > y0 + 5, "the tool is moved");
-  await page.mouse.up();
+  const { x, y } = box;
+  const hand = {
+    async down() {
+      await page.mouse.move(x + 10, y + 10);
+      await page.mouse.down();
+    },
+    up: () => page.mouse.up(),
+  };
+  await hold(workshop, hand, ({ motion }) => motion.at.machine[1] > y0 + 5, "the tool is moved");
+  await hand.up();
   await begins("stopped");
   await page.getByRole("button", { name: "Close" }).click();
   await page.getByRole("button", { name: "Resume" }).last().click();

@@ -163,6 +163,7 @@ export async function comesToRest(workshop: Workshop): Promise<void> {
     await moment(150);
     return (await stateOf(workshop)).machine.state === "idle";
   }, "the machine is at rest");
+}
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 

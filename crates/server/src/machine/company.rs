@@ -10,7 +10,7 @@ use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish};
 use kerf_program::{Question, QuestionKind};
-use kerf_wire::{Asked, Call, Change, Machine, State};
+use kerf_wire::{Asked, Call, Change, Machine, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
