@@ -4,15 +4,21 @@
 use crate::child;
 use crate::figure::{Figure, Goal, Spread};
 use anyhow::{Context, Result};
-use kerf_motion::{Model, Move, Mover, Optimal, OptimalPlanner, Planner};
+use kerf_motion::{Model, Move, Mover, Optimal, OptimalPlanner, Planner, Queue};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::{env, fs};
+use std::{env, fs, iter};
 
 /// The word with which this program plans a raster and does nothing else.
 pub const RASTER: &str = "--plan-raster";
+
+/// The word with which it only holds the moves of one.
+pub const HELD: &str = "--hold-raster";
+
+/// A million moves in flight take less, seconds and bytes with the whole process.
+const HOLDS: Goal = Goal::Within(1.0, 100e6);
 
 /// Runs of a raster after one to warm up.
 const RUNS: usize = 3;
@@ -110,40 +116,62 @@ fn cut(to: Axes) -> Line {
 pub fn figures() -> Result<Vec<Figure>> {
     let sizes = [10_000, 100_000, 1_000_000, 10_000_000];
     let names = ["raster-10k", "raster-100k", "raster-1m", "raster-10m"];
-    names.into_iter().zip(sizes).map(|(name, moves)| figure(name, moves)).collect()
+    let planned = names.into_iter().zip(sizes).map(|(name, moves)| {
+        let goal = (moves >= 1_000_000).then_some(Goal::Rate(1e6));
+        figure(name, "optimal, streamed", RASTER, moves, goal)
+    });
+    let held = figure("raster-1m", "moves that wait in flight", HELD, 1_000_000, Some(HOLDS));
+    planned.chain(iter::once_with(|| held)).collect()
 }
 
-fn figure(input: &'static str, moves: u32) -> Result<Figure> {
+fn figure(
+    input: &'static str,
+    stage: &'static str,
+    word: &str,
+    moves: u32,
+    goal: Option<Goal>,
+) -> Result<Figure> {
     let own = env::current_exe().context("where is this program?")?;
     let size = moves.to_string();
     let folder = env::temp_dir();
-    let run = |_| child::run(&own, &[OsStr::new(RASTER), OsStr::new(&size)], &folder);
+    let run = |_| child::run(&own, &[OsStr::new(word), OsStr::new(&size)], &folder);
     let taken = (0..=RUNS).map(run).skip(1).collect::<Result<Vec<_>>>()?;
     let spread = |f: fn(&child::Taken) -> f64| Spread::of(taken.iter().map(f).collect());
     Ok(Figure {
         input,
-        stage: "optimal, streamed",
+        stage,
         count: u64::from(moves),
         unit: "moves",
         cpu_s: spread(|t| t.cpu_s),
         wall_s: spread(|t| t.seconds),
         peak: Some(spread(|t| t.peak).median),
-        goal: (moves >= 1_000_000).then_some(Goal::Rate(1e6)),
+        goal,
     })
 }
 
-/// Makes and plans a raster: rows of 400 moves of half a millimetre over a hilly surface, swaying a
-/// little sideways.
+/// Makes and plans a raster.
 pub fn plan_raster(moves: u32) {
-    let mut mover = Mover::new(Axes::default(), &Settings::default());
     let mut planner = OptimalPlanner::new(&dynamics(None));
-    for k in 1..=moves {
+    for made in raster(moves) {
+        planner.push(made);
+        std::hint::black_box(planner.take());
+    }
+    std::hint::black_box(planner.finish());
+}
+
+/// Makes a raster and keeps its moves as a stack keeps those that wait.
+pub fn hold_raster(moves: u32) {
+    std::hint::black_box(raster(moves).collect::<Queue>());
+}
+
+/// Rows of 400 moves of half a millimetre over a hilly surface, swaying a little sideways.
+fn raster(moves: u32) -> impl Iterator<Item = Move> {
+    let mut mover = Mover::new(Axes::default(), &Settings::default());
+    (1..=moves).filter_map(move |k| {
         let (row, place) = (k / 400, k % 400);
         let along = f64::from(if row % 2 == 0 { place } else { 400 - place });
         let (x, y) = (along * 0.5, f64::from(row) + (along * 0.05).sin());
         let to = Axes::xyz(x, y, 3.0 * (x * 0.1).sin() * (y * 0.07).cos());
-        mover.line(At::default(), &cut(to)).into_iter().for_each(|made| planner.push(made));
-        std::hint::black_box(planner.take());
-    }
-    std::hint::black_box(planner.finish());
+        mover.line(At::default(), &cut(to))
+    })
 }

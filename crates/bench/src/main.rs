@@ -26,10 +26,14 @@ fn main() -> Result<()> {
     if arguments.next_if(|word| word == child::PARENT).is_some() {
         return child::parent(arguments);
     }
-    if arguments.next_if(|word| word == machine::RASTER).is_some() {
-        let moves = arguments.next().and_then(|count| count.to_str()?.parse().ok());
-        machine::plan_raster(moves.unwrap_or_default());
-        return Ok(());
+    let rasters: [(&str, fn(u32)); 2] =
+        [(machine::RASTER, machine::plan_raster), (machine::HELD, machine::hold_raster)];
+    for (own, work) in rasters {
+        if arguments.next_if(|word| word == own).is_some() {
+            let moves = arguments.next().and_then(|count| count.to_str()?.parse().ok());
+            work(moves.unwrap_or_default());
+            return Ok(());
+        }
     }
     let words: Vec<String> = arguments.map(|word| word.to_string_lossy().into_owned()).collect();
     let recorded = words.iter().any(|word| word == "--record");

@@ -34,17 +34,14 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The moves that were read begin to move.
     pub(crate) fn begin(&mut self) -> Result<(), Halted> {
         self.take_up()?;
-        let moves = std::mem::take(&mut self.stack.waiting);
-        self.check(&moves).map_err(Halted::Over)?;
-        if moves.is_empty() {
+        let waiting = std::mem::take(&mut self.stack.waiting);
+        self.check(&waiting).map_err(Halted::Over)?;
+        if waiting.is_empty() {
             return Ok(());
         }
         let t0_s = self.set_off();
-        let mut planner = planner(self.world.machine.settings());
-        for made in moves {
-            planner.push(made.at_feed(self.feed));
-        }
-        self.stack.running = Some(Running { planner, t0_s });
+        let planner = planner(self.world.machine.settings());
+        self.stack.running = Some(Running { planner, waiting, t0_s });
         Ok(())
     }
 
@@ -61,8 +58,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Makes what is planned for good of the stack that moves; all of it when it is complete.
     pub(crate) fn run_on(&mut self, complete: bool) -> Option<Halted> {
         while let Some(running) = &mut self.stack.running {
-            let planner = &mut running.planner;
-            let piece = if complete { planner.finish() } else { planner.take() };
+            let piece = running.next(complete, self.feed);
             let halted = self.run_piece(piece?);
             if halted.is_some() {
                 self.stack.running = None;
@@ -180,7 +176,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             self.make_one(&plan, index, t0_s);
             if turned.as_ref().is_none_or(|(stop, ..)| index < stop.whole()) {
-                self.stack.made_one(plan.moves()[index].to);
+                self.stack.made_one(&plan.moves()[index]);
             }
             index += 1;
         }

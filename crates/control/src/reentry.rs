@@ -44,13 +44,13 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The moves that are left are planned anew, from a stand.
     pub(crate) fn stand_back(&mut self, piece: &[Move]) {
         let mut left = piece.to_vec();
-        if let Some(mut running) = self.stack.running.take() {
-            left.extend(running.planner.withdraw());
+        if let Some(running) = self.stack.running.take() {
+            left.extend(running.withdraw());
         }
         if let Some(first) = left.first_mut() {
             first.from = self.world.machine.position();
         }
-        self.stack.waiting = left;
+        self.stack.waiting = left.into_iter().collect();
         self.stand();
     }
 
@@ -110,9 +110,10 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Leaves out what was made of the first move that waits.
     fn skip(&mut self, share: f64) {
-        let Some(first) = self.stack.waiting.first_mut().filter(|_| share > 0.0) else { return };
+        let waiting = &mut self.stack.waiting;
+        let Some(first) = (share > 0.0).then(|| waiting.pop_front()).flatten() else { return };
         let (_, rest) = first.split(share.min(LAST_SHARE));
-        *first = rest;
+        waiting.push_front(rest);
         self.world.machine.put(rest.from);
     }
 

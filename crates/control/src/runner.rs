@@ -264,7 +264,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     /// were closed, settings given back, what a person should know.
     fn drop_motion(&mut self, status: Status) {
         let waiting = std::mem::take(&mut self.stack.waiting);
-        if let (Status::Failed, Some(first)) = (status, waiting.first()) {
+        if let (Status::Failed, Some(first)) = (status, waiting.front()) {
             self.note_dropped(first.at, waiting.len());
         }
         for sourced in self.stack.clear().chain(std::mem::take(&mut self.out)) {

@@ -5,7 +5,7 @@
 //! stack without being motion (switching an output on, a change of speed, a comment) are kept as
 //! marks: they are carried out between two moves while the machine moves on.
 
-use kerf_motion::{Move, Replanner};
+use kerf_motion::{Move, Plan, Queue, Replanner};
 use kerf_program::{Axes, Sourced};
 use std::collections::VecDeque;
 
@@ -14,18 +14,19 @@ use std::collections::VecDeque;
 /// time to the first motion grow with it.
 pub(crate) const READ_AHEAD: usize = 1 << 14;
 
+/// The planner gets so many moves at a time.
+const AT_ONCE: usize = 512;
+
 /// Moves that are run as one, and what is done between them.
 #[derive(Default)]
 pub(crate) struct Stack {
     /// Moves that were read before anything began.
-    pub waiting: Vec<Move>,
+    pub waiting: Queue,
     /// The planner that has the moves since the stack began to move.
     pub running: Option<Running>,
     /// Number of each motion command that was read and not made; kept only while something may
     /// interrupt.
     numbers: VecDeque<u64>,
-    /// Where each move ends that was read and not made: an override makes it in several pieces.
-    ends: VecDeque<Axes>,
     /// Number of the last motion command that was made.
     pub last_number: Option<u64>,
     /// How many moves were read, and made.
@@ -38,8 +39,37 @@ pub(crate) struct Stack {
 /// A stack that moves.
 pub(crate) struct Running {
     pub planner: Box<dyn Replanner>,
+    /// Moves that the planner does not have yet: it gets them as far as a piece of plan takes.
+    pub waiting: Queue,
     /// When its plan begins, seconds of machine time.
     pub t0_s: f64,
+}
+
+impl Running {
+    /// The next piece of plan that no later move can change, or any when the stack is complete. Moves are
+    /// planned at a share of their feed.
+    pub fn next(&mut self, complete: bool, share: f32) -> Option<Plan> {
+        loop {
+            let piece = self.planner.take();
+            if piece.is_some() {
+                return piece;
+            }
+            if self.waiting.is_empty() {
+                return if complete { self.planner.finish() } else { None };
+            }
+            for made in (0..AT_ONCE).map_while(|_| self.waiting.pop_front()) {
+                self.planner.push(made.at_feed(share));
+            }
+        }
+    }
+
+    /// The moves that did not come out.
+    pub fn withdraw(mut self) -> impl Iterator<Item = Move> {
+        self.planner
+            .withdraw()
+            .into_iter()
+            .chain(std::iter::from_fn(move || self.waiting.pop_front()))
+    }
 }
 
 impl Stack {
@@ -56,10 +86,9 @@ impl Stack {
     pub fn push(&mut self, made: Move, number: Option<u64>) {
         self.read += 1;
         self.numbers.extend(number);
-        self.ends.push_back(made.to);
         match &mut self.running {
-            Some(running) => running.planner.push(made),
-            None => self.waiting.push(made),
+            Some(running) => running.waiting.push_back(made),
+            None => self.waiting.push_back(made),
         }
     }
 
@@ -74,20 +103,17 @@ impl Stack {
         if due { self.marks.pop_front().map(|(_, sourced)| sourced) } else { None }
     }
 
-    /// A move was made, or a piece of it, that ends at a place.
-    pub fn made_one(&mut self, to: Axes) {
-        if self.ends.front().is_some_and(|end| !end.same_place(&to)) {
-            return;
+    /// A move was made, or a part of it: an override makes it in several.
+    pub fn made_one(&mut self, made: &Move) {
+        if made.is_last_part {
+            self.made += 1;
+            self.last_number = self.numbers.pop_front();
         }
-        self.ends.pop_front();
-        self.made += 1;
-        self.last_number = self.numbers.pop_front();
     }
 
     /// Everything that was not made lies elsewhere.
     pub fn shift(&mut self, by: Axes) {
-        self.waiting.iter_mut().for_each(|made| made.shift(by));
-        self.ends.iter_mut().for_each(|end| *end = end.plus(by));
+        self.waiting.shift(by);
     }
 
     /// Number of the motion command that is made next, or of which a part is left.
@@ -97,8 +123,8 @@ impl Stack {
 
     /// What is left of a stack that stands has to be checked and planned anew.
     pub fn stand_back(&mut self) {
-        if let Some(mut running) = self.running.take() {
-            self.waiting = running.planner.withdraw();
+        if let Some(running) = self.running.take() {
+            self.waiting = running.withdraw().collect();
         }
     }
 

@@ -4,7 +4,7 @@
 use crate::runner::{Over, Runner};
 use crate::session::LimitPolicy;
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_motion::Move;
+use kerf_motion::{Move, Queue};
 use kerf_program::{At, Command, Interpreter, Sourced, Status};
 use kerf_sim::Violation;
 
@@ -13,12 +13,12 @@ const ENCLOSURE_OPEN: &str = "enclosure open";
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Nothing moves that would leave the table, or while a stop input is active.
-    pub(crate) fn check(&mut self, moves: &[Move]) -> Result<(), Over> {
-        let Some(first) = moves.first() else { return Ok(()) };
+    pub(crate) fn check(&mut self, moves: &Queue) -> Result<(), Over> {
+        let Some(first) = moves.front() else { return Ok(()) };
         if self.lists_limits() {
-            self.list_violations(moves);
-        } else if let Some(violation) = self.world.machine.first_outside(moves) {
-            self.ask_about_limit(moves, &violation)?;
+            moves.iter().for_each(|made| self.list_violation(&made));
+        } else if let Some((at, violation)) = self.first_outside(moves) {
+            self.limited(at, Code::OutsideLimits, self.limit_message(&violation))?;
         }
         self.may_move(first.at)
     }
@@ -50,12 +50,11 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.stack.running.is_none() {
             return false;
         }
-        let alone = std::slice::from_ref(made);
         if self.lists_limits() {
-            self.list_violations(alone);
+            self.list_violation(made);
             return false;
         }
-        self.world.machine.first_outside(alone).is_some()
+        self.world.machine.first_outside(std::slice::from_ref(made)).is_some()
     }
 
     /// Nothing is asked about what is only drawn.
@@ -63,21 +62,18 @@ impl<I: Interpreter> Runner<'_, I> {
         self.limits == LimitPolicy::List || self.world.machine.draws()
     }
 
-    fn list_violations(&mut self, moves: &[Move]) {
-        for made in moves {
-            let alone = std::slice::from_ref(made);
-            if let Some(violation) = self.world.machine.first_outside(alone) {
-                let message = self.limit_message(&violation);
-                let place = Place::line(self.world.file(made.at), made.at.line);
-                let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
-                self.world.tell_diagnostic(diagnostic);
-            }
+    fn list_violation(&mut self, made: &Move) {
+        if let Some(violation) = self.world.machine.first_outside(std::slice::from_ref(made)) {
+            let message = self.limit_message(&violation);
+            let place = Place::line(self.world.file(made.at), made.at.line);
+            let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
+            self.world.tell_diagnostic(diagnostic);
         }
     }
 
-    fn ask_about_limit(&mut self, moves: &[Move], violation: &Violation) -> Result<(), Over> {
-        let at = moves.get(violation.move_index).map_or(At::default(), |m| m.at);
-        self.limited(at, Code::OutsideLimits, self.limit_message(violation))
+    fn first_outside(&self, moves: &Queue) -> Option<(At, Violation)> {
+        let machine = &self.world.machine;
+        moves.iter().find_map(|made| Some((made.at, machine.first_outside(&[made])?)))
     }
 
     fn limit_message(&self, violation: &Violation) -> String {

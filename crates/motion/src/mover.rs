@@ -128,6 +128,7 @@ impl Mover {
             ramp_mm_s: extent.along(length_mm, &pace.ramp) / slower,
             accel_mm_s2: extent.along(length_mm, &pace.accel) / (slower * slower),
             feed: 1.0,
+            is_last_part: true,
         })
     }
 }

@@ -45,6 +45,21 @@ pub(crate) enum Basis {
 }
 
 impl Basis {
+    /// Whether an axis counts.
+    pub const fn counts(self, axis: usize) -> bool {
+        match self {
+            Self::Xy => axis < 2,
+            Self::Space => axis < 3,
+            Self::Axis(own) => axis == own as usize + 2,
+            Self::Rotary => axis > 2,
+        }
+    }
+
+    /// The square of what counts.
+    pub fn square(self, all: &[f64]) -> f64 {
+        all.iter().enumerate().filter(|(k, _)| self.counts(*k)).map(|(_, v)| v * v).sum()
+    }
+
     /// How many of X, Y and Z the reference length of a straight way counts.
     pub const fn axes(self) -> usize {
         match self {
@@ -83,6 +98,8 @@ pub struct Move {
     pub accel_mm_s2: f64,
     /// The operator's override: share of the speed asked for that is run, 1 for all of it.
     pub(crate) feed: f32,
+    /// Whether it ends where the move of the program does: it may be a part of that.
+    pub is_last_part: bool,
 }
 
 impl Move {
@@ -166,9 +183,10 @@ impl Move {
     /// The two parts of the move before and after a share of the path.
     pub fn split(&self, share: f64) -> (Self, Self) {
         let middle = self.position(share);
-        let part = |from, to, share: f64| Self {
+        let part = |from, to, share: f64, ends: bool| Self {
             from,
             to,
+            is_last_part: self.is_last_part && ends,
             length_mm: self.length_mm * share,
             path: self.path.part(share),
             ..*self
@@ -176,18 +194,21 @@ impl Move {
         if let Path::Curve { start, end } = self.path {
             let along = unit(self.derivative(share).first3()).unwrap_or_default();
             let cut = along.map(|v| v as f32);
-            let mut parts = (part(self.from, middle, share), part(middle, self.to, 1.0 - share));
+            let mut parts = (
+                part(self.from, middle, share, share >= 1.0),
+                part(middle, self.to, 1.0 - share, true),
+            );
             parts.0.path = Path::Curve { start, end: cut };
             parts.1.path = Path::Curve { start: cut, end };
             return parts;
         }
-        let mut after = part(middle, self.to, 1.0 - share);
+        let mut after = part(middle, self.to, 1.0 - share, true);
         if let (Path::Arc { centre, .. }, Some(arc)) = (&mut after.path, self.arc()) {
             // The circle wanders with the gap; see `gap`.
             let gap = self.gap(arc);
             *centre = [centre[0] + gap[0] * share, centre[1] + gap[1] * share];
         }
-        (part(self.from, middle, share), after)
+        (part(self.from, middle, share, share >= 1.0), after)
     }
 
     /// Whether speed may run on into this move from the one before: both are cuts, and their speeds

@@ -69,6 +69,10 @@ fn check(plan: &Plan, d: &Dynamics, samples: u32) {
     let miss = last.position.minus(moves[moves.len() - 1].to).0;
     assert!(length(&miss) < 1e-9, "ends {miss:?} off");
     assert_eq!(last.velocity, Axes::default());
+    for span in plan.iter() {
+        let most = span.made.speed_mm_s * (1.0 + 1e-9);
+        assert!(span.v_peak <= most && span.v_entry <= most && span.v_exit <= most, "{span:?}");
+    }
     let mut before = start;
     for k in 0..=samples {
         let t = end * f64::from(k) / f64::from(samples);
@@ -99,6 +103,8 @@ fn check(plan: &Plan, d: &Dynamics, samples: u32) {
         assert!(off <= d.tolerance_mm.max(1e-3) * (1.0 + 1e-9) + 1e-9, "{off} off at {t}");
         let feed = moves[s.move_index].speed_mm_s;
         let v = length(&s.velocity.0[..3]);
+        let top = moves.iter().map(|m| m.speed_mm_s).fold(0.0, f64::max);
+        assert!(s.path_speed_mm_s <= top * (1.0 + 1e-9), "{} of {top} at {t}", s.path_speed_mm_s);
         // Within a corner the feed of the neighbour may hold.
         assert!(v <= feed * (1.0 + ROUNDING) || moves.iter().any(|m| m.speed_mm_s > feed));
         assert!(s.move_index >= before.move_index);

@@ -4,7 +4,7 @@
 use super::kernel::{CORNER, Kernel, PARTS};
 use super::planner::padded;
 use super::track::{Track, norm};
-use crate::moves::{Basis, Move};
+use crate::moves::Move;
 
 /// A cell turns by no more, radians: how finely a sharp corner is resolved.
 const MAX_TURN_RAD: f64 = 0.1;
@@ -305,12 +305,6 @@ fn feed_changes(path: &Known<'_>, vertex: usize) -> bool {
 /// The highest squared speed along the track at which the tool keeps the feed of a move, seen at a
 /// slope.
 pub(crate) fn feed_cap<const N: usize>(m: &Move, slope: &[f64; N]) -> f64 {
-    let counts = |k: usize| match m.basis {
-        Basis::Xy => k < 2,
-        Basis::Space => k < 3,
-        Basis::Axis(axis) => k == axis as usize + 2,
-        Basis::Rotary => k > 2,
-    };
-    let square: f64 = (0..N).filter(|k| counts(*k)).map(|k| slope[k] * slope[k]).sum();
+    let square = m.basis.square(slope);
     if square > 0.0 { m.top_mm_s() * m.top_mm_s() / square } else { f64::INFINITY }
 }

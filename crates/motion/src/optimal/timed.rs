@@ -143,12 +143,11 @@ impl Timed {
         let segment = self.track.segment(along.at_mm);
         let (move_index, [a, b]) = self.reach(segment);
         let made = &moves[move_index.min(moves.len() - 1)];
-        let scale = if b > a { made.length_mm / (b - a) } else { 1.0 };
         let geometry = self.geometry(along.at_mm);
         let [velocity, acceleration] = rates(&along, &geometry);
         State {
             position: geometry[0],
-            path_speed_mm_s: along.v * scale,
+            path_speed_mm_s: made.basis.square(&velocity.0).sqrt(),
             velocity,
             acceleration,
             move_index,
@@ -176,7 +175,8 @@ impl Timed {
         let inside = self.nodes[first..].iter().take_while(|n| n.at_mm < b);
         let peak = inside.map(|n| n.v).fold(entry.max(exit), f64::max);
         let scale = self.scale(index, made);
-        [entry * scale, peak * scale, exit * scale]
+        // Along the smoothed path, which is shorter, the tool is no faster than it may be.
+        [entry, peak, exit].map(|v| (v * scale).min(made.top_mm_s()))
     }
 
     fn v_at(&self, at_mm: f64) -> f64 {
