@@ -49,11 +49,15 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn on(&mut self, event: Stopped, settings: StopSettings, why: &str) {
         let Some(next) = self.state.on(event, settings) else { return };
         self.state = next.state;
+        // What a run leaves on is settled before anybody is told that it is over.
+        let (settled, others): (Vec<_>, Vec<_>) =
+            next.effects.into_iter().partition(|effect| *effect == Effect::LeaveOutputs);
+        settled.into_iter().for_each(|effect| self.carry_out(effect));
         if !matches!(event, Stopped::Start | Stopped::Ready | Stopped::End | Stopped::Stop) {
             let (state, t) = (next.state.name().into(), self.world.now());
             self.world.tell(&Event::State { state, why: why.into(), t });
         }
-        next.effects.into_iter().for_each(|effect| self.carry_out(effect));
+        others.into_iter().for_each(|effect| self.carry_out(effect));
         self.world.tell_log();
     }
 
@@ -73,6 +77,13 @@ impl<I: Interpreter> Runner<'_, I> {
             Effect::MotorsOff => self.cut_power(),
             Effect::Doubt => self.doubt(),
             Effect::ComeBack => self.come_back(),
+            // A job knows what it leaves on: nothing.
+            Effect::LeaveOutputs if self.interpreter.takes_stops() => {
+                let mut last = Vec::new();
+                drop(self.interpreter.stop(&mut self.world, &mut last));
+                last.into_iter().for_each(|sourced| self.world.perform(sourced.command));
+                self.world.tell_log();
+            }
             // Of part files outputs follow their modes, at the end of the file too; their heights stay.
             Effect::LeaveOutputs
             | Effect::CutOff
