@@ -211,6 +211,7 @@ impl Session {
             tally: crate::Tally::default(),
             unit: self.memory.settings.linear_unit,
             error: Some(Box::new(why)),
+            closes: false,
         };
         let stands = self.machine.get_or_insert_default();
         sink.event(&Event::End(end_event(&summary, stands, None)));

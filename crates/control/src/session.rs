@@ -16,7 +16,7 @@ use kerf_geom::Bounds3;
 use kerf_machine::{Configuration, Sequence};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
-use kerf_program::settings::LinearUnit;
+use kerf_program::settings::{LinearUnit, Mode};
 use kerf_program::{AXES, Axis, AxisSet, Interpreter as _};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sim::{Change, Inputs, Machine, Push, Sheet, Touch};
@@ -101,6 +101,8 @@ pub struct Summary {
     pub unit: LinearUnit,
     /// The error that ended it.
     pub error: Option<Box<Diagnostic>>,
+    /// The program asked that Kerf closes (EXIT SHOPBOT).
+    pub closes: bool,
 }
 
 /// One machine and everything about it that stays between runs.
@@ -186,6 +188,7 @@ impl Session {
             sink.event(&Event::Diag(Box::new(diagnostic.clone())));
         }
         if program.has_errors() && !options.program.allow_errors {
+            self.log_refused(&program, &options, shelf);
             return self.refused(&program, sink);
         }
         if options.program.preview && !self.memory.settings.view.start_actual {
@@ -219,11 +222,19 @@ impl Session {
         if let Some(log) = log {
             runner.write_log(&log, &over);
         }
-        runner.write_system_log();
+        runner.write_system_log(&over);
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         machine.unverified().iter().for_each(|axis| self.homed.remove(axis));
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
         summary
+    }
+
+    /// The system log tells of a file that was not even begun.
+    fn log_refused(&self, program: &Program, options: &RunOptions, shelf: &mut Shelf) {
+        let settings = &self.memory.settings;
+        let draws = options.program.preview || settings.mode == Mode::Preview;
+        let error = program.diagnostics.iter().find(|d| d.is_error()).map(|d| d.place.line);
+        shelf.log_file(settings, program.name(), draws, 0.0, error);
     }
 
     /// Runs a job to its end. Settings and frames of part files stay what they were; the machine is
@@ -334,6 +345,7 @@ impl Session {
             tally: Tally::default(),
             unit: self.memory.settings.linear_unit,
             error,
+            closes: false,
         };
         let machine = self.machine.get_or_insert_default();
         sink.event(&Event::End(end_event(&summary, machine, None)));
@@ -373,6 +385,7 @@ pub(crate) fn summary(
         tally: std::mem::take(&mut world.tally),
         unit: interpreter.settings().linear_unit,
         error: over.diagnostic,
+        closes: false,
     }
 }
 
@@ -383,7 +396,8 @@ fn conclude(
 ) -> (Summary, kerf_part::Session, Machine) {
     runner.stay_where_it_stands();
     let Runner { interpreter, mut world, .. } = runner;
-    let summary = summary(&interpreter, &mut world, over);
+    let closes = interpreter.closes();
+    let summary = Summary { closes, ..summary(&interpreter, &mut world, over) };
     let variables = variables.then(|| variables_told(&interpreter));
     let end = end_event(&summary, &world.machine, variables);
     world.tell(&Event::End(end));

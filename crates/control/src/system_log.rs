@@ -4,10 +4,12 @@
 //! ```text
 //!  NFP,CUT,,,,,,14:03:05,2026-11-21,,sim,kerf-0.1.0,,,,,,,~1234567
 //!  /parts/a.sbp,CUT,00:00:05,14:03:10,2026-11-21,,sim,kerf-0.1.0,,,,,,,~2345678
+//!  /parts/b.sbp,CUT,00:00:02,14:04:00,2026-11-21,error in line 3,sim,kerf-0.1.0,,,,,,,~4567890
 //!  NORMAL,Total Time,00:12:30,14:15:35,2026-11-21,,sim,kerf-0.1.0,,,,,,,~3456789
 //! ```
 //!
-//! The last item is a check number of the line before it, so that a line that was changed is noticed.
+//! The item behind the date is empty but where a part file ended in an error. The last item is a check
+//! number of the line before it, so that a line that was changed is noticed.
 
 use crate::part_log::{Started, clock};
 use crate::shelf::Shelf;
@@ -93,26 +95,43 @@ impl Shelf {
         }
     }
 
-    /// A part file was run and took so many seconds of machine time.
-    pub(crate) fn log_file(&mut self, settings: &Settings, file: &str, draws: bool, seconds: f64) {
+    /// A part file was run, or refused, and took so many seconds of machine time; an error ended it at
+    /// a line.
+    pub(crate) fn log_file(
+        &mut self,
+        settings: &Settings,
+        file: &str,
+        draws: bool,
+        seconds: f64,
+        error: Option<u32>,
+    ) {
         // Typed lines and what comes with Kerf are no files of the user.
         if !self.is_file(file) {
             return;
         }
         let path = self.full_path(file);
         let path = if path.contains(',') { format!("\"{path}\"") } else { path };
-        self.log(settings, &format!("{path},{},{}", mode_word(draws), clock(seconds)));
+        let remark = error.map_or_else(String::new, |line| format!("error in line {line}"));
+        self.log_with(
+            settings,
+            &format!("{path},{},{}", mode_word(draws), clock(seconds)),
+            &remark,
+        );
+    }
+
+    fn log(&mut self, settings: &Settings, head: &str) {
+        self.log_with(settings, head, "");
     }
 
     /// Adds time, date and the tail. A log that cannot be written stops nothing.
-    fn log(&mut self, settings: &Settings, head: &str) {
+    fn log_with(&mut self, settings: &Settings, head: &str, remark: &str) {
         let Some(log) = self.system_log.as_ref().filter(|_| settings.display.system_log) else {
             return;
         };
         let Started { time, date } = (log.now)();
         let owner = OWNER.map(|key| self.stored.get(key).unwrap_or_default().replace(',', " "));
         let version = env!("CARGO_PKG_VERSION");
-        let line = format!("{head},{time},{date},,sim,kerf-{version},{},", owner.join(","));
+        let line = format!("{head},{time},{date},{remark},sim,kerf-{version},{},", owner.join(","));
         let line = format!("{line}{}\n", check_number(&line));
         if let Err(error) = self.add_to_data(SYSTEM_LOG, &line) {
             self.stored.tell_trouble(format!("{SYSTEM_LOG}: {error}"));

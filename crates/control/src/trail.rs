@@ -3,7 +3,7 @@
 use crate::part_log::{self, PartLog};
 use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
-use kerf_program::{At, Interpreter};
+use kerf_program::{At, Interpreter, Status};
 
 /// Where the program was when it was looked at last.
 #[derive(Clone, Debug, Default)]
@@ -60,13 +60,15 @@ impl Trail {
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Writes the line of the part file into the system log.
-    pub(crate) fn write_system_log(&mut self) {
+    pub(crate) fn write_system_log(&mut self, over: &Over) {
         let Some(file) = self.interpreter.file_name(self.trail.depth as u32) else { return };
+        let failed = over.diagnostic.as_deref().filter(|_| over.status == Status::Failed);
+        let line = failed.map(|error| self.ended_at(&file, Some(error)));
         let machine = &self.world.machine;
         let (draws, settings) =
             (machine.draws() || self.world.previews, machine.settings().clone());
         let seconds = self.world.now();
-        self.world.shelf.log_file(&settings, &file, draws, seconds);
+        self.world.shelf.log_file(&settings, &file, draws, seconds, line);
     }
 
     /// Writes the log of the part file, if there is one.

@@ -89,6 +89,14 @@ fn sbp_lang_unknown_cmd() {
     let run = shop.kerf("run parts/a.sbp --data d --allow-errors");
     run.exits(1).complains("QQ");
     assert_eq!(log(&shop, "parts/a.log")[1], "TERMINATED,3,error");
+    let told = || shop.read("d/SbSys.log").matches(",error in line 3,sim,").count();
+    assert_eq!(told(), 1, "{}", shop.read("d/SbSys.log"));
+    // A file that is refused at its beginning is told of, too.
+    let refused = shop.kerf("run parts/a.sbp --data d");
+    refused.exits(1).complains("unknown command QQ").complains("a.sbp:3:1");
+    assert_eq!(told(), 2);
+    shop.kerf("check parts/a.sbp").exits(1);
+    assert_eq!(told(), 2, "looking leaves nothing");
 }
 
 #[test]

@@ -327,42 +327,26 @@ fn sbp_ctl_reg_paths() {
     }
 }
 
-/// A process that ends with the test.
-struct Serving(std::process::Child);
-
-impl Drop for Serving {
-    fn drop(&mut self) {
-        drop(self.0.kill());
-        drop(self.0.wait());
-    }
+/// A console that is served, and ends with the test.
+struct Console {
+    child: std::process::Child,
+    url: String,
 }
 
-#[test]
-fn sbp_ctl_addin() {
-    use std::io::{BufRead, BufReader};
-    let shop = shop();
-    std::fs::create_dir_all(shop.file("data")).unwrap();
-    let kerf = shop.command().get_program().to_string_lossy().into_owned();
-    // The tool runs beside the machine and sends it commands.
-    let ini = format!(
-        "[Q]\nName = Stepper\nWait = 0\nCommand = sleep .3; {kerf} send MX,2 2> sent.txt; echo\n"
-    );
-    shop.write("data/virtualtools.ini", ini.as_bytes());
-    let mut command = shop.command();
-    command.args(["serve", "--listen", "127.0.0.1:0", "--allow-shell", "--rate", "50"]);
-    let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
-    let mut line = String::new();
-    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
-    let serving = Serving(child);
-    let url = line.trim().rsplit(' ').next().unwrap().to_owned();
-    let send = |what: &str| {
+impl Console {
+    fn begin(shop: &Shop, options: &[&str]) -> Self {
+        use std::io::{BufRead, BufReader};
         let mut command = shop.command();
-        Did::of(command.args(["send", what, "--server", &url]).output().unwrap())
-    };
-    send("MX,1").exits(1).complains("disarmed");
-    let ask = |request: &str, body: &str| {
+        command.args(["serve", "--listen", "127.0.0.1:0", "--rate", "50"]).args(options);
+        let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        Self { child, url: line.trim().rsplit(' ').next().unwrap().to_owned() }
+    }
+
+    fn ask(&self, request: &str, body: &str) -> serde_json::Value {
         use std::io::{Read, Write};
-        let address = url.strip_prefix("http://").unwrap();
+        let address = self.url.strip_prefix("http://").unwrap();
         let mut stream = std::net::TcpStream::connect(address).unwrap();
         let length = body.len();
         let head = "Connection: close\r\nContent-Type: application/json";
@@ -373,19 +357,61 @@ fn sbp_ctl_addin() {
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
         let (_, body) = answer.split_once("\r\n\r\n").unwrap();
-        serde_json::from_str::<serde_json::Value>(body).unwrap_or_default()
+        serde_json::from_str(body).unwrap_or_default()
+    }
+
+    /// Arms the machine and has a line carried out.
+    fn carry_out(&self, line: &str) {
+        self.ask("POST /api/do/takeLease", r#"{"force":true}"#);
+        let lease = self.ask("GET /api/state", "")["lease"]["number"].clone();
+        self.ask("POST /api/do/arm", &format!("{{\"lease\":{lease}}}"));
+        self.ask("POST /api/do/command", &format!("{{\"lease\":{lease},\"line\":\"{line}\"}}"));
+    }
+}
+
+impl Drop for Console {
+    fn drop(&mut self) {
+        drop(self.child.kill());
+        drop(self.child.wait());
+    }
+}
+
+#[test]
+fn sbp_flow_exit_shopbot__may_end_the_server() {
+    let shop = shop();
+    shop.write("x.sbp", b"SO,3,1\nMX,1\nEXIT SHOPBOT\nMX,5\n");
+    let mut console = Console::begin(&shop, &["--exit-with-program"]);
+    console.carry_out("FP,x.sbp");
+    assert_eq!(console.child.wait().unwrap().code(), Some(0));
+    assert_eq!(log(&shop).last().unwrap(), &format!("NORMAL,Total Time,00:00:00,{}", tail()));
+    shop.kerf("sysvars").says("  1             1  ");
+}
+
+#[test]
+fn sbp_ctl_addin() {
+    let shop = shop();
+    std::fs::create_dir_all(shop.file("data")).unwrap();
+    let kerf = shop.command().get_program().to_string_lossy().into_owned();
+    // The tool runs beside the machine and sends it commands.
+    let ini = format!(
+        "[Q]\nName = Stepper\nWait = 0\nCommand = sleep .3; {kerf} send MX,2 2> sent.txt; echo\n"
+    );
+    shop.write("data/virtualtools.ini", ini.as_bytes());
+    let console = Console::begin(&shop, &["--allow-shell"]);
+    let send = |what: &str| {
+        let mut command = shop.command();
+        Did::of(command.args(["send", what, "--server", &console.url]).output().unwrap())
     };
-    assert!(ask("GET /api/commands", "").to_string().contains("Stepper"), "it is in the menu");
-    ask("POST /api/do/takeLease", r#"{"force":true}"#);
-    let lease = ask("GET /api/state", "")["lease"]["number"].clone();
-    ask("POST /api/do/arm", &format!("{{\"lease\":{lease}}}"));
-    ask("POST /api/do/command", &format!("{{\"lease\":{lease},\"line\":\"TQ\"}}"));
+    send("MX,1").exits(1).complains("disarmed");
+    let commands = console.ask("GET /api/commands", "");
+    assert!(commands.to_string().contains("Stepper"), "it is in the menu");
+    console.carry_out("TQ");
     let begun = std::time::Instant::now();
-    let x = || ask("GET /api/state", "")["motion"]["at"]["working"][0].as_f64().unwrap();
+    let x = || console.ask("GET /api/state", "")["motion"]["at"]["working"][0].as_f64().unwrap();
     while (x() - 50.8).abs() > 1e-6 {
         let sent = std::fs::read_to_string(shop.file("sent.txt")).unwrap_or_default();
         assert!(begun.elapsed().as_secs() < 20, "it never moved: {sent}");
         std::thread::sleep(std::time::Duration::from_millis(50));
     }
-    drop(serving);
+    drop(console);
 }

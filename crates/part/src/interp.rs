@@ -88,6 +88,11 @@ impl Interpreter {
         }
     }
 
+    /// Whether the program ended with EXIT SHOPBOT: what runs it is to close, too.
+    pub const fn closes(&self) -> bool {
+        self.sbp.closes()
+    }
+
     /// What stays after the run.
     pub fn into_session(mut self) -> Session {
         self.retire();

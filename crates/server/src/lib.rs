@@ -47,8 +47,8 @@ use machine::{Left, Link, Order, Owner};
 use problems::ProblemLog;
 use std::io;
 use std::net::SocketAddr;
-use std::sync::mpsc::{Receiver, channel};
-use std::sync::{Arc, Mutex, OnceLock, Weak};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError, Weak};
 use std::thread;
 use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
@@ -58,6 +58,8 @@ pub struct Server {
     /// Where it listens.
     pub address: SocketAddr,
     app: Arc<App>,
+    /// Told when a part file closed Kerf.
+    closed: Mutex<Receiver<()>>,
     /// Carries the connections.
     runtime: Option<Runtime>,
 }
@@ -76,7 +78,9 @@ impl Server {
         let runtime = Runtime::new()?;
         let listener = runtime.block_on(TcpListener::bind(options.listen))?;
         let address = listener.local_addr()?;
-        let app = machine_and_app(options, builders, format!("http://{address}"))?;
+        let (closing, closed) = channel();
+        let closing = options.closes_with_program.then_some(closing);
+        let app = machine_and_app(options, builders, format!("http://{address}"), closing)?;
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }
@@ -85,7 +89,7 @@ impl Server {
         }
         let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
         runtime.spawn(async move { axum::serve(listener, service).await });
-        Ok(Self { address, app, runtime: Some(runtime) })
+        Ok(Self { address, app, closed: Mutex::new(closed), runtime: Some(runtime) })
     }
 
     /// A code by which a device is paired that asks for it.
@@ -98,9 +102,10 @@ impl Server {
         self.app.link.want(|wanted| wanted.stop = true);
     }
 
-    /// Waits for as long as the server runs.
+    /// Waits for as long as the server runs: for ever, or until a part file closes it.
     pub fn wait(&self) {
-        loop {
+        let closed = self.closed.lock().unwrap_or_else(PoisonError::into_inner);
+        while closed.recv().is_err() {
             thread::park();
         }
     }
@@ -116,7 +121,12 @@ impl Drop for Server {
 }
 
 /// Starts the machine's thread, and makes what requests share.
-fn machine_and_app(options: Options, builders: Builders, url: String) -> io::Result<Arc<App>> {
+fn machine_and_app(
+    options: Options,
+    builders: Builders,
+    url: String,
+    closing: Option<Sender<()>>,
+) -> io::Result<Arc<App>> {
     let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
     snapshot.drawing_only = options.drawing_only;
     snapshot.start.clone_from(&options.start);
@@ -143,7 +153,8 @@ fn machine_and_app(options: Options, builders: Builders, url: String) -> io::Res
             Err(error) => return drop(ready.send(Err(error))),
         };
         let ((hub, link, left), done) = (owned, Box::new(done));
-        let mut owner = Owner { hub, link, workshop, parts, left, rate, done, asked: 0, run: 0 };
+        let mut owner =
+            Owner { hub, link, workshop, parts, left, rate, done, closing, asked: 0, run: 0 };
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

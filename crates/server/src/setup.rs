@@ -27,6 +27,8 @@ pub struct Options {
     pub start: Option<kerf_wire::StartUp>,
     /// Lines that are carried out at once, one after the other.
     pub begin_with: Vec<String>,
+    /// EXIT SHOPBOT in a part file ends the server, not only the run.
+    pub closes_with_program: bool,
     /// Seconds of machine time in a second; 1 unless a test is in a hurry.
     pub rate: f64,
 }

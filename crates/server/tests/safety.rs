@@ -158,6 +158,7 @@ fn other_machines_need_leave() {
         data: dir.path().join("data"),
         drawing_only: false,
         open: None,
+        closes_with_program: false,
         rate: 1.0,
         start: None,
         begin_with: Vec::new(),

@@ -38,6 +38,9 @@ pub struct ServeArgs {
     /// Drawings only: the machine is left alone
     #[arg(long)]
     drawing_only: bool,
+    /// EXIT SHOPBOT in a part file ends Kerf, not only the run
+    #[arg(long)]
+    exit_with_program: bool,
     /// Seconds of machine time in a second, for tests
     #[arg(long, hide = true, default_value_t = 1.0)]
     rate: f64,
@@ -68,6 +71,7 @@ impl ServeArgs {
             lan: false,
             hosts: Vec::new(),
             drawing_only: false,
+            exit_with_program: false,
             rate,
             place: PlaceArgs { parts, ..place.clone() },
             line: Some(line.clone()),
@@ -149,6 +153,7 @@ fn options(args: &ServeArgs) -> Result<Options> {
         data: setup::data_folder(&args.place.data)?,
         drawing_only: args.drawing_only,
         open: args.file.clone(),
+        closes_with_program: args.exit_with_program,
         rate: args.rate,
     })
 }

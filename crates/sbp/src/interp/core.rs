@@ -42,6 +42,9 @@ pub struct Core {
     pub(crate) fired: Vec<Handler>,
     /// A timed pause was given while handlers are armed: nothing is read until it is over.
     pub(crate) pausing: bool,
+    /// EXIT SHOPBOT was reached.
+    #[serde(default)]
+    pub(crate) closes: bool,
     /// Steps that had an effect so far.
     pub(crate) steps: u64,
     /// The step behind each motion command given in this one, while handlers are armed.
@@ -173,6 +176,7 @@ impl Core {
             watches: Vec::new(),
             fired: Vec::new(),
             pausing: false,
+            closes: false,
             steps: 0,
             given_by: Vec::new(),
             motions: 0,

@@ -154,6 +154,11 @@ impl Interpreter {
         self.core.level().map(FilePlace::of).unwrap_or_default()
     }
 
+    /// Whether the program ended with EXIT SHOPBOT: what runs it is to close, too.
+    pub const fn closes(&self) -> bool {
+        self.core.closes
+    }
+
     /// How many files are open within each other.
     pub fn depth(&self) -> usize {
         self.core.levels.len()

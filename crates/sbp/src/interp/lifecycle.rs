@@ -129,6 +129,7 @@ impl Context<'_> {
     pub(super) fn exit(&mut self) -> Stop {
         let over = self.end_run(Status::Ended);
         if matches!(over, Stop::Finished(_)) {
+            self.core.closes = true;
             self.emit(Command::Message { text: "closed by part file".into() });
         }
         over

@@ -18,7 +18,7 @@ use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -89,6 +89,8 @@ pub struct Owner {
     pub rate: f64,
     /// Told after each order, with the file that a tool made.
     pub done: Box<dyn Fn(Option<String>) + Send>,
+    /// Told when a part file closes Kerf (EXIT SHOPBOT), where it may.
+    pub closing: Option<Sender<()>>,
     /// Questions that were asked so far.
     pub asked: u32,
     /// Runs so far.
@@ -241,6 +243,18 @@ impl Owner {
             Status::Stopped if why.is_some() => self.rest(State::Alarm, why),
             _ => self.rest(State::Idle, None),
         }
+        if summary.closes {
+            self.close();
+        }
+    }
+
+    /// A part file closes Kerf; without leave only its run has ended.
+    fn close(&mut self) {
+        let Some(closing) = &self.closing else { return };
+        let Workshop { session, shelf, .. } = &mut self.workshop;
+        shelf.close_system_log(&session.memory.settings, "NORMAL");
+        // Nobody waits where the server is part of another program.
+        _ = closing.send(());
     }
 
     /// The machine stands. An alarm disarms it.
