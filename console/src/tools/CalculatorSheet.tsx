@@ -74,7 +74,7 @@ const nameOf = (field: HTMLInputElement): string =>
 /** Enters a result as typing would: it takes the place of a value, or joins what the field has more of. */
 function enter(field: HTMLInputElement, text: string) {
   const [from, to] =
-    field.dataset["takes"] === "more"
+    field.dataset.takes === "more"
       ? [field.selectionStart ?? field.value.length, field.selectionEnd ?? field.value.length]
       : [0, field.value.length];
   const value = field.value.slice(0, from) + text + field.value.slice(to);

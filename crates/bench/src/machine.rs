@@ -17,6 +17,12 @@ pub const RASTER: &str = "--plan-raster";
 /// The word with which it only holds the moves of one.
 pub const HELD: &str = "--hold-raster";
 
+/// What runs in a process of its own, for its memory, by the first word of its command line.
+pub const IN_A_CHILD: [Work; 2] = [(RASTER, plan_raster), (HELD, hold_raster)];
+
+/// A word, and what is done with so many moves.
+type Work = (&'static str, fn(u32));
+
 /// A million moves in flight take less, seconds and bytes with the whole process.
 const HOLDS: Goal = Goal::Within(1.0, 100e6);
 

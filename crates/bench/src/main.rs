@@ -26,9 +26,7 @@ fn main() -> Result<()> {
     if arguments.next_if(|word| word == child::PARENT).is_some() {
         return child::parent(arguments);
     }
-    let rasters: [(&str, fn(u32)); 2] =
-        [(machine::RASTER, machine::plan_raster), (machine::HELD, machine::hold_raster)];
-    for (own, work) in rasters {
+    for (own, work) in machine::IN_A_CHILD {
         if arguments.next_if(|word| word == own).is_some() {
             let moves = arguments.next().and_then(|count| count.to_str()?.parse().ok());
             work(moves.unwrap_or_default());
