@@ -27,7 +27,7 @@ export function PathPanel({ plan, standing }: PathPanelProps) {
   return (
     <Panel
       title="Paths"
-      className="path-panel"
+      className="job-paths"
       aside={<span className="listing-count">{count}</span>}
     >
       <StartChoice count={count} start={standing.start} />
