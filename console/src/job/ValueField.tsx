@@ -1,4 +1,4 @@
-import { useEffect, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import { evaluate, resultText } from "../app/expression";
 import { Field } from "../ui/Field";
 
@@ -16,12 +16,21 @@ export function ValueField({ label, value, unit, isDisabled = false, onSet }: Va
   const shown = resultText(Number(value.toFixed(4)));
   const [text, setText] = useState(shown);
   const [wrong, setWrong] = useState(false);
+  // Enter sends it, and so does leaving the field a moment later: once is meant.
+  const sending = useRef(false);
   useEffect(() => setText(shown), [shown]);
   const leave = async () => {
+    if (sending.current) return;
     if (text.trim() === shown) return setWrong(false);
     const number = evaluate(text);
     setWrong(number === undefined);
-    if (number !== undefined && !(await onSet(number))) setText(shown);
+    if (number === undefined) return;
+    sending.current = true;
+    try {
+      if (!(await onSet(number))) setText(shown);
+    } finally {
+      sending.current = false;
+    }
   };
   return (
     <form
