@@ -49,6 +49,9 @@ pub struct ToolPathTime {
     pub wait: f64,
     /// Tool changes.
     pub tool_change: f64,
+    /// Length of its cutting moves in space, mm: every pass, plunges too.
+    #[serde(skip)]
+    pub cut_mm: f64,
     /// How many moves and arcs were made before it.
     #[serde(skip)]
     pub first_move: u64,
@@ -79,6 +82,9 @@ impl Tally {
         match made.kind {
             MoveKind::Cut => {
                 self.cut_mm += length_mm;
+                if let Some(path) = self.toolpaths.last_mut() {
+                    path.cut_mm += length_mm;
+                }
                 self.spend(seconds, |t| &mut t.cut_s, |path| &mut path.cut);
                 self.grow(made, frame);
             }

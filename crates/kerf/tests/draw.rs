@@ -270,6 +270,18 @@ fn a_report_tells_lengths_and_times_of_groups() {
 }
 
 #[test]
+fn a_report_counts_every_pass_of_what_is_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let passes = "rect 10,10 20,20; set black height=-3 pass=1";
+    kerf(folder.path(), &["draw", "--do", passes, "-o", "job.rsg"]);
+    let report = ["toolpath", "job.rsg", "--report"];
+    // Round three times, and down from 10 mm above the surface to 3 mm below it.
+    assert_eq!(total_of(folder.path(), &report, "length_mm"), 40.0);
+    let cut = total_of(folder.path(), &report, "cut_mm");
+    assert!((cut - 133.0).abs() < 1e-6, "{cut}");
+}
+
+#[test]
 fn a_job_too_deep_for_the_machine_is_told_when_it_is_made() {
     let folder = tempfile::tempdir().unwrap();
     let deep = "rect 0,0 10,10; set black height=-12; array block 3x3 gap 5,5";

@@ -14,7 +14,10 @@ struct Report {
     cut_seconds: f64,
     jog_seconds: f64,
     paths: usize,
+    /// Of the paths, each once.
     length_mm: f64,
+    /// How far the tool goes at cutting and plunging speed: every pass, and the way down to it.
+    cut_mm: f64,
     travel_mm: f64,
     groups: Vec<OfGroup>,
     warnings: Vec<String>,
@@ -26,6 +29,7 @@ struct OfGroup {
     tool: u8,
     paths: usize,
     length_mm: f64,
+    cut_mm: f64,
     seconds: f64,
 }
 
@@ -43,6 +47,7 @@ pub fn tell(job: &Job, summary: &Summary, warnings: &[Warning], format: Format) 
         jog_seconds: tally.jog_s,
         paths: groups.iter().map(|group| group.paths).sum(),
         length_mm: groups.iter().map(|group| group.length_mm).sum(),
+        cut_mm: tally.cut_mm,
         travel_mm: tally.jog_mm,
         groups,
         warnings: warnings.iter().map(ToString::to_string).collect(),
@@ -59,23 +64,27 @@ fn of_group(job: &Job, tally: &Tally, group: Group, length_mm: f64) -> Option<Of
     let paths = cuts.filter(|path| path.pass != Pass::Traversal).count();
     // A job comes back to a group as often as the sequence does.
     let parts = tally.toolpaths.iter().filter(|part| part.name.as_ref() == group.name());
-    let seconds = parts.map(|part| part.seconds).sum();
+    let (cut_mm, seconds) = parts
+        .fold((0.0, 0.0), |(mm, seconds), part| (mm + part.cut_mm, seconds + part.seconds));
     let tool = job.drawing.settings(group).tool;
-    (paths > 0).then_some(OfGroup { group: group.name(), tool, paths, length_mm, seconds })
+    (paths > 0).then_some(OfGroup { group: group.name(), tool, paths, length_mm, cut_mm, seconds })
 }
 
 fn text(report: &Report) -> String {
-    let row = |name: &str, paths: usize, mm: f64, seconds: f64, tool: &str| {
+    let row = |name: &str, paths: usize, [mm, cut]: [f64; 2], seconds: f64, tool: &str| {
         let time = out::duration(seconds);
-        format!("{name:<10} {paths:>6} {mm:>12.1} {time:>12}  {tool}\n")
+        format!("{name:<10} {paths:>6} {mm:>12.1} {cut:>12.1} {time:>12}  {tool}\n")
     };
-    let mut text =
-        format!("{:<10} {:>6} {:>12} {:>12}  tool\n", "group", "paths", "length mm", "time");
+    let mut text = format!(
+        "{:<10} {:>6} {:>12} {:>12} {:>12}  tool\n",
+        "group", "paths", "length mm", "cut mm", "time"
+    );
     for group in &report.groups {
         let tool = group.tool.to_string();
-        text += &row(group.group, group.paths, group.length_mm, group.seconds, &tool);
+        let lengths = [group.length_mm, group.cut_mm];
+        text += &row(group.group, group.paths, lengths, group.seconds, &tool);
     }
-    text += &row("all", report.paths, report.length_mm, report.seconds, "");
+    text += &row("all", report.paths, [report.length_mm, report.cut_mm], report.seconds, "");
     let travel = out::duration(report.jog_seconds);
-    text + &format!("travel            {:>12.1} {travel:>12}\n", report.travel_mm)
+    text + &format!("travel{:>37.1} {travel:>12}\n", report.travel_mm)
 }
