@@ -49,6 +49,29 @@ fn v_commands_and_machine_set_are_views_of_one_file() {
     shop.kerf("run a.sbp").exits(1).complains("machine.toml:2:1: there is no setting");
 }
 
+/// Every command is a process of its own. A tool path that was made with other values is told of and
+/// changes nothing.
+#[test]
+fn pro_smoothing_saved__over_a_restart_and_another_drawing() {
+    let shop = Shop::new(&[]);
+    let machine =
+        |words: &str| shop.kerf(&format!("machine {words}")).exits(0).out().trim().to_owned();
+    let draw = |what: &str, file: &str| {
+        let mut command = shop.command();
+        Did::of(command.args(["draw", "--do", what, "-o", file]).output().unwrap()).exits(0);
+    };
+    draw("rect 10,10 30,30", "square.rsg");
+    shop.kerf("toolpath square.rsg -o square.rsm").exits(0);
+    machine("set smoothing.factor 0.8");
+    machine("set smoothing.stop_angle_deg 2");
+    draw("circle 20,20 5", "other.rsg");
+    shop.kerf("toolpath other.rsg -o other.rsm").exits(0);
+    shop.kerf("run other.rsm").exits(0);
+    shop.kerf("run square.rsm").exits(0).complains("the factor was 0.6 and is 0.8 now");
+    assert_eq!(machine("get smoothing.factor"), "0.8");
+    assert_eq!(machine("get smoothing.stop_angle_deg"), "2");
+}
+
 #[test]
 fn sbp_cmd_zt_persist() {
     let shop = Shop::new(&[]);

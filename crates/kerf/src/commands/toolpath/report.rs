@@ -64,8 +64,8 @@ fn of_group(job: &Job, tally: &Tally, group: Group, length_mm: f64) -> Option<Of
     let paths = cuts.filter(|path| path.pass != Pass::Traversal).count();
     // A job comes back to a group as often as the sequence does.
     let parts = tally.toolpaths.iter().filter(|part| part.name.as_ref() == group.name());
-    let (cut_mm, seconds) = parts
-        .fold((0.0, 0.0), |(mm, seconds), part| (mm + part.cut_mm, seconds + part.seconds));
+    let (cut_mm, seconds) =
+        parts.fold((0.0, 0.0), |(mm, seconds), part| (mm + part.cut_mm, seconds + part.seconds));
     let tool = job.drawing.settings(group).tool;
     (paths > 0).then_some(OfGroup { group: group.name(), tool, paths, length_mm, cut_mm, seconds })
 }
