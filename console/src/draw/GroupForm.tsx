@@ -63,7 +63,7 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
       <Entry
         label="Speed, mm/min"
         title="Cutting speed; max is the machine's cutting speed"
-        text={group.speed === null ? "max" : shown(group.speed, 1)}
+        text={group.speedMmMin === null ? "max" : shown(group.speedMmMin, 1)}
         onText={(text) => {
           const read = readNumber(text);
           set(`speed=${isWrong(read) ? "max" : num(read.value)}`);

@@ -35,14 +35,14 @@ export function CutPanel({ plan }: { plan: Plan }) {
       <div className="cut-grid">
         <ValueField
           label="Cutting speed"
-          value={(view.cut * 60) / mm}
+          value={(view.cutMmS * 60) / mm}
           unit={perMin}
           isDisabled={off}
           onSet={speed("smoothing.cut_speed_mm_s")}
         />
         <ValueField
           label="Plunging speed"
-          value={(view.plunge * 60) / mm}
+          value={(view.plungeMmS * 60) / mm}
           unit={perMin}
           isDisabled={off}
           onSet={speed("plunge.speed_mm_s")}

@@ -114,13 +114,13 @@ function ChangeValues({ say }: Says) {
       <div className="cut-grid">
         <ValueField
           label="Cutting speed"
-          value={(said.cut ?? view.cut * 60) / mm}
+          value={(said.cut ?? view.cutMmS * 60) / mm}
           unit={`${linear}/min`}
           onSet={mmMin("cut")}
         />
         <ValueField
           label="Plunging speed"
-          value={(said.plunge ?? view.plunge * 60) / mm}
+          value={(said.plunge ?? view.plungeMmS * 60) / mm}
           unit={`${linear}/min`}
           onSet={mmMin("plunge")}
         />

@@ -49,7 +49,8 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
   const move = (direction: Direction, fast: boolean) => {
     if (may.refused || onlySteps || !speeds || !units) return;
     const distance = manner === "distance" ? (evaluate(step, units) ?? 0) * units.mm : null;
-    jog.hold({ direction, speed: fast ? 1 : slowShare(speeds, direction), distance });
+    const speedShare = fast ? 1 : slowShare(speeds, direction);
+    jog.hold({ direction, speedShare, distance });
   };
   const begin = (way: Way, fast: boolean) => move(directions[way], fast);
   const keep = (axes: number) => {
@@ -109,11 +110,11 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
 }
 
 /** The share of the jog speed at which cuts are made: what moves without Ctrl. */
-function slowShare({ cut, jog }: Speeds, direction: Direction): number {
+function slowShare({ cutMmS, jogMmS }: Speeds, direction: Direction): number {
   // X and Y share a speed; Z, A, B, C have their own.
   const first = direction.findIndex((way) => way !== 0);
   const group = Math.max(first - 1, 0);
-  return Math.min(1, (cut[group] ?? 1) / (jog[group] ?? 1));
+  return Math.min(1, (cutMmS[group] ?? 1) / (jogMmS[group] ?? 1));
 }
 
 /** Keys that are held. Letting any of them go, Ctrl and Alt too, lets go of the handle. */

@@ -6,7 +6,7 @@ import { directions, wayOfKey } from "./keys";
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-const wish = { direction: directions.right, speed: 0.3, distance: null };
+const wish = { direction: directions.right, speedShare: 0.3, distance: null };
 
 /** A hand whose requests are kept; starts are refused as often as there are problems. */
 function hand(problems: Problem[] = [], lease: number | null = 7) {

@@ -17,7 +17,7 @@ export const renewEveryMs = 70;
 export interface JogWish {
   readonly direction: Direction;
   /** Share of the jog speed, 0 … 1. */
-  readonly speed: number;
+  readonly speedShare: number;
   /** Mm or degrees; as long as it is held when nothing. */
   readonly distance: number | null;
 }
@@ -68,9 +68,10 @@ export class JogHand {
       () => void this.#ask({ do: "jogRenew", lease, seq }),
       renewEveryMs,
     );
-    const { speed, distance } = wish;
+    const { speedShare, distance } = wish;
     const direction: [number, number, number, number, number, number] = [...wish.direction];
-    const { problem } = await this.#ask({ do: "jogStart", lease, seq, direction, speed, distance });
+    const begin = { lease, seq, direction, speedShare, distance };
+    const { problem } = await this.#ask({ do: "jogStart", ...begin });
     if (!problem || seq !== this.#seq || this.#renewing === undefined) return;
     this.#rest();
     // The jog before still ramps down: begins as soon as it is over, if the key is still held.

@@ -4,7 +4,7 @@ import { fold } from "./fold";
 
 describe("changes of the snapshot", () => {
   it("replace a section and leave the others the same objects", () => {
-    const overrides = { feed: 80 };
+    const overrides = { feedPercent: 80 };
     const next = fold(firstSnapshot, { change: "overrides", overrides });
     expect(next.overrides).toBe(overrides);
     expect(next.motion).toBe(firstSnapshot.motion);

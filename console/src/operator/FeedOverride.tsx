@@ -10,11 +10,11 @@ const usual = 100;
 /** The operator's share of the programmed speed. */
 export function FeedOverride() {
   const hands = useHands();
-  const told = useSnapshot("overrides")?.feed ?? usual;
+  const told = useSnapshot("overrides")?.feedPercent ?? usual;
   const [held, setHeld] = useState<number | null>(null);
-  const ask = (feed: number) => {
+  const ask = (feedPercent: number) => {
     setHeld(null);
-    void drive(worldOf(hands), { do: "override", feed });
+    void drive(worldOf(hands), { do: "override", feedPercent });
   };
   return (
     <Slider

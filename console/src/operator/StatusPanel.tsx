@@ -33,11 +33,11 @@ export function StatusPanel() {
           <SpeedRow
             title="Move"
             letters="MS"
-            speeds={speeds.cut}
+            speeds={speeds.cutMmS}
             units={units}
-            now={motion.speed}
+            now={motion.speedMmS}
           />
-          <SpeedRow title="Jog" letters="JS" speeds={speeds.jog} units={units} />
+          <SpeedRow title="Jog" letters="JS" speeds={speeds.jogMmS} units={units} />
         </tbody>
       </table>
     </Panel>
@@ -71,7 +71,7 @@ interface SpeedRowProps {
   title: string;
   /** The command that changes them. */
   letters: string;
-  speeds: Speeds["cut"];
+  speeds: Speeds["cutMmS"];
   units: Units;
   now?: number;
 }

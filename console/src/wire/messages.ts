@@ -67,7 +67,7 @@ direction: [number, number, number, number, number, number],
 /** Mm or degrees; motion ends there. Without it, at the table limits. */
 distance: number | null,
 /** Share of the jog speed, 0 … 1. */
-speed: number, } | { "do": "jogRenew",
+speedShare: number, } | { "do": "jogRenew",
 /** Number of the lease. */
 lease: number,
 /** Of the jog. */
@@ -82,8 +82,8 @@ axis: string,
 distance: number, } | { "do": "override",
 /** Number of the lease. */
 lease: number,
-/** Percent of the speed asked for, 10 … 200. */
-feed: number, } | { "do": "sheetDone" } | { "do": "clearPrinted" } | { "do": "acknowledge" } | { "do": "draw",
+/** Of the speed asked for, 10 … 200. */
+feedPercent: number, } | { "do": "sheetDone" } | { "do": "clearPrinted" } | { "do": "acknowledge" } | { "do": "draw",
 /** What. */
 op: Op, } | { "do": "unlock",
 /** The password. */
@@ -317,7 +317,7 @@ name: string,
 /** Which files lists show: `*` any characters, `?` one. */
 mask: string, };
 
-/** How the shapes of a group are cut: what the operation `set` changes. Mm, mm a minute, degrees. */
+/** How the shapes of a group are cut: what the operation `set` changes. Lengths in mm, angles in degrees. */
 export type GroupState = {
 /** Its colour. */
 name: string,
@@ -332,7 +332,7 @@ tool: number,
 /** The cut output, 1 … 3. */
 cut: number,
 /** Highest cutting speed; nothing is the machine's. */
-speed: number | null,
+speedMmMin: number | null,
 /** Depth of the cut. */
 height: CutHeight,
 /** Depth of one pass. */
@@ -455,10 +455,10 @@ finish: [number, number],
 start: number,
 /** How often it is cut. */
 repeats: number,
-/** Cutting speed, mm a second. */
-cut: number,
-/** Plunging speed, mm a second. */
-plunge: number,
+/** Cutting speed. */
+cutMmS: number,
+/** Plunging speed. */
+plungeMmS: number,
 /** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm. */
 heights: [number, number, number],
 /** Whether the tool rises when the job is paused. */
@@ -520,8 +520,8 @@ export type Mode = "preview" | "simulated" | "cut";
 export type Motion = {
 /** Where the axes are. */
 at: Positions,
-/** Speed along the path, mm a second. */
-speed: number,
+/** Speed along the path. */
+speedMmS: number,
 /** Machine time since the run began, seconds. */
 t: number,
 /** Whether it is a cut; a jog otherwise. */
@@ -622,8 +622,8 @@ parts: Array<OperationPart>, };
 
 /** The operator's overrides. */
 export type Overrides = {
-/** Cuts run at so much of the speed asked for, percent, 10 … 200. */
-feed: number, };
+/** Cuts run at so much of the speed asked for, 10 … 200. */
+feedPercent: number, };
 
 /** A parameter. */
 export type Parameter = {
@@ -887,12 +887,12 @@ watched: Array<NamedValue>,
 /** Grows when the machine's configuration changes. */
 settings: number, };
 
-/** Speeds, mm or degrees a second. */
+/** Speeds; of axes that turn, degrees a second. */
 export type Speeds = {
 /** Cutting: X and Y together, then Z, A, B, C. */
-cut: [number, number, number, number, number],
+cutMmS: [number, number, number, number, number],
 /** Jogging. */
-jog: [number, number, number, number, number],
+jogMmS: [number, number, number, number, number],
 /** Spindle, revolutions a minute. */
 rpm: number, };
 

@@ -58,7 +58,7 @@ it("no act reaches the machine, with a lease or without", async () => {
     nudge: { lease: 1, axis: "X", distance: 1 },
     input: { lease: 1, number: 1, on: true },
     set: { lease: 1, key: "axes", value: "4" },
-    override: { lease: 1, feed: 50 },
+    override: { lease: 1, feedPercent: 50 },
     resume: { lease: 1 },
     answer: { question: 0, answer: "OK" },
     folder: { name: "", mask: "*" },

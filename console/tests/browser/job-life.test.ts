@@ -54,7 +54,7 @@ async function previewed(name: string): Promise<void> {
 async function cuts(page: Page): Promise<void> {
   await previewed("cut.sbp");
   await page.getByRole("button", { name: "Start" }).click();
-  await until(async () => (await stateOf(workshop)).motion.speed > 5, "it cuts");
+  await until(async () => (await stateOf(workshop)).motion.speedMmS > 5, "it cuts");
 }
 
 const word = (page: Page) => page.locator(".state strong").textContent();
@@ -173,7 +173,7 @@ it("an emergency stop of the machine ends the job, and the page says so", async 
   await page.getByRole("button", { name: "In", exact: true }).click();
   await page.getByRole("switch", { name: "Input 5" }).click();
   await until(async () => (await stateOf(workshop)).machine.state !== "running", "it stands");
-  await until(async () => (await stateOf(workshop)).motion.speed === 0, "nothing moves");
+  await until(async () => (await stateOf(workshop)).motion.speedMmS === 0, "nothing moves");
   expect(await word(page)).not.toBe("Running");
   // The switch is let go from the question that stands over everything.
   await page.getByRole("button", { name: "Inputs…" }).click();

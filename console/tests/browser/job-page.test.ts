@@ -133,7 +133,7 @@ it("a job is cut, paused, moved away from, gone on with and finished, by mouse",
     const { motion, job } = await stateOf(workshop);
     if (motion.cutting && motion.line === 1) {
       seen.push(motion.at.machine);
-      fastest = Math.max(fastest, motion.speed);
+      fastest = Math.max(fastest, motion.speedMmS);
     }
     return motion.line > 1 || job?.ended === "ok";
   }, "the rest of the first path");

@@ -65,14 +65,14 @@ interface Moving {
 
 /** Presses the key and waits until the machine moves at its full speed. */
 async function jogs(): Promise<void> {
-  const full = (await stateOf(workshop)).speeds.cut[0];
-  const goes = ({ motion }: Snapshot) => motion.speed > 0.98 * full;
+  const full = (await stateOf(workshop)).speeds.cutMmS[0];
+  const goes = ({ motion }: Snapshot) => motion.speedMmS > 0.98 * full;
   await hold(workshop, keysOf(page, ["ArrowRight"]), goes, "the machine moves");
 }
 
 async function moving(): Promise<Moving> {
   const { motion } = await stateOf(workshop);
-  return { x: motion.at.working[0], speed: motion.speed, atMs: performance.now() };
+  return { x: motion.at.working[0], speed: motion.speedMmS, atMs: performance.now() };
 }
 
 /** Waits until nothing moves, and tells how far that was from where the link became bad. */

@@ -72,18 +72,18 @@ it("sbp_con_keypad_open: arrows move as long as they are held, ESC closes", asyn
 });
 
 it("sbp_con_keypad_jog: with Ctrl at jog speed", async () => {
-  const { cut, jog } = (await stateOf(workshop)).speeds;
+  const { cutMmS, jogMmS } = (await stateOf(workshop)).speeds;
   for (const [keys, speed] of [
-    [["ArrowRight"], cut[0]],
-    [["Control", "ArrowRight"], jog[0]],
+    [["ArrowRight"], cutMmS[0]],
+    [["Control", "ArrowRight"], jogMmS[0]],
   ] as const) {
     const hand = keysOf(page, keys);
-    const near = ({ motion }: Snapshot) => Math.abs(motion.speed / speed - 1) < 0.02;
+    const near = ({ motion }: Snapshot) => Math.abs(motion.speedMmS / speed - 1) < 0.02;
     await hold(workshop, hand, near, `${keys.join()} moves at ${speed} mm/s`);
     await hand.up();
     await standing();
   }
-  expect(jog[0]).toBeGreaterThan(cut[0]);
+  expect(jogMmS[0]).toBeGreaterThan(cutMmS[0]);
 });
 
 it("sbp_con_keypad_diag: / moves both axes alike", async () => {

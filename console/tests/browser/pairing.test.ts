@@ -56,7 +56,7 @@ it.skipIf(!outside)(
     await tablet.getByText(/needs the role operator/i).waitFor();
     await tablet.getByRole("button", { name: "STOP", exact: true }).click();
     await until(async () => (await stateOf(workshop)).machine.state !== "running", "it is stopped");
-    await until(async () => (await stateOf(workshop)).motion.speed === 0, "nothing moves");
+    await until(async () => (await stateOf(workshop)).motion.speedMmS === 0, "nothing moves");
 
     await comesToRest(workshop);
     await owner.getByRole("link", { name: "Settings" }).click();

@@ -133,7 +133,7 @@ it("a nudge after a stop: both see the question, and the job goes on shifted", a
   await script(workshop, "open", { name: "long.sbp" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   await page.getByRole("button", { name: "Start" }).click();
-  await until(async () => (await stateOf(workshop)).motion.speed > 5, "it cuts");
+  await until(async () => (await stateOf(workshop)).motion.speedMmS > 5, "it cuts");
   await other.getByRole("button", { name: "STOP", exact: true }).click();
   await begins("stopped");
   await everywhere(async (one) => {

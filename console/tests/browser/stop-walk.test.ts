@@ -75,7 +75,7 @@ const doings: Record<string, () => Promise<void>> = {
   async running() {
     await starts("long.sbp");
     await begins("running");
-    await until(async () => (await stateOf(workshop)).motion.speed > 1, "it moves");
+    await until(async () => (await stateOf(workshop)).motion.speedMmS > 1, "it moves");
   },
   async held() {
     await doings.running?.();
@@ -205,7 +205,7 @@ async function stopped(press: () => Promise<void>, step: string): Promise<number
   await until(async () => {
     const { machine, motion } = await stateOf(workshop);
     const ended = before !== "stopped" || machine.state === "idle";
-    return ended && overStates.includes(machine.state) && motion.speed === 0;
+    return ended && overStates.includes(machine.state) && motion.speedMmS === 0;
   }, `${step}: it stands`);
   const tookMs = performance.now() - at;
   // Nothing but the file's own end is "ok": it was long enough to be stopped before.

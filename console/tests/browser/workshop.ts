@@ -110,7 +110,7 @@ export const moment = (ms = 40) => new Promise<void>((resolve) => setTimeout(res
 /** Whether nothing moves. */
 export const stands = async (workshop: Workshop): Promise<boolean> => {
   const { machine, motion } = await stateOf(workshop);
-  return machine.state !== "jogging" && machine.state !== "running" && motion.speed === 0;
+  return machine.state !== "jogging" && machine.state !== "running" && motion.speedMmS === 0;
 };
 
 export interface Hand {

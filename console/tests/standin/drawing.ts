@@ -9,7 +9,7 @@ const group = (name: string, change: Partial<GroupState> = {}): GroupState => ({
   double: false,
   tool: 1,
   cut: 1,
-  speed: null,
+  speedMmMin: null,
   height: "thru",
   pass: null,
   levels: [-30],

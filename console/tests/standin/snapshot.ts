@@ -37,7 +37,7 @@ export const firstSnapshot: Snapshot = {
   machine: { state: "idle", mode: "simulated", armed: false, why: null, name: "Simulated machine" },
   motion: {
     at: { working: place(0, 0, 0.5), base: place(12, 8, 3.5), machine: place(0, 0, 0.5) },
-    speed: 0,
+    speedMmS: 0,
     t: 0,
     cutting: false,
     line: 0,
@@ -64,7 +64,11 @@ export const firstSnapshot: Snapshot = {
     protected: false,
     pickRadius: 8,
   },
-  speeds: { cut: [38.1, 12.7, 25.4, 25.4, 25.4], jog: [152.4, 50.8, 50.8, 50.8, 50.8], rpm: 0 },
+  speeds: {
+    cutMmS: [38.1, 12.7, 25.4, 25.4, 25.4],
+    jogMmS: [152.4, 50.8, 50.8, 50.8, 50.8],
+    rpm: 0,
+  },
   io: { inputs: lamps([4]), outputs: lamps([]), ports: { inputs: [0, 0], outputs: [0, 0, 0] } },
   opened: {
     name: "first-cut.sbp",
@@ -84,7 +88,7 @@ export const firstSnapshot: Snapshot = {
   pause: null,
   start: null,
   asked: null,
-  overrides: { feed: 100 },
+  overrides: { feedPercent: 100 },
   printed: [],
   messages: [{ tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0 }],
   lease: null,

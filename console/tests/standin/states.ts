@@ -14,7 +14,7 @@ const running: Partial<Snapshot> = {
       base: [406.4, 279.4, 73.025, 0, 0, 0],
       machine: [101.6, 76.2, -3.175, 0, 0, 0],
     },
-    speed: 38.1,
+    speedMmS: 38.1,
     line: 13,
     made: 4,
     progress: 0.46,

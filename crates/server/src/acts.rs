@@ -167,13 +167,13 @@ impl App {
             Act::Run { hash, step, .. } => self.run(&hash, step)?,
             Act::TakeUp { .. } => self.take_up()?,
             Act::Command { line, .. } => self.command(line)?,
-            Act::JogStart { seq, direction, distance, speed, .. } => {
+            Act::JogStart { seq, direction, distance, speed_share: speed, .. } => {
                 self.jog(who, seq, Order::Jog { direction, distance, speed })?;
             }
             Act::JogRenew { seq, .. } => self.renew(who, seq)?,
             Act::JogStop { seq } => self.jog_stop(who, seq),
             Act::Nudge { axis, distance, .. } => self.nudge(axis, distance)?,
-            Act::Override { feed, .. } => self.override_feed(feed)?,
+            Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
             Act::Acknowledge => self.acknowledge(),
@@ -421,15 +421,15 @@ impl App {
         self.order(Order::Nudge(axis, distance), State::Running)
     }
 
-    fn override_feed(&self, feed: f64) -> Result<(), Problem> {
-        if !(10.0..=200.0).contains(&feed) {
+    fn override_feed(&self, feed_percent: f64) -> Result<(), Problem> {
+        if !(10.0..=200.0).contains(&feed_percent) {
             return Err(problem(Why::Malformed, "overrides are 10 to 200 percent"));
         }
         if self.state() == State::Idle {
-            let overrides = Overrides { feed };
+            let overrides = Overrides { feed_percent };
             self.hub.change(vec![Change::Overrides { overrides }]);
         }
-        self.link.want(|wanted| wanted.feed = Some((feed / 100.0) as f32));
+        self.link.want(|wanted| wanted.feed = Some((feed_percent / 100.0) as f32));
         Ok(())
     }
 

@@ -121,7 +121,7 @@ fn group_state(drawing: &Drawing, group: Group, heights: &Heights) -> GroupState
         double: settings.double_line,
         tool: settings.tool,
         cut: settings.cut,
-        speed: settings.speed_mm_min,
+        speed_mm_min: settings.speed_mm_min,
         height: match settings.height {
             Height::Thru => CutHeight::Word("thru".into()),
             Height::ThreeD => CutHeight::Word("3d".into()),

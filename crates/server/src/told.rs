@@ -49,7 +49,7 @@ fn axis_units(settings: &Settings, axis: Axis) -> AxisUnits {
 /// Speeds in force; that of the spindle is not known here.
 pub fn speeds(settings: &Settings) -> Speeds {
     let list = |s: &PerGroup| [s.xy, s.z, s.a, s.b, s.c];
-    Speeds { cut: list(&settings.speeds.cut), jog: list(&settings.speeds.jog), rpm: 0.0 }
+    Speeds { cut_mm_s: list(&settings.speeds.cut), jog_mm_s: list(&settings.speeds.jog), rpm: 0.0 }
 }
 
 /// Inputs and outputs as they are, after others.

@@ -75,7 +75,7 @@ fn a_stop_ramps_down_and_asks_and_the_job_goes_on_or_not() {
     assert_eq!(other.act(json!({ "do": "stop" })), None);
     page.until_state("stopped");
     page.asked("hold");
-    assert_eq!(page.shown["motion"]["speed"], 0.0);
+    assert_eq!(page.shown["motion"]["speedMmS"], 0.0);
     assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
     page.until_state("running");
     page.until("cutting", |page| page.shown["motion"]["cutting"] == true);
@@ -97,7 +97,7 @@ fn a_hold_stands_until_it_is_resumed_and_nothing_resumes_by_itself() {
     other.act(json!({ "do": "hold" }));
     page.until_state("held");
     let stood = page.shown["motion"]["at"].clone();
-    assert_eq!(page.shown["motion"]["speed"], 0.0);
+    assert_eq!(page.shown["motion"]["speedMmS"], 0.0);
     drop(other);
     std::thread::sleep(std::time::Duration::from_millis(300));
     while page.shown["clients"].as_array().unwrap().len() > 1 {
@@ -157,11 +157,15 @@ fn overrides_change_how_long_it_takes() {
     page.open_file("long.sbp");
     assert_eq!(page.run(), None);
     page.until("cutting", |page| page.shown["motion"]["cutting"] == true);
-    assert_eq!(page.act(json!({ "do": "override", "lease": page.lease, "feed": 200.0 })), None);
-    page.until("twice the speed", |page| page.shown["motion"]["speed"].as_f64().unwrap() > 45.0);
-    assert_eq!(page.shown["overrides"]["feed"], 200.0);
     assert_eq!(
-        page.act(json!({ "do": "override", "lease": page.lease, "feed": 1000.0 })).as_deref(),
+        page.act(json!({ "do": "override", "lease": page.lease, "feedPercent": 200.0 })),
+        None
+    );
+    page.until("twice the speed", |page| page.shown["motion"]["speedMmS"].as_f64().unwrap() > 45.0);
+    assert_eq!(page.shown["overrides"]["feedPercent"], 200.0);
+    assert_eq!(
+        page.act(json!({ "do": "override", "lease": page.lease, "feedPercent": 1000.0 }))
+            .as_deref(),
         Some("malformed")
     );
     page.until_state("idle");
@@ -176,7 +180,7 @@ fn command_lines_move_the_machine_and_change_its_settings() {
     page.command("ZX");
     assert_eq!(page.x(), 0.0);
     page.command("VS,3");
-    assert_eq!(page.shown["speeds"]["cut"][0], 3.0 * 25.4);
+    assert_eq!(page.shown["speeds"]["cutMmS"][0], 3.0 * 25.4);
     page.command("SR");
     assert_eq!(page.shown["units"]["absolute"], false);
     let wrong = json!({ "do": "command", "lease": page.lease, "line": "QQ,1" });
@@ -240,7 +244,7 @@ fn the_machine_is_never_shown_where_it_was_before() {
     page.open_file("long.sbp");
     assert_eq!(page.run(), None);
     page.until("cutting", |page| page.x() > 5.0);
-    page.act(json!({ "do": "override", "lease": page.lease, "feed": 150.0 }));
+    page.act(json!({ "do": "override", "lease": page.lease, "feedPercent": 150.0 }));
     let mut last = 0.0;
     let mut stopped = false;
     while page.shown["machine"]["state"] == "running" {

@@ -106,7 +106,7 @@ fn a_job_is_paused_moved_and_goes_on_at_the_very_place() {
     assert_eq!(answer(&mut page, "nonsense").as_deref(), Some("mistake"));
     // By a key that is held, and by a distance.
     let jog = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
-        "direction": [0, 1, 0, 0, 0, 0], "distance": 20.0, "speed": 1.0 });
+        "direction": [0, 1, 0, 0, 0, 0], "distance": 20.0, "speedShare": 1.0 });
     page.act(jog);
     for _ in 0..400 {
         page.act(json!({ "do": "jogRenew", "lease": page.lease, "seq": 1 }));
@@ -257,7 +257,7 @@ fn speeds_and_heights_are_changed_in_a_pause() {
     }
     assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
     page.until("half a millimetre deeper", |page| (at(page)[2] + 30.5).abs() < 1e-6);
-    let speed = |page: &Page| page.shown["motion"]["speed"].as_f64().unwrap();
+    let speed = |page: &Page| page.shown["motion"]["speedMmS"].as_f64().unwrap();
     page.until("50 mm/s", |page| at(page)[2] < -30.4 && (speed(page) - 50.0).abs() < 1e-6);
     stop_on(&mut page, 1, 0.0);
     assert!((at(&page)[2] + 30.5).abs() < 1e-6, "it does not rise any more: {:?}", at(&page));
@@ -321,7 +321,7 @@ fn told(tenths: u8) -> Vec<([f64; 3], f64)> {
     let mut told = Vec::new();
     while page.shown["job"]["ended"].is_null() {
         assert!(page.read());
-        let speed = page.shown["motion"]["speed"].as_f64().unwrap();
+        let speed = page.shown["motion"]["speedMmS"].as_f64().unwrap();
         if page.shown["machine"]["state"] == "running" && told.last() != Some(&(at(&page), speed)) {
             told.push((at(&page), speed));
         }

@@ -12,7 +12,7 @@ use support::{Page, shop};
 fn start(page: &Page, seq: u32) -> Value {
     let direction = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     json!({ "do": "jogStart", "lease": page.lease, "seq": seq, "direction": direction,
-            "distance": null, "speed": 0.2 })
+            "distance": null, "speedShare": 0.2 })
 }
 
 fn renew(page: &Page, seq: u32) -> Value {
@@ -120,7 +120,7 @@ fn a_step_ends_at_its_distance() {
     let shop = shop(1.0, &[]);
     let mut page = shop.driver();
     let step = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
-        "direction": [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], "distance": 2.54, "speed": 1.0 });
+        "direction": [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], "distance": 2.54, "speedShare": 1.0 });
     assert_eq!(page.act(step), None);
     page.until_state("jogging");
     hold(&mut page, 1, Duration::from_millis(300));
@@ -156,7 +156,7 @@ fn directions_and_speeds_that_make_no_sense_are_refused() {
         ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 9.0),
     ] {
         let act = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
-            "direction": direction, "distance": distance, "speed": speed });
+            "direction": direction, "distance": distance, "speedShare": speed });
         assert_eq!(page.act(act).as_deref(), Some("malformed"), "{direction:?} {distance} {speed}");
     }
 }
@@ -164,7 +164,7 @@ fn directions_and_speeds_that_make_no_sense_are_refused() {
 /// Waits until a jog in a question is over.
 fn jog_in_question(page: &mut Page, seq: u32, direction: [f64; 6], state: &str) {
     let act = json!({ "do": "jogStart", "lease": page.lease, "seq": seq,
-        "direction": direction, "distance": 10.0, "speed": 1.0 });
+        "direction": direction, "distance": 10.0, "speedShare": 1.0 });
     assert_eq!(page.act(act), None);
     page.until_state("jogging");
     hold(page, seq, Duration::from_millis(500));

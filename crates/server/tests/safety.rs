@@ -238,10 +238,10 @@ fn whatever_moves_or_changes_the_machine_names_the_turn() {
         json!({ "do": "command", "line": "MX,1" }),
         json!({ "do": "resume" }),
         json!({ "do": "nudge", "axis": "X", "distance": 1.0 }),
-        json!({ "do": "jogStart", "seq": 1, "direction": [1, 0, 0, 0, 0, 0], "distance": null, "speed": 1.0 }),
+        json!({ "do": "jogStart", "seq": 1, "direction": [1, 0, 0, 0, 0, 0], "distance": null, "speedShare": 1.0 }),
         json!({ "do": "jogRenew", "seq": 1 }),
         json!({ "do": "arm" }),
-        json!({ "do": "override", "feed": 50.0 }),
+        json!({ "do": "override", "feedPercent": 50.0 }),
         json!({ "do": "input", "number": 1, "on": true }),
         json!({ "do": "set", "key": "options.filter_mm", "value": "1" }),
     ];
@@ -394,12 +394,12 @@ fn where_only_drawings_are_worked_on_nothing_of_the_machine_is_to_be_had() {
     let mut page = shop.page();
     assert_eq!(page.act(json!({ "do": "takeLease", "force": false })).as_deref(), Some("state"));
     for act in ["arm", "run", "command", "nudge", "override", "resume", "takeUp"] {
-        let body = json!({ "lease": 1, "hash": "", "line": "MX,1", "axis": "X", "distance": 1.0, "feed": 100.0 });
+        let body = json!({ "lease": 1, "hash": "", "line": "MX,1", "axis": "X", "distance": 1.0, "feedPercent": 100.0 });
         let known = ["lease"].into_iter().chain(match act {
             "run" => vec!["hash"],
             "command" => vec!["line"],
             "nudge" => vec!["axis", "distance"],
-            "override" => vec!["feed"],
+            "override" => vec!["feedPercent"],
             _ => Vec::new(),
         });
         let body: Value = known.map(|key| (key.to_owned(), body[key].clone())).collect();

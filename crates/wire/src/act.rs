@@ -17,7 +17,7 @@ pub struct Request {
 
 /// What is to be done. Those that move the machine carry the number of the lease.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
-#[serde(rename_all = "camelCase", tag = "do", deny_unknown_fields)]
+#[serde(rename_all = "camelCase", rename_all_fields = "camelCase", tag = "do", deny_unknown_fields)]
 pub enum Act {
     /// Ramps down, lifts the tool, asks whether to go on; a question that is open ends its job. Always
     /// allowed, to everybody.
@@ -151,7 +151,7 @@ pub enum Act {
         /// Mm or degrees; motion ends there. Without it, at the table limits.
         distance: Option<f64>,
         /// Share of the jog speed, 0 … 1.
-        speed: f64,
+        speed_share: f64,
     },
     /// Keeps a jog moving: every 50 to 100 ms. After 250 ms without one the machine ramps down.
     JogRenew {
@@ -178,8 +178,8 @@ pub enum Act {
     Override {
         /// Number of the lease.
         lease: u32,
-        /// Percent of the speed asked for, 10 … 200.
-        feed: f64,
+        /// Of the speed asked for, 10 … 200.
+        feed_percent: f64,
     },
     /// The FP sheet that a start-up line opens was filled in or put away: no page opens it any more.
     SheetDone,

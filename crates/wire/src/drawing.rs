@@ -87,7 +87,7 @@ pub struct Block {
     pub z: Option<[f64; 2]>,
 }
 
-/// How the shapes of a group are cut: what the operation `set` changes. Mm, mm a minute, degrees.
+/// How the shapes of a group are cut: what the operation `set` changes. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct GroupState {
@@ -104,7 +104,7 @@ pub struct GroupState {
     /// The cut output, 1 … 3.
     pub cut: u8,
     /// Highest cutting speed; nothing is the machine's.
-    pub speed: Option<f64>,
+    pub speed_mm_min: Option<f64>,
     /// Depth of the cut.
     pub height: CutHeight,
     /// Depth of one pass.

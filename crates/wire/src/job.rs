@@ -242,12 +242,12 @@ pub struct Message {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Overrides {
-    /// Cuts run at so much of the speed asked for, percent, 10 … 200.
-    pub feed: f64,
+    /// Cuts run at so much of the speed asked for, 10 … 200.
+    pub feed_percent: f64,
 }
 
 impl Default for Overrides {
     fn default() -> Self {
-        Self { feed: 100.0 }
+        Self { feed_percent: 100.0 }
     }
 }

@@ -47,10 +47,10 @@ pub struct JobView {
     pub start: u32,
     /// How often it is cut.
     pub repeats: u32,
-    /// Cutting speed, mm a second.
-    pub cut: f64,
-    /// Plunging speed, mm a second.
-    pub plunge: f64,
+    /// Cutting speed.
+    pub cut_mm_s: f64,
+    /// Plunging speed.
+    pub plunge_mm_s: f64,
     /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm.
     pub heights: [f64; 3],
     /// Whether the tool rises when the job is paused.

@@ -11,7 +11,7 @@
 //!   does the same). A page that missed some gets a new snapshot.
 //! - A page asks with a [`Request`]; the [`Reply`] carries its id. Scripts send the same [`Act`]s
 //!   over HTTP.
-//! - Places are millimetres or degrees, speeds millimetres or degrees a second, times seconds.
+//! - Places are millimetres or degrees, times seconds. Names of speeds end in their unit.
 //!   [`Units`] says what a person reads instead.
 //! - The tool path comes in binary pieces over HTTP ([`preview`]).
 //!

@@ -61,8 +61,8 @@ pub struct Machine {
 pub struct Motion {
     /// Where the axes are.
     pub at: Positions,
-    /// Speed along the path, mm a second.
-    pub speed: f64,
+    /// Speed along the path.
+    pub speed_mm_s: f64,
     /// Machine time since the run began, seconds.
     pub t: f64,
     /// Whether it is a cut; a jog otherwise.
@@ -123,14 +123,14 @@ pub struct AxisUnits {
     pub used: bool,
 }
 
-/// Speeds, mm or degrees a second.
+/// Speeds; of axes that turn, degrees a second.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Speeds {
     /// Cutting: X and Y together, then Z, A, B, C.
-    pub cut: [f64; 5],
+    pub cut_mm_s: [f64; 5],
     /// Jogging.
-    pub jog: [f64; 5],
+    pub jog_mm_s: [f64; 5],
     /// Spindle, revolutions a minute.
     pub rpm: f64,
 }

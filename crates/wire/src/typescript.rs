@@ -74,6 +74,7 @@ fn on_lines(text: &str) -> String {
 }
 
 #[cfg(test)]
+#[allow(non_snake_case)] // rows and their variants
 mod tests {
     use super::*;
 
@@ -86,5 +87,28 @@ mod tests {
             assert_eq!(text.matches(&format!("export type {name} =")).count(), 1, "{name}");
         }
         assert!(!text.contains("bigint"));
+    }
+
+    #[test]
+    fn pro_speeds_units__names_of_speeds_end_in_their_unit() {
+        let (text, mut speeds) = (typescript(), Vec::new());
+        let (mut told, mut of_speeds) = ("", false);
+        for line in text.lines() {
+            if line.starts_with("export type") {
+                of_speeds = line.starts_with("export type Speeds ");
+            }
+            let (name, kind) = line.split_once(": ").unwrap_or_default();
+            let a_speed = told.to_lowercase().contains("speed") || of_speeds;
+            if a_speed && (kind.starts_with("number") || kind.starts_with("[number")) {
+                speeds.push(name);
+            }
+            told = if line.starts_with("/**") { line } else { "" };
+        }
+        let units = ["MmS", "MmMin", "rpm", "Percent", "Share"];
+        let bare = speeds.iter().filter(|name| !units.iter().any(|unit| name.ends_with(unit)));
+        assert_eq!(bare.collect::<Vec<_>>(), Vec::<&&str>::new());
+        for known in ["speedMmS", "cutMmS", "plungeMmS", "speedMmMin", "feedPercent", "rpm"] {
+            assert!(speeds.contains(&known), "{known} is not among {speeds:?}");
+        }
     }
 }

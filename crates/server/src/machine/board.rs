@@ -125,29 +125,28 @@ impl Board {
             ports::moving(&mut self.io.ports, going.at(t_s).velocity, &self.machine);
         }
         let frame = doing.machine.frame();
-        let (place, speed, going) = match &doing.going {
+        let (place, speed_mm_s, going) = match &doing.going {
             Some(going) => {
                 let state = going.at(t_s);
-                let speed = speed(state.velocity);
-                (state.position, speed, going.made())
+                (state.position, speed(state.velocity), going.made())
             }
             None => (doing.machine.position(), 0.0, None),
         };
         let at = told::positions(frame, place);
         self.seen = Some(at);
         let cutting = going.is_some_and(|made| made.kind == MoveKind::Cut);
-        let live = doing.going.is_none() || self.live_mm_s.is_some_and(|most| speed <= most);
-        let before = (self.motion.at, self.motion.speed, self.motion.cutting);
-        let (at, speed, cutting) = if live { (at, speed, cutting) } else { before };
+        let live = doing.going.is_none() || self.live_mm_s.is_some_and(|most| speed_mm_s <= most);
+        let before = (self.motion.at, self.motion.speed_mm_s, self.motion.cutting);
+        let (at, speed_mm_s, cutting) = if live { (at, speed_mm_s, cutting) } else { before };
         let line = going.map_or(self.motion.line, |made| made.at.line);
         let (progress, remaining) = self.progress();
         self.motion =
-            Motion { at, speed, t: t_s, cutting, line, made: self.made, progress, remaining };
+            Motion { at, speed_mm_s, t: t_s, cutting, line, made: self.made, progress, remaining };
     }
 
     /// The machine stands.
     pub fn stand(&mut self) {
-        (self.motion.speed, self.motion.cutting) = (0.0, false);
+        (self.motion.speed_mm_s, self.motion.cutting) = (0.0, false);
         self.motion.at = self.seen.unwrap_or(self.motion.at);
         ports::stand(&mut self.io.ports);
     }

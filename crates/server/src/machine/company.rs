@@ -309,7 +309,7 @@ impl Sink for Teller {
             }
             Event::Override { percent, .. } => {
                 board.feed = percent / 100.0;
-                let overrides = kerf_wire::Overrides { feed: *percent };
+                let overrides = kerf_wire::Overrides { feed_percent: *percent };
                 drop(board);
                 self.shared.hub.change(vec![Change::Overrides { overrides }]);
                 return;

@@ -270,7 +270,7 @@ impl Owner {
             let mode = told::mode(&self.workshop.session);
             let machine = Machine { state, armed, why, mode, ..now.machine.clone() };
             let at = told::positions(frame, position);
-            let motion = kerf_wire::Motion { at, speed: 0.0, cutting: false, ..now.motion };
+            let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
             let io = self.workshop.session.look(|machine| told::io(machine, &now.io));
             vec![
