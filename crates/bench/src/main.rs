@@ -11,6 +11,7 @@ mod inputs;
 mod machine;
 mod page;
 mod record;
+mod references;
 mod replan;
 mod ruckig;
 mod stages;
@@ -58,7 +59,7 @@ fn main() -> Result<()> {
     }
     let mut section = record::section(&about, &figures);
     if motion {
-        section += &machine::references()?;
+        section += &references::tables()?;
         section += &ruckig::table()?;
     }
     println!("{section}");

@@ -60,7 +60,7 @@ fn changes<P: Replanner + Clone>(
     name: &str,
 ) -> Result<Vec<Figure>> {
     let mut planner = planner.clone();
-    let moves = crate::machine::raster3d()?.unwrap_or_else(|| raster(settings));
+    let moves = crate::references::raster3d()?.unwrap_or_else(|| raster(settings));
     moves.into_iter().for_each(|made| planner.push(made));
     let mut figures = Vec::new();
     for (what, change) in
@@ -124,7 +124,7 @@ fn next(planner: &mut impl Replanner) -> Option<Plan> {
 }
 
 /// A router at 100 mm/s, with 500 mm/s² an axis.
-fn machine(model: RampModel, jerk: Option<f64>) -> Settings {
+pub fn machine(model: RampModel, jerk: Option<f64>) -> Settings {
     let mut settings = Settings::default();
     (settings.speeds.cut.xy, settings.speeds.cut.z) = (100.0, 100.0);
     settings.ramp_model = Some(model);
