@@ -5,11 +5,13 @@ use crate::drawn::{self, Drawn};
 use crate::shelf::Shelf;
 use kerf_convert::{Conversion, Language, Source};
 use kerf_gcode::Dialect;
-use kerf_program::{FileConversion, FileRequest, Folder, HostError, Printer, Settings};
+use kerf_program::{
+    ConversionRequest, CutChoice, FileConversion, FileRequest, Folder, HostError, Printer, Settings,
+};
 use kerf_sbp::{Printing, SbpPrinter};
 use std::path::Path;
 
-/// Converts a file for a machine with these settings. `kind` says what it is, where its name does not.
+/// Converts a file for a machine with these settings, or tells what has to be asked first.
 ///
 /// # Errors
 /// There is no such file, it is of a kind that is not converted yet, it does not run, or the part file
@@ -17,31 +19,45 @@ use std::path::Path;
 pub fn convert(
     shelf: &mut Shelf,
     settings: &Settings,
-    name: &str,
-    kind: Option<&str>,
-    overwrite: bool,
+    request: &ConversionRequest,
 ) -> Result<FileConversion, HostError> {
-    let file = shelf.source(&FileRequest { folder: Folder::Parts, name: name.into() })?;
-    let kind = kind.map_or_else(|| extension(name), extension_of_answer);
+    let (name, mut settings) = (&request.name, settings.clone());
+    let file = shelf.source(&FileRequest { folder: Folder::Parts, name: name.clone() })?;
+    let kind = request.kind.as_deref().map_or_else(|| extension(name), extension_of_answer);
     let language = Language::of_file(&format!("x.{kind}"), Dialect::Generic);
     let is_drawn = drawn::KINDS.contains(&kind.as_str());
     if !is_drawn && !matches!(language, Some(Language::Gcode(_))) {
         return Ok(FileConversion::Unknown);
     }
     let target = Path::new(name).with_extension("sbp").display().to_string();
-    if shelf.has(&target) && !overwrite {
+    if shelf.has(&target) && !request.overwrite {
         return Ok(FileConversion::Exists(target));
     }
-    let text = match language {
-        Some(from) if !is_drawn => {
-            let source = Source { name: file.name.clone(), bytes: &file.bytes, language: from };
-            part_file(shelf, settings, name, &source)?
+    match request.unit {
+        Some(unit) => settings.use_linear_unit(unit),
+        None if is_drawn || !says_its_unit(name, &file.bytes) => {
+            return Ok(FileConversion::Unit(settings.linear_unit));
         }
-        _ => drawn_part_file(settings, name, &file.bytes, &kind)?,
+        None => {}
+    }
+    let text = match (language, request.cut) {
+        (Some(from), _) if !is_drawn => {
+            let source = Source { name: file.name.clone(), bytes: &file.bytes, language: from };
+            part_file(shelf, &settings, name, &source)?
+        }
+        (_, Some(cut)) => drawn_part_file(&settings, name, &file.bytes, &kind, cut)?,
+        _ => {
+            return Ok(FileConversion::Cut(drawn::usual_choice(&kind, settings.linear_unit)));
+        }
     };
     let written = shelf.put(&target, text.as_bytes());
     written.map_err(|e| HostError::Refused(format!("cannot write {target}: {e}")))?;
     Ok(FileConversion::Made(target))
+}
+
+/// Whether a file of G-code says whether its numbers are inches or millimetres.
+fn says_its_unit(name: &str, bytes: &[u8]) -> bool {
+    kerf_gcode::read(name.into(), bytes).says_its_unit()
 }
 
 /// What the question of FC is answered with, as an extension.
@@ -53,19 +69,17 @@ fn extension_of_answer(kind: &str) -> String {
     }
 }
 
-/// The part file of a drawing or a picture, with the usual depth; it stands in the file's head.
+/// The part file of a drawing or a picture; how it is cut stands in the file's head.
 fn drawn_part_file(
     settings: &Settings,
     name: &str,
     bytes: &[u8],
     kind: &str,
+    cut: CutChoice,
 ) -> Result<String, HostError> {
     let unit = settings.linear_unit;
-    let how = Drawn::usual(unit);
-    let length = |mm: f64| format!("{} {}", mm / unit.mm(), unit.symbol());
-    let (depth, safe) = (length(how.depth_mm), length(how.safe_mm));
-    let title =
-        format!("Converted from {name}\nSettings: depth {depth}, safe height {safe}, scale 1");
+    let how = Drawn::of(cut);
+    let title = format!("Converted from {name}\n{}", how.told(kind, unit));
     let printing = Printing { unit, title: Some(title), ..Printing::default() };
     let mut printer = SbpPrinter::new(&printing);
     let refused = |error| HostError::Refused(format!("{name} was not converted: {error}"));

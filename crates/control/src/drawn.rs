@@ -3,8 +3,8 @@
 use kerf_drawing::{Drawing, Editor, Operation, Shape};
 use kerf_formats::{Finding, Imported, Weight, bitmap, dxf, hpgl, rsg, svg};
 use kerf_geom::{Point2, Vec2};
-use kerf_program::Printer;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
+use kerf_program::{CutChoice, Printer, decimal};
 use kerf_toolpath::{Heights, Job, Relief, print_relief};
 use std::sync::Arc;
 use thiserror::Error;
@@ -34,6 +34,31 @@ impl Drawn {
         };
         Self { depth_mm, safe_mm, scale: 1.0, size: None, white_deepest: false }
     }
+
+    /// What was chosen.
+    pub fn of(cut: CutChoice) -> Self {
+        Self {
+            depth_mm: cut.depth_mm,
+            safe_mm: cut.safe_mm,
+            scale: cut.scale.unwrap_or(1.0),
+            size: None,
+            white_deepest: cut.white_deepest.unwrap_or(false),
+        }
+    }
+
+    /// As the head of a program tells it.
+    pub fn told(&self, kind: &str, unit: LinearUnit) -> String {
+        let length = |mm: f64| format!("{} {}", decimal(mm / unit.mm(), 4), unit.symbol());
+        let (depth, safe) = (length(self.depth_mm), length(self.safe_mm));
+        let more = match (is_picture(kind), self.white_deepest) {
+            (true, true) => ", white deepest".to_owned(),
+            (true, false) => ", black deepest".to_owned(),
+            (false, _) => String::new(),
+        };
+        let scaled = !is_picture(kind) || self.scale != 1.0;
+        let scale = if scaled { format!(", scale {}", self.scale) } else { String::new() };
+        format!("Settings: depth {depth}, safe height {safe}{scale}{more}")
+    }
 }
 
 /// Why a drawing or a picture is no program.
@@ -57,6 +82,17 @@ pub const KINDS: [&str; 11] =
 /// Whether files of a kind are pictures.
 pub fn is_picture(kind: &str) -> bool {
     matches!(kind, "bmp" | "jpg" | "jpeg" | "png")
+}
+
+/// What a person is asked about a kind of file, and what is usual. A job has its own size.
+pub fn usual_choice(kind: &str, unit: LinearUnit) -> CutChoice {
+    let usual = Drawn::usual(unit);
+    CutChoice {
+        depth_mm: usual.depth_mm,
+        safe_mm: usual.safe_mm,
+        scale: (kind != "rsm").then_some(usual.scale),
+        white_deepest: is_picture(kind).then_some(usual.white_deepest),
+    }
 }
 
 /// Writes the program of a drawing or a picture, and tells what was noticed.

@@ -2,7 +2,9 @@
 
 use crate::world::World;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{AXES, Answer, FileConversion, Host, HostError, Question, ToolCall};
+use kerf_program::{
+    AXES, Answer, ConversionRequest, FileConversion, Host, HostError, Question, ToolCall,
+};
 use std::task::Poll;
 
 /// Version number that `%(49)` reads: the simulated machine has no firmware.
@@ -38,14 +40,9 @@ impl Host for World<'_> {
         self.shelf.last_line(file)
     }
 
-    fn convert(
-        &mut self,
-        name: &str,
-        kind: Option<&str>,
-        overwrite: bool,
-    ) -> Result<FileConversion, HostError> {
+    fn convert(&mut self, request: &ConversionRequest) -> Result<FileConversion, HostError> {
         let settings = self.machine.settings().clone();
-        self.shelf.convert(&settings, name, kind, overwrite)
+        self.shelf.convert(&settings, request)
     }
 
     fn machine_position(&mut self) -> [f64; AXES] {

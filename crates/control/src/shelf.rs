@@ -9,7 +9,8 @@ use crate::stored::Stored;
 use crate::system_log::SystemLog;
 use crate::{conversion, part_log};
 use kerf_program::{
-    FileConversion, FileMode, FileRequest, Folder, HostError, Settings, ShellCall, SourceFile,
+    ConversionRequest, FileConversion, FileMode, FileRequest, Folder, HostError, Settings,
+    ShellCall, SourceFile,
 };
 use kerf_sbp::{PART_FILE, RECORDED, RECORDING};
 use serde::{Deserialize, Serialize};
@@ -169,13 +170,11 @@ impl Shelf {
     pub(crate) fn convert(
         &mut self,
         settings: &Settings,
-        name: &str,
-        kind: Option<&str>,
-        overwrite: bool,
+        request: &ConversionRequest,
     ) -> Result<FileConversion, HostError> {
         // What it reads and writes is one step.
         let mut tape = std::mem::take(&mut self.tape);
-        let convert = || conversion::convert(self, settings, name, kind, overwrite);
+        let convert = || conversion::convert(self, settings, request);
         let told = tape.change(Kind::Convert, convert);
         self.tape = tape;
         told

@@ -3,6 +3,7 @@
 //! Most lines of a large file are moves with literal numbers. Of these hardly more than the text is kept: it
 //! is read again ([`Program::move_of`]) when the move is made. Everything else becomes a [`Block`].
 
+use crate::codes;
 use crate::expr::Expr;
 use crate::lines::Lines;
 use crate::reader::{moves, next_line};
@@ -390,6 +391,16 @@ impl Program {
     /// True when something is wrong with the file.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(Diagnostic::is_error)
+    }
+
+    /// Whether it says somewhere that its numbers are inches or millimetres.
+    pub fn says_its_unit(&self) -> bool {
+        self.words.iter().any(|word| match word.value {
+            Value::Number(code) if word.letter == b'G' => {
+                codes::g_group((code * 10.0).round() as i32) == Some(codes::UNITS)
+            }
+            _ => false,
+        })
     }
 
     /// The words of a block.

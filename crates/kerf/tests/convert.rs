@@ -196,6 +196,52 @@ fn sbp_conv_prompts__drawings() {
 }
 
 #[test]
+fn sbp_conv_prompts__in_a_part_file() {
+    let said = "mm\n4, 20, 2\n";
+    let shop = Shop::new(&[
+        ("part.dxf", DRAWING),
+        ("part.xyz", DRAWING),
+        ("prog.nc", PROG),
+        ("metric.nc", "G21 G0 X1\nG1 X2 F600\n"),
+        ("a.sbp", "FC,part.dxf\nMX,1\n"),
+        ("b.sbp", "FC,part.xyz\n"),
+        ("c.sbp", "FC,prog.nc\n"),
+        ("d.sbp", "FC,metric.nc\n"),
+        ("said.txt", said),
+        ("all.txt", "DXF\nyes\n\n.2,,3\n"),
+        ("no.txt", "mm\ndeep\n"),
+        ("miles.txt", "miles\n"),
+    ]);
+    // What nobody answers is as shown.
+    let did = shop.kerf("run a.sbp");
+    did.exits(0).says("Which unit has part.dxf: in or mm? → in");
+    did.says("How is part.dxf cut? depth (in), safe height (in), scale → 0.125, 0.5, 1");
+    let settings = |what: &str| {
+        let text = shop.read("part.sbp");
+        assert!(text.contains(&format!("'Settings: {what}\n")), "{text}");
+    };
+    settings("depth 0.125 in, safe height 0.5 in, scale 1");
+    std::fs::remove_file(shop.file("part.sbp")).unwrap();
+    shop.kerf("run a.sbp --answers said.txt").exits(0);
+    settings("depth 4 mm, safe height 20 mm, scale 2");
+    // A line asks as often as it has to: what it is, whether to write over one, unit and cut.
+    shop.kerf("run b.sbp --answers all.txt").exits(0).says("Write over it? → Yes");
+    settings("depth 0.2 in, safe height 0.5 in, scale 3");
+    // What cannot be read ends the program and leaves the file as it was.
+    std::fs::remove_file(shop.file("part.sbp")).unwrap();
+    let refused = shop.kerf("run a.sbp --answers no.txt");
+    refused.exits(1).complains("FC cannot read the answer 'deep'").complains("a.sbp:1");
+    shop.kerf("run a.sbp --answers miles.txt").exits(1).complains("answer in or mm");
+    assert!(!shop.file("part.sbp").exists());
+    // G-code is asked for its unit where it does not say it.
+    shop.kerf("run c.sbp --answers said.txt").exits(0).says("Which unit has prog.nc");
+    assert!(shop.read("prog.sbp").contains("'UNITS: MM\n"));
+    let metric = shop.kerf("run d.sbp");
+    assert!(!metric.exits(0).out().contains("Which unit"), "{}", metric.out());
+    assert!(shop.read("metric.sbp").contains("'UNITS: MM\n"));
+}
+
+#[test]
 fn sbp_conv_fc_unknown() {
     let shop = Shop::new(&[
         ("part.xyz", PROG),

@@ -3,6 +3,7 @@
 //! Preview, a real run, a test, the debugger and the language server differ only in the host.
 
 use crate::AXES;
+use crate::settings::LinearUnit;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::task::Poll;
@@ -202,7 +203,7 @@ pub enum HostError {
 pub const SPINDLE_STATUS: &str = "SpindleStatus";
 
 /// What became of a request to convert a file (FC).
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FileConversion {
     /// It was written here.
     Made(String),
@@ -210,6 +211,38 @@ pub enum FileConversion {
     Exists(String),
     /// The name does not say what the file is.
     Unknown,
+    /// The file says no unit, and nothing was written. Usual is that of the machine.
+    Unit(LinearUnit),
+    /// The file does not say how it is cut, and nothing was written. This is usual.
+    Cut(CutChoice),
+}
+
+/// A file that is to become a part file (FC), and what was answered about it so far.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ConversionRequest {
+    /// The file, in the part folder.
+    pub name: String,
+    /// What it is, where its name does not say it: an extension as `nc` or `dxf`.
+    pub kind: Option<String>,
+    /// Writes over a part file that is there already.
+    pub overwrite: bool,
+    /// The unit of the part file, where the file says none.
+    pub unit: Option<LinearUnit>,
+    /// How a drawing or a picture is cut.
+    pub cut: Option<CutChoice>,
+}
+
+/// How a drawing or a picture is cut, which its file does not say.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutChoice {
+    /// How deep is cut, or the deepest place of a picture, mm.
+    pub depth_mm: f64,
+    /// Where the tool travels above the surface, mm.
+    pub safe_mm: f64,
+    /// How much larger it becomes; nothing where it has a size of its own.
+    pub scale: Option<f64>,
+    /// Whether white is deepest, not black; nothing for drawings.
+    pub white_deepest: Option<bool>,
 }
 
 /// What an interpreter asks of the world.
@@ -271,15 +304,10 @@ pub trait Host {
     /// Keeps a value under a key; `None` removes it.
     fn store(&mut self, key: &str, value: Option<&str>);
 
-    /// Converts a file of the part folder to a part file beside it (FC). `kind` says what it is, where
-    /// its name does not: an extension as `nc` or `dxf`.
-    fn convert(
-        &mut self,
-        name: &str,
-        _kind: Option<&str>,
-        _overwrite: bool,
-    ) -> Result<FileConversion, HostError> {
-        Err(HostError::Disabled(format!("{name}: files are not converted here")))
+    /// Converts a file of the part folder to a part file beside it (FC), or tells what it has to know
+    /// before.
+    fn convert(&mut self, request: &ConversionRequest) -> Result<FileConversion, HostError> {
+        Err(HostError::Disabled(format!("{}: files are not converted here", request.name)))
     }
 
     /// Starts an external program.

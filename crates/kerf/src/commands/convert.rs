@@ -14,7 +14,7 @@ use kerf_gcode::Dialect;
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Vec2;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Printer, Settings, decimal};
+use kerf_program::{Printer, Settings};
 use kerf_sbp::{Printing, SbpPrinter, Variables};
 use std::path::{Path, PathBuf};
 
@@ -202,15 +202,9 @@ fn drawing(args: &ConvertArgs, kind: &str) -> Result<Exit> {
 /// The head of the program of a drawing: where it comes from, when, and what was taken for it.
 fn drawing_title(args: &ConvertArgs, kind: &str, how: &Drawn, unit: LinearUnit) -> String {
     let name = args.source.file_name().unwrap_or_default().to_string_lossy();
-    let length = |mm: f64| format!("{} {}", decimal(mm / unit.mm(), 4), unit.symbol());
-    let (depth, safe) = (length(how.depth_mm), length(how.safe_mm));
-    let more = match (drawn::is_picture(kind), how.white_deepest) {
-        (true, true) => ", white deepest".to_owned(),
-        (true, false) => ", black deepest".to_owned(),
-        (false, _) => format!(", scale {}", how.scale),
-    };
+    let settings = how.told(kind, unit);
     format!(
-        "Converted from {name} by kerf {}, {}\nSettings: depth {depth}, safe height {safe}{more}",
+        "Converted from {name} by kerf {}, {}\n{settings}",
         env!("CARGO_PKG_VERSION"),
         date::today()
     )

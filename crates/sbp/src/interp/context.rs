@@ -79,13 +79,21 @@ impl Context<'_> {
         }
     }
 
-    /// Asks the operator.
+    /// Asks the operator. A step may ask several times: what was answered stays when it is repeated.
     pub(crate) fn ask(&mut self, question: &Question) -> Result<Answer, Stop> {
         self.settle()?;
-        match self.host.ask(question) {
-            Poll::Ready(answer) => Ok(answer),
-            Poll::Pending => Err(Stop::Waiting),
-        }
+        let answer = match self.core.heard.get(self.core.taken).cloned() {
+            Some(answer) => answer,
+            None => match self.host.ask(question) {
+                Poll::Ready(answer) => {
+                    self.core.heard.push(answer.clone());
+                    answer
+                }
+                Poll::Pending => return Err(Stop::Waiting),
+            },
+        };
+        self.core.taken += 1;
+        Ok(answer)
     }
 
     /// An error at the statement.

@@ -7,7 +7,7 @@ use crate::tree::Span;
 use crate::{Program, Value};
 use kerf_cut::Tabber;
 use kerf_diag::Place;
-use kerf_program::{AXES, At, Axes, Axis, AxisSet, Frame, GoTo, Settings};
+use kerf_program::{AXES, Answer, At, Axes, Axis, AxisSet, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -51,6 +51,12 @@ pub struct Core {
     pub(crate) given_by: Vec<u64>,
     /// Motion commands given so far.
     pub(crate) motions: u64,
+    /// What the step that waits was answered so far: it is repeated until it has every answer.
+    #[serde(default)]
+    pub(crate) heard: Vec<Answer>,
+    /// How many of these it has taken.
+    #[serde(skip)]
+    pub(crate) taken: usize,
     /// Everything given so far has been carried out.
     pub(crate) settled: bool,
     /// Lines executed.
@@ -180,6 +186,8 @@ impl Core {
             steps: 0,
             given_by: Vec::new(),
             motions: 0,
+            heard: Vec::new(),
+            taken: 0,
             settled: true,
             lines: 0,
             heading: session.heading.filter(|_| typed),

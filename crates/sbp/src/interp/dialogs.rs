@@ -4,7 +4,6 @@ use super::{Context, Stop, fields};
 use crate::Value;
 use crate::tree::Input;
 use kerf_diag::Code;
-use kerf_program::{Answer, Button, Question, QuestionKind};
 
 impl Context<'_> {
     /// Asks for values and puts them into variables.
@@ -12,15 +11,7 @@ impl Context<'_> {
         let Input { text, default, variables, .. } = input;
         let text = text.as_ref().map_or(Ok(String::new()), |t| self.eval_text(t))?;
         let prefill = default.as_ref().map_or(Ok(Value::Empty), |d| self.eval(d))?.display();
-        let question = Question {
-            prefill,
-            ..self.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel])
-        };
-        let typed = match self.ask(&question)? {
-            Answer::Text(typed) => typed,
-            Answer::Button(Button::Cancel) => return Err(self.terminated()),
-            Answer::Button(_) => question.prefill,
-        };
+        let typed = self.typed(&self.entry(text, prefill))?;
         for (name, value) in variables.iter().zip(self.typed_values(&typed, variables.len())?) {
             self.set_variable(*name, value);
         }

@@ -5,7 +5,7 @@ use super::{Context, Stop, fields};
 use crate::tree::Dialog;
 use crate::{Expr, Value};
 use kerf_diag::Code;
-use kerf_program::{Answer, Axes, Button, Command, Feed, MoveKind, Question, QuestionKind, Watch};
+use kerf_program::{Axes, Button, Command, Feed, MoveKind, Question, QuestionKind, Watch};
 
 impl Context<'_> {
     /// Moves until an input goes on. What follows waits until the move is over; that the target was
@@ -41,13 +41,7 @@ impl Context<'_> {
             return self.confirm(&question);
         };
         let prefill = self.variable(name).map(Value::display).unwrap_or_default();
-        let question =
-            Question { title, prefill, ..self.question(QuestionKind::Input, text, &buttons) };
-        let typed = match self.ask(&question)? {
-            Answer::Text(typed) => typed,
-            Answer::Button(Button::Cancel) => return Err(self.terminated()),
-            Answer::Button(_) => question.prefill,
-        };
+        let typed = self.typed(&Question { title, ..self.entry(text, prefill) })?;
         self.set_variable(name, fields::value(&typed));
         Ok(())
     }

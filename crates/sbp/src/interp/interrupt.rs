@@ -29,6 +29,7 @@ pub(super) fn arrive(core: &mut Core, watch: &Watch, position: Axes) {
     if let Some(index) = core.watches.iter().position(|h| h.watch == *watch) {
         let handler = core.watches.remove(index);
         core.fired.push(handler);
+        core.heard.clear();
     }
 }
 

@@ -33,6 +33,21 @@ impl Context<'_> {
         }
     }
 
+    /// A question for text that a person types, with what stands there at first.
+    pub(crate) fn entry(&self, text: impl Into<String>, prefill: impl Into<String>) -> Question {
+        let question = self.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel]);
+        Question { prefill: prefill.into(), ..question }
+    }
+
+    /// Asks for text that a person types; Cancel ends the run.
+    pub(crate) fn typed(&mut self, question: &Question) -> Result<String, Stop> {
+        match self.ask(question)? {
+            Answer::Text(typed) => Ok(typed),
+            Answer::Button(Button::Cancel) => Err(self.terminated()),
+            Answer::Button(_) => Ok(question.prefill.clone()),
+        }
+    }
+
     /// The operator ended the run here, as with a stop (notes A-30).
     pub(crate) fn terminated(&mut self) -> Stop {
         self.note(Code::Terminated, "terminated by the user", "");

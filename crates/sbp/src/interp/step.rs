@@ -9,6 +9,15 @@ use std::sync::Arc;
 
 /// Executes one line, or the action of a handler that fired.
 pub(super) fn step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+    core.taken = 0;
+    let step = one_step(core, host, out);
+    if !matches!(step, Step::Waiting) {
+        core.heard.clear();
+    }
+    step
+}
+
+fn one_step(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     if core.links.len() < core.programs.len() {
         core.relink();
     }

@@ -2,8 +2,7 @@
 
 use super::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
 use crate::interp::{Arguments, Context, FileParameters, Stop};
-use kerf_diag::Code;
-use kerf_program::{Answer, Button, Command, FileConversion, FileRequest, Folder, QuestionKind};
+use kerf_program::{Button, FileRequest, Folder, QuestionKind};
 
 const PROPORTION: Kind = Kind::Number(Unit::None);
 
@@ -112,73 +111,11 @@ pub(super) static SPECS: &[CommandSpec] = &[
             .special()
             .about("A .dxf, .plt, .hpg, .nc, .tap, .bmp, .jpg or .png file. Blank: asks for one.")],
         Stack::Ends,
-        "Converts a drawing, a picture or a G-code file to a part file.",
-        convert,
+        "Converts a drawing, a picture or a G-code file to a part file. Asks what the file does not say: \
+         its unit, how deep is cut, how far above the surface the tool travels, how large it becomes.",
+        super::conversion::convert,
     ),
 ];
-
-/// FC: a part file beside the file. Nothing is written over unless the operator says so.
-fn convert(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
-    let name = a.text(0).unwrap_or_default().trim().to_string();
-    if name.is_empty() {
-        let hint = "FC, prog.nc converts prog.nc to prog.sbp";
-        return Err(c.fail_at(c.span, Code::MissingParameter, "file name expected", hint));
-    }
-    c.settle()?;
-    // A line asks once: of an unknown file what it is, of a known one whether to write over another.
-    let made = match converted(c, &name, None, false)? {
-        FileConversion::Unknown => {
-            let kind = ask_kind(c, &name)?;
-            converted(c, &name, Some(&kind), false)?
-        }
-        FileConversion::Exists(path) => {
-            let text = format!("{path} is there already. Write over it?");
-            let question = c.question(QuestionKind::Msgbox, text, &[Button::No, Button::Yes]);
-            if c.ask(&question)? != Answer::Button(Button::Yes) {
-                return Ok(());
-            }
-            converted(c, &name, None, true)?
-        }
-        made => made,
-    };
-    let failed = |c: &Context<'_>, message: String, hint: &str| {
-        Err(c.fail_at(c.span, Code::NotSupported, message, hint))
-    };
-    match made {
-        FileConversion::Made(path) => {
-            let text = format!("{name} was converted to {path}").into();
-            c.emit(Command::Message { text });
-            Ok(())
-        }
-        FileConversion::Exists(path) => failed(
-            c,
-            format!("{path} is there already"),
-            "rename it, or give the file its extension",
-        ),
-        FileConversion::Unknown => {
-            failed(c, format!("{name}: no such conversion"), "DXF, HPGL, G-code or bitmap")
-        }
-    }
-}
-
-fn converted(
-    c: &mut Context<'_>,
-    name: &str,
-    kind: Option<&str>,
-    overwrite: bool,
-) -> Result<FileConversion, Stop> {
-    c.host.convert(name, kind, overwrite).map_err(|e| c.refused(e))
-}
-
-/// What a file is whose name does not say it.
-fn ask_kind(c: &mut Context<'_>, name: &str) -> Result<String, Stop> {
-    let text = format!("What is {name}? DXF, HPGL, G-code or bitmap");
-    let question = c.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel]);
-    match c.ask(&question)? {
-        Answer::Text(text) => Ok(text.trim().to_ascii_lowercase()),
-        Answer::Button(_) => Err(c.terminated()),
-    }
-}
 
 fn run(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let name = a.text(0).unwrap_or_default().trim().to_string();

@@ -3,6 +3,7 @@
 //! Each file of this folder holds the commands of one group: their entries, the functions that
 //! carry them out and their tests. Adding a command is adding one entry and one function.
 
+mod conversion;
 mod cuts;
 mod elsewhere;
 pub mod fabmo;

@@ -5,7 +5,6 @@ use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
 use crate::interp::{Arguments, Context, EDITOR, FileParameters, Stop};
 use kerf_diag::Code;
 use kerf_program::{Answer, Button, Command, FileRequest, Folder, QuestionKind};
-use std::sync::Arc;
 
 pub(super) static SPECS: &[CommandSpec] = &[
     CommandSpec::new(
@@ -71,7 +70,6 @@ fn save(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     Ok(())
 }
 
-/// A line asks once: what comes after the first answer is a line of its own.
 fn load(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     c.settle()?;
     let delete = match a.whole(1) {
@@ -82,26 +80,17 @@ fn load(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
             c.ask(&question)? == Answer::Button(Button::Yes)
         }
     };
+    let name = match named(a) {
+        Some(name) => name,
+        None => {
+            let files = c.host.settings_files();
+            let text = format!("Load which settings? {}", files.join(", "));
+            entered(c, &text, files.first().map_or("", String::as_str))?
+        }
+    };
     if delete {
         c.host.forget_system_log().map_err(|e| c.refused(e))?;
     }
-    match named(a) {
-        Some(name) => run(c, name),
-        None if a.whole(1).is_some() => {
-            let files = c.host.settings_files();
-            let text = format!("Load which settings? {}", files.join(", "));
-            let name = entered(c, &text, files.first().map_or("", String::as_str))?;
-            run(c, name)
-        }
-        None => {
-            let line = crate::read_as(Arc::from("UR"), b"UR,,0", c.core.options.dialect);
-            c.open_level(Arc::new(line), FileParameters::default());
-            Ok(())
-        }
-    }
-}
-
-fn run(c: &mut Context<'_>, name: String) -> Result<(), Stop> {
     c.call_file(FileRequest { folder: Folder::Settings, name }, FileParameters::default())
 }
 
@@ -111,14 +100,10 @@ fn named(a: &Arguments) -> Option<String> {
 
 /// A name that the operator enters; Cancel ends the run.
 fn entered(c: &mut Context<'_>, text: &str, prefill: &str) -> Result<String, Stop> {
-    let question = c.question(QuestionKind::Input, text, &[Button::OK, Button::Cancel]);
-    let question = kerf_program::Question { prefill: prefill.into(), ..question };
-    match c.ask(&question)? {
-        Answer::Text(name) if !name.trim().is_empty() => Ok(name.trim().to_owned()),
-        Answer::Text(_) => {
-            Err(c.fail(Code::MissingParameter, "the name of a settings file expected"))
-        }
-        Answer::Button(_) => Err(c.terminated()),
+    let typed = c.typed(&c.entry(text, prefill))?;
+    match typed.trim() {
+        "" => Err(c.fail(Code::MissingParameter, "the name of a settings file expected")),
+        name => Ok(name.to_owned()),
     }
 }
 
