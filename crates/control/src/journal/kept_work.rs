@@ -9,6 +9,7 @@ use kerf_program::Settings;
 use kerf_program::job::Job;
 use kerf_sbp::Dialect;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,13 +25,13 @@ pub(crate) enum WorkKind {
 
 /// Something to run and everything that decides it, as bytes.
 #[derive(Debug)]
-pub(crate) struct KeptWork {
+pub(crate) struct KeptWork<'a> {
     /// Name shown to people.
     pub name: String,
     /// How the bytes are read.
     pub kind: WorkKind,
     /// They.
-    pub bytes: Vec<u8>,
+    pub bytes: Cow<'a, [u8]>,
 }
 
 /// A job as it is kept.
@@ -43,16 +44,16 @@ struct KeptJob {
     program: Settings,
 }
 
-impl KeptWork {
+impl<'a> KeptWork<'a> {
     /// What is kept of something.
     ///
     /// # Errors
     /// A job holds what cannot be written.
-    pub(crate) fn of(work: &Work) -> Result<Self, JournalError> {
+    pub(crate) fn of(work: &'a Work) -> Result<Self, JournalError> {
         let (kind, bytes) = match work {
             Work::Part(program) => {
                 let part = &program.sbp;
-                (WorkKind::Part(part.dialect), part.text.as_bytes().to_vec())
+                (WorkKind::Part(part.dialect), Cow::Borrowed(part.text.as_bytes()))
             }
             Work::Job(job, machine) => {
                 let kept = KeptJob {
@@ -61,7 +62,8 @@ impl KeptWork {
                     program: machine.program.clone(),
                 };
                 let bytes = serde_json::to_vec(&kept);
-                (WorkKind::Job, bytes.map_err(|error| JournalError::Unfit(error.to_string()))?)
+                let bytes = bytes.map_err(|error| JournalError::Unfit(error.to_string()))?;
+                (WorkKind::Job, bytes.into())
             }
             // A move by hand is told anew.
             Work::Hand(..) => {

@@ -119,7 +119,7 @@ impl RunUnderWay {
     /// A run that is about to begin.
     pub(crate) fn new(
         session: &Session,
-        work: &KeptWork,
+        work: &KeptWork<'_>,
         options: &RunOptions,
         settings: Option<Settings>,
         shelf: &crate::Shelf,
