@@ -1,9 +1,8 @@
 import { useState } from "react";
 import { ask } from "../actions/ask";
-import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
-import { KeypadSheet } from "../keypad/KeypadSheet";
-import { InputsSheet } from "../tools/InputsSheet";
+import { useAside } from "../operator/useAside";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Sheet } from "../ui/Sheet";
@@ -12,28 +11,16 @@ import { useJob } from "./useJob";
 import { ValueField } from "./ValueField";
 import "./job-screen.css";
 
-type Hand = "keypad" | "inputs";
-
 /**
  * A job that waits: before its start, at a pause mark, or because something stopped it. The tool can be
  * moved, speeds and ZBottom changed; cutting goes on at the very place.
  */
 export function PausedDialog({ asked }: { asked: Asked }) {
   const hands = useHands();
-  const [hand, setHand] = useState<Hand | null>(null);
-  const simulated = useShown((shown) => shown.snapshot?.machine.mode !== "cut");
+  const { sheet, buttons } = useAside(["keypad", "inputs"]);
   const say = (words: string) =>
     ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
-  const back = () => setHand(null);
-  if (hand === "keypad") {
-    return (
-      <KeypadSheet
-        words="The job stands. Where it goes on, the tool goes back by itself."
-        onClose={back}
-      />
-    );
-  }
-  if (hand === "inputs") return <InputsSheet onClose={back} />;
+  if (sheet) return sheet;
   const chooses = asked.text.startsWith("Start with shape");
   const [goesOn = "Resume", ends = "Quit"] = asked.buttons;
   return (
@@ -52,10 +39,7 @@ export function PausedDialog({ asked }: { asked: Asked }) {
       }
     >
       <div className="paused">
-        <div className="paused-hands">
-          <Button onPress={() => setHand("keypad")}>Move the tool…</Button>
-          {simulated && <Button onPress={() => setHand("inputs")}>Inputs…</Button>}
-        </div>
+        <div className="paused-hands">{buttons}</div>
         {chooses ? <ChooseStart text={asked.text} say={say} /> : <ChangeValues say={say} />}
       </div>
     </Sheet>

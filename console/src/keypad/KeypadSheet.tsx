@@ -24,6 +24,12 @@ const manners: readonly { value: Manner; words: string }[] = [
   { value: "distance", words: "Fixed distance" },
 ];
 
+/** What else moves the tool (VD, keypad remote). */
+const otherHands: Record<number, string> = {
+  1: "The keys of a pendant on the inputs move the tool, too.",
+  2: "Another program moves the tool, too, once it has taken control.",
+};
+
 /** The keypad (SK): moves the tool for as long as a key or button is held. */
 interface KeypadSheetProps {
   /** What a part file says that opened it. */
@@ -38,7 +44,9 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
   const units = useSnapshot("units");
   const speeds = useSnapshot("speeds");
   const [manner, setManner] = useState<Manner>("hold");
-  const fixed = useDisplay()?.fixedMm;
+  const display = useDisplay();
+  const fixed = display?.fixedMm;
+  const others = display && otherHands[display.remote];
   const [typed, setStep] = useState<string | null>(null);
   const step = typed ?? String(Number(((fixed ?? 2.54) / (units?.mm ?? 25.4)).toFixed(4)));
   const [places, setPlaces] = useState<readonly string[] | null>(null);
@@ -74,6 +82,7 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
     <Sheet title="Keypad" shape="side" onClose={onClose}>
       <div className="keypad">
         {words && <p className="keypad-words">{words}</p>}
+        {others && <p className="keypad-words">{others}</p>}
         {may.refused && (
           <p className="keypad-refused" role="alert">
             {may.refused}

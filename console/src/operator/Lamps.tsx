@@ -17,26 +17,30 @@ export function Lamps() {
   );
 }
 
-function Row({ title, word, lamps }: { title: string; word: string; lamps: readonly Lamp[] }) {
+/** The sheet behind the word at the head of a row, and what it is for. */
+const behind = {
+  Input: { kind: "inputs", about: "Move the switches of the simulated machine" },
+  Output: { kind: "ports", about: "Every port of the card" },
+} as const;
+
+interface RowProps {
+  title: string;
+  word: keyof typeof behind;
+  lamps: readonly Lamp[];
+}
+
+function Row({ title, word, lamps }: RowProps) {
   const { screen } = useHands();
   const simulated = useShown((shown) => shown.snapshot?.machine.mode !== "cut");
+  const { kind, about } = behind[word];
   return (
     <div className="lamps-row">
-      {word === "Input" && simulated ? (
+      {word === "Output" || simulated ? (
         <button
           type="button"
           className="lamps-press"
-          title="Move the switches of the simulated machine"
-          onClick={() => screen.open({ kind: "inputs" })}
-        >
-          {title}
-        </button>
-      ) : word === "Output" ? (
-        <button
-          type="button"
-          className="lamps-press"
-          title="Every port of the card"
-          onClick={() => screen.open({ kind: "ports" })}
+          title={about}
+          onClick={() => screen.open({ kind })}
         >
           {title}
         </button>

@@ -7,6 +7,7 @@
 
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
+use crate::pendant::KEY;
 use kerf_machine::sequence::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
@@ -20,6 +21,12 @@ pub trait Operator {
     fn answer_in(&mut self, question: &Question, _file: &str, line: u32) -> Option<String> {
         self.answer(question, line)
     }
+
+    /// The tool is moved by hand while a question is open, which is asked again afterwards.
+    fn moves(&mut self) {}
+
+    /// An input has answered the question that was asked last.
+    fn answered(&mut self) {}
 
     /// Whether a question was left unanswered because the operator stopped the machine: then the run
     /// is over, and the default does not count.
@@ -141,7 +148,7 @@ pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
 fn command(question: &Question, words: &str) -> bool {
     match question.kind {
         QuestionKind::Hold => Nudge::read(words).is_some() || Jog::read(words).is_some(),
-        QuestionKind::Keypad => Jog::read(words).is_some(),
+        QuestionKind::Keypad => words == KEY || Jog::read(words).is_some(),
         QuestionKind::Paused => is_word(words),
         QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,

@@ -35,7 +35,7 @@ impl<I: Interpreter> Runner<'_, I> {
             let settings = self.world.machine.settings().clone();
             let driven = match self.world.machine.stop_input() {
                 Some(n) => Driven::StopInput(n),
-                None => self.drive(made, &settings, None),
+                None => self.drive(made, &settings, &[]),
             };
             match self.on_the_way(driven) {
                 Ok(After::On) => {}

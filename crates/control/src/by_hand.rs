@@ -9,7 +9,7 @@ use kerf_machine::hand::keypad_settings;
 use kerf_machine::lines::Input;
 use kerf_motion::{Move, Mover, planner};
 use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
-use kerf_sim::{Halt, HaltCause, Watched};
+use kerf_sim::{HaltCause, Watched};
 use std::fmt;
 
 /// A movement for as long as somebody holds a key.
@@ -47,15 +47,21 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Nothing of the program moves. A switch that is on already does not stop it again: whoever presses
     /// the key once more means it (command reference, VN).
     pub(crate) fn jog(&mut self, jog: Jog) {
+        self.jog_until(jog, &[]);
+    }
+
+    /// The same until one of these switches changes; tells whether one did.
+    pub(crate) fn jog_until(&mut self, jog: Jog, switches: &[Watched]) -> bool {
         let here = self.world.machine.position();
         let (to, end) = self.within_bounds(here, jog.by);
         let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
         if self.world.machine.draws() {
-            return;
+            return false;
         }
+        self.world.moved_by_hand();
         let settings = keypad_settings(self.world.machine.settings(), jog.speed);
         let made = Mover::new(here, &settings).line(self.last_move, &line);
-        let driven = made.map(|made| self.drive(made, &settings, None));
+        let driven = made.map(|made| self.drive(made, &settings, switches));
         let said = match driven {
             None | Some(Driven::There) => end,
             Some(Driven::Limit(n)) => Some(format!("stopped by limit input {n}")),
@@ -72,6 +78,7 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.tell(&Event::Message { text: text.into(), t: self.world.now() });
         }
         self.mover.set_position(self.world.machine.position());
+        matches!(driven, Some(Driven::Edge(_)))
     }
 
     /// The end of a way, or the first bound on it; and what is said at the bound.
@@ -96,7 +103,7 @@ impl<I: Interpreter> Runner<'_, I> {
         &mut self,
         made: Move,
         settings: &Settings,
-        switch: Option<Watched>,
+        switches: &[Watched],
     ) -> Driven {
         self.world.shelf.tape.moves(true, self.world.placed());
         let t0_s = self.world.machine.begin_motion();
@@ -104,16 +111,14 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut planner = planner(settings);
         planner.push(made);
         let mut driven = None;
+        let watched = self.watched_by_hand(switches);
         while let Some(mut plan) = planner.finish() {
-            let watched = self.watched_by_hand(switch);
             self.world.machine.foresee(&plan, t0_s);
-            let halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
             let mut index = 0;
             while index < plan.moves().len() {
-                let end_s = t0_s + plan.span_s(index).1;
                 let going = Going { plan: &plan, index, t0_s };
                 let stops = driven.is_some();
-                let until = self.driven_until(halt, end_s, going, stops, switch.is_some());
+                let until = self.driven_until(&watched, going, stops);
                 let Some((t_s, why, ramped)) = until else {
                     self.make_one(&plan, index, t0_s);
                     index += 1;
@@ -135,37 +140,37 @@ impl<I: Interpreter> Runner<'_, I> {
         driven.unwrap_or(Driven::There)
     }
 
-    /// The switch that is sought first, then the emergency stop.
-    fn watched_by_hand(&self, switch: Option<Watched>) -> Vec<Watched> {
+    /// The switches that are sought first, then the emergency stop.
+    fn watched_by_hand(&self, switches: &[Watched]) -> Vec<Watched> {
         let input = Input::EmergencyStop.number();
         let on = self.world.machine_is.estop.active;
         let emergency = Watched { input, on, ramped: true, level_from_s: None };
-        switch.into_iter().chain([emergency]).collect()
+        switches.iter().copied().chain([emergency]).collect()
     }
 
-    /// Lets time pass up to a moment, unless something stops the machine before.
+    /// Lets time pass to the end of a move, unless something stops the machine before. What stops already
+    /// is not stopped again.
     fn driven_until(
         &mut self,
-        halt: Option<Halt>,
-        end_s: f64,
+        watched: &[Watched],
         going: Going<'_>,
         stops: bool,
-        seeks: bool,
     ) -> Option<(f64, Driven, bool)> {
-        let halt = halt.filter(|halt| !stops && halt.t_s <= end_s);
-        let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
-        loop {
+        let end_s = going.t0_s + going.plan.span_s(going.index).1;
+        let halt = loop {
+            // A switch that is moved meanwhile may stop the machine.
+            let halt = self.world.machine.first_halt(end_s, watched).filter(|_| !stops);
+            let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
             match self.pass(self.world.now(), until_s, Some(going)) {
                 Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
                 Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
                 Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
                 Some(_) => {}
-                None => break,
+                None => break halt?,
             }
-        }
-        let halt = halt?;
+        };
         let why = match halt.cause {
-            HaltCause::Watch(0) if seeks => Driven::Edge(Axes::default()),
+            HaltCause::Watch(n) if n + 1 < watched.len() => Driven::Edge(Axes::default()),
             HaltCause::Watch(_) => Driven::EmergencyStop,
             HaltCause::Limit(n) => Driven::Limit(n),
             HaltCause::Stop(n) => Driven::StopInput(n),

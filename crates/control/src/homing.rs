@@ -90,7 +90,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         let line = Line { kind: MoveKind::Jog, to: there, feed: Feed::Path(speed.abs()) };
         let made = Mover::new(from, &self.settings).line(At::default(), &line)?;
         let switch = until.zip(Machine::home_line(axis)).map(|(on, line)| line.number_when(on));
-        match self.runner.drive(made, &self.settings, switch) {
+        match self.runner.drive(made, &self.settings, switch.as_slice()) {
             Driven::Edge(place) => Some(place[axis]),
             Driven::There => None,
             driven => {

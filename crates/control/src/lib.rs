@@ -42,6 +42,7 @@ mod pace;
 mod part_log;
 pub mod parts;
 pub mod password;
+mod pendant;
 mod press;
 mod reentry;
 mod runner;

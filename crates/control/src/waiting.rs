@@ -2,6 +2,7 @@
 
 use crate::by_hand::Jog;
 use crate::journal::{Kind, Placed, Turn};
+use crate::pendant::KEY;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
@@ -267,6 +268,13 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             return flow;
         }
+        if let Some(moment) = asked.and_then(|kind| self.world.next_key_s(kind)) {
+            let flow = self.pass_until(moment);
+            if matches!(flow, Flow::On) {
+                self.use_pendant(at);
+            }
+            return flow;
+        }
         match self.answer_of_operator(at) {
             Ok(answer) => {
                 self.world.answer = answer;
@@ -283,6 +291,12 @@ impl<I: Interpreter> Runner<'_, I> {
         loop {
             let answer = self.world.ask_now(&question, at)?;
             match &answer {
+                Answer::Text(words) if words == KEY && question.kind == QuestionKind::Keypad => {
+                    if self.follow_pendant() {
+                        self.world.answered();
+                        return Ok(Some(Answer::Button(Button::OK)));
+                    }
+                }
                 Answer::Text(words) if hands => match Jog::read(words) {
                     Some(jog) => {
                         self.jog(jog);

@@ -433,8 +433,22 @@ impl<'a> World<'a> {
         Ok(answer)
     }
 
+    /// The operator moves the tool by hand while a question is open.
+    pub fn moved_by_hand(&mut self) {
+        if !self.silent {
+            self.operator.moves();
+        }
+    }
+
+    /// An input has answered what the operator was asked.
+    pub fn answered(&mut self) {
+        if !self.silent {
+            self.operator.answered();
+        }
+    }
+
     /// What the operator says. He may move switches of the simulated machine before; the one that the
-    /// question waits for answers it.
+    /// question waits for answers it, and so do the keys of a pendant.
     fn hear_answer(&mut self, question: &Question, at: At) -> Result<Option<String>, Unanswered> {
         let file = self.file(at);
         loop {
@@ -451,8 +465,14 @@ impl<'a> World<'a> {
             let Press { number: input, on } = press;
             self.machine.press(kerf_sim::Change { input, on, at_s: self.now() });
             self.tell_log();
-            if question.until.is_some_and(|(number, on)| self.machine.input(number) == on) {
-                return Ok(Some(Button::OK.word().into()));
+            let ok = Button::OK.word();
+            let waits = question.until.is_some_and(|(n, on)| self.machine.input(n) == on);
+            let said = if waits { Some(ok) } else { self.said_by_key(question, input) };
+            if said == Some(ok) {
+                self.answered();
+            }
+            if let Some(said) = said {
+                return Ok(Some(said.into()));
             }
         }
     }

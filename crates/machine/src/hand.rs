@@ -25,7 +25,7 @@ use std::task::Poll;
 const SAME: f64 = 1e-9;
 
 /// Without a bound a key that is held moves so far, mm or degrees.
-const FAR: f64 = 10_000.0;
+pub const FAR: f64 = 10_000.0;
 
 /// So long a stop input is waited for to be released before the operator is asked again, seconds.
 const RELEASE_S: f64 = 0.5;

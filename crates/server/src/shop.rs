@@ -88,6 +88,12 @@ impl App {
         if !(1..=LINES as u8).contains(&number) {
             return Err(problem(Why::Malformed, format!("inputs are 1 to {LINES}")));
         }
+        let keypad = |asked: &kerf_wire::Asked| asked.kind == "keypad";
+        let waits = |now: &kerf_wire::Snapshot| now.asked.as_ref().is_some_and(keypad);
+        if on && self.hub.read(|now| waits(now) && !now.machine.armed) {
+            let text = "the machine is disarmed: a key of the pendant would move it; arm it first";
+            return Err(problem(Why::Disarmed, text));
+        }
         let press = Press { number, on };
         if self.state() == State::Idle && self.order(Order::Press(press), State::Running).is_ok() {
             return Ok(());

@@ -1,6 +1,6 @@
 //! A jog moves for as long as somebody holds the key, and not longer.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 mod support;
 
@@ -228,4 +228,90 @@ fn a_stop_during_a_jog_in_a_question_ends_the_job() {
     page.act(json!({ "do": "stop" }));
     page.until_state("idle");
     assert_eq!(page.shown["job"]["ended"], "stopped");
+}
+
+fn key(page: &Page, number: u8, on: bool) -> Value {
+    json!({ "do": "input", "lease": page.lease, "number": number, "on": on })
+}
+
+#[test]
+fn sbp_val_vd_remote__a_key_of_the_pendant_moves_the_tool_until_it_is_let_go() {
+    let shop = shop(1.0, &[("keypad.sbp", "VD,,,,,,,,,1\nSK\nMZ,.1\n")]);
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    let number = page.asked("keypad");
+    for (input, way) in [(5, 1.0), (6, -1.0)] {
+        let before = page.x();
+        let press = key(&page, input, true);
+        assert_eq!(page.act(press), None);
+        page.until_state("jogging");
+        page.until("some way", |page| (page.x() - before) * way > 3.0);
+        let release = key(&page, input, false);
+        assert_eq!(page.act(release), None);
+        page.until_state("asking");
+        let stands = page.x();
+        std::thread::sleep(Duration::from_millis(300));
+        page.read();
+        assert_eq!(page.x(), stands, "nothing moves any more");
+    }
+    assert_eq!(page.shown["asked"]["number"], number, "it is the same question");
+    let close = key(&page, 12, true);
+    assert_eq!(page.act(close), None);
+    page.until("the question is over", |page| page.shown["asked"].is_null());
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "ok");
+}
+
+#[test]
+fn sbp_val_vd_remote__a_key_that_is_held_moves_nothing_after_a_stop_or_disarmed() {
+    let shop = shop(1.0, &[("keypad.sbp", "VD,,,,,,,,,1\nSK\nMX,5\n")]);
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    page.asked("keypad");
+    let press = key(&page, 5, true);
+    assert_eq!(page.act(press), None);
+    page.until_state("jogging");
+    page.act(json!({ "do": "stop" }));
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "stopped");
+    let stood = page.x();
+    assert_eq!(page.run(), None);
+    page.asked("keypad");
+    std::thread::sleep(Duration::from_millis(300));
+    page.read();
+    assert_eq!((page.x(), &page.shown["machine"]["state"]), (stood, &json!("asking")));
+    assert_eq!(page.act(json!({ "do": "giveLease", "lease": page.lease })), None);
+    page.until("disarmed", |page| page.shown["machine"]["armed"] == false);
+    assert_eq!(page.act(json!({ "do": "takeLease", "force": false })), None);
+    page.until("the lease", |page| page.shown["lease"]["client"] == page.who["client"]);
+    page.lease = page.shown["lease"]["number"].as_u64().unwrap();
+    let press = key(&page, 7, true);
+    assert_eq!(page.act(press).as_deref(), Some("disarmed"));
+    page.act(json!({ "do": "stop" }));
+    page.until_state("idle");
+}
+
+#[test]
+fn sbp_val_vd_remote__another_program_is_the_pendant() {
+    let shop = shop(1.0, &[("keypad.sbp", "VD,,,,,,,,,2\nSK\nZX\n")]);
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    let number = page.asked("keypad");
+    let mut pendant = shop.driver();
+    pendant.asked("keypad");
+    jog_in_question(&mut pendant, 1, [0.0, 1.0, 0.0, 0.0, 0.0, 0.0], "asking");
+    let begin = start(&pendant, 2);
+    assert_eq!(pendant.act(begin), None);
+    page.until("the way along X", |page| page.x() > 1.0);
+    page.until_state("asking");
+    let late = start(&page, 1);
+    assert_eq!(page.act(late).as_deref(), Some("lease"), "one hand at a time");
+    assert!(page.x() < 60.0, "nobody renewed it: {}", page.x());
+    let close = json!({ "do": "answer", "question": number, "answer": "OK" });
+    assert_eq!(pendant.act(close), None);
+    page.until_state("idle");
+    assert_eq!(page.shown["job"]["ended"], "ok");
 }

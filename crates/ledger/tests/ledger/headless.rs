@@ -82,6 +82,38 @@ fn sbp_val_vd_remote() {
     assert_eq!((value("", "VD", 9), value("VD,,,,,,,,,2", "VD", 9)), ("0".into(), "2".into()));
 }
 
+/// The keypad with a pendant: X+ for a second, X- and Y+ from 4 s on, the key that closes at 6 s.
+fn by_pendant(remote: u8, fast: bool) -> Run {
+    let case = sbp(&format!("VD,,,,,,,,,{remote} ⏎ SK ⏎ MZ,1"));
+    let case = if fast { case.input(11, 0.5, true) } else { case };
+    let keys = [(5, 1.0, true), (5, 2.0, false), (6, 4.0, true), (7, 4.5, true), (12, 6.0, true)];
+    keys.into_iter().fold(case, |case, (key, at_s, on)| case.input(key, at_s, on)).run()
+}
+
+#[test]
+fn sbp_val_vd_remote__inputs_are_keys_while_the_keypad_is_open() {
+    let run = by_pendant(1, false);
+    assert_eq!(question(&run, "keypad"), 1, "{run}");
+    let moves: Vec<_> = run.events("move").collect();
+    let to = |n: usize, axis: &str| moves[n]["to"][axis].as_f64().expect("a number");
+    // Forth, back, and with the second key on the way across.
+    assert!(to(0, "x") > 1.0 && to(0, "y") == 0.0, "{run}");
+    let last = moves.len() - 2;
+    assert!(to(last, "x") < to(0, "x") - 1.0 && to(last, "y") > 0.5, "{run}");
+    assert_eq!(to(last + 1, "z"), 1.0, "{run}");
+    assert!(run.seconds() > 6.0, "{run}");
+    let fast = by_pendant(1, true);
+    let far = fast.events("move").next().expect("a move")["to"]["x"].as_f64();
+    assert!(far > Some(1.5 * to(0, "x")), "jog speed while its key is held: {fast}");
+}
+
+#[test]
+fn sbp_val_vd_remote__without_it_inputs_move_nothing() {
+    for remote in [0, 2] {
+        by_pendant(remote, false).ends_at([0.0, 0.0, 1.0]);
+    }
+}
+
 #[test]
 fn sbp_val_vd_partlog() {
     assert_eq!((value("", "VD", 10), value("VD,,,,,,,,,,0", "VD", 10)), ("1".into(), "0".into()));

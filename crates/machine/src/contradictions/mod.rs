@@ -1,6 +1,7 @@
 //! What settings say together: contradictions, refused by name before anything moves.
 
 mod motors;
+mod pendant;
 mod ranges;
 mod speeds;
 mod tools;
@@ -38,6 +39,7 @@ const CHECKS: &[Check] = &[
     speeds::cutting,
     speeds::height,
     speeds::homing,
+    pendant::keys,
     tools::shared_input,
     tools::jigs,
     tools::start_sequences,

@@ -171,3 +171,14 @@ fn pro_options_mouse_ports() {
     let ports = (fresh.options.console_port, fresh.options.send_port, fresh.height.port);
     assert_eq!(ports, (1, 2, 3));
 }
+
+#[test]
+fn sbp_val_vd_remote__a_key_is_nothing_else() {
+    let on = "display.keypad_remote = 1\n";
+    accepted(on);
+    accepted(&format!("{on}pendant.z = [0, 0]\npendant.fast = 9"));
+    refused(&format!("{on}pendant.z = [5, 10]"), "2:input 5 is a key of pendant.x and of pendant.z");
+    refused(&format!("{on}pendant.close = 4"), "2:input 4 is a key of pendant.close and stops");
+    refused(&format!("{on}pendant.fast = 13"), "pendant.fast must be 0 to 12, not 13");
+    accepted("pendant.z = [5, 10]");
+}

@@ -13,6 +13,7 @@ pub mod misc;
 pub mod motors;
 pub mod options;
 pub mod pause;
+pub mod pendant;
 pub mod plasma;
 pub mod simulated;
 pub mod speeds;
@@ -43,6 +44,8 @@ pub struct Configuration {
     pub delays: delays::Delays,
     /// What pausing does.
     pub pause: pause::Pause,
+    /// Which inputs are keys of a pendant.
+    pub pendant: pendant::Pendant,
     /// Levels of the inputs and the card they come from.
     pub io: io::IoMap,
     /// The intensity output.

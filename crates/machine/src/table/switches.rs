@@ -1,10 +1,12 @@
 //! Inputs, the emergency stop, jobs, and what else there is.
 
 use super::Bounds::{Any, NotNegative, Range};
-use super::{Area, Setting, row};
+use super::{Area, Bounds, Setting, row};
+use kerf_program::settings::SWITCHES;
 
 pub(super) const AREAS: &[Area] = &[
     Area { title: "Inputs", manual: "Profiler, Hardware Input and Output", rows: INPUTS },
+    Area { title: "Pendant", manual: "command reference, VD, Keypad remote", rows: PENDANT },
     Area { title: "Emergency stop", manual: "Profiler, Emergency Stopping", rows: ESTOP },
     Area { title: "Jobs", manual: "Profiler, Machining the Job", rows: JOB },
     Area {
@@ -43,6 +45,48 @@ const INPUTS: &[Setting] = &[
         None,
         Any,
         "Inputs B0 to B7 whose level is turned round."
+    ),
+];
+
+/// Any of the switches of part files, or none.
+const SWITCH: Bounds = Range(0.0, SWITCHES as f64);
+
+/// The two keys of an axis.
+macro_rules! keys {
+    ($c:ident, $key:literal, $at:literal, $letter:literal) => {
+        row!(
+            $c,
+            $key,
+            $c.pendant.axes[$at],
+            None,
+            SWITCH,
+            concat!("Inputs that are the keys ", $letter, "+ and ", $letter, "-; 0 for no key.")
+        )
+    };
+}
+
+const PENDANT: &[Setting] = &[
+    keys!(c, "pendant.x", 0, "X"),
+    keys!(c, "pendant.y", 1, "Y"),
+    keys!(c, "pendant.z", 2, "Z"),
+    keys!(c, "pendant.a", 3, "A"),
+    keys!(c, "pendant.b", 4, "B"),
+    keys!(c, "pendant.c", 5, "C"),
+    row!(
+        c,
+        "pendant.fast",
+        c.pendant.fast,
+        None,
+        SWITCH,
+        "Input that is the key for jog speed: held, the others move so fast; 0 for no key."
+    ),
+    row!(
+        c,
+        "pendant.close",
+        c.pendant.close,
+        None,
+        SWITCH,
+        "Input that is the key which closes the keypad; 0 for no key."
     ),
 ];
 

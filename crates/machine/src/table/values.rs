@@ -270,7 +270,7 @@ const DISPLAY: &[Setting] = &[
         c.program.display.keypad_remote,
         None,
         Range(0.0, 2.0),
-        "0 mouse, 1 pendant on inputs, 2 other."
+        "What moves the tool at the keypad: 0 mouse and keys, 1 also a pendant on inputs, 2 also another program."
     ),
     row!(c, "display.part_log", c.program.display.part_log, None, Any, "Write the part file log."),
     row!(c, "display.system_log", c.program.display.system_log, None, Any, "Write the system log."),

@@ -42,7 +42,8 @@ pub struct Display {
     pub comments: bool,
     /// Tap distance of the keypad, mm.
     pub keypad_fixed_mm: f64,
-    /// 0 mouse, 1 pendant on inputs, 2 other.
+    /// What moves the tool at the keypad: 0 mouse and keys, 1 also a pendant on inputs, 2 also another
+    /// program.
     pub keypad_remote: u8,
     /// Write the part file log.
     pub part_log: bool,
@@ -72,5 +73,12 @@ impl Default for Display {
             progress: false,
             easy: true,
         }
+    }
+}
+
+impl Display {
+    /// Whether keys of a pendant, wired to inputs, move the tool at the keypad.
+    pub const fn has_pendant(&self) -> bool {
+        self.keypad_remote == 1
     }
 }

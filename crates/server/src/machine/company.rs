@@ -229,13 +229,20 @@ impl Operator for Pages {
         self.show(Some(Asked { edits, ..asked }));
         let answer = self.wait(question);
         self.jogged = answer.as_deref().is_some_and(|words| Jog::read(words).is_some());
-        if self.jogged {
-            self.shared.state(State::Jogging);
-        } else if !self.pressed {
-            self.show(None);
-            self.shared.state(State::Running);
+        if !self.jogged && !self.pressed {
+            self.answered();
         }
         answer
+    }
+
+    fn answered(&mut self) {
+        self.pressed = false;
+        self.show(None);
+        self.shared.state(State::Running);
+    }
+
+    fn moves(&mut self) {
+        self.shared.state(State::Jogging);
     }
 
     fn gives_up(&self) -> bool {

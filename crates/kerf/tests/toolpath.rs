@@ -1,0 +1,109 @@
+//! `kerf toolpath` as a user has it: its report, its warnings, its pictures.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod shop;
+
+use serde_json::Value;
+use shop::{Did, Shop};
+
+/// A plate with a hole in another group.
+const PLATE: &str = "rect 0,0 100,60; circle 50,30 12; directions auto; set black offset=3 height=-4; \
+                     select 2; group red; set red tool=2 offset=2 height=-2; sequence 2,1";
+
+/// A folder with the drawing that a script makes, `job.rsg`.
+fn drawn(script: &str) -> Shop {
+    let shop = Shop::new(&[]);
+    let made = shop.command().args(["draw", "--do", script, "-o", "job.rsg"]).output().unwrap();
+    Did::of(made).exits(0);
+    shop
+}
+
+/// A number of the JSON that a command prints.
+fn total_of(shop: &Shop, args: &str, name: &str) -> f64 {
+    shop.kerf(&format!("{args} --format json")).json()[name].as_f64().unwrap()
+}
+
+#[test]
+fn a_report_tells_lengths_and_times_of_groups() {
+    let shop = drawn(PLATE);
+    let made = shop.kerf("toolpath job.rsg --report --format json --table 101,200");
+    let told = made.exits(0).json();
+    let groups = told["groups"].as_array().unwrap();
+    let names: Vec<_> = groups.iter().map(|group| group["group"].as_str().unwrap()).collect();
+    assert_eq!(names, ["black", "red"]);
+    assert_eq!((&groups[0]["paths"], &groups[1]["tool"]), (&1.into(), &2.into()));
+    let length = groups[1]["length_mm"].as_f64().unwrap();
+    assert!((length - 20.0 * std::f64::consts::PI).abs() < 1e-6, "{length}");
+    // The same plan as `kerf time` follows, of the job or of the program.
+    let total = total_of(&shop, "time job.rsm", "total");
+    let told_total = told["seconds"].as_f64().unwrap();
+    assert!((total - told_total).abs() < 1e-6, "{total} {told_total}");
+    let told_program = total_of(&shop, "toolpath job.rsg -o job.sbp --report", "seconds");
+    let program = total_of(&shop, "time job.sbp --units mm", "total");
+    assert!((program - told_program).abs() < 1e-6, "{program} {told_program}");
+    let sum: f64 = groups.iter().map(|group| group["seconds"].as_f64().unwrap()).sum();
+    assert!(sum > 0.5 * total && sum <= total + 1e-6, "{sum} of {total}");
+    let warnings = told["warnings"].as_array().unwrap();
+    let left = "shape 2 at 0,-3: leaves the table: 3.000 mm at the left, 2.000 mm at the right, 3.000 mm at the front";
+    assert_eq!(warnings, &[Value::from(left)]);
+}
+
+#[test]
+fn a_report_counts_every_pass_of_what_is_cut() {
+    let shop = drawn("rect 10,10 20,20; set black height=-3 pass=1");
+    let report = "toolpath job.rsg --report";
+    // Round three times, and down from 10 mm above the surface to 3 mm below it.
+    assert_eq!(total_of(&shop, report, "length_mm"), 40.0);
+    let cut = total_of(&shop, report, "cut_mm");
+    assert!((cut - 133.0).abs() < 1e-6, "{cut}");
+}
+
+#[test]
+fn a_job_too_deep_for_the_machine_is_told_when_it_is_made() {
+    let shop = drawn("rect 0,0 10,10; set black height=-12; array block 3x3 gap 5,5");
+    let warned = |options: &str| {
+        let made = shop.kerf(&format!("toolpath job.rsg {options}"));
+        made.exits(0).err()
+    };
+    let why = "shape 1 at 0,0: it would be cut at -32, below ZBottom: -32 < -30";
+    assert_eq!(warned("").trim_end(), format!("job.rsg: warning: {why}"), "once for nine copies");
+    assert_eq!(warned("--z-bottom -40"), "");
+    assert_eq!(warned("--z-surface=-18 --z-top=-5"), "");
+    // The machine that is asked refuses it.
+    shop.kerf("toolpath job.rsg --report").exits(1).complains("below ZBottom");
+}
+
+#[test]
+fn smoothing_is_for_every_model_of_motion_when_paths_are_made() {
+    let shop = drawn(PLATE);
+    for args in [
+        "toolpath job.rsg --smoothing 0 --report",
+        "toolpath job.rsg --smoothing 0 --report -o job.nc",
+        "preview job.rsg --smoothing 0 -o job.svg",
+    ] {
+        shop.kerf(args).exits(0);
+    }
+}
+
+#[test]
+fn pictures_of_jobs_have_the_colours_of_groups_or_directions() {
+    let shop = drawn(PLATE);
+    let picture = |colours: &str| {
+        shop.kerf(&format!("toolpath job.rsg -o job.svg --colours {colours}")).exits(0);
+        shop.read("job.svg")
+    };
+    let (group, direction, depth) = (picture("group"), picture("direction"), picture("depth"));
+    for words in
+        ["black, tool 1, 6 mm wide", "red, tool 2, 4 mm wide", "a cut begins", "bounds of the cuts"]
+    {
+        assert!(group.contains(words), "{words}");
+        assert!(!depth.contains(words), "{words}");
+    }
+    assert!(
+        direction.contains("closed, counter-clockwise") && direction.contains("closed, clockwise")
+    );
+    assert!(depth.contains("Depth of cut"));
+    shop.kerf("toolpath job.rsg -o job.png").exits(0);
+    assert!(std::fs::read(shop.file("job.png")).unwrap().starts_with(b"\x89PNG"));
+}
