@@ -9,6 +9,8 @@ import { useAside } from "./useAside";
 export function StoppedDialog({ asked }: { asked: Asked }) {
   const { sheet, buttons } = useAside(["keypad", "nudge", "inputs"]);
   return (
-    sheet ?? <QuestionDialog asked={asked} more={<span className="question-more">{buttons}</span>} />
+    sheet ?? (
+      <QuestionDialog asked={asked} more={<span className="question-more">{buttons}</span>} />
+    )
   );
 }

@@ -6,6 +6,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import {
+  arm,
   hold,
   keysOf,
   moment,
@@ -48,10 +49,13 @@ async function drives(): Promise<void> {
   await script(workshop, "stop");
   await page.goto(workshop.address);
   await page.getByLabel("Command line").waitFor();
-  const arm = page.getByRole("button", { name: "Arm", exact: true });
-  await page.locator(".state", { hasText: /Ready|Disarmed/ }).waitFor();
-  if ((await arm.count()) > 0) await arm.click();
-  await page.locator(".state", { hasText: "Ready" }).waitFor();
+  // The page that was here before drove: when it is seen to have gone, the machine is disarmed.
+  await until(
+    async () => (await stateOf(workshop)).clients.length === 1,
+    "the page before is gone",
+  );
+  await page.locator(".state", { hasText: "Disarmed" }).waitFor();
+  await arm(page);
 }
 
 async function opens(name: string): Promise<void> {
@@ -60,6 +64,8 @@ async function opens(name: string): Promise<void> {
     const { opened } = await stateOf(workshop);
     return opened?.name === name && opened.preview.state === "ready";
   }, `${name} is previewed`);
+  // Start runs what the page shows: what was there before would be refused.
+  await page.locator(".job-name", { hasText: name }).waitFor();
 }
 
 const begins = (state: string) =>
