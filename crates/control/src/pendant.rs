@@ -52,8 +52,11 @@ impl<I: Interpreter> Runner<'_, I> {
             if pressed(keys.close) || way == [0.0; AXES] {
                 break pressed(keys.close);
             }
-            let change = |input: u8| {
-                Watched { input, on: !pressed(input), ramped: true, level_from_s: None }
+            let change = |input: u8| Watched {
+                input,
+                on: !pressed(input),
+                ramped: true,
+                level_from_s: None,
             };
             let changes: Vec<Watched> = keys.inputs().map(change).collect();
             let speed = if pressed(keys.fast) { 1.0 } else { self.slow_share(way) };

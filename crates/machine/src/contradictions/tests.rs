@@ -177,7 +177,10 @@ fn sbp_val_vd_remote__a_key_is_nothing_else() {
     let on = "display.keypad_remote = 1\n";
     accepted(on);
     accepted(&format!("{on}pendant.z = [0, 0]\npendant.fast = 9"));
-    refused(&format!("{on}pendant.z = [5, 10]"), "2:input 5 is a key of pendant.x and of pendant.z");
+    refused(
+        &format!("{on}pendant.z = [5, 10]"),
+        "2:input 5 is a key of pendant.x and of pendant.z",
+    );
     refused(&format!("{on}pendant.close = 4"), "2:input 4 is a key of pendant.close and stops");
     refused(&format!("{on}pendant.fast = 13"), "pendant.fast must be 0 to 12, not 13");
     accepted("pendant.z = [5, 10]");
