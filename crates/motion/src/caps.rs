@@ -78,10 +78,12 @@ impl Caps {
         &made[made.len() - near.count()..]
     }
 
-    /// Goes along the moves that are new: collects bends, limits changes of speed and long arcs, and
+    /// Goes along the moves that are new, so many at most: collects bends, limits changes of speed and long arcs, and
     /// what directions change where enough is known.
-    pub fn walk(&mut self, ahead: &mut Ahead) {
-        for i in ahead.caps.len()..ahead.moves.len() {
+    pub fn walk(&mut self, ahead: &mut Ahead, most: usize) {
+        let known = ahead.caps.len();
+        ahead.caps.reserve(ahead.moves.len() - known);
+        for i in known..ahead.moves.len().min(known.saturating_add(most)) {
             let m = &ahead.moves[i];
             let course = Course::of(m);
             ahead.caps.push(alone(m));
@@ -313,7 +315,7 @@ mod tests {
     fn in_blocks(ramps: &Ramps, moves: &[Move], block: usize) -> Vec<Profile> {
         let mut caps = Caps::new(ramps, block);
         let mut ahead = Ahead { moves: moves.to_vec(), ..Ahead::default() };
-        caps.walk(&mut ahead);
+        caps.walk(&mut ahead, usize::MAX);
         caps.finish(&mut ahead);
         ahead.caps
     }

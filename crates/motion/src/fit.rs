@@ -22,6 +22,8 @@ use crate::ramped::Ramped;
 pub(crate) struct Fit {
     /// So many moves of the window were passed back before.
     passed: usize,
+    /// So many moves of the window have their profiles.
+    done: usize,
     /// Speed at the end of the last piece, when it runs on.
     v: Option<f64>,
     /// Time at the end of the last piece, seconds.
@@ -31,19 +33,34 @@ pub(crate) struct Fit {
 impl Fit {
     /// Begins at a speed and a time; without a speed as fast as the caps allow.
     pub const fn running(v: Option<f64>, t_s: f64) -> Self {
-        Self { passed: 0, v, t_s }
+        Self { passed: 0, done: 0, v, t_s }
     }
 
-    /// The next piece of plan, from so many moves that have their caps for good; `complete` when they
-    /// are all of the stack.
-    pub fn take(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) -> Option<Plan> {
+    /// Goes on with so many moves that have their caps for good; `complete` when they are all of the stack.
+    pub fn advance(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) {
         let known = self.slow_in_time(ahead, capped, complete);
-        if known == 0 {
+        self.run(ahead, known);
+    }
+
+    /// How many moves of the window have their profiles.
+    pub const fn done(&self) -> usize {
+        self.done
+    }
+
+    /// Goes on, and gives the next piece of plan.
+    pub fn take(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) -> Option<Plan> {
+        self.advance(ahead, capped, complete);
+        self.made(ahead)
+    }
+
+    /// The next piece of plan: the moves that have their profiles.
+    pub fn made(&mut self, ahead: &mut Ahead) -> Option<Plan> {
+        let count = std::mem::take(&mut self.done);
+        if count == 0 {
             return None;
         }
-        self.run(ahead, known);
-        let (moves, profiles) = ahead.take(known);
-        self.passed -= known;
+        let (moves, profiles) = ahead.take(count);
+        self.passed -= count;
         let law = Law::Ramped(Ramped { profiles, duration_s: self.t_s });
         Some(Plan { moves, law })
     }
@@ -51,8 +68,8 @@ impl Fit {
     /// A pass back, so that every move can slow in time. Gives how many moves are final.
     fn slow_in_time(&mut self, ahead: &mut Ahead, capped: usize, complete: bool) -> usize {
         let (mut hi, mut lo) = (None, if complete { None } else { Some(0.0) });
-        let mut known = 0;
-        for i in (0..capped).rev() {
+        let mut known = self.done;
+        for i in (self.done..capped).rev() {
             let m = &ahead.moves[i];
             if ahead.moves.get(i + 1).is_none_or(|next| !next.continues(m)) {
                 (hi, lo) = (None, None);
@@ -61,10 +78,10 @@ impl Fit {
             let exit = cap.v_exit;
             cap.v_exit = at_most(exit, hi);
             let least = at_most(exit, lo);
-            if known == 0 && least == cap.v_exit {
+            if known == self.done && least == cap.v_exit {
                 known = i + 1;
             }
-            if known > 0 && i < self.passed && cap.v_exit == exit {
+            if known > self.done && i < self.passed && cap.v_exit == exit {
                 break;
             }
             lo = Some(cap.v_entry.min(reach(m, least)));
@@ -76,8 +93,8 @@ impl Fit {
     }
 
     /// A pass forward, so that no move starts faster than was reached; the profiles come of it.
-    fn run(&mut self, ahead: &mut Ahead, count: usize) {
-        for i in 0..count {
+    fn run(&mut self, ahead: &mut Ahead, known: usize) {
+        for i in self.done..known {
             let (m, cap) = (&ahead.moves[i], &mut ahead.caps[i]);
             cap.start_s = self.t_s;
             cap.v_entry = self.v.unwrap_or(cap.v_entry);
@@ -87,6 +104,7 @@ impl Fit {
             let goes_on = ahead.moves.get(i + 1).is_some_and(|next| next.continues(m));
             self.v = goes_on.then_some(cap.v_exit);
         }
+        self.done = known;
     }
 }
 

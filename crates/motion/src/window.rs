@@ -75,22 +75,35 @@ impl ShopBotPlanner {
     }
 
     fn piece(&mut self, complete: bool) -> Option<Plan> {
+        loop {
+            self.stride(complete);
+            if self.ahead.caps.len() == self.ahead.moves.len() {
+                break;
+            }
+        }
+        let plan = self.fit.made(&mut self.ahead)?;
+        self.runs.left(plan.moves.len());
+        Some(plan)
+    }
+
+    /// Goes on by a block, so that what is looked at several times is still near the processor; by more where
+    /// much stays open and is looked at again.
+    fn stride(&mut self, complete: bool) {
         let Self { ahead, caps, runs, fit, behind, .. } = self;
-        caps.walk(ahead);
-        if complete {
+        let open = ahead.caps.len() - fit.done();
+        caps.walk(ahead, BLOCK.max(open));
+        let last = complete && ahead.caps.len() == ahead.moves.len();
+        if last {
             caps.finish(ahead);
         }
-        let settled = if complete { ahead.moves.len() } else { caps.settled(ahead) };
-        let capped = runs.hold_short(ahead, settled, complete);
-        if capped < *behind {
-            return None;
+        let settled = if last { ahead.moves.len() } else { caps.settled(ahead) };
+        let capped = runs.hold_short(ahead, settled, last);
+        if capped >= *behind {
+            let made = std::mem::take(behind);
+            ahead.take(made);
+            runs.left(made);
+            fit.advance(ahead, capped - made, last);
         }
-        let made = std::mem::take(behind);
-        ahead.take(made);
-        runs.left(made);
-        let plan = fit.take(ahead, capped - made, complete)?;
-        runs.left(plan.moves.len());
-        Some(plan)
     }
 }
 
