@@ -178,8 +178,8 @@ pub struct FileArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Motion")]
 pub struct MotionArgs {
-    /// The model of ramps [default: shopbot, unless the configuration tells another or what the axes
-    /// can do]
+    /// The model of ramps [default: that of the configuration; else optimal where it or --accel,
+    /// --axis-speed, --jerk or --tolerance tell what the axes can do; else shopbot]
     #[arg(long, value_parser = parse::ramps)]
     pub ramps: Option<RampModel>,
     /// With --ramps optimal: how far the path may leave the programmed one, mm [default: 0.01]
@@ -204,6 +204,14 @@ pub struct MotionArgs {
     /// With --ramps profiler: acceleration in curves, percent of the axes' own [default: 100]
     #[arg(long, value_name = "PERCENT", value_parser = parse::percent)]
     pub centripetal: Option<f64>,
+}
+
+impl MotionArgs {
+    /// Whether an option tells what the axes can do, which `optimal` plans by.
+    pub const fn tells_limits(&self) -> bool {
+        let [accel, speed] = [self.accel.is_some(), self.axis_speed.is_some()];
+        accel || speed || self.jerk.is_some() || self.tolerance.is_some()
+    }
 }
 
 /// How reports are written.

@@ -180,9 +180,14 @@ pub fn read_text(file: &Path) -> Result<String> {
 /// Chooses the model of motion, and what belongs to it. The paths of a job are made with the smoothing factor.
 fn choose_model(motion: &MotionArgs, settings: &mut Settings, is_job: bool) -> Result<()> {
     settings.ramp_model = motion.ramps.or(settings.ramp_model);
+    if settings.ramp_model.is_none() && motion.tells_limits() {
+        settings.dynamics = Some(settings.axis_dynamics());
+    }
     let model = settings.model();
-    if let Some(name) = foreign_option(motion, model, is_job) {
-        bail!(Usage(format!("{name} does not belong to --ramps {}", model.word())));
+    if let Some((name, models)) = foreign_option(motion, model, is_job) {
+        let words: Vec<&str> = models.iter().map(|model| model.word()).collect();
+        let (theirs, ours) = (words.join(" or "), model.word());
+        bail!(Usage(format!("{name} belongs to --ramps {theirs}, not to --ramps {ours}")));
     }
     if model != RampModel::Shopbot {
         settings.dynamics = Some(with_options(settings.axis_dynamics(), motion));
@@ -194,19 +199,26 @@ fn choose_model(motion: &MotionArgs, settings: &mut Settings, is_job: bool) -> R
     Ok(())
 }
 
-/// An option that says nothing to the model in force.
-fn foreign_option(motion: &MotionArgs, model: RampModel, is_job: bool) -> Option<&'static str> {
-    let (optimal, profiler) = (model == RampModel::Optimal, model == RampModel::Profiler);
+/// An option that says nothing to the model in force, and the models to which it does.
+fn foreign_option(
+    motion: &MotionArgs,
+    model: RampModel,
+    is_job: bool,
+) -> Option<(&'static str, &'static [RampModel])> {
+    const OPTIMAL: &[RampModel] = &[RampModel::Optimal];
+    const PROFILER: &[RampModel] = &[RampModel::Profiler];
+    const BOTH: &[RampModel] = &[RampModel::Optimal, RampModel::Profiler];
     let options = [
-        ("--tolerance", motion.tolerance.is_some(), optimal),
-        ("--axis-speed", motion.axis_speed.is_some(), optimal || profiler),
-        ("--accel", motion.accel.is_some(), optimal || profiler),
-        ("--jerk", motion.jerk.is_some(), optimal),
-        ("--smoothing", motion.smoothing.is_some(), profiler || is_job),
-        ("--stop-angle", motion.stop_angle.is_some(), profiler),
-        ("--centripetal", motion.centripetal.is_some(), profiler),
+        ("--tolerance", motion.tolerance.is_some(), OPTIMAL),
+        ("--axis-speed", motion.axis_speed.is_some(), BOTH),
+        ("--accel", motion.accel.is_some(), BOTH),
+        ("--jerk", motion.jerk.is_some(), OPTIMAL),
+        ("--smoothing", motion.smoothing.is_some() && !is_job, PROFILER),
+        ("--stop-angle", motion.stop_angle.is_some(), PROFILER),
+        ("--centripetal", motion.centripetal.is_some(), PROFILER),
     ];
-    options.into_iter().find(|(_, given, fits)| *given && !fits).map(|(name, ..)| name)
+    let foreign = options.into_iter().find(|(_, given, models)| *given && !models.contains(&model));
+    foreign.map(|(name, _, models)| (name, models))
 }
 
 fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {

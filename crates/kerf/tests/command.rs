@@ -319,11 +319,17 @@ fn the_optimal_ramps_follow_their_limits() {
     // 4 in at 50 mm/s, one ramp up and one down at 100 mm/s², twice: at least 2·(101.6/50 + .5) s.
     assert!((slow - 2.0 * (101.6 / 50.0 + 0.5)).abs() < 0.1, "{slow}");
     assert!(fast < slow && loose < slow, "{fast} {loose} {slow}");
-    shop.kerf("time a.sbp --accel 1,1,1")
+    // Who tells what the axes can do wants it done.
+    assert_eq!(total("--axis-speed 50,50,50 --accel 100,100,100"), slow);
+    assert_eq!(total("--axis-speed 50,50,50 --accel 100,100,100 --tolerance 5"), loose);
+    let other = shop.kerf("time a.sbp --ramps shopbot --accel 1,1,1");
+    other
         .exits(2)
-        .complains("--accel does not belong to --ramps shopbot");
+        .complains("--accel belongs to --ramps optimal or profiler, not to --ramps shopbot");
+    let elsewhere = shop.kerf("time a.sbp --controller grbl --tolerance 1");
+    elsewhere.exits(2).complains("--tolerance is Kerf's own; it does not belong to --controller");
     shop.kerf("time a.sbp --ramps fast").exits(2).complains("give shopbot, profiler or optimal");
-    shop.kerf("time a.sbp --ramps profiler --jerk 1").exits(2).complains("--jerk does not belong");
+    shop.kerf("time a.sbp --ramps profiler --jerk 1").exits(2).complains("--jerk belongs to");
     shop.kerf("time a.sbp --ramps profiler --stop-angle 181").exits(2).complains("from 0 to 180");
 }
 

@@ -58,7 +58,7 @@ fn options_of_other_controllers_belong_to_them() {
         ("--blend 1", "--blend: no controller is named"),
         ("--controller grbl --blend 1", "--blend: it does not belong to --controller grbl"),
         ("--controller linuxcnc --baud 1", "--baud: it does not belong to --controller linuxcnc"),
-        ("--controller grbl --ramps optimal", "--ramps are Kerf's own"),
+        ("--controller grbl --ramps optimal", "--ramps is Kerf's own"),
         ("--controller grbl --arc-tolerance 0", "greater than 0"),
     ] {
         shop.kerf(&format!("time a.sbp {options}")).exits(2).complains(part);

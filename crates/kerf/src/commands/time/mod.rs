@@ -65,8 +65,13 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
     let mut run = args.run.clone();
     let motion = &mut run.motion;
     let axes = (motion.axis_speed.take(), motion.accel.take());
-    if motion.ramps.take().is_some() {
-        bail!(Usage("--ramps are Kerf's own; they do not belong to --controller".into()));
+    let own = [
+        ("--ramps", motion.ramps.is_some()),
+        ("--tolerance", motion.tolerance.is_some()),
+        ("--jerk", motion.jerk.is_some()),
+    ];
+    if let Some((name, _)) = own.into_iter().find(|(_, given)| *given) {
+        bail!(Usage(format!("{name} is Kerf's own; it does not belong to --controller")));
     }
     let mut job = setup::job(&args.file, &run, true)?;
     let settings = &mut job.session.memory.settings;
