@@ -16,6 +16,7 @@ import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
 import { PairScreen } from "./PairScreen";
 import { shownIn } from "./routes";
+import { Sounds } from "./Sounds";
 import { StartedUp } from "./StartedUp";
 import { TopStrip } from "./TopStrip";
 
@@ -27,6 +28,7 @@ export function App({ hands }: { hands: Hands }) {
       <TopStrip />
       <Body />
       <Notices />
+      <Sounds />
     </HandsContext>
   );
 }

@@ -47,9 +47,13 @@ export async function deleteAt(path: string): Promise<void> {
   await request(path, { method: "DELETE" });
 }
 
+const encoded = (name: string): string => name.split("/").map(encodeURIComponent).join("/");
+
 /** The address of a file of the part folder. */
-export const fileAddress = (name: string): string =>
-  `/api/files/${name.split("/").map(encodeURIComponent).join("/")}`;
+export const fileAddress = (name: string): string => `/api/files/${encoded(name)}`;
+
+/** The address of a sound. */
+export const soundAddress = (name: string): string => `/api/media/${encoded(name)}`;
 
 export const readFile = (name: string): Promise<string> => getText(fileAddress(name));
 

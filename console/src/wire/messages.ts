@@ -150,7 +150,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -864,6 +864,8 @@ start: StartUp | null,
 asked: Asked | null,
 /** The pause of so many seconds that is under way. */
 pause: Pause | null,
+/** The sound that was started last. */
+sound: Sound | null,
 /** The operator's overrides. */
 overrides: Overrides,
 /** The print window, oldest line first. */
@@ -886,6 +888,13 @@ recorder: Recorder,
 watched: Array<NamedValue>,
 /** Grows when the machine's configuration changes. */
 settings: number, };
+
+/** A sound that a program started (PLAY). */
+export type Sound = {
+/** Sounds are counted: each is heard once. */
+number: number,
+/** What it is fetched as, below `/api/media/`. */
+name: string, };
 
 /** Speeds; of axes that turn, degrees a second. */
 export type Speeds = {

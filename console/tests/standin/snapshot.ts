@@ -86,6 +86,7 @@ export const firstSnapshot: Snapshot = {
   job: null,
   interrupted: null,
   pause: null,
+  sound: null,
   start: null,
   asked: null,
   overrides: { feedPercent: 100 },

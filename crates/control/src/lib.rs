@@ -52,6 +52,7 @@ pub mod settings_text;
 mod shelf;
 mod shelf_host;
 mod sink;
+pub mod sounds;
 mod stack;
 mod standing;
 pub mod start_up;

@@ -5,6 +5,7 @@ use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
 use crate::journal::Placed;
 use crate::nudge::{Nudge, Outside};
 use crate::part_log::{PartLog, Started};
+use crate::password;
 use crate::runner::{LINES, Runner};
 use crate::shelf::Shelf;
 use crate::tally::Tally;
@@ -17,7 +18,7 @@ use kerf_machine::{Configuration, Sequence};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::{LinearUnit, Mode};
-use kerf_program::{AXES, Axis, AxisSet, Interpreter as _};
+use kerf_program::{AXES, Axis, AxisSet, Interpreter as _, Settings};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sim::{Change, Inputs, Machine, Push, Sheet, Touch};
 use serde::{Deserialize, Serialize};
@@ -46,6 +47,9 @@ pub struct RunOptions {
     pub started: Option<Started>,
     /// What happens when a move would leave the table limits.
     pub limits: LimitPolicy,
+    /// Whoever runs it may change the machine's settings, where a password protects them: it was given.
+    #[serde(default)]
+    pub opened: bool,
     /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
     /// on it.
     pub lines_at_once: u64,
@@ -183,6 +187,9 @@ impl Session {
         stands: Option<Placed>,
     ) -> Summary {
         let Company { sink, operator, pace } = company;
+        let mut options = options;
+        options.program.protected = self.machine_is.options.password.is_some() && !options.opened;
+        let began = options.program.protected.then(|| self.memory.settings.clone());
         sink.event(&self.start_event(&program, &options));
         for diagnostic in &program.diagnostics {
             sink.event(&Event::Diag(Box::new(diagnostic.clone())));
@@ -226,7 +233,18 @@ impl Session {
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         machine.unverified().iter().for_each(|axis| self.homed.remove(axis));
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
+        if let Some(began) = began {
+            self.give_back(&began);
+        }
         summary
+    }
+
+    /// Has the settings again that it had before a run.
+    fn give_back(&mut self, began: &Settings) {
+        password::give_back(began, &mut self.memory.settings);
+        if let Some(before) = &mut self.memory.before_preview {
+            password::give_back(began, Arc::make_mut(&mut before.settings));
+        }
     }
 
     /// The system log tells of a file that was not even begun.

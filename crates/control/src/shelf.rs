@@ -377,6 +377,9 @@ impl Shelf {
         if request.folder == Folder::Settings {
             return self.settings_source(&request.name);
         }
+        if request.folder == Folder::Media {
+            return self.sound(&request.name);
+        }
         let (disk, folders) = (&*self.disk, &self.folders);
         let (name, bytes) =
             self.tape.hear_file(Kind::Source, || program_file(disk, folders, request))?;
@@ -500,7 +503,7 @@ impl std::fmt::Debug for Shelf {
 fn shipped(request: &FileRequest) -> Option<(String, Vec<u8>)> {
     let name = match request.folder {
         Folder::Custom => Some(request.name.as_str()),
-        Folder::Parts | Folder::Settings => None,
+        Folder::Parts | Folder::Settings | Folder::Media => None,
     };
     let name = name.map(str::to_owned).or_else(|| custom_name(&request.name))?;
     let file = Shipped::find(&name)?;

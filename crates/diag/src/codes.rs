@@ -112,7 +112,9 @@ codes! {
     NeverAssigned "W019" Warning "a variable that the file gives no value"
         "The file calculates with a variable that no line of it assigns. It works only when another file has set it before.";
     NoSound "W020" Warning "a sound that is not there"
-        "PLAY names a file that is not in the part folder. The part file goes on without it.";
+        "PLAY names a file that is neither in the part folder nor, by the last part of its name, in the folder `media` of the data folder. The part file goes on without it.";
+    KeptProtected "W021" Warning "values that do not stay"
+        "The machine's settings are protected by a password (`kerf machine password`). A part file runs with the values that it sets; when it ends they are what they were, also after SV, unless the password was given with the run.";
 
     UndefinedVariable "R001" Error "variable has no value"
         "A variable must be assigned before it is used as a number. As text it reads as empty.";
@@ -156,6 +158,8 @@ codes! {
         "A FAIL of FabMo's dialect ended the run; the text is the program's own.";
     NothingRecorded "R021" Error "nothing is recorded"
         "RP, RR and RS need commands that were typed while recording was on. RZ forgets them, RI turns recording off and RA on.";
+    Protected "R022" Error "the settings are protected"
+        "The machine's settings are protected by a password (`kerf machine password`), and this line changes them. Give the password: --password or KERF_PASSWORD with `kerf send`, the page of the settings in the console. A part file may set what it likes: it ends with the file.";
 
     FileNotFound "F001" Error "file not found"
         "The name is looked for in the current part folder, ignoring case.";

@@ -4,11 +4,12 @@ use anyhow::{Context, Result};
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
 use kerf_control::{Pace, Script, Wish};
 use kerf_program::{Question, QuestionKind};
+use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, OnceLock};
 use std::thread::{sleep, spawn};
 use std::time::{Duration, Instant};
@@ -51,30 +52,43 @@ impl Person {
     }
 }
 
-/// Lines typed at a terminal; a thread reads them so that Ctrl-C is noticed meanwhile.
+/// Lines typed at a terminal; a thread reads them so that Ctrl-C is noticed meanwhile. It reads only while
+/// a line is wanted: at other times what is typed belongs to the editor that FE started.
 struct Keyboard {
+    wants: Sender<()>,
     lines: Receiver<String>,
     pressed: Pressed,
+    /// A line is wanted that has not come.
+    waits: Cell<bool>,
 }
 
 impl Keyboard {
     fn new(pressed: Pressed) -> Self {
-        let (typed, lines) = channel();
+        let ((wants, wanted), (typed, lines)) = (channel(), channel());
         spawn(move || {
-            for line in io::stdin().lines().map_while(Result::ok) {
-                if typed.send(line).is_err() {
+            let mut keyed = io::stdin().lines().map_while(Result::ok);
+            while wanted.recv().is_ok() {
+                let sent = keyed.next().map(|line| typed.send(line));
+                if !matches!(sent, Some(Ok(()))) {
                     break;
                 }
             }
         });
-        Self { lines, pressed }
+        Self { wants, lines, pressed, waits: Cell::new(false) }
     }
 
     /// The next line; nothing when Ctrl-C is pressed or the terminal has gone.
     fn line(&self) -> Option<String> {
+        if !self.waits.replace(true) {
+            // Whoever has gone tells so where the line is waited for.
+            let _ = self.wants.send(());
+        }
         loop {
             match self.lines.recv_timeout(NAP) {
-                Ok(line) => return Some(line),
+                Ok(line) => {
+                    self.waits.set(false);
+                    return Some(line);
+                }
                 Err(RecvTimeoutError::Timeout) if !self.pressed.load(Ordering::Relaxed) => {}
                 Err(_) => {
                     eprintln!();

@@ -41,6 +41,11 @@ impl Remote {
         ended
     }
 
+    /// Gives the password of the settings: for a while they may be changed from here.
+    pub fn unlock(&self, password: &str) -> Result<()> {
+        self.act("unlock", json!({ "password": password }))
+    }
+
     fn until_over(&self, before: u64) -> Result<String> {
         loop {
             let job = self.state()?["job"].clone();

@@ -67,6 +67,7 @@ impl Sink for Talk {
                 }
             }
             Event::Ask(ask) => say(&asked(ask)),
+            Event::Sound { .. } => ring(),
             _ => {}
         }
     }
@@ -75,6 +76,14 @@ impl Sink for Talk {
 fn asked(ask: &AskEvent) -> String {
     let by = if ask.scripted { "" } else { " (default)" };
     format!("? {} → {}{by}", ask.text, ask.answer)
+}
+
+/// Where nothing plays sounds the bell of the terminal rings.
+fn ring() {
+    let mut terminal = io::stdout();
+    if terminal.is_terminal() {
+        let _ = terminal.write_all(b"\x07").and_then(|()| terminal.flush());
+    }
 }
 
 /// Writes a line. A reader that went away is no reason to complain.

@@ -127,6 +127,42 @@ fn pro_options_password__kerf_machine_set() {
     shop.kerf("machine set delays.end_s 4").exits(0);
 }
 
+#[test]
+fn pro_options_password__lines_and_part_files() {
+    let shop = Shop::new(&[]);
+    shop.kerf_with("machine password", b"secretword\nsecretword\n").exits(0);
+    let kept = shop.read("data/machine.toml");
+    shop.write("sets.sbp", b"VC,.375\nVS,3\nSV\nMX,1\n");
+    shop.write("a.sbp", b"MX,2\n");
+    for line in ["VC,.375", "MS,3", "SF,0", "UR,simulated-96x48,0", "VR,,7"] {
+        let mut typed = shop.command();
+        let did = typed.args(["send", line]).output().unwrap();
+        let told = String::from_utf8_lossy(&did.stderr);
+        assert!(told.contains("the settings are protected"), "{line}: {told}");
+        assert_eq!(did.status.code(), Some(2), "{line}");
+    }
+    shop.kerf("settings load simulated-96x48").exits(2).complains("the settings are protected");
+    shop.kerf("send VC,.375 --password wrong").exits(2).complains("not the password");
+    shop.kerf("run a.sbp --password wrong").exits(2).complains("not the password");
+    // A file has the values that it sets, to its end.
+    let ran = shop.kerf("run sets.sbp --trace -");
+    ran.exits(0).says("\"speed\":3").says("these values end with the file");
+    // What other software passes in while a file runs is typed, too.
+    let kerf = shop.command().get_program().to_string_lossy().into_owned();
+    let passes = format!("SHELL, \"{kerf} registry set uCommand VC,.5\",1,SYNC\nMX,2\n");
+    shop.write("passes.sbp", passes.as_bytes());
+    let passed = shop.kerf("run passes.sbp --allow-shell");
+    passed.exits(1).complains("VC changes settings, and they are protected");
+    shop.kerf("send MX,3").exits(0);
+    assert_eq!(shop.read("data/machine.toml"), kept);
+
+    shop.kerf("run sets.sbp --password secretword").exits(0);
+    let set = shop.read("data/machine.toml");
+    assert!(set.contains("diameter_mm = 9.525") && set.contains("76.2"), "{set}");
+    shop.kerf("send VC,.5 --password secretword").exits(0);
+    assert!(shop.read("data/machine.toml").contains("diameter_mm = 12.7"));
+}
+
 fn given_ok(command: &mut std::process::Command) -> bool {
     command.output().unwrap().status.success()
 }

@@ -388,6 +388,17 @@ fn sbp_flow_exit_shopbot__may_end_the_server() {
 }
 
 #[test]
+fn sbp_ext_tr__stands_above_an_added_tool() {
+    let shop = shop();
+    let ini = "[R]\nName = Ruler\nCommand = echo > ran.txt\n[Q]\nName = Quick\nCommand = echo > ran.txt\n";
+    shop.write("data/virtualtools.ini", ini.as_bytes());
+    shop.kerf("send TR,12000 --allow-shell --trace -").exits(0).says("\"rpm\":12000");
+    assert!(!shop.file("ran.txt").exists());
+    shop.kerf("send TQ --allow-shell").exits(0);
+    assert!(shop.file("ran.txt").exists(), "another letter is the tool's");
+}
+
+#[test]
 fn sbp_ctl_addin() {
     let shop = shop();
     std::fs::create_dir_all(shop.file("data")).unwrap();

@@ -141,6 +141,8 @@ pub enum Folder {
     Custom,
     /// The folder of settings files (`.sbd`).
     Settings,
+    /// The folder of sounds (PLAY), behind the part folder.
+    Media,
 }
 
 /// A program file that was read.

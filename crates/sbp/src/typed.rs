@@ -45,6 +45,22 @@ fn belongs_into_files(program: &Program, node: Node) -> bool {
     }
 }
 
+impl Program {
+    /// Whether a line of it changes what the machine is set to.
+    pub fn sets_machine(&self) -> bool {
+        self.statements.iter().any(sets_machine)
+    }
+}
+
+fn sets_machine(statement: &Statement) -> bool {
+    match statement {
+        Statement::Command { spec, .. } => spec.sets_machine(),
+        Statement::If { then, .. } => sets_machine(then),
+        Statement::OnInput { action: Some(action), .. } => sets_machine(action),
+        _ => false,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -65,5 +81,16 @@ mod tests {
             check(typed, true);
         }
         check("GOTO A\nMX,1\nA:\n", false);
+    }
+
+    #[test]
+    fn lines_that_set_the_machine_are_known() {
+        let sets = |typed: &str| read_typed("typed".into(), typed).sets_machine();
+        for typed in ["VC,.375", "vs,2", "MS,1", "SF,0", "UR,mine", "MX,1\nIF &a = 1 THEN VR,,5"] {
+            assert!(sets(typed), "{typed}");
+        }
+        for typed in ["MX,1", "VA,0", "&VC=1", "SR", "SO,1,1", "FP,a.sbp", "US,mine", "C9"] {
+            assert!(!sets(typed), "{typed}");
+        }
     }
 }

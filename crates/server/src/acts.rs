@@ -7,7 +7,6 @@ use crate::preview::Preview;
 use crate::shop;
 use kerf_control::{Jog, answers};
 use kerf_program::{Axes, Axis};
-use kerf_sbp::table::{self, Group};
 use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, StartUp, State, Who, Why};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -116,12 +115,13 @@ fn needs(act: &Act) -> Need {
     }
 }
 
-/// Whether a line changes what the machine is set to: the V commands and those of switches.
+/// Whether lines change what the machine is set to: the V commands and others that set it.
 fn changes_settings(lines: &str) -> bool {
-    lines.lines().any(|line| {
-        let letters: String = line.trim().chars().take(2).collect();
-        table::find(&letters).is_some_and(|command| command.group == Group::Values)
-    })
+    typed(lines).sets_machine()
+}
+
+fn typed(lines: &str) -> kerf_sbp::Program {
+    kerf_sbp::read_typed("command".into(), &format!("{lines}\n"))
 }
 
 impl App {
@@ -164,9 +164,9 @@ impl App {
                 self.configure(&key, &value)?;
             }
             Act::Close => self.close_file(),
-            Act::Run { hash, step, .. } => self.run(&hash, step)?,
+            Act::Run { hash, step, .. } => self.run(who, &hash, step)?,
             Act::TakeUp { .. } => self.take_up()?,
-            Act::Command { line, .. } => self.command(line)?,
+            Act::Command { line, .. } => self.command(who, line)?,
             Act::JogStart { seq, direction, distance, speed_share: speed, .. } => {
                 self.jog(who, seq, Order::Jog { direction, distance, speed })?;
             }
@@ -355,7 +355,7 @@ impl App {
         sent.map_err(|_| problem(Why::Server, "the machine's thread has ended; start Kerf anew"))
     }
 
-    fn run(&self, hash: &str, step: bool) -> Result<(), Problem> {
+    fn run(&self, who: &Who, hash: &str, step: bool) -> Result<(), Problem> {
         let open = lock(&self.open).clone();
         self.has_tool_path(&open)?;
         if open.name.is_empty() || open.hash != hash {
@@ -375,7 +375,9 @@ impl App {
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let Open { name, hash, .. } = open;
-        self.order(Order::File { work, name, hash, planned, parameters }, State::Running)
+        let opened = self.opened(who, None).is_ok();
+        let order = Order::File { work, name, hash, planned, parameters, opened };
+        self.order(order, State::Running)
     }
 
     /// What was previewed is what runs: the file, and those that it calls.
@@ -404,14 +406,14 @@ impl App {
         self.order(Order::TakeUp, State::Running)
     }
 
-    fn command(&self, line: String) -> Result<(), Problem> {
-        let read = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
-        if let Some(mistake) = read.diagnostics.iter().find(|found| found.is_error()) {
+    fn command(&self, who: &Who, line: String) -> Result<(), Problem> {
+        if let Some(mistake) = typed(&line).diagnostics.iter().find(|found| found.is_error()) {
             let hint = &mistake.hint;
             let hint = if hint.is_empty() { String::new() } else { format!(" ({hint})") };
             return Err(problem(Why::Mistake, format!("{}{hint}", mistake.message)));
         }
-        self.order(Order::Command(line), State::Running)
+        let opened = self.opened(who, None).is_ok();
+        self.order(Order::Command { line, opened }, State::Running)
     }
 
     fn nudge(&self, axis: char, distance: f64) -> Result<(), Problem> {

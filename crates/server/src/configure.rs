@@ -119,9 +119,12 @@ impl App {
     }
 
     /// The joining distance used last is the one offered next, also after a restart. Where the machine is
-    /// at work it is offered until then.
+    /// at work, or a password protects the settings, it is offered until then.
     pub fn keep_join(&self, join_mm: f64) {
         let mut wanted = lock(&self.left).session.configuration();
+        if wanted.options.password.is_some() {
+            return;
+        }
         let Some(setting) = table::setting("options.join_mm") else { return };
         if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
             drop(self.order(Order::Configure(setting, Box::new(wanted)), State::Running));

@@ -85,7 +85,7 @@ impl Server {
             drop(app.open_file(&name));
         }
         for line in &app.options.begin_with {
-            drop(app.send(Order::Command(line.clone())));
+            drop(app.send(Order::Command { line: line.clone(), opened: false }));
         }
         let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
         runtime.spawn(async move { axum::serve(listener, service).await });

@@ -370,6 +370,40 @@ fn settings_are_protected_by_a_password() {
 }
 
 #[test]
+fn pro_options_password__part_files_and_lines_over_http() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    std::fs::write(shop.part("sets.sbp"), "VC,.375\nSV\nMX,1\n").unwrap();
+    let mut page = shop.driver();
+    assert_eq!(protect(&mut page, None, json!(["birch", "birch"])), None);
+    page.until("protection", |page| page.shown["setup"]["protected"] == true);
+    page.until_state("idle");
+    let file = shop.dir.path().join("data/machine.toml");
+    let text = || std::fs::read_to_string(&file).unwrap();
+    let kept = text();
+    for line in ["UR,mine,0", "MS,3", "&a = 1\nIF &a = 1 THEN VC,.5"] {
+        let typed = json!({ "do": "command", "lease": page.lease, "line": line });
+        assert_eq!(page.act(typed).as_deref(), Some("password"), "{line}");
+    }
+    let ran = |page: &mut Page| {
+        page.open_file("sets.sbp");
+        assert_eq!(page.run(), None);
+        page.until("its end", |page| page.shown["job"]["ended"] == "ok");
+        page.until_state("idle");
+    };
+    ran(&mut page);
+    assert_eq!(text(), kept, "a part file sets nothing for good");
+    let before = page.shown["job"]["run"].as_u64();
+    assert_eq!(shop.ask("PUT /api/registry/uCommand", &[], b"VC,.5").status, 200);
+    page.until("the passed line", |page| page.shown["job"]["run"].as_u64() > before);
+    page.until("its failure", |page| page.shown["job"]["ended"] == "failed");
+    page.until_state("idle");
+    assert_eq!(text(), kept, "nor does what is passed in");
+    assert_eq!(page.act(json!({ "do": "unlock", "password": "birch" })), None);
+    ran(&mut page);
+    assert!(text().contains("diameter_mm = 9.525"), "{}", text());
+}
+
+#[test]
 fn pro_options_password_off() {
     let shop = shop(50.0, &[]);
     let mut page = shop.driver();

@@ -2,7 +2,7 @@
 
 use crate::{
     Asked, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Speeds, StartUp, Units,
+    NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound, Speeds, StartUp, Units,
     Who,
 };
 use schemars::JsonSchema;
@@ -47,6 +47,10 @@ pub enum Change {
     /// A pause of so many seconds begins, or is over.
     Pause {
         pause: Option<Pause>,
+    },
+    /// A sound begins, on every page that hears it.
+    Sound {
+        sound: Option<Sound>,
     },
     Overrides {
         overrides: Overrides,

@@ -61,6 +61,16 @@ pub struct Pause {
     pub until: f64,
 }
 
+/// A sound that a program started (PLAY).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Sound {
+    /// Sounds are counted: each is heard once.
+    pub number: u32,
+    /// What it is fetched as, below `/api/media/`.
+    pub name: String,
+}
+
 /// The folder that part files are chosen from.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]

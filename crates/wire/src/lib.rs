@@ -42,7 +42,7 @@ pub use drawing::{
 };
 pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, Interrupted, Job, Message, Opened, Overrides,
-    Pause, PreviewState, Recorder, Tone,
+    Pause, PreviewState, Recorder, Sound, Tone,
 };
 pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{

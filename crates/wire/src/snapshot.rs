@@ -2,7 +2,7 @@
 
 use crate::{
     Asked, Change, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message,
-    Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Speeds, Units, VERSION,
+    Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Sound, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -60,6 +60,8 @@ pub struct Snapshot {
     pub asked: Option<Asked>,
     /// The pause of so many seconds that is under way.
     pub pause: Option<Pause>,
+    /// The sound that was started last.
+    pub sound: Option<Sound>,
     /// The operator's overrides.
     pub overrides: Overrides,
     /// The print window, oldest line first.
@@ -102,6 +104,7 @@ impl Default for Snapshot {
             start: None,
             asked: None,
             pause: None,
+            sound: None,
             overrides: Overrides::default(),
             printed: Vec::new(),
             messages: Vec::new(),
@@ -133,6 +136,7 @@ impl Snapshot {
             Change::Start { start } => self.start = start,
             Change::Asked { asked } => self.asked = asked,
             Change::Pause { pause } => self.pause = pause,
+            Change::Sound { sound } => self.sound = sound,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),
             Change::ClearPrinted => self.printed.clear(),

@@ -118,8 +118,8 @@ impl Folders {
             return Ok(vec![(PathBuf::from("/"), name.trim_start_matches('/').to_owned())]);
         }
         let bases = match folder {
-            // Settings files are no part of it: whoever has the data folder knows them.
-            Folder::Parts | Folder::Settings => vec![self.parts.clone()],
+            // Settings files and sounds are no part of it: whoever has the data folder knows them.
+            Folder::Parts | Folder::Settings | Folder::Media => vec![self.parts.clone()],
             Folder::Custom => {
                 let inside = walk(disk, &self.start, CUSTOM);
                 self.custom.iter().cloned().chain([inside]).collect()

@@ -25,7 +25,7 @@ impl Host for Quiet {
     }
     fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
         let folder = match request.folder {
-            Folder::Parts | Folder::Settings => self.0.clone(),
+            Folder::Parts | Folder::Settings | Folder::Media => self.0.clone(),
             // The custom cuts that Kerf ships.
             Folder::Custom => {
                 PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../control/custom"))

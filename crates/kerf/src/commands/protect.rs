@@ -13,19 +13,28 @@ pub const KEY: &str = "options.password";
 
 /// Sees that the password of a machine was given; at a terminal it is asked for.
 pub fn open(machine: &Configuration, given: Option<&str>) -> Result<()> {
-    let Some(kept) = &machine.options.password else { return Ok(()) };
-    let given = given.map(str::to_owned).or_else(|| std::env::var("KERF_PASSWORD").ok());
-    let asked = match given {
-        Some(given) => given,
-        None if io::stdin().is_terminal() => ask("password of the settings: ")?,
-        None => {
-            bail!(Usage("the settings are protected: give --password, or KERF_PASSWORD".into()))
-        }
-    };
-    if !password::fits(kept, &asked) {
+    if self::given(machine, given)? {
+        return Ok(());
+    }
+    if !io::stdin().is_terminal() {
+        bail!(Usage("the settings are protected: give --password, or KERF_PASSWORD".into()));
+    }
+    self::given(machine, Some(&ask("password of the settings: ")?)).map(drop)
+}
+
+/// Whether settings may be changed: there is no password, or it was given. A wrong one is a mistake.
+pub fn given(machine: &Configuration, given: Option<&str>) -> Result<bool> {
+    let Some(kept) = &machine.options.password else { return Ok(true) };
+    let Some(given) = of_option(given) else { return Ok(false) };
+    if !password::fits(kept, &given) {
         bail!(Usage("this is not the password of the settings".into()));
     }
-    Ok(())
+    Ok(true)
+}
+
+/// The password that an option or the environment gives.
+pub fn of_option(given: Option<&str>) -> Option<String> {
+    given.map(str::to_owned).or_else(|| std::env::var("KERF_PASSWORD").ok())
 }
 
 /// Sets a new password, which is asked for twice, or takes it away.

@@ -2,6 +2,7 @@
 
 use crate::args::RunArgs;
 use crate::clock;
+use crate::commands::protect;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
@@ -76,6 +77,10 @@ pub struct MachineArgs {
     readings: Option<PathBuf>,
     #[command(flatten)]
     vcd: VcdArgs,
+    /// The password of the settings, where they are protected [default: KERF_PASSWORD]: what the program
+    /// sets stays
+    #[arg(long, value_name = "WORD")]
+    pub password: Option<String>,
     /// No progress, no summary
     #[arg(short, long)]
     quiet: bool,
@@ -162,7 +167,8 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
-    let Job { work, mut session, options, mut shelf, answers, kept, replaced, visit, .. } = job;
+    let Job { work, mut session, mut options, mut shelf, answers, kept, replaced, visit, .. } = job;
+    options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
     let machine = VcdArgs::machine(&work, &session);
     let show =
         Show { name: work.name(), lines: work.line_count(), talk, machine, editor: editor(&shelf) };
@@ -198,6 +204,7 @@ fn passed_in(
     let mut options = setup::run_options(run, &session.memory.settings, false);
     (options.program.typed, options.program.file) = (true, FileParameters::default());
     options.started = Some(clock::started());
+    options.opened = protect::given(&session.machine_is, args.password.as_deref())?;
     let machine = session.configuration();
     let show = Show {
         name: command_passing::NAME.into(),

@@ -1,5 +1,6 @@
 //! `kerf send`: commands to be carried out at once.
 
+use super::protect;
 use super::run::{MachineArgs, on_machine};
 use crate::args::RunArgs;
 use crate::exit::Exit;
@@ -8,6 +9,7 @@ use crate::report::Talk;
 use crate::setup;
 use anyhow::{Context, Result};
 use clap::Args;
+use kerf_control::Shelf;
 use std::path::Path;
 
 /// What the lines are kept as, in the part folder, as SI does.
@@ -43,14 +45,33 @@ pub struct SendArgs {
 pub fn carry_out(text: &str, machine: MachineArgs, run: RunArgs) -> Result<Exit> {
     machine.check()?;
     let shelf = setup::shelf(Path::new(""), &run.place, false)?;
-    let mut job = setup::job_of(kerf_sbp::read_typed("typed".into(), text), shelf, &run, false)?;
+    typed(kerf_sbp::read_typed("typed".into(), text), shelf, &machine, &run)
+}
+
+/// Carries out what was typed. What changes settings needs the password, where there is one.
+fn typed(
+    program: kerf_sbp::Program,
+    shelf: Shelf,
+    machine: &MachineArgs,
+    run: &RunArgs,
+) -> Result<Exit> {
+    let sets = program.sets_machine();
+    let mut job = setup::job_of(program, shelf, run, false)?;
+    if sets {
+        protect::open(&job.session.machine_is, machine.password.as_deref())?;
+        job.options.opened = true;
+    }
     job.options.program.typed = true;
-    on_machine(job, &machine, &run, Talk::all())
+    on_machine(job, machine, run, Talk::all())
 }
 
 /// Has a running server carry the lines out.
-fn remotely(url: &str, lines: &str) -> Result<Exit> {
-    let ended = Remote::new(url)?.send(lines)?;
+fn remotely(url: &str, lines: &str, password: Option<&str>) -> Result<Exit> {
+    let server = Remote::new(url)?;
+    if let Some(password) = password {
+        server.unlock(password)?;
+    }
+    let ended = server.send(lines)?;
     eprintln!("kerf: {ended}");
     Ok(match ended.as_str() {
         "ok" | "ended" => Exit::Good,
@@ -63,7 +84,8 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     args.machine.check()?;
     let named = std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
     if let (Some(url), false) = (args.server.clone().or(named), args.again) {
-        return remotely(&url, &args.lines.join("\n"));
+        let password = protect::of_option(args.machine.password.as_deref());
+        return remotely(&url, &args.lines.join("\n"), password.as_deref());
     }
     let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
     let text = if args.again {
@@ -75,7 +97,5 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     if !program.has_errors() {
         shelf.put(FILE, text.as_bytes()).with_context(|| format!("cannot write {FILE}"))?;
     }
-    let mut job = setup::job_of(program, shelf, &args.run, false)?;
-    job.options.program.typed = true;
-    on_machine(job, &args.machine, &args.run, Talk::all())
+    typed(program, shelf, &args.machine, &args.run)
 }

@@ -74,6 +74,20 @@ fn sbp_ext_tr() {
     assert_eq!(spindle["rpm"], 12000.0, "{run}");
 }
 
+#[test]
+fn sbp_ext_tr__without_a_device_the_operator_sets_it() {
+    let by_hand = |text: &str| sbp(text).settings(|s| s.spindle_device = false);
+    let run = by_hand("TR,12000,1 ⏎ MX,1").answers(&["OK"]).run();
+    run.asks(&["Set spindle 1 to 12000 rpm."]).ends_at([1.0]);
+    assert_eq!(run.events("spindle").next().expect("it is stored all the same")["rpm"], 12000.0);
+    let refused = by_hand("TR,9000,2 ⏎ MX,1").answers(&["Cancel"]).run();
+    refused.asks(&["Set spindle 2 to 9000 rpm."]).stands_at([0.0]);
+    assert!(refused.events("spindle").next().is_none(), "{refused}");
+    // Headless the default counts; with a device nobody is asked.
+    by_hand("TR,9000").run().asks(&["Set spindle 1 to 9000 rpm."]);
+    sbp("TR,9000").run().asks(&[]);
+}
+
 /// When the light is switched, and to what.
 fn lights(run: &kerf_ledger::Run) -> Vec<(f64, bool)> {
     let light = |e: &serde_json::Value| (e["t"].as_f64().unwrap(), e["on"].as_bool().unwrap());

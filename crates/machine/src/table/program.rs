@@ -73,6 +73,14 @@ const GENERAL: &[Setting] = &[
     ),
     row!(
         c,
+        "spindle_device",
+        c.program.spindle_device,
+        None,
+        Any,
+        "A device takes the speeds of spindles (TR). Without one the operator is asked to set them."
+    ),
+    row!(
+        c,
         "stack_limit",
         c.program.stack_limit,
         None,

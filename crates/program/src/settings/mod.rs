@@ -75,6 +75,9 @@ pub struct Settings {
     /// Starting the spindle from a program asks the operator first, unless it counts as active.
     #[serde(default = "yes")]
     pub ask_spindle: bool,
+    /// A device takes the speeds that programs give spindles (TR); without one the operator sets them.
+    #[serde(default = "yes")]
+    pub spindle_device: bool,
     /// What the axes can do; from the machine's configuration, no V command sets it.
     #[serde(default)]
     pub dynamics: Option<Dynamics>,
@@ -172,6 +175,7 @@ impl Default for Settings {
             // The reference's 2 s before motion; headless runs set 0.
             warning_s: 0.0,
             ask_spindle: true,
+            spindle_device: true,
             dynamics: None,
             stack_limit: None,
             ramp_model: None,

@@ -24,7 +24,7 @@ impl Context<'_> {
         let path = self.dialog_text(path)?;
         let name = path.trim();
         self.settle()?;
-        let request = FileRequest { folder: Folder::Parts, name: name.into() };
+        let request = FileRequest { folder: Folder::Media, name: name.into() };
         if let Err(HostError::NotFound(_)) = self.host.source(&request) {
             let message = format!("there is no sound {name}");
             self.warn(Code::NoSound, message, "the part file goes on in silence");

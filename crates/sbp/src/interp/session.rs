@@ -121,6 +121,10 @@ pub struct Options {
     /// Somebody runs the G-code that comes in the way; without, it is an error.
     #[serde(default)]
     pub gcode: bool,
+    /// The machine's settings are protected by a password that nobody gave: nothing typed changes
+    /// them, and what a file sets ends with it.
+    #[serde(default)]
+    pub protected: bool,
 }
 
 impl Default for Options {
@@ -135,6 +139,7 @@ impl Default for Options {
             typed: false,
             base_locations: false,
             gcode: false,
+            protected: false,
         }
     }
 }

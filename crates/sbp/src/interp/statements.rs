@@ -4,7 +4,7 @@ use super::core::Purpose;
 use super::{Arguments, Context, Status, Stop};
 use crate::Expr;
 use crate::Value;
-use crate::table::Stack;
+use crate::table::{CommandSpec, Stack};
 use crate::tree::{Arg, Assigned, NameId, Program, Statement, Target};
 use kerf_diag::Code;
 use kerf_program::{Command, ToolPathStart};
@@ -56,14 +56,26 @@ impl Context<'_> {
     /// A two-letter command: its arguments, then its effect.
     fn command(
         &mut self,
-        spec: &'static crate::table::CommandSpec,
+        spec: &'static CommandSpec,
         args: &[Arg],
     ) -> Result<(), Stop> {
+        self.refuse_protected(spec)?;
         let arguments = Arguments::evaluate(self, spec, args)?;
         if spec.stack == Stack::Ends {
             self.settle()?;
         }
         (spec.effect)(self, &arguments)
+    }
+
+    /// What is typed sets the machine only with the password, where there is one.
+    fn refuse_protected(&self, spec: &CommandSpec) -> Result<(), Stop> {
+        let options = &self.core.options;
+        let typed = options.typed && self.core.levels.len() == 1;
+        if !(options.protected && typed && spec.sets_machine()) {
+            return Ok(());
+        }
+        let message = format!("{} changes settings, and they are protected", spec.letters);
+        Err(self.fail_at(self.span, Code::Protected, message, "give the password first"))
     }
 
     fn assign(

@@ -269,4 +269,10 @@ impl CommandSpec {
     ) -> Self {
         Self { letters, name, group, params, stack, doc, effect }
     }
+
+    /// Whether it changes what the machine is set to, which a password may protect.
+    pub fn sets_machine(&self) -> bool {
+        let value = self.group == Group::Values && self.letters != "VA";
+        value || self.letters == "UR" || self.params.iter().any(|param| param.setting.is_some())
+    }
 }

@@ -9,6 +9,7 @@ mod assets;
 mod files;
 mod guard;
 mod language;
+mod media;
 mod people;
 mod preview;
 mod registry;

@@ -1,7 +1,7 @@
 //! The routes, and their description for scripts (OpenAPI).
 
 use super::language::{Formatted, Spot};
-use super::{assets, files, guard, language, people, preview, registry, rest, socket};
+use super::{assets, files, guard, language, media, people, preview, registry, rest, socket};
 use crate::app::App;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;
@@ -41,6 +41,7 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/do/{act}", post(rest::act)),
         ("/api/files", get(files::list)),
         ("/api/files/{*name}", upload),
+        ("/api/media/{*name}", get(media::sound)),
         ("/api/preview/{key}", get(preview::info)),
         ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
         ("/api/job", get(rest::job)),
@@ -134,6 +135,7 @@ fn routes() -> Vec<Route> {
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ToolPaths>)),
         looks("/api/drawing/operations", "What can be done to a drawing", Some(operations)),
         looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
+        looks("/api/media/{name}", "A sound of the part folder or the folder of sounds", None),
         looks("/api/problems", "What somebody who helps has to know, as text", None),
         looks(
             "/api/settings",

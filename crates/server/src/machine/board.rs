@@ -9,7 +9,7 @@ use kerf_machine::Configuration;
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
 use kerf_wire::{
-    Call, Change, Io, Message, Motion, NamedValue, Pause, Positions, Speeds, Tone, Units,
+    Call, Change, Io, Message, Motion, NamedValue, Pause, Positions, Sound, Speeds, Tone, Units,
 };
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -67,6 +67,7 @@ pub struct Board {
     printed: Vec<String>,
     messages: Vec<Message>,
     pause: Option<Pause>,
+    sound: Option<String>,
     /// What the program said last, while nothing came behind it.
     comment: Option<Arc<str>>,
     /// Number of the run.
@@ -104,6 +105,7 @@ impl Board {
             printed: Vec::new(),
             messages: Vec::new(),
             pause: None,
+            sound: None,
             comment: None,
             run,
             planned,
@@ -221,6 +223,11 @@ impl Board {
         self.pause = Some(Pause { text, until: from_s + seconds });
     }
 
+    /// A sound begins.
+    pub fn sound(&mut self, name: String) {
+        self.sound = Some(name);
+    }
+
     /// Something else goes on: no pause does.
     pub fn goes_on(&mut self) {
         (self.pause, self.comment) = (None, None);
@@ -268,6 +275,10 @@ impl Board {
             }
             let pause = self.pause.clone();
             put(now.pause != pause, Change::Pause { pause });
+            if let Some(name) = self.sound.take() {
+                let number = now.sound.as_ref().map_or(0, |sound| sound.number).wrapping_add(1);
+                put(true, Change::Sound { sound: Some(Sound { number, name }) });
+            }
             if let Some(watched) = self.watched.take() {
                 put(now.watched != watched, Change::Watched { watched });
             }

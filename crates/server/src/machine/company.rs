@@ -302,6 +302,7 @@ impl Sink for Teller {
             Event::Print { text, .. } => board.print(text),
             Event::Message { text, .. } => board.comment(text),
             Event::Wait { seconds, t } => board.pause(*t, *seconds),
+            Event::Sound { path, .. } => board.sound(self.shared.name_from_root(path)),
             Event::Diag(found) => board.say(told::tone(found), told::sentence(found)),
             Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
             Event::Homed { axis, steps, .. } => {

@@ -37,11 +37,18 @@ pub enum Order {
         planned: Planned,
         /// How a part file is run.
         parameters: FileParameters,
+        /// What it sets may stay.
+        opened: bool,
     },
     /// Take up the run that was cut short.
     TakeUp,
     /// Carry out lines of OpenSBP.
-    Command(String),
+    Command {
+        /// The lines.
+        line: String,
+        /// They may change settings.
+        opened: bool,
+    },
     /// Move for as long as the link says.
     Jog {
         /// Direction of each axis.
@@ -109,21 +116,21 @@ impl Owner {
             let order = match orders.recv_timeout(LOOK) {
                 Ok(order) => order,
                 Err(RecvTimeoutError::Timeout) => match self.passed_in() {
-                    Some(line) => Order::Command(line),
+                    Some(line) => Order::Command { line, opened: false },
                     None => continue,
                 },
                 Err(RecvTimeoutError::Disconnected) => break,
             };
             match order {
-                Order::File { work, name, hash, planned, parameters } => {
-                    let mut options = self.options();
+                Order::File { work, name, hash, planned, parameters, opened } => {
+                    let mut options = RunOptions { opened, ..self.options() };
                     options.program.file = parameters;
                     let hash = Some(hash);
                     let job = Job { file: name, hash, ..Job::default() };
                     self.run(*work, options, job, planned);
                 }
                 Order::TakeUp => self.take_up(),
-                Order::Command(line) => self.command(&line),
+                Order::Command { line, opened } => self.command(&line, opened),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Press(press) => self.press(press),
@@ -283,9 +290,9 @@ impl Owner {
         });
     }
 
-    fn command(&mut self, line: &str) {
+    fn command(&mut self, line: &str, opened: bool) {
         let program = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
-        let mut options = self.options();
+        let mut options = RunOptions { opened, ..self.options() };
         options.program.typed = true;
         let job = Job { command: Some(line.into()), ..Job::default() };
         self.run(program.into(), options, job, Planned::default());

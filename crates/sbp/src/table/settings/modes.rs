@@ -87,6 +87,11 @@ pub(super) static SV: CommandSpec = plain(
             let hint = "values set at the keyboard stay anyway";
             return Err(c.fail_at(c.span, Code::OnlyInFiles, "SV works only in part files", hint));
         }
+        if c.core.options.protected {
+            let hint = "give the password of the settings with the run";
+            c.warn(Code::KeptProtected, "the settings are protected: these values end with the file", hint);
+            return Ok(());
+        }
         c.core.kept = c.core.settings.clone();
         Ok(())
     },

@@ -1,5 +1,6 @@
 //! Limit checking, outputs, the warning before motion, the spindle.
 
+use crate::format_number;
 use crate::interp::{Arguments, Context, SPINDLE_STATUS, Stop};
 use crate::table::setting::{flag, real, set};
 use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
@@ -119,11 +120,15 @@ fn output_mode(c: &mut Context<'_>, a: &Arguments, number: u8, mode: i8) -> Resu
     Ok(())
 }
 
+/// Whether everything is only drawn.
+fn draws(c: &Context<'_>) -> bool {
+    c.core.options.preview || c.settings().mode == Mode::Preview
+}
+
 /// The spindle starts only when the operator says so, unless it counts as active.
 fn ask_spindle(c: &mut Context<'_>) -> Result<(), Stop> {
     let active = c.host.stored(SPINDLE_STATUS).is_some_and(|v| v.trim() == "1");
-    let preview = c.core.options.preview || c.settings().mode == Mode::Preview;
-    if active || preview || !c.settings().ask_spindle {
+    if active || draws(c) || !c.settings().ask_spindle {
         return Ok(());
     }
     let buttons = [Button::OK, Button::Cancel];
@@ -144,12 +149,20 @@ pub(super) static TR: CommandSpec = CommandSpec::new(
         ParamSpec::number("Spindle", Kind::Whole, 1.0).within(Bound::Range(1.0, 9.0)),
     ],
     Stack::Ends,
-    "Sets the speed of a spindle. Where none can be set the operator is told the speed. CAM programs \
+    "Sets the speed of a spindle. Without a device for it (`spindle_device`) the operator is asked to set \
+     it. CAM programs \
      write it; the reference does not have it.",
-    |c, a| {
-        let number = a.whole(1).unwrap_or(1) as u8;
-        c.emit(Command::EndStack);
-        c.emit(Command::Spindle { number, rpm: a.number_or(0, 0.0) });
-        Ok(())
-    },
+    spindle_speed,
 );
+
+fn spindle_speed(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let (number, rpm) = (a.whole(1).unwrap_or(1) as u8, a.number_or(0, 0.0));
+    if !c.settings().spindle_device && !draws(c) {
+        let text = format!("Set spindle {number} to {} rpm.", format_number(rpm));
+        let question = c.question(QuestionKind::Spindle, &text, &[Button::OK, Button::Cancel]);
+        c.confirm(&question)?;
+    }
+    c.emit(Command::EndStack);
+    c.emit(Command::Spindle { number, rpm });
+    Ok(())
+}

@@ -1,0 +1,87 @@
+//! What is so only where somebody sits at a terminal.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
+
+mod shop;
+
+use shop::Shop;
+use std::fs::File;
+use std::io::{Read, Write};
+use std::os::unix::fs::PermissionsExt;
+use std::process::Stdio;
+use std::thread::{sleep, spawn};
+use std::time::Duration;
+
+/// A terminal: its two ends.
+fn terminal() -> (File, File) {
+    let pair = nix::pty::openpty(None, None).unwrap();
+    (File::from(pair.master), File::from(pair.slave))
+}
+
+/// A program of the shell in the shop; its path.
+fn program(shop: &Shop, name: &str, text: &str) -> String {
+    shop.write(name, text.as_bytes());
+    let path = shop.file(name);
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn sbp_cmd_un__fe_starts_the_program_at_a_terminal() {
+    let shop = Shop::new(&[]);
+    // An editor: it tells what it was started with, then takes a line from the terminal.
+    let text = "#!/bin/sh\nread first < \"$1\"\necho \"$1 $first\" > opened\nread line\necho \"$line\" > typed\n";
+    let editor = program(&shop, "editor.sh", text);
+    shop.write("notes.txt", b"two doors\n");
+    shop.write("a.sbp", b"FE,notes.txt\nMX,1\n");
+    shop.kerf(&format!("send UN,{editor}")).exits(0);
+
+    let (mut keys, slave) = terminal();
+    let mut kerf = shop.command();
+    kerf.args(["run", "a.sbp"]).stdin(slave).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let running = kerf.spawn().unwrap();
+    drop(kerf);
+    while !shop.file("opened").is_file() {
+        sleep(Duration::from_millis(20));
+    }
+    keys.write_all(b"saved\n").unwrap();
+    let did = running.wait_with_output().unwrap();
+    assert!(did.status.success(), "{}", String::from_utf8_lossy(&did.stderr));
+    let opened = shop.read("opened");
+    assert!(opened.ends_with("notes.txt two doors\n"), "{opened}");
+    assert_eq!(shop.read("typed"), "saved\n", "what is typed meanwhile belongs to the editor");
+    assert!(String::from_utf8_lossy(&did.stdout).contains("ran to its end"));
+
+    // Without a terminal, and after a blank UN, nothing is started.
+    std::fs::remove_file(shop.file("opened")).unwrap();
+    shop.kerf("run a.sbp").exits(0);
+    shop.kerf("send UN").exits(0);
+    let (mut keys, slave) = terminal();
+    keys.write_all(b"OK\n").unwrap();
+    let mut kerf = shop.command();
+    assert!(kerf.args(["run", "a.sbp"]).stdin(slave).output().unwrap().status.success());
+    assert!(!shop.file("opened").is_file());
+}
+
+#[test]
+fn sbp_io_play__the_bell_of_a_terminal() {
+    let shop = Shop::new(&[]);
+    shop.write("ding.wav", b"x");
+    shop.write("a.sbp", b"PLAY ding.wav\nMX,1\n");
+    let (mut screen, slave) = terminal();
+    let shown = spawn(move || {
+        let mut bytes = Vec::new();
+        // The end of a pseudo terminal reads as an error.
+        let _ = screen.read_to_end(&mut bytes);
+        bytes
+    });
+    let mut kerf = shop.command();
+    let status = kerf.args(["run", "a.sbp"]).stdin(Stdio::null()).stdout(slave).status().unwrap();
+    drop(kerf);
+    assert!(status.success());
+    let shown = shown.join().unwrap();
+    assert_eq!(shown.iter().filter(|byte| **byte == 7).count(), 1);
+    let file = shop.kerf("run a.sbp");
+    assert!(!file.out().contains('\u{7}'), "a file takes no bell");
+}
