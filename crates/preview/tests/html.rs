@@ -69,6 +69,7 @@ fn the_motion_is_as_long_as_the_facts_say() {
     let mut rotary = common::plate();
     rotary.turns_deg = vec![[0.0, 90.0]; rotary.segments.len()];
     assert!(facts(&page(&rotary))["rolled"].is_array());
+    assert!(facts(&page(&rotary))["axis"].is_f64());
     for (scene, times) in [
         (common::plate(), false),
         (rotary, false),

@@ -45,7 +45,7 @@ class CanvasPainter {
     for (let i = first; i < end; i++) {
       const kind = kinds[i];
       if (kind === GAP || (kind === JOG && !jogs)) continue;
-      const a = pixel(i), b = pixel(i + 1), path = paths[kind === JOG ? 17 : this.shade(points[3 * i + 5])];
+      const a = pixel(i), b = pixel(i + 1), path = paths[kind === JOG ? 17 : this.shade(this.full.height(points[3 * i + 4], points[3 * i + 5]))];
       path.moveTo(a[0], a[1]);
       path.lineTo(b[0], b[1]);
     }

@@ -25,7 +25,10 @@ vec4 corner(vec3 a, vec3 b, float width, out float along) {
 const SHADE = `
 uniform vec3 ramp[16], jog, air, ground;
 uniform vec2 depth;
+uniform vec3 cylinder;
 uniform float fade;
+// How high the tool was; on a cylinder (its axis in Y and Z, and a 1) as far out as it was.
+float height(vec3 p) { return cylinder.z > 0.5 ? length(p.yz - cylinder.xy) + cylinder.y : p.z; }
 vec3 shade(float z, uint kind) {
   float range = depth.x - depth.y, share = range > 1e-6 ? clamp((depth.x - z) / range, 0.0, 1.0) * 15.0 : 15.0;
   int low = int(floor(share));
@@ -46,7 +49,7 @@ flat out uint what;
 void main() {
   what = kind;
   gl_Position = corner(a, b, kind == 2u ? width.y : width.x, along);
-  colour = shade((gl_VertexID >= 2 ? b : a).z, kind);
+  colour = shade(height(gl_VertexID >= 2 ? b : a), kind);
 }`;
 
 // Flat values come from the last point of a line: the kind of the piece that ends there.
@@ -63,7 +66,7 @@ void main() {
   vec3 p = project(a);
   along = p.x + p.y;
   gl_Position = vec4(p.xy / (0.5 * view), nearness(p.z), 1.0);
-  colour = shade(a.z, kind);
+  colour = shade(height(a), kind);
 }`;
 
 const LINE_VERTEX = `#version 300 es
@@ -154,6 +157,7 @@ class GlPainter {
     gl.uniform3fv(at.ramp, colours.ramp.flat());
     for (const name of ["jog", "air", "ground"]) gl.uniform3fv(at[name], colours[name]);
     gl.uniform2f(at.depth, depth[0] - middle[2], depth[1] - middle[2]);
+    gl.uniform3f(at.cylinder, ...(this.motion.axis || [0, 0]), this.motion.axis ? 1 : 0);
     gl.uniform2f(at.width, 2 * pixel, 1.5 * pixel);
     gl.uniform1i(at.jogs, jogs);
     gl.uniform1f(at.dash, 10 * pixel);

@@ -21,6 +21,8 @@ class Motion {
     this.points = take(Float32Array, n ? 3 * (n + 1) : 0);
     // The same places on the cylinder of a rotary axis.
     this.rolled = facts.rolled ? take(Float32Array, n ? 3 * (n + 1) : 0) : null;
+    // Y and Z of its axis while the motion is drawn on it.
+    this.axis = null;
     this.lines = take(Uint32Array, n);
     this.timed = facts.times;
     const times = facts.times ? take(Float32Array, n) : null;
@@ -70,6 +72,11 @@ class Motion {
       ends[i] = sum;
     }
     return ends;
+  }
+
+  /** How high the tool was at a point; on a cylinder as far out as it was. */
+  height(y, z) {
+    return this.axis ? Math.hypot(y - this.axis[0], z - this.axis[1]) + this.axis[1] : z;
   }
 
   point(i) {

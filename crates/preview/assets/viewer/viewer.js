@@ -184,11 +184,10 @@ function toggleRotary() {
   if (!motion.rolled) return;
   state.rotary = !state.rotary;
   [motion.points, motion.rolled] = [motion.rolled, motion.points];
+  motion.axis = state.rotary ? [-facts.middle[1], facts.axis - facts.middle[2]] : null;
   [[facts.low, facts.high], facts.rolled] = [facts.rolled, [facts.low, facts.high]];
   [painter, otherPainter] = [otherPainter || newPainter(), painter];
   $("rotary").setAttribute("aria-pressed", state.rotary);
-  // On the cylinder height is not depth.
-  $("depth").hidden = state.rotary || !motion.count;
   fit();
 }
 

@@ -51,6 +51,8 @@ struct Facts<'a> {
     draw_tool: bool,
     /// Lowest and highest place of the motion on a cylinder, when it can be drawn there.
     rolled: Option<[[f64; 3]; 2]>,
+    /// Height of the cylinder's axis.
+    axis: Option<f64>,
     table: Option<Table>,
     light: Vec<String>,
     dark: Vec<String>,
@@ -130,6 +132,7 @@ fn facts<'a>(scene: &'a Scene, motion: &Motion) -> Facts<'a> {
         simulate: scene.simulate,
         draw_tool: scene.draw_tool,
         rolled: motion.rolled_box(),
+        axis: motion.axis_z(),
         table: table(scene),
         light: ramp(palette::depth_colour),
         dark: ramp(palette::depth_colour_on_dark),

@@ -96,6 +96,11 @@ impl Motion {
         (!self.rolled.is_empty()).then(|| [reach(f64::min), reach(f64::max)])
     }
 
+    /// Height of the axis of the cylinder, mm.
+    pub fn axis_z(&self) -> Option<f64> {
+        self.cylinder.map(|cylinder| cylinder.axis_z())
+    }
+
     fn start(&mut self, segment: &Segment, last: Option<[f64; 3]>, time: f32, turn_deg: f64) {
         match last {
             None => self.point(segment.from, turn_deg),

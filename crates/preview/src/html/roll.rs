@@ -1,8 +1,9 @@
 //! The motion on a cylinder about X, as a rotary axis turns it under the tool (command reference,
 //! VD and VP: rotary preview).
 //!
-//! Where cuts go below the surface, the surface is that of a blank as thick as the table's Z: the
-//! program does not tell its size (a guess). Else the axis lies at Z 0.
+//! Where cuts go below the surface, the surface is that of a blank as thick as VP says the table is
+//! in Z: no command tells how thick a blank is. Else the axis lies at Z 0. Seen from the axis a place is
+//! as far out as the tool was high, so that its distance tells the depth of the cut.
 
 use crate::scene::Scene;
 use kerf_geom::Bounds3;
@@ -32,6 +33,11 @@ impl Cylinder {
         let table = scene.table.map(|table| table.size_mm[2]);
         let blank_mm = table.filter(|z| z.is_finite() && *z > 0.0).unwrap_or(BLANK_MM);
         Some(Self { axis_z: if below { scene.surface_z_mm - 0.5 * blank_mm } else { 0.0 } })
+    }
+
+    /// Height of the axis, mm.
+    pub fn axis_z(&self) -> f64 {
+        self.axis_z
     }
 
     /// Where a place of the tool is on the work when that has turned so far.
@@ -64,6 +70,11 @@ mod tests {
         near([7.0, 0.0, -2.0], 90.0, [7.0, -48.0, -50.0]);
         near([7.0, 0.0, -2.0], 720.0, [7.0, 0.0, -2.0]);
         near([7.0, 0.0, -2.0], f64::NAN, [7.0, 0.0, -2.0]);
+        // As far out as the tool was high, however it is turned: what tells the depth.
+        for turn in [0.0, 33.0, 180.0, 271.0] {
+            let [_, y, z] = cylinder.roll([7.0, 0.0, -2.0], turn);
+            assert!((y.hypot(z - cylinder.axis_z()) + cylinder.axis_z() + 2.0).abs() < 1e-9);
+        }
         assert_eq!((Cylinder::chords(0.0), Cylinder::chords(-90.0)), (1, 30));
         assert_eq!((Cylinder::chords(f64::NAN), Cylinder::chords(1e300)), (1, 4096));
     }

@@ -12,7 +12,9 @@ static PARAMS: [ParamSpec; 8] = [
         .about("Between the lines drawn on the table."),
     ParamSpec::of("Table X", LENGTH, real!(view.table_mm[0])).within(Bound::Positive),
     ParamSpec::of("Table Y", LENGTH, real!(view.table_mm[1])).within(Bound::Positive),
-    ParamSpec::of("Table Z", LENGTH, real!(view.table_mm[2])).within(Bound::Positive),
+    ParamSpec::of("Table Z", LENGTH, real!(view.table_mm[2]))
+        .within(Bound::Positive)
+        .about("Also how thick a blank is that a rotary axis turns."),
     ParamSpec::of("Simulate cutting", SWITCH, flag!(view.simulate))
         .about("1 shows the cutting fast forward, 0 the whole path at once."),
     ParamSpec::of("Draw tool", SWITCH, flag!(view.draw_tool)),
