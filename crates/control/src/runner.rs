@@ -59,6 +59,8 @@ pub(crate) struct Runner<'a, I> {
     pub state: State,
     /// Where a run that was stopped comes back to.
     pub kept: Kept,
+    /// A job has switched off what it leaves.
+    settled: bool,
     /// What ended the run while the machine moved beside the program.
     pub ends: Option<Over>,
     /// The run is taken up: where the machine stands meanwhile.
@@ -112,6 +114,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             trail: Trail::default(),
             state: State::Idle,
             kept: Kept::default(),
+            settled: false,
             ends: None,
             reentry: None,
         }
@@ -237,16 +240,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             drop(self.flush());
         }
         self.trail.goes_on(self.interpreter.call_stack());
-        let mut last = Vec::new();
-        match over.status {
-            Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut last)),
-            Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut last)),
-            // A job leaves nothing on, however it ends.
-            _ if self.interpreter.takes_stops() => {
-                drop(self.interpreter.stop(&mut self.world, &mut last));
-            }
-            Status::Ok | Status::Ended | Status::Failed => {}
-        }
+        let last = self.last_commands(over.status);
         if let Some(diagnostic) = &over.diagnostic {
             self.world.tell_diagnostic((**diagnostic).clone());
             if !self.world.previews {
@@ -258,6 +252,23 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.drop_motion(over.status);
         last.into_iter().for_each(|sourced| self.world.perform(sourced.command));
         over
+    }
+
+    /// What the program does when its run ends. A job leaves nothing on, however it ends; that is settled
+    /// once.
+    pub(crate) fn last_commands(&mut self, status: Status) -> Vec<Sourced> {
+        let mut last = Vec::new();
+        let is_job = self.interpreter.takes_stops();
+        if is_job && std::mem::replace(&mut self.settled, true) {
+            return last;
+        }
+        match status {
+            Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut last)),
+            Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut last)),
+            _ if is_job => drop(self.interpreter.stop(&mut self.world, &mut last)),
+            Status::Ok | Status::Ended | Status::Failed => {}
+        }
+        last
     }
 
     /// Forgets moves that were not made. What does not belong to them is carried out: files that

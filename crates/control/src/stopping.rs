@@ -79,8 +79,7 @@ impl<I: Interpreter> Runner<'_, I> {
             Effect::ComeBack => self.come_back(),
             // A job knows what it leaves on: nothing.
             Effect::LeaveOutputs if self.interpreter.takes_stops() => {
-                let mut last = Vec::new();
-                drop(self.interpreter.stop(&mut self.world, &mut last));
+                let last = self.last_commands(Status::Stopped);
                 last.into_iter().for_each(|sourced| self.world.perform(sourced.command));
                 self.world.tell_log();
             }

@@ -4,50 +4,31 @@ mod drive;
 mod height;
 mod home;
 mod job;
+mod readings;
+mod switching;
 mod torch;
+
+pub use switching::WasOn;
 
 use crate::carriages::Carriages;
 use crate::follower::Follower;
-use crate::halt::{self, Halt, Watched};
 use crate::hand::Hand;
-use crate::heater::{self, Heater};
+use crate::heater::Heater;
 use crate::independent::Spin;
-use crate::inputs::{CABLE, Change, Inputs, STALL};
+use crate::inputs::{CABLE, Inputs, STALL};
 use crate::laser;
 use crate::log::{Log, What};
 use crate::motors::Motors;
-use crate::outputs::{MOTION_OUTPUT, Occasion, Outputs, switched};
+use crate::outputs::Outputs;
 use crate::scene::Touch;
 use crate::sheet::Sheet;
 use crate::trigger;
 use kerf_motion::{Plan, Span};
-use kerf_program::settings::{LINES, Mode, SWITCHES};
+use kerf_program::settings::Mode;
 use kerf_program::{
     AXES, Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Independent, OutputReason, Settings,
 };
 use std::sync::Arc;
-
-/// The PWM channel of the heater.
-const HEATER_CHANNEL: u8 = 1;
-
-/// The outputs of the spindles.
-const SPINDLES: [u8; 2] = [1, 2];
-
-/// What was on when the power went off.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct WasOn {
-    /// Outputs, by number.
-    pub outputs: Vec<u8>,
-    /// The PWM channel.
-    pub pwm_percent: f64,
-}
-
-impl WasOn {
-    /// Whether a spindle is among it: outputs 1 and 2, or the speed that a PWM channel sets.
-    pub fn turns(&self) -> bool {
-        self.outputs.iter().any(|n| SPINDLES.contains(n)) || self.pwm_percent > 0.0
-    }
-}
 
 /// A simulated machine. See the [crate] for what it does.
 #[derive(Clone, Debug)]
@@ -222,11 +203,6 @@ impl Machine {
         &self.settings
     }
 
-    /// What an input, 1 … 12, reads.
-    pub fn input(&self, number: u8) -> bool {
-        self.inputs.reads(number, &self.settings.io)
-    }
-
     /// The outputs.
     pub const fn outputs(&self) -> &Outputs {
         &self.outputs
@@ -256,20 +232,6 @@ impl Machine {
             self.pwm(laser::CHANNEL, 0.0);
         }
         self.heat(self.clock_s);
-    }
-
-    /// The heater is held at its temperature, or cools.
-    fn heat(&mut self, to_s: f64) {
-        let (mut heater, height) = (self.heater, self.settings.height);
-        if heater::active(&height, &self.settings.io) {
-            heater.hold(to_s, &height, |t_s, percent| self.pwm_at(t_s, HEATER_CHANNEL, percent));
-        } else {
-            if heater.heats() {
-                self.pwm(HEATER_CHANNEL, 0.0);
-            }
-            heater.cool(to_s);
-        }
-        self.heater = heater;
     }
 
     /// Temperature of the heater, degrees.
@@ -304,94 +266,6 @@ impl Machine {
         }
     }
 
-    /// A part file starts.
-    pub fn begin_file(&mut self) {
-        self.begin_lines();
-        self.by_mode(Occasion::Start, OutputReason::Mode);
-    }
-
-    /// Lines that somebody typed begin.
-    pub fn begin_lines(&mut self) {
-        self.advance(self.clock_s);
-        self.overridden = false;
-    }
-
-    /// The part file is over.
-    pub fn end_file(&mut self) {
-        self.end_lines();
-        self.by_mode(Occasion::End, OutputReason::End);
-    }
-
-    /// Lines that somebody typed are over: outputs stay as they are.
-    pub fn end_lines(&mut self) {
-        self.set_light(false);
-        self.land_torch();
-        self.overridden = false;
-    }
-
-    /// Motion was stopped: outputs do what their modes say.
-    pub fn stopped(&mut self) {
-        if matches!(self.settings.io.output4, -2 | -3) {
-            self.output(MOTION_OUTPUT, false, OutputReason::Stop);
-        }
-        self.come_back = self.outputs_of_mode_2();
-        self.by_mode(Occasion::Stop, OutputReason::Stop);
-    }
-
-    /// A motor has stalled.
-    pub fn stalled(&mut self) {
-        if self.settings.io.output4 == -3 {
-            self.output(MOTION_OUTPUT, false, OutputReason::Stop);
-        }
-    }
-
-    /// Spindles and axes that move by themselves stop. Tells which spindles turned.
-    pub fn stop_spindles(&mut self) -> Vec<u8> {
-        self.spins_off();
-        let turned: Vec<u8> = SPINDLES.into_iter().filter(|n| self.outputs.is_on(*n)).collect();
-        turned.iter().for_each(|number| self.output(*number, false, OutputReason::Stop));
-        turned
-    }
-
-    /// Every output goes off.
-    pub fn outputs_off(&mut self) {
-        self.set_light(false);
-        self.all_off(OutputReason::Stop);
-        self.pwm(HEATER_CHANNEL, 0.0);
-    }
-
-    fn outputs_of_mode_2(&self) -> Vec<u8> {
-        let pauses = |n: &u8| self.settings.io.outputs[usize::from(*n) - 1] == 2;
-        (1..=SWITCHES as u8).filter(pauses).filter(|n| self.outputs.is_on(*n)).collect()
-    }
-
-    /// Motion goes on after a stop.
-    pub fn resumed(&mut self) {
-        for number in std::mem::take(&mut self.come_back) {
-            self.output(number, true, OutputReason::Mode);
-        }
-        self.by_mode(Occasion::Resume, OutputReason::Mode);
-    }
-
-    /// The power was off: nothing is on, and it stands somewhere. Tells what was on, but for what comes
-    /// back by itself: the output that follows motion and the one that the trigger switches.
-    pub fn restart(&mut self, position: Axes) -> WasOn {
-        self.position = position;
-        self.motors.say(self.true_position());
-        self.light = false;
-        let pwm_percent = std::mem::take(&mut self.pwm_percent);
-        (self.beam, self.intensity) = (Beam::Off, (0, false));
-        (self.law, self.follower) = (None, Follower::default());
-        let outputs = std::mem::take(&mut self.outputs);
-        let trigger = &self.settings.cutter.trigger;
-        let by_itself = |n: u8| {
-            n == MOTION_OUTPUT && self.settings.io.output4 != -4
-                || trigger.active && n == trigger.output
-        };
-        let on = |n: &u8| outputs.is_on(*n) && !by_itself(*n);
-        WasOn { outputs: (1..=SWITCHES as u8).filter(on).collect(), pwm_percent }
-    }
-
     /// It stands there, without having gone there: what led there has happened before.
     pub const fn put(&mut self, position: Axes) {
         self.position = position;
@@ -400,25 +274,6 @@ impl Machine {
     /// Limits do not stop motion any more, until the file ends.
     pub const fn override_limits(&mut self) {
         self.overridden = true;
-    }
-
-    /// Switches an output.
-    pub fn output(&mut self, number: u8, on: bool, why: OutputReason) {
-        self.output_at(self.clock_s, number, on, why);
-    }
-
-    /// Sets the PWM channel.
-    pub fn pwm(&mut self, channel: u8, percent: f64) {
-        self.pwm_at(self.clock_s, channel, percent);
-    }
-
-    /// Sets the speed of a spindle.
-    pub fn spindle(&mut self, number: u8, rpm: f64) {
-        if self.draws() {
-            return;
-        }
-        let on = self.outputs.is_on(number);
-        self.log.add(self.clock_s, What::Spindle { number, rpm, on });
     }
 
     /// Lets an axis move beside the others.
@@ -444,17 +299,6 @@ impl Machine {
         }
     }
 
-    fn all_off(&mut self, why: OutputReason) {
-        for number in 1..=LINES as u8 {
-            self.output(number, false, why);
-        }
-    }
-
-    /// Ends the warning until the next motion (WARNING OFF, a question to the operator).
-    pub fn warning_off(&mut self) {
-        self.set_light(false);
-    }
-
     /// Lets the clock run to a time; inputs change on the way.
     pub fn advance(&mut self, to_s: f64) {
         while let Some(change) = self.inputs.step(to_s, &self.settings.io) {
@@ -477,70 +321,6 @@ impl Machine {
         }
         self.clock_s = self.clock_s.max(to_s);
         self.heat(self.clock_s);
-    }
-
-    /// Somebody moves the switch of an input, now or at a moment of the motion under way; it stays
-    /// there, also for the next run.
-    pub fn press(&mut self, change: Change) {
-        let at_s = change.at_s.max(self.clock_s);
-        self.inputs.press(Change { at_s, ..change });
-        self.advance(self.clock_s);
-    }
-
-    /// Switches that somebody moved by hand, and where they were left.
-    pub fn switches(&self) -> Vec<(u8, bool)> {
-        self.inputs.moved_by_hand()
-    }
-
-    /// The same machine, whose switches somebody has left like this.
-    #[must_use]
-    pub fn with_switches(mut self, switches: &[(u8, bool)]) -> Self {
-        for (input, on) in switches {
-            self.press(Change { input: *input, on: *on, at_s: self.clock_s });
-        }
-        self.log.take().for_each(drop);
-        self
-    }
-
-    /// When an input reads a state: now, or at the time of a later change. `None` for never.
-    pub fn when_input(&self, number: u8, on: bool) -> Option<f64> {
-        self.inputs.when(number, on, self.clock_s, &self.settings.io)
-    }
-
-    /// When an input changes to a state the next time. `None` for never.
-    pub fn when_pressed(&self, number: u8, on: bool) -> Option<f64> {
-        let (now, modes) = (self.clock_s, &self.settings.io);
-        let rests_s = self.inputs.when(number, !on, now, modes)?;
-        self.inputs.when(number, on, rests_s, modes)
-    }
-
-    /// The first change of an input up to a time that stops motion, or a program that waits.
-    pub fn first_halt(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
-        if self.draws() {
-            return None;
-        }
-        halt::first(&self.inputs, until_s, &self.settings.io, watches, !self.overridden)
-    }
-
-    /// A stop input that forbids motion now.
-    pub fn stop_input(&self) -> Option<u8> {
-        if self.draws() {
-            return None;
-        }
-        self.inputs.stopping(&self.settings.io)
-    }
-
-    /// Whether the controller answers. What is only drawn needs none.
-    pub fn is_connected(&self) -> bool {
-        let Settings { driver, controller, io, .. } = &*self.settings;
-        let answers = controller.is_simulated(driver.port) && self.inputs.reads(CABLE, io);
-        self.draws() || answers
-    }
-
-    /// An open enclosure that forbids motion and spindles now: the input that tells it.
-    pub fn open_enclosure(&self) -> Option<u8> {
-        let interlock = self.settings.io.interlock?;
-        (!self.draws() && self.input(interlock)).then_some(interlock)
     }
 
     /// Motion is about to start: the warning comes first. Returns when motion starts, seconds.
@@ -590,39 +370,6 @@ impl Machine {
         let height = self.settings.height;
         if laser::active(&height, &self.settings.io) {
             self.pwm(laser::CHANNEL, height.low_percent);
-        }
-    }
-
-    fn by_mode(&mut self, occasion: Occasion, why: OutputReason) {
-        let io = self.settings.io;
-        for (number, on) in switched(&io, occasion) {
-            self.output(number, on, why);
-        }
-    }
-
-    fn set_light(&mut self, on: bool) {
-        if std::mem::replace(&mut self.light, on) == on {
-            return;
-        }
-        self.log.add(self.clock_s, What::Light(on));
-        if self.settings.io.output4 != -4 {
-            self.output(MOTION_OUTPUT, on, OutputReason::Motion);
-        }
-    }
-
-    fn output_at(&mut self, t_s: f64, number: u8, on: bool, why: OutputReason) {
-        let given = self.settings.driver.enabled || !on;
-        if !self.draws() && given && self.outputs.set(number, on) {
-            self.log.add(t_s, What::Output { number, on, why });
-            self.release_jig(t_s, number, on);
-        }
-    }
-
-    fn pwm_at(&mut self, t_s: f64, channel: u8, percent: f64) {
-        if !self.draws() && (self.pwm_percent - percent).abs() > 1e-9 {
-            self.pwm_percent = percent;
-            let frequency_khz = self.settings.height.frequency_khz;
-            self.log.add(t_s, What::Pwm { channel, percent, frequency_khz });
         }
     }
 }
