@@ -11,6 +11,7 @@ use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt};
 use std::os::unix::process::CommandExt;
 use std::process::Command;
+use std::time::{Duration, SystemTime};
 
 /// A machine that stands at X 5.
 fn shop() -> Shop {
@@ -140,11 +141,11 @@ fn a_damaged_page_is_told_and_rescued() {
     assert!(!again.err().contains("damaged"), "{}", again.err());
 }
 
-/// Kills a job in the middle of its cut; it runs in real time.
-fn killed_job(shop: &Shop) {
+/// Kills a job in the middle of its cut; it runs in real time, by the clock of a zone.
+fn killed_job(shop: &Shop, zone: &str) {
     let mut command = shop.command();
     let args = "run many.svg --config repeated.toml --pace real --quiet";
-    let mut job = command.args(args.split_whitespace()).spawn().unwrap();
+    let mut job = command.args(args.split_whitespace()).env("TZ", zone).spawn().unwrap();
     let journal = shop.file("data/journal.db-wal");
     let moves = || fs::read(&journal).is_ok_and(|b| b.windows(13).any(|w| w == b"\"moving\":true"));
     while !moves() {
@@ -158,14 +159,14 @@ fn killed_job(shop: &Shop) {
 fn a_job_is_taken_up_from_a_damaged_journal_or_says_why_not() {
     for page in 1..9 {
         let shop = shop();
-        killed_job(&shop);
+        killed_job(&shop, "UTC0");
         shop.kerf("send UD --quiet").exits(0);
         let file = shop.file("data/journal.db");
         let mut bytes = fs::read(&file).unwrap();
         let Some(part) = bytes.get_mut(page * 4096..(page + 1) * 4096) else { break };
         part.fill(0x77);
         fs::write(&file, bytes).unwrap();
-        let run = shop.kerf("run --resume --quiet --trace t");
+        let run = shop.kerf("run --resume --trace t");
         assert!(!run.err().contains("panicked"), "page {page}: {}", run.err());
         let cuts = || shop.read("t").matches("\"to\":{\"x\":899,").count();
         let taken_up = run.err().contains("was cut short at shape") && cuts() == 12;
@@ -173,6 +174,37 @@ fn a_job_is_taken_up_from_a_damaged_journal_or_says_why_not() {
             || run.err().contains("no run was cut short");
         assert!(taken_up || told, "page {page}: {}\n{}", run.out(), run.err());
         shop.kerf("run x.sbp --quiet").exits(0);
+    }
+}
+
+/// Whatever was kept was written so many seconds after 1970, as the files say: the clock was put since.
+fn kept_at(shop: &Shop, seconds: u64) {
+    let time = SystemTime::UNIX_EPOCH + Duration::from_secs(seconds);
+    for entry in fs::read_dir(shop.file("data")).unwrap().map(Result::unwrap) {
+        if entry.file_type().unwrap().is_file() {
+            fs::File::options().write(true).open(entry.path()).unwrap().set_modified(time).unwrap();
+        }
+    }
+}
+
+/// A century ahead, the beginning of time, and a day there and back by the clock on the wall.
+#[test]
+fn a_clock_that_jumps_loses_nothing() {
+    for (seconds, before, after) in [(4_100_000_000, "A-14", "B12"), (0, "A12", "B-14")] {
+        let shop = shop();
+        killed_job(&shop, before);
+        kept_at(&shop, seconds);
+        let mut command = shop.command();
+        let args = "run --resume --trace t";
+        let run = Did::of(command.args(args.split_whitespace()).env("TZ", after).output().unwrap());
+        run.exits(0).complains("was cut short");
+        assert_eq!(shop.read("t").matches("\"to\":{\"x\":899,").count(), 12, "{}", run.out());
+        kept_at(&shop, seconds);
+        let mut command = shop.command();
+        let next = Did::of(command.args(["run", "a.sbp"]).env("TZ", before).output().unwrap());
+        next.exits(0).says("ran to its end");
+        assert_eq!(x(&shop), "7");
+        shop.kerf("run --resume").exits(1).complains("no run was cut short");
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::{
     Asked, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound, Speeds, StartUp, Units,
-    Who,
+    NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound, Speeds, StartUp,
+    Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -54,11 +54,7 @@ impl Context<'_> {
     }
 
     /// A two-letter command: its arguments, then its effect.
-    fn command(
-        &mut self,
-        spec: &'static CommandSpec,
-        args: &[Arg],
-    ) -> Result<(), Stop> {
+    fn command(&mut self, spec: &'static CommandSpec, args: &[Arg]) -> Result<(), Stop> {
         self.refuse_protected(spec)?;
         let arguments = Arguments::evaluate(self, spec, args)?;
         if spec.stack == Stack::Ends {

@@ -89,7 +89,11 @@ pub(super) static SV: CommandSpec = plain(
         }
         if c.core.options.protected {
             let hint = "give the password of the settings with the run";
-            c.warn(Code::KeptProtected, "the settings are protected: these values end with the file", hint);
+            c.warn(
+                Code::KeptProtected,
+                "the settings are protected: these values end with the file",
+                hint,
+            );
             return Ok(());
         }
         c.core.kept = c.core.settings.clone();
