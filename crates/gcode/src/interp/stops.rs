@@ -62,7 +62,8 @@ impl Context<'_> {
     /// M0, M1, M2, M30, M60, M98, M99.
     pub(super) fn stop(&mut self, g: &Gathered) -> Result<(), Stop> {
         match g.m[STOP] {
-            Some(0 | 60) => self.hold("program stop (M0)"),
+            Some(0) => self.hold("program stop (M0)"),
+            Some(60) => self.hold("program stop (M60)"),
             Some(1) if self.core.options.optional_stop => self.hold("optional stop (M1)"),
             Some(2 | 30) => self.end_program(),
             Some(98) => self.call_numbered(g),

@@ -2,7 +2,7 @@
 //! path's slope is a polynomial.
 
 use super::kernel::{CORNER, Kernel, PARTS};
-use super::planner::padded;
+use super::lanes::padded;
 use super::track::{Track, norm};
 use crate::moves::Move;
 

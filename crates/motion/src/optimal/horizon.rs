@@ -15,16 +15,16 @@
 //! Should no way be found from there, the rest of the window before is run as it is, to its stand.
 
 use super::cells::{Cell, Cells, Known, feed_cap};
+use super::found::Found;
 use super::grid::{End, Window, guide};
-use super::jerk::Problem;
 use super::kernel::Kernel;
 use super::launch::Launch;
-use super::pieces::Piece;
+use super::problem::Problem;
 use super::reach::Bounds;
 use super::scurve::phases;
 use super::speeds::Node;
-use super::timed::{Push, swing};
 use super::track::Track;
+use super::ways::{Begin, Way};
 use super::widths::Smoothing;
 use crate::moves::Move;
 use kerf_program::Dynamics;
@@ -54,27 +54,6 @@ const KEPT: f64 = 0.4;
 /// Cells among which the end of a window is looked for.
 const ENDS: usize = 8;
 
-/// Pieces that differ by no more than this share are the same.
-const SAME: f64 = 1e-6;
-
-/// Newton's steps in search of a time; each doubles the digits.
-const NEWTON: u32 = 8;
-
-/// A piece of path with the Bézier ordinates of the squared speed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Way {
-    pub h: f64,
-    pub x: [f64; 3],
-}
-
-/// How the path goes on where a window begins.
-#[derive(Clone, Debug)]
-enum Begin {
-    Rest,
-    /// In motion, by ways that are within the limits; to rest, if they lead there.
-    Motion(Vec<Way>, Option<Launch>),
-}
-
 /// Speeds along the path of a stack.
 #[derive(Clone, Debug)]
 pub(crate) struct Horizon<const N: usize> {
@@ -96,8 +75,7 @@ pub(crate) struct Horizon<const N: usize> {
     /// A window is looked for when so many cells are known.
     enough: usize,
     long: f64,
-    pub nodes: Vec<Node>,
-    pub pushes: Vec<Push>,
+    pub found: Found,
     /// No way was found from the motion with which it began.
     pub lost: bool,
 }
@@ -119,17 +97,15 @@ impl<const N: usize> Horizon<N> {
             begin: Begin::Rest,
             enough: LEAST,
             long: LONG,
-            nodes: vec![Node { at_mm: 0.0, v: 0.0, t_s: 0.0 }],
-            pushes: vec![Push { accel: 0.0, jerk: None }],
+            found: Found::at_rest(),
             lost: false,
         }
     }
 
     /// In motion from a place on, where ways within the limits begin.
     pub fn begin_at(&mut self, at_mm: f64, ways: Vec<Way>) {
-        let Some(Way { h, x }) = ways.first().copied() else { return };
-        self.nodes = vec![Node { at_mm, v: x[0].sqrt(), t_s: 0.0 }];
-        self.pushes = vec![Push { accel: (x[1] - x[0]) / h, jerk: None }];
+        let Some(way) = ways.first() else { return };
+        self.found = Found::in_motion(at_mm, way);
         self.from_mm = at_mm;
         self.begin = Begin::Motion(ways, None);
         (self.long, self.enough) = (SHORT, LEAST_SHORT);
@@ -151,8 +127,7 @@ impl<const N: usize> Horizon<N> {
             begin: self.begin.clone(),
             enough: self.enough,
             long: self.long,
-            nodes: std::mem::take(&mut self.nodes),
-            pushes: std::mem::take(&mut self.pushes),
+            found: std::mem::take(&mut self.found),
             lost: self.lost,
         }
     }
@@ -259,28 +234,28 @@ impl<const N: usize> Horizon<N> {
             begin,
             end,
         };
-        let kept = self.kept(KEPT * brakes_mm);
+        let kept = self.begin.kept(KEPT * brakes_mm);
         let lengths: Vec<f64> = kept.iter().map(|way| way.h).collect();
         let pieces = window.pieces(&lengths);
         let (accel, jerk, kept) = (self.bounds.accel, self.jerk, lengths.len());
-        let before = self.before(first.at_mm, &pieces);
+        let before = self.begin.before(first.at_mm, &pieces);
         let gap = if self.is_short() { GAP_SHORT } else { GAP };
         let problem =
             Problem { pieces: &pieces, accel, jerk, begin, end, before: &before, kept, gap };
         let Some(ordinates) = problem.solve() else { return self.give_up(first.at_mm, ended) };
         if let End::Rest(launch) = begin {
-            self.launch(launch, ordinates[0][0]);
+            self.found.launch(launch, ordinates[0][0]);
         }
         let ways: Vec<Way> = pieces.iter().zip(ordinates).map(|(p, x)| Way { h: p.h, x }).collect();
         let final_mm = end_mm - brakes_mm;
         let count = pieces.partition_point(|p| p.at_mm + p.h <= final_mm);
         let count = count.clamp(1, ways.len().saturating_sub(2).max(1));
         if ended || count >= ways.len() {
-            self.go(&ways);
+            self.found.go(&ways);
             self.land(end, end_mm);
             return Some(end_mm);
         }
-        self.go(&ways[..count]);
+        self.found.go(&ways[..count]);
         self.begin = Begin::Motion(ways[count..].to_vec(), Some(end));
         Some(pieces[count].at_mm)
     }
@@ -288,36 +263,6 @@ impl<const N: usize> Horizon<N> {
     /// Whether windows are short, to be ready soon.
     fn is_short(&self) -> bool {
         self.long < LONG
-    }
-
-    /// The first ways of the motion with which it begins.
-    fn kept(&self, way_mm: f64) -> &[Way] {
-        let Begin::Motion(ways, _) = &self.begin else { return &[] };
-        let mut at = 0.0;
-        let count = ways.iter().take_while(|way| {
-            at += way.h;
-            at <= way_mm
-        });
-        &ways[..count.count()]
-    }
-
-    /// The squared speeds, in the middle of pieces, of the motion with which it begins.
-    fn before(&self, at_mm: f64, pieces: &[Piece<N>]) -> Vec<f64> {
-        let Begin::Motion(ways, _) = &self.begin else { return Vec::new() };
-        let (mut ways, mut at) = (ways.iter().peekable(), at_mm);
-        let sample = |piece: &Piece<N>| {
-            let middle = piece.at_mm + 0.5 * piece.h;
-            while let Some(way) = ways.next_if(|way| at + way.h <= middle) {
-                at += way.h;
-            }
-            let way = ways.peek()?;
-            if (at - piece.at_mm).abs() < SAME * way.h && (way.h - piece.h).abs() < SAME * way.h {
-                return Some(way.x[1]);
-            }
-            let (u, [a, b, c]) = ((middle - at) / way.h, way.x);
-            Some((1.0 - u) * ((1.0 - u) * a + 2.0 * u * b) + u * u * c)
-        };
-        pieces.iter().map_while(sample).collect()
     }
 
     /// How long braking takes from the greatest speed without a limit of jerk, mm.
@@ -346,7 +291,7 @@ impl<const N: usize> Horizon<N> {
             self.long *= LONGER;
             return None;
         }
-        self.go(&ways);
+        self.found.go(&ways);
         let at_mm = at_mm + ways.iter().map(|way| way.h).sum::<f64>();
         let Some(end) = end else {
             self.lost = true;
@@ -380,66 +325,16 @@ impl<const N: usize> Horizon<N> {
         let [v, a, j] = [&self.bounds.speed, &self.bounds.accel, &self.jerk].map(most);
         let feed = feed_cap(&moves[cell.owner as usize], &cell.frame.slope).sqrt();
         for phase in phases(cell.h, v.min(feed), a, j) {
-            self.push(phase.duration_s, phase.jerk);
+            self.found.push(phase.duration_s, phase.jerk);
         }
-        if let Some(end) = self.nodes.last_mut() {
-            // Sums of phases are rounded; the end of a run is a vertex, and at rest.
-            (end.at_mm, end.v) = (cell.at_mm + cell.h, 0.0);
-        }
-        self.stand();
+        self.found.stand(cell.at_mm + cell.h);
         self.cells.clear();
         true
     }
 
-    /// Goes on with constant jerk.
-    fn push(&mut self, t: f64, jerk: f64) {
-        let (Some(node), Some(push)) = (self.nodes.last(), self.pushes.last_mut()) else { return };
-        let accel = push.accel;
-        push.jerk = Some(jerk);
-        self.nodes.push(Node {
-            at_mm: node.at_mm + t * (node.v + t * (0.5 * accel + t * jerk / 6.0)),
-            v: node.v + t * (accel + 0.5 * t * jerk),
-            t_s: node.t_s + t,
-        });
-        self.pushes.push(Push { accel: accel + t * jerk, jerk: None });
-    }
-
-    fn stand(&mut self) {
-        if let Some(last) = self.pushes.last_mut() {
-            *last = Push { accel: 0.0, jerk: None };
-        }
-    }
-
-    /// From rest to a squared speed.
-    fn launch(&mut self, launch: Launch, x: f64) {
-        let (Some(node), Some(push)) = (self.nodes.last(), self.pushes.last_mut()) else { return };
-        push.jerk = Some(launch.jerk(x));
-        let t_s = node.t_s + launch.takes_s(x);
-        self.nodes.push(Node { at_mm: node.at_mm + launch.way_mm, v: x.sqrt(), t_s });
-        self.pushes.push(Push { accel: 0.0, jerk: None });
-    }
-
-    /// Ways in motion.
-    fn go(&mut self, ways: &[Way]) {
-        for way in ways {
-            let (Some(node), Some(push)) = (self.nodes.last_mut(), self.pushes.last_mut()) else {
-                return;
-            };
-            node.v = way.x[0].sqrt();
-            *push = Push { accel: (way.x[1] - way.x[0]) / way.h, jerk: None };
-            let (at_mm, t_s) = (node.at_mm + way.h, node.t_s + takes_s(&way.x, way.h));
-            self.nodes.push(Node { at_mm, v: way.x[2].sqrt(), t_s });
-            self.pushes.push(Push { accel: (way.x[2] - way.x[1]) / way.h, jerk: None });
-        }
-    }
-
     /// To rest at a place.
     fn land(&mut self, end: Launch, at_mm: f64) {
-        let (Some(node), Some(push)) = (self.nodes.last(), self.pushes.last_mut()) else { return };
-        let x = node.v * node.v;
-        push.jerk = Some(end.jerk(x));
-        self.nodes.push(Node { at_mm, v: 0.0, t_s: node.t_s + end.takes_s(x) });
-        self.pushes.push(Push { accel: 0.0, jerk: None });
+        self.found.land(end, at_mm);
         (self.begin, self.long, self.enough) = (Begin::Rest, LONG, LEAST);
     }
 
@@ -465,18 +360,4 @@ impl<const N: usize> Horizon<N> {
             cell.owner = cell.owner.saturating_sub(first as u32);
         }
     }
-}
-
-/// Time over a piece, by Newton's method from the mean of the speeds at its ends.
-fn takes_s(x: &[f64; 3], h: f64) -> f64 {
-    let start = Node { at_mm: 0.0, v: x[0].sqrt(), t_s: 0.0 };
-    let (a0, a1) = ((x[1] - x[0]) / h, (x[2] - x[1]) / h);
-    let mut t = 2.0 * h / (start.v + x[2].sqrt());
-    for _ in 0..NEWTON {
-        let here = swing(&start, a0, (a1 - a0) / h, t);
-        if here.v > 0.0 {
-            t = (t + (h - here.at_mm) / here.v).max(0.5 * t);
-        }
-    }
-    t
 }

@@ -9,29 +9,35 @@
 //! ([`horizon`]), each as a convex problem ([`jerk`]). All of it happens while the moves are read
 //! ([`planner`]).
 
+mod barriers;
 mod cells;
 mod choice;
 mod condition;
+mod cut;
+mod found;
 mod grid;
 mod horizon;
 mod jerk;
 mod kernel;
+mod lanes;
 mod launch;
 mod newton;
 mod pieces;
 mod planner;
+mod problem;
 mod reach;
 mod scurve;
 mod speeds;
 mod timed;
 mod track;
 mod walk;
+mod ways;
 mod widths;
 
-pub(crate) use horizon::Way;
 pub(crate) use planner::Running;
 pub(crate) use speeds::Node;
 pub(crate) use timed::Timed;
+pub(crate) use ways::Way;
 
 use crate::moves::Move;
 use crate::plan::Plan;

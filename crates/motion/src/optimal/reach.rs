@@ -7,7 +7,7 @@
 //! interval, and the passes over a grid are exact for it.
 
 use super::cells::{Cell, feed_cap};
-use super::planner::padded;
+use super::lanes::padded;
 use crate::moves::Move;
 use kerf_program::Dynamics;
 

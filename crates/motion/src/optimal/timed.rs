@@ -1,9 +1,9 @@
 //! A smoothed path with its times: where every axis is at time t.
 
-use super::horizon::Way;
 use super::kernel::Kernel;
 use super::speeds::Node;
 use super::track::Track;
+use super::ways::Way;
 use crate::moves::Move;
 use crate::plan::State;
 use kerf_program::{AXES, Axes, Dynamics};

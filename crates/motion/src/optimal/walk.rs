@@ -2,7 +2,7 @@
 //! begins or ends its curvature is constant.
 
 use super::cells::{Cell, Frame};
-use super::planner::padded;
+use super::lanes::padded;
 use super::track::Track;
 use super::widths::Smoothing;
 use crate::moves::Move;

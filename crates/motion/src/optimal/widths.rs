@@ -9,7 +9,7 @@
 //! smoothed while it is read.
 
 use super::kernel::Kernel;
-use super::planner::padded;
+use super::lanes::padded;
 use super::track::{Track, norm};
 use crate::moves::Move;
 use std::mem::take;

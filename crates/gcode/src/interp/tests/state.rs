@@ -59,9 +59,9 @@ fn spindle_coolant_and_modes() {
 
 #[test]
 fn stops_ask_the_operator() {
-    let ran = run("G21⏎(MSG,turn it over)⏎M0⏎G0 X1⏎M1⏎T3 M6⏎T3 M6⏎M30⏎G0 X9");
+    let ran = run("G21⏎(MSG,turn it over)⏎M0⏎G0 X1⏎M1⏎T3 M6⏎T3 M6⏎M60⏎M30⏎G0 X9");
     let asked: Vec<&str> = ran.host.asked.iter().map(|q| q.text.as_str()).collect();
-    assert_eq!(asked, ["program stop (M0)", "put in tool 3"]);
+    assert_eq!(asked, ["program stop (M0)", "put in tool 3", "program stop (M60)"]);
     assert_eq!((ran.path().as_str(), ran.status), ("J1,0,0", Status::Ok));
     let host = FakeHost { answers: vec![Answer::Button(Button::Cancel)], ..FakeHost::default() };
     let ran = run_with("G21 G0 X1⏎M0⏎G0 X2", host, metric(), Options::default());
