@@ -173,8 +173,7 @@ impl Follower {
         if items.last().is_some_and(above) {
             items.pop();
         }
-        let usual =
-            ["Continue?", "program stop (M0)", "optional stop (M1)", "program stop (M60)"];
+        let usual = ["Continue?", "program stop (M0)", "optional stop (M1)", "program stop (M60)"];
         let text = if usual.contains(&question.text.as_str()) { "" } else { &question.text };
         items.push(Item::Hold(Hold { at, text: text.into(), until: question.until }));
         if let Some(decided) = decided {
