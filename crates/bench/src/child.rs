@@ -4,7 +4,7 @@
 //! far, and counts what its parent had when it was started. So this program starts itself, small and
 //! fresh, for each run, and that process starts `kerf`.
 
-use crate::figure::{Figure, Goal, RUNS, Spread};
+use crate::figure::{self, Figure, Goal, Spread};
 use crate::inputs::Input;
 use crate::usage::{self, Usage};
 use anyhow::{Context, Result, ensure};
@@ -46,22 +46,38 @@ pub fn figures(input: &Input) -> Result<Vec<Figure>> {
             (stage == "kerf time" && input.name == "m3-1m").then_some(Goal::Within(0.5, 300e6));
         let mut words = vec![OsStr::new(command)];
         words.extend(arguments.iter().map(|path| path.as_os_str()));
+        let what = What { input: input.name, stage, count: lines, unit: "lines", goal };
         let kerf = own()?.with_file_name("kerf");
-        let taken = (0..=RUNS).map(|_| run(&kerf, &words, folder.path()));
-        let taken = taken.skip(1).collect::<Result<Vec<_>>>()?;
-        let spread = |f: fn(&Taken) -> f64| Spread::of(taken.iter().map(f).collect());
-        figures.push(Figure {
-            input: input.name,
-            stage,
-            count: lines,
-            unit: "lines",
-            cpu_s: spread(|t| t.cpu_s),
-            wall_s: spread(|t| t.seconds),
-            peak: Some(spread(|t| t.peak).median),
-            goal,
-        });
+        figures.push(what.measured(figure::RUNS, || run(&kerf, &words, folder.path()))?);
     }
     Ok(figures)
+}
+
+/// What is measured in processes of their own.
+pub struct What {
+    /// The input.
+    pub input: &'static str,
+    /// What is done with it.
+    pub stage: &'static str,
+    /// How many.
+    pub count: u64,
+    /// Of what.
+    pub unit: &'static str,
+    /// What is asked of it.
+    pub goal: Option<Goal>,
+}
+
+impl What {
+    /// The figure of so many runs after one to warm up.
+    pub fn measured(self, runs: usize, run: impl Fn() -> Result<Taken>) -> Result<Figure> {
+        run()?;
+        let taken = (0..runs).map(|_| run()).collect::<Result<Vec<_>>>()?;
+        let spread = |of: fn(&Taken) -> f64| Spread::of(taken.iter().map(of).collect());
+        let Self { input, stage, count, unit, goal } = self;
+        let (cpu_s, wall_s) = (spread(|t| t.cpu_s), spread(|t| t.seconds));
+        let peak = Some(spread(|t| t.peak).median);
+        Ok(Figure { input, stage, count, unit, cpu_s, wall_s, peak, goal })
+    }
 }
 
 /// Where this program is; `kerf` lies beside it.

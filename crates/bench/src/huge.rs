@@ -1,7 +1,7 @@
 //! A program of ten million lines: how soon it moves, how long its estimate takes, in how much memory.
 
-use crate::child;
-use crate::figure::{Figure, Goal, Spread};
+use crate::child::{self, What};
+use crate::figure::{Figure, Goal};
 use anyhow::{Context, Result};
 use std::ffi::OsStr;
 use std::fs::File;
@@ -53,19 +53,8 @@ fn figure(file: &Path, stage: &'static str, words: &[&str], goal: Option<Goal>) 
     let mut arguments: Vec<&OsStr> = words.iter().map(OsStr::new).collect();
     arguments.push(file.as_os_str());
     let folder = file.parent().unwrap_or(file);
-    let run = |_| child::run(&kerf, &arguments, folder);
-    let taken = (0..=RUNS).map(run).skip(1).collect::<Result<Vec<_>>>()?;
-    let spread = |f: fn(&child::Taken) -> f64| Spread::of(taken.iter().map(f).collect());
-    Ok(Figure {
-        input: NAME,
-        stage,
-        count: u64::from(LINES),
-        unit: "lines",
-        cpu_s: spread(|t| t.cpu_s),
-        wall_s: spread(|t| t.seconds),
-        peak: Some(spread(|t| t.peak).median),
-        goal,
-    })
+    let what = What { input: NAME, stage, count: u64::from(LINES), unit: "lines", goal };
+    what.measured(RUNS, || child::run(&kerf, &arguments, folder))
 }
 
 /// Rows of 1,000 moves of half a millimetre over a hilly surface.

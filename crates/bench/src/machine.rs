@@ -1,7 +1,7 @@
 //! Motion: how fast a program of any length is planned while it is read, and in how much memory.
 
-use crate::child;
-use crate::figure::{Figure, Goal, Spread};
+use crate::child::{self, What};
+use crate::figure::{Figure, Goal};
 use anyhow::{Context, Result};
 use kerf_motion::{Move, Mover, OptimalPlanner, Planner, Queue};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
@@ -66,22 +66,9 @@ fn figure(
     moves: u32,
     goal: Option<Goal>,
 ) -> Result<Figure> {
-    let own = env::current_exe().context("where is this program?")?;
-    let size = moves.to_string();
-    let folder = env::temp_dir();
-    let run = |_| child::run(&own, &[OsStr::new(word), OsStr::new(&size)], &folder);
-    let taken = (0..=RUNS).map(run).skip(1).collect::<Result<Vec<_>>>()?;
-    let spread = |f: fn(&child::Taken) -> f64| Spread::of(taken.iter().map(f).collect());
-    Ok(Figure {
-        input,
-        stage,
-        count: u64::from(moves),
-        unit: "moves",
-        cpu_s: spread(|t| t.cpu_s),
-        wall_s: spread(|t| t.seconds),
-        peak: Some(spread(|t| t.peak).median),
-        goal,
-    })
+    let (own, size, folder) = (child::own()?, moves.to_string(), env::temp_dir());
+    let what = What { input, stage, count: u64::from(moves), unit: "moves", goal };
+    what.measured(RUNS, || child::run(&own, &[OsStr::new(word), OsStr::new(&size)], &folder))
 }
 
 /// Makes and plans a raster.

@@ -263,7 +263,9 @@ fn pro_clipboard_loadfile() {
         let script = format!("load-clipboard {file}");
         let made = kerf(folder.path(), &["draw", "a.dxf", "--do", &script, "-o", "no.rsg"]);
         assert!(told(&made).contains(message), "{}", told(&made));
-        assert!(!made.status.success() && !folder.path().join("no.rsg").exists());
+        assert!(told(&made).contains(&format!("clause 1 `{script}`: ")), "{}", told(&made));
+        assert_eq!(made.status.code(), Some(1), "the clause is wrong, not the command line");
+        assert!(!folder.path().join("no.rsg").exists());
     }
 }
 

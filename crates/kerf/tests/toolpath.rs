@@ -86,6 +86,26 @@ fn smoothing_is_for_every_model_of_motion_when_paths_are_made() {
     }
 }
 
+/// The words of a picture's key about a script's groups.
+fn key_of(script: &str) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
+    let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.svg"]);
+    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
+    let picture = std::fs::read_to_string(folder.path().join("job.svg")).unwrap();
+    let told = ["black, tool 1", "red, tool 1", "a cut begins", "bounds of the cuts"];
+    told.into_iter().filter(|words| picture.contains(words)).map(str::to_owned).collect()
+}
+
+#[test]
+fn groups_that_only_drill_are_in_the_key_of_a_picture() {
+    let cut = "rect 0,0 40,30; point 10,10; point 30,10; select 2,3; group red";
+    let all = ["black, tool 1", "red, tool 1", "a cut begins", "bounds of the cuts"];
+    assert_eq!(key_of(&format!("{cut}; set red height=-3")), all);
+    let drilled = format!("{cut}; set black on=off; set red height=-3");
+    assert_eq!(key_of(&drilled), ["red, tool 1", "bounds of the cuts"]);
+}
+
 #[test]
 fn pictures_of_jobs_have_the_colours_of_groups_or_directions() {
     let shop = drawn(PLATE);

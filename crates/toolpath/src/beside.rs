@@ -1,7 +1,7 @@
 //! A whole job offset: every path cut beside itself (Profiler reference, "Hand Console", function 60).
 
 use kerf_geom::{Offsetter, Polyarc};
-use kerf_program::job::{Job, JobShape};
+use kerf_program::job::{Job, JobShape, Plunge};
 use thiserror::Error;
 
 /// Why a job is not offset.
@@ -24,6 +24,9 @@ pub enum NoRoom {
 }
 
 /// A job whose paths are cut a distance to the right of travel, negative to the left. Zero changes nothing.
+///
+/// A helix that had room beside the path may have none beside the other one: the tool goes down along that,
+/// as steeply.
 ///
 /// # Errors
 /// [`NoRoom`] where a path has none.
@@ -51,9 +54,13 @@ fn shape_beside(
     if found.is_empty() {
         return Err(lost);
     }
+    let plunge = match shape.plunge {
+        Plunge::Helix { angle_deg, .. } => Plunge::Ramp { angle_deg },
+        other => other,
+    };
     let with = |path: Polyarc| {
         let z_mm = vec![0.0; if shape.z_mm.is_empty() { 0 } else { path.vertices.len() }].into();
-        JobShape { path: path.into(), z_mm, ..shape.clone() }
+        JobShape { path: path.into(), z_mm, plunge, ..shape.clone() }
     };
     Ok(found.into_iter().map(|found| with(found.path)).collect())
 }

@@ -1,8 +1,8 @@
 //! Whether a lead cuts into a part.
 
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, Kind, Shape, crosses};
-use kerf_geom::{Bounds2, BoxTree, Polyarc, Segment};
+use kerf_drawing::{Drawing, Group, Kind, Shape, crosses};
+use kerf_geom::{Bounds2, BoxTree, Point2, Polyarc, Segment};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -10,8 +10,16 @@ use std::sync::Arc;
 /// by rounding, far below what a cutter shows.
 const ALLOWED_MM: f64 = 1e-4;
 
-/// What the circle of a helix is called.
-pub(crate) const HELIX: &str = "helix";
+/// A tool on its way down may come so near, millimetres: areas are cleared by a ten-thousandth more than asked,
+/// so that nothing of them stays.
+const ALLOWED_DOWN_MM: f64 = 5e-4;
+
+/// The tool as a contour sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tool {
+    /// Half its width, millimetres; 0 where nobody knows it.
+    pub radius_mm: f64,
+}
 
 /// All contours of a drawing, to be asked what is near.
 pub(crate) struct Contours {
@@ -78,22 +86,67 @@ impl Contours {
         if radius > 0.0 {
             path.segments().for_each(|segment| self.nearer(&segment, radius, &mut visit));
         } else if path.closed {
-            self.crossed_by(path).into_iter().for_each(visit);
+            self.crossed_by(path, |_| true).into_iter().for_each(visit);
         }
     }
 
-    /// The first shape whose contour a closed path crosses.
-    fn crossed_by(&self, path: &Polyarc) -> Option<usize> {
+    /// The first shape whose contour a closed path crosses, of those that `wanted` lets pass.
+    fn crossed_by(&self, path: &Polyarc, wanted: impl Fn(usize) -> bool) -> Option<usize> {
         let mut near = BTreeSet::new();
         self.tree.meeting(&path.bounds(), |n| {
             near.insert(self.segments[n].0);
         });
-        near.into_iter().find(|n| crosses(&self.shapes[*n].path, path))
+        near.into_iter().find(|n| wanted(*n) && crosses(&self.shapes[*n].path, path))
+    }
+
+    /// The group of a shape.
+    pub fn group(&self, shape: usize) -> Group {
+        self.shapes[shape].group
+    }
+
+    /// A shape into which a tool cuts that follows a circle, of those that are walls. Where its width is not
+    /// known, its middle must not cross a contour.
+    pub fn cut_by_ring(
+        &self,
+        circle: &Polyarc,
+        tool: Tool,
+        wall: impl Fn(usize) -> bool,
+    ) -> Option<usize> {
+        if tool.radius_mm == 0.0 {
+            return self.crossed_by(circle, wall);
+        }
+        let reach = tool.radius_mm - ALLOWED_DOWN_MM;
+        let near = |contour: &Segment| circle.segments().any(|s| s.distance_to(contour) < reach);
+        self.first(&circle.bounds().grown(reach), |shape, contour| wall(shape) && near(contour))
+    }
+
+    /// A shape into which a tool cuts that clears a disc, its middle up to a radius away from a place.
+    pub fn cut_by_disc(
+        &self,
+        middle: Point2,
+        radius_mm: f64,
+        tool: Tool,
+        wall: impl Fn(usize) -> bool,
+    ) -> Option<usize> {
+        let reach = radius_mm + tool.radius_mm - ALLOWED_DOWN_MM;
+        let area = Bounds2::of(middle, middle).grown(reach);
+        self.first(&area, |shape, contour| wall(shape) && contour.distance(middle) < reach)
+    }
+
+    /// A shape with a segment near an area that is wanted, the search ending with it.
+    fn first(&self, area: &Bounds2, wanted: impl Fn(usize, &Segment) -> bool) -> Option<usize> {
+        let mut found = None;
+        let look = |n: usize| {
+            let (shape, contour) = &self.segments[n];
+            found = wanted(*shape, contour).then_some(*shape);
+            found.is_none()
+        };
+        self.tree.search(|b| b.meets(area), look);
+        found
     }
 }
 
-/// Warns of leads that cut into a part. Without an offset the tool's width is not known: then only the
-/// circle of a helix is looked at, whose middle alone may leave the side of the contour it lies on.
+/// Warns of leads that cut into a part. Without an offset the tool's width is not known.
 pub(crate) fn check(
     number: usize,
     leads: &[(&str, Polyarc)],
@@ -101,27 +154,13 @@ pub(crate) fn check(
     contours: &Contours,
     warnings: &mut Vec<Warning>,
 ) {
-    for (name, lead) in leads {
-        if offset_mm == 0.0 {
-            let crossed = if *name == HELIX { contours.crossed_by(lead) } else { None };
-            warnings.extend(crossed.map(|shape| no_room(number, shape)));
-        } else if let Some(shape) = contours.cut_into(lead, offset_mm.abs()) {
-            let which = named(number, shape);
+    for (name, lead) in leads.iter().filter(|_| offset_mm != 0.0) {
+        if let Some(shape) = contours.cut_into(lead, offset_mm.abs()) {
+            let which =
+                if shape + 1 == number { "it".into() } else { format!("shape {}", shape + 1) };
             let text =
                 format!("its {name} cuts into {which}: move the start or make the lead smaller");
             warnings.push(Warning::new(number, text));
         }
     }
-}
-
-fn named(number: usize, shape: usize) -> String {
-    if shape + 1 == number { "it".into() } else { format!("shape {}", shape + 1) }
-}
-
-fn no_room(number: usize, shape: usize) -> Warning {
-    let which = named(number, shape);
-    let text = format!(
-        "its helix has no room and cuts across {which}: move the start, make the helix smaller or take a ramp"
-    );
-    Warning::new(number, text)
 }

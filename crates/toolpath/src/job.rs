@@ -1,19 +1,22 @@
 //! Everything that is cut, in order.
 
 use crate::depth::{Depths, Heights, depth};
+use crate::entry::Surroundings;
 use crate::filter::filtered;
 use crate::gouge::{self, Contours};
 use crate::neighbours;
+use crate::neutral::plunge;
 use crate::overlap;
 use crate::shape_paths::{Pass, paths};
 use crate::twice;
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, GapError, Group, Shape};
+use kerf_drawing::{Drawing, GapError, Group, Height, Shape};
 use kerf_geom::fit::smoothed;
-use kerf_geom::{Offsetter, Point2, Transform2, Vec2};
+use kerf_geom::{Offsetter, Point2, Polyarc, Transform2, Vec2};
 use kerf_program::Smoothing;
+use kerf_program::job::{Plunge, helix_circle};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -29,6 +32,9 @@ pub struct CutPath {
     pub from: usize,
     /// Which cut of that shape it is.
     pub pass: Pass,
+    /// The largest radius of a helix at its start, millimetres, 0 for none, where the one that its group asks
+    /// for has no room.
+    pub room_mm: Option<f64>,
 }
 
 /// What is cut, and how.
@@ -73,6 +79,8 @@ pub enum JobError {
 pub(crate) struct Origin {
     pub from: usize,
     pub pass: Pass,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub room_mm: Option<f64>,
 }
 
 /// Makes the job of a drawing: the paths of every shape of the groups that are on, in the drawing's
@@ -139,6 +147,7 @@ pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warni
 /// The paths of the basic block.
 fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
     let contours = Contours::of(drawing);
+    let around = Surroundings::of(drawing, &contours);
     let twins = twice::twins(drawing);
     twice::told(&twins, warnings);
     overlap::crossing(drawing, warnings);
@@ -155,6 +164,7 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
         let mut pause = shape.pause;
         for path in found {
             gouge::check(number, &path.leads, path.offset_mm, &contours, warnings);
+            let room_mm = around.room(number, &path, settings, shape.group, warnings);
             let cut = Shape {
                 path: path.path,
                 z_mm: path.z_mm,
@@ -162,7 +172,7 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
                 pause: std::mem::take(&mut pause),
                 start_inserted: false,
             };
-            block.push(CutPath { shape: Arc::new(cut), from: number, pass: path.pass });
+            block.push(CutPath { shape: Arc::new(cut), from: number, pass: path.pass, room_mm });
         }
     }
     neighbours::check(drawing, &block, &contours, warnings);
@@ -207,11 +217,14 @@ impl Job {
     #[must_use]
     pub fn edited(self, drawing: &Drawing) -> Self {
         let as_many = drawing.shapes.len() == self.paths.len();
+        let known: BTreeMap<*const Shape, &CutPath> =
+            self.paths.iter().rev().map(|path| (Arc::as_ptr(&path.shape), path)).collect();
         let of = |n: usize, shape: &Arc<Shape>| {
-            let same = self.paths.iter().find(|path| Arc::ptr_eq(&path.shape, shape));
+            let same = known.get(&Arc::as_ptr(shape)).copied();
             let before = same.or(self.paths.get(n).filter(|_| as_many));
-            let (from, pass) = before.map_or((n + 1, Pass::Final), |path| (path.from, path.pass));
-            CutPath { shape: shape.clone(), from, pass }
+            let new =
+                CutPath { shape: shape.clone(), from: n + 1, pass: Pass::Final, room_mm: None };
+            before.map_or(new, |path| CutPath { shape: shape.clone(), ..path.clone() })
         };
         let paths = drawing.shapes.iter().enumerate().map(|(n, shape)| of(n, shape)).collect();
         Self { paths, drawing: drawing.with_shapes(Vec::new()), edited: true, ..self }
@@ -228,6 +241,18 @@ impl Job {
             at: path.shape.path.start(),
             ..Warning::new(path.from, error.to_string())
         })
+    }
+
+    /// The circle of the helix by which the tool comes to a path, where it does.
+    pub fn helix(&self, path: &CutPath) -> Option<Polyarc> {
+        let settings = self.drawing.settings(path.shape.group);
+        let goes_round = path.pass != Pass::Traversal && settings.height != Height::ThreeD;
+        match plunge(settings, path.room_mm) {
+            Plunge::Helix { radius_mm, .. } if goes_round => {
+                helix_circle(&path.shape.path, radius_mm)
+            }
+            _ => None,
+        }
     }
 
     /// Length of the cutting paths of each group, millimetres, in the order of the groups.

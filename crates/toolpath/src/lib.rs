@@ -14,6 +14,7 @@
 
 mod beside;
 mod depth;
+mod entry;
 mod filter;
 mod gouge;
 mod job;

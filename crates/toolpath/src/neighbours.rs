@@ -53,15 +53,30 @@ pub(crate) fn check(
     warnings.extend(hit.into_iter().map(|((from, shape), by)| told(from, shape, by)));
 }
 
+/// Where the blocks lie that something may reach that leaves its block by no more than so much, this one first.
+pub(crate) fn blocks(drawing: &Drawing, reach_mm: f64) -> Vec<Vec2> {
+    let size = drawing.bounds().map_or(Vec2::default(), |bounds| bounds.size());
+    let near = size + Vec2::new(reach_mm, reach_mm);
+    let both = steps(&drawing.arrays, size, near).into_iter().flat_map(|step| [step, -step]);
+    [Vec2::default()].into_iter().chain(both).collect()
+}
+
 fn told(from: usize, shape: usize, by: Vec2) -> Warning {
-    let thousandths = |value: f64| (value * 1e3).round() / 1e3 + 0.0;
     let text = format!(
-        "in the array its cut takes from shape {} of the block {},{} away: make the gap larger",
+        "in the array its cut takes from shape {}{}: make the gap larger",
         shape + 1,
-        thousandths(by.x),
-        thousandths(by.y)
+        away(by)
     );
     Warning::new(from, text)
+}
+
+/// The words for a block; none for this one.
+pub(crate) fn away(by: Vec2) -> String {
+    if by == Vec2::default() {
+        return String::new();
+    }
+    let [x, y] = [by.x, by.y].map(|value| (value * 1e3).round() / 1e3 + 0.0);
+    format!(" of the block {x},{y} away")
 }
 
 /// What a path takes away lies in here.

@@ -22,14 +22,22 @@ impl Job {
     }
 }
 
-/// The way down of a group. Its helices lie on the side of the leads: right, unless the offset is negative.
-pub(crate) fn plunge(settings: &GroupSettings) -> job::Plunge {
+/// The way down of a path of a group. Its helices lie on the side of the leads: right, unless the offset is
+/// negative. They are no larger than the path has room for; without any it is a ramp as steep.
+pub(crate) fn plunge(settings: &GroupSettings, room_mm: Option<f64>) -> job::Plunge {
     match settings.plunge {
         Plunge::Straight => job::Plunge::Straight,
         Plunge::Ramp { angle_deg } => job::Plunge::Ramp { angle_deg },
         Plunge::Helix { radius_mm, angle_deg } => {
             let sign = if settings.offset_mm < 0.0 { -1.0 } else { 1.0 };
-            job::Plunge::Helix { radius_mm: sign * radius_mm, angle_deg }
+            let asked_mm = radius_mm.abs();
+            let fits_mm = room_mm.map_or(asked_mm, |room_mm| room_mm.min(asked_mm));
+            if fits_mm > 0.0 {
+                let radius_mm = sign * fits_mm.copysign(radius_mm);
+                job::Plunge::Helix { radius_mm, angle_deg }
+            } else {
+                job::Plunge::Ramp { angle_deg }
+            }
         }
     }
 }
@@ -42,7 +50,7 @@ fn shape(path: &CutPath, settings: &GroupSettings) -> job::JobShape {
         path: Arc::new(shape.path.clone()),
         z_mm: z_mm.into(),
         depth: depth(settings),
-        plunge: plunge(settings),
+        plunge: plunge(settings, path.room_mm),
         tool: settings.tool,
         cut: settings.cut,
         speed_mm_s: settings.speed_mm_min.map(|mm_min| mm_min / 60.0),

@@ -86,7 +86,8 @@ impl Writing<'_> {
             (Pass::Traversal, Depths::Along(base)) => self.cut_along(path, *base, Feed::Axis),
             (_, Depths::Along(base)) => self.cut_along(path, *base, feed),
             (_, Depths::Level(levels)) => {
-                self.passes(path, levels, feed, plunge(job.drawing.settings(path.shape.group)));
+                let settings = job.drawing.settings(path.shape.group);
+                self.passes(path, levels, feed, plunge(settings, path.room_mm));
             }
         }
     }

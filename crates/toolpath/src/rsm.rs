@@ -28,7 +28,9 @@ pub fn write(job: &Job) -> String {
     let shapes = job.paths.iter().map(|path| path.shape.clone()).collect();
     let mut drawing = job.drawing.with_shapes(shapes);
     drawing.arrays = Arrays::default();
-    let paths = job.paths.iter().map(|path| Origin { from: path.from, pass: path.pass }).collect();
+    let origin =
+        |path: &CutPath| Origin { from: path.from, pass: path.pass, room_mm: path.room_mm };
+    let paths = job.paths.iter().map(origin).collect();
     let Job { origin, finish, start, smoothing, edited, .. } = *job;
     let head = Head { origin, finish, start, smoothing, edited, paths };
     rsg::write_with(&drawing, Some(serde_json::to_value(head).unwrap_or_default()))
@@ -42,8 +44,10 @@ pub fn read(bytes: &[u8]) -> (Job, Imported) {
     let shapes = std::mem::take(&mut read.drawing.shapes);
     let origins = head.paths.iter().copied();
     let numbered = (1..).map(|from| Origin { from, ..Origin::default() });
-    let path =
-        |(shape, origin): (Arc<_>, Origin)| CutPath { shape, from: origin.from, pass: origin.pass };
+    let path = |(shape, origin): (Arc<_>, Origin)| {
+        let Origin { from, pass, room_mm } = origin;
+        CutPath { shape, from, pass, room_mm }
+    };
     let missing = numbered.skip(head.paths.len());
     let paths = shapes.into_iter().zip(origins.chain(missing)).map(path).collect();
     let Head { origin, finish, start, smoothing, edited, .. } = head;

@@ -1,14 +1,11 @@
 //! From one shape, smoothed already, to the paths that cut it: the order of the Profiler reference is
 //! offset, tag, lead-in and lead-out.
 
-use crate::gouge::HELIX;
 use crate::lead::{Side, lead_in, lead_out, with_leads};
-use crate::neutral::plunge;
 use crate::tag::without_tag;
 use crate::warning::Warning;
 use kerf_drawing::{GroupSettings, Kind, Shape, spot};
 use kerf_geom::{Coarse, GeomError, Offsetter, Polyarc, parallel_path};
-use kerf_program::job::{Plunge, helix_circle};
 use serde::{Deserialize, Serialize};
 
 /// Which cut of a shape a path is.
@@ -157,12 +154,7 @@ fn with_tag_and_leads(
     let lead_out = lead_out(settings.lead_out, last.end(), last.direction(1.0), side);
     let named = [("lead-in", lead_in.clone()), ("lead-out", lead_out.clone())];
     let long = with_leads(&path, lead_in, lead_out);
-    let helix = match plunge(settings) {
-        Plunge::Helix { radius_mm, .. } => helix_circle(&long, radius_mm),
-        _ => None,
-    };
-    let named = named.into_iter().chain([(HELIX, helix)]);
-    let leads = named.filter_map(|(name, lead)| Some((name, lead?))).collect();
+    let leads = named.into_iter().filter_map(|(name, lead)| Some((name, lead?))).collect();
     let z_mm = base.z_mm.map(|z| heights_along(&base.path, &z, &long));
     Some(ShapePath { pass, path: long, z_mm, offset_mm: base.offset_mm, leads })
 }

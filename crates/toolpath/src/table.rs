@@ -14,7 +14,8 @@ pub fn off_table(job: &Job, table: &Bounds2) -> Vec<Warning> {
     let room = table.grown(ALLOWED_MM);
     let mut told = BTreeSet::new();
     let outside = job.paths.iter().filter_map(|path| {
-        let bounds = path.shape.path.bounds();
+        let mut bounds = path.shape.path.bounds();
+        job.helix(path).iter().for_each(|circle| bounds.merge(&circle.bounds()));
         (!room.holds_box(&bounds) && told.insert(path.from)).then(|| {
             let text = format!("leaves the table: {}", how_far(&bounds, table));
             Warning { at: path.shape.path.start(), ..Warning::new(path.from, text) }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub struct Warning {
     /// Number of the shape in the drawing, counted from 1.
     pub shape: usize,
-    /// Where it begins.
+    /// Where the matter is: usually where the shape begins.
     pub at: Option<Point2>,
     /// What is the matter, and what helps.
     pub text: String,
@@ -21,10 +21,10 @@ impl Warning {
         Self { shape, at: None, text: text.into() }
     }
 
-    /// The same with the place of its shape.
+    /// The same with the place of its shape, where none is told.
     pub(crate) fn placed(self, shapes: &[Arc<Shape>]) -> Self {
         let shape = self.shape.checked_sub(1).and_then(|place| shapes.get(place));
-        Self { at: shape.and_then(|shape| shape.path.start()), ..self }
+        Self { at: self.at.or_else(|| shape.and_then(|shape| shape.path.start())), ..self }
     }
 }
 

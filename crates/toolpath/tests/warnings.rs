@@ -6,7 +6,8 @@
 mod families;
 
 use kerf_drawing::{Drawing, Editor, Shape, script};
-use kerf_geom::{Bounds2, Point2};
+use kerf_geom::{Bounds2, Point2, Transform2, Vec2};
+use kerf_program::job::Plunge;
 use kerf_toolpath::{job, off_table};
 
 fn drawn(words: &str) -> Drawing {
@@ -71,24 +72,120 @@ fn what_leaves_the_table_is_told_once() {
     assert_eq!(right, ["shape 1 at 60,0: leaves the table: 10.000 mm at the right"]);
 }
 
+/// What is told of the helices of a drawing, and how the tool goes down to its first path.
+fn check_helix(words: &str, expected: &[&str], plunge: Plunge) {
+    check(words, expected);
+    let (job, _) = job(&drawn(words)).unwrap();
+    let written = kerf_toolpath::read(kerf_toolpath::write(&job).as_bytes()).0;
+    for job in [job, written] {
+        assert_eq!(job.neutral("a job".into()).shapes[0].plunge, plunge, "{words}");
+    }
+}
+
+const fn helix(radius_mm: f64) -> Plunge {
+    Plunge::Helix { radius_mm, angle_deg: 3.0 }
+}
+
+const RAMP: Plunge = Plunge::Ramp { angle_deg: 3.0 };
+
 #[test]
-fn a_helix_without_room_is_told() {
-    let helix = |radius: f64| {
-        format!("rect 0,0 20,20; select 1; reverse; set black plunge=helix,{radius},3 height=-4")
+fn a_helix_without_room_is_made_smaller_or_a_ramp() {
+    let asked = |radius: f64, at: &str| {
+        format!(
+            "rect 0,0 20,20; select 1; reverse; set black plunge=helix,{radius},3 height=-4; start 1 {at}"
+        )
     };
-    let advice = "move the start, make the helix smaller or take a ramp";
-    // Clockwise from a corner, to the right of travel: inside, from wall to wall.
-    check(&format!("{}; start 1 0,10", helix(8.0)), &[]);
-    let it = format!("shape 1 at 0,10: its helix has no room and cuts across it: {advice}");
-    check(&format!("{}; start 1 0,10", helix(11.0)), &[&it]);
-    check(&format!("{}; start 1 0,2", helix(8.0)), &[&it.replace("0,10", "0,2")]);
+    // Clockwise, to the right of travel: inside, from wall to wall.
+    check_helix(&asked(8.0, "0,10"), &[], helix(8.0));
+    let told = |asked: f64, at: &str, shape: &str, instead: &str| {
+        let text = format!("its helix of {asked} mm would cut into {shape}: {instead}");
+        format!("shape 1 at {at}: {text}")
+    };
+    let wide = told(11.0, "0,10", "it", "one of 10 mm is cut instead");
+    check_helix(&asked(11.0, "0,10"), &[&wide], helix(10.0));
+    let low = told(8.0, "0,2", "it", "one of 2 mm is cut instead");
+    check_helix(&asked(8.0, "0,2"), &[&low], helix(2.0));
+    let none = told(8.0, "0,1.9", "it", "it goes down along its path instead");
+    check_helix(&asked(8.0, "0,1.9"), &[&none], RAMP);
     // A neighbour in the way.
-    let other = format!("{}; start 1 0,10; circle 12,10 1; select 2; group red", helix(8.0));
-    check(&other, &[]);
-    let other = format!("{}; start 1 0,10; circle 15,10 3; select 2; group red", helix(8.0));
-    let shape_2 =
-        format!("shape 1 at 0,10: its helix has no room and cuts across shape 2: {advice}");
-    check(&other, &[&shape_2]);
+    let other =
+        |circle: &str| format!("{}; circle {circle}; select 2; group red", asked(8.0, "0,10"));
+    check_helix(&other("12,10 1"), &[], helix(8.0));
+    let red = told(8.0, "0,10", "shape 2", "one of 6 mm is cut instead");
+    check_helix(&other("15,10 3"), &[&red], helix(6.0));
+}
+
+#[test]
+fn a_helix_keeps_the_tool_off_its_neighbours() {
+    let two = |radius: f64, gap: f64, more: &str| {
+        let (left, right) = (50.0 + gap, 100.0 + gap);
+        format!(
+            "rect 0,0 50,50; start 1 50,25; rect {left},0 {right},50; select 2; group red; \
+             set black offset=3 plunge=helix,{radius},3 height=-4{more}"
+        )
+    };
+    let told = |asked: f64, shape: &str, instead: &str| {
+        format!("shape 1 at 53,25: its helix of {asked} mm would cut into {shape}: {instead}")
+    };
+    check_helix(&two(3.0, 12.0, ""), &[], helix(3.0));
+    let less = told(4.0, "shape 2", "one of 3 mm is cut instead");
+    check_helix(&two(4.0, 12.0, ""), &[&less], helix(3.0));
+    let none = told(4.0, "shape 2", "it goes down along its path instead");
+    check_helix(&two(4.0, 7.9, ""), &[&none], RAMP);
+    // To the other side there is the part itself.
+    let part = told(4.0, "it", "it goes down along its path instead");
+    check_helix(&two(-4.0, 12.0, ""), &[&part], RAMP);
+    // The neighbour in an array, and a job that follows only after the first.
+    let array = "rect 0,0 50,50; start 1 50,25; array block 1x2 gap 12,0; \
+                 set black offset=3 plunge=helix,4,3 height=-4";
+    let next = told(4.0, "shape 1 of the block 62,0 away", "one of 3 mm is cut instead");
+    check_helix(array, &[&next], helix(3.0));
+    // Nothing goes round that is not cut, or cut at heights of its own.
+    check_helix(&two(4.0, 12.0, "; set black height=3d"), &[], helix(4.0));
+}
+
+#[test]
+fn a_helix_in_a_pocket_stays_in_it() {
+    let pocket = |way: &str, radius: f64| {
+        format!(
+            "rect 0,0 60,60; select 1; pocket tool=6 overlap=2{way} group=blue; \
+             set blue plunge=helix,{radius},3 height=-4; set black on=off"
+        )
+    };
+    // Over the rings beside it, which are cleared in any case.
+    check_helix(&pocket("", 4.0), &[], helix(4.0));
+    // With the wall on the right of travel there is no room.
+    let told = "shape 2 at 3,30: its helix of 4 mm would cut into shape 1: it goes down along its path instead";
+    let (job, warnings) = job(&drawn(&pocket(" climb", 4.0))).unwrap();
+    assert!(warnings.iter().any(|warning| warning.to_string() == told), "{warnings:?}");
+    assert_eq!(job.neutral("a job".into()).shapes[0].plunge, RAMP);
+}
+
+/// Whatever is asked, a tool on its way down comes no nearer to a contour than on its path.
+#[test]
+fn no_helix_cuts_into_a_contour() {
+    let mut smaller = 0;
+    for seed in 0..40 {
+        let mut drawing = drawn("rect 0,0 9,9; set black offset=2 plunge=helix,6,3 height=-4");
+        let shapes = (0..3).map(|k| {
+            let to = Transform2::moved(Vec2::new(88.0 * f64::from(k), 0.0));
+            families::polyarc(3 * seed + k as u64).0.similar(&to)
+        });
+        drawing.shapes = shapes.map(|path| Shape::flat(path).into()).collect();
+        let (job, _) = job(&drawing).unwrap();
+        for path in &job.paths {
+            smaller += usize::from(path.room_mm.is_some());
+            let circle = job.helix(path).unwrap_or_default();
+            let places =
+                circle.segments().flat_map(|s| (0..40).map(move |k| s.at(f64::from(k) / 40.0)));
+            for place in places {
+                let far = |shape: &Shape| shape.path.nearest(place).map_or(9.0, |(_, far)| far);
+                let least = drawing.shapes.iter().map(|shape| far(shape)).fold(9.0, f64::min);
+                assert!(least >= 2.0 - 1e-3, "{seed}: {least} at {place:?}");
+            }
+        }
+    }
+    assert!(smaller > 20, "{smaller}");
 }
 
 #[test]

@@ -54,6 +54,7 @@ pub const FAMILIES: &[Family] = &[
     ("polyarc", polyarc),
     ("comb", comb),
     ("cracks", cracks),
+    ("cusps", cusps),
 ];
 
 fn signed(dice: &mut Dice, size: f64) -> f64 {
@@ -230,6 +231,31 @@ pub fn half_circles() -> Polyarc {
         (0.0, 40.0, 0.0),
     ];
     Polyarc::closed(vertices.map(|(x, y, bulge)| Vertex::new(x, y, bulge)).to_vec())
+}
+
+/// The same by dice: half circles up and down on a line that they are tangent to but for 1e-11 to 1e-4 mm.
+pub fn cusps(seed: u64) -> Case {
+    let mut dice = Dice::new(seed);
+    let (mut x, mut vertices) = (0.0, Vec::new());
+    for _ in 0..dice.whole(2, 9) {
+        if dice.share() < 0.4 {
+            vertices.push(Vertex::new(x, tiny(&mut dice), 0.0));
+            x += dice.whole(1, 3) as f64 * 2.0 + tiny(&mut dice);
+        }
+        let bulge = dice.one_of(&[1.0, -1.0]) * (1.0 - tiny(&mut dice).abs());
+        vertices.push(Vertex::new(x, tiny(&mut dice), bulge));
+        x += dice.one_of(&[2.0, 4.0, 8.0, 12.0]) + tiny(&mut dice);
+    }
+    let corners = [(x, tiny(&mut dice)), (x, 40.0), (0.0, 40.0)];
+    vertices.extend(corners.map(|(x, y)| Vertex::new(x, y, 0.0)));
+    let distance = dice.one_of(&[0.5, 1.0, 2.0, 3.0]);
+    (Polyarc::closed(vertices), signed(&mut dice, distance))
+}
+
+/// Nothing, or a length of 1e-11 to 1e-4 mm to either side.
+fn tiny(dice: &mut Dice) -> f64 {
+    let size = 10f64.powf(dice.between(-11.0, -4.0));
+    if dice.share() < 0.4 { 0.0 } else { signed(dice, size) }
 }
 
 /// Fifty teeth: rise, tip arc, fall, root arc.

@@ -3,7 +3,7 @@
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::out;
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use kerf_drawing::{ENTRIES, Editor, Group, Kind, Operation, Shape, script};
 use serde_json::{Value, json};
@@ -94,7 +94,9 @@ fn edit_job(args: &DrawArgs, file: &Path, output: &Path) -> Result<Exit> {
 fn carry_out(editor: &mut Editor, text: &str, reading: &drawings::Reading) -> Result<()> {
     for (number, operation) in script(text)? {
         let clause = format!("clause {number} `{operation}`");
-        let operation = with_file(operation, reading).context(clause)?;
+        // A file that a clause names is no matter of the command line.
+        let operation =
+            with_file(operation, reading).map_err(|why| anyhow!("{clause}: {why:#}"))?;
         let outcome = editor.apply(&operation).map_err(|error| told(number, &operation, &error))?;
         for told in outcome.warnings.iter().chain(&outcome.notes) {
             eprintln!("clause {number} `{operation}`: {told}");
@@ -113,7 +115,7 @@ fn with_file(operation: Operation, reading: &drawings::Reading) -> Result<Operat
 }
 
 fn told(number: usize, operation: &Operation, why: &impl std::fmt::Display) -> anyhow::Error {
-    anyhow::anyhow!("clause {number} `{operation}`: {why}")
+    anyhow!("clause {number} `{operation}`: {why}")
 }
 
 /// The shapes, each with its place in the order that is being picked.

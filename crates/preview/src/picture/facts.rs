@@ -21,6 +21,8 @@ pub enum Sample {
     Cut,
     /// A cut of one colour, perhaps with the width of its cutter.
     Coloured(Rgb, bool),
+    /// Drilled places of one colour.
+    Drilled(Rgb),
     /// Where a cut begins.
     Begin,
     /// The bounds of all cuts.

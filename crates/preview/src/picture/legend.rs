@@ -188,11 +188,8 @@ impl Writer<'_> {
                 self.layer.path(line, Paint::line(deep, 0.14 * em));
             }
             Sample::Jog => self.layer.path(line, super::jog_paint(em)),
-            Sample::Plunge => {
-                let mut dot = Outline::default();
-                dot.circle(middle, 0.34 * em);
-                self.layer.path(dot, Paint::fill(deep));
-            }
+            Sample::Plunge => self.dot(middle, deep),
+            Sample::Drilled(colour) => self.dot(middle, colour),
             Sample::Arrow => {
                 let mut head = Outline::default();
                 super::signs::head(&mut head, middle, Vec2::new(1.0, 0.0), em);
@@ -201,6 +198,12 @@ impl Writer<'_> {
             Sample::Start => start_sign(self.layer, middle, em),
             Sample::End => end_sign(self.layer, middle, em),
         }
+    }
+
+    fn dot(&mut self, middle: Point2, colour: Rgb) {
+        let mut dot = Outline::default();
+        dot.circle(middle, 0.34 * self.view.em);
+        self.layer.path(dot, Paint::fill(colour));
     }
 
     fn depth(&mut self, scale: &DepthScale) {

@@ -178,16 +178,18 @@ fn band_width(scene: &Scene, shade: usize, ink: &Ink) -> f64 {
 
 /// The colours that a scene gives, with the width of the cutter where it is known.
 fn colour_samples(scene: &Scene, tracks: &Tracks) -> Vec<(Sample, String)> {
-    let used = |n: &usize| tracks.cuts.get(*n).is_some_and(|cut| !cut.ops.is_empty());
+    let cut = |n: usize| tracks.cuts.get(n).is_some_and(|cut| !cut.ops.is_empty());
+    let drilled = |n: usize| tracks.plunges.iter().any(|(_, shade)| *shade == Some(n));
     let sample = |n: usize| {
         let colour = &scene.colours[n];
         let wide = colour.width_mm > 0.0;
         let width = words::short(colour.width_mm, scene.unit, 3);
         let told = format!("{}, {width} {} wide", colour.name, scene.unit.symbol);
         let text = if wide { told } else { colour.name.clone() };
-        (Sample::Coloured(Rgb(colour.colour), wide), text)
+        let rgb = Rgb(colour.colour);
+        (if cut(n) { Sample::Coloured(rgb, wide) } else { Sample::Drilled(rgb) }, text)
     };
-    (0..scene.colours.len()).filter(used).map(sample).collect()
+    (0..scene.colours.len()).filter(|n| cut(*n) || drilled(*n)).map(sample).collect()
 }
 
 /// The signs that occur, so that the legend explains no others.
@@ -208,7 +210,7 @@ fn samples(scene: &Scene, tracks: &Tracks, ink: &Ink) -> Vec<(Sample, String)> {
         (jogs, Sample::Jog, "jog".into()),
         (depths && !tracks.plunges.is_empty(), Sample::Plunge, "straight plunge".into()),
         (cuts && !depths, Sample::Begin, "a cut begins".into()),
-        (cuts && !depths, Sample::Bounds, "bounds of the cuts".into()),
+        (!scene.bounds.is_empty() && !depths, Sample::Bounds, "bounds of the cuts".into()),
         (cuts || jogs || air, Sample::Arrow, "direction".into()),
         (tracks.ends.is_some(), Sample::Start, "start".into()),
         (tracks.ends.is_some(), Sample::End, "end".into()),

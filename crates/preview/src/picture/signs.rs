@@ -16,6 +16,10 @@ const ARROWS: f64 = 28.0;
 const APART_EM: f64 = 9.0;
 /// Only one arrow in each square of this side, em.
 const CELL_EM: f64 = 5.5;
+/// A sign where a cut begins is no larger than this share of the way to the next one,
+const BEGIN_SHARE: f64 = 0.35;
+/// but not so small that nobody sees it, em.
+const BEGIN_LEAST: f64 = 0.2;
 
 /// Direction arrows of cuts and jogs.
 pub fn arrows(scene: &Scene, view: &View) -> Layer {
@@ -54,26 +58,54 @@ pub fn bounds_paint(em: f64) -> Paint {
     Paint::dashed(AXIS_Y, 0.08 * em, [0.5 * em, 0.35 * em])
 }
 
-/// Where cuts begin, and in which direction.
+/// Where cuts begin, and in which direction: smaller signs for many, and one where they would lie on each other.
 pub fn starts(scene: &Scene, em: f64) -> Layer {
     let mut layer = Layer::new("starts", Frame::Working, true);
-    let mut travels = true;
+    let begins = begins(scene);
+    let size = em * (BEGIN_SHARE * spacing(scene, begins.len()) / em).clamp(BEGIN_LEAST, 1.0);
+    let (mut taken, mut signs) = (BTreeSet::new(), Outline::default());
+    for (at, along) in begins {
+        if taken.insert([at.x, at.y].map(|v| (v / size).floor() as i64)) {
+            begin_shape(&mut signs, at, along, size);
+        }
+    }
+    layer.path(signs, begin_paint(size));
+    layer
+}
+
+/// The first places of cuts, with their directions.
+fn begins(scene: &Scene) -> Vec<(Point2, Vec2)> {
+    let (mut begins, mut travels) = (Vec::new(), true);
     for segment in scene.segments.iter().filter(|s| s.is_drawable()) {
         let flat_cut = segment.kind == MoveKind::Cut && length(segment) > 0.0;
         if flat_cut && travels {
-            begin_sign(&mut layer, flat(segment.from), direction(segment, 0.0), em);
+            begins.push((flat(segment.from), direction(segment, 0.0)));
         }
         travels = segment.kind == MoveKind::Jog || (travels && !flat_cut);
     }
-    layer
+    begins
+}
+
+/// How far apart so many places are that are spread over all cuts, mm.
+fn spacing(scene: &Scene, count: usize) -> f64 {
+    let ([w, h, _], count) = (scene.bounds.size(), count.max(1) as f64);
+    (w * h / count).sqrt().max(w.max(h) / count)
 }
 
 /// Yellow, as drawings have it.
 pub fn begin_sign(layer: &mut Layer, at: Point2, along: Vec2, em: f64) {
-    let side = along.left() * (0.3 * em);
     let mut sign = Outline::default();
-    sign.polygon(&[at + side, at + along * (0.75 * em), at + -side]);
-    layer.path(sign, Paint::edged(BEGIN, INK, 0.06 * em));
+    begin_shape(&mut sign, at, along, em);
+    layer.path(sign, begin_paint(em));
+}
+
+fn begin_shape(signs: &mut Outline, at: Point2, along: Vec2, em: f64) {
+    let side = along.left() * (0.3 * em);
+    signs.polygon(&[at + side, at + along * (0.75 * em), at + -side]);
+}
+
+fn begin_paint(em: f64) -> Paint {
+    Paint::edged(BEGIN, INK, 0.06 * em)
 }
 
 fn along<'a, I: Iterator<Item = &'a Segment>>(
@@ -198,6 +230,42 @@ mod tests {
     use super::super::extent::Extent;
     use super::*;
     use crate::scene::Shape;
+    use crate::sheet::Op;
+
+    /// The corners of the signs where so many rows of so many cuts begin, 10 mm apart.
+    fn corners_of_starts(rows: usize) -> Vec<Point2> {
+        let segment = |n: usize| {
+            let from = [10.0 * (n % rows) as f64, 10.0 * (n / rows) as f64, 0.0];
+            let jog = Segment { kind: MoveKind::Jog, from, to: from, shape: Shape::Line, line: 1 };
+            let cut = Segment { kind: MoveKind::Cut, to: [from[0] + 5.0, from[1], 0.0], ..jog };
+            [jog, cut]
+        };
+        let segments = (0..rows * rows).flat_map(segment).collect();
+        let mut scene = Scene { segments, ..Scene::default() };
+        scene.segments.iter().for_each(|s| {
+            scene.bounds.add(s.from);
+            scene.bounds.add(s.to);
+        });
+        let em = Extent::of(&scene).cut.size()[0] / 66.0;
+        let [Mark::Path { outline, .. }] = &starts(&scene, em).marks[..] else {
+            panic!("one path is wanted")
+        };
+        let place = |op: &Op| match *op {
+            Op::Move(at) | Op::Line(at) => Some(at),
+            _ => None,
+        };
+        outline.ops.iter().filter_map(place).collect()
+    }
+
+    #[test]
+    fn signs_where_many_cuts_begin_leave_room_between_them() {
+        for rows in [2, 20, 100] {
+            let corners = corners_of_starts(rows);
+            assert_eq!(corners.len(), 3 * rows * rows);
+            let right = corners.iter().map(|at| at.x.rem_euclid(10.0)).fold(0.0, f64::max);
+            assert!(right > 0.1 && right < 5.0, "{rows}: {right}");
+        }
+    }
 
     #[test]
     fn a_name_at_the_right_edge_stands_left_of_its_place() {

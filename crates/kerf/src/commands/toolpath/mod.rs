@@ -15,6 +15,7 @@ use kerf_geom::{Bounds2, Point2};
 use kerf_machine::Configuration;
 use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Written;
+use kerf_sbp::Status;
 use kerf_toolpath::{Heights, Job, Warning, off_table, too_deep, write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -126,8 +127,12 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
         let scene = coloured(&dry.scene, &job.drawing, args.colours);
         picture::write(&scene, Picture::of(&output)?, &output)?;
     }
-    if args.report {
-        report::tell(&job, &dry.summary, &warnings, args.format);
+    match dry.summary.status {
+        _ if !args.report => {}
+        Status::Failed => {
+            eprintln!("{}: it does not run to its end: no report", args.drawing.display());
+        }
+        _ => report::tell(&job, &dry.summary, &warnings, args.format),
     }
     Ok(dry.summary.status.into())
 }
