@@ -2,11 +2,12 @@
 
 mod families;
 
+use kerf_geom::fit::smoothed;
 use kerf_geom::{
     CHECK_MM, Coarse, GeomError, OffsetPath, Offsetter, Origin, Point2, Polyarc, Transform2, Vec2,
     Vertex, offset, offset_by_chords, offset_region,
 };
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 fn p(x: f64, y: f64) -> Point2 {
     Point2::new(x, y)
@@ -353,7 +354,7 @@ fn an_engine_that_lies_is_not_believed() {
 #[test]
 fn arcs_that_are_all_but_lines_are_offset() {
     let n = 20;
-    let bulge = (std::f64::consts::TAU / f64::from(n) * 0.25).tan();
+    let bulge = (TAU / f64::from(n) * 0.25).tan();
     for flat in [1e-7, 2e-8, -2e-8, 1e-6, -1e-7] {
         let mut shape = families::round(20, |_| 30.0);
         for (k, v) in shape.vertices.iter_mut().enumerate() {
@@ -363,6 +364,26 @@ fn arcs_that_are_all_but_lines_are_offset() {
             let found = offset(&shape, by).unwrap_or_else(|why| panic!("{flat} {by}: {why}"));
             assert!(found.len() == 1 && Coarse::of(&found).is_none(), "{flat} {by}");
         }
+    }
+}
+
+/// Waves of so many places that curves through them turn at their joints by 1e-7 radians and less: what closed by
+/// just more than counts as one place was neither joined nor cut, and the whole ring was lost. The second engine
+/// does not look at this many segments.
+#[test]
+fn curves_that_close_by_a_hair_at_their_joints_stay_joined() {
+    let round = |length: f64| (length * 1e5).round() * 1e-5;
+    let place = |k: u32| {
+        let turn = f64::from(k) * TAU / 200_000.0;
+        let at = Vec2::from_angle(turn) * (400.0 + 20.0 * (300.0 * turn).sin());
+        p(round(500.0 + at.x), round(500.0 + at.y))
+    };
+    let waves = Polyarc::lines((0..10_010).map(place).chain([p(500.0, 500.0)]), true);
+    let curves = smoothed(&waves, 0.06);
+    assert!(curves.segment_count() > 20_000);
+    for by in [1.0, -1.0] {
+        let found = offset(&curves, by).unwrap_or_else(|why| panic!("{by}: {why}"));
+        assert!(found.len() == 1 && Coarse::of(&found).is_none(), "{by}: {}", found.len());
     }
 }
 

@@ -165,7 +165,8 @@ fn trim_closing_corners(scratch: &Scratch, closed: bool, first: usize, pieces: &
     for (k, cut) in cuts.iter_mut().enumerate() {
         let next = after(k);
         if own[k].next.is_none() && next != k {
-            *cut = crossing_at_joint(&own[k].segment, &own[next].segment);
+            let (before, after) = (&own[k].segment, &own[next].segment);
+            *cut = crossing_at_joint(before, after).or_else(|| overlap_at_joint(before, after));
         }
     }
     refuse_overlapping(&mut cuts, count, closed);
@@ -201,6 +202,19 @@ fn crossing_at_joint(before: &Segment, after: &Segment) -> Trim {
     let earliest = contacts.iter().all(|c| last.on_second <= c.on_second);
     (earliest && last.on_first > 0.0 && last.on_second < 1.0)
         .then_some([last.on_first, last.on_second])
+}
+
+/// Neighbours that overlap by less than this to the side are one curve where they do.
+const ONE_CURVE_MM: f64 = 1e-10;
+
+/// Shares on both pieces of the middle of their overlap, where curves that all but go on into each other overlap
+/// so little that their crossing cannot be told: by an angle a and so by d·a along the way, but by d·a²/2 to the side.
+fn overlap_at_joint(before: &Segment, after: &Segment) -> Trim {
+    let (way, back) = (before.direction(1.0), before.end() - after.start());
+    let (long, aside) = (way.dot(back), way.cross(back).abs());
+    let (first, second) = (0.5 * long / before.length(), 0.5 * long / after.length());
+    let one = long > 0.0 && aside <= ONE_CURVE_MM && way.dot(after.direction(0.0)) > 0.0;
+    (one && first < 1.0 && second < 1.0).then_some([1.0 - first, second])
 }
 
 /// A piece cut from both ends must keep something; otherwise neither cut is made, and the crossings

@@ -3,6 +3,7 @@
 use super::scratch::{Buffer, Scratch};
 use crate::segment::square;
 use crate::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
+use std::cell::OnceCell;
 
 /// All segments of all contours with an index.
 pub(super) struct Source<'a> {
@@ -13,6 +14,8 @@ pub(super) struct Source<'a> {
     pub scratch: &'a Scratch,
     indexed: Indexed,
     ways: Buffer<'a, Ways>,
+    /// How often the contours wind round what lies to the left of each, as far as it was asked.
+    left_of: OnceCell<Vec<OnceCell<Option<i32>>>>,
 }
 
 /// Unit directions of travel at the ends of a segment.
@@ -59,7 +62,7 @@ impl<'a> Source<'a> {
         }
         let indexed = Indexed::in_lists((scratch.take(), scratch.take()), contours);
         let ways = Buffer::of(scratch, indexed.segments().iter().map(Ways::of));
-        Self { contours, first, scratch, indexed, ways }
+        Self { contours, first, scratch, indexed, ways, left_of: OnceCell::new() }
     }
 
     /// The segments of all contours, numbered through.
@@ -107,12 +110,17 @@ impl<'a> Source<'a> {
             return None;
         }
         let own = self.first.partition_point(|first| *first <= segment).checked_sub(1)?;
+        let none = || vec![OnceCell::new(); self.contours.len()];
+        let left = *self.left_of.get_or_init(none)[own].get_or_init(|| self.winding_left_of(own));
+        Some(left? - i32::from(distance > 0.0))
+    }
+
+    fn winding_left_of(&self, own: usize) -> Option<i32> {
         let (contour, place) = (&self.contours[own], self.contours[own].start()?);
         let others =
             self.contours.iter().enumerate().filter(|(n, c)| *n != own && c.bounds().holds(place));
         let around: i32 = others.map(|(_, other)| other.winding(place)).sum();
-        let left = i32::from(contour.signed_area() > 0.0);
-        Some(around + left - i32::from(distance > 0.0))
+        Some(around + i32::from(contour.signed_area() > 0.0))
     }
 
     /// Whether a segment or one beside it lies nearer to a place than `limit`.

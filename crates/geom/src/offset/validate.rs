@@ -326,7 +326,7 @@ fn present(
             continue;
         }
         let has_room = !source.is_nearer(beyond, size + 0.5 * room);
-        if has_room && !is_behind(wanted, element, at) && !coverage.is_near(at) {
+        if has_room && !coverage.is_near(at) && !is_behind(wanted, element, at) {
             return unproved("a part is missing", at);
         }
     }

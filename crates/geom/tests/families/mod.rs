@@ -54,7 +54,6 @@ pub const FAMILIES: &[Family] = &[
     ("polyarc", polyarc),
     ("comb", comb),
     ("cracks", cracks),
-    ("cusps", cusps),
 ];
 
 fn signed(dice: &mut Dice, size: f64) -> f64 {
