@@ -71,7 +71,10 @@ fn a_job_too_deep_for_the_machine_is_told_when_it_is_made() {
     assert_eq!(warned("--z-bottom -40"), "");
     assert_eq!(warned("--z-surface=-18 --z-top=-5"), "");
     // The machine that is asked refuses it.
-    shop.kerf("toolpath job.rsg --report").exits(1).complains("below ZBottom");
+    let refused = shop.kerf("toolpath job.rsg --report");
+    refused.exits(1).complains("below ZBottom");
+    refused.complains("job.rsg: it does not run to its end: no report");
+    assert_eq!(refused.out(), "", "no table of zeros");
 }
 
 #[test]
@@ -88,11 +91,9 @@ fn smoothing_is_for_every_model_of_motion_when_paths_are_made() {
 
 /// The words of a picture's key about a script's groups.
 fn key_of(script: &str) -> Vec<String> {
-    let folder = tempfile::tempdir().unwrap();
-    kerf(folder.path(), &["draw", "--do", script, "-o", "job.rsg"]);
-    let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.svg"]);
-    assert_eq!(made.status.code(), Some(0), "{}", told(&made));
-    let picture = std::fs::read_to_string(folder.path().join("job.svg")).unwrap();
+    let shop = drawn(script);
+    shop.kerf("toolpath job.rsg -o job.svg").exits(0);
+    let picture = shop.read("job.svg");
     let told = ["black, tool 1", "red, tool 1", "a cut begins", "bounds of the cuts"];
     told.into_iter().filter(|words| picture.contains(words)).map(str::to_owned).collect()
 }
