@@ -2,7 +2,7 @@
 
 use crate::child::{self, What};
 use crate::figure::{Figure, Goal};
-use anyhow::{Context, Result};
+use anyhow::Result;
 use kerf_motion::{Move, Mover, OptimalPlanner, Planner, Queue};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
 use std::env;
