@@ -28,7 +28,7 @@ pub struct Tracks {
 /// How closely tracks follow the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Detail {
-    /// Moves shorter than this in X and Y are points, mm.
+    /// Moves shorter than this in X and Y are points when they go up or down, mm.
     pub point_mm: f64,
     /// Moves shorter than this get one shade, mm.
     pub shade_mm: f64,
@@ -87,11 +87,17 @@ impl Pen {
                 draw(&mut self.tracks.jogs, segment, from, to);
             }
             MoveKind::Jog => {}
-            MoveKind::Cut if from.distance(to).max(length) > self.detail.point_mm => {
-                self.cut(segment, length);
+            MoveKind::Cut if self.is_plunge(segment, from.distance(to).max(length)) => {
+                self.plunge(to, segment.from[2].min(segment.to[2]));
             }
-            MoveKind::Cut => self.plunge(to, segment.from[2].min(segment.to[2])),
+            MoveKind::Cut => self.cut(segment, length),
         }
+    }
+
+    /// Whether a cut goes down on the spot. Many cuts too short to be seen are a line together when they do not.
+    fn is_plunge(&self, segment: &Segment, length: f64) -> bool {
+        let steep = (segment.to[2] - segment.from[2]).abs() >= length;
+        steep && length <= self.detail.point_mm
     }
 
     fn cut(&mut self, segment: &Segment, length: f64) {
@@ -199,5 +205,28 @@ fn draw(outline: &mut Outline, segment: &Segment, from: Point2, to: Point2) {
         Shape::Arc { centre: [x, y], sweep_rad } => {
             outline.arc_to(Point2::new(x, y), to, sweep_rad)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A circle of a million places was a hundred thousand plunges and as many bits of line.
+    #[test]
+    fn cuts_too_short_to_be_seen_are_a_line_together() {
+        let detail = Detail { point_mm: 0.01, shade_mm: 1.0, tolerance_mm: Some(0.1) };
+        let place = |k: u32| [f64::from(k) * 0.002, 0.0, -1.0];
+        let cut = |from, to| Segment { kind: MoveKind::Cut, from, to, shape: Shape::Line, line: 1 };
+        let down = cut([0.0, 0.0, 0.0], place(0));
+        let along = (0..5000).map(|k| cut(place(k), place(k + 1)));
+        let segments = [down].into_iter().chain(along).collect();
+        let scene = Scene { segments, ..Scene::default() };
+        let tracks = Tracks::of(&scene, &DepthScale::new(0.0, -1.0, 0.0), &detail);
+        let places: Vec<Point2> = tracks.plunges.iter().map(|(at, _)| *at).collect();
+        assert_eq!(places, [Point2::default()]);
+        let steps: Vec<usize> =
+            tracks.cuts.iter().map(|cut| cut.ops.len()).filter(|n| *n > 0).collect();
+        assert_eq!(steps, [2]);
     }
 }
