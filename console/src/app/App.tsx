@@ -10,12 +10,13 @@ import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown, useSnapshot } from "./context";
 import { FollowedFace } from "./FollowedFace";
+import { Guard } from "./Guard";
 import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
 import { PairScreen } from "./PairScreen";
-import { shownIn } from "./routes";
+import { type Route, shownIn } from "./routes";
 import { Sounds } from "./Sounds";
 import { StartedUp } from "./StartedUp";
 import { TopStrip } from "./TopStrip";
@@ -26,9 +27,13 @@ export function App({ hands }: { hands: Hands }) {
     <HandsContext value={hands}>
       <Keys />
       <TopStrip />
-      <Body />
-      <Notices />
-      <Sounds />
+      <Guard>
+        <Body />
+      </Guard>
+      <Guard>
+        <Notices />
+        <Sounds />
+      </Guard>
     </HandsContext>
   );
 }
@@ -47,6 +52,8 @@ const DrawScreen = lazy(async () => ({
 }));
 
 function Body() {
+  const drawingOnly = useSnapshot("drawingOnly") ?? false;
+  const route = shownIn(useScreen("route"), drawingOnly);
   const sheet = useScreen("sheet");
   const asked = useShown((shown) => shown.snapshot?.asked);
   const calculator = useScreen("calculator");
@@ -54,26 +61,28 @@ function Body() {
   return (
     <div className="body">
       <main className="screen" inert={covered}>
-        <Suspense fallback={null}>
-          <Route />
-        </Suspense>
+        <Guard key={route}>
+          <Suspense fallback={null}>
+            <RouteScreen route={route} />
+          </Suspense>
+        </Guard>
       </main>
-      <MessageWindow />
-      <PauseCard />
-      <FollowedFace />
-      <StartedUp />
-      {sheet && <OpenSheet sheet={sheet} />}
-      {asked && <Asking asked={asked} />}
-      {calculator && <CalculatorSheet field={calculator.field} />}
+      <Guard>
+        <MessageWindow />
+        <PauseCard />
+        <FollowedFace />
+        <StartedUp />
+      </Guard>
+      <Guard key={sheet ? "sheet" : "none"}>{sheet && <OpenSheet sheet={sheet} />}</Guard>
+      <Guard key={`asked ${asked?.number}`}>{asked && <Asking asked={asked} />}</Guard>
+      <Guard>{calculator && <CalculatorSheet field={calculator.field} />}</Guard>
       <LostLink />
       <PairScreen />
     </div>
   );
 }
 
-function Route() {
-  const drawingOnly = useSnapshot("drawingOnly") ?? false;
-  const route = shownIn(useScreen("route"), drawingOnly);
+function RouteScreen({ route }: { route: Route }) {
   switch (route) {
     case "/":
       return <OperatorScreen />;

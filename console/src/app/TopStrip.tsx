@@ -1,5 +1,7 @@
+import { Button } from "../ui/Button";
 import { ArmButton } from "./ArmButton";
 import { useSnapshot } from "./context";
+import { Guard } from "./Guard";
 import { HoldButton } from "./HoldButton";
 import { LeaseChip } from "./LeaseChip";
 import { ModeChip } from "./ModeChip";
@@ -11,27 +13,39 @@ import "./top-strip.css";
 /**
  * On every screen, above every dialog: what the machine is doing, hold, STOP.
  *
- * Libraries that hide the page behind an overlay leave a "top layer" alone.
+ * What fails leaves STOP where it is. Libraries that hide the page behind an overlay leave a "top layer" alone.
  */
 export function TopStrip() {
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   return (
     <header className="strip" data-react-aria-top-layer="true">
-      <Navigation />
-      {drawingOnly ? (
-        <p className="strip-words">Drawings only: the machine is left alone</p>
-      ) : (
-        <>
-          <ModeChip />
-          <StateWord />
-          <ArmButton />
-        </>
-      )}
+      <Guard instead={<LoadAgain />}>
+        <Navigation />
+        {drawingOnly ? (
+          <p className="strip-words">Drawings only: the machine is left alone</p>
+        ) : (
+          <>
+            <ModeChip />
+            <StateWord />
+            <ArmButton />
+          </>
+        )}
+      </Guard>
       <div className="strip-end">
-        <LeaseChip />
-        <HoldButton />
+        <Guard instead={<LoadAgain />}>
+          <LeaseChip />
+          <HoldButton />
+        </Guard>
         <StopButton />
       </div>
     </header>
+  );
+}
+
+function LoadAgain() {
+  return (
+    <Button size="small" onPress={() => location.reload()}>
+      This part failed: load the page again
+    </Button>
   );
 }

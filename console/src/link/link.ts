@@ -53,7 +53,15 @@ class SocketLink implements Link {
   #open(): void {
     const socket = new WebSocket(this.#address);
     this.#socket = socket;
-    socket.addEventListener("message", ({ data }) => this.#hear(JSON.parse(String(data))));
+    socket.addEventListener("message", ({ data }) => {
+      try {
+        this.#hear(JSON.parse(String(data)));
+      } catch (error) {
+        // What is shown would be old from here on: a new snapshot is fetched.
+        reportError(error);
+        socket.close();
+      }
+    });
     socket.addEventListener("close", () => this.#lose());
   }
 
