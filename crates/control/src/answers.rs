@@ -95,8 +95,12 @@ fn numbered(text: &str) -> Option<(u32, &str)> {
 
 fn of_kind(text: &str) -> Option<(&'static str, &str)> {
     let (kind, answer) = text.split_once('=')?;
-    let kind = KINDS.into_iter().map(kind_word).find(|w| w.eq_ignore_ascii_case(kind.trim()))?;
-    Some((kind, answer.trim()))
+    Some((kind_word(kind_of(kind)?), answer.trim()))
+}
+
+/// The kind that a word of the trace stands for.
+pub fn kind_of(word: &str) -> Option<QuestionKind> {
+    KINDS.into_iter().find(|kind| kind_word(*kind).eq_ignore_ascii_case(word.trim()))
 }
 
 const KINDS: [QuestionKind; 11] = [

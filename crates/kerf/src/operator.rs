@@ -180,6 +180,11 @@ impl RealPace {
         Ok(Self { clock, script, pressed, seen: None })
     }
 
+    /// Whether Ctrl-C was pressed.
+    pub fn is_stopped(&self) -> bool {
+        self.pressed.load(Ordering::Relaxed)
+    }
+
     /// Sleeps until the moment of the world at which a machine time is reached; earlier, and with
     /// the machine time, when Ctrl-C is pressed.
     fn sleep(&mut self, from_s: f64, to_s: f64) -> Option<f64> {

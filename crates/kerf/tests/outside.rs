@@ -387,6 +387,45 @@ fn sbp_flow_exit_shopbot__may_end_the_server() {
     shop.kerf("sysvars").says("  1             1  ");
 }
 
+#[cfg(unix)]
+#[test]
+fn sbp_ctl_api__the_command_line_goes_through_it() {
+    let shop = shop();
+    shop.write("ask.sbp", b"INPUT \"How far?\" &x\nPRINT \"going to \"; &x\nMX,&x\nGetUsrVal &u\nPRINT &u\nPAUSE\nMY,1\n");
+    shop.write("answers.txt", b"3\nOK\n");
+    shop.write("long.sbp", b"MX,4000\n");
+    shop.write("wrong.sbp", b"QQ,1\n");
+    let console = Console::begin(&shop, &[]);
+    let on = |what: &str| shop.kerf(&format!("{what} --server {}", console.url));
+    on("registry set ShopBot/UserData/uValue a|b").exits(0);
+    on("registry get uValue").exits(0).says("a|b\n");
+    on("registry get").says("uValue=a|b").says("Status=0");
+    on("registry get nothing").exits(1).complains("nothing has no value");
+    on("run ask.sbp --answers answers.txt").exits(1).complains("arm it first");
+    on("run ask.sbp --answers answers.txt --arm").exits(0).says("going to 3\n").says("a|b\n");
+    let at = console.ask("GET /api/state", "")["motion"]["at"]["working"].clone();
+    assert!(
+        (at[0].as_f64().unwrap() - 76.2).abs() < 1e-6
+            && (at[1].as_f64().unwrap() - 25.4).abs() < 1e-6
+    );
+    on("run wrong.sbp --arm").exits(1);
+    on("run nowhere.sbp --arm").exits(1);
+    on("registry set uValue").exits(0);
+    on("registry get uValue").exits(1);
+    // Ctrl-C stops the machine of the server; nobody answers whether it goes on.
+    let mut command = shop.command();
+    let url = &console.url;
+    let mut running = command.args(["run", "long.sbp", "--arm", "--server", url]).spawn().unwrap();
+    while console.ask("GET /api/state", "")["machine"]["state"] != "running" {
+        assert!(running.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let id = nix::unistd::Pid::from_raw(running.id() as i32);
+    nix::sys::signal::kill(id, nix::sys::signal::Signal::SIGINT).unwrap();
+    assert_eq!(running.wait().unwrap().code(), Some(3));
+    assert_eq!(console.ask("GET /api/state", "")["job"]["ended"], "stopped");
+}
+
 #[test]
 fn sbp_ext_tr__stands_above_an_added_tool() {
     let shop = shop();

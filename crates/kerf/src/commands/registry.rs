@@ -2,6 +2,7 @@
 
 use crate::args::DataArgs;
 use crate::exit::Exit;
+use crate::remote::Remote;
 use crate::{memory, out, setup};
 use anyhow::Result;
 use clap::{Args, Subcommand};
@@ -19,6 +20,9 @@ use std::path::Path;
 pub struct RegistryArgs {
     #[command(subcommand)]
     action: Action,
+    /// Those of a running `kerf serve` at this address
+    #[arg(long, value_name = "URL", global = true)]
+    server: Option<String>,
     #[command(flatten)]
     data: DataArgs,
 }
@@ -39,7 +43,34 @@ enum Action {
     },
 }
 
+/// Asks a server, or tells it.
+fn remotely(server: &Remote, action: &Action) -> Result<Exit> {
+    match action {
+        Action::Get { key: None } => {
+            let lines = server.values()?.into_iter().map(|(key, value)| format!("{key}={value}\n"));
+            out::print(&lines.collect::<String>());
+        }
+        Action::Get { key: Some(key) } => {
+            let key = last_part(key);
+            match server.values()?.into_iter().find(|(name, _)| name == key) {
+                Some((_, value)) => out::print(&(value + "\n")),
+                None => return Ok(no_value(key)),
+            }
+        }
+        Action::Set { key, value } => server.set_value(last_part(key), value.as_deref())?,
+    }
+    Ok(Exit::Good)
+}
+
+fn no_value(key: &str) -> Exit {
+    eprintln!("kerf: {key} has no value");
+    Exit::Failed
+}
+
 pub fn run(args: &RegistryArgs) -> Result<Exit> {
+    if let Some(url) = &args.server {
+        return remotely(&Remote::new(url)?, &args.action);
+    }
     let data = setup::data_folder(&args.data)?;
     match &args.action {
         Action::Get { key: None } => {
@@ -58,10 +89,7 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
                 None if key == "uUsrPath" => {
                     RealDisk.real_path(Path::new("")).display().to_string()
                 }
-                None => {
-                    eprintln!("kerf: {key} has no value");
-                    return Ok(Exit::Failed);
-                }
+                None => return Ok(no_value(key)),
             };
             out::print(&(value + "\n"));
         }

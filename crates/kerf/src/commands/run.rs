@@ -9,6 +9,7 @@ use crate::out;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
+use crate::remote::{Along, Remote};
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job};
 use crate::signals::{ReadingBytes, VcdArgs};
@@ -43,6 +44,13 @@ pub struct RunCommand {
     /// lifts, the spindle starts, the tool goes over the place, plunges, and the cut goes on
     #[arg(long, conflicts_with = "file")]
     resume: bool,
+    /// Runs it on a running `kerf serve` at this address: a file of its part folder. What it prints is
+    /// printed, its questions are asked here and on every page, Ctrl-C stops it
+    #[arg(long, value_name = "URL", conflicts_with = "resume")]
+    server: Option<String>,
+    /// Arms the machine of the server first
+    #[arg(long, requires = "server")]
+    arm: bool,
     #[command(flatten)]
     machine: MachineArgs,
     #[command(flatten)]
@@ -95,8 +103,40 @@ enum PaceName {
     Real,
 }
 
+/// Has a server run a file of its part folder.
+fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
+    let server = Remote::new(url)?;
+    if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
+        server.unlock(&password)?;
+    }
+    let pace = RealPace::new(Clock::Fast, args.run.operator.script())?;
+    let person = args.run.answers.is_none() && io::stdin().is_terminal();
+    let mut operator = Person::new(setup::answers(&args.run)?, person, &pace);
+    let mut print = |line: &str| out::print(&format!("{line}\n"));
+    let stopped = || pace.is_stopped();
+    let along = Along { operator: &mut operator, stopped: &stopped, print: &mut print };
+    let (ended, why) = server.run(&file.display().to_string(), args.arm, along)?;
+    if let Some(why) = why {
+        eprintln!("kerf: {why}");
+    }
+    Ok(told_by_server(&ended))
+}
+
+/// Tells how a server's run ended.
+pub fn told_by_server(ended: &str) -> Exit {
+    eprintln!("kerf: {ended}");
+    match ended {
+        "ok" | "ended" => Exit::Good,
+        "failed" => Exit::Failed,
+        _ => Exit::Stopped,
+    }
+}
+
 pub fn run(args: &RunCommand) -> Result<Exit> {
     args.machine.check()?;
+    if let (Some(url), Some(file)) = (&args.server, &args.file) {
+        return remotely(url, file, args);
+    }
     let mut run = args.run.clone();
     run.place.start_run();
     match &args.file {

@@ -1,7 +1,7 @@
 //! `kerf send`: commands to be carried out at once.
 
 use super::protect;
-use super::run::{MachineArgs, on_machine};
+use super::run::{MachineArgs, on_machine, told_by_server};
 use crate::args::RunArgs;
 use crate::exit::Exit;
 use crate::remote::Remote;
@@ -71,13 +71,7 @@ fn remotely(url: &str, lines: &str, password: Option<&str>) -> Result<Exit> {
     if let Some(password) = password {
         server.unlock(password)?;
     }
-    let ended = server.send(lines)?;
-    eprintln!("kerf: {ended}");
-    Ok(match ended.as_str() {
-        "ok" | "ended" => Exit::Good,
-        "failed" => Exit::Failed,
-        _ => Exit::Stopped,
-    })
+    Ok(told_by_server(&server.send(lines)?))
 }
 
 pub fn run(args: &SendArgs) -> Result<Exit> {

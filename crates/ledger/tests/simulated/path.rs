@@ -137,12 +137,25 @@ fn straight(a: &Piece, b: &Piece) -> bool {
 pub fn whole(pieces: &[Piece]) -> Vec<Piece> {
     let mut path: Vec<Piece> = Vec::new();
     for piece in pieces.iter().filter(|p| p.arc.is_some() || !same(p.from, p.to)) {
+        if let Some(again) = begun_again(&path, piece) {
+            path.truncate(again);
+        }
         match path.last().and_then(|last| last.join(piece)) {
             Some(joined) => drop(path.pop().map(|_| path.push(joined))),
             None => path.push(*piece),
         }
     }
     path
+}
+
+/// Where a way down along the path began that this piece begins again: one that was stopped on is made
+/// from its start.
+fn begun_again(path: &[Piece], piece: &Piece) -> Option<usize> {
+    let sinks = |p: &Piece| p.to[2] < p.from[2] - SAME;
+    let slope = path.iter().rev().take_while(|p| sinks(p)).count();
+    let first = path.len() - slope;
+    let again = path[first..].iter().position(|p| same(p.from, piece.from));
+    again.filter(|_| sinks(piece)).map(|at| first + at)
 }
 
 /// The path without its heights when they do not count.
@@ -182,9 +195,14 @@ fn untold(done: &[Piece], path: &[Piece], at: [f64; 3]) -> Option<Piece> {
     rest.or_else(|| path.get(done.len())?.up_to(at))
 }
 
-/// Where two paths differ.
-pub fn difference(a: &[Piece], b: &[Piece]) -> Option<String> {
-    let (a, b) = (whole(a), whole(b));
+/// Where two paths differ: to their ends, or as far as both go, but for the last piece of the shorter.
+pub fn difference(a: &[Piece], b: &[Piece], to_the_end: bool) -> Option<String> {
+    let (mut a, mut b) = (whole(a), whole(b));
+    if !to_the_end {
+        let both = a.len().min(b.len()).saturating_sub(1);
+        a.truncate(both);
+        b.truncate(both);
+    }
     let alike = |(a, b): (&Piece, &Piece)| {
         let sweep = |p: &Piece| p.arc.map_or(0.0, |arc| arc.sweep_rad);
         near(a.from, b.from) && near(a.to, b.to) && (sweep(a) - sweep(b)).abs() < NEAR

@@ -1,4 +1,9 @@
-//! Lines that are sent to a running server instead of the machine of the data folder.
+//! A running server instead of the machine of the data folder: lines, files and values go to it over HTTP.
+
+mod runs;
+mod values;
+
+pub use runs::Along;
 
 use anyhow::{Context, Result, bail};
 use serde_json::{Value, json};
@@ -28,17 +33,28 @@ impl Remote {
 
     /// Carries lines out and waits for their end; what it was, as the trace writes it.
     pub fn send(&self, lines: &str) -> Result<String> {
+        let sends = |lease: &Value, before: &Value| {
+            self.act("command", json!({ "lease": lease, "line": lines }))?;
+            self.until_over(number_of_run(before))
+        };
+        self.driving(BESIDE, sends)
+    }
+
+    /// Does something as the one who drives, with the number of that turn and the state before it. Whoever
+    /// drove before goes on driving.
+    fn driving<T>(
+        &self,
+        beside: &'static str,
+        does: impl FnOnce(&Value, &Value) -> Result<T>,
+    ) -> Result<T> {
         let before = self.state()?;
-        self.act("takeLease", json!({ "force": false })).context(BESIDE)?;
+        self.act("takeLease", json!({ "force": false })).context(beside)?;
         let lease = self.state()?["lease"]["number"].clone();
-        let (driven, before) = (!before["lease"].is_null(), before["job"]["run"].as_u64());
-        let before = before.unwrap_or_default();
-        let sent = self.act("command", json!({ "lease": lease, "line": lines }));
-        let ended = sent.and_then(|()| self.until_over(before));
-        if !driven {
+        let done = does(&lease, &before);
+        if before["lease"].is_null() {
             self.act("giveLease", json!({ "lease": lease }))?;
         }
-        ended
+        done
     }
 
     /// Gives the password of the settings: for a while they may be changed from here.
@@ -48,10 +64,8 @@ impl Remote {
 
     fn until_over(&self, before: u64) -> Result<String> {
         loop {
-            let job = self.state()?["job"].clone();
-            if let (Some(ended), true) = (job["ended"].as_str(), job["run"].as_u64() > Some(before))
-            {
-                return Ok(ended.to_owned());
+            if let Some(ended) = ended(&self.state()?, before) {
+                return Ok(ended);
             }
             sleep(LOOK);
         }
@@ -65,8 +79,13 @@ impl Remote {
         self.ask("POST", &format!("/api/do/{name}"), &fields.to_string()).map(drop)
     }
 
-    /// One request, one connection.
     fn ask(&self, method: &str, path: &str, body: &str) -> Result<Value> {
+        let answer = self.request(method, path, body)?;
+        Ok(serde_json::from_str(&answer).unwrap_or_default())
+    }
+
+    /// One request, one connection; the text of the answer.
+    fn request(&self, method: &str, path: &str, body: &str) -> Result<String> {
         let reached = || format!("no server is reached at {}", self.address);
         let mut stream = TcpStream::connect(&self.address).with_context(reached)?;
         let (host, length) = (&self.address, body.len());
@@ -79,10 +98,21 @@ impl Remote {
         stream.read_to_end(&mut answer)?;
         let answer = String::from_utf8_lossy(&answer);
         let (head, body) = answer.split_once("\r\n\r\n").with_context(reached)?;
-        let value: Value = serde_json::from_str(body).unwrap_or_default();
         if head.split(' ').nth(1) != Some("200") {
-            bail!("{}", value["text"].as_str().unwrap_or(body));
+            let problem: Value = serde_json::from_str(body).unwrap_or_default();
+            bail!("{}", problem["text"].as_str().unwrap_or(body));
         }
-        Ok(value)
+        Ok(body.to_owned())
     }
+}
+
+/// The number of the run that a state tells of.
+fn number_of_run(state: &Value) -> u64 {
+    state["job"]["run"].as_u64().unwrap_or_default()
+}
+
+/// How a run ended that began after another.
+fn ended(state: &Value, before: u64) -> Option<String> {
+    let ended = state["job"]["ended"].as_str()?;
+    (number_of_run(state) > before).then(|| ended.to_owned())
 }

@@ -1,0 +1,140 @@
+//! A part file that a running server runs, with whoever sits here.
+
+use super::{LOOK, Remote, ended, number_of_run};
+use anyhow::{Result, bail};
+use kerf_control::answers::{self, Operator};
+use kerf_program::{Button, Question};
+use serde_json::{Value, json};
+use std::thread::sleep;
+
+/// What to do where a page has the machine.
+const BESIDE: &str = "the file was not run: a page has the machine";
+
+/// Whoever goes along with a run.
+pub struct Along<'a> {
+    /// Answers its questions; a page may be first.
+    pub operator: &'a mut dyn Operator,
+    /// Whether it is to be stopped.
+    pub stopped: &'a dyn Fn() -> bool,
+    /// Takes the lines that it prints.
+    pub print: &'a mut dyn FnMut(&str),
+}
+
+impl Remote {
+    /// Has a file of the server's part folder run, after arming the machine where that is wanted. How it
+    /// ended, as the trace writes it, and the error.
+    pub fn run(&self, name: &str, arm: bool, along: Along<'_>) -> Result<(String, Option<String>)> {
+        self.act("open", json!({ "name": name }))?;
+        let hash = self.previewed(name)?;
+        self.driving(BESIDE, |lease, before| {
+            if arm {
+                self.act("arm", json!({ "lease": lease }))?;
+            }
+            self.act("run", json!({ "lease": lease, "hash": hash, "step": false }))?;
+            self.goes_along(before, along)
+        })
+    }
+
+    /// Waits until a file that was opened is previewed; its hash.
+    fn previewed(&self, name: &str) -> Result<Value> {
+        loop {
+            let opened = self.state()?["opened"].clone();
+            if opened["name"] != name {
+                bail!("another file was opened meanwhile: {}", opened["name"]);
+            }
+            match opened["preview"]["state"].as_str() {
+                Some("working") => sleep(LOOK),
+                Some("failed") => {
+                    bail!("{name}: {}", opened["preview"]["why"].as_str().unwrap_or_default())
+                }
+                _ => return Ok(opened["hash"].clone()),
+            }
+        }
+    }
+
+    fn goes_along(&self, before: &Value, along: Along<'_>) -> Result<(String, Option<String>)> {
+        let Along { operator, stopped, print } = along;
+        let (mut printed, mut answered, mut stops) = (lines(before), None, false);
+        loop {
+            let now = self.state()?;
+            let told = lines(&now);
+            news(&printed, &told).iter().for_each(|line| print(line));
+            printed = told;
+            if let Some(ended) = ended(&now, number_of_run(before)) {
+                let why = now["job"]["error"]["message"].as_str().map(str::to_owned);
+                return Ok((ended, why));
+            }
+            if stopped() && !std::mem::replace(&mut stops, true) {
+                self.act("stop", json!({}))?;
+            }
+            let asked = &now["asked"];
+            if !asked.is_null() && answered != asked["number"].as_u64() {
+                answered = asked["number"].as_u64();
+                self.answer(asked, operator)?;
+            }
+            sleep(LOOK);
+        }
+    }
+
+    /// Answers an open question; without an operator as nobody would.
+    fn answer(&self, asked: &Value, operator: &mut dyn Operator) -> Result<()> {
+        let Some(question) = question(asked) else { return Ok(()) };
+        let file = asked["file"].as_str().unwrap_or_default();
+        let line = asked["line"].as_u64().unwrap_or_default() as u32;
+        let answer = operator.answer_in(&question, file, line);
+        let answer =
+            answer.unwrap_or_else(|| answers::words(&answers::unattended_answer(&question)));
+        let number = &asked["number"];
+        let told = self.act("answer", json!({ "question": number, "answer": answer }));
+        // Somebody at a page may have been first.
+        if self.state()?["asked"]["number"] == *number { told } else { Ok(()) }
+    }
+}
+
+/// The print window.
+fn lines(state: &Value) -> Vec<String> {
+    let lines = state["printed"].as_array().into_iter().flatten();
+    lines.filter_map(|line| line.as_str().map(str::to_owned)).collect()
+}
+
+/// What came to a list that forgets its oldest lines.
+fn news<'a>(before: &[String], now: &'a [String]) -> &'a [String] {
+    let still = (0..=before.len()).find(|from| now.starts_with(&before[*from..]));
+    &now[before.len() - still.unwrap_or(before.len())..]
+}
+
+/// The question as the machine asked it.
+fn question(asked: &Value) -> Option<Question> {
+    let text = |key: &str| asked[key].as_str().unwrap_or_default().to_owned();
+    let words = asked["buttons"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let button = |word: &str| Button::ALL.into_iter().find(|button| button.word() == word);
+    Some(Question {
+        kind: answers::kind_of(&text("kind"))?,
+        text: text("text"),
+        title: text("title"),
+        buttons: words.filter_map(button).collect(),
+        default: asked["default"].as_u64().unwrap_or_default() as usize,
+        prefill: text("prefill"),
+        icon: asked["icon"].as_u64().unwrap_or_default() as _,
+        until: None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::news;
+
+    #[test]
+    fn lines_are_printed_once() {
+        let list = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        for (before, now, new) in [
+            ("", "a b", "a b"),
+            ("a b", "a b c", "c"),
+            ("a b c", "b c d e", "d e"),
+            ("a", "b c", "b c"),
+            ("a b", "", ""),
+        ] {
+            assert_eq!(news(&list(before), &list(now)), list(new), "{before} | {now}");
+        }
+    }
+}
