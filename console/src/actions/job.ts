@@ -97,7 +97,7 @@ function warnings(world: World): string {
   const doubt =
     "The machine moved when Kerf ended: make sure that it is where the display says, and zero it anew if not. ";
   return `${sentence(interrupted?.text ?? "")} ${interrupted?.moved ? doubt : ""}\
-The tool lifts first; before it goes back and anything turns you are asked once more.`;
+Before the tool goes back and anything turns you are asked once more.`;
 }
 
 const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;

@@ -1,4 +1,4 @@
-import { drive } from "../actions/ask";
+import { ask, drive } from "../actions/ask";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
 import { Button } from "../ui/Button";
@@ -6,7 +6,7 @@ import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { choose } from "./actions";
 import type { Plan } from "./plan";
-import { ValueField } from "./ValueField";
+import { ValueField, type ValueFieldProps } from "./ValueField";
 
 const yesNo = [
   { value: "yes", words: "Yes" },
@@ -18,75 +18,59 @@ export function CutPanel({ plan }: { plan: Plan }) {
   const hands = useHands();
   const units = useSnapshot("units");
   const offset = useSnapshot("opened")?.choice.offset ?? 0;
-  const inForce = useSnapshot("job")?.heights;
+  const job = useSnapshot("job");
   const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
-  const runs = useShown((shown) => shown.snapshot?.job?.ended === null);
   if (!units) return null;
   const { view } = plan;
-  const [top, surface, bottom] = (runs && inForce) || view.heights;
+  const runs = job?.ended === null ? job : null;
+  const [top, surface, bottom] = runs?.heights ?? view.heights;
+  const { cutMmS, plungeMmS, raise } = runs?.inForce ?? view;
   const set = (key: string, value: string) => drive(worldOf(hands), { do: "set", key, value });
   const { mm, linear } = units;
   const speed = (key: string) => (value: number) => set(key, `${value * mm} mm/min`);
   const height = (key: string) => (value: number) => set(key, String(value * mm));
   const off = !idle;
   const perMin = `${linear}/min`;
+  const fields: readonly ValueFieldProps[] = [
+    {
+      label: "Cutting speed",
+      value: (cutMmS * 60) / mm,
+      unit: perMin,
+      onSet: speed("smoothing.cut_speed_mm_s"),
+    },
+    {
+      label: "Plunging speed",
+      value: (plungeMmS * 60) / mm,
+      unit: perMin,
+      onSet: speed("plunge.speed_mm_s"),
+    },
+    { label: "Z top", value: top / mm, unit: linear, onSet: height("zpos.top_mm") },
+    { label: "Z surface", value: surface / mm, unit: linear, onSet: height("zpos.surface_mm") },
+    { label: "Z bottom", value: bottom / mm, unit: linear, onSet: height("zpos.bottom_mm") },
+    {
+      label: "Repeats",
+      value: view.repeats,
+      onSet: (value) => set("job.repeats", String(value)),
+    },
+    {
+      label: "Offset of all paths",
+      value: offset / mm,
+      unit: linear,
+      onSet: (value) => choose(worldOf(hands), { offset: value * mm }),
+    },
+  ];
   return (
     <Panel title="How it is cut" className="cut-panel">
       <div className="cut-grid">
-        <ValueField
-          label="Cutting speed"
-          value={(view.cutMmS * 60) / mm}
-          unit={perMin}
-          isDisabled={off}
-          onSet={speed("smoothing.cut_speed_mm_s")}
-        />
-        <ValueField
-          label="Plunging speed"
-          value={(view.plungeMmS * 60) / mm}
-          unit={perMin}
-          isDisabled={off}
-          onSet={speed("plunge.speed_mm_s")}
-        />
-        <ValueField
-          label="Z top"
-          value={top / mm}
-          unit={linear}
-          isDisabled={off}
-          onSet={height("zpos.top_mm")}
-        />
-        <ValueField
-          label="Z surface"
-          value={surface / mm}
-          unit={linear}
-          isDisabled={off}
-          onSet={height("zpos.surface_mm")}
-        />
-        <ValueField
-          label="Z bottom"
-          value={bottom / mm}
-          unit={linear}
-          isDisabled={off}
-          onSet={height("zpos.bottom_mm")}
-        />
-        <ValueField
-          label="Repeats"
-          value={view.repeats}
-          isDisabled={off}
-          onSet={(value) => set("job.repeats", String(value))}
-        />
-        <ValueField
-          label="Offset of all paths"
-          value={offset / mm}
-          unit={linear}
-          isDisabled={off}
-          onSet={(value) => choose(worldOf(hands), { offset: value * mm })}
-        />
+        {fields.map((field) => (
+          <ValueField key={field.label} {...field} isDisabled={off} />
+        ))}
         <div className="field">
           <span className="field-label">Rises when paused</span>
           <Choice
             label="Rises when paused"
             options={yesNo}
-            value={view.raise ? "yes" : "no"}
+            value={raise ? "yes" : "no"}
             isDisabled={off}
             onChange={(value) => void set("pause.raise", value === "yes" ? "true" : "false")}
           />
@@ -134,6 +118,13 @@ function Origin({ plan, isDisabled }: { plan: Plan; isDisabled: boolean }) {
             onPress={() => void choose(worldOf(hands), { origin: null })}
           >
             As in the file
+          </Button>
+          <Button
+            size="small"
+            isDisabled={isDisabled || chosen === null}
+            onPress={() => void ask(worldOf(hands), { do: "keepOrigin" })}
+          >
+            Keep it in the file
           </Button>
         </>
       )}

@@ -1,4 +1,3 @@
-import { useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
@@ -77,18 +76,13 @@ function ChooseStart({ text, say }: Says & { text: string }) {
 function ChangeValues({ say }: Says) {
   const plan = useJob();
   const units = useSnapshot("units");
-  const heights = useSnapshot("job")?.heights;
-  // What was said holds until the job is over; the server keeps the configuration as it was.
-  const [said, setSaid] = useState<{ cut?: number; plunge?: number; raise?: boolean }>({});
+  const job = useSnapshot("job");
   if (!plan || !units) return null;
   const { mm, linear } = units;
-  const { view } = plan;
-  const raise = said.raise ?? view.raise;
-  const mmMin = (which: "cut" | "plunge") => async (value: number) => {
-    const done = await say(`${which} ${value * mm}`);
-    if (done) setSaid((now) => ({ ...now, [which]: value * mm }));
-    return done;
-  };
+  const heights = job?.heights;
+  // What was said holds until the job is over; the configuration stays as it was.
+  const { cutMmS, plungeMmS, raise } = job?.inForce ?? plan.view;
+  const perMin = `${linear}/min`;
   return (
     <>
       <p>
@@ -98,15 +92,15 @@ function ChangeValues({ say }: Says) {
       <div className="cut-grid">
         <ValueField
           label="Cutting speed"
-          value={(said.cut ?? view.cutMmS * 60) / mm}
-          unit={`${linear}/min`}
-          onSet={mmMin("cut")}
+          value={(cutMmS * 60) / mm}
+          unit={perMin}
+          onSet={(value) => say(`cut ${value * mm}`)}
         />
         <ValueField
           label="Plunging speed"
-          value={(said.plunge ?? view.plungeMmS * 60) / mm}
-          unit={`${linear}/min`}
-          onSet={mmMin("plunge")}
+          value={(plungeMmS * 60) / mm}
+          unit={perMin}
+          onSet={(value) => say(`plunge ${value * mm}`)}
         />
         <ValueField
           label="Move Z bottom by"
@@ -127,10 +121,7 @@ function ChangeValues({ say }: Says) {
               { value: "no", words: "No" },
             ]}
             value={raise ? "yes" : "no"}
-            onChange={async (value) => {
-              if (await say(`raise ${value}`))
-                setSaid((now) => ({ ...now, raise: value === "yes" }));
-            }}
+            onChange={(value) => void say(`raise ${value}`)}
           />
         </div>
       </div>

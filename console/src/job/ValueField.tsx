@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import { evaluate, resultText } from "../app/expression";
 import { Field } from "../ui/Field";
 
-interface ValueFieldProps {
+export interface ValueFieldProps {
   label: string;
   /** In the unit that is shown. */
   value: number;

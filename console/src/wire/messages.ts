@@ -21,7 +21,7 @@ parameters?: FileParameters, } | { "do": "parameters",
 /** How it is run. */
 parameters: FileParameters, } | { "do": "choose",
 /** How it is cut. */
-choice: JobChoice, } | { "do": "machine",
+choice: JobChoice, } | { "do": "keepOrigin" } | { "do": "machine",
 /** The drawing, a file of the part folder; nothing for the one that is drawn. */
 drawing: string | null,
 /** Also where the paths of that job were changed by hand, which is lost then. */
@@ -372,6 +372,15 @@ from: number,
 /** The column behind it. */
 to: number, };
 
+/** What holds for the rest of a job. */
+export type InForce = {
+/** Highest cutting speed. */
+cutMmS: number,
+/** Plunging speed. */
+plungeMmS: number,
+/** The tool rises in pauses. */
+raise: boolean, };
+
 /** A run that was cut short or given up, and can be taken up where it was. */
 export type Interrupted = {
 /** The part file. */
@@ -408,6 +417,8 @@ seconds: number,
 calls: Array<Call>,
 /** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they are in force in a job. Pauses and height control change them. */
 heights: [number, number, number] | null,
+/** What a pause has changed for the rest of a job; nothing while it is as it was set. */
+inForce: InForce | null,
 /** How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
 ended: string | null,
 /** What ended it, when it was an error. */

@@ -109,6 +109,13 @@ it("a job is cut, paused, moved away from, gone on with and finished, by mouse",
     const after = (await stateOf(workshop)).asked?.number;
     return after !== undefined && after !== before;
   }, "the speed is taken");
+  // What was said holds, in this dialog, and where the page is loaded again.
+  await expect.poll(() => speed.inputValue()).toBe("360");
+  await page.reload();
+  await expect.poll(() => speed.inputValue()).toBe("360");
+  // Who loads the page again arms the machine to go on.
+  await page.getByRole("button", { name: "Arm", exact: true }).click();
+  await page.getByRole("button", { name: "Arm", exact: true }).waitFor({ state: "detached" });
   await page.getByRole("button", { name: "Move the tool…" }).click();
   const up = page.getByRole("button", { name: "Y plus", exact: true });
   await up.waitFor();

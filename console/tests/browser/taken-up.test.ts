@@ -1,6 +1,6 @@
 /** A run that was cut short is offered to be taken up, and goes on where it was. */
 
-import { writeFileSync } from "node:fs";
+import { existsSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, expect, it } from "vitest";
 import { arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
@@ -77,4 +77,64 @@ it("whoever is not ready can take it up later, with keys only", async () => {
   await takesUp();
   await page.keyboard.press("Enter");
   await until(async () => (await stateOf(workshop)).job?.ended === "ok", "it is done");
+});
+
+it("a job that a power cut ended is taken up by the page at the very place", async () => {
+  workshop = await openWorkshop({ rate: 4 });
+  const folder = workshop.parts;
+  const lines = [1, 2].map((n) => `line 0,${40 * n} 1000,${40 * n}`).join("; ");
+  await script(workshop, "draw", { op: { op: "do", clauses: lines } });
+  await script(workshop, "draw", { op: { op: "save", name: "part.rsg" } });
+  await script(workshop, "machine", { drawing: "part.rsg" });
+  await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
+  const page = await workshop.page();
+  await page.getByRole("link", { name: "Job" }).click();
+  await arm(page);
+  await page.getByRole("button", { name: "Start", exact: true }).click();
+  const cuts = async (line: number, from: number) => {
+    const { motion } = await stateOf(workshop);
+    return motion.cutting && motion.line === line && (motion.at.machine[0] ?? 0) > from;
+  };
+  await until(() => cuts(1, 200), "it cuts the first path");
+  const before = (await stateOf(workshop)).motion.at.machine;
+  await workshop.kill();
+  workshop = await openWorkshop({ rate: 4, folder });
+  expect((await stateOf(workshop)).interrupted).toMatchObject({ file: "part.rsm", moved: true });
+  const next = await workshop.page();
+  await next.getByRole("link", { name: "Job" }).click();
+  await arm(next);
+  await next.getByRole("button", { name: "Take it up…" }).click();
+  await next.getByRole("button", { name: "Take up the run", exact: true }).click();
+  await next.getByText("Is everything ready?").waitFor();
+  expect((await stateOf(workshop)).io.outputs.some(({ on }) => on)).toBe(false);
+  await next.getByRole("button", { name: "Resume" }).last().click();
+  const seen: number[] = [];
+  await until(async () => {
+    const { motion, job } = await stateOf(workshop);
+    const [x = 0, y = 0] = motion.at.machine;
+    if (motion.cutting && Math.abs(y - 40) < 1e-6) seen.push(x);
+    return job?.ended === "ok";
+  }, "both paths are cut");
+  // What was cut before is not cut again, and nothing is left out.
+  expect(Math.min(...seen)).toBeGreaterThan((before[0] ?? 0) - 1);
+  expect(seen.length).toBeGreaterThan(5);
+  expect((await stateOf(workshop)).interrupted).toBeNull();
+});
+
+it("a drawing that was not saved is on the sheet again after a power cut", async () => {
+  workshop = await openWorkshop();
+  const folder = workshop.parts;
+  const page = await workshop.page();
+  await page.getByRole("link", { name: "Draw" }).click();
+  await script(workshop, "draw", { op: { op: "do", clauses: "rect 0,0 100,60; circle 50,30 12" } });
+  await until(async () => existsSync(join(folder, "drawing.draft")), "it is kept");
+  await workshop.kill();
+  workshop = await openWorkshop({ folder });
+  const next = await workshop.page();
+  await next.getByRole("link", { name: "Draw" }).click();
+  await next.getByText("It was not saved when Kerf ended: here it is again.").waitFor();
+  const { drawing } = await stateOf(workshop);
+  expect(drawing).toMatchObject({ shapes: 2, changed: true, name: null });
+  await next.getByRole("button", { name: "New", exact: true }).click();
+  await until(async () => !existsSync(join(folder, "drawing.draft")), "who wants it not drops it");
 });

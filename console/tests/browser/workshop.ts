@@ -9,7 +9,8 @@ import { type Browser, chromium, type Page } from "playwright-core";
 import type { Snapshot } from "../../src/wire/messages";
 
 const root = resolve(import.meta.dirname, "../../..");
-const kerf = process.env.KERF ?? join(root, "target/debug/kerf");
+/** The command that is tested. */
+export const kerf = process.env.KERF ?? join(root, "target/debug/kerf");
 
 export interface Workshop {
   readonly address: string;

@@ -29,6 +29,7 @@ const running: Partial<Snapshot> = {
     seconds: 31.4,
     calls: [{ file: "first-cut.sbp", line: 14 }],
     heights: null,
+    inForce: null,
     ended: null,
     error: null,
   },

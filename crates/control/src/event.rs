@@ -99,6 +99,18 @@ pub enum Event {
         /// When.
         t: f64,
     },
+    /// A pause has changed what holds for the rest of a job.
+    #[serde(rename = "in_force")]
+    InForce {
+        /// Highest cutting speed, mm/s.
+        cut_mm_s: f64,
+        /// Plunging speed, mm/s.
+        plunge_mm_s: f64,
+        /// The tool rises in pauses.
+        raise: bool,
+        /// When.
+        t: f64,
+    },
     /// The pulse frequency of a laser was set.
     #[serde(rename = "laser_hz")]
     LaserHz {

@@ -88,7 +88,9 @@ impl<I: Interpreter> Runner<'_, I> {
         let nudge = Nudge { axis, distance: distance * self.world.scale(axis) };
         let position = self.world.machine.position();
         let (settings, mut frame) = (self.world.machine.settings(), *self.world.machine.frame());
-        let refused = if self.world.machine.draws() {
+        let refused = if self.interpreter.takes_stops() {
+            Some((Code::NotSupported, "a job is not nudged: move its origin".to_owned()))
+        } else if self.world.machine.draws() {
             Some((Code::NotSupported, "nothing is nudged while commands are only drawn".to_owned()))
         } else {
             let outside = nudge.check(settings, &frame, position).err();

@@ -8,12 +8,14 @@
 //! ```
 //!
 //! Of the move that was under way the rest is made, along the same path: an arc is still part of the
-//! same circle. A job knows its own way back, that from a pause: it is only told where it was.
+//! same circle. A job knows its own way back, that from a pause, lift and all: it is asked first, and
+//! told where it was.
 
 use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::runner::{Flow, Over, Runner};
 use crate::{Event, Wish};
+use kerf_machine::lines::Output;
 use kerf_motion::Move;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
@@ -79,7 +81,8 @@ impl<I: Interpreter> Runner<'_, I> {
         });
         self.skip(told.within);
         if self.interpreter.takes_stops() {
-            return Err(self.hand_over(told.place.position));
+            let halted = self.hand_over(told.place.position);
+            return Err(halted.unwrap_or_else(Halted::Over));
         }
         self.go_back(told.place.position).map_err(Halted::Over)
     }
@@ -97,15 +100,35 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// The program finds its way back from where the machine stands.
-    fn hand_over(&mut self, from: Axes) -> Halted {
+    fn hand_over(&mut self, from: Axes) -> Result<Halted, Over> {
         let began = self.world.machine.position();
         let motion = self.stack.next_number();
-        self.world.machine.restart(from);
+        let was_on = self.world.machine.restart(from);
         self.tell_taken_up();
+        self.whether_ready(&was_on).0?;
+        let stands = self.world.machine.position();
         self.world.tell(&Event::Resume { t: self.world.now() });
-        self.world.shelf.tape.goes_on();
-        let at = kerf_program::Halted { motion, began, stands: from };
-        Halted::Taken { by: StoppedBy::PowerCut, at }
+        let at = kerf_program::Halted { motion, began, stands };
+        Ok(Halted::Taken { by: StoppedBy::PowerCut, at })
+    }
+
+    /// Nothing goes back and nothing turns before the operator says so. With it goes how far he has nudged
+    /// the workpiece.
+    fn whether_ready(&mut self, was_on: &WasOn) -> (Result<(), Over>, Axes) {
+        // Cut short before the answer, it is asked when this is gone through again.
+        let unanswered = self.world.silent && !self.world.shelf.tape.plays();
+        let (ready, nudged) = match unanswered {
+            true => (Ok(()), Axes::default()),
+            false => self.until_resumed(&ready_question(was_on)),
+        };
+        match ready {
+            Ok(()) => self.world.shelf.tape.goes_on(),
+            Err(_) => {
+                self.shift(nudged);
+                self.world.shelf.tape.given_up(self.world.placed());
+            }
+        }
+        (ready, nudged)
     }
 
     /// Leaves out what was made of the first move that waits.
@@ -140,18 +163,8 @@ impl<I: Interpreter> Runner<'_, I> {
         self.tell_taken_up();
         self.lift();
         self.heeded()?;
-        // Cut short before the answer, it is asked when this is gone through again.
-        let unanswered = self.world.silent && !self.world.shelf.tape.plays();
-        let (ready, nudged) = match unanswered {
-            true => (Ok(()), Axes::default()),
-            false => self.until_resumed(&ready_question(&was_on)),
-        };
-        if ready.is_err() {
-            self.shift(nudged);
-            self.world.shelf.tape.given_up(self.world.placed());
-        }
+        let (ready, nudged) = self.whether_ready(&was_on);
         ready?;
-        self.world.shelf.tape.goes_on();
         self.switch_on(&was_on);
         let before = self.nudged.unwrap_or_default();
         self.approach(to.plus(nudged));
@@ -199,7 +212,8 @@ impl<I: Interpreter> Runner<'_, I> {
 
 /// What the operator is asked when the tool is up, before anything turns.
 fn ready_question(was_on: &WasOn) -> Question {
-    let on: Vec<String> = was_on.outputs.iter().map(u8::to_string).collect();
+    let name = |n: &u8| Output::of_number(*n).map_or(n.to_string(), |line| line.name().to_owned());
+    let on: Vec<String> = was_on.outputs.iter().map(name).collect();
     let outputs = match on.as_slice() {
         [] => "No output comes on".to_owned(),
         [one] => format!("Output {one} comes on"),

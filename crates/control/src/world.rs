@@ -15,7 +15,7 @@ use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::laser::Laser;
-use kerf_program::job::Heights;
+use kerf_program::job::{Heights, InForce};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Frame, Independent, OutputReason, Question,
@@ -330,6 +330,9 @@ impl<'a> World<'a> {
                 let z_mm = self.machine.true_position()[Axis::Z];
                 self.heights = Carried { heights, z_mm };
                 self.tell(&heights::event(heights, t));
+            }
+            Command::InForce(InForce { cut_mm_s, plunge_mm_s, raise }) => {
+                self.tell(&Event::InForce { cut_mm_s, plunge_mm_s, raise, t });
             }
             Command::HeightControl(law) => self.machine.height_control(law.as_deref().copied()),
             // The simulated machine has one direction and no coolant: they are only told.

@@ -1,6 +1,6 @@
 //! The canonical commands.
 
-use crate::job::Heights;
+use crate::job::{Heights, InForce};
 use crate::{Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Settings};
 use kerf_diag::Diagnostic;
 use serde::{Deserialize, Serialize};
@@ -234,6 +234,8 @@ pub enum Command {
     /// The heights of the job in force, machine frame; while Z follows the sheet, top and surface go with
     /// it.
     Heights(Heights),
+    /// A pause has changed what holds for the rest of the job.
+    InForce(InForce),
     /// The machine enters a state that people should know about (`running`, `paused` …).
     State {
         /// Its name.

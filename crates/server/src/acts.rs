@@ -103,6 +103,7 @@ fn needs(act: &Act) -> Need {
         | Act::Open { .. }
         | Act::Parameters { .. }
         | Act::Choose { .. }
+        | Act::KeepOrigin
         | Act::Machine { .. }
         | Act::Folder { .. }
         | Act::Record { .. }
@@ -154,6 +155,7 @@ impl App {
             Act::Open { name, parameters } => self.open_with(&name, parameters)?,
             Act::Parameters { parameters } => self.run_with(parameters)?,
             Act::Choose { choice } => self.choose(choice)?,
+            Act::KeepOrigin => self.keep_origin()?,
             Act::Machine { drawing, anew } => return self.machine(drawing.as_deref(), anew),
             Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
             Act::Record { line } => self.record(line)?,

@@ -17,7 +17,7 @@ use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::Sender;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// Everything that requests share.
 pub struct App {
@@ -45,6 +45,8 @@ pub struct App {
     pub pages: Pages,
     /// The drawing that is open.
     pub desk: Mutex<Desk>,
+    /// Who keeps drafts of it is told here that it changed.
+    pub changed: OnceLock<Sender<()>>,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -149,6 +151,7 @@ impl App {
             pages: Pages::default(),
             unlocked: Unlocked::default(),
             desk: Mutex::default(),
+            changed: OnceLock::new(),
             open: Mutex::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),

@@ -52,6 +52,8 @@ impl App {
         desk.notes.clone_from(&notes);
         let drawing = Some(desk.state(&self.heights()));
         self.hub.change(vec![Change::Drawing { drawing }]);
+        drop(desk);
+        self.drawn();
         Ok(notes)
     }
 
@@ -68,7 +70,7 @@ impl App {
         Shaping { factor: program.smoothing.factor, filter_mm: options.filter_mm }
     }
 
-    fn begin(
+    pub(crate) fn begin(
         &self,
         desk: &mut Desk,
         drawing: Drawing,

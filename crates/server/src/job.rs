@@ -82,13 +82,7 @@ impl App {
     /// # Errors
     /// No job is open, one runs, or the choice makes no sense.
     pub fn choose(self: &Arc<Self>, choice: JobChoice) -> Result<(), Problem> {
-        let open = lock(&self.open).clone();
-        if kind_of(&open.name) != FileKind::Job {
-            return Err(problem(Why::State, "no job is open"));
-        }
-        if !matches!(self.state(), State::Idle | State::Alarm) {
-            return Err(problem(Why::State, "the machine is busy"));
-        }
+        let open = self.job_at_rest()?;
         let count = self.path_count(&open);
         let numbers = choice.origin.into_iter().flatten().chain([choice.offset]);
         if choice.start.is_some_and(|start| start == 0 || start > count) {
@@ -97,6 +91,41 @@ impl App {
         if !numbers.into_iter().all(f64::is_finite) {
             return Err(problem(Why::Malformed, "offset and origin are lengths"));
         }
+        self.cut_with(open, choice);
+        Ok(())
+    }
+
+    /// The job that is open while none runs.
+    fn job_at_rest(&self) -> Result<Open, Problem> {
+        let open = lock(&self.open).clone();
+        if kind_of(&open.name) != FileKind::Job {
+            return Err(problem(Why::State, "no job is open"));
+        }
+        if !matches!(self.state(), State::Idle | State::Alarm) {
+            return Err(problem(Why::State, "the machine is busy"));
+        }
+        Ok(open)
+    }
+
+    /// Writes the origin that was chosen into the file of the open job.
+    ///
+    /// # Errors
+    /// None is open or was chosen, one runs, or the file is another by now or cannot be written.
+    pub fn keep_origin(self: &Arc<Self>) -> Result<(), Problem> {
+        let mut open = self.job_at_rest()?;
+        let Some([x, y]) = open.choice.origin else {
+            return Err(problem(Why::State, "the job lies where its file says"));
+        };
+        if !open.is_of(&self.parts.read(&open.name)?) {
+            let text = "the file was changed since it was opened; open it again";
+            return Err(problem(Why::Changed, text));
+        }
+        let (job, _) = kerf_toolpath::read(&open.bytes);
+        let text = kerf_toolpath::write(&Job { origin: Point2::new(x, y), ..job });
+        self.parts.write(&open.name, text.as_bytes())?;
+        self.files_changed();
+        let choice = JobChoice { origin: None, ..open.choice };
+        open.bytes = text.into_bytes().into();
         self.cut_with(open, choice);
         Ok(())
     }

@@ -19,6 +19,7 @@ mod acts;
 mod app;
 mod configure;
 mod desk;
+mod draft;
 mod files;
 mod http;
 mod hub;
@@ -81,6 +82,7 @@ impl Server {
         let (closing, closed) = channel();
         let closing = options.closes_with_program.then_some(closing);
         let app = machine_and_app(options, builders, format!("http://{address}"), closing)?;
+        app.keep_drafts();
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }
@@ -114,6 +116,8 @@ impl Server {
 impl Drop for Server {
     fn drop(&mut self) {
         self.stop_machine();
+        // Where the disk refuses, pages were told when it did so first.
+        drop(self.app.write_draft());
         if let Some(runtime) = self.runtime.take() {
             runtime.shutdown_background();
         }

@@ -299,3 +299,52 @@ fn pro_laser_use__no_page_shows_a_laser_that_is_not_there() {
     }
     assert!(keys(&shop).len() > 10);
 }
+
+/// The server ends and another one begins in the same folders.
+fn begun_again(shop: support::Shop) -> support::Shop {
+    let support::Shop { server, dir } = shop;
+    drop(server);
+    support::kept(dir)
+}
+
+#[test]
+fn a_drawing_that_was_not_saved_is_there_again_when_kerf_begins_anew() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    let draft = shop.dir.path().join("data/drawing.draft");
+    let mut page = shop.page();
+    draw(&mut page, json!({ "op": "do", "clauses": "rect 0,0 10,5; select all; group red" }));
+    draw(&mut page, json!({ "op": "save", "name": "part.rsg" }));
+    draw(&mut page, json!({ "op": "do", "clauses": "circle 0,0 10; set blue offset=2" }));
+    draw(&mut page, json!({ "op": "finish", "at": [3.0, 4.0] }));
+    // Kept while it is drawn: a server that is killed says nothing.
+    page.until("the draft", |_| {
+        std::fs::read_to_string(&draft).is_ok_and(|text| text.contains("[3.0,4.0]"))
+    });
+    let before = shop.get("/api/drawing/shapes").json()["shapes"].clone();
+    let shop = begun_again(shop);
+    let mut page = shop.page();
+    page.until("the drawing", |page| !page.shown["drawing"].is_null());
+    assert_eq!(shop.get("/api/drawing/shapes").json()["shapes"], before);
+    let state = page.shown["drawing"].clone();
+    assert_eq!((&state["name"], &state["changed"]), (&json!("part.rsg"), &json!(true)));
+    assert_eq!((&state["finish"], &state["shapes"]), (&json!([3.0, 4.0]), &json!(2)));
+    assert_eq!(state["groups"][1]["offset"], 2.0, "{}", state["groups"]);
+    assert!(state["notes"][0].as_str().unwrap().contains("not saved when Kerf ended"));
+    draw(&mut page, json!({ "op": "save", "name": "part.rsg" }));
+    let shop = begun_again(shop);
+    assert!(!draft.exists());
+    assert!(shop.page().shown["drawing"].is_null());
+}
+
+#[test]
+fn a_draft_that_cannot_be_read_is_told_and_laid_aside() {
+    let dir = tempfile::tempdir().unwrap();
+    let data = dir.path().join("data");
+    std::fs::create_dir(&data).unwrap();
+    std::fs::write(data.join("drawing.draft"), "{half a").unwrap();
+    let shop = support::kept(dir);
+    let told = shop.page().shown["messages"].to_string();
+    assert!(told.contains("cannot be read") && told.contains("drawing.unread"), "{told}");
+    drop(shop.server);
+    assert_eq!(std::fs::read_to_string(data.join("drawing.unread")).unwrap(), "{half a");
+}

@@ -171,6 +171,27 @@ fn an_origin_and_an_offset_hold_without_changing_the_file() {
 }
 
 #[test]
+fn a_chosen_origin_is_kept_in_the_file_when_that_is_wanted() {
+    let shop = shop(FIVE, |_| {});
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    let keep = || json!({ "do": "keepOrigin" });
+    assert_eq!(page.act(keep()).as_deref(), Some("state"), "none was chosen");
+    assert_eq!(choose(&mut page, json!({ "origin": [300, 200], "start": 2 })), None);
+    let before = shop.get("/api/job").json();
+    assert_eq!(page.act(keep()), None);
+    page.until("the file's", |page| page.shown["opened"]["choice"]["origin"].is_null());
+    assert_eq!(page.shown["opened"]["choice"]["start"], 2, "the rest of the choice stays");
+    page.open_file("job.rsm");
+    let after = shop.get("/api/job").json();
+    assert_eq!(after["origin"], json!([300.0, 200.0]));
+    assert_eq!((&after["paths"], &after["finish"]), (&before["paths"], &before["finish"]));
+    assert_eq!(choose(&mut page, json!({ "origin": [1, 2] })), None);
+    shop.write("job.rsm", rsm("line 0,10 100,10").as_bytes());
+    assert_eq!(page.act(keep()).as_deref(), Some("changed"), "it was written by somebody else");
+}
+
+#[test]
 fn pro_job_view() {
     let shop = shop(FIVE, |_| {});
     let mut editor = Editor::default();
@@ -251,10 +272,16 @@ fn speeds_and_heights_are_changed_in_a_pause() {
     page.open_file("job.rsm");
     assert_eq!(page.run(), None);
     stop_on(&mut page, 1, 30.0);
+    assert!(page.shown["job"]["inForce"].is_null(), "it is as it was set");
     for words in ["zbottom -0.5", "cut 3000", "raise no"] {
         assert_eq!(answer(&mut page, words), None, "{words}");
         page.until_state("stopped");
     }
+    // Told to every page, also to one that comes later: no dialog has to remember it.
+    let plunge = shop.get("/api/job").json()["plungeMmS"].clone();
+    let in_force = json!({ "cutMmS": 50.0, "plungeMmS": plunge, "raise": false });
+    assert_eq!(page.shown["job"]["inForce"], in_force);
+    assert_eq!(shop.page().shown["job"]["inForce"], in_force);
     assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
     page.until("half a millimetre deeper", |page| (at(page)[2] + 30.5).abs() < 1e-6);
     let speed = |page: &Page| page.shown["motion"]["speedMmS"].as_f64().unwrap();
@@ -266,6 +293,8 @@ fn speeds_and_heights_are_changed_in_a_pause() {
     page.until_state("idle");
     assert_eq!(page.shown["job"]["ended"], "stopped");
     assert!(page.shown["io"]["outputs"].as_array().unwrap().iter().all(|lamp| lamp["on"] == false));
+    assert_eq!(page.run(), None);
+    page.until("as it was set", |page| page.shown["job"]["inForce"].is_null());
 }
 
 fn ports(page: &Page) -> Value {

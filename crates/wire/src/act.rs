@@ -72,6 +72,8 @@ pub enum Act {
         /// How it is cut.
         choice: JobChoice,
     },
+    /// Writes the origin that was chosen for the open job into its file. Not while a job runs.
+    KeepOrigin,
     /// Makes the tool path of a drawing: its job, in a file beside it, which is opened.
     Machine {
         /// The drawing, a file of the part folder; nothing for the one that is drawn.

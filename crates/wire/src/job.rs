@@ -172,10 +172,24 @@ pub struct Job {
     /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they
     /// are in force in a job. Pauses and height control change them.
     pub heights: Option<[f64; 3]>,
+    /// What a pause has changed for the rest of a job; nothing while it is as it was set.
+    pub in_force: Option<InForce>,
     /// How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs.
     pub ended: Option<String>,
     /// What ended it, when it was an error.
     pub error: Option<Finding>,
+}
+
+/// What holds for the rest of a job.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct InForce {
+    /// Highest cutting speed.
+    pub cut_mm_s: f64,
+    /// Plunging speed.
+    pub plunge_mm_s: f64,
+    /// The tool rises in pauses.
+    pub raise: bool,
 }
 
 /// A file that a run is in.

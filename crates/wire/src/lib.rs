@@ -41,8 +41,8 @@ pub use drawing::{
     ToolPaths,
 };
 pub use job::{
-    Asked, Call, FileInfo, FileParameters, Folder, Interrupted, Job, Message, Opened, Overrides,
-    Pause, PreviewState, Recorder, Sound, Tone,
+    Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, Message, Opened,
+    Overrides, Pause, PreviewState, Recorder, Sound, Tone,
 };
 pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{

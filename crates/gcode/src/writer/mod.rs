@@ -225,6 +225,7 @@ impl<'a> Writer<'a> {
             Command::EndStack
             | Command::State { .. }
             | Command::Heights(_)
+            | Command::InForce(_)
             | Command::ToolPath(_)
             | Command::ToolChange { .. }
             | Command::WarningOff

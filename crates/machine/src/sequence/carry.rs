@@ -63,6 +63,7 @@ impl Sequence {
             Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
             Small::Height(law) => return self.control_height(law.clone(), out),
             Small::TellHeights => self.tell_heights(out),
+            Small::TellInForce => self.give(Command::InForce(self.in_force()), out),
             Small::RestoreHeights => {
                 self.restore_heights();
                 self.tell_heights(out);

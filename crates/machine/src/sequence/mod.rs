@@ -42,7 +42,7 @@ use crate::settings::Configuration;
 use crate::state::{State, StopSettings};
 use kerf_diag::Diagnostic;
 use kerf_geom::Point2;
-use kerf_program::job::{Depths, Heights, Job};
+use kerf_program::job::{Depths, Heights, InForce, Job};
 use kerf_program::{Axes, Axis, Frame, Halted, Settings, Status};
 use path::Followed;
 use place::{Here, Stage};
@@ -172,6 +172,11 @@ impl Sequence {
     /// Highest cutting speed, mm/s.
     pub const fn cut_mm_s(&self) -> f64 {
         self.cut_mm_s
+    }
+
+    /// What a pause may have changed.
+    const fn in_force(&self) -> InForce {
+        InForce { cut_mm_s: self.cut_mm_s, plunge_mm_s: self.plunge_mm_s, raise: self.raise }
     }
 
     /// The heights in force.

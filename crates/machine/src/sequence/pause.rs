@@ -289,8 +289,14 @@ impl Sequence {
 
     fn obey(&mut self, word: Word) {
         match word {
-            Word::CutSpeed(mm_s) => self.use_cut_speed(mm_s),
-            Word::PlungeSpeed(mm_s) => self.plunge_mm_s = mm_s,
+            Word::CutSpeed(mm_s) => {
+                self.use_cut_speed(mm_s);
+                self.steps.push_back(Small::TellInForce);
+            }
+            Word::PlungeSpeed(mm_s) => {
+                self.plunge_mm_s = mm_s;
+                self.steps.push_back(Small::TellInForce);
+            }
             Word::AdjustBottom(by) => {
                 self.heights.bottom_mm += by;
                 self.steps.push_back(Small::TellHeights);
@@ -301,7 +307,10 @@ impl Sequence {
                     self.steps.push_back(Small::Say(text));
                 }
             }
-            Word::Raise(raise) => self.raise = raise,
+            Word::Raise(raise) => {
+                self.raise = raise;
+                self.steps.push_back(Small::TellInForce);
+            }
             Word::Move(axis, by) => {
                 let to = self.within_reach(axis, self.position[axis] + by);
                 self.steps.push_back(Small::Hand(axis, to));

@@ -26,6 +26,8 @@ pub(crate) enum Small {
     Height(Option<Arc<HeightLaw>>),
     /// People learn the heights in force.
     TellHeights,
+    /// People learn the speeds in force.
+    TellInForce,
     /// ZTop and ZSurface are again what they were when the job began.
     RestoreHeights,
     /// In the plane, at the present height, as fast as the axes can.

@@ -6,9 +6,11 @@
 //! table; heights are told as the machine's own three heights are set when the job runs.
 
 mod depth;
+mod in_force;
 mod plunge;
 
 pub use depth::{Depth, Depths, Heights, LowError};
+pub use in_force::InForce;
 pub use plunge::{Plunge, Slope, helix_circle};
 
 use kerf_geom::{Point2, Polyarc, Vec2};

@@ -184,7 +184,7 @@ impl<'a> SbpPrinter<'a> {
             }
             Command::MotorsOff => self.line("MO"),
             Command::WarningOff => self.line("WARNING OFF"),
-            Command::ClearPreview | Command::Heights(_) => {}
+            Command::ClearPreview | Command::Heights(_) | Command::InForce(_) => {}
             Command::Independent { .. } => self.unsaid_motion("an axis that moves by itself"),
             Command::HeightControl(_) => self.unsaid_motion("height control"),
             Command::Beam(_) => self.unsaid("the intensity of a laser"),

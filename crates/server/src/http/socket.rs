@@ -105,6 +105,7 @@ const fn is_slow(act: &Act) -> bool {
         Act::Open { .. }
             | Act::Parameters { .. }
             | Act::Folder { .. }
+            | Act::KeepOrigin
             | Act::Set { .. }
             | Act::Run { .. }
             | Act::Command { .. }

@@ -9,7 +9,8 @@ use kerf_machine::Configuration;
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
 use kerf_wire::{
-    Call, Change, Io, Message, Motion, NamedValue, Pause, Positions, Sound, Speeds, Tone, Units,
+    Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Sound, Speeds, Tone,
+    Units,
 };
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -82,6 +83,8 @@ pub struct Board {
     seen: Option<Positions>,
     /// Heights in force in a job.
     heights: Option<[f64; 3]>,
+    /// What else a pause has changed of it.
+    in_force: Option<InForce>,
     /// Moves that were made.
     made: u32,
     /// Share of the speed asked for.
@@ -113,6 +116,7 @@ impl Board {
             machine,
             seen: None,
             heights: None,
+            in_force: None,
             is_job: false,
             made: 0,
             feed: 1.0,
@@ -194,6 +198,11 @@ impl Board {
         self.heights = Some(heights);
     }
 
+    /// A pause has changed what holds for the rest of the job.
+    pub const fn in_force(&mut self, in_force: InForce) {
+        self.in_force = Some(in_force);
+    }
+
     /// A spindle got a speed.
     pub const fn spindle(&mut self, rpm: f64) {
         self.speeds.rpm = rpm;
@@ -270,7 +279,8 @@ impl Board {
             if let Some(job) = &now.job {
                 let calls = self.calls.take().unwrap_or_else(|| job.calls.clone());
                 let heights = self.heights.or(job.heights);
-                let job = Some(kerf_wire::Job { calls, heights, ..job.clone() });
+                let in_force = self.in_force.or(job.in_force);
+                let job = Some(kerf_wire::Job { calls, heights, in_force, ..job.clone() });
                 put(now.job != job, Change::Job { job });
             }
             let pause = self.pause.clone();

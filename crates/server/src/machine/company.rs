@@ -10,7 +10,7 @@ use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish};
 use kerf_program::{Question, QuestionKind};
-use kerf_wire::{Asked, Call, Change, Machine, State, Tone};
+use kerf_wire::{Asked, Call, Change, InForce, Machine, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
@@ -310,6 +310,10 @@ impl Sink for Teller {
             }
             Event::Start { dialect: "job", .. } => board.begins_job(),
             Event::Heights { top, surface, bottom, .. } => board.heights([*top, *surface, *bottom]),
+            Event::InForce { cut_mm_s, plunge_mm_s, raise, .. } => {
+                let (cut_mm_s, plunge_mm_s, raise) = (*cut_mm_s, *plunge_mm_s, *raise);
+                board.in_force(InForce { cut_mm_s, plunge_mm_s, raise });
+            }
             Event::Clear { .. } => {
                 drop(board);
                 self.shared.hub.cleared(true);

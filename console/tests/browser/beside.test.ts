@@ -1,0 +1,68 @@
+/** What is refused says why and how to mend it: greyed buttons, a page that drives, a program beside it. */
+
+import { spawn } from "node:child_process";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { arm, commandDesk, kerf, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+beforeAll(async () => {
+  workshop = await openWorkshop({ rate: 20 });
+});
+afterAll(() => workshop?.close());
+
+/** `kerf send LINE` to the server that is open: how it ended, and what it said. */
+function send(line: string): Promise<{ code: number | null; said: string }> {
+  const sender = spawn(kerf, ["send", line, "--server", workshop.address]);
+  let said = "";
+  sender.stderr.on("data", (data: Buffer) => {
+    said += data.toString();
+  });
+  return new Promise((done) => sender.on("exit", (code) => done({ code, said })));
+}
+
+it("a greyed button tells at a press why it cannot be done", async () => {
+  const page = await workshop.page();
+  const start = page.getByRole("button", { name: "Start", exact: true });
+  await start.waitFor();
+  expect(await start.isDisabled()).toBe(true);
+  // What is greyed takes no press; the place round it does, for a finger and a mouse alike.
+  await start.click({ force: true });
+  await page.locator(".notice", { hasText: "Open a file first." }).waitFor();
+  expect(await page.locator(".action-place", { has: start }).getAttribute("title")).toBe(
+    "Open a file first.",
+  );
+  await page.close();
+});
+
+it("control is given up for another page, which has to arm the machine anew", async () => {
+  const [page, other] = [await commandDesk(workshop), await commandDesk(workshop)];
+  await arm(page);
+  await page.getByText("You drive").waitFor();
+  await other.getByText(/^Driven by/).waitFor();
+  await page.getByRole("button", { name: "Give up control" }).click();
+  await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
+  for (const one of [page, other]) await one.locator(".state", { hasText: "Disarmed" }).waitFor();
+  await arm(other);
+  await other.getByText("You drive").waitFor();
+  expect((await stateOf(workshop)).machine.armed).toBe(true);
+  for (const one of [page, other]) await one.close();
+});
+
+it("kerf send tells beside a page that drives how the line gets through, and sends it when it may", async () => {
+  const page = await commandDesk(workshop);
+  await arm(page);
+  const refused = await send("MX,1");
+  expect(refused.code).toBe(1);
+  expect(refused.said).toMatch(/somebody else drives: another page\. Press Give up control there/);
+  expect(refused.said).toContain("kerf registry set uCommand 'MX,2'");
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("give up");
+  await page.getByRole("option", { name: "Give up control" }).waitFor();
+  await page.keyboard.press("Enter");
+  await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
+  const disarmed = await send("MX,1");
+  expect(disarmed.code).toBe(1);
+  expect(disarmed.said).toContain("the machine is disarmed: arm it first");
+  expect((await stateOf(workshop)).motion.at.working[0]).toBe(0);
+  expect(workshop.mistakes).toEqual([]);
+});
