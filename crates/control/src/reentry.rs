@@ -29,6 +29,13 @@ const LAST_SHARE: f64 = 1.0 - 1e-9;
 impl<I: Interpreter> Runner<'_, I> {
     /// The world is heard again when all has happened that happened before.
     pub(crate) fn wake(&mut self) {
+        // What was made of a move is left out of it when it is read: until then nothing is new.
+        if !self.world.shelf.tape.is_within() {
+            self.hear_world();
+        }
+    }
+
+    fn hear_world(&mut self) {
         if self.world.silent && !self.world.shelf.tape.plays() {
             self.world.silent = false;
             self.world.shelf.goes_live();
@@ -39,7 +46,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Whether the next move is the first one that was not made before.
     pub(crate) fn is_taken_up(&mut self) -> bool {
-        self.wake();
+        self.hear_world();
         self.reentry.is_some() && (!self.world.silent || self.world.shelf.tape.is_reentered())
     }
 
@@ -89,7 +96,8 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// A program that finds its own way back does so at once: nothing goes on before the tool is clear.
     pub(crate) fn take_up_at_rest(&mut self) -> Option<Over> {
-        if !(self.interpreter.takes_stops() && self.stack.is_empty()) {
+        let rests = self.stack.is_empty() && !self.world.shelf.tape.is_within();
+        if !(self.interpreter.takes_stops() && rests) {
             return None;
         }
         let halted = self.take_up().err()?;

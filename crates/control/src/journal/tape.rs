@@ -137,6 +137,11 @@ impl Tape {
         self.silent && (self.reached.made < self.made_before || left())
     }
 
+    /// Everything has happened that happened before but a part of the next move.
+    pub(crate) fn is_within(&self) -> bool {
+        self.silent && self.within_before > 0.0 && self.reached.made == self.made_before
+    }
+
     /// From here on the world is heard; the machine stands there.
     pub(crate) fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
