@@ -30,10 +30,12 @@ export const openFiles = sheetAction({ kind: "files" }, "Open a file", ["Ctrl+O"
 /** The keypad is a command (SK): every page shows it. Where it cannot open yet, its sheet says why. */
 export const openKeypad: Action = {
   ...sheetAction({ kind: "keypad" }, "Keypad", ["k"]),
+  refused: ({ shown }) => {
+    const why = refusal(shown);
+    return why === busy || why === filesOnly ? why : undefined;
+  },
   run: (world) => {
-    const refused = refusal(world.shown);
-    if (refused === undefined) void drive(world, { do: "command", line: "SK" });
-    else if (refused === busy || refused === filesOnly) world.screen.tell(refused);
+    if (refusal(world.shown) === undefined) void drive(world, { do: "command", line: "SK" });
     else world.screen.open({ kind: "keypad" });
   },
 };

@@ -23,6 +23,10 @@ export const speedText = (mmPerSecond: number, units: Units): string =>
 export const lengthText = (mm: number, units: Units, digits = 2): string =>
   `${(mm / units.mm).toFixed(digits)} ${units.linear}`;
 
+/** A place in the plane, mm, as people read it. */
+export const placeText = ([x, y]: readonly [number, number], units: Units): string =>
+  `${(x / units.mm).toFixed(2)}, ${lengthText(y, units)}`;
+
 /** Seconds as `1:02:03`, or `2:03` below an hour. */
 export function durationText(seconds: number): string {
   const whole = Math.max(0, Math.ceil(seconds));

@@ -1,6 +1,6 @@
 import { ask, drive } from "../actions/ask";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
-import { lengthText } from "../app/units";
+import { placeText } from "../app/units";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
@@ -78,8 +78,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
       </div>
       <Origin plan={plan} isDisabled={off} />
       <p className="cut-finish">
-        At the end the head goes to {lengthText(view.finish[0], units)},{" "}
-        {lengthText(view.finish[1], units)} from the origin.
+        At the end the head goes to {placeText(view.finish, units)} from the origin.
       </p>
     </Panel>
   );
@@ -92,14 +91,11 @@ function Origin({ plan, isDisabled }: { plan: Plan; isDisabled: boolean }) {
   const at = useSnapshot("motion")?.at.machine;
   const chosen = useSnapshot("opened")?.choice.origin ?? null;
   if (!units || !at) return null;
-  const [x, y] = plan.view.origin;
   return (
     <div className="cut-origin">
       <p>
         <span className="field-label">Origin from home</span>
-        <b>
-          {lengthText(x, units)}, {lengthText(y, units)}
-        </b>
+        <b>{placeText(plan.view.origin, units)}</b>
       </p>
       {plan.view.originAtStart ? (
         <p>Each start takes the present place.</p>
