@@ -1,8 +1,20 @@
 /** What is refused says why and how to mend it: greyed buttons, a page that drives, a program beside it. */
 
 import { spawn } from "node:child_process";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { arm, commandDesk, kerf, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  comesToRest,
+  commandDesk,
+  kerf,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 beforeAll(async () => {
@@ -34,6 +46,22 @@ it("a greyed button tells at a press why it cannot be done", async () => {
   await page.close();
 });
 
+it("the button of the keypad is greyed while a file runs, and says why", async () => {
+  writeFileSync(join(workshop.parts, "long.sbp"), "MS,1,1\nM3,90,10,1\nM3,0,0,0\nEND\n");
+  const page = await workshop.page();
+  await script(workshop, "open", { name: "long.sbp" });
+  const keypad = page.getByRole("button", { name: /^Move tool/ });
+  expect(await keypad.isDisabled()).toBe(false);
+  await page.getByRole("button", { name: "Start", exact: true }).click();
+  await page.locator(".state", { hasText: "Running" }).waitFor();
+  expect(await keypad.isDisabled()).toBe(true);
+  await keypad.click({ force: true });
+  await page.locator(".notice", { hasText: "The machine is busy." }).waitFor();
+  await comesToRest(workshop);
+  await expect.poll(() => keypad.isDisabled()).toBe(false);
+  await page.close();
+});
+
 it("control is given up for another page, which has to arm the machine anew", async () => {
   const [page, other] = [await commandDesk(workshop), await commandDesk(workshop)];
   await arm(page);
@@ -51,6 +79,7 @@ it("control is given up for another page, which has to arm the machine anew", as
 it("kerf send tells beside a page that drives how the line gets through, and sends it when it may", async () => {
   const page = await commandDesk(workshop);
   await arm(page);
+  const { motion } = await stateOf(workshop);
   const refused = await send("MX,1");
   expect(refused.code).toBe(1);
   expect(refused.said).toMatch(/somebody else drives: another page\. Press Give up control there/);
@@ -63,6 +92,6 @@ it("kerf send tells beside a page that drives how the line gets through, and sen
   const disarmed = await send("MX,1");
   expect(disarmed.code).toBe(1);
   expect(disarmed.said).toContain("the machine is disarmed: arm it first");
-  expect((await stateOf(workshop)).motion.at.working[0]).toBe(0);
+  expect((await stateOf(workshop)).motion.at).toEqual(motion.at);
   expect(workshop.mistakes).toEqual([]);
 });
