@@ -3,6 +3,7 @@
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
+import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import {
   arm,
@@ -13,6 +14,7 @@ import {
   script,
   stateOf,
   until,
+  violations,
   type Workshop,
 } from "./workshop";
 
@@ -94,4 +96,30 @@ it("kerf send tells beside a page that drives how the line gets through, and sen
   expect(disarmed.said).toContain("the machine is disarmed: arm it first");
   expect((await stateOf(workshop)).motion.at).toEqual(motion.at);
   expect(workshop.mistakes).toEqual([]);
+});
+
+it("STOP lies in its place on a tablet beside all that two pages show", async () => {
+  const sizes = [1024, 1280].map((width) => ({ width, height: 768 }));
+  const pages: Page[] = [];
+  for (const size of sizes) pages.push(await workshop.page(size));
+  const [tablet, desk] = pages as [Page, Page];
+  await arm(tablet);
+  await desk.getByRole("button", { name: "Take control" }).waitFor();
+  await tablet.getByRole("button", { name: "Give up control" }).waitFor();
+  for (const page of pages) {
+    const wide = page.viewportSize()?.width ?? 0;
+    const stop = await page.getByRole("button", { name: "STOP", exact: true }).boundingBox();
+    expect(stop).toMatchObject({ x: wide - 150, width: 150 });
+    const strip = page.locator(".strip a, .strip .mode, .strip .state, .strip button:not(.stop)");
+    const boxes = (await Promise.all((await strip.all()).map((part) => part.boundingBox())))
+      .filter((box) => box !== null)
+      .sort((a, b) => a.x - b.x);
+    const right = boxes.map(({ x, width }) => x + width);
+    const left = [...boxes.slice(1).map(({ x }) => x), stop?.x ?? 0];
+    right.forEach((end, n) => {
+      expect(end, `${wide}: part ${n}`).toBeLessThanOrEqual((left[n] ?? 0) + 0.5);
+    });
+    expect(await violations(page)).toEqual([]);
+    await page.close();
+  }
 });
