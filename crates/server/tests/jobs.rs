@@ -280,7 +280,7 @@ fn speeds_and_heights_are_changed_in_a_pause() {
     // Told to every page, also to one that comes later: no dialog has to remember it.
     let plunge = shop.get("/api/job").json()["plungeMmS"].clone();
     let in_force = json!({ "cutMmS": 50.0, "plungeMmS": plunge, "raise": false });
-    assert_eq!(page.shown["job"]["inForce"], in_force);
+    page.until("what is in force", |page| page.shown["job"]["inForce"] == in_force);
     assert_eq!(shop.page().shown["job"]["inForce"], in_force);
     assert_eq!(page.act(json!({ "do": "resume", "lease": page.lease })), None);
     page.until("half a millimetre deeper", |page| (at(page)[2] + 30.5).abs() < 1e-6);
