@@ -387,6 +387,20 @@ fn curves_that_close_by_a_hair_at_their_joints_stay_joined() {
     }
 }
 
+/// Of a contour whose noise is larger than its steps, most arcs about corners are long and all but their tips are
+/// buried; whole, each of them crossed hundreds of others. The second engine does not look at this many segments.
+#[test]
+fn contours_of_nothing_but_noise_are_offset() {
+    let mut dice = families::Dice::new(5);
+    let mut place = |k: u32| {
+        let turn = f64::from(k) * TAU / 1_000_000.0;
+        p(500.0, 500.0) + Vec2::from_angle(turn) * dice.between(399.99, 400.01)
+    };
+    let places: Vec<Point2> = (0..20_010).map(&mut place).chain([p(500.0, 500.0)]).collect();
+    let found = offset(&Polyarc::lines(places, true), 1.0).expect("an offset");
+    assert!(found.len() == 1 && Coarse::of(&found).is_none(), "{}", found.len());
+}
+
 /// Half circles whose ends are tangent to their neighbours but for a few hundredths of a micrometre. The first
 /// engine cannot tell which of them crosses which, and the second one not exactly.
 #[test]
