@@ -401,12 +401,27 @@ fn contours_of_nothing_but_noise_are_offset() {
     assert!(found.len() == 1 && Coarse::of(&found).is_none(), "{}", found.len());
 }
 
-/// Half circles whose ends are tangent to their neighbours but for a few hundredths of a micrometre. The first
-/// engine cannot tell which of them crosses which, and the second one not exactly.
+/// Where arcs turn back on each other all but by half a turn, the computed angle told the wrong side, and offsets of
+/// such shapes were refused.
 #[test]
-fn half_circles_that_all_but_touch_are_offset_within_a_micrometre() {
+fn cusps_of_arcs_turn_to_the_side_of_their_bends() {
+    for seed in 0..300 {
+        let (shape, by) = families::cusps(seed);
+        let found = match offset(&shape, by) {
+            Err(GeomError::Crosses { .. }) => continue,
+            found => found.unwrap_or_else(|why| panic!("cusps {seed}: {why}")),
+        };
+        assert!(Coarse::of(&found).is_none(), "cusps {seed}");
+    }
+}
+
+/// Half circles whose ends are tangent to their neighbours but for a few hundredths of a micrometre. Where they meet
+/// is told by the second engine, but not exactly.
+#[test]
+fn half_circles_that_all_but_touch_are_offset_within_a_micrometre_by_chords() {
     let shape = families::half_circles();
-    let found = offset(&shape, -2.0).expect("an offset");
+    assert_eq!(Coarse::of(&offset(&shape, -2.0).expect("an offset")), None);
+    let found = Offsetter::with_first(&|_, _| None).offset(&shape, -2.0).expect("an offset");
     assert_eq!(Coarse::of(&found), Some(Coarse { within_mm: 1e-3 }));
     for path in &found {
         assert!(path.path.vertices.iter().filter(|v| v.bulge != 0.0).count() >= 3, "{path:?}");

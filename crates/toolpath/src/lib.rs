@@ -15,6 +15,9 @@
 mod beside;
 mod depth;
 mod entry;
+#[cfg(test)]
+#[path = "../../geom/tests/families/mod.rs"]
+mod families;
 mod filter;
 mod gouge;
 mod job;

@@ -165,3 +165,30 @@ fn heights_along(base: &Polyarc, z_mm: &[f64], path: &Polyarc) -> Vec<f64> {
     let shape = Shape::with_heights(base.clone(), z_mm.to_vec());
     heights_beside(&shape, path)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::families;
+
+    /// An offset that only the second engine makes, and not exactly: the person is told, and what is cut stays
+    /// within what was told.
+    #[test]
+    fn an_offset_that_is_not_exact_is_told() {
+        let shape = families::half_circles();
+        let settings = GroupSettings { offset_mm: -2.0, ..GroupSettings::default() };
+        let (none, mut warnings) = (|_: &[Polyarc], _: f64| None, Vec::new());
+        let by_chords = Offsetter::with_first(&none);
+        let found = paths(1, &Shape::flat(shape.clone()), &settings, &by_chords, &mut warnings);
+        let told: Vec<_> = warnings.iter().map(ToString::to_string).collect();
+        let text = "shape 1: its offset could not be made exactly: it may be off by 0.001 mm";
+        assert_eq!(told, [text]);
+        for path in found.iter().map(|found| &found.path) {
+            assert!(path.vertices.iter().any(|vertex| vertex.bulge != 0.0));
+            for place in path.segments().flat_map(|s| [0.0, 0.5].map(|share| s.at(share))) {
+                let far = shape.nearest(place).map_or(0.0, |(_, far)| far);
+                assert!((far - 2.0).abs() <= 1e-3, "{place:?} {far}");
+            }
+        }
+    }
+}

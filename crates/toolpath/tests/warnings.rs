@@ -207,26 +207,6 @@ fn what_is_drawn_twice_is_told_once() {
     assert_eq!(warnings[20].text, "it and 78 more are drawn twice");
 }
 
-/// A true shape of which no engine makes the offset exactly: the person is told, and what is cut stays within
-/// what was told.
-#[test]
-fn an_offset_that_is_not_exact_is_told() {
-    let mut drawing = drawn("rect 0,0 9,9; set black offset=-2");
-    let shape = families::half_circles();
-    drawing.shapes = vec![Shape::flat(shape.clone()).into()];
-    let (job, warnings) = job(&drawing).unwrap();
-    let told: Vec<_> = warnings.iter().map(ToString::to_string).collect();
-    let text = "shape 1 at 0,0: its offset could not be made exactly: it may be off by 0.001 mm";
-    assert_eq!(told, [text]);
-    for path in job.paths.iter().map(|path| &path.shape.path) {
-        assert!(path.vertices.iter().any(|vertex| vertex.bulge != 0.0));
-        for place in path.segments().flat_map(|s| [0.0, 0.5].map(|share| s.at(share))) {
-            let (_, far) = shape.nearest(place).unwrap();
-            assert!((far - 2.0).abs() <= 1e-3, "{place:?} {far}");
-        }
-    }
-}
-
 #[test]
 fn neighbours_in_an_array_that_cut_into_each_other_are_told() {
     let plate =

@@ -11,6 +11,7 @@ use super::scratch::{Buffer, Scratch};
 use super::source::Ways;
 use crate::segment::square;
 use crate::{Point2, Polyarc, Segment, Vec2, tol};
+use std::f64::consts::PI;
 
 /// A parallel line or arc, or the arc about a corner.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +27,15 @@ pub(super) type Trim = Option<[f64; 2]>;
 
 /// Angles whose arc about a corner would be shorter than this are no corners.
 const NO_CORNER_MM: f64 = tol::CONTACT_MM;
+
+/// Where curves turn back by less than this from half a turn, their bends tell the side to which: at smaller angles
+/// arcs that seem to cross right behind the corner do so by less than can be told.
+///
+/// ```text
+///    ╲╱  bent to the left: a crack between them, so that       ╭╮╭╮  to the right: a needle,
+///   ╭╯╰╮ travel turns to the right                              ╲╱   travel turns to the left
+/// ```
+const TURNED_BACK_RAD: f64 = 1e-4;
 
 /// The raw offset of one contour, appended to `pieces`.
 pub(super) fn append(
@@ -46,7 +56,9 @@ pub(super) fn append(
         }
         if number + 1 < count || closed {
             let next = if number + 1 < count { number + 1 } else { 0 };
-            if let Some(arc) = corner(segment.end(), [way.arrives, ways[next].leaves], distance) {
+            if let Some(arc) =
+                corner([segment, &segments[next]], [way.arrives, ways[next].leaves], distance)
+            {
                 link_to_last(pieces, first, arc.start());
                 let origin = Origin { contour, element: next, corner: true };
                 pieces.push(Piece { segment: arc, origin, next: None });
@@ -119,21 +131,39 @@ pub(super) fn may_open([u, v]: [Vec2; 2], distance: f64) -> bool {
 }
 
 /// The arc about the corner where one direction goes over to another, when it opens on the side of the offset.
-pub(super) fn corner(centre: Point2, ways: [Vec2; 2], distance: f64) -> Option<Segment> {
+pub(super) fn corner(
+    [before, after]: [&Segment; 2],
+    ways: [Vec2; 2],
+    distance: f64,
+) -> Option<Segment> {
     if !may_open(ways, distance) {
         return None;
     }
+    let centre = after.start();
     let [u, v] = ways;
     let mut turn_rad = turn(u, v);
-    // A path that turns back on the spot opens on both sides.
-    if std::f64::consts::PI - turn_rad.abs() < 1e-9 {
-        turn_rad = std::f64::consts::PI * distance.signum();
+    let (back_rad, bent) = (PI - turn_rad.abs(), bend(before) + bend(after));
+    if back_rad < TURNED_BACK_RAD && bent != 0.0 {
+        if turn_rad * bent > 0.0 {
+            turn_rad = (turn_rad.abs() - 2.0 * PI) * bent.signum();
+        }
+    } else if back_rad < 1e-9 {
+        // Lines that turn back on the spot open on both sides.
+        turn_rad = PI * distance.signum();
     }
     if turn_rad * distance.signum() <= 0.0 || turn_rad.abs() * distance.abs() < NO_CORNER_MM {
         return None;
     }
     let (start, end) = (centre + right_of(u, distance), centre + right_of(v, distance));
     Some(Segment::Arc { start, end, centre, radius: distance.abs(), sweep_rad: turn_rad })
+}
+
+/// How much a segment bends, 1/mm, to the left.
+fn bend(segment: &Segment) -> f64 {
+    match segment {
+        Segment::Line { .. } => 0.0,
+        Segment::Arc { radius, sweep_rad, .. } => sweep_rad.signum() / radius,
+    }
 }
 
 /// The angle from one unit direction to another. Most corners of dense contours hardly bend: six terms of the

@@ -260,7 +260,7 @@ fn complete(wanted: &Wanted, coverage: &Coverage) -> Checked {
             if let Some(before) = before {
                 let ways = [source.ways()[before].arrives, source.ways()[k].leaves];
                 if raw::may_open(ways, distance) {
-                    corner_present(wanted, coverage, k, ways)?;
+                    corner_present(wanted, coverage, [before, k], ways)?;
                 }
             }
         }
@@ -284,16 +284,17 @@ fn parallel_present(wanted: &Wanted, coverage: &Coverage, element: usize) -> Che
 fn corner_present(
     wanted: &Wanted,
     coverage: &Coverage,
-    element: usize,
+    [before, element]: [usize; 2],
     ways: [Vec2; 2],
 ) -> Checked {
     let Wanted { source, distance, .. } = *wanted;
-    let centre = source.segments()[element].start();
+    let sides = [&source.segments()[before], &source.segments()[element]];
+    let centre = sides[1].start();
     let ends = ways.map(|way| centre + raw::right_of(way, distance));
     if coverage.covers_all(element, true, ends[0], ends[1]) {
         return Ok(());
     }
-    let Some(arc) = raw::corner(centre, ways, distance) else { return Ok(()) };
+    let Some(arc) = raw::corner(sides, ways, distance) else { return Ok(()) };
     let out = |share| (arc.at(share) - centre) / distance.abs();
     present(wanted, coverage, (element, true), &arc, out)
 }

@@ -51,7 +51,7 @@ impl Curves {
                 if n + 1 < count || contour.closed {
                     let next = (n + 1) % count;
                     let ways = [segment.direction(1.0), segments[next].direction(0.0)];
-                    let corner = raw::corner(segment.end(), ways, distance);
+                    let corner = raw::corner([segment, &segments[next]], ways, distance);
                     list.extend(corner.map(|s| (s, origin(next, true))));
                 }
             }
