@@ -2,7 +2,7 @@
 
 import { tools } from "../draw/tools/catalog";
 import type { Op } from "../wire/messages";
-import type { Action } from "./action";
+import type { Action, World } from "./action";
 import { ask } from "./ask";
 
 const toolActions = tools.map(
@@ -25,8 +25,32 @@ const onDrawing = (id: string, title: string, op: Op, keys: readonly string[]): 
   run: (world) => void ask(world, { do: "draw", op }),
 });
 
+/** Whether the drawing on the sheet would be lost with another one in its place. */
+export const isUnsaved = ({ shown }: World): boolean => {
+  const drawing = shown.snapshot?.drawing;
+  return drawing ? drawing.changed && drawing.shapes > 0 : false;
+};
+
+export const unsaved = "The drawing on the sheet has changes that are not saved: they are lost.";
+
+const begin = onDrawing("drop", "drop it and begin a new one", { op: "new" }, []);
+const drop: Action = { ...begin, warns: () => unsaved };
+
+/** An empty sheet; asks first where something would be lost. */
+export const beginDrawing: Action = {
+  ...begin,
+  id: "draw.new",
+  title: "Drawing: begin a new one",
+  run: (world) => {
+    if (isUnsaved(world)) world.screen.open({ kind: "confirm", action: drop.id });
+    else drop.run(world);
+  },
+};
+
 export const drawActions: readonly Action[] = [
   ...toolActions,
+  beginDrawing,
+  drop,
   onDrawing("undo", "undo", { op: "undo" }, ["Ctrl+Z"]),
   onDrawing("redo", "redo", { op: "redo" }, ["Ctrl+Y", "Ctrl+Shift+Z"]),
   onDrawing("select-all", "select all", { op: "do", clauses: "select all" }, ["Ctrl+A"]),

@@ -1,5 +1,7 @@
 import { useState } from "react";
+import { attempt } from "../actions/action";
 import { ask } from "../actions/ask";
+import { beginDrawing, isUnsaved, unsaved } from "../actions/draw";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
@@ -29,7 +31,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         {drawing?.changed && <span title="changed since it was saved"> ●</span>}
       </p>
       <div className="drawing-buttons">
-        <Button size="small" onPress={() => void draw({ op: "new" })}>
+        <Button size="small" onPress={() => attempt(beginDrawing, worldOf(hands))}>
           New
         </Button>
         <Button size="small" onPress={() => setAsking("open")}>
@@ -81,6 +83,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       {asking === "open" && (
         <FileSheet
           title="Open a drawing"
+          warning={isUnsaved(worldOf(hands)) ? unsaved : undefined}
           endings={["dxf", "svg", "rsg", "rsm"]}
           onClose={() => setAsking(null)}
           onName={(name) => draw({ op: "open", name })}

@@ -10,12 +10,14 @@ interface FileSheetProps {
   endings: readonly string[];
   /** A name that is written; without it, one that is read. */
   proposal?: string;
+  /** What a person has to know before he chooses. */
+  warning?: string | undefined;
   onName: (name: string) => Promise<unknown>;
   onClose: () => void;
 }
 
 /** Asks for the name of a file of the part folder; those that are there are offered. */
-export function FileSheet({ title, endings, proposal, onName, onClose }: FileSheetProps) {
+export function FileSheet({ title, endings, proposal, warning, onName, onClose }: FileSheetProps) {
   const { screen } = useHands();
   const files = useFiles("");
   const [name, setName] = useState(proposal ?? "");
@@ -35,6 +37,11 @@ export function FileSheet({ title, endings, proposal, onName, onClose }: FileShe
       onKeyDown={(event) => event.key === "Escape" && onClose()}
     >
       <h2>{title}</h2>
+      {warning && (
+        <p className="file-sheet-warning" role="alert">
+          {warning}
+        </p>
+      )}
       <form
         onSubmit={(event) => {
           event.preventDefault();

@@ -1,7 +1,7 @@
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
 import { deskKeys } from "../../src/draw/keys";
-import { enter, openWorkshop, type Workshop } from "./workshop";
+import { enter, openWorkshop, stateOf, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
@@ -28,6 +28,9 @@ const fact = (page: Page, name: string) =>
 async function begin(page: Page): Promise<void> {
   await page.getByRole("link", { name: "Draw" }).click();
   await page.getByRole("button", { name: "New", exact: true }).click();
+  const drop = page.getByRole("button", { name: "Drawing: drop it and begin a new one" });
+  const { drawing } = await stateOf(workshop);
+  if (drawing?.changed && drawing.shapes > 0) await drop.click();
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
 }
 

@@ -136,6 +136,15 @@ it("a drawing that was not saved is on the sheet again after a power cut", async
   await next.getByText("It was not saved when Kerf ended: here it is again.").waitFor();
   const { drawing } = await stateOf(workshop);
   expect(drawing).toMatchObject({ shapes: 2, changed: true, name: null });
+  // Another one in its place asks first.
+  await next.getByRole("button", { name: "Open…" }).click();
+  await next.getByRole("alert").filter({ hasText: "not saved: they are lost" }).waitFor();
+  await next.keyboard.press("Escape");
   await next.getByRole("button", { name: "New", exact: true }).click();
+  await next.getByText("not saved: they are lost").waitFor();
+  await next.getByRole("button", { name: "Cancel" }).click();
+  expect((await stateOf(workshop)).drawing).toMatchObject({ shapes: 2 });
+  await next.getByRole("button", { name: "New", exact: true }).click();
+  await next.getByRole("button", { name: "Drawing: drop it and begin a new one" }).click();
   await until(async () => !existsSync(join(folder, "drawing.draft")), "who wants it not drops it");
 });
