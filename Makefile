@@ -69,7 +69,7 @@ figures: prepare console ## draw the pictures of README and book anew
 	done
 	target/release/kerf preview docs/figures/corners.sbp --units mm -o docs/figures/corners.svg
 	@.ci/browser
-	cd console && KERF=../target/release/kerf npm run --silent figures
+	cd console && KERF="$(CURDIR)/target/release/kerf" npm run --silent figures
 	for kind in router input pierce plasma; do \
 	  target/release/kerf timing docs/figures/line.rsg --config docs/figures/timing-$$kind.toml \
 	    $$(cat docs/figures/timing-$$kind.txt) -o docs/figures/timing-$$kind.svg; \
