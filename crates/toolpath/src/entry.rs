@@ -76,6 +76,20 @@ impl<'a> Surroundings<'a> {
     }
 }
 
+/// Tells of a shape that is entered straight down though its group asks for another way: the heights of a 3D
+/// path belong to its vertices, there is no level to go down to.
+pub(crate) fn straight_down(number: usize, settings: &GroupSettings, warnings: &mut Vec<Warning>) {
+    let asked = match plunge(settings, None) {
+        Plunge::Straight => return,
+        Plunge::Ramp { .. } => "ramp",
+        Plunge::Helix { .. } => "helix",
+    };
+    if settings.height == Height::ThreeD {
+        let text = format!("a 3D path is entered straight down, without the {asked} of its group");
+        warnings.push(Warning::new(number, text));
+    }
+}
+
 /// How far from their shapes the helices of a drawing reach at the most, with the tool.
 fn widest(drawing: &Drawing) -> f64 {
     let of = |settings: &GroupSettings| match plunge(settings, None) {

@@ -1,7 +1,7 @@
 //! Everything that is cut, in order.
 
 use crate::depth::{Depths, Heights, depth};
-use crate::entry::Surroundings;
+use crate::entry::{self, Surroundings};
 use crate::filter::filtered;
 use crate::gouge::{self, Contours};
 use crate::neighbours;
@@ -158,6 +158,7 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
             continue;
         }
         let number = n + 1;
+        entry::straight_down(number, settings, warnings);
         let found = paths(number, &shaped(shape, shaping), settings, &offsetter, warnings);
         overlap::check(number, &found, &contours, &twins, warnings);
         // The machine halts before the shape, not before each of its paths.

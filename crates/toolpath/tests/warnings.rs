@@ -141,7 +141,9 @@ fn a_helix_keeps_the_tool_off_its_neighbours() {
     let next = told(4.0, "shape 1 of the block 62,0 away", "one of 3 mm is cut instead");
     check_helix(array, &[&next], helix(3.0));
     // Nothing goes round that is not cut, or cut at heights of its own.
-    check_helix(&two(4.0, 12.0, "; set black height=3d"), &[], helix(4.0));
+    let straight =
+        "shape 1 at 50,25: a 3D path is entered straight down, without the helix of its group";
+    check_helix(&two(4.0, 12.0, "; set black height=3d"), &[straight], helix(4.0));
 }
 
 #[test]
@@ -186,6 +188,19 @@ fn no_helix_cuts_into_a_contour() {
         }
     }
     assert!(smaller > 20, "{smaller}");
+}
+
+#[test]
+fn a_3d_path_that_should_be_entered_by_a_ramp_is_told() {
+    let told = |way: &str| {
+        format!(
+            "shape 1 at 0,0: a 3D path is entered straight down, without the {way} of its group"
+        )
+    };
+    check("line 0,0 50,0; set black height=3d plunge=ramp,3", &[&told("ramp")]);
+    check("line 0,0 50,0; set black height=3d plunge=helix,2,3", &[&told("helix")]);
+    check("line 0,0 50,0; set black height=3d plunge=straight", &[]);
+    check("line 0,0 50,0; set black height=-3 plunge=ramp,3", &[]);
 }
 
 #[test]
