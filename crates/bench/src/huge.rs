@@ -17,8 +17,8 @@ const RUNS: usize = 3;
 /// The first move is made within so many seconds of processor time.
 const BEGINS_S: f64 = 2.0;
 
-/// Memory that reading, planning and running may take, bytes: the text four times.
-const MOST_MEMORY: f64 = 1.1e9;
+/// Memory that reading, planning and running may take, bytes: the text once, and little more.
+const MOST_MEMORY: f64 = 3.5e8;
 
 /// What is measured, and the figures; nothing when another input was asked for.
 pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {

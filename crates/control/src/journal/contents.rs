@@ -21,17 +21,16 @@ fn key(hash: &str, piece: usize) -> String {
 }
 
 impl Rows<'_> {
-    /// Keeps bytes and tells their name.
-    pub(super) fn keep_content(&self, bytes: &[u8]) -> Result<String> {
-        let hash = hash(bytes);
-        if self.has(Table::Content, &key(&hash, 0))? {
-            return Ok(hash);
+    /// Keeps bytes under their hash.
+    pub(super) fn keep_content(&self, hash: &str, bytes: &[u8]) -> Result<()> {
+        if self.has(Table::Content, &key(hash, 0))? {
+            return Ok(());
         }
-        self.put(Table::Content, key(&hash, 0), &bytes[..bytes.len().min(PIECE)])?;
+        self.put(Table::Content, key(hash, 0), &bytes[..bytes.len().min(PIECE)])?;
         for (number, piece) in bytes.chunks(PIECE).enumerate().skip(1) {
-            self.put(Table::Content, key(&hash, number), piece)?;
+            self.put(Table::Content, key(hash, number), piece)?;
         }
-        Ok(hash)
+        Ok(())
     }
 
     /// All of them.
@@ -63,8 +62,8 @@ mod tests {
         let (journal, _) = Journal::open(folder.path()).unwrap();
         let files = [0, 1, PIECE - 1, PIECE, PIECE + 1, 12 * PIECE + 7].map(bytes);
         for file in &files {
-            journal.write(|rows| rows.keep_content(file)).unwrap();
-            journal.write(|rows| rows.keep_content(file)).unwrap();
+            journal.write(|rows| rows.keep_content(&hash(file), file)).unwrap();
+            journal.write(|rows| rows.keep_content(&hash(file), file)).unwrap();
         }
         let back = journal.read(|rows| rows.contents()).unwrap();
         assert_eq!(back.len(), files.len());

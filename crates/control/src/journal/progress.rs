@@ -4,6 +4,7 @@
 use super::rows::Table;
 use super::{Journal, JournalError, Live, Placed, json, mirror};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 /// Name of the fact.
@@ -43,8 +44,8 @@ pub(crate) struct Progress {
     journal: Journal,
     /// What the world told and is not in the file yet: number and text.
     steps: Vec<(i64, Vec<u8>)>,
-    /// Files that steps speak of.
-    contents: Vec<Vec<u8>>,
+    /// Files that steps speak of, by their hashes.
+    contents: BTreeMap<String, Vec<u8>>,
     next_step: i64,
     written: Option<Reached>,
     /// What other programs saw last.
@@ -62,7 +63,7 @@ impl Progress {
         Self {
             journal,
             steps: Vec::new(),
-            contents: Vec::new(),
+            contents: BTreeMap::new(),
             next_step,
             written: None,
             published: None,
@@ -92,8 +93,9 @@ impl Progress {
 
     /// Adds a file that a step speaks of; tells its name.
     pub(crate) fn add_content(&mut self, bytes: &[u8]) -> String {
-        self.contents.push(bytes.to_vec());
-        super::contents::hash(bytes)
+        let hash = super::contents::hash(bytes);
+        self.contents.insert(hash.clone(), bytes.to_vec());
+        hash
     }
 
     /// Writes, if it is time to.
@@ -118,7 +120,7 @@ impl Progress {
         self.last = Instant::now();
         let (steps, contents) = (&self.steps, &self.contents);
         let written = self.journal.write(|rows| {
-            contents.iter().try_for_each(|bytes| rows.keep_content(bytes).map(drop))?;
+            contents.iter().try_for_each(|(hash, bytes)| rows.keep_content(hash, bytes))?;
             steps.iter().try_for_each(|(n, step)| rows.put(Table::Step, n, step))?;
             rows.put(Table::Fact, PROGRESS, &json(reached)?)
         });

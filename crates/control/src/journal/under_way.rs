@@ -156,7 +156,7 @@ impl Journal {
                 }
             } else {
                 forget(rows, earlier.as_ref())?;
-                rows.keep_content(bytes)?;
+                rows.keep_content(run.hash(), bytes)?;
                 rows.put(Table::Fact, RUN, &json(run)?)?;
             }
             rows.set(Table::Fact, PROGRESS, None)
