@@ -35,6 +35,8 @@ export interface Action {
   readonly everywhere?: boolean;
   /** Why it cannot be done now; nothing when it can. */
   readonly refused?: (world: World) => string | undefined;
+  /** Its keys say why it cannot be done now; those of others do nothing then. */
+  readonly keysTell?: boolean;
   /** What a person has to know before he lets it happen. */
   readonly warns?: (world: World) => string;
   readonly run: (world: World) => void;

@@ -30,6 +30,7 @@ export const openFiles = sheetAction({ kind: "files" }, "Open a file", ["Ctrl+O"
 /** The keypad is a command (SK): every page shows it. Where it cannot open yet, its sheet says why. */
 export const openKeypad: Action = {
   ...sheetAction({ kind: "keypad" }, "Keypad", ["k"]),
+  keysTell: true,
   refused: ({ shown }) => {
     const why = refusal(shown);
     return why === busy || why === filesOnly ? why : undefined;

@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { perform } from "../actions/action";
+import { attempt, perform } from "../actions/action";
 import { actionOfKey } from "../actions/keys";
 import { actions } from "../actions/registry";
 import { useHands, worldOf } from "./context";
@@ -24,7 +24,9 @@ export function Keys() {
       const world = worldOf(hands);
       const { route } = hands.screen.get();
       const action = actionOfKey(actions, event, typingIn(event.target), route);
-      if (action && perform(action, world)) event.preventDefault();
+      if (!action) return;
+      if (perform(action, world)) event.preventDefault();
+      else if (action.keysTell) attempt(action, world);
     };
     addEventListener("keydown", hear);
     return () => removeEventListener("keydown", hear);
