@@ -3,7 +3,7 @@
 use super::scratch::{Buffer, Scratch};
 use crate::segment::square;
 use crate::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
-use std::cell::OnceCell;
+use std::cell::Cell;
 
 /// All segments of all contours with an index.
 pub(super) struct Source<'a> {
@@ -14,8 +14,9 @@ pub(super) struct Source<'a> {
     pub scratch: &'a Scratch,
     indexed: Indexed,
     ways: Buffer<'a, Ways>,
-    /// How often the contours wind round what lies to the left of each, as far as it was asked.
-    left_of: OnceCell<Vec<OnceCell<Option<i32>>>>,
+    /// How often the contours wind round what lies to the left of one of them: the one that was asked last, as
+    /// questions come in the order of contours.
+    left_of: Cell<Option<(usize, Option<i32>)>>,
 }
 
 /// Unit directions of travel at the ends of a segment.
@@ -62,7 +63,7 @@ impl<'a> Source<'a> {
         }
         let indexed = Indexed::in_lists((scratch.take(), scratch.take()), contours);
         let ways = Buffer::of(scratch, indexed.segments().iter().map(Ways::of));
-        Self { contours, first, scratch, indexed, ways, left_of: OnceCell::new() }
+        Self { contours, first, scratch, indexed, ways, left_of: Cell::new(None) }
     }
 
     /// The segments of all contours, numbered through.
@@ -110,8 +111,11 @@ impl<'a> Source<'a> {
             return None;
         }
         let own = self.first.partition_point(|first| *first <= segment).checked_sub(1)?;
-        let none = || vec![OnceCell::new(); self.contours.len()];
-        let left = *self.left_of.get_or_init(none)[own].get_or_init(|| self.winding_left_of(own));
+        let left = match self.left_of.get() {
+            Some((asked, left)) if asked == own => left,
+            _ => self.winding_left_of(own),
+        };
+        self.left_of.set(Some((own, left)));
         Some(left? - i32::from(distance > 0.0))
     }
 
