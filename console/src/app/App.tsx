@@ -61,7 +61,7 @@ function Body() {
   return (
     <div className="body">
       <main className="screen" inert={covered}>
-        <Guard key={route}>
+        <Guard about={route}>
           <Suspense fallback={null}>
             <RouteScreen route={route} />
           </Suspense>
@@ -73,9 +73,11 @@ function Body() {
         <FollowedFace />
         <StartedUp />
       </Guard>
-      <Guard key={sheet ? "sheet" : "none"}>{sheet && <OpenSheet sheet={sheet} />}</Guard>
-      <Guard key={`asked ${asked?.number}`}>{asked && <Asking asked={asked} />}</Guard>
-      <Guard>{calculator && <CalculatorSheet field={calculator.field} />}</Guard>
+      <Guard about={sheet?.kind}>{sheet && <OpenSheet sheet={sheet} />}</Guard>
+      <Guard about={asked?.number}>{asked && <Asking asked={asked} />}</Guard>
+      <Guard about={calculator?.field}>
+        {calculator && <CalculatorSheet field={calculator.field} />}
+      </Guard>
       <LostLink />
       <PairScreen />
     </div>

@@ -4,12 +4,15 @@ import "./guard.css";
 
 interface Guarded {
   readonly children: ReactNode;
+  /** What it is about: with another one it is tried again, and what did not fail stays as it is. */
+  readonly about?: unknown;
   /** What stands in place of a part that failed; by default a panel that says so. */
   readonly instead?: ReactNode;
 }
 
 interface Failing {
   readonly why: string | null;
+  readonly about?: unknown;
 }
 
 /**
@@ -19,7 +22,11 @@ interface Failing {
 export class Guard extends Component<Guarded, Failing> {
   override state: Failing = { why: null };
 
-  static getDerivedStateFromError(error: unknown): Failing {
+  static getDerivedStateFromProps({ about }: Guarded, now: Failing): Failing | null {
+    return about === now.about ? null : { why: null, about };
+  }
+
+  static getDerivedStateFromError(error: unknown): Pick<Failing, "why"> {
     return { why: error instanceof Error ? error.message : String(error) };
   }
 
