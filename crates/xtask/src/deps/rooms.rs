@@ -54,6 +54,8 @@ pub const ROOMS: &[Room] = &[
     at(4.0, Half::Machine, "kerf-machine"),
     at(4.0, Half::Machine, "kerf-preview"),
     at(5.0, Half::Machine, "kerf-sim"),
+    // Bytes in and out; it knows nothing of who speaks.
+    at(6.0, Half::Edge, "kerf-serial"),
     at(6.0, Half::Edge, "kerf-control"),
     at(7.0, Half::Edge, "kerf-wire"),
     // Between `wire` and whoever serves editors.

@@ -1,0 +1,64 @@
+//! What goes wrong with a port, and what to do about it.
+
+use std::io;
+
+/// Why a port cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SerialError {
+    /// There is no such port.
+    #[error("there is no serial port {path}: is it plugged in, and is this its name?")]
+    Missing {
+        /// Its path.
+        path: String,
+    },
+    /// The person who runs Kerf may not use it.
+    #[error(
+        "the serial port {path} may not be opened: add yourself to its group (often \"dialout\") and log in again"
+    )]
+    Forbidden {
+        /// Its path.
+        path: String,
+    },
+    /// Another program has it open.
+    #[error("the serial port {path} is used by another program: close that first")]
+    Busy {
+        /// Its path.
+        path: String,
+    },
+    /// It is something else, or cannot be set as asked.
+    #[error("the serial port {path} cannot be opened at {baud} baud: {why}")]
+    Unfit {
+        /// Its path.
+        path: String,
+        /// The rate asked for.
+        baud: u32,
+        /// What the system says.
+        why: String,
+    },
+    /// It was there and is gone.
+    #[error("the serial port {path} is gone ({why}): is its cable still plugged in?")]
+    Gone {
+        /// Its path.
+        path: String,
+        /// What the system says.
+        why: String,
+    },
+}
+
+impl SerialError {
+    /// What the system said when a port was opened.
+    pub(crate) fn opening(path: &str, baud: u32, error: &serialport::Error) -> Self {
+        let path = path.to_owned();
+        match error.kind {
+            serialport::ErrorKind::Io(io::ErrorKind::NotFound) => Self::Missing { path },
+            serialport::ErrorKind::Io(io::ErrorKind::PermissionDenied) => Self::Forbidden { path },
+            serialport::ErrorKind::NoDevice => Self::Busy { path },
+            _ => Self::Unfit { path, baud, why: error.description.clone() },
+        }
+    }
+
+    /// What the system said while a port was in use.
+    pub(crate) fn using(path: &str, error: &io::Error) -> Self {
+        Self::Gone { path: path.to_owned(), why: error.to_string() }
+    }
+}
