@@ -167,6 +167,16 @@ pub enum Act {
         /// Of the jog.
         seq: u32,
     },
+    /// Presses a key of the hand console. What the key wishes is granted to whoever presses it; one that moves
+    /// the tool does so for as long as a jog of this number is renewed. Stop is always allowed, to everybody.
+    Key {
+        /// Number of the lease.
+        lease: u32,
+        /// As that of a jog.
+        seq: u32,
+        /// A digit, `-` the sign, carriage return for Enter, `F` File, `S` Start, `P` Stop, `U` Func.
+        key: char,
+    },
     /// Small shift of the workpiece (MN), mm or degrees.
     Nudge {
         /// Number of the lease.

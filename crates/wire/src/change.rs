@@ -1,7 +1,7 @@
 //! What the server tells without being asked.
 
 use crate::{
-    Asked, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message, Motion,
+    Asked, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine, Message, Motion,
     NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound, Speeds, StartUp,
     Units, Who,
 };
@@ -94,6 +94,10 @@ pub enum Change {
     /// The machine's configuration changed.
     Settings {
         settings: u32,
+    },
+    #[serde(rename_all = "camelCase")]
+    HandConsole {
+        hand_console: HandConsole,
     },
 }
 

@@ -21,6 +21,7 @@
 mod act;
 mod change;
 mod drawing;
+mod hand_console;
 mod job;
 mod job_view;
 mod language;
@@ -40,6 +41,7 @@ pub use drawing::{
     Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList, ShapePath,
     ToolPaths,
 };
+pub use hand_console::HandConsole;
 pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, Message, Opened,
     Overrides, Pause, PreviewState, Recorder, Sound, Tone,

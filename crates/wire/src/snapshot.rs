@@ -1,7 +1,7 @@
 //! Everything a page shows, at one moment.
 
 use crate::{
-    Asked, Change, Client, DrawingState, Folder, Interrupted, Io, Job, Lease, Machine, Message,
+    Asked, Change, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine, Message,
     Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Sound, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
@@ -84,6 +84,8 @@ pub struct Snapshot {
     pub watched: Vec<NamedValue>,
     /// Grows when the machine's configuration changes.
     pub settings: u32,
+    /// The screen of the hand console.
+    pub hand_console: HandConsole,
 }
 
 impl Default for Snapshot {
@@ -116,6 +118,7 @@ impl Default for Snapshot {
             recorder: Recorder::default(),
             watched: Vec::new(),
             settings: 0,
+            hand_console: HandConsole::default(),
         }
     }
 }
@@ -149,6 +152,7 @@ impl Snapshot {
             Change::Recorder { recorder } => self.recorder = recorder,
             Change::Watched { watched } => self.watched = watched,
             Change::Settings { settings } => self.settings = settings,
+            Change::HandConsole { hand_console } => self.hand_console = hand_console,
         }
     }
 }

@@ -60,6 +60,8 @@ pub const ROOMS: &[Room] = &[
     at(7.0, Half::Edge, "kerf-wire"),
     // Between `wire` and whoever serves editors.
     at(7.5, Half::Edge, "kerf-language"),
+    // It knows the messages and the machine, and has no thread and no clock.
+    at(7.5, Half::Edge, "kerf-handconsole"),
     at(8.0, Half::Edge, "kerf-server"),
     at(8.0, Half::Edge, "kerf-lsp"),
     at(8.0, Half::Edge, "kerf-ledger"),

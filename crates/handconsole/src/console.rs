@@ -1,0 +1,176 @@
+//! The console: which mode it is in, and what a key does there.
+
+use crate::file::Choosing;
+use crate::functions::{Selecting, Stepping};
+use crate::start::Starting;
+use crate::{Key, Screen, View, Waits, Wish, idle, running, start};
+use kerf_wire::State;
+
+/// What the console is used for at the moment.
+#[derive(Clone, Debug)]
+pub(crate) enum Mode {
+    /// Nothing: what the machine does decides what is shown, and what keys mean.
+    Rest(Starting),
+    /// A job is chosen.
+    File(Choosing),
+    /// A function is chosen.
+    Selecting(Selecting),
+    /// A function asks for its numbers and places.
+    Stepping(Stepping),
+    /// A job is to be aborted, if Enter says so.
+    Aborting,
+    /// The machine does what the function of this name wants.
+    Doing(&'static str),
+}
+
+impl Default for Mode {
+    fn default() -> Self {
+        Self::Rest(Starting::default())
+    }
+}
+
+/// What follows on a key.
+#[derive(Debug, Default)]
+pub(crate) struct Next {
+    mode: Mode,
+    wishes: Vec<Wish>,
+    note: Option<Note>,
+    beeps: bool,
+}
+
+impl Next {
+    /// Another mode, or the same again.
+    pub fn to(mode: Mode) -> Self {
+        Self { mode, ..Self::default() }
+    }
+
+    /// The mode in which the machine decides what is shown, and wishes.
+    pub fn wish(wishes: impl IntoIterator<Item = Wish>) -> Self {
+        Self { wishes: wishes.into_iter().collect(), ..Self::default() }
+    }
+
+    /// The same with wishes.
+    pub fn and(self, wishes: impl IntoIterator<Item = Wish>) -> Self {
+        Self { wishes: wishes.into_iter().collect(), ..self }
+    }
+
+    /// The same with a text that is shown until the next key, and a beep.
+    pub fn refused(self, text: impl AsRef<str>) -> Self {
+        let note = Some(Note { screen: Screen::of_text(text.as_ref()), control: false });
+        Self { note, beeps: true, ..self }
+    }
+
+    /// The same with a beep.
+    pub fn beep(self) -> Self {
+        Self { beeps: true, ..self }
+    }
+}
+
+/// What is shown until the next key.
+#[derive(Clone, Debug)]
+struct Note {
+    screen: Screen,
+    /// Enter takes control.
+    control: bool,
+}
+
+/// The hand console.
+#[derive(Clone, Debug, Default)]
+pub struct Console {
+    mode: Mode,
+    note: Option<Note>,
+    beeps: u32,
+}
+
+impl Console {
+    /// What a key wants done. One that means nothing now changes nothing.
+    pub fn press(&mut self, key: Key, view: &View) -> Vec<Wish> {
+        if key == Key::Stop && view.is_moving() {
+            return vec![Wish::Stop];
+        }
+        if let Some(note) = self.note.take()
+            && key == Key::Enter
+        {
+            self.mode = Mode::default();
+            return note.control.then_some(Wish::TakeControl).into_iter().collect();
+        }
+        let next = std::mem::take(&mut self.mode).press(key, view);
+        self.mode = next.mode;
+        self.note = next.note;
+        self.beeps += u32::from(next.beeps);
+        next.wishes
+    }
+
+    /// What came of a wish: that it is done, or why it is refused, which is shown until the next key. Enter
+    /// returns from there to what the machine shows.
+    pub fn told(&mut self, outcome: Result<(), String>) {
+        if matches!(self.mode, Mode::Doing(_)) {
+            self.mode = Mode::default();
+        }
+        if let Err(why) = outcome {
+            self.show(Screen::of_text(&why), false);
+        }
+    }
+
+    /// A wish is refused because somebody else drives, or the machine is disarmed: Enter takes control.
+    pub fn needs_control(&mut self, why: &str) {
+        self.mode = Mode::default();
+        self.show(Screen::new(why, "Enter takes control"), true);
+    }
+
+    fn show(&mut self, screen: Screen, control: bool) {
+        self.note = Some(Note { screen, control });
+        self.beeps += 1;
+    }
+
+    /// What it shows.
+    pub fn screen(&self, view: &View) -> Screen {
+        match (&self.note, &self.mode) {
+            (Some(note), _) => note.screen.clone(),
+            (None, mode) => mode.screen(view),
+        }
+    }
+
+    /// How often it has beeped.
+    pub const fn beeps(&self) -> u32 {
+        self.beeps
+    }
+}
+
+impl Mode {
+    fn press(self, key: Key, view: &View) -> Next {
+        match self {
+            Self::Rest(starting) => match &view.waits {
+                Waits::Start(shape) => starting.press(key, *shape, view.shapes()),
+                Waits::Paused => running::press_paused(key),
+                Waits::Question(asked) => running::press_asked(key, asked),
+                Waits::No => match view.state {
+                    State::Idle => idle::press(key, view),
+                    _ => running::press(key, view.state),
+                },
+            },
+            Self::File(choosing) => choosing.press(key),
+            Self::Selecting(selecting) => selecting.press(key, view),
+            Self::Stepping(stepping) => stepping.press(key, view),
+            Self::Aborting => start::press_aborting(key),
+            Self::Doing(_) => Next::to(self),
+        }
+    }
+
+    fn screen(&self, view: &View) -> Screen {
+        match self {
+            Self::Rest(starting) => match &view.waits {
+                Waits::Start(shape) => starting.screen(*shape, view.shapes()),
+                Waits::Paused => running::screen_of_shape("Paused", view),
+                Waits::Question(asked) => running::question(asked),
+                Waits::No if view.state == State::Idle => idle::screen(view),
+                Waits::No => running::screen(view),
+            },
+            Self::File(choosing) => choosing.screen(),
+            Self::Selecting(selecting) => selecting.screen(),
+            Self::Stepping(stepping) => stepping.screen(view),
+            Self::Aborting => Screen::new("Abort? Enter=yes", ""),
+            Self::Doing(name) => Screen::new(name, ""),
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! The functions behind the key Func: one table, and how a function is chosen and asks for its numbers.
+
+mod selecting;
+mod stepping;
+mod table;
+
+pub(crate) use selecting::Selecting;
+pub(crate) use stepping::Stepping;
+pub use table::FUNCTIONS;
+
+use crate::{View, Wish};
+use kerf_machine::Errand;
+
+/// One function.
+#[derive(Debug)]
+pub struct Function {
+    /// Its number, with a decimal part perhaps.
+    pub number: &'static str,
+    /// Its name: with the number and a blank 20 characters at most.
+    pub name: &'static str,
+    /// What it asks for, in this order.
+    pub steps: &'static [Step],
+    /// What it wants done with what was answered; or why that cannot be.
+    pub does: fn(&[f64], &View) -> Result<Vec<Wish>, String>,
+}
+
+/// Something that a function asks for.
+#[derive(Debug)]
+pub enum Step {
+    /// A number.
+    Number {
+        /// What is typed, with its unit: 20 characters at most.
+        prompt: &'static str,
+        /// What it is now, shown until something is typed; Enter alone keeps it.
+        now: fn(&View) -> Option<f64>,
+    },
+    /// A height: Z goes there, is moved with the keys 5 and 0 beside the others, and Enter records it.
+    Height {
+        /// What is recorded: 20 characters at most.
+        prompt: &'static str,
+        /// The errands that go there.
+        there: fn(&View) -> Vec<Errand>,
+    },
+}
+
+/// The function of a number as it is typed: `18.1`, and `018.10` too.
+pub fn function(number: &str) -> Option<&'static Function> {
+    let typed: f64 = number.parse().ok()?;
+    FUNCTIONS.iter().find(|function| function.number.parse() == Ok(typed))
+}
+
+/// A number as the screen shows it: to a thousandth, without zeros at its end.
+pub fn shown(value: f64) -> String {
+    let thousandths = (value * 1000.0).round() / 1000.0 + 0.0;
+    thousandths.to_string()
+}

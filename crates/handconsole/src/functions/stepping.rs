@@ -1,0 +1,103 @@
+//! A function asks for its numbers and heights, one after the other.
+
+use super::{Function, Step, shown};
+use crate::console::{Mode, Next};
+use crate::entry::Typed;
+use crate::{Key, Screen, View, Wish, idle};
+use kerf_machine::Held;
+use kerf_program::Axis;
+
+/// A function, and what it was told so far.
+#[derive(Clone, Debug)]
+pub(crate) struct Stepping {
+    function: &'static Function,
+    answers: Vec<f64>,
+    typed: Typed,
+}
+
+impl Stepping {
+    /// A function begins.
+    pub fn begin(function: &'static Function, view: &View) -> Next {
+        Self { function, answers: Vec::new(), typed: Typed::default() }.go_on(view)
+    }
+
+    fn step(&self) -> Option<&'static Step> {
+        self.function.steps.get(self.answers.len())
+    }
+
+    /// What it asks next; when it knows everything it is done.
+    fn go_on(self, view: &View) -> Next {
+        match self.step() {
+            None => self.finish(view),
+            Some(Step::Number { .. }) => Next::to(Mode::Stepping(self)),
+            Some(Step::Height { there, .. }) => {
+                let ways = there(view).into_iter().map(Wish::Go);
+                Next::to(Mode::Stepping(self)).and(ways)
+            }
+        }
+    }
+
+    fn finish(self, view: &View) -> Next {
+        let Self { function, mut answers, .. } = self;
+        match (function.does)(&answers, view) {
+            Ok(wishes) if wishes.iter().any(Wish::lasts) => {
+                Next::to(Mode::Doing(function.name)).and(wishes)
+            }
+            Ok(wishes) => Next::wish(wishes),
+            Err(why) => {
+                // The last number is asked for again.
+                answers.pop();
+                let again = Self { function, answers, typed: Typed::default() };
+                Next::to(again.step().map_or_else(Mode::default, |_| Mode::Stepping(again)))
+                    .refused(why)
+            }
+        }
+    }
+
+    fn answered(mut self, value: f64, view: &View) -> Next {
+        self.answers.push(value);
+        self.typed = Typed::default();
+        self.go_on(view)
+    }
+
+    pub fn screen(&self, view: &View) -> Screen {
+        match self.step() {
+            Some(Step::Number { prompt, now }) => {
+                let value = match self.typed.is_empty() {
+                    true => now(view).map(shown).unwrap_or_default(),
+                    false => self.typed.to_string(),
+                };
+                Screen::new(prompt, value)
+            }
+            Some(Step::Height { prompt, .. }) => {
+                Screen::new(prompt, format!("z {}", shown(view.position[Axis::Z])))
+            }
+            None => Screen::new(self.function.name, ""),
+        }
+    }
+
+    pub fn press(self, key: Key, view: &View) -> Next {
+        match (self.step(), key) {
+            (_, Key::Func) | (None, _) => Next::default(),
+            (Some(Step::Number { now, .. }), Key::Enter) => {
+                let kept = if self.typed.is_empty() { now(view) } else { self.typed.value() };
+                match kept {
+                    Some(value) => self.answered(value, view),
+                    None => Next::to(Mode::Stepping(self)).beep(),
+                }
+            }
+            (Some(Step::Number { .. }), _) => {
+                let typed = self.typed.clone().press(key);
+                Next::to(Mode::Stepping(Self { typed, ..self }))
+            }
+            (Some(Step::Height { .. }), Key::Enter) => {
+                self.answered(view.position[Axis::Z], view)
+            }
+            (Some(Step::Height { .. }), Key::Digit(digit)) => {
+                let jog = idle::jog(digit, view).map(|held| Held { sets_bottom: true, ..held });
+                Next::to(Mode::Stepping(self)).and(jog.map(Wish::Jog))
+            }
+            (Some(Step::Height { .. }), _) => Next::to(Mode::Stepping(self)),
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! The machine stands and nothing is typed: the digits move the tool.
+
+use crate::console::{Mode, Next};
+use crate::file::Choosing;
+use crate::functions::Selecting;
+use crate::{COLUMNS, Key, Screen, View, Wish};
+use kerf_machine::Held;
+use kerf_program::AXES;
+
+/// Job and its size.
+pub(crate) fn screen(view: &View) -> Screen {
+    let Some(job) = &view.job else { return Screen::new("JOB: Untitled", "0x0mm #0") };
+    let line = |decimals: i32| {
+        let [width, height] = job.size_mm.map(|mm| rounded(mm, decimals));
+        format!("{width}x{height}mm #{}", job.shapes)
+    };
+    let fine = line(1);
+    let size = if fine.len() > COLUMNS { line(0) } else { fine };
+    Screen::new(format!("JOB: {}", job.name), size)
+}
+
+fn rounded(mm: f64, decimals: i32) -> f64 {
+    let unit = 10.0_f64.powi(decimals);
+    (mm * unit).round() / unit + 0.0
+}
+
+pub(crate) fn press(key: Key, view: &View) -> Next {
+    match key {
+        Key::Digit(digit) => Next::wish(jog(digit, view).map(Wish::Jog)),
+        Key::File => Next::to(Mode::File(Choosing::new(&view.files))),
+        Key::Start => Next::wish([Wish::Start]),
+        Key::Func => Next::to(Mode::Selecting(Selecting::default())),
+        Key::PlusMinus | Key::Enter | Key::Stop => Next::default(),
+    }
+}
+
+/// The move of a digit that is held: the digits lie as the arrows of a keypad, 5 lifts Z and 0 lowers it.
+pub(crate) fn jog(digit: u8, view: &View) -> Option<Held> {
+    let [x, y, z] = match digit {
+        1 => [-1, -1, 0],
+        2 => [0, -1, 0],
+        3 => [1, -1, 0],
+        4 => [-1, 0, 0],
+        6 => [1, 0, 0],
+        7 => [-1, 1, 0],
+        8 => [0, 1, 0],
+        9 => [1, 1, 0],
+        5 => [0, 0, 1],
+        0 => [0, 0, -1],
+        _ => return None,
+    };
+    let mut way = [0; AXES];
+    way[..3].copy_from_slice(&[x, y, z]);
+    let speeds = &view.machine.speeds;
+    let [speed, accel] =
+        [speeds.arrow_speed_percent, speeds.arrow_accel_percent].map(|percent| percent / 100.0);
+    Some(Held { way, speed, accel, sets_bottom: false })
+}

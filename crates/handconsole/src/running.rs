@@ -1,0 +1,53 @@
+//! The machine moves, is paused, asks something, or is in alarm.
+
+use crate::console::{Mode, Next};
+use crate::{COLUMNS, Key, Screen, View, Wish};
+use kerf_wire::{Asked, State};
+
+pub(crate) fn screen(view: &View) -> Screen {
+    match view.state {
+        State::Alarm => Screen::of_text(view.why.as_deref().unwrap_or("Alarm")),
+        State::Held => screen_of_shape("Held", view),
+        State::Jogging => Screen::new("Moving", ""),
+        _ => screen_of_shape("Running", view),
+    }
+}
+
+/// What is done, and the shape it is done with.
+pub(crate) fn screen_of_shape(action: &str, view: &View) -> Screen {
+    match view.shape {
+        0 => Screen::new(action, ""),
+        shape => Screen::new(action, format!("Shape {shape} of {}", view.shapes())),
+    }
+}
+
+pub(crate) fn press(key: Key, state: State) -> Next {
+    match (key, state) {
+        (Key::Enter, State::Alarm) => Next::wish([Wish::Acknowledge]),
+        (Key::Start, State::Held) => Next::wish([Wish::Resume]),
+        _ => Next::default(),
+    }
+}
+
+/// Start goes on, Func gives up if Enter says so.
+pub(crate) fn press_paused(key: Key) -> Next {
+    match key {
+        Key::Start => Next::wish([Wish::Answer("continue".into())]),
+        Key::Func => Next::to(Mode::Aborting),
+        _ => Next::default(),
+    }
+}
+
+/// A question, and its answers with the digit of each.
+pub(crate) fn question(asked: &Asked) -> Screen {
+    let buttons = asked.buttons.iter().zip(1..).map(|(word, digit)| format!("{digit}{word}"));
+    let answers = buttons.collect::<Vec<_>>().join(" ");
+    let text = if asked.text.is_empty() { &asked.title } else { &asked.text };
+    Screen::new(text, answers.chars().take(COLUMNS).collect::<String>())
+}
+
+pub(crate) fn press_asked(key: Key, asked: &Asked) -> Next {
+    let Key::Digit(digit) = key else { return Next::default() };
+    let button = usize::from(digit).checked_sub(1).and_then(|at| asked.buttons.get(at));
+    Next::wish(button.cloned().map(Wish::Answer))
+}

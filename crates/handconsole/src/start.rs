@@ -1,0 +1,51 @@
+//! A job was started and waits for the second Start: the shape it begins with is chosen.
+
+use crate::console::{Mode, Next};
+use crate::entry::Typed;
+use crate::{Key, Screen, Wish};
+use kerf_machine::Errand;
+
+/// What tells a job that waits that it is given up.
+const QUIT: &str = "quit";
+
+/// The number that is typed.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Starting {
+    typed: Typed,
+}
+
+impl Starting {
+    pub fn screen(&self, shape: u32, shapes: u32) -> Screen {
+        let shown = match self.typed.is_empty() {
+            true => format!("Shape {shape} of {shapes}"),
+            false => format!("Shape {}", self.typed),
+        };
+        Screen::new("Start job", shown)
+    }
+
+    pub fn press(self, key: Key, shape: u32, shapes: u32) -> Next {
+        let goes = |word: String| Next::wish([Wish::Answer(word)]);
+        match key {
+            Key::Digit(_) | Key::Stop => {
+                Next::to(Mode::Rest(Self { typed: self.typed.press_whole(key) }))
+            }
+            Key::Start => goes("continue".into()),
+            Key::Func => Next::to(Mode::Aborting),
+            Key::PlusMinus if shape > 1 => goes("previous".into()),
+            Key::Enter if !self.typed.is_empty() => match self.typed.whole() {
+                Some(number) if (1..=shapes).contains(&number) => goes(number.to_string()),
+                _ => Next::default().refused(format!("1-{shapes}")),
+            },
+            Key::Enter if shape < shapes => goes("next".into()),
+            Key::PlusMinus | Key::Enter | Key::File => Next::to(Mode::Rest(self)),
+        }
+    }
+}
+
+/// Enter gives the job up, and the head returns to the origin; any other key leaves it as it is.
+pub(crate) fn press_aborting(key: Key) -> Next {
+    match key {
+        Key::Enter => Next::wish([Wish::Answer(QUIT.into()), Wish::Go(Errand::Origin)]),
+        _ => Next::default(),
+    }
+}
