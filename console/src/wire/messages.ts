@@ -73,7 +73,13 @@ lease: number,
 /** Of the jog. */
 seq: number, } | { "do": "jogStop",
 /** Of the jog. */
-seq: number, } | { "do": "nudge",
+seq: number, } | { "do": "key",
+/** Number of the lease. */
+lease: number,
+/** As that of a jog. */
+seq: number,
+/** A digit, `-` the sign, carriage return for Enter, `F` File, `S` Start, `P` Stop, `U` Func. */
+key: string, } | { "do": "nudge",
 /** Number of the lease. */
 lease: number,
 /** Letter of the axis. */
@@ -150,7 +156,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -349,6 +355,13 @@ tag: number,
 leadIn: [number, number],
 /** Radius and angle of the arc off the path. */
 leadOut: [number, number], };
+
+/** The screen of the hand console. */
+export type HandConsole = {
+/** Its lines, of 20 characters at most. */
+lines: [string, string],
+/** How often it has beeped. */
+beeps: number, };
 
 /** Which parameter of a command is being written. */
 export type Hint = {
@@ -898,7 +911,9 @@ recorder: Recorder,
 /** Variables that are shown while programs run, as far as they have values. */
 watched: Array<NamedValue>,
 /** Grows when the machine's configuration changes. */
-settings: number, };
+settings: number,
+/** The screen of the hand console. */
+handConsole: HandConsole, };
 
 /** A sound that a program started (PLAY). */
 export type Sound = {

@@ -91,8 +91,11 @@ impl Console {
         if let Some(note) = self.note.take()
             && key == Key::Enter
         {
+            if note.control {
+                return vec![Wish::TakeControl];
+            }
             self.mode = Mode::default();
-            return note.control.then_some(Wish::TakeControl).into_iter().collect();
+            return Vec::new();
         }
         let next = std::mem::take(&mut self.mode).press(key, view);
         self.mode = next.mode;
@@ -104,9 +107,7 @@ impl Console {
     /// What came of a wish: that it is done, or why it is refused, which is shown until the next key. Enter
     /// returns from there to what the machine shows.
     pub fn told(&mut self, outcome: Result<(), String>) {
-        if matches!(self.mode, Mode::Doing(_)) {
-            self.mode = Mode::default();
-        }
+        self.stand();
         if let Err(why) = outcome {
             self.show(Screen::of_text(&why), false);
         }
@@ -114,8 +115,15 @@ impl Console {
 
     /// A wish is refused because somebody else drives, or the machine is disarmed: Enter takes control.
     pub fn needs_control(&mut self, why: &str) {
-        self.mode = Mode::default();
+        self.stand();
         self.show(Screen::new(why, "Enter takes control"), true);
+    }
+
+    /// The machine does nothing any more for a function.
+    fn stand(&mut self) {
+        if matches!(self.mode, Mode::Doing(_)) {
+            self.mode = Mode::default();
+        }
     }
 
     fn show(&mut self, screen: Screen, control: bool) {

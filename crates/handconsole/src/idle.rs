@@ -10,12 +10,20 @@ use kerf_program::AXES;
 /// Job and its size.
 pub(crate) fn screen(view: &View) -> Screen {
     let Some(job) = &view.job else { return Screen::new("JOB: Untitled", "0x0mm #0") };
-    let line = |decimals: i32| {
-        let [width, height] = job.size_mm.map(|mm| rounded(mm, decimals));
+    let line = |size_mm: [f64; 2], decimals: i32| {
+        let [width, height] = size_mm.map(|mm| rounded(mm, decimals));
         format!("{width}x{height}mm #{}", job.shapes)
     };
-    let fine = line(1);
-    let size = if fine.len() > COLUMNS { line(0) } else { fine };
+    let size = match job.size_mm.map(|size| [line(size, 1), line(size, 0)]) {
+        None => "part file".into(),
+        Some([fine, whole]) => {
+            if fine.len() > COLUMNS {
+                whole
+            } else {
+                fine
+            }
+        }
+    };
     Screen::new(format!("JOB: {}", job.name), size)
 }
 

@@ -1,6 +1,7 @@
 //! The machine moves, is paused, asks something, or is in alarm.
 
 use crate::console::{Mode, Next};
+use crate::start::GO_ON;
 use crate::{COLUMNS, Key, Screen, View, Wish};
 use kerf_wire::{Asked, State};
 
@@ -32,7 +33,7 @@ pub(crate) fn press(key: Key, state: State) -> Next {
 /// Start goes on, Func gives up if Enter says so.
 pub(crate) fn press_paused(key: Key) -> Next {
     match key {
-        Key::Start => Next::wish([Wish::Answer("continue".into())]),
+        Key::Start => Next::wish([Wish::Answer(GO_ON.into())]),
         Key::Func => Next::to(Mode::Aborting),
         _ => Next::default(),
     }

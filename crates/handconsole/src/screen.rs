@@ -37,7 +37,9 @@ impl Screen {
         let mut bytes = vec![FORM_FEED];
         for line in &self.lines {
             let padded = format!("{line:COLUMNS$}");
-            bytes.extend(padded.chars().take(COLUMNS).map(|c| if is_shown(c) { c as u8 } else { b'?' }));
+            bytes.extend(
+                padded.chars().take(COLUMNS).map(|c| if is_shown(c) { c as u8 } else { b'?' }),
+            );
         }
         bytes
     }

@@ -5,8 +5,10 @@ use crate::entry::Typed;
 use crate::{Key, Screen, Wish};
 use kerf_machine::Errand;
 
-/// What tells a job that waits that it is given up.
-const QUIT: &str = "quit";
+/// What tells a job that waits that it goes on, as any question after a stop.
+pub(crate) const GO_ON: &str = "Resume";
+/// What tells it that it is given up.
+const QUIT: &str = "Quit";
 
 /// The number that is typed.
 #[derive(Clone, Debug, Default)]
@@ -29,7 +31,7 @@ impl Starting {
             Key::Digit(_) | Key::Stop => {
                 Next::to(Mode::Rest(Self { typed: self.typed.press_whole(key) }))
             }
-            Key::Start => goes("continue".into()),
+            Key::Start => goes(GO_ON.into()),
             Key::Func => Next::to(Mode::Aborting),
             Key::PlusMinus if shape > 1 => goes("previous".into()),
             Key::Enter if !self.typed.is_empty() => match self.typed.whole() {

@@ -10,8 +10,8 @@ use std::sync::Arc;
 pub struct Job {
     /// Name of its file, without folders.
     pub name: String,
-    /// Width and height of its paths, mm.
-    pub size_mm: [f64; 2],
+    /// Width and height of its paths, mm; nothing for a part program.
+    pub size_mm: Option<[f64; 2]>,
     /// How many shapes it has.
     pub shapes: u32,
 }

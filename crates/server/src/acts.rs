@@ -37,6 +37,9 @@ const fn holding(lease: u32) -> Need {
     Need { role: Role::Operator, lease: Some(lease), armed: false }
 }
 
+/// Stop of the hand console.
+const STOP_KEY: char = kerf_handconsole::Key::Stop.character();
+
 /// What is said where the machine is left alone.
 const DRAWING_ONLY: &str =
     "this is not available in the editing version: only drawings are worked on here";
@@ -71,7 +74,7 @@ fn is_by_hand(act: &Act) -> bool {
             let letters: String = line.trim().chars().take(2).collect();
             line.lines().count() != 1 || !letters.eq_ignore_ascii_case("FP")
         }
-        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } => true,
+        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } | Act::Key { .. } => true,
         _ => false,
     }
 }
@@ -79,6 +82,7 @@ fn is_by_hand(act: &Act) -> bool {
 /// What an act needs. This is the one list.
 fn needs(act: &Act) -> Need {
     match act {
+        Act::Key { key: STOP_KEY, .. } => need(Role::Observer),
         Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } | Act::Ping => {
             need(Role::Observer)
         }
@@ -95,6 +99,7 @@ fn needs(act: &Act) -> Need {
         Act::GiveLease { lease }
         | Act::Arm { lease }
         | Act::Override { lease, .. }
+        | Act::Key { lease, .. }
         | Act::Input { lease, .. } => holding(*lease),
         Act::Set { lease, .. } => Need { role: Role::Setter, ..holding(*lease) },
         Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
@@ -170,10 +175,16 @@ impl App {
             Act::TakeUp { .. } => self.take_up()?,
             Act::Command { line, .. } => self.command(who, line)?,
             Act::JogStart { seq, direction, distance, speed_share: speed, .. } => {
-                self.jog(who, seq, Order::Jog { direction, distance, speed })?;
+                let order = Order::Jog { direction, distance, speed };
+                if !makes_sense(&order) {
+                    let text = "a jog has a direction, and perhaps a distance";
+                    return Err(problem(Why::Malformed, text));
+                }
+                self.jog(who, seq, order)?;
             }
             Act::JogRenew { seq, .. } => self.renew(who, seq)?,
             Act::JogStop { seq } => self.jog_stop(who, seq),
+            Act::Key { seq, key, .. } => self.press_key(who, seq, key)?,
             Act::Nudge { axis, distance, .. } => self.nudge(axis, distance)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
@@ -184,6 +195,15 @@ impl App {
             Act::Unlock { password } => self.unlock(who, &password)?,
         }
         Ok(Vec::new())
+    }
+
+    /// Whether somebody drives the machine, which is armed; gives the number of the lease.
+    ///
+    /// # Errors
+    /// Somebody else drives, or nobody, or the machine is disarmed.
+    pub fn drives(&self, who: &Who) -> Result<u32, Problem> {
+        let lease = self.hub.read(|now| now.lease.as_ref().map_or(0, |lease| lease.number));
+        self.allow(who, drive(lease)).map(|()| lease)
     }
 
     fn allow(&self, who: &Who, need: Need) -> Result<(), Problem> {
@@ -438,10 +458,7 @@ impl App {
     }
 
     /// Begins a jog, unless its own stop came before.
-    fn jog(&self, who: &Who, seq: u32, order: Order) -> Result<(), Problem> {
-        if !makes_sense(&order) {
-            return Err(problem(Why::Malformed, "a jog has a direction, and perhaps a distance"));
-        }
+    pub fn jog(&self, who: &Who, seq: u32, order: Order) -> Result<(), Problem> {
         if !self.pages.may_start(who.client, seq) {
             return Err(problem(Why::Late, "this jog is over already"));
         }

@@ -2,6 +2,7 @@
 
 use crate::desk::Desk;
 use crate::files::PartFolder;
+use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
@@ -47,6 +48,8 @@ pub struct App {
     pub desk: Mutex<Desk>,
     /// Who keeps drafts of it is told here that it changed.
     pub changed: OnceLock<Sender<()>>,
+    /// The hand console: what happens to it.
+    pub hand_console: OnceLock<Sender<Happening>>,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -152,6 +155,7 @@ impl App {
             unlocked: Unlocked::default(),
             desk: Mutex::default(),
             changed: OnceLock::new(),
+            hand_console: OnceLock::new(),
             open: Mutex::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),

@@ -36,7 +36,7 @@ impl App {
         }
     }
 
-    fn job_of(&self, open: &Open) -> Result<Work, Problem> {
+    pub fn job_of(&self, open: &Open) -> Result<Work, Problem> {
         let machine = lock(&self.left).session.configuration();
         let (job, _) = job_file::read(&open.bytes, machine.program.smoothing.factor);
         let name = self.parts.root().join(&open.name).display().to_string();

@@ -21,6 +21,7 @@ mod configure;
 mod desk;
 mod draft;
 mod files;
+mod handconsole;
 mod http;
 mod hub;
 mod job;
@@ -83,6 +84,7 @@ impl Server {
         let closing = options.closes_with_program.then_some(closing);
         let app = machine_and_app(options, builders, format!("http://{address}"), closing)?;
         app.keep_drafts();
+        handconsole::begin(&app);
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }

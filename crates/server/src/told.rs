@@ -1,7 +1,8 @@
 //! From the words inside to those of the messages.
 
 use crate::machine::ports;
-use kerf_control::Session;
+use kerf_control::journal::JournalError;
+use kerf_control::{Session, Summary};
 use kerf_diag::{Diagnostic, Severity};
 use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
@@ -10,6 +11,16 @@ use kerf_sim::Machine;
 use kerf_wire::{
     AxisUnits, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions, Speeds, Tone, Units,
 };
+
+/// How a run ended, for whoever waits for it: why, when it did not come to its end.
+pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<(), String> {
+    let summary = driven.as_ref().map_err(ToString::to_string)?;
+    match (&summary.error, summary.status) {
+        (Some(error), _) => Err(error.message.clone()),
+        (None, Status::Ok | Status::Ended) => Ok(()),
+        (None, status) => Err(self::status(status).into()),
+    }
+}
 
 /// A place in every frame.
 pub fn positions(frame: &Frame, machine: Axes) -> Positions {

@@ -7,17 +7,7 @@ mod support;
 use kerf_drawing::{Editor, script};
 use kerf_machine::Configuration;
 use serde_json::{Value, json};
-use support::{Page, Shop, Wanted, start};
-
-/// The job of a drawing made by a script, as its file.
-fn rsm(clauses: &str) -> String {
-    let mut editor = Editor::default();
-    for (_, operation) in script(clauses).unwrap() {
-        editor.apply(&operation).unwrap();
-    }
-    let (job, _) = kerf_toolpath::job(&editor.drawing).unwrap();
-    kerf_toolpath::write(&job)
-}
+use support::{Page, Shop, Wanted, at, rsm, start};
 
 /// Five lines above each other.
 const FIVE: &str =
@@ -28,10 +18,6 @@ fn shop(clauses: &str, change: fn(&mut Configuration)) -> Shop {
     let shop = start(Wanted { rate: 8.0, machine: Some(("sim", change)), ..Wanted::default() });
     shop.write("job.rsm", rsm(clauses).as_bytes());
     shop
-}
-
-fn at(page: &Page) -> [f64; 3] {
-    [0, 1, 2].map(|axis| page.shown["motion"]["at"]["machine"][axis].as_f64().unwrap())
 }
 
 /// The path that is made.

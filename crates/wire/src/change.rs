@@ -1,9 +1,9 @@
 //! What the server tells without being asked.
 
 use crate::{
-    Asked, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine, Message, Motion,
-    NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound, Speeds, StartUp,
-    Units, Who,
+    Asked, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine,
+    Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound,
+    Speeds, StartUp, Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

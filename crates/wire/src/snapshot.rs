@@ -1,8 +1,9 @@
 //! Everything a page shows, at one moment.
 
 use crate::{
-    Asked, Change, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine, Message,
-    Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Sound, Speeds, Units, VERSION,
+    Asked, Change, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine,
+    Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Sound, Speeds, Units,
+    VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

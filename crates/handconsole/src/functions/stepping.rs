@@ -90,9 +90,7 @@ impl Stepping {
                 let typed = self.typed.clone().press(key);
                 Next::to(Mode::Stepping(Self { typed, ..self }))
             }
-            (Some(Step::Height { .. }), Key::Enter) => {
-                self.answered(view.position[Axis::Z], view)
-            }
+            (Some(Step::Height { .. }), Key::Enter) => self.answered(view.position[Axis::Z], view),
             (Some(Step::Height { .. }), Key::Digit(digit)) => {
                 let jog = idle::jog(digit, view).map(|held| Held { sets_bottom: true, ..held });
                 Next::to(Mode::Stepping(self)).and(jog.map(Wish::Jog))

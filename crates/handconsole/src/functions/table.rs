@@ -70,4 +70,3 @@ const fn other(number: &'static str, name: &'static str) -> Function {
 fn set(key: &'static str, value: f64) -> Wish {
     Wish::Set { key, value: value.to_string() }
 }
-

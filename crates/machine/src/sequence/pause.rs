@@ -167,7 +167,8 @@ impl Sequence {
             title: "Job".into(),
             buttons: vec![goes_on, ends],
             default: usize::from(!marked),
-            prefill: String::new(),
+            // The shape it begins with, so that whoever shows it need not read the text.
+            prefill: if preparing { (self.here.nth + 1).to_string() } else { String::new() },
             icon: 0,
             // The external start is a key as any other.
             until: (preparing && self.machine.job.external_start)

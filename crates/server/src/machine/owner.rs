@@ -5,6 +5,7 @@ use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
 use crate::files::PartFolder;
+use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
@@ -57,6 +58,15 @@ pub enum Order {
         distance: Option<f64>,
         /// Share of the jog speed.
         speed: f64,
+    },
+    /// Do an errand.
+    Hand {
+        /// Which.
+        errand: Errand,
+        /// The machine, and where on it the job lies.
+        machine: Box<Configuration>,
+        /// Told how it ended.
+        tells: Sender<Happening>,
     },
     /// Shift the workpiece.
     Nudge(Axis, f64),
@@ -127,11 +137,12 @@ impl Owner {
                     options.program.file = parameters;
                     let hash = Some(hash);
                     let job = Job { file: name, hash, ..Job::default() };
-                    self.run(*work, options, job, planned);
+                    drop(self.run(*work, options, job, planned));
                 }
                 Order::TakeUp => self.take_up(),
                 Order::Command { line, opened } => self.command(&line, opened),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
+                Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Press(press) => self.press(press),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
@@ -149,10 +160,19 @@ impl Owner {
         RunOptions { started: (self.workshop.started)(), ..RunOptions::default() }
     }
 
-    fn run(&mut self, work: Work, options: RunOptions, job: Job, planned: Planned) {
+    /// Runs something that pages see as a job; gives how it ended.
+    fn run(
+        &mut self,
+        work: Work,
+        options: RunOptions,
+        job: Job,
+        planned: Planned,
+    ) -> Result<(), String> {
         let job = self.tell_begun(job, &planned);
         let driven = self.drive(work, options, planned);
+        let outcome = told::outcome(&driven);
         self.tell_ended(job, driven);
+        outcome
     }
 
     /// Goes on with the run that was cut short, whatever file is open.
@@ -295,7 +315,7 @@ impl Owner {
         let mut options = RunOptions { opened, ..self.options() };
         options.program.typed = true;
         let job = Job { command: Some(line.into()), ..Job::default() };
-        self.run(program.into(), options, job, Planned::default());
+        drop(self.run(program.into(), options, job, Planned::default()));
     }
 
     /// Moves for as long as somebody holds a key, as far as the axes go.
@@ -303,10 +323,30 @@ impl Owner {
         let session = &self.workshop.session;
         let keypad = Keypad { way, times, speed, bounded: session.homed };
         let machine = Arc::new(session.configuration());
-        let work = Work::Hand(Errand::Keypad(keypad), machine);
+        // Pages are told by what the run says.
+        drop(self.held(Work::Hand(Errand::Keypad(keypad), machine)));
+    }
+
+    /// Moves for as long as somebody holds a key; gives how that ended.
+    fn held(&mut self, work: Work) -> Result<(), String> {
         let driven = self.drive(work, self.options(), Planned::default());
         self.link.lock().jog = None;
+        let outcome = told::outcome(&driven);
         self.come_to_rest(driven);
+        outcome
+    }
+
+    /// Does an errand, and tells how it ended.
+    fn hand(&mut self, errand: Errand, machine: Configuration, tells: &Sender<Happening>) {
+        let work = Work::Hand(errand, Arc::new(machine));
+        let outcome = if matches!(errand, Errand::Held(_)) {
+            self.held(work)
+        } else {
+            let job = Job { command: Some(errand.name().into()), ..Job::default() };
+            self.run(work, self.options(), job, Planned::default())
+        };
+        // Nobody waits for it where the server is closing.
+        drop(tells.send(Happening::Told(outcome)));
     }
 
     fn nudge(&mut self, axis: Axis, distance: f64) {

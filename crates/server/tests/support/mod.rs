@@ -6,6 +6,7 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{Session, Shelf};
+use kerf_drawing::{Editor, script};
 use kerf_server::{Builders, Options, Server, Workshop};
 use serde_json::{Value, json};
 use std::io::{Read, Write};
@@ -19,6 +20,21 @@ use tungstenite::{Message, WebSocket, client};
 
 /// Longest wait for something that has to come.
 const PATIENCE: Duration = Duration::from_secs(20);
+
+/// The job of a drawing made by a script, as its file.
+pub fn rsm(clauses: &str) -> String {
+    let mut editor = Editor::default();
+    for (_, operation) in script(clauses).unwrap() {
+        editor.apply(&operation).unwrap();
+    }
+    let (job, _) = kerf_toolpath::job(&editor.drawing).unwrap();
+    kerf_toolpath::write(&job)
+}
+
+/// Where the machine is, X Y Z of its own frame.
+pub fn at(page: &Page) -> [f64; 3] {
+    [0, 1, 2].map(|axis| page.shown["motion"]["at"]["machine"][axis].as_f64().unwrap())
+}
 
 /// A server with a part folder of its own.
 pub struct Shop {

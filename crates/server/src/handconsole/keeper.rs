@@ -1,0 +1,113 @@
+//! The thread that owns the console.
+
+use super::Happening;
+use super::view::Facts;
+use crate::app::App;
+use kerf_handconsole::{Console, Key, Wish};
+use kerf_wire::{Change, HandConsole, Problem, State, Who, Why};
+use std::collections::VecDeque;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::sync::{Arc, Weak};
+use std::time::Duration;
+
+/// So often the screen follows the machine: pages and serial link show it within a tenth of a second.
+const LOOK: Duration = Duration::from_millis(30);
+
+/// Who has the console.
+pub struct Keeper {
+    app: Weak<App>,
+    happens: Sender<Happening>,
+    console: Console,
+    /// Wishes of a key that wait until the machine has done those before them.
+    waiting: VecDeque<(Who, u32, Wish)>,
+    facts: Facts,
+}
+
+impl Keeper {
+    pub fn new(app: Weak<App>, happens: Sender<Happening>) -> Self {
+        let (console, waiting) = (Console::default(), VecDeque::new());
+        Self { app, happens, console, waiting, facts: Facts::default() }
+    }
+
+    /// Works until the server is gone.
+    pub fn work(mut self, happenings: &Receiver<Happening>) {
+        loop {
+            let happened = match happenings.recv_timeout(LOOK) {
+                Ok(happened) => Some(happened),
+                Err(RecvTimeoutError::Timeout) => None,
+                Err(RecvTimeoutError::Disconnected) => return,
+            };
+            let Some(app) = self.app.upgrade() else { return };
+            match happened {
+                Some(Happening::Key { who, seq, key }) => self.press(&app, &who, seq, key),
+                Some(Happening::Told(outcome)) => self.told(outcome),
+                None => {}
+            }
+            self.go_on(&app);
+            self.show(&app);
+        }
+    }
+
+    fn press(&mut self, app: &Arc<App>, who: &Who, seq: u32, key: Key) {
+        let view = self.facts.view(app, true);
+        let mut wishes = self.console.press(key, &view).into_iter();
+        let Some(first) = wishes.next() else { return };
+        self.waiting = wishes.map(|wish| (who.clone(), seq, wish)).collect();
+        self.grant(app, who, seq, first);
+    }
+
+    /// Grants what waits, as far as the machine is ready for it.
+    fn go_on(&mut self, app: &Arc<App>) {
+        while app.state() == State::Idle {
+            let Some((who, seq, wish)) = self.waiting.pop_front() else { return };
+            self.grant(app, &who, seq, wish);
+        }
+        if app.state() == State::Alarm {
+            self.waiting.clear();
+        }
+    }
+
+    fn grant(&mut self, app: &Arc<App>, who: &Who, seq: u32, wish: Wish) {
+        let wish = match wish {
+            Wish::Open(job) => Wish::Open(self.facts.named(&job)),
+            wish => wish,
+        };
+        let lasts = wish.lasts();
+        match app.grant(who, seq, wish, &self.happens) {
+            Ok(()) if lasts => {}
+            Ok(()) => self.console.told(Ok(())),
+            Err(problem) => {
+                self.waiting.clear();
+                self.refused(&problem);
+            }
+        }
+    }
+
+    fn refused(&mut self, problem: &Problem) {
+        match problem.why {
+            // Whoever let the key go at once wanted no move.
+            Why::Late => {}
+            Why::Lease => self.console.needs_control("Somebody else drives"),
+            Why::Disarmed => self.console.needs_control("Disarmed"),
+            _ => self.console.told(Err(problem.text.clone())),
+        }
+    }
+
+    fn told(&mut self, outcome: Result<(), String>) {
+        if outcome.is_err() {
+            self.waiting.clear();
+        }
+        self.console.told(outcome);
+    }
+
+    /// Tells pages what the screen shows, where that is something else.
+    fn show(&mut self, app: &Arc<App>) {
+        let screen = self.console.screen(&self.facts.view(app, false));
+        let beeps = self.console.beeps();
+        app.hub.changing(|now| {
+            let hand_console = HandConsole { lines: screen.lines, beeps };
+            let other = now.hand_console != hand_console;
+            other.then_some(Change::HandConsole { hand_console }).into_iter().collect()
+        });
+    }
+}

@@ -1,0 +1,108 @@
+//! What the console shows of the machine and the job that is open.
+
+use crate::app::{App, Open, lock};
+use crate::desk::extension;
+use crate::job::kind_of;
+use kerf_control::{Work, job_file};
+use kerf_geom::{Bounds2, Vec2};
+use kerf_handconsole::{Job, View, Waits};
+use kerf_program::Axes;
+use kerf_wire::{Asked, FileKind, Snapshot};
+use std::sync::Arc;
+
+/// What is known of the open job without reading it again, and which folder is the current one.
+#[derive(Debug, Default)]
+pub struct Facts {
+    /// The preview that belongs to it, which changes whenever the job does.
+    key: String,
+    job: Option<Job>,
+    /// Folder and open file when they were seen last.
+    seen: (String, String),
+    /// The folder that was chosen last, or that the file lies in which was opened last.
+    folder: String,
+}
+
+impl Facts {
+    /// What there is now; the files only for a key.
+    pub fn view(&mut self, app: &Arc<App>, lists: bool) -> View {
+        let open = lock(&app.open).clone();
+        if open.key != self.key {
+            self.job = job(app, &open);
+            self.key.clone_from(&open.key);
+        }
+        self.look_where(app, &open);
+        let machine = Arc::new(lock(&app.left).session.configuration());
+        let files = if lists { jobs_in(app, &self.folder) } else { Vec::new() };
+        let is_job = kind_of(&open.name) == FileKind::Job;
+        app.hub.read(|now| View {
+            job: self.job.clone(),
+            state: now.machine.state,
+            why: now.machine.why.clone(),
+            waits: now.asked.as_ref().map_or(Waits::No, waits),
+            shape: if is_job { shape(now) } else { 0 },
+            position: Axes(now.motion.at.machine),
+            machine,
+            files,
+        })
+    }
+
+    /// The name below the part folder, of a job of the current folder.
+    pub fn named(&self, job: &str) -> String {
+        if self.folder.is_empty() { job.to_owned() } else { format!("{}/{job}", self.folder) }
+    }
+
+    fn look_where(&mut self, app: &App, open: &Open) {
+        let chosen = app.hub.read(|now| now.folder.name.clone());
+        if chosen != self.seen.0 {
+            self.folder.clone_from(&chosen);
+        }
+        if open.name != self.seen.1 && !open.name.is_empty() {
+            self.folder = open.name.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
+        }
+        self.seen = (chosen, open.name.clone());
+    }
+}
+
+/// The shape that is cut, or that the job waits at.
+fn shape(now: &Snapshot) -> u32 {
+    let runs = now.job.as_ref().is_some_and(|job| job.ended.is_none() && job.command.is_none());
+    let asked = now.asked.as_ref().map_or(0, |asked| asked.line);
+    if asked > 0 { asked } else { now.motion.line * u32::from(runs) }
+}
+
+fn waits(asked: &Asked) -> Waits {
+    match (asked.kind.as_str(), asked.prefill.parse()) {
+        ("paused", Ok(shape)) => Waits::Start(shape),
+        ("paused" | "hold", _) => Waits::Paused,
+        _ => Waits::Question(Box::new(asked.clone())),
+    }
+}
+
+fn job(app: &App, open: &Open) -> Option<Job> {
+    let name = open.name.rsplit('/').next().filter(|name| !name.is_empty())?.to_owned();
+    if kind_of(&open.name) != FileKind::Job {
+        return Some(Job { name, ..Job::default() });
+    }
+    let Ok(Work::Job(job, _)) = app.job_of(open) else {
+        let shapes = app.path_count(open);
+        return Some(Job { name, shapes, ..Job::default() });
+    };
+    let mut bounds = Bounds2::default();
+    job.shapes.iter().for_each(|shape| bounds.merge(&shape.path.bounds()));
+    let size = if bounds.is_empty() { Vec2::default() } else { bounds.size() };
+    Some(Job { name, size_mm: Some([size.x, size.y]), shapes: job.shapes.len() as u32 })
+}
+
+/// The names of the jobs of a folder, as people sort them.
+fn jobs_in(app: &App, folder: &str) -> Vec<String> {
+    let listed = app.parts.list(folder).unwrap_or_default();
+    let jobs = listed.into_iter().filter(|file| !file.folder && is_job(&file.name));
+    let short = |name: String| name.rsplit('/').next().unwrap_or_default().to_owned();
+    let mut names: Vec<String> = jobs.map(|file| short(file.name)).collect();
+    names.sort_by_key(|name| (name.to_lowercase(), name.clone()));
+    names
+}
+
+fn is_job(name: &str) -> bool {
+    extension(name) == job_file::EXTENSION
+}
