@@ -100,4 +100,5 @@ export const firstSnapshot: Snapshot = {
   recorder: { on: true, lines: [] },
   watched: [],
   settings: 0,
+  handConsole: { lines: ["JOB: Untitled", "0x0mm #0"], beeps: 0 },
 };
