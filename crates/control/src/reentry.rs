@@ -96,7 +96,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// A program that finds its own way back does so at once: nothing goes on before the tool is clear.
     pub(crate) fn take_up_at_rest(&mut self) -> Option<Over> {
-        let rests = self.stack.is_empty() && !self.world.shelf.tape.is_within();
+        let rests = self.stack.is_empty() && !self.world.shelf.tape.reenters_within();
         if !(self.interpreter.takes_stops() && rests) {
             return None;
         }

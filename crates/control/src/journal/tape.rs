@@ -142,6 +142,12 @@ impl Tape {
         self.silent && self.within_before > 0.0 && self.reached.made == self.made_before
     }
 
+    /// Whether the run is taken up in the middle of the next move: where it was before, or now.
+    pub(crate) fn reenters_within(&self) -> bool {
+        let told = self.next_reentry().filter(|_| self.is_reentered());
+        told.map_or(self.is_within(), |told| told.within > 0.0)
+    }
+
     /// From here on the world is heard; the machine stands there.
     pub(crate) fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);

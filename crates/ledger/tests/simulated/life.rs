@@ -200,7 +200,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     let mut kills = case.kills.iter().zip(&case.pushed);
     let mut pushed = Axes::default();
     let path = laid(&whole.seen.pieces, case.keeps_heights());
-    let mut lost = None;
+    let (mut lost, mut why) = (None, None);
     let status = loop {
         let kill = kills.next();
         life.doom.after(kill.map_or(0, |(share, _)| 1 + (share * all) as u64));
@@ -211,6 +211,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         let next = laid(&process.seen.pieces, case.keeps_heights());
         lost = lost.or_else(|| follow_on(&mut done, &next, &path).err());
         if let Some(summary) = process.summary {
+            why = summary.error;
             break Some(summary.status);
         }
         lived.kills += 1;
@@ -225,7 +226,10 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         lived.compared = true;
     }
     if case.keeps_its_path() && whole.status() == Status::Ok {
-        assert!(status.is_none_or(|status| status == Status::Ok), "it ended as {status:?}");
+        assert!(
+            status.is_none_or(|status| status == Status::Ok),
+            "it ended as {status:?}: {why:?}"
+        );
     }
     lived
 }

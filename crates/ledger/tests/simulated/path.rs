@@ -11,12 +11,17 @@ const SAME: f64 = 1e-6;
 /// A smoothed path is left so far beside its line, mm.
 const NEAR: f64 = 0.03;
 
+/// Who stops while a corner is smoothed stops so far along the next line: the corner is seen there, mm.
+const BLENDED: f64 = 2.0 * NEAR;
+
 /// A cut in the plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
     pub from: [f64; 3],
     pub to: [f64; 3],
     pub arc: Option<Arc2>,
+    /// It leads down, by the plan: heights that follow a sheet are laid aside.
+    sinks: bool,
 }
 
 impl Piece {
@@ -27,15 +32,16 @@ impl Piece {
         let level = it.kind == MoveKind::Cut;
         let arc = it.arc();
         let flat = arc.is_some() || apart(from, to, Axis::X) || apart(from, to, Axis::Y);
-        (level && flat).then_some(Self { from, to, arc })
+        let sinks = to[2] < from[2] - SAME;
+        (level && flat).then_some(Self { from, to, arc, sinks })
     }
 
     /// The two as one, when the second goes on where the first ends in the same way.
     fn join(&self, next: &Self) -> Option<Self> {
-        if !near(self.to, next.from) {
+        if !near(self.to, next.from) || self.sinks != next.sinks {
             return None;
         }
-        let joined = |arc| Some(Self { from: self.from, to: next.to, arc });
+        let joined = |arc| Some(Self { to: next.to, arc, ..*self });
         match (self.arc, next.arc) {
             (None, None) => straight(self, next).then(|| joined(None))?,
             (Some(a), Some(b)) => {
@@ -151,11 +157,10 @@ pub fn whole(pieces: &[Piece]) -> Vec<Piece> {
 /// Where a way down along the path began that this piece begins again: one that was stopped on is made
 /// from its start.
 fn begun_again(path: &[Piece], piece: &Piece) -> Option<usize> {
-    let sinks = |p: &Piece| p.to[2] < p.from[2] - SAME;
-    let slope = path.iter().rev().take_while(|p| sinks(p)).count();
+    let slope = path.iter().rev().take_while(|p| p.sinks).count();
     let first = path.len() - slope;
     let again = path[first..].iter().position(|p| same(p.from, piece.from));
-    again.filter(|_| sinks(piece)).map(|at| first + at)
+    again.filter(|_| piece.sinks).map(|at| first + at)
 }
 
 /// The path without its heights when they do not count.
@@ -205,7 +210,8 @@ pub fn difference(a: &[Piece], b: &[Piece], to_the_end: bool) -> Option<String> 
     }
     let alike = |(a, b): (&Piece, &Piece)| {
         let sweep = |p: &Piece| p.arc.map_or(0.0, |arc| arc.sweep_rad);
-        near(a.from, b.from) && near(a.to, b.to) && (sweep(a) - sweep(b)).abs() < NEAR
+        let ends = |p: [f64; 3], q: [f64; 3]| p.iter().zip(q).all(|(p, q)| (p - q).abs() < BLENDED);
+        ends(a.from, b.from) && ends(a.to, b.to) && (sweep(a) - sweep(b)).abs() < NEAR
     };
     let at = a.iter().zip(&b).position(|pair| !alike(pair));
     let at = at.or_else(|| (a.len() != b.len()).then(|| a.len().min(b.len())))?;

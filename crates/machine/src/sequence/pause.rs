@@ -105,7 +105,9 @@ impl Sequence {
                 steps
             }
             Effect::RouterOff | Effect::SpindleOff => off(&[Output::Router]),
-            Effect::AllOff | Effect::LeaveOutputs => off(Output::ALL),
+            Effect::AllOff | Effect::LeaveOutputs => {
+                off(Output::ALL).into_iter().chain([Small::Beam(Beam::Off)]).collect()
+            }
             Effect::Raise => vec![Small::RaiseTo(self.travel_mm())],
             Effect::ToolOff => off(&TOOLS),
             Effect::ComeBack => self.come_back(),

@@ -6,7 +6,7 @@ use super::small::Small;
 use crate::lines::{Input, Output};
 use crate::state::{Event, State};
 use kerf_program::{
-    At, Axes, Command, Frame, Halted, Host, Interpreter, Settings, Sourced, Status, Step,
+    At, Axes, Beam, Command, Frame, Halted, Host, Interpreter, Settings, Sourced, Status, Step,
     StoppedBy, Watch,
 };
 use std::sync::Arc;
@@ -173,5 +173,6 @@ impl Sequence {
             self.give(Command::Output { number: output.number(), on: false }, out);
         }
         self.on = 0;
+        self.give(Command::Beam(Beam::Off), out);
     }
 }

@@ -156,6 +156,7 @@ impl Machine {
         for number in 1..=LINES as u8 {
             self.output(number, false, why);
         }
+        self.beam(Beam::Off);
     }
 
     /// Ends the warning until the next motion (WARNING OFF, a question to the operator).
