@@ -3,7 +3,7 @@
 use super::OpError;
 use super::edit::above_zero;
 use crate::{Editor, Shape};
-use kerf_geom::{Bounds2, Point2, Polyarc, Vec2};
+use kerf_geom::{Bounds2, Point2, Polyarc, Segment, Vec2};
 use std::sync::Arc;
 
 pub(super) fn bulge(
@@ -63,19 +63,12 @@ pub(super) fn shift(
         for (number, middle) in sides.into_iter().zip(middles) {
             if path.vertices[number].bulge != 0.0 {
                 let segment = path.segment(number);
-                path.vertices[number].bulge = through(segment.start(), middle, segment.end());
+                path.vertices[number].bulge =
+                    Segment::bulge_through(segment.start(), middle, segment.end());
             }
         }
         Ok(())
     })
-}
-
-/// The bulge of the arc through three places: tan of half the difference of the directions of the two
-/// chords (Profiler notes, 3.1).
-fn through(start: Point2, middle: Point2, end: Point2) -> f64 {
-    let (first, second) = (middle - start, end - middle);
-    let turn = first.cross(second).atan2(first.dot(second));
-    (0.5 * turn).tan()
 }
 
 pub(super) fn stretch(draft: &mut Editor, a: Point2, b: Point2, by: Vec2) -> Result<(), OpError> {

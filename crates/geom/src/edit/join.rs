@@ -199,11 +199,7 @@ fn through(start: Point2, middle: Point2, end: Point2, bulge: f64) -> Segment {
     if bulge == 0.0 {
         return Segment::line(start, end);
     }
-    // Seen from the middle, the chord spans π − sweep/2.
-    let (a, b) = (start - middle, end - middle);
-    let seen = a.cross(b).atan2(a.dot(b));
-    let quarter = (std::f64::consts::PI - seen.abs()) * 0.5;
-    Segment::bulged(start, end, quarter.tan().copysign(-seen))
+    Segment::bulged(start, end, Segment::bulge_through(start, middle, end))
 }
 
 #[cfg(test)]

@@ -70,6 +70,30 @@ impl Segment {
         Self::Arc { start, end, centre, radius, sweep_rad: 4.0 * bulge.atan() }
     }
 
+    /// The bulge of the arc from `start` to `end` through a third place: the tangent of half the angle by
+    /// which the second chord turns off the first (Profiler notes, 3.1).
+    pub fn bulge_through(start: Point2, via: Point2, end: Point2) -> f64 {
+        let (first, second) = (via - start, end - via);
+        let turn = first.cross(second).atan2(first.dot(second));
+        (0.5 * turn).tan()
+    }
+
+    /// The arc through three places in order, or the line where the second lies on the chord of the others;
+    /// nothing where they are on one line in another order, or the first is the last.
+    ///
+    /// ```
+    /// use kerf_geom::{Point2, Segment};
+    /// let places = [(0.0, 0.0), (5.0, -5.0), (10.0, 0.0)].map(|(x, y)| Point2::new(x, y));
+    /// let arc = Segment::through(places[0], places[1], places[2]).unwrap();
+    /// assert!((arc.bulge() - 1.0).abs() < 1e-12);
+    /// ```
+    pub fn through(start: Point2, via: Point2, end: Point2) -> Option<Self> {
+        let (bulge, chord) = (Self::bulge_through(start, via, end), start.distance(end));
+        let rises = 0.5 * bulge.abs() * chord;
+        let there_is = chord > tol::SAME_PLACE_MM && rises <= tol::FARTHEST_MM;
+        there_is.then(|| Self::bulged(start, end, bulge))
+    }
+
     /// Where travel begins.
     pub const fn start(&self) -> Point2 {
         match *self {

@@ -47,6 +47,7 @@ pub const ROOMS: &[Room] = &[
     // Between `geom` and `drawing`, as `cut` lies between `program` and `sbp`.
     at(1.5, Half::Drawing, "kerf-pocket"),
     at(2.0, Half::Drawing, "kerf-drawing"),
+    at(2.5, Half::Drawing, "kerf-digitize"),
     at(2.5, Half::Drawing, "kerf-formats"),
     at(3.0, Half::Drawing, "kerf-toolpath"),
     at(3.0, Half::Machine, "kerf-motion"),
