@@ -30,11 +30,12 @@ impl Session {
         let Company { sink, operator, pace } = company;
         let mode = if options.program.preview { "preview" } else { "move" };
         let file = errand.name().into();
-        let hand = Hand::new(errand, machine.clone(), self.memory.position, self.memory.frame);
+        let hand =
+            Hand::new(errand.clone(), machine.clone(), self.memory.position, self.memory.frame);
         let units = hand.settings().linear_unit.symbol();
         sink.event(&Event::Start { file, units, mode, dialect: "hand" });
         let settings = std::mem::replace(&mut self.memory.settings, (**hand.settings()).clone());
-        let bounded = match errand {
+        let bounded = match &errand {
             Errand::Keypad(keypad) => keypad.bounded,
             _ => AxisSet::first(AXES),
         };

@@ -123,7 +123,7 @@ impl Session {
         let summary = match work {
             Work::Hand(errand, machine) => {
                 let options = options.clone();
-                Some(self.run_hand(*errand, machine, options, None, shelf, company))
+                Some(self.run_hand(errand.clone(), machine, options, None, shelf, company))
             }
             _ => self.before_run(work, options, shelf, company),
         };

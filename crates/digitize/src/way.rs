@@ -72,25 +72,20 @@ impl Digitizer {
         Ok(vec![self.straight(tool, self.nearest(tool)?)])
     }
 
-    /// The tool has come to the end of a way: its last point is the current one.
-    pub fn arrived(&mut self, way: &[Leg]) {
-        let reached = way.last().map(|leg| leg.point);
-        self.be_at(reached);
-    }
-
-    /// The tool stands somewhere on a way, where it was stopped: the last point that it has passed is the
-    /// current one.
-    pub fn stopped(&mut self, way: &[Leg], tool: &Stand) {
-        let passed = |leg: &&Leg| {
-            let beyond = leg.path.end().distance(tool.at) <= AT_MM;
-            beyond || leg.path.distance(tool.at) > AT_MM
+    /// The tool was moved along a way: the last point that it has reached is the current one, also where it
+    /// was stopped on the way.
+    pub fn moved(&mut self, way: &[Leg], tool: &Stand) {
+        let at_end = |leg: &Leg| {
+            let up = leg.z_mm.map_or(0.0, |z| z - tool.z_mm);
+            leg.path.end().distance(tool.at).hypot(up) <= AT_MM
         };
-        let on = way.iter().position(|leg| !passed(&leg)).unwrap_or(way.len());
-        self.be_at(on.checked_sub(1).map(|leg| way[leg].point));
-    }
-
-    fn be_at(&mut self, point: Option<usize>) {
-        if let Some(point) = point.filter(|point| (1..=self.points.len()).contains(point)) {
+        let on = |leg: &Leg| leg.path.distance(tool.at) <= AT_MM && !at_end(leg);
+        let passed = match way.last() {
+            Some(last) if at_end(last) => way.len(),
+            _ => way.iter().position(on).unwrap_or(way.len()),
+        };
+        let reached = passed.checked_sub(1).map(|leg| way[leg].point);
+        if let Some(point) = reached.filter(|point| (1..=self.points.len()).contains(point)) {
             self.current = point;
         }
     }

@@ -43,8 +43,15 @@ fn shown(made: &Digitizer) -> String {
 /// With another current point.
 fn with_current(mut made: Digitizer, number: usize) -> Digitizer {
     let way = made.way_to(&at(0.0, 0.0), number);
-    made.arrived(&way);
+    arrive(&mut made, &way);
     made
+}
+
+/// The tool goes to the end of a way.
+fn arrive(made: &mut Digitizer, way: &[kerf_digitize::Leg]) {
+    if let Some(last) = way.last() {
+        made.moved(way, &Stand { at: last.path.end(), z_mm: 0.0 });
+    }
 }
 
 fn open(text: &str) -> Shape {
@@ -116,7 +123,7 @@ fn insertions_and_deletions_act_on_the_current_point() {
     assert_eq!(shown(&made), "L0,0 L5,5 L10,0 (2 of 3)");
     for left in ["L0,0 L5,5 (2 of 2)", "L0,0 (1 of 1)", " (0 of 0)"] {
         let way = made.way_to(&at(0.0, 0.0), made.points().len());
-        made.arrived(&way);
+        arrive(&mut made, &way);
         made.delete().unwrap();
         assert_eq!(shown(&made), left);
     }
@@ -222,14 +229,14 @@ fn a_way_that_is_stopped_leaves_the_last_point_passed() {
     let way = made.way_to(&at(0.0, 0.0), 4);
     let stopped = |x, y| {
         let mut made = made.clone();
-        made.stopped(&way, &at(x, y));
+        made.moved(&way, &at(x, y));
         made.current()
     };
     assert_eq!(stopped(0.0, 0.0), 1);
     assert_eq!(stopped(8.535_533_9, -3.535_533_9), 2);
     assert_eq!(stopped(10.0, 0.0), 3);
     assert_eq!(stopped(10.0, 4.0), 3);
-    made.arrived(&way);
+    arrive(&mut made, &way);
     assert_eq!(made.current(), 4);
 }
 
@@ -257,4 +264,18 @@ fn points_that_were_saved_are_known() {
     assert!(made.is_unsaved());
     made.clear();
     assert!(!made.is_unsaved());
+}
+
+#[test]
+fn a_way_straight_down_is_done_at_its_bottom() {
+    let mut made = Digitizer::default();
+    made.set_dimension(Dimension::Three).unwrap();
+    made.append(Stand::new(5.0, 5.0, 0.0)).unwrap();
+    made.append(Stand::new(5.0, 5.0, -9.0)).unwrap();
+    made = with_current(made, 1);
+    let down = made.way_on(&Stand::new(5.0, 5.0, 0.0));
+    made.moved(&down, &Stand::new(5.0, 5.0, -4.0));
+    assert_eq!(made.current(), 1);
+    made.moved(&down, &Stand::new(5.0, 5.0, -9.0));
+    assert_eq!(made.current(), 2);
 }

@@ -70,8 +70,9 @@ proptest! {
         let expected: f64 = path.segments().take(count).map(|s| s.length()).sum();
         prop_assert!((long - expected).abs() < 1e-6, "{} {}", long, expected);
         prop_assert!(way.windows(2).all(|two| two[0].path.end() == two[1].path.start()));
-        made.arrived(&way);
-        let back = made.way_to(&way.last().unwrap_or(&way[0]).path.end().into_stand(), 1);
+        let end = made.points().last().unwrap().stand;
+        made.moved(&way, &end);
+        let back = made.way_to(&end, 1);
         let returned: f64 = back.iter().map(|leg| leg.path.length()).sum();
         prop_assert!((returned - long).abs() < 1e-6);
     }
@@ -90,7 +91,7 @@ proptest! {
                 4 => made.modify(tool),
                 5 => made.toggle(),
                 6 => made.set_dimension(if x > 40 { Dimension::Three } else { Dimension::Two }),
-                _ => { let way = made.way_back(&tool); made.arrived(&way); Ok(()) }
+                _ => { made.moved(&made.way_back(&tool), &tool); Ok(()) }
             };
             if done.is_err() {
                 prop_assert_eq!(&made, &before);
@@ -115,16 +116,6 @@ proptest! {
         made.load(&Shape::flat(path), 0.0, &Stand::default()).unwrap();
         let kept = serde_json::to_string(&made).unwrap();
         prop_assert_eq!(serde_json::from_str::<Digitizer>(&kept).unwrap(), made);
-    }
-}
-
-trait IntoStand {
-    fn into_stand(self) -> Stand;
-}
-
-impl IntoStand for Point2 {
-    fn into_stand(self) -> Stand {
-        Stand { at: self, z_mm: 0.0 }
     }
 }
 

@@ -6,16 +6,17 @@
 
 use crate::homing::soft_bounds;
 use crate::lines::Input;
-use crate::sequence::{Word, planner_settings, rapid_mm_s};
+use crate::sequence::{CHORDS, Word, planner_settings, rapid_mm_s};
 use crate::settings::Configuration;
 use crate::state::{Effect, Event, State, StopSettings};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_geom::{Point2, Polyarc};
+use kerf_geom::{Arc2, Point2, Polyarc, Segment};
 use kerf_program::job::{Job, JobShape};
 use kerf_program::settings::Mode;
 use kerf_program::{
-    AXES, Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Frame, Halted, Host, Interpreter,
-    Line, MoveKind, Question, QuestionKind, Settings, Sourced, Status, Step, StoppedBy, Watch,
+    AXES, Answer, Arc as Turn, At, Axes, Axis, AxisSet, Button, Command, Feed, Frame, Halted, Host,
+    Interpreter, Line, MoveKind, Question, QuestionKind, Settings, Sourced, Status, Step,
+    StoppedBy, Watch,
 };
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -31,7 +32,7 @@ pub const FAR: f64 = 10_000.0;
 const RELEASE_S: f64 = 0.5;
 
 /// What a person wants.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Errand {
     /// Find the home switches of these axes.
     FindHome(AxisSet),
@@ -52,6 +53,8 @@ pub enum Errand {
     },
     /// In X and Y at Z top, from the job origin.
     CutMoveTo([f64; 2]),
+    /// Along lines and arcs, one after the other. A stop ends it for good where the tool stands then.
+    Along(Arc<[Stretch]>),
     /// For as long as a key is held.
     Held(Held),
     /// For as long as a key of the keypad of part files is held.
@@ -68,10 +71,20 @@ impl Errand {
             Self::Finish => "move to finish",
             Self::To { .. } => "move to",
             Self::CutMoveTo(_) => "cut move to",
+            Self::Along(_) => "move along",
             Self::Held(_) => "key",
             Self::Keypad(_) => "keypad",
         }
     }
+}
+
+/// A part of a way that is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// A line or an arc, millimetres from the job origin. A line begins where the tool is.
+    pub path: Segment,
+    /// Z at its end, millimetres from home; without it Z stays.
+    pub z_mm: Option<f64>,
 }
 
 /// A key that is held.
@@ -113,6 +126,20 @@ pub fn keypad_settings(settings: &Settings, share: f64) -> Settings {
     settings
 }
 
+/// A way to a place, machine frame.
+#[derive(Clone, Copy, Debug)]
+struct Leg {
+    to: Axes,
+    /// The arc in X and Y; else it is straight.
+    arc: Option<Arc2>,
+}
+
+impl From<Axes> for Leg {
+    fn from(to: Axes) -> Self {
+        Self { to, arc: None }
+    }
+}
+
 /// An errand being done.
 #[derive(Clone, Debug)]
 pub struct Hand {
@@ -121,10 +148,10 @@ pub struct Hand {
     settings: Arc<Settings>,
     frame: Frame,
     position: Axes,
-    /// Places still to go to.
-    legs: VecDeque<Axes>,
+    /// Ways still to go.
+    legs: VecDeque<Leg>,
     /// Where the rest leads, while the machine is stopped.
-    rest: Option<VecDeque<Axes>>,
+    rest: Option<VecDeque<Leg>>,
     given: bool,
     begun: bool,
     state: State,
@@ -141,11 +168,11 @@ pub struct Hand {
 impl Hand {
     /// An errand of a machine that stands at a position, machine frame.
     pub fn new(errand: Errand, machine: Arc<Configuration>, position: Axes, frame: Frame) -> Self {
-        let mut settings = match errand {
+        let mut settings = match &errand {
             Errand::Keypad(keypad) => keypad_settings(&machine.program, keypad.speed),
             _ => planner_settings(&machine),
         };
-        if let (Errand::Held(held), Some(dynamics)) = (errand, &mut settings.dynamics) {
+        if let (Errand::Held(held), Some(dynamics)) = (&errand, &mut settings.dynamics) {
             let share = held.accel.clamp(0.01, 1.0);
             dynamics.accel_mm_s2 = dynamics.accel_mm_s2.zip(Axes::default(), |a, _| a * share);
         }
@@ -170,12 +197,19 @@ impl Hand {
         hand
     }
 
-    /// Where it leads, one straight way after the other.
-    fn ways(&mut self) -> VecDeque<Axes> {
+    /// Where it leads, one way after the other.
+    fn ways(&mut self) -> VecDeque<Leg> {
+        if let Errand::Along(stretches) = &self.errand {
+            return self.along(stretches);
+        }
+        self.straight_ways().into_iter().map(Leg::from).collect()
+    }
+
+    fn straight_ways(&mut self) -> VecDeque<Axes> {
         let here = self.position;
         let job = &self.machine.job;
         match self.errand {
-            Errand::FindHome(_) => VecDeque::new(),
+            Errand::FindHome(_) | Errand::Along(_) => VecDeque::new(),
             Errand::Home(axes) => {
                 let mut up = here;
                 if axes.contains(Axis::Z) {
@@ -214,6 +248,25 @@ impl Hand {
                 [self.as_far_as_allowed(keypad.way, keypad.times.unwrap_or(FAR))].into()
             }
         }
+    }
+
+    /// Lines and arcs from the job origin.
+    fn along(&self, stretches: &[Stretch]) -> VecDeque<Leg> {
+        let [x0, y0] = self.machine.job.origin_mm;
+        let on_table = |at: Point2| Point2::new(x0 + at.x, y0 + at.y);
+        let mut to = self.position;
+        let leg = |stretch: &Stretch| {
+            let end = on_table(stretch.path.end());
+            (to[Axis::X], to[Axis::Y]) = (end.x, end.y);
+            to[Axis::Z] = stretch.z_mm.unwrap_or(to[Axis::Z]);
+            let on_table = |arc: Arc2| Arc2 {
+                start: on_table(arc.start),
+                centre: on_table(arc.centre),
+                ..arc
+            };
+            Leg { to, arc: stretch.path.arc().map(on_table) }
+        };
+        stretches.iter().map(leg).collect()
     }
 
     /// Up to Z top where the tool is lower, then to a place from the job origin.
@@ -289,24 +342,48 @@ impl Hand {
         if self.is_held() {
             return None;
         }
-        let to = self.legs.back()?;
-        let outside = Axis::ALL.into_iter().find(|axis| {
-            let (low, high) = self.allowed(*axis);
-            let moves = (to[*axis] - self.position[*axis]).abs() > SAME;
-            moves && !(low - SAME..=high + SAME).contains(&to[*axis])
+        let (outside, reached) = self.places().into_iter().find_map(|to| {
+            let axis = Axis::ALL.into_iter().find(|axis| {
+                let (low, high) = self.allowed(*axis);
+                let moves = (to[*axis] - self.position[*axis]).abs() > SAME;
+                moves && !(low - SAME..=high + SAME).contains(&to[*axis])
+            })?;
+            Some((axis, to[axis]))
         })?;
         let (low, high) = self.allowed(outside);
         let name = self.machine.motors.axis_name(outside);
-        let reached = to[outside];
         let message = format!("Out of bounds: {name} would reach {reached:.3}");
         let hint = format!("{name} goes from {low:.3} to {high:.3}");
         let place = Place::line(self.errand.name().into(), 0);
         Some(Box::new(Diagnostic::new(Code::OutsideLimits, place, message).hint(hint)))
     }
 
+    /// The places that must be within bounds: the end of the way, all of one that is followed.
+    fn places(&self) -> Vec<Axes> {
+        if !matches!(self.errand, Errand::Along(_)) {
+            return self.legs.back().map(|leg| leg.to).into_iter().collect();
+        }
+        let mut places = Vec::new();
+        for leg in &self.legs {
+            places.push(leg.to);
+            let mut reaches = |at: Point2| {
+                let mut place = leg.to;
+                (place[Axis::X], place[Axis::Y]) = (at.x, at.y);
+                places.push(place);
+            };
+            leg.arc.iter().for_each(|arc| arc.extremes(&mut reaches));
+        }
+        places
+    }
+
     /// It lasts as long as a key is held.
     const fn is_held(&self) -> bool {
         matches!(self.errand, Errand::Held(_) | Errand::Keypad(_))
+    }
+
+    /// A stop ends it for good.
+    const fn ends_at_stop(&self) -> bool {
+        self.is_held() || matches!(self.errand, Errand::Along(_))
     }
 
     fn stop_settings(&self) -> StopSettings {
@@ -331,18 +408,34 @@ impl Hand {
         Step::Ran
     }
 
-    /// The next straight way.
-    fn go(&mut self, to: Axes, out: &mut Vec<Sourced>) {
+    /// The next way.
+    fn go(&mut self, leg: Leg, out: &mut Vec<Sourced>) {
+        let Leg { to, arc } = leg;
         let rapid = || rapid_mm_s(&self.settings, to.minus(self.position));
         let feed = match self.errand {
             Errand::Keypad(_) => Feed::Axis,
             Errand::Held(held) => Feed::Path(held.speed.clamp(0.01, 1.0) * rapid()),
             _ => Feed::Path(rapid()),
         };
-        let line = Line { kind: MoveKind::Jog, to, feed };
+        let kind = MoveKind::Jog;
+        let command = match arc {
+            None => Command::Line(Line { kind, to, feed }),
+            Some(Arc2 { centre, sweep_rad, .. }) => {
+                let centre = [centre.x, centre.y];
+                Command::Arc(Turn {
+                    kind,
+                    centre,
+                    sweep_rad,
+                    to,
+                    feed,
+                    chords: CHORDS,
+                    small: false,
+                })
+            }
+        };
         self.motions += 1;
         (self.position, self.given) = (to, true);
-        self.give(Command::Line(line), out);
+        self.give(command, out);
     }
 
     fn is_at(&self, place: &Axes) -> bool {
@@ -359,8 +452,8 @@ impl Hand {
             return Step::Ran;
         }
         match self.legs.front().copied() {
-            Some(to) if self.is_at(&to) => drop(self.legs.pop_front()),
-            Some(to) => self.go(to, out),
+            Some(leg) if leg.arc.is_none() && self.is_at(&leg.to) => drop(self.legs.pop_front()),
+            Some(leg) => self.go(leg, out),
             None if self.rest.is_some() => return self.ask(host, out),
             None => {
                 if let Some(text) = self.note.take() {
@@ -382,12 +475,12 @@ impl Hand {
         }
         self.state = stands.state;
         let mut rest = std::mem::take(&mut self.legs);
-        rest.push_front(halted.stands);
+        rest.push_front(halted.stands.into());
         self.rest = Some(rest);
         let (top, mut up) = (self.machine.zpos.top_mm, halted.stands);
         if stands.effects.contains(&Effect::Raise) && up[Axis::Z] < top {
             up[Axis::Z] = top;
-            self.legs.push_back(up);
+            self.legs.push_back(up.into());
         }
     }
 
@@ -403,9 +496,9 @@ impl Hand {
                 self.state = state;
                 self.legs = self.rest.take().unwrap_or_default();
                 let mut over = self.position;
-                if let Some(place) = self.legs.front() {
-                    (over[Axis::X], over[Axis::Y]) = (place[Axis::X], place[Axis::Y]);
-                    self.legs.push_front(over);
+                if let Some(Leg { to, .. }) = self.legs.front() {
+                    (over[Axis::X], over[Axis::Y]) = (to[Axis::X], to[Axis::Y]);
+                    self.legs.push_front(over.into());
                 }
                 let (name, why) = (self.state.name().into(), "".into());
                 self.give(Command::State { name, why }, out);
@@ -504,7 +597,7 @@ impl Interpreter for Hand {
         true
     }
 
-    /// A key is let go for good; every other way is kept.
+    /// A key is let go for good, and a way that is followed ends; every other way is kept.
     fn stopped(&mut self, by: StoppedBy, halted: &Halted) {
         let (event, why) = match by {
             StoppedBy::Operator | StoppedBy::PowerCut => (Event::Stop, String::new()),
@@ -515,11 +608,16 @@ impl Interpreter for Hand {
             StoppedBy::Limit(n) => (Event::Limit, format!("stopped by limit input {n}")),
         };
         self.why = why.into();
-        if self.is_held() {
+        if self.ends_at_stop() {
             (self.position, self.legs, self.given) = (halted.stands, VecDeque::new(), false);
             match event {
                 Event::Stop => self.over = Some((Status::Ended, None)),
-                _ => self.note = Some(self.why.clone()),
+                _ if self.is_held() => self.note = Some(self.why.clone()),
+                _ => {
+                    let limit = event == Event::Limit;
+                    let status = if limit { Status::Limit } else { Status::Stopped };
+                    self.over = Some((status, Some(self.stopped_for(Code::InputStop))));
+                }
             }
             return;
         }

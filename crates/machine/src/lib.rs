@@ -25,7 +25,7 @@ pub mod table;
 pub mod value;
 pub mod wiring;
 
-pub use hand::{Errand, Hand, Held, Keypad};
+pub use hand::{Errand, Hand, Held, Keypad, Stretch};
 pub use sequence::Sequence;
 pub use settings::Configuration;
 pub use state::State;

@@ -35,6 +35,7 @@ mod words;
 
 pub use begin::settings as planner_settings;
 pub(crate) use carry::rapid_mm_s;
+pub(crate) use path::CHORDS;
 pub use words::Word;
 
 use crate::lines::Output;

@@ -7,7 +7,7 @@ use kerf_program::job::{Depths, JobShape};
 use kerf_program::{Arc, Axes, Axis, Command, Feed, Halted, Line, MoveKind, Sourced};
 
 /// Chords that a machine without arcs makes of a full circle.
-const CHORDS: u32 = 360;
+pub(crate) const CHORDS: u32 = 360;
 
 /// The motion commands of the path at hand: which segment each of them makes.
 #[derive(Clone, Debug, Default)]
