@@ -132,7 +132,7 @@ fn pro_estop_trigger__in_moves_by_hand() {
         },
     ];
     for errand in errands {
-        let run = JobRun::hand(errand).at(300.0, 0.0, 0.0);
+        let run = JobRun::hand(errand.clone()).at(300.0, 0.0, 0.0);
         let trace = run.input(Input::EmergencyStop, 0.2, true).run();
         let last = trace.events.iter().rev().find_map(|event| match event {
             Event::Move(made) => Some(made.t1),

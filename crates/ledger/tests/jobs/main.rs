@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
 mod delays;
+mod digitize;
 mod estop;
 mod group;
 mod height;
