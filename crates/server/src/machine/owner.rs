@@ -338,11 +338,12 @@ impl Owner {
 
     /// Does an errand, and tells how it ended.
     fn hand(&mut self, errand: Errand, machine: Configuration, tells: &Sender<Happening>) {
+        let (held, name) = (matches!(errand, Errand::Held(_)), errand.name());
         let work = Work::Hand(errand, Arc::new(machine));
-        let outcome = if matches!(errand, Errand::Held(_)) {
+        let outcome = if held {
             self.held(work)
         } else {
-            let job = Job { command: Some(errand.name().into()), ..Job::default() };
+            let job = Job { command: Some(name.into()), ..Job::default() };
             self.run(work, self.options(), job, Planned::default())
         };
         // Nobody waits for it where the server is closing.
