@@ -1,12 +1,13 @@
 //! What can be seen of a machine that stands, and done to it, without a program.
 
+use crate::journal::Journal;
 use crate::machine_file::MachineFileError;
 use crate::session::{Company, RunOptions, Session};
 use crate::shelf::Shelf;
 use crate::switches::{self, SWITCHES};
 use crate::world::World;
 use crate::{Event, Press};
-use kerf_machine::{Configuration, Setting, file};
+use kerf_machine::{Configuration, Setting};
 use kerf_part::Program;
 use kerf_sbp::{SystemVariable, Value};
 use kerf_sim::{Change, Machine};
@@ -64,14 +65,25 @@ impl Session {
         wanted: Configuration,
         shelf: &Shelf,
     ) -> Result<(), MachineFileError> {
-        let told = shelf.journal().map_or(Ok(()), |journal| {
-            let kept = journal.machine_file();
-            let text = kept.text()?.unwrap_or_default();
-            kept.write(&file::edit(&text, setting, &wanted))
-        });
+        let kept = |journal: &Journal| journal.machine_file().keep_one(setting, &wanted);
+        let told = shelf.journal().map_or(Ok(()), kept);
+        self.hold(wanted);
+        told
+    }
+
+    /// Has another configuration until Kerf ends: nothing of it is kept.
+    pub fn hold(&mut self, wanted: Configuration) {
         self.memory.settings = wanted.program.clone();
         self.machine_is = Arc::new(wanted);
-        told
+    }
+
+    /// Keeps the configuration that holds, where settings are kept. Gives how many of them were not yet.
+    ///
+    /// # Errors
+    /// As it cannot be kept.
+    pub fn keep_configuration(&self, shelf: &Shelf) -> Result<usize, MachineFileError> {
+        let kept = |journal: &Journal| journal.machine_file().keep_all(&self.configuration());
+        shelf.journal().map_or(Ok(0), kept)
     }
 
     /// What every system variable reads now, in order of numbers.

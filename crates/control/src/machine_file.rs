@@ -120,15 +120,53 @@ impl MachineFile {
         for setting in besides {
             changed.extend(setting.set(&mut wanted, &setting.get(&said)).map(|()| setting));
         }
-        if let Some(crossed) = contradictions::contradictions(&wanted).into_iter().next() {
+        self.put(&before, &changed, &wanted).map(Some)
+    }
+
+    /// Keeps one setting of a machine. What else holds otherwise than the file says is not kept.
+    ///
+    /// # Errors
+    /// As it cannot be written, or does not go together with the rest of the file.
+    pub fn keep_one(
+        &self,
+        setting: &'static table::Setting,
+        machine: &Configuration,
+    ) -> Result<(), MachineFileError> {
+        let before = self.text()?.unwrap_or_default();
+        let mut wanted = self.read(&before)?;
+        // What the machine has was checked when it was set.
+        drop(setting.set(&mut wanted, &setting.get(machine)));
+        self.put(&before, &[setting], &wanted).map(drop)
+    }
+
+    /// Keeps every setting of a machine, of which the file gets those that it does not say already. Gives
+    /// their number.
+    ///
+    /// # Errors
+    /// As it cannot be written, or the settings do not go together.
+    pub fn keep_all(&self, machine: &Configuration) -> Result<usize, MachineFileError> {
+        let before = self.text()?.unwrap_or_default();
+        let changed: Vec<_> = table::changed(&self.read(&before)?, machine).collect();
+        self.put(&before, &changed, machine)?;
+        Ok(changed.len())
+    }
+
+    /// Puts settings into a text of the file, if they go together with the rest. Gives what it says then.
+    fn put(
+        &self,
+        before: &str,
+        changed: &[&'static table::Setting],
+        wanted: &Configuration,
+    ) -> Result<String, MachineFileError> {
+        if let Some(crossed) = contradictions::contradictions(wanted).into_iter().next() {
             let (message, hint) = (crossed.message, crossed.hint.to_string());
             return Err(MachineFileError::Contradiction { message, hint });
         }
-        let after = file::edit_all(&before, &changed, &wanted);
+        let after = file::edit_all(before, changed, wanted);
         if after != before {
             self.write(&after)?;
         }
-        Ok(Some(after))
+        Ok(after)
     }
 
     fn of_disk(&self, why: io::Error) -> MachineFileError {
@@ -226,6 +264,38 @@ mod tests {
             "# my router\n[cutter]\ndiameter_mm = 9.525 # quarter inch\n[delays]\nend_s = 4\n"
         );
         assert_eq!(file.keep(&began, &began).unwrap().unwrap(), text, "nothing was changed");
+    }
+
+    #[test]
+    fn a_machine_is_kept_as_it_is() {
+        let folder = tempdir().unwrap();
+        let file = MachineFile::of_data(folder.path());
+        file.write("[zpos] # mine\ntop_mm = -5\n").unwrap();
+        let mut machine = file.read(&file.text().unwrap().unwrap()).unwrap();
+        assert_eq!(file.keep_all(&machine).unwrap(), 0);
+        (machine.zpos.top_mm, machine.delays.end_s) = (-7.5, 2.0);
+        machine.program.smoothing.cut_speed_mm_s = Some(50.0);
+        assert_eq!(file.keep_all(&machine).unwrap(), 3);
+        let text = file.text().unwrap().unwrap();
+        assert_eq!(file.read(&text).unwrap(), machine);
+        assert!(text.contains("# mine") && text.contains("top_mm = -7.5"), "{text}");
+    }
+
+    #[test]
+    fn one_setting_is_kept_without_the_others_that_hold() {
+        let folder = tempdir().unwrap();
+        let file = MachineFile::of_data(folder.path());
+        let mut machine = Configuration::default();
+        (machine.zpos.top_mm, machine.zpos.surface_mm) = (-5.0, -7.0);
+        let [top, surface] =
+            ["zpos.top_mm", "zpos.surface_mm"].map(|key| table::setting(key).unwrap());
+        // The file has Z top at -10: a surface above it would leave a file that nobody can read.
+        let crossed = file.keep_one(surface, &machine).unwrap_err();
+        assert!(crossed.to_string().starts_with("zpos.surface_mm (-7) is above"), "{crossed}");
+        assert_eq!(file.text().unwrap(), None);
+        file.keep_one(top, &machine).unwrap();
+        let read = file.read(&file.text().unwrap().unwrap()).unwrap();
+        assert_eq!((read.zpos.top_mm, read.zpos.surface_mm), (-5.0, -20.0));
     }
 
     #[test]
