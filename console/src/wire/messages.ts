@@ -444,7 +444,11 @@ start: number | null,
 /** How far beside itself every path is cut, mm, to the right of travel. */
 offset: number,
 /** Where its origin lies on the table, X and Y from home, mm; that of the file for nothing. */
-origin: [number, number] | null, };
+origin: [number, number] | null,
+/** Where the head goes at the end, X and Y from the origin, mm; that of the file for nothing. */
+finish: [number, number] | null,
+/** How much higher the paths with heights of their own lie than in the file, mm. */
+lift: number, };
 
 /** One path of a job. */
 export type JobPath = {

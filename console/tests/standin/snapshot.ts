@@ -74,7 +74,7 @@ export const firstSnapshot: Snapshot = {
     name: "first-cut.sbp",
     hash: "abc",
     kind: "program",
-    choice: { start: null, offset: 0, origin: null },
+    choice: { start: null, offset: 0, origin: null, finish: null, lift: 0 },
     parameters: usualParameters,
     lines: 24,
     header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",

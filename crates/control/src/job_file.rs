@@ -23,6 +23,10 @@ pub struct Choice {
     pub offset_mm: f64,
     /// Where its origin lies on the table, mm from home; that of the file for nothing.
     pub origin: Option<Point2>,
+    /// Where the head goes at the end, mm from the origin; that of the file for nothing.
+    pub finish: Option<Point2>,
+    /// How much higher the paths with heights of their own lie, mm.
+    pub lift_mm: f64,
 }
 
 /// The job in the bytes of a file, and what was noticed: also that it was made with another smoothing factor
@@ -59,6 +63,7 @@ impl Choice {
         let mut chosen = kerf_toolpath::beside(&job, self.offset_mm)?;
         chosen.start = self.start.unwrap_or(chosen.start).clamp(1, chosen.shapes.len().max(1));
         chosen.origin = self.origin.unwrap_or(chosen.origin);
-        Ok(Work::Job(Arc::new(chosen), machine))
+        chosen.finish = self.finish.unwrap_or(chosen.finish);
+        Ok(Work::Job(Arc::new(kerf_toolpath::lifted(chosen, self.lift_mm)), machine))
     }
 }

@@ -94,8 +94,9 @@ pub fn hash(bytes: &[u8]) -> String {
 /// What a file is run by: the hash of its bytes, and of parameters other than the usual.
 fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> String {
     if *choice != JobChoice::default() {
-        let JobChoice { start, offset, origin } = choice;
-        return hash(&[bytes, format!("{start:?} {offset} {origin:?}").as_bytes()].concat());
+        let JobChoice { start, offset, origin, finish, lift } = choice;
+        let told = format!("{start:?} {offset} {origin:?} {finish:?} {lift}");
+        return hash(&[bytes, told.as_bytes()].concat());
     }
     if *parameters == FileParameters::default() {
         return hash(bytes);

@@ -96,26 +96,31 @@ impl App {
     /// # Errors
     /// There is no such setting, it does not accept the value, or it would contradict another.
     pub fn configure(&self, key: &str, value: &str) -> Result<(), Problem> {
-        let known = table::setting(key).filter(|setting| setting.key != PASSWORD);
-        let setting = known.ok_or_else(|| {
-            let keys = table::settings().map(|setting| setting.key);
-            let hint = kerf_diag::did_you_mean(key, keys).unwrap_or_default();
-            problem(Why::Mistake, format!("there is no setting {key}; {hint}"))
-        })?;
         let mut wanted = lock(&self.left).session.configuration();
-        let value = match setting.default() {
-            // A text may look like a number or a list.
-            Value::Text(_) if setting.words().is_empty() => Value::Text(value.into()),
-            _ => Value::typed(value),
-        };
-        let refused = setting.set(&mut wanted, &value).err();
-        if let Some(refused) = refused {
-            return Err(problem(Why::Mistake, refused.to_string()));
-        }
-        if let Some(crossed) = contradictions(&wanted).first() {
-            return Err(problem(Why::Mistake, format!("{}; {}", crossed.message, crossed.hint)));
-        }
+        let setting = set(&mut wanted, key, value)?;
+        check(&wanted)?;
         self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
+    }
+
+    /// Changes settings until Kerf ends, all of them or none.
+    ///
+    /// # Errors
+    /// As [`App::configure`].
+    pub fn hold(&self, settings: &[(&str, String)]) -> Result<(), Problem> {
+        let mut wanted = lock(&self.left).session.configuration();
+        for (key, value) in settings {
+            set(&mut wanted, key, value)?;
+        }
+        check(&wanted)?;
+        self.order(Order::Hold(Box::new(wanted)), State::Running)
+    }
+
+    /// Keeps the configuration that holds.
+    ///
+    /// # Errors
+    /// The machine is busy.
+    pub fn keep_configuration(&self) -> Result<(), Problem> {
+        self.order(Order::Keep, State::Running)
     }
 
     /// The joining distance used last is the one offered next, also after a restart. Where the machine is
@@ -129,5 +134,35 @@ impl App {
         if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
             drop(self.order(Order::Configure(setting, Box::new(wanted)), State::Running));
         }
+    }
+}
+
+/// Gives a setting of a configuration a value as a person writes it.
+fn set(
+    configuration: &mut Configuration,
+    key: &str,
+    value: &str,
+) -> Result<&'static Setting, Problem> {
+    let known = table::setting(key).filter(|setting| setting.key != PASSWORD);
+    let setting = known.ok_or_else(|| {
+        let keys = table::settings().map(|setting| setting.key);
+        let hint = kerf_diag::did_you_mean(key, keys).unwrap_or_default();
+        problem(Why::Mistake, format!("there is no setting {key}; {hint}"))
+    })?;
+    let value = match setting.default() {
+        // A text may look like a number or a list.
+        Value::Text(_) if setting.words().is_empty() => Value::Text(value.into()),
+        _ => Value::typed(value),
+    };
+    let done = setting.set(configuration, &value).map(|()| setting);
+    done.map_err(|refused| problem(Why::Mistake, refused.to_string()))
+}
+
+fn check(wanted: &Configuration) -> Result<(), Problem> {
+    match contradictions(wanted).first() {
+        Some(crossed) => {
+            Err(problem(Why::Mistake, format!("{}; {}", crossed.message, crossed.hint)))
+        }
+        None => Ok(()),
     }
 }

@@ -84,19 +84,20 @@ impl App {
     pub fn choose(self: &Arc<Self>, choice: JobChoice) -> Result<(), Problem> {
         let open = self.job_at_rest()?;
         let count = self.path_count(&open);
-        let numbers = choice.origin.into_iter().flatten().chain([choice.offset]);
+        let places = choice.origin.into_iter().chain(choice.finish).flatten();
+        let numbers = places.chain([choice.offset, choice.lift]);
         if choice.start.is_some_and(|start| start == 0 || start > count) {
             return Err(problem(Why::Mistake, format!("the job has the paths 1 to {count}")));
         }
         if !numbers.into_iter().all(f64::is_finite) {
-            return Err(problem(Why::Malformed, "offset and origin are lengths"));
+            return Err(problem(Why::Malformed, "origin, finish, offset and lift are lengths"));
         }
         self.cut_with(open, choice);
         Ok(())
     }
 
     /// The job that is open while none runs.
-    fn job_at_rest(&self) -> Result<Open, Problem> {
+    pub(crate) fn job_at_rest(&self) -> Result<Open, Problem> {
         let open = lock(&self.open).clone();
         if kind_of(&open.name) != FileKind::Job {
             return Err(problem(Why::State, "no job is open"));
@@ -112,19 +113,45 @@ impl App {
     /// # Errors
     /// None is open or was chosen, one runs, or the file is another by now or cannot be written.
     pub fn keep_origin(self: &Arc<Self>) -> Result<(), Problem> {
-        let mut open = self.job_at_rest()?;
+        let open = self.job_at_rest()?;
         let Some([x, y]) = open.choice.origin else {
             return Err(problem(Why::State, "the job lies where its file says"));
         };
+        let choice = JobChoice { origin: None, ..open.choice };
+        self.write_job(open, choice, |job| Job { origin: Point2::new(x, y), ..job })
+    }
+
+    /// Writes where the open job lies, where it ends and with which path it begins into its file. Its paths stay
+    /// as they were made.
+    ///
+    /// # Errors
+    /// As [`App::keep_origin`].
+    pub fn save_job(self: &Arc<Self>) -> Result<(), Problem> {
+        let open = self.job_at_rest()?;
+        let [origin, finish] = self.lies(&open);
+        let chosen = open.choice.start;
+        let choice = JobChoice { origin: None, finish: None, start: None, ..open.choice };
+        self.write_job(open, choice, |job| {
+            let start = chosen.map_or(job.start, |start| start as usize);
+            Job { origin, finish, start, ..job }
+        })
+    }
+
+    /// Puts another job into the file of the open one, which is cut so from now on.
+    fn write_job(
+        self: &Arc<Self>,
+        mut open: Open,
+        choice: JobChoice,
+        change: impl FnOnce(Job) -> Job,
+    ) -> Result<(), Problem> {
         if !open.is_of(&self.parts.read(&open.name)?) {
             let text = "the file was changed since it was opened; open it again";
             return Err(problem(Why::Changed, text));
         }
         let (job, _) = kerf_toolpath::read(&open.bytes);
-        let text = kerf_toolpath::write(&Job { origin: Point2::new(x, y), ..job });
+        let text = kerf_toolpath::write(&change(job));
         self.parts.write(&open.name, text.as_bytes())?;
         self.files_changed();
-        let choice = JobChoice { origin: None, ..open.choice };
         open.bytes = text.into_bytes().into();
         self.cut_with(open, choice);
         Ok(())
@@ -194,11 +221,14 @@ fn stem(name: &str) -> &str {
 }
 
 fn chosen(choice: &JobChoice) -> Choice {
-    let JobChoice { start, offset, origin } = *choice;
+    let JobChoice { start, offset, origin, finish, lift } = *choice;
+    let place = |[x, y]: [f64; 2]| Point2::new(x, y);
     Choice {
         start: start.map(|start| start as usize),
         offset_mm: offset,
-        origin: origin.map(|[x, y]| Point2::new(x, y)),
+        origin: origin.map(place),
+        finish: finish.map(place),
+        lift_mm: lift,
     }
 }
 

@@ -25,6 +25,7 @@ mod handconsole;
 mod http;
 mod hub;
 mod job;
+mod job_by_hand;
 mod machine;
 mod operations;
 mod paths;

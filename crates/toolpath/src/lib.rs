@@ -22,6 +22,7 @@ mod filter;
 mod gouge;
 mod job;
 mod lead;
+mod lift;
 mod neighbours;
 mod neutral;
 mod overlap;
@@ -41,6 +42,7 @@ pub use job::{
     CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job, too_deep,
 };
 pub use lead::{Side, lead_in, lead_out};
+pub use lift::{lifted, lowest_mm};
 pub use program::print;
 pub use relief::{Relief, print_relief};
 pub use rsm::{read, write};

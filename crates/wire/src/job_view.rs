@@ -29,6 +29,10 @@ pub struct JobChoice {
     pub offset: f64,
     /// Where its origin lies on the table, X and Y from home, mm; that of the file for nothing.
     pub origin: Option<[f64; 2]>,
+    /// Where the head goes at the end, X and Y from the origin, mm; that of the file for nothing.
+    pub finish: Option<[f64; 2]>,
+    /// How much higher the paths with heights of their own lie than in the file, mm.
+    pub lift: f64,
 }
 
 /// A job, to be looked at and started.

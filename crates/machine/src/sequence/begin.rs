@@ -19,18 +19,20 @@ use std::sync::Arc;
 /// The job where it is cut, and how often: Start may take the present position as origin.
 pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
     let mut placed = (*job).clone();
-    let [origin, finish] =
-        [machine.job.origin_mm, machine.job.finish_mm].map(|[x, y]| Point2::new(x, y));
+    [placed.origin, placed.finish] = lies(&job, machine);
     if machine.job.change_origin_at_start {
         placed.origin = Point2::new(position[Axis::X], position[Axis::Y]);
-    } else if placed.origin == Point2::default() {
-        placed.origin = origin;
-    }
-    if placed.finish == Point2::default() {
-        placed.finish = finish;
     }
     placed.repeats = placed.repeats.max(machine.job.repeats);
     Arc::new(placed)
+}
+
+/// Where the origin of a job lies on the table, and where the head goes at its end: those of the machine, where
+/// the job says nothing of them.
+pub fn lies(job: &Job, machine: &Configuration) -> [Point2; 2] {
+    let set = [machine.job.origin_mm, machine.job.finish_mm].map(|[x, y]| Point2::new(x, y));
+    let own = |own: Point2, set| if own == Point2::default() { set } else { own };
+    [own(job.origin, set[0]), own(job.finish, set[1])]
 }
 
 /// What the planner works with: millimetres, the machine's own model of motion, nothing that part

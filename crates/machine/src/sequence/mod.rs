@@ -33,7 +33,7 @@ mod start;
 mod taken_up;
 mod words;
 
-pub use begin::settings as planner_settings;
+pub use begin::{lies, settings as planner_settings};
 pub(crate) use carry::rapid_mm_s;
 pub(crate) use path::CHORDS;
 pub use words::Word;

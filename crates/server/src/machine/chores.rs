@@ -76,6 +76,21 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
+    /// Has another configuration until Kerf ends.
+    pub(super) fn hold(&mut self, wanted: Configuration) {
+        self.workshop.session.hold(wanted);
+        self.rest(State::Idle, None);
+    }
+
+    /// Keeps the configuration that holds.
+    pub(super) fn keep(&mut self) {
+        let Workshop { session, shelf, .. } = &self.workshop;
+        if let Err(why) = session.keep_configuration(shelf) {
+            self.hub.say(Tone::Error, format!("the configuration cannot be kept: {why}"));
+        }
+        self.rest(State::Idle, None);
+    }
+
     /// The run that can be taken up, where runs are on record.
     pub(super) fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
         let journal = self.workshop.shelf.journal().filter(|_| self.workshop.kept);

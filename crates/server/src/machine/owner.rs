@@ -85,6 +85,10 @@ pub enum Order {
     Watched,
     /// Have another configuration, of which this setting is new.
     Configure(&'static Setting, Box<Configuration>),
+    /// Have another configuration until Kerf ends.
+    Hold(Box<Configuration>),
+    /// Keep the configuration that holds.
+    Keep,
 }
 
 /// How often it is looked whether other software passed a command in.
@@ -149,6 +153,8 @@ impl Owner {
                 Order::Record(line) => self.record(&line),
                 Order::Watched => {}
                 Order::Configure(setting, wanted) => self.configure(setting, *wanted),
+                Order::Hold(wanted) => self.hold(*wanted),
+                Order::Keep => self.keep(),
             }
             self.tell_shelf();
             let made = self.workshop.shelf.take_made();

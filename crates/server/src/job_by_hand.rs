@@ -1,0 +1,116 @@
+//! What a person at the machine does to the open job: where it lies, where it ends, which path is near.
+
+use crate::app::{App, Open, lock, problem};
+use crate::job::kind_of;
+use kerf_control::Work;
+use kerf_geom::Point2;
+use kerf_machine::Configuration;
+use kerf_machine::sequence;
+use kerf_program::Axis;
+use kerf_program::job::{Job, JobShape};
+use kerf_wire::{FileKind, JobChoice, Problem, Why};
+use std::sync::Arc;
+
+impl App {
+    /// Cuts the open job otherwise in some respect.
+    ///
+    /// # Errors
+    /// As [`App::choose`].
+    pub fn choose_anew(
+        self: &Arc<Self>,
+        change: impl FnOnce(JobChoice) -> JobChoice,
+    ) -> Result<(), Problem> {
+        let choice = change(lock(&self.open).choice);
+        self.choose(choice)
+    }
+
+    /// Where the origin of the open job lies on the table, and where the head goes at its end; those of the
+    /// machine where no job is open.
+    pub(crate) fn lies(&self, open: &Open) -> [Point2; 2] {
+        let (mut job, machine) = (Job::default(), lock(&self.left).session.configuration());
+        if kind_of(&open.name) == FileKind::Job {
+            let (read, _) = kerf_toolpath::read(&open.bytes);
+            (job.origin, job.finish) = (read.origin, read.finish);
+            let place = |[x, y]: [f64; 2]| Point2::new(x, y);
+            job.origin = open.choice.origin.map_or(job.origin, place);
+            job.finish = open.choice.finish.map_or(job.finish, place);
+        }
+        sequence::lies(&job, &machine)
+    }
+
+    /// The machine as it is moved by hand: its job origin and finish are those of the open job.
+    pub fn machine_by_hand(&self) -> Configuration {
+        let mut machine = lock(&self.left).session.configuration();
+        let [origin, finish] = self.lies(&lock(&self.open).clone());
+        machine.job.origin_mm = [origin.x, origin.y];
+        machine.job.finish_mm = [finish.x, finish.y];
+        machine
+    }
+
+    /// The path of the open job nearest to where the tool is in the plane, counted from 1 in cutting order, and how
+    /// many there are.
+    ///
+    /// # Errors
+    /// No job is open, or it has no path.
+    pub fn nearest_path(&self) -> Result<(u32, u32), Problem> {
+        let open = self.job_at_rest()?;
+        let Work::Job(job, _) = self.job_of(&open)? else {
+            return Err(problem(Why::State, "no job is open"));
+        };
+        let [origin, _] = self.lies(&open);
+        let position = lock(&self.left).session.memory.position;
+        let at = Point2::new(position[Axis::X] - origin.x, position[Axis::Y] - origin.y);
+        let nearest = nearest(&job.shapes, at);
+        let nearest = nearest.ok_or_else(|| problem(Why::State, "the job has no path"))?;
+        Ok((nearest as u32 + 1, job.shapes.len() as u32))
+    }
+
+    /// Lays the 3D paths of the open job so that their lowest place is at ZBottom; `by_mm` puts ZBottom first.
+    /// Nothing where no job with such paths is open.
+    ///
+    /// # Errors
+    /// As [`App::choose`].
+    pub fn justify_bottom(self: &Arc<Self>, by_mm: f64) -> Result<(), Problem> {
+        let mut open = lock(&self.open).clone();
+        if kind_of(&open.name) != FileKind::Job {
+            return Ok(());
+        }
+        open.choice.lift = 0.0;
+        let Work::Job(job, machine) = self.job_of(&open)? else { return Ok(()) };
+        let Some(lowest) = kerf_toolpath::lowest_mm(&job) else { return Ok(()) };
+        let bottom = machine.zpos.bottom_mm + by_mm - machine.zpos.surface_mm;
+        self.choose_anew(|choice| JobChoice { lift: bottom - lowest, ..choice })
+    }
+}
+
+/// The place in cutting order of the path nearest to a place; the first of several.
+fn nearest(shapes: &[JobShape], at: Point2) -> Option<usize> {
+    let far = |shape: &JobShape| shape.path.nearest(at).map_or(f64::INFINITY, |(_, far)| far);
+    let all = shapes.iter().map(far).enumerate();
+    let least = all.reduce(|best, next| if next.1 < best.1 { next } else { best });
+    least.map(|(place, _)| place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_geom::Polyarc;
+
+    fn line(y: f64) -> JobShape {
+        let places = [Point2::new(0.0, y), Point2::new(100.0, y)];
+        JobShape::through(1, Polyarc::lines(places, false))
+    }
+
+    #[test]
+    fn the_nearest_path_is_the_first_of_those_as_near() {
+        let shapes = [line(0.0), line(20.0), line(40.0)];
+        let check = |y: f64, expected: usize| {
+            assert_eq!(nearest(&shapes, Point2::new(50.0, y)), Some(expected), "{y}");
+        };
+        check(-5.0, 0);
+        check(10.0, 0);
+        check(11.0, 1);
+        check(99.0, 2);
+        assert_eq!(nearest(&[], Point2::default()), None);
+    }
+}
