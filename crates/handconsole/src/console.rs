@@ -60,6 +60,12 @@ impl Next {
         Self { note, beeps: true, ..self }
     }
 
+    /// The same with a text below the name of what was done, until the next key; nothing for no text.
+    pub fn said(self, name: &str, text: &str) -> Self {
+        let note = Note { screen: Screen::new(name, text), control: false };
+        Self { note: (!text.is_empty()).then_some(note), ..self }
+    }
+
     /// The same with a beep.
     pub fn beep(self) -> Self {
         Self { beeps: true, ..self }
@@ -104,12 +110,18 @@ impl Console {
         next.wishes
     }
 
-    /// What came of a wish: that it is done, or why it is refused, which is shown until the next key. Enter
-    /// returns from there to what the machine shows.
-    pub fn told(&mut self, outcome: Result<(), String>) {
+    /// What came of a wish: what it found out, where that is more than that it is done; or why it is refused.
+    /// Both are shown until the next key. Enter returns from there to what the machine shows.
+    pub fn told(&mut self, outcome: Result<String, String>) {
+        let name = if let Mode::Doing(name) = self.mode { name } else { "" };
         self.stand();
-        if let Err(why) = outcome {
-            self.show(Screen::of_text(&why), false);
+        match outcome {
+            Err(why) => self.show(Screen::of_text(&why), false),
+            Ok(found) if found.is_empty() => {}
+            Ok(found) => {
+                let screen = Screen::new(name, found);
+                self.note = Some(Note { screen, control: false });
+            }
         }
     }
 

@@ -30,4 +30,4 @@ pub use console::Console;
 pub use key::Key;
 pub use screen::{COLUMNS, Screen};
 pub use view::{Job, View, Waits};
-pub use wish::Wish;
+pub use wish::{JobWish, Wish};

@@ -14,6 +14,8 @@ pub struct Job {
     pub size_mm: Option<[f64; 2]>,
     /// How many shapes it has.
     pub shapes: u32,
+    /// How far beside themselves its paths are cut, mm.
+    pub offset_mm: f64,
 }
 
 /// What the machine waits for.
@@ -46,7 +48,7 @@ pub struct View {
     pub shape: u32,
     /// Where it stands, machine frame.
     pub position: Axes,
-    /// What the machine is.
+    /// What the machine is; its job origin and finish are those of the open job.
     pub machine: Arc<Configuration>,
     /// The jobs of the current folder, in the order of their names. Only a key looks at them.
     pub files: Vec<String>,

@@ -24,18 +24,35 @@ pub enum Wish {
     Jog(Held),
     /// The machine does an errand to its end.
     Go(Errand),
-    /// A setting of the machine gets a value.
-    Set {
-        /// Its key.
-        key: &'static str,
-        /// The value, as it is written in a configuration.
-        value: String,
-    },
+    /// Settings of the machine get values, as they are written in a configuration: all of them or none, until
+    /// Kerf ends.
+    Set(Vec<(&'static str, String)>),
+    /// The settings that hold are kept.
+    KeepSettings,
+    /// Something about the open job.
+    Job(JobWish),
+}
+
+/// What the console wants done about the open job.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum JobWish {
+    /// Its origin lies there, X and Y from home, mm. Without a job that is where jobs lie that say nothing.
+    Origin([f64; 2]),
+    /// The head goes there at its end, X and Y from its origin, mm; without a job as with the origin.
+    Finish([f64; 2]),
+    /// Every path is cut so far beside itself, mm, to the right of travel.
+    Offset(f64),
+    /// The lowest place of its 3D paths lies at ZBottom.
+    Justify,
+    /// It is written into its file, with the origin, finish and start that hold.
+    Save,
+    /// Its shape nearest to the tool is found out.
+    Nearest,
 }
 
 impl Wish {
     /// Whether it is only done when the outcome is told, and the console shows it until then.
     pub const fn lasts(&self) -> bool {
-        matches!(self, Self::Go(_))
+        matches!(self, Self::Go(_) | Self::KeepSettings | Self::Job(JobWish::Nearest))
     }
 }

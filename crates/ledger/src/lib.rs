@@ -21,6 +21,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
 mod case;
+pub mod hand_console;
 pub mod jobs;
 mod read;
 mod run;

@@ -7,7 +7,8 @@ use kerf_program::job::{Depth, Job, JobShape};
 /// without such a path.
 pub fn lowest_mm(job: &Job) -> Option<f64> {
     let own = job.shapes.iter().filter(|shape| shape.depth == Depth::ThreeD);
-    own.flat_map(|shape| (1..=shape.path.vertices.len()).map(|n| shape.height_mm(n))).reduce(f64::min)
+    own.flat_map(|shape| (1..=shape.path.vertices.len()).map(|n| shape.height_mm(n)))
+        .reduce(f64::min)
 }
 
 /// A job whose paths with heights of their own lie a distance higher, negative lower. Zero changes nothing.

@@ -1,12 +1,18 @@
 //! The functions behind the key Func: one table, and how a function is chosen and asks for its numbers.
 
+mod heights;
+mod jobs;
+mod moves;
 mod selecting;
+mod settings;
 mod stepping;
 mod table;
 
 pub(crate) use selecting::Selecting;
 pub(crate) use stepping::Stepping;
 pub use table::FUNCTIONS;
+
+use Step::{Height, Number};
 
 use crate::{View, Wish};
 use kerf_machine::Errand;
@@ -21,7 +27,31 @@ pub struct Function {
     /// What it asks for, in this order.
     pub steps: &'static [Step],
     /// What it wants done with what was answered; or why that cannot be.
-    pub does: fn(&[f64], &View) -> Result<Vec<Wish>, String>,
+    pub does: fn(&[f64], &View) -> Result<Done, Refusal>,
+}
+
+/// Why something cannot be, in words that a small screen has room for.
+pub type Refusal = String;
+
+/// What a function wants done.
+#[derive(Debug)]
+pub struct Done {
+    /// The wishes, in this order.
+    pub wishes: Vec<Wish>,
+    /// What the second line says then, until the next key: 20 characters at most.
+    pub says: String,
+}
+
+impl Done {
+    fn saying(self, says: impl Into<String>) -> Self {
+        Self { says: says.into(), ..self }
+    }
+}
+
+impl From<Vec<Wish>> for Done {
+    fn from(wishes: Vec<Wish>) -> Self {
+        Self { wishes, says: String::new() }
+    }
 }
 
 /// Something that a function asks for.
@@ -53,4 +83,9 @@ pub fn function(number: &str) -> Option<&'static Function> {
 pub fn shown(value: f64) -> String {
     let thousandths = (value * 1000.0).round() / 1000.0 + 0.0;
     thousandths.to_string()
+}
+
+/// To a millionth of a millimetre: places are sums of moves.
+fn tidy(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6 + 0.0
 }

@@ -40,10 +40,10 @@ impl Stepping {
     fn finish(self, view: &View) -> Next {
         let Self { function, mut answers, .. } = self;
         match (function.does)(&answers, view) {
-            Ok(wishes) if wishes.iter().any(Wish::lasts) => {
-                Next::to(Mode::Doing(function.name)).and(wishes)
+            Ok(done) if done.wishes.iter().any(Wish::lasts) => {
+                Next::to(Mode::Doing(function.name)).and(done.wishes)
             }
-            Ok(wishes) => Next::wish(wishes),
+            Ok(done) => Next::wish(done.wishes).said(function.name, &done.says),
             Err(why) => {
                 // The last number is asked for again.
                 answers.pop();

@@ -157,8 +157,7 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
     let mut wishes = Vec::new();
     let errand = match &args.way {
         Way::Home { axes } => {
-            let there = |axis: &Axis| !shop.machine.motors.of_axis(*axis).is_empty();
-            let all = Axis::ALL.into_iter().filter(there).fold(AxisSet::EMPTY, AxisSet::with);
+            let all = shop.machine.motors.axes();
             Errand::Home(axes_named(&shop.machine, axes.as_deref(), all)?)
         }
         Way::Origin => Errand::Origin,

@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
+mod console;
+mod console_moves;
 mod delays;
 mod digitize;
 mod estop;

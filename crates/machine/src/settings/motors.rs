@@ -2,7 +2,7 @@
 //! Parameters", "Microstepping Drive Parameters").
 
 use super::words;
-use kerf_program::{AXES, Axis};
+use kerf_program::{AXES, Axis, AxisSet};
 
 /// Motors a machine can have.
 pub const MOTORS: usize = 6;
@@ -89,6 +89,12 @@ impl Motors {
     /// The motors of an axis, its own first.
     pub fn of_axis(&self, axis: Axis) -> Vec<Motor> {
         Motor::ALL.into_iter().filter(|motor| self.axis_of(*motor) == Some(axis)).collect()
+    }
+
+    /// The axes that have a motor.
+    pub fn axes(&self) -> AxisSet {
+        let moved = Axis::ALL.into_iter().filter(|axis| !self.of_axis(*axis).is_empty());
+        moved.fold(AxisSet::EMPTY, AxisSet::with)
     }
 
     /// What the Profiler tables call an axis: A is `z2` where it is the second head, C is `w`.

@@ -1,0 +1,98 @@
+//! Functions of the heights of Z, and of the height that is controlled.
+
+use super::settings::{set, with};
+use super::{Done, Function, Height, Number, Refusal};
+use crate::{JobWish, View, Wish};
+use kerf_machine::Errand;
+use kerf_program::{AXES, Axis, AxisSet};
+
+/// Z is homed first where jobs home it, for heights count from there.
+pub(super) const SETTING: Function = Function {
+    number: "2",
+    name: "Z settings",
+    steps: &[
+        Height {
+            prompt: "ZTop: move, Enter",
+            there: |view| {
+                let homes = view.machine.homing.at_job_start.contains(Axis::Z);
+                let home = homes.then_some(Errand::FindHome(AxisSet::EMPTY.with(Axis::Z)));
+                home.into_iter().chain([to(view.machine.zpos.top_mm)]).collect()
+            },
+        },
+        Height {
+            prompt: "ZSurface: move,Enter",
+            there: |view| vec![to(view.machine.zpos.surface_mm)],
+        },
+        Height {
+            prompt: "ZBottom: move, Enter",
+            there: |view| vec![to(view.machine.zpos.bottom_mm)],
+        },
+    ],
+    does: |heights, view| {
+        let keys = ["zpos.top_mm", "zpos.surface_mm", "zpos.bottom_mm"];
+        let values =
+            keys.into_iter().zip(heights).map(|(key, z)| (key, super::tidy(*z).to_string()));
+        Ok(set(view, values.collect())?.into())
+    },
+};
+
+pub(super) const BOTTOM_ADJUST: Function = Function {
+    number: "3",
+    name: "ZBottom adjust",
+    steps: &[Number { prompt: "ZBottom adjust mm:", now: |_| None }],
+    does: |typed, view| lowered(view, typed[0]),
+};
+
+pub(super) const BOTTOM_JUSTIFY: Function = Function {
+    number: "300",
+    name: "ZBottom justify",
+    steps: &[Number { prompt: "ZBottom adjust mm:", now: |_| Some(0.0) }],
+    does: |typed, view| {
+        let mut done = lowered(view, typed[0])?;
+        done.wishes.push(Wish::Job(JobWish::Justify));
+        Ok(done)
+    },
+};
+
+/// A function that moves set points of height control: shares of the distance that X and Y get.
+macro_rules! adjusts {
+    ($number:literal, $name:literal, $prompt:literal, $shares:expr) => {
+        Function {
+            number: $number,
+            name: $name,
+            steps: &[Number { prompt: $prompt, now: |_| None }],
+            does: |typed, view| adjusted(view, $shares.map(|share: f64| share * typed[0])),
+        }
+    };
+}
+
+pub(super) const ADJUST: Function =
+    adjusts!("19", "XY adjust mm", "Adjust x and y mm:", [1.0, 1.0]);
+
+pub(super) const ADJUST_X: Function = adjusts!("19.1", "X adjust mm", "Adjust x mm:", [1.0, 0.0]);
+
+pub(super) const ADJUST_Y: Function = adjusts!("19.2", "Y adjust mm", "Adjust y mm:", [0.0, 1.0]);
+
+/// Z bottom by a distance.
+fn lowered(view: &View, by_mm: f64) -> Result<Done, Refusal> {
+    let bottom_mm = super::tidy(view.machine.zpos.bottom_mm + by_mm);
+    let wishes = with(view, &["zpos.bottom_mm"], bottom_mm)?;
+    Ok(Done::from(wishes).saying(format!("ZBottom {}", super::shown(bottom_mm))))
+}
+
+/// The set points by distances.
+fn adjusted(view: &View, by_mm: [f64; 2]) -> Result<Done, Refusal> {
+    let mut height = view.machine.height;
+    let free = height.adjust(by_mm);
+    let [x, y] = [height.x_set_point, height.y_set_point];
+    let points = [("height.x_set_point", x), ("height.y_set_point", y)];
+    let wishes = set(view, points.map(|(key, point)| (key, point.to_string())).into())?;
+    let held = if free { "" } else { " (limit)" };
+    Ok(Done::from(wishes).saying(format!("X {x} Y {y}{held}")))
+}
+
+fn to(z: f64) -> Errand {
+    let mut place = [None; AXES];
+    place[Axis::Z.index()] = Some(z);
+    Errand::To { place, relative: false, flat: false }
+}

@@ -1,0 +1,64 @@
+//! Functions of the open job, and of what is kept.
+
+use super::{Done, Function, Number};
+use crate::{JobWish, View, Wish};
+use kerf_program::Axis;
+
+pub(super) const SET_ORIGIN: Function = Function {
+    number: "7",
+    name: "Set job origin",
+    steps: &[],
+    does: |_, view| Ok(placed(JobWish::Origin(here(view)), "Origin", here(view))),
+};
+
+pub(super) const SET_FINISH: Function = Function {
+    number: "8",
+    name: "Set job finish",
+    steps: &[],
+    does: |_, view| {
+        let ([x, y], [x0, y0]) = (here(view), view.machine.job.origin_mm);
+        let finish = [x - x0, y - y0].map(super::tidy);
+        Ok(placed(JobWish::Finish(finish), "Finish", finish))
+    },
+};
+
+pub(super) const SAVE: Function = Function {
+    number: "10",
+    name: "Save job",
+    steps: &[],
+    does: |_, _| Ok(Done::from(vec![Wish::Job(JobWish::Save)]).saying("Job saved")),
+};
+
+pub(super) const SAVE_MACHINE: Function = Function {
+    number: "11",
+    name: "Save machine",
+    steps: &[],
+    does: |_, _| Ok(vec![Wish::KeepSettings].into()),
+};
+
+pub(super) const NEAREST: Function = Function {
+    number: "52",
+    name: "Nearest shape",
+    steps: &[],
+    does: |_, _| Ok(vec![Wish::Job(JobWish::Nearest)].into()),
+};
+
+pub(super) const OFFSET: Function = Function {
+    number: "60",
+    name: "Offset job mm",
+    steps: &[Number {
+        prompt: "Offset job mm:",
+        now: |view| view.job.as_ref().map(|job| job.offset_mm),
+    }],
+    does: |typed, _| Ok(vec![Wish::Job(JobWish::Offset(typed[0]))].into()),
+};
+
+fn placed(wish: JobWish, what: &str, [x, y]: [f64; 2]) -> Done {
+    let said = format!("{what} {},{}", super::shown(x), super::shown(y));
+    Done::from(vec![Wish::Job(wish)]).saying(said)
+}
+
+/// Where the tool is in the plane, from home.
+fn here(view: &View) -> [f64; 2] {
+    [Axis::X, Axis::Y].map(|axis| super::tidy(view.position[axis]))
+}
