@@ -206,6 +206,16 @@ impl App {
         self.allow(who, drive(lease)).map(|()| lease)
     }
 
+    /// Whether whoever drives may change settings of the machine.
+    ///
+    /// # Errors
+    /// As [`App::drives`]; or the role is another, or a password protects them.
+    pub fn sets(&self, who: &Who) -> Result<(), Problem> {
+        let lease = self.drives(who)?;
+        self.allow(who, Need { role: Role::Setter, ..drive(lease) })?;
+        self.opened(who, None)
+    }
+
     fn allow(&self, who: &Who, need: Need) -> Result<(), Problem> {
         if who.role < need.role {
             let text =

@@ -115,14 +115,6 @@ impl App {
         self.order(Order::Hold(Box::new(wanted)), State::Running)
     }
 
-    /// Keeps the configuration that holds.
-    ///
-    /// # Errors
-    /// The machine is busy.
-    pub fn keep_configuration(&self) -> Result<(), Problem> {
-        self.order(Order::Keep, State::Running)
-    }
-
     /// The joining distance used last is the one offered next, also after a restart. Where the machine is
     /// at work, or a password protects the settings, it is offered until then.
     pub fn keep_join(&self, join_mm: f64) {

@@ -20,13 +20,39 @@ impl App {
         self: &Arc<Self>,
         change: impl FnOnce(JobChoice) -> JobChoice,
     ) -> Result<(), Problem> {
-        let choice = change(lock(&self.open).choice);
-        self.choose(choice)
+        let mut open = lock(&self.open).clone();
+        open.choice = change(open.choice);
+        // A path may have no room for the offset.
+        self.work(&open)?;
+        self.choose(open.choice)
+    }
+
+    /// Puts the origin or finish of the machine and of the open job somewhere. That of the machine is for jobs that
+    /// say nothing, and holds until Kerf ends.
+    ///
+    /// # Errors
+    /// The machine is busy.
+    pub fn place_job(
+        self: &Arc<Self>,
+        key: &str,
+        [x, y]: [f64; 2],
+        change: impl FnOnce(JobChoice) -> JobChoice,
+    ) -> Result<(), Problem> {
+        if kind_of(&lock(&self.open).name) == FileKind::Job {
+            self.choose_anew(change)?;
+        }
+        self.hold(&[(key, format!("{x},{y}"))])
     }
 
     /// Where the origin of the open job lies on the table, and where the head goes at its end; those of the
     /// machine where no job is open.
     pub(crate) fn lies(&self, open: &Open) -> [Point2; 2] {
+        let (job, machine) = self.placed(open);
+        sequence::lies(&job, &machine)
+    }
+
+    /// An open job as far as it says where it lies, and the machine.
+    fn placed(&self, open: &Open) -> (Job, Configuration) {
         let (mut job, machine) = (Job::default(), lock(&self.left).session.configuration());
         if kind_of(&open.name) == FileKind::Job {
             let (read, _) = kerf_toolpath::read(&open.bytes);
@@ -35,16 +61,13 @@ impl App {
             job.origin = open.choice.origin.map_or(job.origin, place);
             job.finish = open.choice.finish.map_or(job.finish, place);
         }
-        sequence::lies(&job, &machine)
+        (job, machine)
     }
 
     /// The machine as it is moved by hand: its job origin and finish are those of the open job.
     pub fn machine_by_hand(&self) -> Configuration {
-        let mut machine = lock(&self.left).session.configuration();
-        let [origin, finish] = self.lies(&lock(&self.open).clone());
-        machine.job.origin_mm = [origin.x, origin.y];
-        machine.job.finish_mm = [finish.x, finish.y];
-        machine
+        let (job, machine) = self.placed(&lock(&self.open).clone());
+        with_job(machine, &job)
     }
 
     /// The path of the open job nearest to where the tool is in the plane, counted from 1 in cutting order, and how
@@ -65,12 +88,12 @@ impl App {
         Ok((nearest as u32 + 1, job.shapes.len() as u32))
     }
 
-    /// Lays the 3D paths of the open job so that their lowest place is at ZBottom; `by_mm` puts ZBottom first.
-    /// Nothing where no job with such paths is open.
+    /// Lays the 3D paths of the open job so that their lowest place is at ZBottom. Nothing where no job with such
+    /// paths is open.
     ///
     /// # Errors
     /// As [`App::choose`].
-    pub fn justify_bottom(self: &Arc<Self>, by_mm: f64) -> Result<(), Problem> {
+    pub fn justify_bottom(self: &Arc<Self>) -> Result<(), Problem> {
         let mut open = lock(&self.open).clone();
         if kind_of(&open.name) != FileKind::Job {
             return Ok(());
@@ -78,9 +101,16 @@ impl App {
         open.choice.lift = 0.0;
         let Work::Job(job, machine) = self.job_of(&open)? else { return Ok(()) };
         let Some(lowest) = kerf_toolpath::lowest_mm(&job) else { return Ok(()) };
-        let bottom = machine.zpos.bottom_mm + by_mm - machine.zpos.surface_mm;
+        let bottom = machine.zpos.bottom_mm - machine.zpos.surface_mm;
         self.choose_anew(|choice| JobChoice { lift: bottom - lowest, ..choice })
     }
+}
+
+/// A machine with the origin and finish of a job as its own.
+pub fn with_job(mut machine: Configuration, job: &Job) -> Configuration {
+    let lies = sequence::lies(job, &machine).map(|at| [at.x, at.y]);
+    [machine.job.origin_mm, machine.job.finish_mm] = lies;
+    machine
 }
 
 /// The place in cutting order of the path nearest to a place; the first of several.

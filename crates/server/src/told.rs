@@ -13,11 +13,12 @@ use kerf_wire::{
 };
 
 /// How a run ended, for whoever waits for it: why, when it did not come to its end.
-pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<(), String> {
+/// Nothing more is told of one that did.
+pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<String, String> {
     let summary = driven.as_ref().map_err(ToString::to_string)?;
     match (&summary.error, summary.status) {
         (Some(error), _) => Err(error.message.clone()),
-        (None, Status::Ok | Status::Ended) => Ok(()),
+        (None, Status::Ok | Status::Ended) => Ok(String::new()),
         (None, status) => Err(self::status(status).into()),
     }
 }

@@ -20,13 +20,15 @@ pub struct Keeper {
     console: Console,
     /// Wishes of a key that wait until the machine has done those before them.
     waiting: VecDeque<(Who, u32, Wish)>,
+    /// The outcome of a wish is still to be told.
+    doing: bool,
     facts: Facts,
 }
 
 impl Keeper {
     pub fn new(app: Weak<App>, happens: Sender<Happening>) -> Self {
         let (console, waiting) = (Console::default(), VecDeque::new());
-        Self { app, happens, console, waiting, facts: Facts::default() }
+        Self { app, happens, console, waiting, doing: false, facts: Facts::default() }
     }
 
     /// Works until the server is gone.
@@ -58,7 +60,7 @@ impl Keeper {
 
     /// Grants what waits, as far as the machine is ready for it.
     fn go_on(&mut self, app: &Arc<App>) {
-        while app.state() == State::Idle {
+        while app.state() == State::Idle && !self.doing {
             let Some((who, seq, wish)) = self.waiting.pop_front() else { return };
             self.grant(app, &who, seq, wish);
         }
@@ -74,8 +76,7 @@ impl Keeper {
         };
         let lasts = wish.lasts();
         match app.grant(who, seq, wish, &self.happens) {
-            Ok(()) if lasts => {}
-            Ok(()) => self.console.told(Ok(())),
+            Ok(()) => self.doing = lasts,
             Err(problem) => {
                 self.waiting.clear();
                 self.refused(&problem);
@@ -93,11 +94,14 @@ impl Keeper {
         }
     }
 
-    fn told(&mut self, outcome: Result<(), String>) {
+    fn told(&mut self, outcome: Result<String, String>) {
+        self.doing = false;
         if outcome.is_err() {
             self.waiting.clear();
         }
-        self.console.told(outcome);
+        if self.waiting.is_empty() {
+            self.console.told(outcome);
+        }
     }
 
     /// Tells pages what the screen shows, where that is something else.

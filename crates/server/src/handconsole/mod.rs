@@ -33,8 +33,8 @@ pub enum Happening {
         /// Which.
         key: Key,
     },
-    /// An errand is done, or why it is not.
-    Told(Result<(), String>),
+    /// What a wish that lasts came to: what was found out, or why it is not done.
+    Told(Result<String, String>),
 }
 
 /// Begins the thread of the console, which ends with the server. Where only drawings are worked on there is

@@ -3,6 +3,7 @@
 use crate::app::{App, Open, lock};
 use crate::desk::extension;
 use crate::job::kind_of;
+use crate::job_by_hand::with_job;
 use kerf_control::{Work, job_file};
 use kerf_geom::{Bounds2, Vec2};
 use kerf_handconsole::{Job, View, Waits};
@@ -16,6 +17,8 @@ pub struct Facts {
     /// The preview that belongs to it, which changes whenever the job does.
     key: String,
     job: Option<Job>,
+    /// Where it lies on the table and where it ends, as far as it says so.
+    placed: kerf_program::job::Job,
     /// Folder and open file when they were seen last.
     seen: (String, String),
     /// The folder that was chosen last, or that the file lies in which was opened last.
@@ -27,11 +30,11 @@ impl Facts {
     pub fn view(&mut self, app: &Arc<App>, lists: bool) -> View {
         let open = lock(&app.open).clone();
         if open.key != self.key {
-            self.job = job(app, &open);
+            (self.job, self.placed) = job(app, &open);
             self.key.clone_from(&open.key);
         }
         self.look_where(app, &open);
-        let machine = Arc::new(lock(&app.left).session.configuration());
+        let machine = with_job(lock(&app.left).session.configuration(), &self.placed);
         let files = if lists { jobs_in(app, &self.folder) } else { Vec::new() };
         let is_job = kind_of(&open.name) == FileKind::Job;
         app.hub.read(|now| View {
@@ -41,7 +44,7 @@ impl Facts {
             waits: now.asked.as_ref().map_or(Waits::No, waits),
             shape: if is_job { shape(now) } else { 0 },
             position: Axes(now.motion.at.machine),
-            machine,
+            machine: Arc::new(machine),
             files,
         })
     }
@@ -78,19 +81,24 @@ fn waits(asked: &Asked) -> Waits {
     }
 }
 
-fn job(app: &App, open: &Open) -> Option<Job> {
-    let name = open.name.rsplit('/').next().filter(|name| !name.is_empty())?.to_owned();
+/// The open job, and where it lies without its shapes.
+fn job(app: &App, open: &Open) -> (Option<Job>, kerf_program::job::Job) {
+    let named = open.name.rsplit('/').next().filter(|name| !name.is_empty());
+    let Some(name) = named.map(str::to_owned) else { return Default::default() };
+    let offset_mm = open.choice.offset;
     if kind_of(&open.name) != FileKind::Job {
-        return Some(Job { name, ..Job::default() });
+        return (Some(Job { name, ..Job::default() }), Default::default());
     }
     let Ok(Work::Job(job, _)) = app.job_of(open) else {
         let shapes = app.path_count(open);
-        return Some(Job { name, shapes, ..Job::default() });
+        return (Some(Job { name, shapes, offset_mm, ..Job::default() }), Default::default());
     };
     let mut bounds = Bounds2::default();
     job.shapes.iter().for_each(|shape| bounds.merge(&shape.path.bounds()));
     let size = if bounds.is_empty() { Vec2::default() } else { bounds.size() };
-    Some(Job { name, size_mm: Some([size.x, size.y]), shapes: job.shapes.len() as u32 })
+    let (size_mm, shapes) = (Some([size.x, size.y]), job.shapes.len() as u32);
+    let placed = kerf_program::job::Job { shapes: Arc::default(), ..(*job).clone() };
+    (Some(Job { name, size_mm, shapes, offset_mm }), placed)
 }
 
 /// The names of the jobs of a folder, as people sort them.

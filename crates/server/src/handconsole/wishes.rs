@@ -3,9 +3,9 @@
 use super::Happening;
 use crate::app::{App, lock, problem};
 use crate::machine::Order;
-use kerf_handconsole::Wish;
-use kerf_machine::{Configuration, Errand};
-use kerf_wire::{Act, FileParameters, Problem, State, Who, Why};
+use kerf_handconsole::{JobWish, Wish};
+use kerf_machine::Errand;
+use kerf_wire::{Act, FileParameters, JobChoice, Problem, State, Who, Why};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
@@ -36,8 +36,17 @@ impl App {
                 let question = self.hub.read(|now| now.asked.as_ref().map(|asked| asked.number));
                 Act::Answer { question: question.unwrap_or_default(), answer }
             }
-            Wish::Set { key, value } => {
-                Act::Set { lease: self.drives(who)?, key: key.into(), value }
+            Wish::Set(settings) => {
+                self.sets(who)?;
+                return self.hold(&settings);
+            }
+            Wish::KeepSettings => {
+                self.sets(who)?;
+                return self.order(Order::Keep(tells.clone()), State::Running);
+            }
+            Wish::Job(wish) => {
+                self.drives(who)?;
+                return self.grant_of_job(wish, tells);
             }
             Wish::Jog(held) => {
                 self.drives(who)?;
@@ -52,22 +61,33 @@ impl App {
     }
 
     fn errand(&self, errand: Errand, tells: &Sender<Happening>) -> Order {
-        Order::Hand { errand, machine: Box::new(self.with_job()), tells: tells.clone() }
+        Order::Hand { errand, machine: Box::new(self.machine_by_hand()), tells: tells.clone() }
     }
 
-    /// The machine, with origin and finish position where those of the open job lie.
-    fn with_job(&self) -> Configuration {
-        let mut machine = lock(&self.left).session.configuration();
-        let open = lock(&self.open).clone();
-        if let Ok(kerf_control::Work::Job(job, _)) = self.job_of(&open) {
-            machine.job.change_origin_at_start = false;
-            let placed =
-                kerf_machine::Sequence::new(job, Arc::new(machine.clone()), Default::default());
-            let (origin, finish) = (placed.job().origin, placed.job().finish);
-            (machine.job.origin_mm, machine.job.finish_mm) =
-                ([origin.x, origin.y], [finish.x, finish.y]);
+    /// Does something about the open job.
+    fn grant_of_job(
+        self: &Arc<Self>,
+        wish: JobWish,
+        tells: &Sender<Happening>,
+    ) -> Result<(), Problem> {
+        match wish {
+            JobWish::Origin(at) => {
+                self.place_job("job.origin_mm", at, |choice| JobChoice { origin: Some(at), ..choice })
+            }
+            JobWish::Finish(at) => {
+                self.place_job("job.finish_mm", at, |choice| JobChoice { finish: Some(at), ..choice })
+            }
+            JobWish::Offset(offset) => self.choose_anew(|choice| JobChoice { offset, ..choice }),
+            JobWish::Justify => self.justify_bottom(),
+            JobWish::Save => self.save_job(),
+            JobWish::Nearest => {
+                let (shape, shapes) = self.nearest_path()?;
+                let found = format!("{shape} of {shapes}");
+                // The console waits for it as long as the server runs.
+                drop(tells.send(Happening::Told(Ok(found))));
+                Ok(())
+            }
         }
-        machine
     }
 
     /// Drives from now on, with the machine armed. Whoever drove until now loses it only while the machine

@@ -1,6 +1,7 @@
 //! What the owner of the machine does besides moving it: its files, recorder, switches, configuration.
 
 use super::owner::Owner;
+use crate::handconsole::Happening;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::journal::{CutShort, Journal, JournalError};
@@ -9,6 +10,7 @@ use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
 use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone};
 use std::path::Path;
+use std::sync::mpsc::Sender;
 
 impl Owner {
     /// A command that other software passed in (`uCommand`), when it may be carried out now. It is
@@ -82,13 +84,14 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
-    /// Keeps the configuration that holds.
-    pub(super) fn keep(&mut self) {
+    /// Keeps the configuration that holds, and tells how many settings were not kept yet.
+    pub(super) fn keep(&mut self, tells: &Sender<Happening>) {
         let Workshop { session, shelf, .. } = &self.workshop;
-        if let Err(why) = session.keep_configuration(shelf) {
-            self.hub.say(Tone::Error, format!("the configuration cannot be kept: {why}"));
-        }
+        let kept = session.keep_configuration(shelf);
         self.rest(State::Idle, None);
+        let outcome = kept.map(|count| format!("{count} settings saved"));
+        // Nobody waits for it where the server is closing.
+        drop(tells.send(Happening::Told(outcome.map_err(|why| why.to_string()))));
     }
 
     /// The run that can be taken up, where runs are on record.

@@ -87,8 +87,8 @@ pub enum Order {
     Configure(&'static Setting, Box<Configuration>),
     /// Have another configuration until Kerf ends.
     Hold(Box<Configuration>),
-    /// Keep the configuration that holds.
-    Keep,
+    /// Keep the configuration that holds; told how that went.
+    Keep(Sender<Happening>),
 }
 
 /// How often it is looked whether other software passed a command in.
@@ -154,7 +154,7 @@ impl Owner {
                 Order::Watched => {}
                 Order::Configure(setting, wanted) => self.configure(setting, *wanted),
                 Order::Hold(wanted) => self.hold(*wanted),
-                Order::Keep => self.keep(),
+                Order::Keep(tells) => self.keep(&tells),
             }
             self.tell_shelf();
             let made = self.workshop.shelf.take_made();
@@ -173,7 +173,7 @@ impl Owner {
         options: RunOptions,
         job: Job,
         planned: Planned,
-    ) -> Result<(), String> {
+    ) -> Result<String, String> {
         let job = self.tell_begun(job, &planned);
         let driven = self.drive(work, options, planned);
         let outcome = told::outcome(&driven);
@@ -334,7 +334,7 @@ impl Owner {
     }
 
     /// Moves for as long as somebody holds a key; gives how that ended.
-    fn held(&mut self, work: Work) -> Result<(), String> {
+    fn held(&mut self, work: Work) -> Result<String, String> {
         let driven = self.drive(work, self.options(), Planned::default());
         self.link.lock().jog = None;
         let outcome = told::outcome(&driven);
