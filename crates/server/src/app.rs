@@ -223,7 +223,8 @@ impl App {
     pub fn preview_again(self: &Arc<Self>) {
         let open = lock(&self.open).clone();
         if !open.name.is_empty() {
-            self.show(Open { preview: None, given_up: Arc::default(), ..open });
+            let before = Some(open.key.clone());
+            self.show_instead(before, Open { preview: None, given_up: Arc::default(), ..open });
         }
     }
 
@@ -235,11 +236,19 @@ impl App {
         self.hub.change(vec![Change::Opened { opened: None }]);
     }
 
-    fn show(self: &Arc<Self>, mut open: Open) {
+    fn show(self: &Arc<Self>, open: Open) {
+        self.show_instead(None, open);
+    }
+
+    /// Shows a file; if what is shown is to be that of a key, only while it still is.
+    fn show_instead(self: &Arc<Self>, before: Option<String>, mut open: Open) {
         let number = self.previews.fetch_add(1, Ordering::Relaxed);
         open.key = format!("{}-{number}", &open.hash[..16.min(open.hash.len())]);
         let opened = self.opened_of(&open);
         let mut present = lock(&self.open);
+        if before.is_some_and(|key| key != present.key) {
+            return;
+        }
         present.given_up.store(true, Ordering::Relaxed);
         *present = open.clone();
         self.hub.change(vec![Change::Opened { opened: Some(opened) }]);

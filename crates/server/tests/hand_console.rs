@@ -6,8 +6,7 @@ mod support;
 
 use kerf_machine::Configuration;
 use serde_json::json;
-use std::ops::{Deref, DerefMut};
-use std::time::{Duration, Instant};
+use support::hand::Hand;
 use support::{Page, Shop, Wanted, at, rsm, start};
 
 /// Sixteen squares, 720 mm by 360 in all.
@@ -22,70 +21,6 @@ fn sample() -> String {
 /// SIM, in a hurry.
 fn shop(change: fn(&mut Configuration)) -> Shop {
     start(Wanted { rate: 8.0, machine: Some(("sim", change)), ..Wanted::default() })
-}
-
-/// A page with the hand console open, which drives.
-struct Hand {
-    page: Page,
-    /// Number of the last key.
-    seq: u32,
-}
-
-impl Deref for Hand {
-    type Target = Page;
-
-    fn deref(&self) -> &Page {
-        &self.page
-    }
-}
-
-impl DerefMut for Hand {
-    fn deref_mut(&mut self) -> &mut Page {
-        &mut self.page
-    }
-}
-
-impl Hand {
-    fn of(shop: &Shop) -> Self {
-        Self { page: shop.driver(), seq: 0 }
-    }
-
-    fn press(&mut self, key: char) {
-        self.seq += 1;
-        let (lease, seq) = (self.lease, self.seq);
-        let act = json!({ "do": "key", "lease": lease, "seq": seq, "key": key });
-        assert_eq!(self.act(act), None, "{key:?}");
-    }
-
-    /// Presses keys one after the other: their characters, `E` for Enter.
-    fn keys(&mut self, keys: &str) {
-        keys.chars().for_each(|key| self.press(if key == 'E' { '\r' } else { key }));
-    }
-
-    /// Holds a key until something is so, and waits until the machine stands.
-    #[track_caller]
-    fn holds(&mut self, key: char, what: &str, holds: impl Fn(&Page) -> bool) {
-        self.press(key);
-        let (lease, seq, begin) = (self.lease, self.seq, Instant::now());
-        while !holds(&self.page) {
-            assert!(begin.elapsed() < Duration::from_secs(20), "waited for {what}");
-            self.act(json!({ "do": "jogRenew", "lease": lease, "seq": seq }));
-        }
-        self.act(json!({ "do": "jogStop", "seq": seq }));
-        self.until_state("idle");
-    }
-
-    /// Waits for the two lines of the screen.
-    #[track_caller]
-    fn shows(&mut self, top: &str, bottom: &str) {
-        let lines = json!([top, bottom]);
-        let shown = |page: &Page| page.shown["handConsole"]["lines"] == lines;
-        self.until(&format!("{top} / {bottom}"), shown);
-    }
-
-    fn beeps(&self) -> u64 {
-        self.shown["handConsole"]["beeps"].as_u64().unwrap()
-    }
 }
 
 /// A machine that is driven, with the sample open.

@@ -71,12 +71,10 @@ impl App {
         tells: &Sender<Happening>,
     ) -> Result<(), Problem> {
         match wish {
-            JobWish::Origin(at) => {
-                self.place_job("job.origin_mm", at, |choice| JobChoice { origin: Some(at), ..choice })
-            }
-            JobWish::Finish(at) => {
-                self.place_job("job.finish_mm", at, |choice| JobChoice { finish: Some(at), ..choice })
-            }
+            JobWish::Origin(at) => self
+                .place_job("job.origin_mm", at, |choice| JobChoice { origin: Some(at), ..choice }),
+            JobWish::Finish(at) => self
+                .place_job("job.finish_mm", at, |choice| JobChoice { finish: Some(at), ..choice }),
             JobWish::Offset(offset) => self.choose_anew(|choice| JobChoice { offset, ..choice }),
             JobWish::Justify => self.justify_bottom(),
             JobWish::Save => self.save_job(),

@@ -2,6 +2,8 @@
 
 #![allow(dead_code, clippy::unwrap_used)]
 
+pub mod hand;
+
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;

@@ -1,0 +1,70 @@
+//! A page with the hand console, whose keys tests press.
+
+use super::{Page, Shop};
+use serde_json::json;
+use std::ops::{Deref, DerefMut};
+use std::time::{Duration, Instant};
+
+/// A page with the hand console open, which drives.
+pub struct Hand {
+    pub page: Page,
+    /// Number of the last key.
+    seq: u32,
+}
+
+impl Deref for Hand {
+    type Target = Page;
+
+    fn deref(&self) -> &Page {
+        &self.page
+    }
+}
+
+impl DerefMut for Hand {
+    fn deref_mut(&mut self) -> &mut Page {
+        &mut self.page
+    }
+}
+
+impl Hand {
+    pub fn of(shop: &Shop) -> Self {
+        Self { page: shop.driver(), seq: 0 }
+    }
+
+    pub fn press(&mut self, key: char) {
+        self.seq += 1;
+        let (lease, seq) = (self.lease, self.seq);
+        let act = json!({ "do": "key", "lease": lease, "seq": seq, "key": key });
+        assert_eq!(self.act(act), None, "{key:?}");
+    }
+
+    /// Presses keys one after the other: their characters, `E` for Enter.
+    pub fn keys(&mut self, keys: &str) {
+        keys.chars().for_each(|key| self.press(if key == 'E' { '\r' } else { key }));
+    }
+
+    /// Holds a key until something is so, and waits until the machine stands.
+    #[track_caller]
+    pub fn holds(&mut self, key: char, what: &str, holds: impl Fn(&Page) -> bool) {
+        self.press(key);
+        let (lease, seq, begin) = (self.lease, self.seq, Instant::now());
+        while !holds(&self.page) {
+            assert!(begin.elapsed() < Duration::from_secs(20), "waited for {what}");
+            self.act(json!({ "do": "jogRenew", "lease": lease, "seq": seq }));
+        }
+        self.act(json!({ "do": "jogStop", "seq": seq }));
+        self.until_state("idle");
+    }
+
+    /// Waits for the two lines of the screen.
+    #[track_caller]
+    pub fn shows(&mut self, top: &str, bottom: &str) {
+        let lines = json!([top, bottom]);
+        let shown = |page: &Page| page.shown["handConsole"]["lines"] == lines;
+        self.until(&format!("{top} / {bottom}"), shown);
+    }
+
+    pub fn beeps(&self) -> u64 {
+        self.shown["handConsole"]["beeps"].as_u64().unwrap()
+    }
+}
