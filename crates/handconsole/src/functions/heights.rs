@@ -1,10 +1,11 @@
 //! Functions of the heights of Z, and of the height that is controlled.
 
+use super::moves::to_height;
 use super::settings::{set, with};
 use super::{Done, Function, Height, Number, Refusal};
 use crate::{JobWish, View, Wish};
 use kerf_machine::Errand;
-use kerf_program::{AXES, Axis, AxisSet};
+use kerf_program::{Axis, AxisSet};
 
 /// Z is homed first where jobs home it, for heights count from there.
 pub(super) const SETTING: Function = Function {
@@ -16,16 +17,16 @@ pub(super) const SETTING: Function = Function {
             there: |view| {
                 let homes = view.machine.homing.at_job_start.contains(Axis::Z);
                 let home = homes.then_some(Errand::FindHome(AxisSet::EMPTY.with(Axis::Z)));
-                home.into_iter().chain([to(view.machine.zpos.top_mm)]).collect()
+                home.into_iter().chain([to_height(view.machine.zpos.top_mm)]).collect()
             },
         },
         Height {
             prompt: "ZSurface: move,Enter",
-            there: |view| vec![to(view.machine.zpos.surface_mm)],
+            there: |view| vec![to_height(view.machine.zpos.surface_mm)],
         },
         Height {
             prompt: "ZBottom: move, Enter",
-            there: |view| vec![to(view.machine.zpos.bottom_mm)],
+            there: |view| vec![to_height(view.machine.zpos.bottom_mm)],
         },
     ],
     does: |heights, view| {
@@ -89,10 +90,4 @@ fn adjusted(view: &View, by_mm: [f64; 2]) -> Result<Done, Refusal> {
     let wishes = set(view, points.map(|(key, point)| (key, point.to_string())).into())?;
     let held = if free { "" } else { " (limit)" };
     Ok(Done::from(wishes).saying(format!("X {x} Y {y}{held}")))
-}
-
-fn to(z: f64) -> Errand {
-    let mut place = [None; AXES];
-    place[Axis::Z.index()] = Some(z);
-    Errand::To { place, relative: false, flat: false }
 }

@@ -74,11 +74,7 @@ pub(super) const FIND_XY: Function = Function {
     does: |_, view| {
         let axes = find(view, &[Axis::X, Axis::Y], "no xy home switches")?;
         let top = view.machine.zpos.top_mm;
-        let up = (view.position[Axis::Z] < top).then(|| Errand::To {
-            place: [None, None, Some(top), None, None, None],
-            relative: false,
-            flat: false,
-        });
+        let up = (view.position[Axis::Z] < top).then(|| to_height(top));
         Ok(go(up.into_iter().chain([Errand::FindHome(axes)])))
     },
 };
@@ -97,6 +93,13 @@ fn ways(place: &[f64], relative: bool, rises: bool) -> [Errand; 2] {
     };
     let (plane, height) = (part(0..2), part(2..3));
     if rises { [height, plane] } else { [plane, height] }
+}
+
+/// Z goes to a height, counted from home.
+pub(super) fn to_height(z: f64) -> Errand {
+    let mut place = [None; AXES];
+    place[Axis::Z.index()] = Some(z);
+    Errand::To { place, relative: false, flat: false }
 }
 
 fn has_switch(view: &View, axis: Axis) -> bool {
