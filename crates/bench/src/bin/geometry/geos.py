@@ -1,5 +1,6 @@
 """Offsets by GEOS: reads lines of JSON, writes lines of JSON. Run by the geometry benchmark."""
 import json
+import math
 import sys
 import time
 
@@ -7,6 +8,7 @@ import shapely
 from shapely.geometry import MultiPolygon, Polygon
 
 QUADRANT = 64  # chords a quarter circle: 8e-5 of the radius
+PLACES = 8  # where engines differ, so many places across each way are decided
 
 
 def region(rings):
@@ -51,18 +53,64 @@ def deviation(polygon, found, distance):
 
 
 def compared(case):
-    true = Polygon(case["contours"][0]).buffer(case["distance"], quad_segs=QUADRANT)
+    shape = Polygon(case["contours"][0])
+    theirs = shape.buffer(case["distance"], quad_segs=QUADRANT)
     ours = region(case["rings"])
     apart = 0.0
-    if not (true.is_empty or ours.is_empty):
-        apart = shapely.hausdorff_distance(true, ours)
-    thick, wrong = False, abs(true.area - ours.area)
-    if apart > case["allowed"] or true.is_empty != ours.is_empty:
+    if not (theirs.is_empty or ours.is_empty):
+        apart = shapely.hausdorff_distance(theirs, ours)
+    wrong, decided = abs(theirs.area - ours.area), []
+    if apart > case["allowed"] or theirs.is_empty != ours.is_empty:
         # A hair that one of them has is no error; what an inward offset of the difference leaves is.
-        difference = true.symmetric_difference(ours)
+        difference = theirs.symmetric_difference(ours)
         wrong = difference.area
-        thick = not difference.buffer(-case["allowed"] / 2).is_empty
-    return {"area": true.area, "wrong": wrong, "thick": thick, "distance": apart}
+        thick = difference.buffer(-case["allowed"] / 2)
+        decided = [judged(case, shape, ours, at) for at in places_in(thick)]
+    return {"area": theirs.area, "wrong": wrong, "distance": apart, "decided": decided}
+
+
+def places_in(area):
+    """A place of each part and a grid over it."""
+    for part in getattr(area, "geoms", [area]):
+        if part.is_empty:
+            continue
+        yield part.representative_point()
+        left, low, right, high = part.bounds
+        shares = [(k + 0.5) / PLACES for k in range(PLACES)]
+        grid = [(left + (right - left) * u, low + (high - low) * v) for u in shares for v in shares]
+        yield from (at for at in shapely.points(grid) if part.contains(at))
+
+
+def judged(case, shape, ours, at):
+    """Who is right about a place, by its distance to the lines and arcs themselves: the definition of an offset."""
+    size, outward = abs(case["distance"]), case["distance"] > 0
+    far, inside = distance((at.x, at.y), case["vertices"]), shape.contains(at)
+    held = inside or far <= size if outward else inside and far >= size
+    by = "Kerf" if held == ours.contains(at) else "GEOS"
+    # A place whose distance is the offset all but for the sag of chords is decided by these.
+    sag = case["chord"] + size * (1.0 - math.cos(math.pi / (4 * QUADRANT)))
+    return {"right": "both" if abs(far - size) <= sag else by, "at": [at.x, at.y], "far": far}
+
+
+def distance(at, vertices):
+    following = [*vertices[1:], vertices[0]]
+    return min(distance_to(at, [x, y], [u, v], bulge) for (x, y, bulge), (u, v, _) in zip(vertices, following))
+
+
+def distance_to(at, start, end, bulge):
+    """To a line, or an arc whose bulge is the tangent of a quarter of its angle."""
+    along = [end[0] - start[0], end[1] - start[1]]
+    to, long = [at[0] - start[0], at[1] - start[1]], math.hypot(*along)
+    ends = min(math.dist(at, start), math.dist(at, end))
+    if bulge == 0.0:
+        reach = to[0] * along[0] + to[1] * along[1]
+        off = abs(to[0] * along[1] - to[1] * along[0]) / long
+        return off if 0.0 < reach < long * long else ends
+    high = (1.0 - bulge * bulge) / (4.0 * bulge)
+    centre = [(start[0] + end[0]) / 2 - high * along[1], (start[1] + end[1]) / 2 + high * along[0]]
+    turn = math.atan2(at[1] - centre[1], at[0] - centre[0]) - math.atan2(start[1] - centre[1], start[0] - centre[0])
+    faces = (turn * math.copysign(1.0, bulge)) % math.tau < 4.0 * math.atan(abs(bulge))
+    return min(ends, abs(math.dist(at, centre) - math.dist(start, centre))) if faces else ends
 
 
 for line in sys.stdin:

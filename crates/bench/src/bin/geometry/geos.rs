@@ -4,8 +4,9 @@ use crate::families::FAMILIES;
 use crate::flattened;
 use crate::shapes::Case;
 use anyhow::{Context, Result};
-use kerf_geom::Polyarc;
+use kerf_geom::{OffsetPath, Polyarc};
 use serde_json::{Value, json};
+use std::fmt;
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
@@ -80,43 +81,86 @@ pub fn time(case: &Case) -> Result<()> {
     Ok(())
 }
 
-/// Every family against GEOS: a difference thicker than a thousandth of the offset is a wrong offset.
+/// Every family against GEOS. Where they differ by something thicker than a thousandth of the offset, places there
+/// are held against the definition: their distance to the lines and arcs of the shape tells who is wrong.
 pub fn compare(count: u64, word: &str) -> Result<()> {
     let Some(mut geos) = Geos::start()? else { return Ok(()) };
     println!(
-        "| family | shapes | wrong | not proved | worst distance / offset | worst area error / (perimeter × offset) |"
+        "| family | shapes | Kerf wrong | GEOS wrong | undecided | not proved | worst distance / offset | worst area error / (perimeter × offset) |"
     );
-    println!("|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|");
     for (name, make) in FAMILIES.iter().filter(|family| family.0.contains(word)) {
-        let (mut wrong, mut failed) = (0, 0);
-        let (mut worst_distance, mut worst_area) = (0.0f64, 0.0f64);
+        let mut tally = Tally::default();
         for seed in 0..count {
             let (shape, distance) = make(seed);
             let Ok(found) = kerf_geom::offset(&shape, distance) else {
-                failed += 1;
+                tally.not_proved += 1;
                 continue;
             };
-            // Shapes that run clockwise grow to the left.
-            let outward = distance * shape.signed_area().signum();
-            let ccw = |path: &Polyarc| {
-                if shape.signed_area() < 0.0 { path.reversed() } else { path.clone() }
-            };
-            let rings: Vec<_> = found.iter().map(|f| flattened(&ccw(&f.path), CHORD_MM)).collect();
-            let allowed = 1e-3 * distance.abs();
-            let question = json!({"do": "compare", "contours": [flattened(&shape, CHORD_MM)],
-                "distance": outward, "rings": rings, "allowed": allowed});
-            let answer = geos.ask(&question)?;
-            if answer["thick"].as_bool() != Some(false) {
-                wrong += 1;
-                println!("{name} {seed}: differs from GEOS: {answer}");
+            let answer = geos.ask(&question(&shape, distance, &found))?;
+            let size = distance.abs();
+            if let Some(told) = tally.add(&answer, size, shape.length() * size) {
+                println!("{name} {seed}: {told}");
             }
-            let perimeter = shape.length() * distance.abs();
-            worst_area = worst_area.max(number(&answer, "wrong") / perimeter);
-            worst_distance = worst_distance.max(number(&answer, "distance") / distance.abs());
         }
-        println!(
-            "| {name} | {count} | {wrong} | {failed} | {worst_distance:.1e} | {worst_area:.1e} |"
-        );
+        println!("| {name} | {count} | {tally} |");
     }
     Ok(())
+}
+
+/// A shape, the curves by which it is offset, and what GEOS needs to judge both.
+fn question(shape: &Polyarc, distance: f64, found: &[OffsetPath]) -> Value {
+    let clockwise = shape.signed_area() < 0.0;
+    // Shapes that run clockwise grow to the left.
+    let outward = distance * shape.signed_area().signum();
+    let ccw = |path: &Polyarc| if clockwise { path.reversed() } else { path.clone() };
+    let rings: Vec<_> = found.iter().map(|f| flattened(&ccw(&f.path), CHORD_MM)).collect();
+    let vertices: Vec<_> = shape.vertices.iter().map(|v| [v.at.x, v.at.y, v.bulge]).collect();
+    json!({"do": "compare", "contours": [flattened(shape, CHORD_MM)], "vertices": vertices,
+        "distance": outward, "rings": rings, "allowed": 1e-3 * distance.abs(), "chord": CHORD_MM})
+}
+
+/// What came out of the comparison of a family.
+#[derive(Default)]
+struct Tally {
+    ours: u32,
+    theirs: u32,
+    undecided: u32,
+    not_proved: u32,
+    worst_distance: f64,
+    worst_area: f64,
+}
+
+impl Tally {
+    /// Counts an answer; what there is to tell of a shape on which the engines differ.
+    fn add(&mut self, answer: &Value, size: f64, strip: f64) -> Option<String> {
+        let decided = answer["decided"].as_array().map_or(&[][..], Vec::as_slice);
+        if decided.is_empty() {
+            self.worst_distance = self.worst_distance.max(number(answer, "distance") / size);
+            self.worst_area = self.worst_area.max(number(answer, "wrong") / strip);
+            return None;
+        }
+        let right = |who: &str| decided.iter().filter(|place| place["right"] == who).count();
+        let (kerf, geos) = (right("Kerf"), right("GEOS"));
+        self.ours += u32::from(geos > 0);
+        self.theirs += u32::from(geos == 0 && kerf > 0);
+        self.undecided += u32::from(geos + kerf == 0);
+        let (area, first) = (number(answer, "wrong"), &decided[0]);
+        Some(format!(
+            "they differ by {area:.4} mm²; of {} places there Kerf is right about {kerf}, GEOS about {geos}; {} is {} mm off the shape, offset {size}",
+            decided.len(),
+            first["at"],
+            first["far"]
+        ))
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { ours, theirs, undecided, not_proved, worst_distance, worst_area } = self;
+        write!(
+            f,
+            "{ours} | {theirs} | {undecided} | {not_proved} | {worst_distance:.1e} | {worst_area:.1e}"
+        )
+    }
 }
