@@ -97,6 +97,11 @@ impl BoxTree {
         self.len() == 0
     }
 
+    /// Whether there are so few that all of them are looked at.
+    pub(crate) fn is_small(&self) -> bool {
+        self.len() <= FEW
+    }
+
     /// The box with a number.
     pub fn leaf(&self, number: usize) -> &Bounds2 {
         &self.boxes[number]
@@ -132,7 +137,7 @@ impl BoxTree {
         enter: impl Fn(&Bounds2) -> bool,
         mut visit: impl FnMut(usize) -> bool,
     ) -> bool {
-        if self.len() <= FEW {
+        if self.is_small() {
             return (0..self.len()).all(|n| !enter(&self.boxes[n]) || visit(n));
         }
         self.search_in(self.top(), 0, 0, &enter, &mut visit)
@@ -145,7 +150,7 @@ impl BoxTree {
         enter: impl Fn(&Bounds2) -> bool,
         mut visit: impl FnMut(std::ops::Range<usize>),
     ) {
-        if self.len() <= FEW {
+        if self.is_small() {
             visit(0..self.len());
             return;
         }
@@ -288,7 +293,7 @@ impl BoxTree {
 
     /// As [`BoxTree::own_pairs`], until `visit` returns false; whether it never did.
     pub fn own_pairs_while(&self, mut visit: impl FnMut(usize, usize) -> bool) -> bool {
-        if self.len() <= FEW {
+        if self.is_small() {
             let mut meets =
                 |a: usize, b: usize| !self.boxes[a].meets(&self.boxes[b]) || visit(a, b);
             return (0..self.len()).all(|a| (a + 1..self.len()).all(|b| meets(a, b)));

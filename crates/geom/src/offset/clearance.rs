@@ -28,10 +28,15 @@ pub(super) fn too_near(
     within: f64,
     segments: &[Segment],
 ) -> Option<Point2> {
-    let limit = distance.abs() - within;
+    let (limit, chains) = (distance.abs() - within, OnceCell::new());
+    let short_squared = (SHORT * distance).powi(2);
+    if source.is_small() {
+        let runs = [(0, source.segments().len())];
+        let near = Near { source, limit, short_squared, runs: &runs, chains: &chains };
+        return segments.iter().find_map(|segment| near.look(segment, &segment.bounds()));
+    }
     let mut runs: Buffer<Range2> = Buffer::new(source.scratch);
     let mut boxes = [Bounds2::default(); MOST_TOGETHER];
-    let chains = OnceCell::new();
     let mut rest = segments;
     while !rest.is_empty() {
         let (count, whole) = group(rest, distance.abs(), &mut boxes);
@@ -39,15 +44,10 @@ pub(super) fn too_near(
         rest = after;
         runs.clear();
         source.runs_near(&whole, limit, &mut runs);
-        let near = Near { source, limit, runs: &runs, chains: &chains };
-        for (segment, own) in group.iter().zip(&boxes) {
-            // A segment this short has no room for anything between its middle and those of its neighbours.
-            let chord = square(segment.end() - segment.start());
-            let short = chord < (SHORT * distance).powi(2);
-            let found = if short { near.place(segment) } else { near.all(segment, own) };
-            if found.is_some() {
-                return found;
-            }
+        let near = Near { source, limit, short_squared, runs: &runs, chains: &chains };
+        let found = group.iter().zip(&boxes).find_map(|(segment, own)| near.look(segment, own));
+        if found.is_some() {
+            return found;
         }
     }
     None
@@ -74,11 +74,20 @@ fn group(segments: &[Segment], size: f64, boxes: &mut [Bounds2]) -> (usize, Boun
 struct Near<'n, 's> {
     source: &'n Source<'s>,
     limit: f64,
+    /// What is shorter than this is looked at in its middle only.
+    short_squared: f64,
     runs: &'n [Range2],
     chains: &'n OnceCell<Chains<'s>>,
 }
 
 impl Near<'_, '_> {
+    /// A place of a segment that is too near. A short one has no room for anything between its middle and those of
+    /// its neighbours.
+    fn look(&self, segment: &Segment, bounds: &Bounds2) -> Option<Point2> {
+        let short = square(segment.end() - segment.start()) < self.short_squared;
+        if short { self.place(segment) } else { self.all(segment, bounds) }
+    }
+
     /// The middle of a segment, if it is too near.
     fn place(&self, segment: &Segment) -> Option<Point2> {
         let at = segment.middle();

@@ -263,9 +263,8 @@ pub(super) fn valid_slices<'a>(
     let Slices { mut list, parts } = sliced(source.scratch, pieces, &cuts);
     list.retain_mut(|slice| {
         let probe = probe(pieces, &parts[slice.from..slice.to]);
-        let valid = !source.is_nearer(probe, distance.abs() - TOO_NEAR_MM);
-        slice.sure = valid && !source.is_nearer(probe, distance.abs() - SURE_MM);
-        valid
+        slice.sure = !source.is_nearer(probe, distance.abs() - SURE_MM);
+        slice.sure || !source.is_nearer(probe, distance.abs() - TOO_NEAR_MM)
     });
     Some(Slices { list, parts })
 }
@@ -282,6 +281,12 @@ fn probe(pieces: &[Piece], parts: &[Stretch]) -> Point2 {
 
 /// Cuts the chains of pieces; a chain without any cut is a closed slice of its own.
 fn sliced<'a>(scratch: &'a Scratch, pieces: &[Piece], cuts: &[Cut]) -> Slices<'a> {
+    let mut slices = Slices { list: Buffer::new(scratch), parts: Buffer::new(scratch) };
+    if cuts.is_empty() && is_one_ring(pieces) {
+        slices.parts.extend((0..pieces.len()).map(|k| (k, 0.0, 1.0)));
+        slices.list.push(Slice { from: 0, to: pieces.len(), sure: false, ring: true });
+        return slices;
+    }
     let mut first_cut = Buffer::new(scratch);
     if !cuts.is_empty() {
         first_cut.resize(pieces.len() + 1, 0);
@@ -295,7 +300,6 @@ fn sliced<'a>(scratch: &'a Scratch, pieces: &[Piece], cuts: &[Cut]) -> Slices<'a
     let mut preceded = Buffer::filled(scratch, false, pieces.len());
     pieces.iter().filter_map(|p| p.next).for_each(|n| preceded[n] = true);
     let mut seen = Buffer::filled(scratch, false, pieces.len());
-    let mut slices = Slices { list: Buffer::new(scratch), parts: Buffer::new(scratch) };
     // A chain begins where nothing precedes it; a ring anywhere, best where it is cut.
     let begins = |k: &usize| !preceded[*k];
     let cut = |k: &usize| !cuts_of(*k).is_empty();
@@ -308,6 +312,12 @@ fn sliced<'a>(scratch: &'a Scratch, pieces: &[Piece], cuts: &[Cut]) -> Slices<'a
     // What stands in for a cut without length has done its work.
     slices.list.retain(|slice| slice.from < slice.to);
     slices
+}
+
+/// Whether each piece goes on into the one after it, and the last into the first.
+fn is_one_ring(pieces: &[Piece]) -> bool {
+    let goes_on = |k: usize| if k + 1 < pieces.len() { k + 1 } else { 0 };
+    !pieces.is_empty() && pieces.iter().enumerate().all(|(k, piece)| piece.next == Some(goes_on(k)))
 }
 
 /// Cuts one chain into slices.

@@ -94,6 +94,11 @@ impl<'a> Source<'a> {
         });
     }
 
+    /// Whether there are so few segments that all of them are looked at, wherever something is asked.
+    pub fn is_small(&self) -> bool {
+        self.indexed.tree().is_small()
+    }
+
     /// The boxes of all segments.
     pub fn boxes(&self) -> &[Bounds2] {
         self.indexed.tree().leaves()

@@ -22,7 +22,8 @@ impl Polyarc {
         let rises = |vertex: &usize| {
             let from = self.vertices[*vertex];
             let to = self.vertices.get(vertex + 1).unwrap_or(&self.vertices[0]);
-            from.bulge != 0.0 && 0.5 * from.bulge.abs() * from.at.distance(to.at) > tol::FARTHEST_MM
+            let rise_squared = || 0.25 * from.bulge * from.bulge * square(to.at - from.at);
+            from.bulge != 0.0 && rise_squared() > tol::FARTHEST_MM * tol::FARTHEST_MM
         };
         let far = (0..self.segment_count()).find(rises);
         far.map_or(Ok(()), |vertex| Err(GeomError::TooFar { vertex }))
@@ -77,7 +78,7 @@ impl Polyarc {
             }
         }
         while let (true, [first, .., last]) = (self.closed, ready.vertices.as_slice()) {
-            if first.at.distance(last.at) > tol::SAME_PLACE_MM {
+            if !near(first.at, last.at) {
                 break;
             }
             ready.vertices.pop();

@@ -1,6 +1,7 @@
 //! Length, area, bounds, places along the path, the nearest place.
 
 use super::Polyarc;
+use crate::segment::{square, twice_cap_area};
 use crate::{Bounds2, Point2, Vec2};
 
 /// A place on a polyarc.
@@ -33,7 +34,7 @@ impl Polyarc {
         for (number, (from, to)) in self.vertices.iter().zip(next).enumerate() {
             twice += (from.at - origin).cross(to.at - origin);
             if from.bulge != 0.0 && number < self.segment_count() {
-                twice += self.segment(number).twice_cap_area();
+                twice += twice_cap_area(square(to.at - from.at), from.bulge);
             }
         }
         twice * 0.5

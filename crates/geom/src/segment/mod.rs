@@ -220,15 +220,6 @@ impl Segment {
         }
     }
 
-    /// Twice the signed area between the segment and its chord, positive counter-clockwise:
-    /// r²·(sweep − sin sweep).
-    pub(crate) fn twice_cap_area(&self) -> f64 {
-        match *self {
-            Self::Line { .. } => 0.0,
-            Self::Arc { radius, sweep_rad, .. } => radius * radius * sweep_less_sine(sweep_rad),
-        }
-    }
-
     /// Share of the path at which a place of the arc's circle (or of the line) lies, without regard to
     /// the ends: below 0 before the start, above 1 after the end.
     pub fn share_of(&self, place: Point2) -> f64 {
@@ -258,13 +249,21 @@ fn unit(v: Vec2) -> Vec2 {
     if long > 0.0 { v / long } else { Vec2::default() }
 }
 
-/// x − sin x without the loss of digits for small angles.
-fn sweep_less_sine(x: f64) -> f64 {
-    if x.abs() > 0.05 {
-        return x - x.sin();
+/// Twice the signed area between a curve with a bulge and its chord, positive counter-clockwise:
+/// r²·(u − sin u), where u = 4 atan b is the angle, r² = c²·(1 + b²)² / 16b² and r²·sin u = c²·(1 − b²) / 4b. The
+/// length c of the chord is given squared.
+pub(crate) fn twice_cap_area(chord_squared: f64, bulge: f64) -> f64 {
+    let square = bulge * bulge;
+    if 0.25 * square * chord_squared < tol::FLAT_MM * tol::FLAT_MM {
+        return 0.0;
     }
-    let square = x * x;
-    x * square * (1.0 - square / 20.0 * (1.0 - square / 42.0)) / 6.0
+    let (sweep, turned) = (4.0 * bulge.atan(), (1.0 + square) * (1.0 + square) / (16.0 * square));
+    if sweep.abs() > 0.05 {
+        return chord_squared * (turned * sweep - (1.0 - square) / (4.0 * bulge));
+    }
+    // The difference would lose its digits: the first terms of its series.
+    let turn = sweep * sweep;
+    chord_squared * turned * sweep * turn * (1.0 - turn / 20.0 * (1.0 - turn / 42.0)) / 6.0
 }
 
 #[cfg(test)]

@@ -88,3 +88,16 @@ fn a_flat_arc_is_its_chord() {
     assert!(matches!(arc((0., 0.), (10., 0.), 1e-12), Segment::Line { .. }));
     assert!(matches!(arc((0., 0.), (10., 0.), 1e-8), Segment::Arc { .. }));
 }
+
+#[test]
+fn an_arc_encloses_what_its_halves_do_and_the_triangle_between() {
+    for k in -60..=20 {
+        let bulge = 1.3f64.powi(k);
+        let whole = twice_cap_area(4.0, bulge);
+        // Half the angle, on a chord from an end to the top, which rises by the bulge above a half chord of 1.
+        let half = twice_cap_area(1.0 + bulge * bulge, (0.5 * bulge.atan()).tan());
+        let found = 2.0 * half + 2.0 * bulge;
+        assert!((whole - found).abs() < 1e-10 * whole, "{bulge} {whole} {found}");
+        assert_eq!(twice_cap_area(4.0, -bulge), -whole);
+    }
+}
