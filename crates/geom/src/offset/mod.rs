@@ -18,10 +18,14 @@
 //!
 //! A wrong offset is never returned: what cannot be proved right is an error that names the place.
 
+mod aside;
 mod beyond;
+mod buried;
 mod chains;
 mod chords;
 mod clearance;
+mod complete;
+mod cuts;
 mod prepared;
 mod raw;
 mod rings;

@@ -2,7 +2,7 @@
 
 use super::scratch::{Buffer, Scratch};
 use super::source::Source;
-use super::{CHECK_MM, OffsetPath, Proposer, chords, raw, rings, slices, validate};
+use super::{CHECK_MM, OffsetPath, Proposer, buried, chords, raw, rings, slices, validate};
 use crate::{Bounds2, BoxTree, GeomError, Point2, Polyarc, Transform2};
 
 /// The contours moved to the origin, without empty segments and long arcs.
@@ -147,8 +147,8 @@ fn attempt(source: &Source, distance: f64) -> Option<Vec<OffsetPath>> {
         raw::append(scratch, number, (segments, ways, contour.closed), distance, &mut pieces);
     }
     let mut tree = slices::index(scratch, &pieces);
-    if slices::is_crowded(&tree) {
-        slices::drop_buried(&mut pieces, source, distance);
+    if buried::is_crowded(&tree) {
+        buried::drop_buried(&mut pieces, source, distance);
         tree = slices::index(scratch, &pieces);
     }
     let caps = raw::caps(source.contours, distance);

@@ -5,9 +5,10 @@
 //! So lists that are done with wait in a [`Scratch`], by type, until the next step or the next shape needs one.
 
 use super::chains::{Block, Chord};
+use super::cuts::Cut;
 use super::raw::{Piece, Trim};
 use super::rings::Part;
-use super::slices::{Cut, Slice, Stretch};
+use super::slices::{Slice, Stretch};
 use super::source::{Range2, Ways};
 use crate::stitch::Strand;
 use crate::{Bounds2, Point2, Segment, Vertex};

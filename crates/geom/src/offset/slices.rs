@@ -4,14 +4,14 @@
 //! to come nearer to another segment it has to cross the parallel curve of that segment. So one place
 //! of each slice decides about all of it.
 
+use super::cuts::{Cut, cuts};
 use super::raw::Piece;
 use super::scratch::{Buffer, Scratch};
 use super::source::Source;
-use crate::segment::square;
-use crate::{Bounds2, BoxTree, Point2, Segment, Vec2, tol};
+use crate::{Bounds2, BoxTree, Point2, Segment, tol};
 
 /// A slice that comes this much too near is certainly wrong. Rounding accounts for 1e-10 mm at most.
-const TOO_NEAR_MM: f64 = 1e-8;
+pub(super) const TOO_NEAR_MM: f64 = 1e-8;
 /// A slice nearer by less than this is certainly right; in between it is kept if its neighbours need it.
 const SURE_MM: f64 = 1e-10;
 
@@ -47,95 +47,6 @@ impl Slices<'_> {
     }
 }
 
-/// Where on a piece the raw offset is cut.
-pub(super) type Cut = (usize, f64);
-
-/// All cuts, by piece and share.
-type Cuts<'a> = Buffer<'a, Cut>;
-
-/// Drops pieces, and ends of pieces, that lie wholly too near to one source segment: nothing of them can remain,
-/// and no cut they make on others can matter. By the triangle inequality a part of length l about a place m
-/// comes nowhere farther away than m is, plus l/2.
-pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f64) {
-    let buried = Buried { source, distance };
-    let shown = Buffer::of(source.scratch, pieces.iter().map(|p| buried.shown(&p.segment)));
-    let gone = |shares: &[f64; 2]| shares[0] >= shares[1];
-    let mut renumbered: Buffer<usize> = Buffer::new(source.scratch);
-    let mut count = 0;
-    for shares in shown.iter() {
-        renumbered.push(count);
-        count += usize::from(!gone(shares));
-    }
-    let goes_on =
-        |from: usize, to: usize| shown[from][1] == 1.0 && shown[to][0] == 0.0 && !gone(&shown[to]);
-    for (n, piece) in pieces.iter_mut().enumerate() {
-        piece.segment = piece.segment.part(shown[n][0], shown[n][1]);
-        piece.next = piece.next.filter(|next| goes_on(n, *next)).map(|next| renumbered[next]);
-    }
-    let mut keep = shown.iter().map(|shares| !gone(shares));
-    pieces.retain(|_| keep.next().unwrap_or(true));
-}
-
-/// Ends of pieces are dropped in parts no shorter than this share of the distance.
-const LEAST_PART: f64 = 1.0 / 64.0;
-
-/// What lies too near to the source.
-struct Buried<'a, 's> {
-    source: &'a Source<'s>,
-    distance: f64,
-}
-
-impl Buried<'_, '_> {
-    /// Between which shares of a segment something may remain; the first is no less than the second when nothing
-    /// does.
-    fn shown(&self, segment: &Segment) -> [f64; 2] {
-        let parts = segment.length() / (LEAST_PART * self.distance.abs());
-        let halvings = parts.log2().floor().clamp(0.0, 16.0) as u32;
-        let from = self.first(segment, [0.0, 1.0], halvings, false);
-        let to = from.and_then(|_| self.first(segment, [0.0, 1.0], halvings, true));
-        from.zip(to).map_or([1.0, 0.0], |(from, to)| [from, to])
-    }
-
-    /// Where the first part begins, or the last one ends, of which something may remain.
-    fn first(
-        &self,
-        segment: &Segment,
-        [from, to]: [f64; 2],
-        halvings: u32,
-        back: bool,
-    ) -> Option<f64> {
-        let middle = 0.5 * (from + to);
-        let limit = self.distance.abs() - TOO_NEAR_MM - 0.5 * (to - from) * segment.length();
-        if limit > 0.0 && self.source.is_nearer(segment.at(middle), limit) {
-            return None;
-        }
-        if halvings == 0 {
-            return Some(if back { to } else { from });
-        }
-        let halves =
-            if back { [[middle, to], [from, middle]] } else { [[from, middle], [middle, to]] };
-        halves.into_iter().find_map(|half| self.first(segment, half, halvings - 1, back))
-    }
-}
-
-/// Fewer pieces than this are never many too many.
-const FEW: usize = 200;
-
-/// Whether pieces crowd together, so that most of them must be buried. A quick look at a part of the path
-/// tells enough.
-pub(super) fn is_crowded(tree: &BoxTree) -> bool {
-    if tree.len() < FEW {
-        return false;
-    }
-    let step = tree.len() / 32 + 1;
-    let (mut asked, mut pairs) = (0usize, 0usize);
-    for k in (0..tree.len()).step_by(step) {
-        asked += 1;
-        tree.meeting(tree.leaf(k), |_| pairs += 1);
-    }
-    pairs > asked * 8
-}
-
 /// The boxes of the pieces.
 pub(super) fn index(scratch: &Scratch, pieces: &[Piece]) -> BoxTree {
     let margin = tol::CONTACT_MM;
@@ -143,112 +54,6 @@ pub(super) fn index(scratch: &Scratch, pieces: &[Piece]) -> BoxTree {
         scratch.take(),
         pieces.iter().map(|p| -> Bounds2 { p.segment.bounds().grown(margin) }),
     )
-}
-
-/// Curves whose directions differ by less at their joint are tangent.
-const TANGENT_RAD: f64 = 1e-9;
-
-/// A crossing of a line this many lengths after its start is none.
-const BEYOND: f64 = 1.001;
-
-/// More cuts than this for each piece come only from a source that crosses itself all over.
-const MOST_CUTS_EACH: usize = 200;
-
-/// All cuts, sorted by piece and share; nothing when there are too many. `extra` are curves that cut but
-/// are not cut.
-fn cuts<'a>(
-    scratch: &'a Scratch,
-    pieces: &[Piece],
-    tree: &BoxTree,
-    extra: &[Segment],
-) -> Option<Cuts<'a>> {
-    let mut cuts = Cuts::new(scratch);
-    let most = MOST_CUTS_EACH * (pieces.len() + 100);
-    let all = tree.own_pairs_while(|a, b| {
-        if goes_on(pieces, a, b) || goes_on(pieces, b, a) {
-            return true;
-        }
-        let contacts = pieces[a].segment.meet(&pieces[b].segment);
-        for c in contacts.iter() {
-            let joint = |from: usize, to: usize, end: f64, start: f64| {
-                pieces[from].next == Some(to)
-                    && at_end(&pieces[from].segment, end)
-                    && at_start(&pieces[to].segment, start)
-            };
-            if contacts.along
-                || !(joint(a, b, c.on_first, c.on_second) || joint(b, a, c.on_second, c.on_first))
-            {
-                cuts.push((a, c.on_first));
-                cuts.push((b, c.on_second));
-            }
-        }
-        cuts.len() < most
-    });
-    if !all {
-        return None;
-    }
-    for cutter in extra {
-        tree.meeting(&cutter.bounds().grown(tol::CONTACT_MM), |k| {
-            cuts.extend(pieces[k].segment.meet(cutter).iter().map(|c| (k, c.on_first)));
-        });
-    }
-    cuts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    Some(cuts)
-}
-
-/// Whether a piece goes on into another so that they share nothing but their joint: two lines, curves that
-/// are tangent there, and a line that leaves a circle and does not come back to it.
-fn goes_on(pieces: &[Piece], from: usize, to: usize) -> bool {
-    if pieces[from].next != Some(to) {
-        return false;
-    }
-    let (before, after) = (&pieces[from].segment, &pieces[to].segment);
-    if pieces[to].next == Some(from) {
-        // Two arcs that are a circle.
-        let arcs = matches!((before, after), (Segment::Arc { .. }, Segment::Arc { .. }));
-        return arcs && is_tangent(before, after) && is_tangent(after, before);
-    }
-    match (before, after) {
-        (Segment::Line { .. }, Segment::Line { .. }) => {
-            way_at(before, before.end()).dot(way_at(after, after.start())) > 0.0
-        }
-        (Segment::Line { start, end }, arc) => {
-            is_tangent(before, after) || leaves_for_good(arc, after.start(), *start - *end)
-        }
-        (arc, Segment::Line { start, end }) => {
-            is_tangent(before, after) || leaves_for_good(arc, before.end(), *end - *start)
-        }
-        (Segment::Arc { .. }, Segment::Arc { .. }) => is_tangent(before, after),
-    }
-}
-
-/// Whether travel goes straight on from one segment into another.
-fn is_tangent(before: &Segment, after: &Segment) -> bool {
-    let (u, v) = (way_at(before, before.end()), way_at(after, after.start()));
-    u.dot(v) > 0.0 && u.cross(v).powi(2) < TANGENT_RAD * TANGENT_RAD * square(u) * square(v)
-}
-
-/// The way along a segment at one of its ends, of any length; that of a line is the whole line.
-fn way_at(segment: &Segment, end: Point2) -> Vec2 {
-    match *segment {
-        Segment::Line { start, end } => end - start,
-        Segment::Arc { centre, sweep_rad, .. } => (end - centre).left() * sweep_rad.signum(),
-    }
-}
-
-/// Whether a line from a place of a circle does not come to its other crossing with the circle, after
-/// −2 w·ρ / w² of it, where ρ is the radius at the place and w the line.
-fn leaves_for_good(arc: &Segment, place: Point2, line: Vec2) -> bool {
-    let Segment::Arc { centre, .. } = *arc else { return false };
-    -2.0 * line.dot(place - centre) > BEYOND * square(line) || line.dot(place - centre) >= 0.0
-}
-
-fn at_end(segment: &Segment, share: f64) -> bool {
-    (1.0 - share) * segment.length() <= tol::SAME_PLACE_MM
-}
-
-fn at_start(segment: &Segment, share: f64) -> bool {
-    share * segment.length() <= tol::SAME_PLACE_MM
 }
 
 /// The slices that are at their distance from the source; nothing when there are too many cuts.
@@ -370,5 +175,33 @@ fn chain<'c>(
     slices.close(begin);
     if let (true, false, Some(only)) = (ring, was_cut, slices.list.last_mut()) {
         only.ring = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::offset::Origin;
+
+    /// Pieces of two lines there and back that are not cut: as many slices as there are chains.
+    fn check(next: [Option<usize>; 4], slices: usize, rings: usize) {
+        let (here, there) = (Point2::new(0., 0.), Point2::new(9., 0.));
+        let origin = Origin { contour: 0, element: 0, corner: false };
+        let lines = [Segment::line(here, there), Segment::line(there, here)];
+        let piece =
+            |(k, next): (usize, Option<usize>)| Piece { segment: lines[k % 2], origin, next };
+        let pieces: Vec<Piece> = next.into_iter().enumerate().map(piece).collect();
+        let scratch = Scratch::default();
+        let found = sliced(&scratch, &pieces, &[]);
+        assert_eq!(found.list.len(), slices, "{next:?}");
+        assert_eq!(found.list.iter().filter(|slice| slice.ring).count(), rings, "{next:?}");
+    }
+
+    #[test]
+    fn what_is_not_cut_stays_in_its_rings() {
+        check([Some(1), Some(2), Some(3), Some(0)], 1, 1);
+        check([Some(1), Some(0), Some(3), Some(2)], 2, 2);
+        check([Some(1), Some(2), Some(3), None], 1, 0);
+        check([Some(1), None, Some(3), Some(2)], 2, 1);
     }
 }
