@@ -273,6 +273,15 @@ impl JobTrace {
         self.events.iter().filter_map(edge).collect()
     }
 
+    /// What the run warns of.
+    pub fn warnings(&self) -> Vec<String> {
+        let told = |event: &Event| match event {
+            Event::Diag(told) => Some(told.message.clone()),
+            _ => None,
+        };
+        self.events.iter().filter_map(told).collect()
+    }
+
     /// Moves as `0.000-0.300 z-10`: when, and where the axes end that moved.
     pub fn moves(&self) -> Vec<String> {
         let shown = |made: &MoveEvent| {

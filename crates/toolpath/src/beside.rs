@@ -1,7 +1,8 @@
 //! A whole job offset: every path cut beside itself (Profiler reference, "Hand Console", function 60).
 
 use kerf_geom::{Offsetter, Polyarc};
-use kerf_program::job::{Job, JobShape, Plunge};
+use kerf_program::job::{Job, JobShape, Note, Plunge};
+use std::collections::BTreeSet;
 use thiserror::Error;
 
 /// Why a job is not offset.
@@ -26,7 +27,7 @@ pub enum NoRoom {
 /// A job whose paths are cut a distance to the right of travel, negative to the left. Zero changes nothing.
 ///
 /// A helix that had room beside the path may have none beside the other one: the tool goes down along that,
-/// as steeply.
+/// as steeply, and the job has a note of the first shape of each group to which this happens.
 ///
 /// # Errors
 /// [`NoRoom`] where a path has none.
@@ -37,7 +38,24 @@ pub fn beside(job: &Job, by_mm: f64) -> Result<Job, NoRoom> {
     let offsetter = Offsetter::default();
     let moved: Result<Vec<Vec<JobShape>>, NoRoom> =
         job.shapes.iter().map(|shape| shape_beside(shape, by_mm, &offsetter)).collect();
-    Ok(Job { shapes: moved?.into_iter().flatten().collect(), ..job.clone() })
+    let notes = job.notes.iter().cloned().chain(lost_helices(job)).collect();
+    Ok(Job { shapes: moved?.into_iter().flatten().collect(), notes, ..job.clone() })
+}
+
+/// A note of the first helix of each group.
+fn lost_helices(job: &Job) -> impl Iterator<Item = Note> {
+    let mut groups = BTreeSet::new();
+    let goes_round =
+        |shape: &&JobShape| !shape.traversal && matches!(shape.plunge, Plunge::Helix { .. });
+    let helices = job.shapes.iter().filter(goes_round);
+    helices.filter(move |shape| groups.insert(shape.group.clone())).map(|shape| {
+        let group = &shape.group;
+        let text = format!(
+            "group {group}: beside its paths nobody knows the room for a helix: the tool goes down along them instead, \
+             as steeply"
+        );
+        Note { shape: shape.number, text: text.into() }
+    })
 }
 
 fn shape_beside(

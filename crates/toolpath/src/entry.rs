@@ -7,7 +7,9 @@
 //!   ───┴┴─●─┴──┴────────►       along the path, where it cuts nothing that the path does not cut
 //! ```
 
+use crate::depth::{Depths, Heights};
 use crate::gouge::{Contours, Tool};
+use crate::job::{CutPath, Job};
 use crate::neighbours;
 use crate::neutral::plunge;
 use crate::shape_paths::{Pass, ShapePath};
@@ -15,6 +17,7 @@ use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, GroupSettings, Height};
 use kerf_geom::{Polyarc, Vec2};
 use kerf_program::job::{Plunge, helix_circle};
+use std::collections::BTreeSet;
 
 /// A helix made smaller than this share of what was asked is none any more: the chips need its width. A guess.
 const LEAST_SHARE: f64 = 0.25;
@@ -88,6 +91,22 @@ pub(crate) fn straight_down(number: usize, settings: &GroupSettings, warnings: &
         let text = format!("a 3D path is entered straight down, without the {asked} of its group");
         warnings.push(Warning::new(number, text));
     }
+}
+
+/// Tells the shapes that are entered steeper than their group asks for, as they would go round too often; each
+/// once, however often arrays repeat it.
+pub fn too_flat(job: &Job, heights: &Heights) -> Vec<Warning> {
+    let mut told = BTreeSet::new();
+    let of = |path: &CutPath| {
+        let settings = job.drawing.settings(path.shape.group);
+        let Ok(Depths::Level(levels)) = job.depths(path, heights) else { return None };
+        let drop_mm = heights.surface_mm - levels.first()?;
+        let flat = plunge(settings, path.room_mm).too_flat(&path.shape.path, drop_mm)?;
+        let at = path.shape.path.start();
+        Some(Warning { at, ..Warning::new(path.from, flat.to_string()) })
+    };
+    let cut = job.paths.iter().filter(|path| path.pass != Pass::Traversal);
+    cut.filter_map(of).filter(|warning| told.insert(warning.shape)).collect()
 }
 
 /// How far from their shapes the helices of a drawing reach at the most, with the tool.

@@ -37,6 +37,7 @@ mod warning;
 
 pub use beside::{NoRoom, beside};
 pub use depth::{Depths, Heights, LowError};
+pub use entry::too_flat;
 pub use filter::{filtered, too_near};
 pub use job::{
     CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job, too_deep,

@@ -18,6 +18,7 @@ impl Job {
             finish: self.finish,
             start: self.start.max(1),
             repeats: 1,
+            notes: Arc::default(),
         }
     }
 }

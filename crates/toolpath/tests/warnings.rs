@@ -8,7 +8,7 @@ mod families;
 use kerf_drawing::{Drawing, Editor, Shape, script};
 use kerf_geom::{Bounds2, Point2, Transform2, Vec2};
 use kerf_program::job::Plunge;
-use kerf_toolpath::{job, off_table};
+use kerf_toolpath::{Heights, job, off_table, too_flat};
 
 fn drawn(words: &str) -> Drawing {
     let mut editor = Editor::default();
@@ -113,6 +113,25 @@ fn a_helix_without_room_is_made_smaller_or_a_ramp() {
     check_helix(&other("12,10 1"), &[], helix(8.0));
     let red = told(8.0, "0,10", "shape 2", "one of 6 mm is cut instead");
     check_helix(&other("15,10 3"), &[&red], helix(6.0));
+}
+
+#[test]
+fn a_way_down_that_would_go_round_too_often_is_told_once_for_all_copies() {
+    let told = |words: &str| -> Vec<String> {
+        let (job, _) = job(&drawn(words)).unwrap();
+        too_flat(&job, &Heights::default()).iter().map(ToString::to_string).collect()
+    };
+    let at = |angle: &str| {
+        format!("rect 5,6 5.5,6.5; set black height=-4 plunge={angle}; array block 3x2 gap 9,9")
+    };
+    // 4 mm down in 1,000 rounds of 2 mm, or of a circle of 0.3 mm.
+    let text = "degrees it would go down in more than 1000 rounds: it goes down at";
+    let ramp = format!("shape 1 at 5,6: at 0.1 {text} 0.115 degrees instead");
+    assert_eq!(told(&at("ramp,0.1")), [ramp]);
+    assert_eq!(told(&at("ramp,0.115")), Vec::<String>::new());
+    let helix = format!("shape 1 at 5,6: at 0.1 {text} 0.122 degrees instead");
+    assert_eq!(told(&at("helix,0.3,0.1")), [helix]);
+    assert_eq!(told(&at("straight")), Vec::<String>::new());
 }
 
 #[test]

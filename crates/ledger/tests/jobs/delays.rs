@@ -224,17 +224,8 @@ fn pro_speeds_cut_group() {
     });
     let trace = fast.run();
     assert_eq!(trace.cutting_speeds(), [100.0]);
-    assert_eq!(warnings(&trace), ["group black: 9000 mm/min is limited to 6000 mm/min"]);
-    assert_eq!(warnings(&JobRun::new(t1()).run()), Vec::<String>::new());
-}
-
-/// What a run warns of.
-fn warnings(trace: &JobTrace) -> Vec<String> {
-    let told = |event: &Event| match event {
-        Event::Diag(told) => Some(told.message.clone()),
-        _ => None,
-    };
-    trace.events.iter().filter_map(told).collect()
+    assert_eq!(trace.warnings(), ["group black: 9000 mm/min is limited to 6000 mm/min"]);
+    assert_eq!(JobRun::new(t1()).run().warnings(), Vec::<String>::new());
 }
 
 #[test]
@@ -264,11 +255,11 @@ fn pro_speeds_cut_group__once_for_each_group_and_speed() {
     };
     let black = "group black: 9000 mm/min is limited to 6000 mm/min".to_owned();
     let run = JobRun::new(job(shapes())).say("resume").run();
-    assert_eq!(warnings(&run), std::slice::from_ref(&black));
+    assert_eq!(run.warnings(), std::slice::from_ref(&black));
     // A lower speed of the machine holds from the pause on.
     let run = JobRun::new(job(shapes())).say("cut 3000\nresume").run();
     assert_eq!(
-        warnings(&run),
+        run.warnings(),
         [black, "group black: 9000 mm/min is limited to 3000 mm/min".into()]
     );
 }

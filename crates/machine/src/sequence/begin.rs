@@ -86,6 +86,7 @@ impl Sequence {
         self.stage = Stage::Waiting;
         self.tell_heights(out);
         self.tell_straddling(out);
+        self.tell_entries(out);
         self.steps = self.before_start().into();
         Step::Ran
     }

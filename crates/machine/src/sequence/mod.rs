@@ -20,6 +20,7 @@
 mod beam;
 mod begin;
 mod carry;
+mod entry;
 mod height;
 mod limited;
 mod path;

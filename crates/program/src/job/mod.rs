@@ -11,7 +11,7 @@ mod plunge;
 
 pub use depth::{Depth, Depths, Heights, LowError};
 pub use in_force::InForce;
-pub use plunge::{Plunge, Slope, helix_circle};
+pub use plunge::{Plunge, Slope, TooFlat, helix_circle};
 
 use kerf_geom::{Point2, Polyarc, Vec2};
 use serde::{Deserialize, Serialize};
@@ -44,6 +44,15 @@ pub struct JobShape {
     pub group: Arc<str>,
 }
 
+/// What a person should know of a job before it is cut.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Note {
+    /// Number of the shape.
+    pub shape: u32,
+    /// What was changed, and why.
+    pub text: Arc<str>,
+}
+
 /// What is cut, in order, and where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Job {
@@ -59,6 +68,9 @@ pub struct Job {
     pub start: usize,
     /// How many times it is cut.
     pub repeats: u32,
+    /// What was changed after the job was made: told when it begins.
+    #[serde(default)]
+    pub notes: Arc<[Note]>,
 }
 
 impl Default for Job {
@@ -70,6 +82,7 @@ impl Default for Job {
             finish: Point2::default(),
             start: 1,
             repeats: 1,
+            notes: Arc::default(),
         }
     }
 }

@@ -12,6 +12,7 @@
 use kerf_geom::{Place, Polyarc, Segment, Vertex};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
+use std::fmt;
 
 /// How the tool goes down into the material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -35,8 +36,28 @@ pub enum Plunge {
     },
 }
 
-/// A ramp that would go round more often is made steeper: the angle does not suit a path that short.
+/// A way down that would go round more often is made steeper: the angle does not suit a path that short.
 const MOST_ROUNDS: f64 = 1000.0;
+
+/// A way down that is made steeper than was asked; its message tells a person.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooFlat {
+    /// How steeply it should go down, degrees below the level.
+    pub asked_deg: f64,
+    /// How steeply it does, rounded up to three digits: a way this steep is as it was asked.
+    pub least_deg: f64,
+}
+
+impl fmt::Display for TooFlat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { asked_deg, least_deg } = self;
+        write!(
+            f,
+            "at {asked_deg} degrees it would go down in more than {MOST_ROUNDS} rounds: it goes down at {least_deg} \
+             degrees instead"
+        )
+    }
+}
 
 /// A part of a way down: the height is that of its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +86,26 @@ impl Plunge {
         };
         falling(&way, from_mm, to_mm)
     }
+
+    /// Whether the way down by a height in millimetres would go round too often.
+    pub fn too_flat(self, path: &Polyarc, drop_mm: f64) -> Option<TooFlat> {
+        let (asked_deg, round_mm) = match self {
+            Self::Straight => return None,
+            Self::Ramp { angle_deg } if path.closed => (angle_deg, path.length()),
+            Self::Ramp { angle_deg } => (angle_deg, 2.0 * path.length()),
+            Self::Helix { radius_mm, angle_deg } => (angle_deg, 2.0 * PI * radius_mm.abs()),
+        };
+        let longest_mm = MOST_ROUNDS * round_mm;
+        let flat = longest_mm > 0.0 && drop_mm > longest_mm * steepness(asked_deg) * (1.0 + 1e-9);
+        flat.then(|| TooFlat { asked_deg, least_deg: digits_up((drop_mm / longest_mm).atan()) })
+    }
+}
+
+/// An angle in degrees, rounded up to three digits.
+fn digits_up(rad: f64) -> f64 {
+    let degrees = rad.to_degrees();
+    let digits = 10f64.powf(2.0 - degrees.log10().floor());
+    (degrees * digits).ceil() / digits
 }
 
 fn steepness(angle_deg: f64) -> f64 {
@@ -170,6 +211,34 @@ mod tests {
         let bounds = |radius| helix_circle(&line, radius).map(|circle| circle.bounds());
         assert!(bounds(2.0).is_some_and(|b| b.max.y.abs() < 1e-9 && (b.min.y + 4.0).abs() < 1e-9));
         assert!(bounds(-2.0).is_some_and(|b| b.min.y.abs() < 1e-9 && (b.max.y - 4.0).abs() < 1e-9));
+    }
+
+    #[test]
+    fn what_would_go_round_too_often_is_steeper_and_told() {
+        let square = Polyarc::rectangle(p(0., 0.), p(10., 10.));
+        let line = Polyarc::lines([p(0., 0.), p(10., 0.)], false);
+        let (ramp, helix) = (
+            |angle_deg| Plunge::Ramp { angle_deg },
+            |angle_deg| Plunge::Helix { radius_mm: 2.0, angle_deg },
+        );
+        let cases: [(&dyn Fn(f64) -> Plunge, _, f64); 3] =
+            [(&ramp, &square, 40.0), (&ramp, &line, 20.0), (&helix, &line, 4.0 * PI)];
+        for (plunge, path, round) in cases {
+            let longest = |angle_deg: f64| -> f64 {
+                let slopes = plunge(angle_deg).slopes(path, 0.0, -1.0);
+                slopes.iter().map(|slope| slope.segment.length()).sum()
+            };
+            let least_deg = degrees(1.0, 1000.0 * round);
+            assert!((longest(0.5 * least_deg) - 1000.0 * round).abs() < 1e-6);
+            let told = plunge(0.5 * least_deg).too_flat(path, 1.0).expect("too flat");
+            assert_eq!(told.asked_deg, 0.5 * least_deg);
+            assert!((1.0..1.01).contains(&(told.least_deg / least_deg)), "{told:?}");
+            assert_eq!(plunge(least_deg).too_flat(path, 1.0), None);
+            assert_eq!(plunge(told.least_deg).too_flat(path, 1.0), None);
+            // As told, no steeper.
+            assert!(plunge(0.99 * least_deg).too_flat(path, 1.0).is_some());
+        }
+        assert_eq!(Plunge::Straight.too_flat(&line, 1.0), None);
     }
 
     #[test]

@@ -16,7 +16,7 @@ use kerf_machine::Configuration;
 use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Written;
 use kerf_sbp::Status;
-use kerf_toolpath::{Heights, Job, Warning, off_table, too_deep, write};
+use kerf_toolpath::{Heights, Job, Warning, off_table, too_deep, too_flat, write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -115,6 +115,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     if kind != Kind::Program {
         warnings.extend(too_deep(&job, &heights));
     }
+    warnings.extend(too_flat(&job, &heights));
     tell(args, &warnings);
     if kind != Kind::Picture {
         keep(args, &output, kind, &job, &heights)?;
