@@ -95,6 +95,7 @@ fn pro_speeds_cut_group__told() {
     shop.kerf("toolpath job.rsg").exits(0);
     let did = shop.kerf("run job.rsm --start kept");
     did.exits(0).complains("group black: 9000 mm/min is limited to 6000 mm/min");
+    did.complains("1 | shape 1");
 }
 
 #[test]

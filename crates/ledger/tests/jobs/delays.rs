@@ -1,6 +1,5 @@
 //! Areas `delays`, `speeds` and `zpos`: what the waits, speeds and heights of the machine do to a job.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, drawn, job, line, t1, t2};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::delays::{BottomDelayType, TimeoutAction};
