@@ -216,6 +216,18 @@ fn after_a_stop_the_tool_is_moved_away_and_the_cut_goes_on_where_it_was() {
 }
 
 #[test]
+fn a_hold_of_a_machine_that_asks_ends_no_later_jog() {
+    let shop = shop(1.0, &[("keypad.sbp", "SK\n")]);
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    page.asked("keypad");
+    page.act(json!({ "do": "hold" }));
+    jog_in_question(&mut page, 1, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0], "asking");
+    assert!((page.x() - 10.0).abs() < 1e-6, "{}", page.x());
+}
+
+#[test]
 fn a_stop_during_a_jog_in_a_question_ends_the_job() {
     let shop = shop(1.0, &[("keypad.sbp", "SK\nMX,5\n")]);
     let mut page = shop.driver();

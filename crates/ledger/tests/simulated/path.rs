@@ -20,8 +20,8 @@ pub struct Piece {
     pub from: [f64; 3],
     pub to: [f64; 3],
     pub arc: Option<Arc2>,
-    /// It leads down, by the plan: heights that follow a sheet are laid aside.
-    sinks: bool,
+    /// How far it leads down by the plan, also where heights are laid aside, mm.
+    down_mm: f64,
 }
 
 impl Piece {
@@ -32,16 +32,17 @@ impl Piece {
         let level = it.kind == MoveKind::Cut;
         let arc = it.arc();
         let flat = arc.is_some() || apart(from, to, Axis::X) || apart(from, to, Axis::Y);
-        let sinks = to[2] < from[2] - SAME;
-        (level && flat).then_some(Self { from, to, arc, sinks })
+        let down_mm = from[2] - to[2];
+        (level && flat).then_some(Self { from, to, arc, down_mm })
     }
 
     /// The two as one, when the second goes on where the first ends in the same way.
     fn join(&self, next: &Self) -> Option<Self> {
-        if !near(self.to, next.from) || self.sinks != next.sinks {
+        if !near(self.to, next.from) {
             return None;
         }
-        let joined = |arc| Some(Self { to: next.to, arc, ..*self });
+        let joined =
+            |arc| Some(Self { to: next.to, arc, down_mm: self.down_mm + next.down_mm, ..*self });
         match (self.arc, next.arc) {
             (None, None) => straight(self, next).then(|| joined(None))?,
             (Some(a), Some(b)) => {
@@ -157,10 +158,10 @@ pub fn whole(pieces: &[Piece]) -> Vec<Piece> {
 /// Where a way down along the path began that this piece begins again: one that was stopped on is made
 /// from its start.
 fn begun_again(path: &[Piece], piece: &Piece) -> Option<usize> {
-    let slope = path.iter().rev().take_while(|p| p.sinks).count();
+    let slope = path.iter().rev().take_while(|p| p.down_mm > SAME).count();
     let first = path.len() - slope;
     let again = path[first..].iter().position(|p| same(p.from, piece.from));
-    again.filter(|_| piece.sinks).map(|at| first + at)
+    again.filter(|_| piece.down_mm > SAME).map(|at| first + at)
 }
 
 /// The path without its heights when they do not count.

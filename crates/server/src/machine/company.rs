@@ -194,6 +194,8 @@ impl Pages {
                 self.stopped = true;
                 return None;
             }
+            // Who waits for an answer stands already.
+            wanted.hold = false;
             if let Some(press) = wanted.presses.pop_front() {
                 self.pressed = true;
                 return Some(press.to_string());
