@@ -28,14 +28,14 @@ impl<I: Interpreter> Runner<'_, I> {
             halt.filter(|halt| !matches!(halt.cause, HaltCause::Limit(_) | HaltCause::Stall));
         let end_s = halt.map_or(until_s, |halt| halt.t_s);
         let wish = self.ask_pace(self.world.now(), end_s, None);
+        if let Some((t_s, Wish::Input { number, on })) = wish {
+            self.press(number, on, t_s);
+            return self.pass_until(until_s);
+        }
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         self.world.shelf.tape.stood(1.0);
         match (wish, halt) {
-            (Some((_, Wish::Input { number, on })), _) => {
-                self.press(number, on, stood_s);
-                self.pass_until(until_s)
-            }
             (Some((_, wish)), _) if self.is_taken(wish) => {
                 self.taken(StoppedBy::Operator, &self.stood())
             }
@@ -209,8 +209,10 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// The switch of an input is moved at a moment that is not over.
+    /// The switch of an input is moved at a moment that is still to come, or in the next: whoever waits
+    /// for the input sees it change.
     pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) {
+        let at_s = at_s.max(self.world.now().next_up());
         self.world.machine.press(Change { input, at_s, on });
         self.world.tell_log();
     }

@@ -83,3 +83,17 @@ fn a_stop_instead_of_an_answer_ends_the_run_and_the_default_does_not_count() {
     assert_eq!(summary.status, Status::Stopped);
     assert_eq!(session.memory.position[Axis::X], 0.0);
 }
+
+/// A switch that somebody moves counts from that moment, whether the machine moves or waits.
+#[test]
+fn a_switch_that_is_moved_while_the_program_waits_is_seen_by_it() {
+    for (program, at_s) in [("PAUSE 2\nMX,9", 1.0), ("PAUSE 2\nMX,9", 0.0), ("MX,9\nMX,0", 1.0)] {
+        let program = format!("ON INPUT(2,1) GOTO HIT\n{program}\nEND\nHIT:\nMY,1\n");
+        let wish = Wish::Input { number: 2, on: true };
+        let mut hand = Hand { wish: Some((at_s, wish)), ..Hand::default() };
+        let (summary, session, _) = run(&program, &mut (), &mut hand);
+        let y_in = session.memory.position[Axis::Y] / MM_PER_INCH;
+        assert_eq!((summary.status, y_in), (Status::Ok, 1.0), "{program}");
+        assert!(session.memory.position[Axis::X] < 8.0 * MM_PER_INCH, "{program}");
+    }
+}
