@@ -13,9 +13,6 @@ const LOST_S: f64 = 2.0;
 /// While something is to be done the controller is asked so often where it is, seconds.
 const ASK_S: f64 = 0.1;
 
-/// Orders that may be with the controller at a time.
-const WINDOW: usize = 8;
-
 /// Whether the controller can be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkState {
@@ -132,6 +129,17 @@ impl<D: Driver> Link<D> {
         self.troubles
     }
 
+    /// The controller stands and was told to begin anew: so do the tickets.
+    #[must_use]
+    pub fn again(self, now_s: f64) -> Self {
+        Self {
+            heard_s: now_s,
+            troubles: self.troubles,
+            standing: self.standing,
+            ..Self::new(self.driver)
+        }
+    }
+
     /// The driver.
     pub const fn driver(&mut self) -> &mut D {
         &mut self.driver
@@ -192,12 +200,15 @@ impl<D: Driver> Link<D> {
 
     /// Sends what is due, again where it was not taken in time.
     fn press_on(&mut self, now_s: f64, told: &mut Vec<Told>) {
+        if self.driver.quiet() {
+            self.heard_s = now_s;
+        }
         if now_s - self.heard_s > LOST_S {
             return self.end(LinkState::Lost, now_s, told);
         }
         let late = now_s - self.sent_s > PATIENCE_S;
         let from = if late { self.taken } else { self.sent };
-        let due = self.open.iter().take(WINDOW).filter(|sent| sent.ticket > from);
+        let due = self.open.iter().take(self.driver.window()).filter(|sent| sent.ticket > from);
         for sent in due {
             self.troubles.again += u32::from(sent.ticket <= self.sent);
             self.driver.send(sent, now_s);

@@ -18,7 +18,7 @@ mod link;
 
 pub use link::{Link, LinkState, Told, Troubles};
 
-use kerf_program::{AXES, Axes};
+pub use kerf_program::{AXES, Axes, Axis};
 
 /// The number of an order; they count up from 1.
 pub type Ticket = u32;
@@ -40,6 +40,13 @@ pub enum Order {
         /// Its state from then on.
         on: bool,
     },
+    /// Sets the speed of the spindle; it need not turn.
+    Spindle {
+        /// Revolutions a minute.
+        rpm: f64,
+    },
+    /// Goes home with all axes that can.
+    Home,
 }
 
 /// What is asked outside the row of orders, and carried out at once.
@@ -113,6 +120,90 @@ pub trait Driver {
 
     /// What came back up to a time.
     fn replies(&mut self, now_s: f64) -> Vec<Result<Reply, Garbled>>;
+
+    /// It cannot answer for a while, which is no fault: grbl does not while it goes home.
+    fn quiet(&self) -> bool {
+        false
+    }
+
+    /// How many orders may be with it at a time.
+    fn window(&self) -> usize {
+        8
+    }
+}
+
+/// What a controller told of itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Facts {
+    /// What it calls itself, with its version.
+    pub name: String,
+    /// How many axes it has, X first.
+    pub axes: usize,
+    /// The fastest each axis goes, mm/s; `None` where it did not say.
+    pub speed_mm_s: [Option<f64>; AXES],
+    /// Where each axis may go, its own machine frame, mm; `None` where it does not check.
+    pub travel_mm: [Option<(f64, f64)>; AXES],
+    /// It knows where it is only after it was homed.
+    pub homes: bool,
+    /// How far a chord of an arc may lie from it, mm.
+    pub arc_tolerance_mm: f64,
+    /// Outputs it has, a bit each, line 1 lowest.
+    pub outputs: u32,
+    /// The fastest its spindle turns, revolutions a minute.
+    pub spindle_rpm: f64,
+}
+
+/// Why a controller does nothing more.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Trouble {
+    /// It stopped by itself; whether it knows where it is.
+    #[error("alarm {number}: {why}")]
+    Alarm {
+        /// Its number.
+        number: u16,
+        /// In words.
+        why: &'static str,
+        /// Steps may be lost.
+        lost: bool,
+    },
+    /// It was locked when it was connected.
+    #[error("it is locked: {why}")]
+    Locked {
+        /// Why, and how that ends.
+        why: &'static str,
+    },
+    /// It refused an order.
+    #[error("error {number}: {why}")]
+    Refused {
+        /// Its number; 0 when the order was not even sent.
+        number: u16,
+        /// In words.
+        why: &'static str,
+    },
+    /// It began anew while it was at work: its place may be wrong.
+    #[error("it was reset while it was at work")]
+    Restarted,
+}
+
+/// A driver whose controller hangs on a line of bytes. Whoever owns the line moves them.
+pub trait Wired: Driver {
+    /// Bytes came.
+    fn hear(&mut self, bytes: &[u8], now_s: f64);
+
+    /// Bytes that are to be sent now.
+    fn speak(&mut self, now_s: f64) -> Vec<u8>;
+
+    /// What the controller told of itself; nothing until it has told all.
+    fn facts(&self) -> Option<&Facts>;
+
+    /// What it told last of where it stands.
+    fn stands(&self) -> Option<Standing>;
+
+    /// Why it does nothing more.
+    fn trouble(&self) -> Option<&Trouble>;
+
+    /// It was stopped and stands: takes orders again, beginning with ticket 1. Tells whether it does.
+    fn begin_anew(&mut self) -> bool;
 }
 
 /// Whether an order can be carried out by any machine.
@@ -122,6 +213,8 @@ pub fn is_sound(order: &Order) -> bool {
             to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
         }
         Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),
+        Order::Spindle { rpm } => rpm.is_finite() && *rpm >= 0.0,
+        Order::Home => true,
     }
 }
 

@@ -1,0 +1,142 @@
+//! How the fake moves: along the moves of its planner, as fast as it can still slow down for what lies
+//! ahead.
+
+use kerf_machine::driver::{Axes, way_mm};
+use std::collections::VecDeque;
+
+/// Moves that the planner holds.
+const PLANNER: usize = 15;
+
+/// How quickly it gains and loses speed along the path, mm/s².
+const ACCEL_MM_S2: f64 = 400.0;
+
+/// How far a corner may be cut in thought, mm: the faster it is passed the larger this.
+const JUNCTION_MM: f64 = 0.01;
+
+/// A move leaves the planner so long before its end, seconds.
+const SEGMENTS_S: f64 = 0.05;
+
+#[derive(Clone, Copy, Debug)]
+struct Block {
+    to: Axes,
+    way: Axes,
+    length_mm: f64,
+    speed_mm_s: f64,
+    /// The speed at which it may begin.
+    entry_mm_s: f64,
+}
+
+/// What moves.
+#[derive(Clone, Debug, Default)]
+pub struct Motion {
+    blocks: VecDeque<Block>,
+    pub position: Axes,
+    pub speed_mm_s: f64,
+    pub held: bool,
+    pub stands: usize,
+    pub rests: Vec<Axes>,
+    pub way_mm: f64,
+}
+
+impl Motion {
+    /// A straight move joins the row; none when it is shorter than a step.
+    pub fn push(&mut self, from: Axes, to: Axes, speed_mm_s: f64) {
+        let length_mm = way_mm(from, to);
+        if length_mm < 0.002 {
+            return;
+        }
+        let way = to.minus(from);
+        let way = Axes(way.0.map(|v| v / length_mm));
+        let before = self.blocks.back();
+        let entry_mm_s = before.map_or(0.0, |before| corner(before, way).min(speed_mm_s));
+        self.blocks.push_back(Block { to, way, length_mm, speed_mm_s, entry_mm_s });
+    }
+
+    /// Whether nothing is left to make.
+    pub fn is_empty(&self) -> bool {
+        self.blocks.is_empty()
+    }
+
+    /// For how many moves there is room.
+    pub fn free(&self) -> usize {
+        let mut ahead_mm = 0.0;
+        let cut = self.blocks.iter().take_while(|block| {
+            ahead_mm += left(block, self.position).min(block.length_mm);
+            ahead_mm <= self.speed_mm_s * SEGMENTS_S
+        });
+        let cut = cut.count();
+        (PLANNER + cut).saturating_sub(self.blocks.len()).min(PLANNER)
+    }
+
+    /// Nothing is left.
+    pub fn clear(&mut self) {
+        self.blocks.clear();
+        self.speed_mm_s = 0.0;
+    }
+
+    /// It stands elsewhere.
+    pub fn put(&mut self, position: Axes) {
+        self.clear();
+        self.position = position;
+    }
+
+    /// Goes on for a moment.
+    pub fn step(&mut self, step_s: f64) {
+        let before = self.speed_mm_s;
+        self.speed_mm_s = self.next_speed(step_s);
+        let mut by = self.speed_mm_s * step_s;
+        self.way_mm += by;
+        while by > 0.0
+            && let Some(first) = self.blocks.front()
+        {
+            let left = left(first, self.position);
+            if by < left {
+                let way = first.way;
+                self.position = self.position.zip(way, |place, way| place + way * by);
+                break;
+            }
+            by -= left;
+            self.position = first.to;
+            self.blocks.pop_front();
+        }
+        if self.blocks.is_empty() {
+            self.speed_mm_s = 0.0;
+        }
+        if before > 0.0 && self.speed_mm_s == 0.0 {
+            self.stands += 1;
+            self.rests.push(self.position);
+        }
+    }
+
+    /// As fast as wanted, gained or lost steadily, slow enough for every corner and for the end.
+    fn next_speed(&self, step_s: f64) -> f64 {
+        let change = ACCEL_MM_S2 * step_s;
+        let Some(first) = self.blocks.front() else { return 0.0 };
+        if self.held {
+            return (self.speed_mm_s - change).max(0.0);
+        }
+        let mut most = first.speed_mm_s.min(self.speed_mm_s + change);
+        let mut ahead_mm = left(first, self.position);
+        for next in self.blocks.iter().skip(1) {
+            most = most.min((next.entry_mm_s.powi(2) + 2.0 * ACCEL_MM_S2 * ahead_mm).sqrt());
+            ahead_mm += next.length_mm;
+        }
+        most.min((2.0 * ACCEL_MM_S2 * ahead_mm).sqrt()).max(change)
+    }
+}
+
+fn left(block: &Block, position: Axes) -> f64 {
+    way_mm(position, block.to)
+}
+
+/// How fast the corner between a move and the next one may be passed.
+fn corner(before: &Block, way: Axes) -> f64 {
+    let cosine: f64 = before.way.0.iter().zip(way.0).map(|(a, b)| a * b).sum();
+    let half_sine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();
+    let most = if half_sine > 0.999_999 {
+        f64::INFINITY
+    } else {
+        (ACCEL_MM_S2 * JUNCTION_MM * half_sine / (1.0 - half_sine)).sqrt()
+    };
+    most.min(before.speed_mm_s)
+}

@@ -1,0 +1,49 @@
+//! Lines of G-code that the fake understands.
+
+/// What a line asks for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Words {
+    pub moves: bool,
+    pub to: [Option<f64>; 3],
+    pub feed_mm_min: Option<f64>,
+    pub spindle_rpm: Option<f64>,
+    pub spindle: Option<bool>,
+    /// 0 for all off, or the bit of what comes on.
+    pub coolant: Option<u8>,
+    /// Everything before it is made first.
+    pub waits: bool,
+}
+
+/// Reads a line; the number of the error where it is none that is understood.
+pub fn read(line: &str) -> Result<Words, u16> {
+    let mut words = Words::default();
+    let mut rest = line;
+    while let Some(letter) = rest.chars().next() {
+        let body = &rest[letter.len_utf8()..];
+        let end = body.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(body.len());
+        let value: f64 = body[..end].trim().parse().map_err(|_| 2_u16)?;
+        take(&mut words, letter, value)?;
+        rest = &body[end..];
+    }
+    Ok(words)
+}
+
+fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
+    match (letter, value as i64) {
+        ('G', 0 | 1) => words.moves = true,
+        ('G', 21 | 53 | 90 | 94) => {}
+        ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
+        ('M', 5) => (words.spindle, words.waits) = (Some(false), true),
+        ('M', 7) => (words.coolant, words.waits) = (Some(2), true),
+        ('M', 8) => (words.coolant, words.waits) = (Some(1), true),
+        ('M', 9) => (words.coolant, words.waits) = (Some(0), true),
+        ('F', _) => words.feed_mm_min = Some(value),
+        ('S', _) => (words.spindle_rpm, words.waits) = (Some(value), true),
+        ('X', _) => words.to[0] = Some(value),
+        ('Y', _) => words.to[1] = Some(value),
+        ('Z', _) => words.to[2] = Some(value),
+        ('G' | 'M', _) => return Err(20),
+        _ => return Err(1),
+    }
+    Ok(())
+}
