@@ -2,6 +2,7 @@
 //!
 //! They are answers to its question, which is asked again afterwards, until it gets another answer.
 
+use crate::execute::link_lost;
 use crate::runner::{Over, Runner};
 use crate::{Event, Going, Wish};
 use kerf_diag::{Code, Diagnostic, Place};
@@ -113,10 +114,11 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut driven = None;
         let watched = self.watched_by_hand(switches);
         while let Some(mut plan) = planner.finish() {
+            self.pace.follows();
             self.world.machine.foresee(&plan, t0_s);
             let mut index = 0;
             while index < plan.moves().len() {
-                let going = Going { plan: &plan, index, t0_s };
+                let going = Going { plan: &plan, index, t0_s, until: plan.moves().len() };
                 let stops = driven.is_some();
                 let until = self.driven_until(&watched, going, stops);
                 let Some((t_s, why, ramped)) = until else {
@@ -124,8 +126,11 @@ impl<I: Interpreter> Runner<'_, I> {
                     index += 1;
                     continue;
                 };
+                let stood_s = self.pace.brake(going);
                 let at_s = (t_s - t0_s).max(0.0);
                 driven = Some(why.at(plan.at(at_s).position));
+                let (at_s, ramped) =
+                    stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
                 let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
                 self.world.machine.foresee(&ramp_down, t0_s);
                 plan = ramp_down;
@@ -134,6 +139,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 break;
             }
         }
+        self.pace.stands();
         self.world.machine.rest();
         self.world.tell_log();
         self.world.shelf.tape.moves(false, self.world.placed());
@@ -166,6 +172,9 @@ impl<I: Interpreter> Runner<'_, I> {
                 Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
                 Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
                 Some(_) => {}
+                None if self.pace.failure().is_some() && !stops => {
+                    break link_lost(self.world.now());
+                }
                 None => break halt?,
             }
         };

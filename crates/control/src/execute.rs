@@ -80,6 +80,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// The machine stands.
     pub(crate) fn stand(&mut self) {
+        self.pace.stands();
         self.world.machine.rest();
         self.world.tell_log();
         self.world.shelf.tape.moves(false, self.world.placed());
@@ -136,6 +137,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn, Axes)> {
         let t0_s = self.stack.running.as_ref()?.t0_s;
         let watched = self.watched(t0_s);
+        self.pace.follows();
         self.world.machine.foresee(&plan, t0_s);
         let mut halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
@@ -149,9 +151,13 @@ impl<I: Interpreter> Runner<'_, I> {
             let (begin_s, end_s) = plan.span_s(index);
             let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
             match &turned {
-                Some((_, turn, _)) => self.pass_on(turn, end_s, Going { plan: &plan, index, t0_s }),
+                Some((_, turn, _)) => {
+                    let going = Going { plan: &plan, index, t0_s, until: plan.moves().len() };
+                    self.pass_on(turn, end_s, going);
+                }
                 None => {
-                    let going = Going { plan: &plan, index, t0_s };
+                    let until = index.saturating_add(self.stack.before_mark());
+                    let going = Going { plan: &plan, index, t0_s, until };
                     if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
                         if let Turn::Operator(Wish::Input { number, on }) = turn {
                             self.press(number, on, t_s);
@@ -164,7 +170,10 @@ impl<I: Interpreter> Runner<'_, I> {
                             return None;
                         }
                         let began = plan.at((t_s - t0_s).max(0.0)).position;
-                        let (made, stop) = self.replan(plan, (t_s - t0_s).max(0.0), turn)?;
+                        let stops = !matches!(turn, Turn::Operator(Wish::Feed(_)));
+                        let stood_s = if stops { self.pace.brake(going) } else { None };
+                        let at_s = (stood_s.unwrap_or(t_s) - t0_s).max(0.0);
+                        let (made, stop) = self.replan(plan, at_s, turn, stood_s.is_none())?;
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                             self.drop_outputs(t_s, index);
                         }
@@ -205,16 +214,18 @@ impl<I: Interpreter> Runner<'_, I> {
         let until_s = halt.map_or(end_s, |halt| halt.t_s.max(now));
         match self.ask_pace(now, until_s, Some(going)) {
             Some((t_s, wish)) => Some((t_s, Turn::Operator(wish))),
+            None if self.pace.failure().is_some() => Some((now, Turn::Input(link_lost(now)))),
             None => halt.map(|halt| (halt.t_s, Turn::Input(halt))),
         }
     }
 
-    /// The piece as it is made when it is left, and where that is.
-    fn replan(&mut self, piece: Plan, t_s: f64, turn: Turn) -> Option<(Plan, Stop)> {
+    /// The piece as it is made when it is left, and where that is; with a ramp, unless the machine has
+    /// slowed down by itself.
+    fn replan(&mut self, piece: Plan, t_s: f64, turn: Turn, ramps: bool) -> Option<(Plan, Stop)> {
         let planner = &mut self.stack.running.as_mut()?.planner;
         match turn {
-            Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped),
-            Turn::Operator(Wish::Stop | Wish::Hold | Wish::End) => planner.stop(piece, t_s, true),
+            Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped && ramps),
+            Turn::Operator(Wish::Stop | Wish::Hold | Wish::End) => planner.stop(piece, t_s, ramps),
             Turn::Operator(Wish::Feed(share)) => planner.feed(piece, t_s, share),
             Turn::Operator(Wish::Input { .. }) => None,
         }
@@ -350,6 +361,11 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn cuts_power(&self, input: u8) -> bool {
         input == kerf_sim::STOP_INPUT && self.world.machine_is.estop.cuts_power
     }
+}
+
+/// What stops a plan that nothing follows any more.
+pub(crate) const fn link_lost(t_s: f64) -> Halt {
+    Halt { t_s, cause: HaltCause::LinkLost, ramped: false }
 }
 
 /// The axis in whose unit the speed of a move is told.

@@ -1,6 +1,7 @@
 //! How machine time relates to the time of the world, and what the operator does meanwhile.
 
 use kerf_motion::{Move, Plan, State};
+use kerf_program::{At, Axes};
 use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +26,21 @@ pub enum Wish {
     },
 }
 
+/// Why a machine that follows the plan does so no longer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// In words.
+    pub message: String,
+    /// What to do about it.
+    pub hint: &'static str,
+    /// The line whose move it is about, where it is about one.
+    pub at: Option<At>,
+    /// It answers no more.
+    pub silent: bool,
+    /// Where it stands, machine frame, as far as it told.
+    pub stands: Option<Axes>,
+}
+
 /// What the machine does while time passes.
 #[derive(Clone, Copy, Debug)]
 pub struct Doing<'a> {
@@ -43,6 +59,8 @@ pub struct Going<'a> {
     pub index: usize,
     /// When the plan begins, seconds of machine time.
     pub t0_s: f64,
+    /// Before this move of the plan something else has to be done.
+    pub until: usize,
 }
 
 impl Going<'_> {
@@ -77,6 +95,28 @@ pub trait Pace {
     /// The machine stands because of the stop that `pass` told: it is asked what comes next, which
     /// takes no machine time, and does not stop for the same reason again.
     fn heard(&mut self) {}
+
+    /// Another plan, or another piece of it, is about to be followed.
+    fn follows(&mut self) {}
+
+    /// The machine is to stop on its way. A machine that slows down by itself tells the moment of the plan
+    /// at which it stands, seconds of machine time.
+    fn brake(&mut self, _: Going<'_>) -> Option<f64> {
+        None
+    }
+
+    /// Everything that was planned is made: the machine stands.
+    fn stands(&mut self) {}
+
+    /// Why a machine cannot make a move, in words; asked before anything of its stack moves.
+    fn refuses(&self, _: &Move) -> Option<String> {
+        None
+    }
+
+    /// Why the machine does nothing more, where it is not the plan that decides that.
+    fn failure(&self) -> Option<&Failure> {
+        None
+    }
 
     /// The machine is held since a moment. Returns the moment at which the operator resumes; `None`
     /// when instead the run is to end.

@@ -235,6 +235,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// The run is over: what was read and not made is dropped, what ended it is told.
     fn ended(&mut self, over: Over) -> Over {
+        let failed = over.diagnostic.is_none().then(|| self.pace.failure().cloned()).flatten();
+        let over = failed.map_or(over, |failure| self.fails(&failure));
         if self.stack.running.is_some() {
             // What moves cannot be dropped: it comes to rest behind the last move that was read.
             drop(self.flush());

@@ -103,6 +103,11 @@ impl Stack {
         if due { self.marks.pop_front().map(|(_, sourced)| sourced) } else { None }
     }
 
+    /// How many moves are made before something marked is carried out.
+    pub fn before_mark(&self) -> usize {
+        self.marks.front().map_or(usize::MAX, |(before, _)| before.saturating_sub(self.made) as usize)
+    }
+
     /// A move was made, or a part of it: an override makes it in several.
     pub fn made_one(&mut self, made: &Move) {
         if made.is_last_part {

@@ -5,7 +5,7 @@
 //! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
 
 use crate::runner::{Over, Runner};
-use crate::{Event, flag};
+use crate::{Event, Failure, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::state::{Effect, Event as Stopped, StopSettings};
 use kerf_program::{
@@ -248,8 +248,26 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// The controller does not answer any more.
     pub(crate) fn link_is_lost(&mut self) -> Over {
+        if let Some(failure) = self.pace.failure().cloned() {
+            return self.fails(&failure);
+        }
         self.on(Stopped::LinkLost, StopSettings::OPENSBP, "not connected");
         self.not_connected(self.last_move)
+    }
+
+    /// The controller does not follow any more: where it stands is what it told last.
+    pub(crate) fn fails(&mut self, failure: &Failure) -> Over {
+        self.pace.stands();
+        if let Some(stands) = failure.stands {
+            self.world.machine.put(stands);
+            self.mover.set_position(stands);
+        }
+        self.on(Stopped::LinkLost, StopSettings::OPENSBP, &failure.message);
+        let at = failure.at.unwrap_or(self.last_move);
+        let code = if failure.silent { Code::NotConnected } else { Code::Controller };
+        let mut over = self.over(Status::Failed, code, at, failure.message.clone());
+        over.diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(failure.hint)));
+        over
     }
 
     /// Nothing moves without a controller.

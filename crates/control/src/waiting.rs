@@ -28,6 +28,9 @@ impl<I: Interpreter> Runner<'_, I> {
             halt.filter(|halt| !matches!(halt.cause, HaltCause::Limit(_) | HaltCause::Stall));
         let end_s = halt.map_or(until_s, |halt| halt.t_s);
         let wish = self.ask_pace(self.world.now(), end_s, None);
+        if self.pace.failure().is_some() {
+            return Flow::Over(self.link_is_lost());
+        }
         if let Some((t_s, Wish::Input { number, on })) = wish {
             self.press(number, on, t_s);
             return self.pass_until(until_s);

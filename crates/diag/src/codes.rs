@@ -237,6 +237,8 @@ codes! {
         "The cutting speed of a group is higher than the machine's cutting speed (`smoothing.cut_speed_mm_s`, `cut` in a pause), which holds then. Lower the group's speed, or raise the machine's.";
     OtherEntry "M007" Warning "the tool goes down otherwise than asked"
         "A group asks for a ramp or a helix, and the tool goes down in another way. Straight down where height control follows the sheet, a laser pierces or a plasma torch starts: these begin above the place. Steeper where the way down would go round a thousand times and more. Along the path instead of round a helix where a whole job is offset, as the room beside the paths is not known then. Nothing is cut that the path does not cut.";
+    Controller "M008" Error "the controller does not do this"
+        "The controller has stopped by itself, has refused an order, or lacks what the program asks for: an axis, an output, a place within its travel. What it lacks is found before the first move, as far as the program can be looked through; nothing has moved then. After an alarm its place may be lost: home it, or set the location, before the next file. The chapter on controllers says what each kind can do.";
     NotConverted "C001" Warning "not in the other language"
         "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
     StartTaken "C002" Note "the program goes on from where the tool stands"

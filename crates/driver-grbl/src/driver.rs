@@ -287,7 +287,9 @@ impl Grbl {
             self.done = flight.sent.ticket;
             match flight.sent.order {
                 Order::Output { line, on } => self.on = with(self.on, line, on),
-                Order::Home => (self.planned, self.trouble) = (self.position, None),
+                Order::Home | Order::Unlock => {
+                    (self.planned, self.trouble) = (self.position, None);
+                }
                 Order::Move { .. } | Order::Spindle { .. } => {}
             }
             self.replies.push(Ok(Reply::Done(self.done)));
@@ -364,7 +366,7 @@ impl Grbl {
                 self.planned_on = with(self.planned_on, line, on);
                 (self.planned, 0)
             }
-            Order::Spindle { .. } | Order::Home => (self.planned, 0),
+            Order::Spindle { .. } | Order::Home | Order::Unlock => (self.planned, 0),
         };
         self.flights.push(*sent, blocks, lines.len());
         self.planned = to;

@@ -1,6 +1,5 @@
 //! What a controller tells of itself: its version line (`$I`) and its settings (`$$`).
 
-use crate::words;
 use kerf_machine::driver::{AXES, Facts};
 use std::collections::BTreeMap;
 
@@ -112,7 +111,11 @@ impl Told {
     }
 }
 
-/// Why a locked controller is locked, in words.
-pub fn locked(homes: bool) -> &'static str {
-    if homes { "home it first (--home)" } else { words::error(9) }
+/// How a locked controller takes orders again, in words.
+pub const fn locked(homes: bool) -> &'static str {
+    if homes {
+        "home it first (--home)"
+    } else {
+        "look why, set its location, and unlock it (--unlock)"
+    }
 }

@@ -15,6 +15,7 @@ pub fn lines(
         Order::Output { line, on: true } if !has(facts, *line) => Err(missing(*line)),
         Order::Output { line, on: state } => Ok(output(*line, *state, on)),
         Order::Spindle { rpm } => Ok(vec![format!("S{}", number(*rpm))]),
+        Order::Unlock => Ok(vec!["$X".into(), MODES.into()]),
         Order::Home => Ok(vec!["$H".into(), MODES.into()]),
     }
 }

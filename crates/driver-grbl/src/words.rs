@@ -11,7 +11,7 @@ pub const fn error(number: u16) -> &'static str {
             "its settings were lost and are the usual ones again: look at them before anything moves"
         }
         8 => "it is busy with something else",
-        9 => "it is locked by an alarm: home it",
+        9 => "it is locked by an alarm",
         10 => "soft limits need homing: set $22=1 or $20=0",
         11 | 14 => "the line is too long for it; the cable may be bad",
         13 => "its door is open",

@@ -152,7 +152,7 @@ fn a_stop_on_the_way_keeps_the_place_and_switches_off() {
     let (told, true_place) = (grbl.stands().unwrap().position, fake.position());
     assert!((told.0[0] - true_place.0[0]).abs() < 0.001 && told.0[0] > 5.0 && told.0[0] < 95.0);
     assert!(link.driver().grbl.begin_anew());
-    let mut link = link.again(now_s);
+    link.restart(now_s);
     link.order(to(0.0, 0.0));
     run(&mut link, now_s, |_, _| {});
     assert!(link.driver().fake.position().0[0].abs() < 0.001);

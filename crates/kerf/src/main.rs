@@ -6,6 +6,7 @@
 mod args;
 mod clock;
 mod coloured;
+mod controller;
 mod commands;
 mod curves;
 mod date;

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A part file: OpenSBP, G-code, or lines of both.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Program {
     /// The file as OpenSBP sees it.
     pub sbp: kerf_sbp::Program,

@@ -21,7 +21,7 @@ pub struct TextId(u32);
 pub struct PathId(u32);
 
 /// The operands and texts of all expressions of a file.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Expressions {
     operands: Vec<Expr>,
     texts: Vec<Arc<str>>,

@@ -29,7 +29,7 @@ impl Span {
 pub struct NameId(pub u32);
 
 /// A part file that was read.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Program {
     /// Name shown to people.
     pub name: Arc<str>,
@@ -161,7 +161,7 @@ pub struct ArgList {
 }
 
 /// The values given to all commands of a file.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Args(Vec<Arg>);
 
 impl Args {

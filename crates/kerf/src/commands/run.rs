@@ -2,6 +2,7 @@
 
 use crate::args::RunArgs;
 use crate::clock;
+use crate::controller::{self, DriverName, First};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
@@ -17,9 +18,10 @@ use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::answers::Answers;
+use kerf_control::controller::{Mirror, Shared, Steers};
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Session, Shelf, Sink, Summary, Work, command_passing};
+use kerf_control::{Company, Pace, Session, Shelf, Sink, Summary, Work, command_passing};
 use kerf_machine::Configuration;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::FileParameters;
@@ -69,6 +71,12 @@ pub struct MachineArgs {
     /// The machine to run on
     #[arg(long, value_name = "NAME", default_value = "sim")]
     machine: String,
+    /// Runs it on a real controller: grbl or grblHAL at a serial port, at 115200 baud unless another rate
+    /// is named
+    #[arg(long, value_name = "grbl:PORT[@BAUD]", value_parser = DriverName::read)]
+    driver: Option<DriverName>,
+    #[command(flatten)]
+    first: First,
     /// How machine time passes
     #[arg(long, value_enum, default_value = "fast")]
     pace: PaceName,
@@ -172,6 +180,13 @@ fn in_force(machine: &Configuration) -> String {
 
 /// Takes up the run that was cut short.
 fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
+    if args.driver.is_some() {
+        bail!(Usage(
+            "a run on a controller is not taken up with --resume: home it or set its location, and begin at \
+             a line of the file with --from-line"
+                .into()
+        ));
+    }
     let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: shelf.app_path().into() };
     let journal = shelf.journal().cloned().ok_or_else(nothing)?;
@@ -197,7 +212,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     };
     let visit = Visit::default();
     visit.begins(&session, &mut shelf)?;
-    let exit = attended(args, run, show, answers, |company| {
+    let exit = attended(args, run, show, answers, None, |company| {
         let summary = session.resume(&cut, &mut shelf, company)?;
         Ok((summary, &session))
     })?;
@@ -209,13 +224,22 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
 pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     let Job { work, mut session, mut options, mut shelf, answers, kept, replaced, visit, .. } = job;
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
+    let mut controller = None;
+    if let Some(name) = &args.driver {
+        controller::check(run)?;
+        let shared = controller::ready(name, args.first, args.quiet(), &mut session)?;
+        if let Some(exit) = controller::look_through(&shared, &work, &session, &options, &shelf, run)? {
+            return Ok(exit);
+        }
+        controller = Some(shared);
+    }
     let machine = VcdArgs::machine(&work, &session);
     let show =
         Show { name: work.name(), lines: work.line_count(), talk, machine, editor: editor(&shelf) };
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
-    let mut exit = attended(args, run, show, answers, |company| {
+    let mut exit = attended(args, run, show, answers, controller, |company| {
         let shelf = &mut shelf;
         let summary = match kept {
             true => session.run_on_record(work, options, replaced, shelf, company)?,
@@ -255,7 +279,7 @@ fn passed_in(
     };
     let vcd = VcdArgs::default();
     let again = MachineArgs { trace: None, picture: None, readings: None, vcd, ..args.clone() };
-    attended(&again, run, show, setup::answers(run)?, |company| {
+    attended(&again, run, show, setup::answers(run)?, None, |company| {
         let summary = session.run_on_record(program, options, None, shelf, company)?;
         Ok((summary, session))
     })
@@ -285,6 +309,7 @@ fn attended<'a>(
     run: &RunArgs,
     show: Show,
     answers: Answers,
+    controller: Option<Shared>,
     runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session)>,
 ) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
@@ -294,16 +319,29 @@ fn attended<'a>(
     let signals = args.vcd.sink(show.machine)?;
     let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
     let talk = (!args.traces_out()).then_some(show.talk);
-    let mut sink =
+    let mut told =
         ((talk, (trace, (signals, readings))), (Diagnostics::default(), (picture, progress)));
+    let mirror = controller.clone().map(Mirror);
+    let mut sink = (mirror, &mut told as &mut dyn Sink);
     let person = run.answers.is_none() && io::stdin().is_terminal();
-    let clock = if args.pace == PaceName::Real { Clock::Real } else { Clock::Fast };
+    let real = args.pace == PaceName::Real && controller.is_none();
+    let clock = if real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
     let mut operator = Person::new(answers, person, &pace).with_editor(show.editor);
-    let company =
-        Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace: &mut pace };
+    let mut steers;
+    let pace: &mut dyn Pace = match controller.clone() {
+        Some(shared) => {
+            steers = Steers::new(shared, &mut pace);
+            &mut steers
+        }
+        None => &mut pace,
+    };
+    let company = Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace };
     let (summary, session) = runs(company)?;
-    let ((_, (trace, (signals, readings))), (_, (picture, progress))) = sink;
+    if let Some(shared) = controller {
+        shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok);
+    }
+    let ((_, (trace, (signals, readings))), (_, (picture, progress))) = told;
     readings.map_or(Ok(()), ReadingBytes::finish)?;
     args.vcd.finish(signals)?;
     if let Some(trace) = trace {

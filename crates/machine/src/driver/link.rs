@@ -130,14 +130,11 @@ impl<D: Driver> Link<D> {
     }
 
     /// The controller stands and was told to begin anew: so do the tickets.
-    #[must_use]
-    pub fn again(self, now_s: f64) -> Self {
-        Self {
-            heard_s: now_s,
-            troubles: self.troubles,
-            standing: self.standing,
-            ..Self::new(self.driver)
-        }
+    pub fn restart(&mut self, now_s: f64) {
+        self.state = LinkState::Up;
+        (self.given, self.done, self.taken, self.sent) = (0, 0, 0, 0);
+        self.open.clear();
+        (self.sent_s, self.asked_s, self.heard_s) = (f64::NEG_INFINITY, f64::NEG_INFINITY, now_s);
     }
 
     /// The driver.

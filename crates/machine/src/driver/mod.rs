@@ -47,6 +47,8 @@ pub enum Order {
     },
     /// Goes home with all axes that can.
     Home,
+    /// Takes orders again after an alarm, without being homed.
+    Unlock,
 }
 
 /// What is asked outside the row of orders, and carried out at once.
@@ -206,6 +208,28 @@ pub trait Wired: Driver {
     fn begin_anew(&mut self) -> bool;
 }
 
+impl<D: Wired + ?Sized> Driver for Box<D> {
+    fn send(&mut self, sent: &Sent, now_s: f64) {
+        (**self).send(sent, now_s);
+    }
+
+    fn signal(&mut self, signal: Signal, now_s: f64) {
+        (**self).signal(signal, now_s);
+    }
+
+    fn replies(&mut self, now_s: f64) -> Vec<Result<Reply, Garbled>> {
+        (**self).replies(now_s)
+    }
+
+    fn quiet(&self) -> bool {
+        (**self).quiet()
+    }
+
+    fn window(&self) -> usize {
+        (**self).window()
+    }
+}
+
 /// Whether an order can be carried out by any machine.
 pub fn is_sound(order: &Order) -> bool {
     match order {
@@ -214,7 +238,7 @@ pub fn is_sound(order: &Order) -> bool {
         }
         Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),
         Order::Spindle { rpm } => rpm.is_finite() && *rpm >= 0.0,
-        Order::Home => true,
+        Order::Home | Order::Unlock => true,
     }
 }
 

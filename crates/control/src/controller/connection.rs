@@ -1,0 +1,394 @@
+//! The connection to a controller: a driver, the line it hangs on, and the clock of the world.
+
+use super::row::{Chord, Handed, Row};
+use super::ways::{chords, speed_mm_s};
+use crate::Failure;
+use kerf_machine::driver::{
+    Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
+};
+use kerf_motion::Move;
+use kerf_program::{At, Axes};
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
+
+/// What a driver hangs on. Errors are told to people as they are.
+pub trait Line {
+    /// The bytes that came, waiting for the first of them at most so long; 0 when none did.
+    fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, String>;
+
+    /// Sends all bytes.
+    fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
+}
+
+/// How long one look at the line takes when nothing comes.
+const NAP: Duration = Duration::from_millis(4);
+
+/// A controller that has not told who it is after this is none, seconds.
+const GREETING_S: f64 = 8.0;
+
+/// A machine slows down and its controller is reset within this, seconds.
+const STOPPING_S: f64 = 10.0;
+
+/// Going home takes at most so long, seconds.
+const HOMING_S: f64 = 300.0;
+
+/// While it has nothing to do the controller is asked so often how it is, seconds.
+const ASK_S: f64 = 0.2;
+
+/// What is on its way to the controller at most: orders that are not done.
+const AHEAD: usize = 64;
+
+/// A connection to a controller.
+pub struct Connection {
+    name: String,
+    link: Link<Box<dyn Wired>>,
+    line: Box<dyn Line>,
+    since: Instant,
+    facts: Facts,
+    /// A place of the machine less that of the controller.
+    offset: Axes,
+    pub(super) row: Row,
+    /// The last order that is done.
+    done: Ticket,
+    /// Orders given and not done.
+    open: usize,
+    /// Outputs as they should be, and as they were ordered.
+    wanted: u32,
+    ordered: u32,
+    rpm: Option<f64>,
+    inputs: VecDeque<(u8, bool)>,
+    asked_s: f64,
+    failure: Option<Failure>,
+    /// The line itself is gone.
+    dead: bool,
+}
+
+impl Connection {
+    /// Speaks to a controller until it has told who it is.
+    ///
+    /// # Errors
+    /// Nobody answers, or something that is no such controller.
+    pub fn open(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Result<Self, String> {
+        let mut connection = Self {
+            name: name.to_owned(),
+            link: Link::new(driver),
+            line,
+            since: Instant::now(),
+            facts: Facts::default(),
+            offset: Axes::default(),
+            row: Row::default(),
+            done: 0,
+            open: 0,
+            wanted: 0,
+            ordered: 0,
+            rpm: None,
+            inputs: VecDeque::new(),
+            asked_s: 0.0,
+            failure: None,
+            dead: false,
+        };
+        let known = |it: &mut Self| it.link.driver().facts().cloned();
+        while connection.now_s() < GREETING_S && !connection.dead {
+            connection.carry(NAP);
+            if let Some(facts) = known(&mut connection) {
+                connection.facts = facts;
+                connection.link.restart(connection.now_s());
+                return Ok(connection);
+            }
+        }
+        match connection.failure.take() {
+            Some(failure) => Err(failure.message),
+            None => Err(format!(
+                "{name} does not answer: is it switched on, is this its port, and its rate?"
+            )),
+        }
+    }
+
+    /// What the controller told of itself.
+    pub const fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    /// How it is called.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// A place of the machine less that of the controller.
+    pub const fn offset(&self) -> Axes {
+        self.offset
+    }
+
+    /// Why it takes no orders: it is locked until it is homed.
+    pub fn locked(&mut self) -> Option<String> {
+        match self.link.driver().trouble() {
+            Some(trouble @ Trouble::Locked { .. }) => Some(format!("{}: {trouble}", self.name)),
+            _ => None,
+        }
+    }
+
+    /// Goes home with all axes that can.
+    ///
+    /// # Errors
+    /// It does not get there.
+    pub fn home(&mut self) -> Result<(), String> {
+        self.does(Order::Home, "get home")
+    }
+
+    /// Takes orders after an alarm although nobody has homed it.
+    ///
+    /// # Errors
+    /// It stays locked.
+    pub fn unlock(&mut self) -> Result<(), String> {
+        self.does(Order::Unlock, "unlock")
+    }
+
+    /// Has it do something before a run.
+    fn does(&mut self, order: Order, what: &str) -> Result<(), String> {
+        let until_s = self.now_s() + HOMING_S;
+        self.order(order);
+        while self.open > 0 && self.failure.is_none() && self.now_s() < until_s {
+            self.look(NAP);
+        }
+        match self.failure.take() {
+            Some(failure) => Err(failure.message),
+            None if self.open > 0 => Err(format!("{} did not {what}", self.name)),
+            None => Ok(()),
+        }
+    }
+
+    /// Where it stands in its own machine frame.
+    pub fn stands(&mut self) -> Axes {
+        self.link.driver().stands().map_or(Axes::default(), |standing| standing.position)
+    }
+
+    /// The machine is where it stands: from here on places are counted so.
+    pub fn is_at(&mut self, place: Axes) {
+        self.offset = place.minus(self.stands());
+    }
+
+    /// Why it does nothing more.
+    pub const fn failure(&self) -> Option<&Failure> {
+        self.failure.as_ref()
+    }
+
+    fn now_s(&self) -> f64 {
+        self.since.elapsed().as_secs_f64()
+    }
+
+    /// Where it was when it told last, machine frame.
+    pub(super) fn place(&mut self) -> Option<Axes> {
+        let standing = self.link.driver().stands()?;
+        Some(standing.position.plus(self.offset))
+    }
+
+    /// Moves bytes both ways.
+    fn carry(&mut self, wait: Duration) {
+        if self.dead {
+            return;
+        }
+        let now_s = self.now_s();
+        let out = self.link.driver().speak(now_s);
+        let mut bytes = [0; 1024];
+        let sent = if out.is_empty() { Ok(()) } else { self.line.write(&out) };
+        match sent.and_then(|()| self.line.read(&mut bytes, wait)) {
+            Ok(count) => {
+                let now_s = self.now_s();
+                self.link.driver().hear(&bytes[..count], now_s);
+            }
+            Err(why) => {
+                self.dead = true;
+                self.fail(why, "look at its cable and its power", None, true);
+            }
+        }
+    }
+
+    /// Looks what became of orders; sends what is due.
+    pub(super) fn look(&mut self, wait: Duration) {
+        let now_s = self.now_s();
+        if self.open == 0 && now_s - self.asked_s > ASK_S {
+            self.asked_s = now_s;
+            self.link.driver().signal(Signal::Ask, now_s);
+        }
+        self.carry(wait);
+        let told = self.link.poll(self.now_s());
+        for told in told {
+            match told {
+                Told::Done(ticket) => {
+                    self.done = ticket;
+                    self.open = self.open.saturating_sub(1);
+                }
+                Told::Input { line, on } => self.inputs.push_back((line, on)),
+                Told::State(state) => self.state_is(state),
+            }
+        }
+        // What the link has just given goes out without waiting for the next look.
+        self.carry(Duration::ZERO);
+        let stopped = self.link.driver().trouble().cloned();
+        if let Some(trouble) = stopped.filter(|trouble| !matches!(trouble, Trouble::Locked { .. })) {
+            self.troubled(&trouble, None);
+        }
+    }
+
+    fn state_is(&mut self, state: LinkState) {
+        match state {
+            LinkState::Up => {}
+            LinkState::Lost => {
+                let why = format!("{} does not answer any more", self.name);
+                let hint = "what it had in its buffer it may have made; look at its cable and its power";
+                self.fail(why, hint, None, true);
+            }
+            LinkState::Refused(ticket, why) => {
+                let at = self.row.at(ticket);
+                match self.link.driver().trouble().cloned() {
+                    Some(trouble) => self.troubled(&trouble, at),
+                    None => self.fail(format!("{}: {why}", self.name), "", at, false),
+                }
+            }
+        }
+    }
+
+    fn troubled(&mut self, trouble: &Trouble, at: Option<At>) {
+        let hint = match trouble {
+            Trouble::Alarm { lost: true, .. } | Trouble::Restarted => {
+                "its place may be lost: home it, or set the location, before the next file"
+            }
+            _ => "nothing moves any more; outputs are off",
+        };
+        let at = at.or_else(|| self.row.at(self.done + 1));
+        self.fail(format!("{}: {trouble}", self.name), hint, at, false);
+    }
+
+    fn fail(&mut self, message: String, hint: &'static str, at: Option<At>, silent: bool) {
+        let stands = self.place();
+        let failure = Failure { message, hint, at, silent, stands };
+        let _ = self.failure.get_or_insert(failure);
+    }
+
+    /// Fails because the program asks for what the controller does not have.
+    pub(super) fn lacks(&mut self, what: &str) {
+        self.fail(format!("{} has no {what}", self.name), "", None, false);
+    }
+
+    pub(super) fn order(&mut self, order: Order) -> Option<Ticket> {
+        let ticket = self.link.order(order)?;
+        self.open += 1;
+        Some(ticket)
+    }
+
+    /// Whether another move may be handed over.
+    pub(super) const fn has_room(&self) -> bool {
+        self.open < AHEAD && self.failure.is_none()
+    }
+
+    /// Whether orders are not done.
+    pub(super) const fn is_busy(&self) -> bool {
+        self.open > 0 && self.failure.is_none()
+    }
+
+    /// The last order that is done.
+    pub(super) const fn done(&self) -> Ticket {
+        self.done
+    }
+
+    /// An input that changed.
+    pub(super) fn input(&mut self) -> Option<(u8, bool)> {
+        self.inputs.pop_front()
+    }
+
+    /// Hands a move over, after the outputs that should be on.
+    pub(super) fn hand(&mut self, made: &Move) {
+        self.switch_outputs();
+        let chords = chords(made, self.facts.arc_tolerance_mm);
+        let speed_mm_s = speed_mm_s(made, &chords);
+        let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new() };
+        for (share, to) in chords {
+            let order = Order::Move { to: to.minus(self.offset), speed_mm_s };
+            let Some(ticket) = self.order(order) else { return };
+            handed.chords.push(Chord { ticket, share, to });
+        }
+        self.row.push(handed);
+    }
+
+    /// An output is to be on or off from here on.
+    pub(super) fn want(&mut self, line: u8, on: bool) {
+        let bit = self.facts.outputs & (1 << (line - 1));
+        self.wanted = if on { self.wanted | bit } else { self.wanted & !bit };
+        self.switch_outputs();
+    }
+
+    /// The speed of the spindle from here on.
+    pub(super) fn spin(&mut self, rpm: f64) {
+        self.rpm = Some(rpm);
+        self.order(Order::Spindle { rpm });
+    }
+
+    fn switch_outputs(&mut self) {
+        for line in 1..=u32::BITS as u8 {
+            let bit = 1 << (line - 1);
+            if (self.wanted ^ self.ordered) & bit == 0 {
+                continue;
+            }
+            let on = self.wanted & bit != 0;
+            if line == 1 && on {
+                // A spindle without a speed does not turn.
+                let rpm = self.rpm.unwrap_or(self.facts.spindle_rpm);
+                self.order(Order::Spindle { rpm });
+            }
+            self.order(Order::Output { line, on });
+        }
+        self.ordered = self.wanted;
+    }
+
+    /// Slows down on the path, stops, and begins anew from where it stands. Outputs are off until the next
+    /// move, whatever the machine should have on.
+    pub(super) fn stop(&mut self) {
+        let until_s = self.now_s() + STOPPING_S;
+        self.link.stop(self.now_s());
+        while !self.dead {
+            let now_s = self.now_s();
+            if now_s - self.asked_s > ASK_S / 2.0 {
+                self.asked_s = now_s;
+                self.link.driver().signal(Signal::Ask, now_s);
+            }
+            self.carry(NAP);
+            drop(self.link.driver().replies(now_s));
+            if self.link.driver().begin_anew() {
+                break;
+            }
+            if now_s > until_s {
+                let why = format!("{} does not say that it has stopped", self.name);
+                return self.fail(why, "press its emergency stop and look at it", None, true);
+            }
+        }
+        self.link.restart(self.now_s());
+        (self.done, self.open, self.ordered) = (0, 0, 0);
+    }
+
+    /// Waits until everything that was ordered is done.
+    pub(super) fn settle(&mut self) {
+        while self.is_busy() {
+            self.look(NAP);
+        }
+    }
+
+    /// The run is over; when it did not end well, everything is stopped and switched off.
+    pub fn close(&mut self, well: bool) {
+        if well {
+            self.settle();
+        }
+        if !well || self.failure.is_some() {
+            self.wanted = 0;
+            self.stop();
+        }
+    }
+}
+
+impl Drop for Connection {
+    fn drop(&mut self) {
+        // Whoever forgot to close it has left in the middle.
+        if self.open > 0 {
+            self.stop();
+        }
+    }
+}

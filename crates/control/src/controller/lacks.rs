@@ -1,0 +1,120 @@
+//! What a program asks for that a controller does not have, found before anything moves.
+
+use super::mirror::lacked;
+use crate::event::MoveEvent;
+use crate::{Event, Made, Sink};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_machine::driver::Facts;
+use kerf_program::{Axes, Axis, OutputReason};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// Looks at a dry run of the program.
+pub struct Lacks {
+    name: String,
+    facts: Facts,
+    /// A place of the machine less that of the controller.
+    offset: Axes,
+    /// Where the last move comes from.
+    file: Arc<str>,
+    line: u32,
+    seen: BTreeSet<String>,
+    found: Vec<Diagnostic>,
+}
+
+/// Why a controller cannot go to a place.
+pub(super) fn out_of_reach(facts: &Facts, from: Axes, to: Axes, offset: Axes) -> Option<String> {
+    let lacks = Axis::ALL.into_iter().find(|axis| {
+        axis.index() >= facts.axes && from[*axis] != to[*axis]
+    });
+    if let Some(axis) = lacks {
+        return Some(format!("has no axis {}", axis.letter()));
+    }
+    let place = to.minus(offset);
+    Axis::ALL.into_iter().find_map(|axis| {
+        let (low, high) = facts.travel_mm[axis.index()]?;
+        let outside = from[axis] != to[axis] && !(low..=high).contains(&place[axis]);
+        let (letter, at) = (axis.letter(), place[axis]);
+        outside.then(|| format!("ends at {letter} {low:.3} … {high:.3}: {letter} would go to {at:.3}, its own places"))
+    })
+}
+
+impl Lacks {
+    /// Looks for what a controller lacks that stands at a place of the machine.
+    pub fn new(name: &str, facts: &Facts, offset: Axes) -> Self {
+        let (name, facts) = (name.to_owned(), facts.clone());
+        let (file, seen, found) = (Arc::default(), BTreeSet::new(), Vec::new());
+        Self { name, facts, offset, file, line: 0, seen, found }
+    }
+
+    /// What it lacks, and what it does slower.
+    pub fn found(self) -> Vec<Diagnostic> {
+        self.found
+    }
+
+    fn tell(&mut self, code: Code, what: &str) {
+        if self.seen.insert(what.to_owned()) {
+            let place = Place::line(self.file.clone(), self.line);
+            self.found.push(Diagnostic::new(code, place, format!("{} {what}", self.name)));
+        }
+    }
+
+    fn moves(&mut self, event: &MoveEvent) {
+        (self.file, self.line) = (event.file.clone(), event.line);
+    }
+
+    fn is_slower(&mut self, made: &Made<'_>) {
+        let (from, to, seconds) =
+            (made.span.made.from, made.span.made.to, made.span.made.length_mm / made.span.made.top_mm_s());
+        for axis in Axis::ALL {
+            let Some(most) = self.facts.speed_mm_s[axis.index()] else { continue };
+            let wanted = (to[axis] - from[axis]).abs() / seconds;
+            let letter = axis.letter();
+            // A hundredth is the rounding of units.
+            if wanted > most * 1.01 && self.seen.insert(format!("slow {letter}")) {
+                let place = Place::line(self.file.clone(), self.line);
+                let why = format!(
+                    "{} moves {letter} at {most:.1} mm/s at most, the program asks for {wanted:.1}",
+                    self.name
+                );
+                let told = Diagnostic::new(Code::Controller, place, why);
+                self.found.push(told.severity(Severity::Warning));
+            }
+        }
+    }
+}
+
+/// Whether an output is asked for that there is not. A light that is on while something moves is none that
+/// a program needs.
+pub(super) fn needs(facts: &Facts, line: u8, why: OutputReason) -> bool {
+    facts.outputs & (1 << (line - 1)) == 0 && why != OutputReason::Motion
+}
+
+impl Sink for Lacks {
+    fn event(&mut self, event: &Event) {
+        match event {
+            Event::Move(made) => self.moves(made),
+            Event::Arc(arc) => self.moves(&arc.made),
+            Event::Output { n, on: true, why, .. } if needs(&self.facts, *n, *why) => {
+                self.tell(Code::Controller, &format!("has no output {n}"));
+            }
+            Event::Independent { speed, frequency, .. } if *speed != 0.0 || *frequency != 0.0 => {
+                self.tell(Code::Controller, "has no axis that moves by itself");
+            }
+            Event::Height { .. } => self.tell(Code::Controller, "has no height control"),
+            other => {
+                if let Some(what) = lacked(other) {
+                    self.tell(Code::Controller, &format!("has no {what}"));
+                }
+            }
+        }
+    }
+
+    fn made(&mut self, made: &Made<'_>) {
+        let (from, to) = (made.span.made.from, made.span.made.to);
+        if let Some(why) = out_of_reach(&self.facts, from, to, self.offset) {
+            self.tell(Code::Controller, &why);
+        }
+        self.is_slower(made);
+    }
+}

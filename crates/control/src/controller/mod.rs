@@ -1,0 +1,36 @@
+//! A run on a real controller.
+//!
+//! The run is the same as on the simulated machine: the plan says where every axis goes, the model of the
+//! machine keeps outputs, frames and times. What is different is who decides *when* a move is made and
+//! *where* a stop ends: the controller does, and the run follows it.
+//!
+//! ```text
+//!  Runner ── watch(move) ──► Steers ── orders ──► Link ── Driver ── bytes ──► controller
+//!     ▲                        │  ▲                                             │
+//!     └── made, or where it stands ◄───────────── status reports ◄──────────────┘
+//!  Sink   ── outputs ─────► Mirror ── orders ──► Link
+//! ```
+//!
+//! - Moves of a plan are sent ahead, so that the controller never has to stop between them; the run goes on
+//!   with the next move when the controller has made one.
+//! - A stop is the controller's own: it slows down on the path and is reset where it stands. From the place
+//!   that it tells the moment of the plan is found, and the run stands there too.
+//! - Times of the trace are those of the plan. The controller takes its own.
+
+mod connection;
+mod lacks;
+mod mirror;
+mod row;
+mod steers;
+mod ways;
+
+pub use connection::{Connection, Line};
+pub use lacks::Lacks;
+pub use mirror::Mirror;
+pub use steers::Steers;
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// A connection that moves and outputs share.
+pub type Shared = Rc<RefCell<Connection>>;

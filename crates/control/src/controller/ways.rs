@@ -1,0 +1,74 @@
+//! Moves as chords, for a machine that knows only straight ways.
+
+use kerf_machine::driver::way_mm;
+use kerf_motion::{Move, Path};
+use kerf_program::Axes;
+
+/// A move is never cut into more chords than this.
+const MOST: usize = 1 << 14;
+
+/// The ends of the chords of a move with their shares of it; none lies farther from it than the tolerance.
+pub fn chords(made: &Move, tolerance_mm: f64) -> Vec<(f64, Axes)> {
+    let count = match made.path {
+        Path::Line => 1,
+        Path::Arc { centre, sweep_rad, .. } => {
+            let radius = (made.from.0[0] - centre[0]).hypot(made.from.0[1] - centre[1]);
+            arc_chords(radius, sweep_rad.abs(), tolerance_mm)
+        }
+        Path::Curve { .. } => curve_chords(made, tolerance_mm),
+    };
+    let end = |n: usize| n as f64 / count as f64;
+    let inner = (1..count).map(|n| (end(n), made.position(end(n))));
+    inner.chain([(1.0, made.to)]).collect()
+}
+
+/// A chord over the angle a lies r (1 - cos a/2) inside the arc.
+fn arc_chords(radius_mm: f64, sweep_rad: f64, tolerance_mm: f64) -> usize {
+    let inside = (1.0 - tolerance_mm / radius_mm).clamp(-1.0, 1.0);
+    let angle = 2.0 * inside.acos();
+    if angle > 0.0 { ((sweep_rad / angle).ceil() as usize).clamp(1, MOST) } else { 1 }
+}
+
+fn curve_chords(made: &Move, tolerance_mm: f64) -> usize {
+    let mut count = 2;
+    while count < MOST && sagitta(made, count) > tolerance_mm {
+        count *= 2;
+    }
+    count
+}
+
+/// How far the middle of a chord lies from the path, at most.
+fn sagitta(made: &Move, count: usize) -> f64 {
+    let at = |n: f64| made.position(n / count as f64);
+    let one = |n: usize| {
+        let (a, b) = (at(n as f64), at(n as f64 + 1.0));
+        way_mm(a.zip(b, |a, b| (a + b) / 2.0), at(n as f64 + 0.5))
+    };
+    (0..count).map(one).fold(0.0, f64::max)
+}
+
+/// The speed of a move along its way of all axes, mm/s; what the program asks for is along its reference
+/// length.
+pub fn speed_mm_s(made: &Move, chords: &[(f64, Axes)]) -> f64 {
+    let mut from = made.from;
+    let way: f64 = chords
+        .iter()
+        .map(|(_, to)| {
+            let way = way_mm(from, *to);
+            from = *to;
+            way
+        })
+        .sum();
+    let seconds = made.length_mm / made.top_mm_s();
+    if way > 0.0 && seconds > 0.0 { way / seconds } else { made.top_mm_s() }
+}
+
+/// How far a place lies from a straight way, and at what share of it.
+pub fn nearest(from: Axes, to: Axes, place: Axes) -> (f64, f64) {
+    let way = to.minus(from);
+    let square: f64 = way.0.iter().map(|v| v * v).sum();
+    let along: f64 = place.minus(from).0.iter().zip(way.0).map(|(a, b)| a * b).sum();
+    let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 1.0 };
+    let foot = from.zip(to, |from, to| from + (to - from) * share);
+    (way_mm(foot, place), share)
+}

@@ -1,0 +1,75 @@
+//! A controller that is none, on a pseudo terminal: to try `kerf run FILE --driver grbl:PORT` without a
+//! machine.
+//!
+//! ```text
+//! cargo run -p kerf --example grbl
+//! kerf run box.sbp --driver grbl:/dev/pts/4
+//! ```
+//!
+//! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
+//! `pins PD` closes switches, `where` tells where it stands, an end of the input unplugs it.
+#![allow(clippy::print_stdout)]
+
+#[cfg(unix)]
+fn main() {
+    unix::main();
+}
+
+#[cfg(not(unix))]
+fn main() {
+    println!("there are no pseudo terminals here");
+}
+
+#[cfg(unix)]
+mod unix {
+    use kerf_driver_grbl::fake::Fake;
+    use kerf_serial::pretend::Plug;
+    use std::io::stdin;
+    use std::sync::mpsc::{Receiver, TryRecvError, channel};
+    use std::time::{Duration, Instant};
+
+    pub fn main() {
+        let settings: Vec<(u16, f64)> = std::env::args().skip(1).filter_map(|word| setting(&word)).collect();
+        let plug = Plug::new().expect("a pseudo terminal");
+        println!("{}", plug.path());
+        let (said, says) = channel();
+        std::thread::spawn(move || stdin().lines().map_while(Result::ok).try_for_each(|l| said.send(l)));
+        play(plug, Fake::new(&settings), &says);
+    }
+
+    fn setting(word: &str) -> Option<(u16, f64)> {
+        let (number, value) = word.split_once('=')?;
+        Some((number.parse().ok()?, value.parse().ok()?))
+    }
+
+    fn play(mut plug: Plug, mut fake: Fake, says: &Receiver<String>) {
+        let since = Instant::now();
+        let mut bytes = [0; 256];
+        loop {
+            let count = plug.read(&mut bytes, Duration::from_millis(2)).expect("the pseudo terminal");
+            let now_s = since.elapsed().as_secs_f64();
+            fake.hear(&bytes[..count], now_s);
+            let out = fake.speak(now_s);
+            plug.write(&out).expect("the pseudo terminal");
+            match says.try_recv() {
+                Ok(line) => work(&mut fake, &line),
+                Err(TryRecvError::Empty) => {}
+                Err(TryRecvError::Disconnected) => return,
+            }
+        }
+    }
+
+    fn work(fake: &mut Fake, line: &str) {
+        match line.split_once(' ').unwrap_or((line, "")) {
+            ("limit", _) => fake.hits_limit(),
+            ("pins", pins) => fake.pins(pins),
+            ("where", _) => {
+                let [x, y, z, ..] = fake.position().0;
+                let (stands, spindle) = (fake.stands(), fake.spindle());
+                println!("{x:.3},{y:.3},{z:.3} spindle {spindle:?}, {stands} stands, {} bytes lost", fake.overflowed);
+            }
+            ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
+            _ => println!("limit, pins PXYZD, where, lines"),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The controller of a run: what `--driver` names, opened, looked at, and closed again.
+
+use crate::args::RunArgs;
+use crate::exit::{Exit, Usage};
+use crate::report::Diagnostics;
+use crate::setup;
+use anyhow::{Result, anyhow, bail};
+use kerf_control::answers::Answers;
+use kerf_control::controller::{Connection, Lacks, Line, Shared};
+use kerf_control::{Company, RunOptions, Session, Shelf, Sink, Work};
+use kerf_driver_grbl::Grbl;
+use kerf_program::AxisSet;
+use kerf_serial::Port;
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::time::Duration;
+
+/// The rate of grbl's own build.
+const BAUD: u32 = 115_200;
+
+/// What `--driver` names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DriverName {
+    words: String,
+    path: String,
+    baud: u32,
+}
+
+impl DriverName {
+    /// Reads `grbl:/dev/ttyUSB0@115200`.
+    pub fn read(words: &str) -> Result<Self, String> {
+        let kind = "name a driver and its port: grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000";
+        let (driver, port) = words.split_once(':').ok_or(kind)?;
+        if driver != "grbl" {
+            return Err(format!("there is no driver '{driver}', only grbl; {kind}"));
+        }
+        let (path, baud) = match port.rsplit_once('@') {
+            Some((path, baud)) => {
+                let wrong = || format!("'{baud}' is no rate in baud, as 115200 is");
+                (path, baud.parse().ok().filter(|baud| *baud > 0).ok_or_else(wrong)?)
+            }
+            None => (port, BAUD),
+        };
+        if path.is_empty() {
+            return Err(kind.into());
+        }
+        Ok(Self { words: words.to_owned(), path: path.to_owned(), baud })
+    }
+}
+
+/// A serial port as the line of a driver.
+struct Wire(Port);
+
+impl Line for Wire {
+    fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, String> {
+        self.0.read(into, wait).map_err(|error| error.to_string())
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), String> {
+        self.0.write(bytes).map_err(|error| error.to_string())
+    }
+}
+
+/// Opens the port and waits until the controller has told who it is.
+pub fn connect(name: &DriverName, quiet: bool) -> Result<Connection> {
+    let port = Port::open(&name.path, name.baud)?;
+    let (driver, line) = (Box::new(Grbl::new()), Box::new(Wire(port)));
+    let connection = Connection::open(&name.words, driver, line).map_err(|why| anyhow!(why))?;
+    if !quiet {
+        let facts = connection.facts();
+        let axes: String = "XYZABC".chars().take(facts.axes).collect();
+        eprintln!("kerf: {}: {}, axes {axes}", name.words, facts.name);
+    }
+    Ok(connection)
+}
+
+/// What is done before anything else.
+#[derive(clap::Args, Clone, Copy, Debug)]
+pub struct First {
+    /// Has the controller go home first
+    #[arg(long, requires = "driver")]
+    home: bool,
+    /// Unlocks the controller after an alarm, without homing it: look first why it stopped, and where it is
+    #[arg(long, requires = "driver", conflicts_with = "home")]
+    unlock: bool,
+}
+
+/// A controller that is ready for a run, with the session standing where it stands.
+pub fn ready(
+    name: &DriverName,
+    first: First,
+    quiet: bool,
+    session: &mut Session,
+) -> Result<Shared> {
+    let mut connection = connect(name, quiet)?;
+    if first.unlock {
+        connection.unlock().map_err(|why| anyhow!(why))?;
+    }
+    if first.home {
+        connection.home().map_err(|why| anyhow!(why))?;
+    }
+    if let Some(locked) = connection.locked() {
+        bail!(locked);
+    }
+    if connection.facts().homes {
+        takes_place(&mut connection, session, quiet);
+    } else {
+        connection.is_at(session.memory.position);
+    }
+    Ok(Rc::new(RefCell::new(connection)))
+}
+
+/// A controller that was homed knows where it stands; Kerf believes it.
+fn takes_place(connection: &mut Connection, session: &mut Session, quiet: bool) {
+    let axes = AxisSet::first(connection.facts().axes);
+    let stands = connection.stands();
+    let mut place = session.memory.position;
+    for axis in axes.iter() {
+        let apart = (place[axis] - stands[axis]).abs() > 0.01;
+        if apart && !quiet {
+            eprintln!(
+                "kerf: {} stands at {:.3} and not at {:.3} of the machine, as the controller tells; \
+                 zero points are where they were",
+                axis.letter(),
+                stands[axis],
+                place[axis]
+            );
+        }
+        place[axis] = stands[axis];
+        session.homed.insert(axis);
+    }
+    session.memory.position = place;
+}
+
+/// Looks at a dry run for what the controller does not have; nothing moves when something is missing.
+pub fn look_through(
+    shared: &Shared,
+    work: &Work,
+    session: &Session,
+    options: &RunOptions,
+    shelf: &Shelf,
+    run: &RunArgs,
+) -> Result<Option<Exit>> {
+    let again = match work {
+        Work::Part(program) => Work::Part(program.clone()),
+        Work::Job(job, machine) => Work::Job(job.clone(), machine.clone()),
+        Work::Hand(..) => return Ok(None),
+    };
+    let mut shelf = setup::shelf(shelf.part_folder(), &run.place, true)?;
+    let connection = shared.borrow();
+    let mut lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
+    let mut options = RunOptions { started: None, ..options.clone() };
+    options.program.preview = true;
+    let mut answers: Answers = setup::answers(run)?;
+    let company = Company { sink: &mut lacks, operator: &mut answers, pace: &mut () };
+    drop(session.clone().run(again, options, &mut shelf, company));
+    let found = lacks.found();
+    let mut told = Diagnostics::default();
+    for diagnostic in &found {
+        told.event(&kerf_control::Event::Diag(Box::new(diagnostic.clone())));
+    }
+    Ok(found.iter().any(kerf_diag::Diagnostic::is_error).then_some(Exit::Failed))
+}
+
+/// What cannot be had together with a controller.
+pub fn check(run: &RunArgs) -> Result<()> {
+    let scripted = !run.operator.feed.is_empty();
+    if scripted {
+        bail!(Usage("--override is of the simulated machine: with --driver turn it at the controller".into()));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drivers_are_named_with_port_and_rate() {
+        let read = |words| DriverName::read(words).map(|name| (name.path, name.baud));
+        assert_eq!(read("grbl:/dev/ttyUSB0").unwrap(), ("/dev/ttyUSB0".into(), 115_200));
+        assert_eq!(read("grbl:COM3@250000").unwrap(), ("COM3".into(), 250_000));
+        for wrong in ["grbl", "grbl:", "grbl:@9600", "grbl:COM3@fast", "grbl:COM3@0", "linuxcnc:x"] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+}
