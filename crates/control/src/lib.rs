@@ -8,6 +8,7 @@
 //!
 //! - [`Session`] is what stays between runs; [`Session::run`] is one run.
 //! - [`Event`] is what a run tells, exactly as `kerf trace` prints it; a [`Sink`] takes events.
+//! - [`controller`] runs the same on a real machine: the plan is the same, who makes it is not.
 //! - [`Shelf`] is everything on disk that a program may reach. A preview gets a copy that keeps its
 //!   writes to itself.
 //! - [`run_text`] does it all in memory: for tests, editors, whoever has no disk.

@@ -105,7 +105,9 @@ impl Stack {
 
     /// How many moves are made before something marked is carried out.
     pub fn before_mark(&self) -> usize {
-        self.marks.front().map_or(usize::MAX, |(before, _)| before.saturating_sub(self.made) as usize)
+        self.marks
+            .front()
+            .map_or(usize::MAX, |(before, _)| before.saturating_sub(self.made) as usize)
     }
 
     /// A move was made, or a part of it: an override makes it in several.

@@ -29,11 +29,14 @@ mod unix {
     use std::time::{Duration, Instant};
 
     pub fn main() {
-        let settings: Vec<(u16, f64)> = std::env::args().skip(1).filter_map(|word| setting(&word)).collect();
+        let settings: Vec<(u16, f64)> =
+            std::env::args().skip(1).filter_map(|word| setting(&word)).collect();
         let plug = Plug::new().expect("a pseudo terminal");
         println!("{}", plug.path());
         let (said, says) = channel();
-        std::thread::spawn(move || stdin().lines().map_while(Result::ok).try_for_each(|l| said.send(l)));
+        std::thread::spawn(move || {
+            stdin().lines().map_while(Result::ok).try_for_each(|l| said.send(l))
+        });
         play(plug, Fake::new(&settings), &says);
     }
 
@@ -46,7 +49,8 @@ mod unix {
         let since = Instant::now();
         let mut bytes = [0; 256];
         loop {
-            let count = plug.read(&mut bytes, Duration::from_millis(2)).expect("the pseudo terminal");
+            let count =
+                plug.read(&mut bytes, Duration::from_millis(2)).expect("the pseudo terminal");
             let now_s = since.elapsed().as_secs_f64();
             fake.hear(&bytes[..count], now_s);
             let out = fake.speak(now_s);
@@ -66,7 +70,10 @@ mod unix {
             ("where", _) => {
                 let [x, y, z, ..] = fake.position().0;
                 let (stands, spindle) = (fake.stands(), fake.spindle());
-                println!("{x:.3},{y:.3},{z:.3} spindle {spindle:?}, {stands} stands, {} bytes lost", fake.overflowed);
+                println!(
+                    "{x:.3},{y:.3},{z:.3} spindle {spindle:?}, {stands} stands, {} bytes lost",
+                    fake.overflowed
+                );
             }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
             _ => println!("limit, pins PXYZD, where, lines"),

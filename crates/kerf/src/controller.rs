@@ -166,7 +166,10 @@ pub fn look_through(
 pub fn check(run: &RunArgs) -> Result<()> {
     let scripted = !run.operator.feed.is_empty();
     if scripted {
-        bail!(Usage("--override is of the simulated machine: with --driver turn it at the controller".into()));
+        bail!(Usage(
+            "--override is of the simulated machine: with --driver turn it at the controller"
+                .into()
+        ));
     }
     Ok(())
 }
@@ -181,7 +184,8 @@ mod tests {
         let read = |words| DriverName::read(words).map(|name| (name.path, name.baud));
         assert_eq!(read("grbl:/dev/ttyUSB0").unwrap(), ("/dev/ttyUSB0".into(), 115_200));
         assert_eq!(read("grbl:COM3@250000").unwrap(), ("COM3".into(), 250_000));
-        for wrong in ["grbl", "grbl:", "grbl:@9600", "grbl:COM3@fast", "grbl:COM3@0", "linuxcnc:x"] {
+        for wrong in ["grbl", "grbl:", "grbl:@9600", "grbl:COM3@fast", "grbl:COM3@0", "linuxcnc:x"]
+        {
             assert!(read(wrong).is_err(), "{wrong}");
         }
     }

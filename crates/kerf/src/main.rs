@@ -6,8 +6,8 @@
 mod args;
 mod clock;
 mod coloured;
-mod controller;
 mod commands;
+mod controller;
 mod curves;
 mod date;
 mod drawings;

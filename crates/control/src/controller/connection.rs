@@ -225,7 +225,8 @@ impl Connection {
         // What the link has just given goes out without waiting for the next look.
         self.carry(Duration::ZERO);
         let stopped = self.link.driver().trouble().cloned();
-        if let Some(trouble) = stopped.filter(|trouble| !matches!(trouble, Trouble::Locked { .. })) {
+        if let Some(trouble) = stopped.filter(|trouble| !matches!(trouble, Trouble::Locked { .. }))
+        {
             self.troubled(&trouble, None);
         }
     }
@@ -235,7 +236,8 @@ impl Connection {
             LinkState::Up => {}
             LinkState::Lost => {
                 let why = format!("{} does not answer any more", self.name);
-                let hint = "what it had in its buffer it may have made; look at its cable and its power";
+                let hint =
+                    "what it had in its buffer it may have made; look at its cable and its power";
                 self.fail(why, hint, None, true);
             }
             LinkState::Refused(ticket, why) => {

@@ -24,9 +24,8 @@ pub struct Lacks {
 
 /// Why a controller cannot go to a place.
 pub(super) fn out_of_reach(facts: &Facts, from: Axes, to: Axes, offset: Axes) -> Option<String> {
-    let lacks = Axis::ALL.into_iter().find(|axis| {
-        axis.index() >= facts.axes && from[*axis] != to[*axis]
-    });
+    let lacks =
+        Axis::ALL.into_iter().find(|axis| axis.index() >= facts.axes && from[*axis] != to[*axis]);
     if let Some(axis) = lacks {
         return Some(format!("has no axis {}", axis.letter()));
     }
@@ -64,8 +63,11 @@ impl Lacks {
     }
 
     fn is_slower(&mut self, made: &Made<'_>) {
-        let (from, to, seconds) =
-            (made.span.made.from, made.span.made.to, made.span.made.length_mm / made.span.made.top_mm_s());
+        let (from, to, seconds) = (
+            made.span.made.from,
+            made.span.made.to,
+            made.span.made.length_mm / made.span.made.top_mm_s(),
+        );
         for axis in Axis::ALL {
             let Some(most) = self.facts.speed_mm_s[axis.index()] else { continue };
             let wanted = (to[axis] - from[axis]).abs() / seconds;

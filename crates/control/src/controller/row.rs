@@ -99,7 +99,8 @@ impl Row {
         if handed.last() <= done {
             return 1.0;
         }
-        let begun = self.moves.get(index.wrapping_sub(self.first + 1)).is_none_or(|it| it.last() <= done);
+        let begun =
+            self.moves.get(index.wrapping_sub(self.first + 1)).is_none_or(|it| it.last() <= done);
         let near = place.filter(|_| begun).and_then(|place| handed.nearest(done, place));
         // Only what is done is made to its end.
         near.map_or(0.0, |(_, share)| share.min(1.0 - f64::EPSILON))

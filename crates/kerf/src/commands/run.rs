@@ -2,8 +2,8 @@
 
 use crate::args::RunArgs;
 use crate::clock;
-use crate::controller::{self, DriverName, First};
 use crate::commands::protect;
+use crate::controller::{self, DriverName, First};
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
@@ -228,7 +228,9 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
     if let Some(name) = &args.driver {
         controller::check(run)?;
         let shared = controller::ready(name, args.first, args.quiet(), &mut session)?;
-        if let Some(exit) = controller::look_through(&shared, &work, &session, &options, &shelf, run)? {
+        if let Some(exit) =
+            controller::look_through(&shared, &work, &session, &options, &shelf, run)?
+        {
             return Ok(exit);
         }
         controller = Some(shared);

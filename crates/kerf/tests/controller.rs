@@ -1,0 +1,221 @@
+//! `kerf run --driver`: runs on a controller that is none, on a pseudo terminal.
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, non_snake_case)]
+
+mod shop;
+
+use kerf_driver_grbl::fake::Fake;
+use kerf_serial::pretend::Plug;
+use serde_json::Value;
+use shop::{Did, Shop};
+use std::process::{Child, Stdio};
+use std::sync::{Arc, Mutex};
+use std::thread::{JoinHandle, sleep, spawn};
+use std::time::{Duration, Instant};
+
+/// A controller on a port; unplugged when it is dropped.
+struct Bench {
+    fake: Arc<Mutex<Fake>>,
+    port: String,
+    plugged: Arc<Mutex<bool>>,
+    player: Option<JoinHandle<()>>,
+}
+
+impl Bench {
+    fn new(settings: &[(u16, f64)]) -> Self {
+        let plug = Plug::new().unwrap();
+        let (port, plugged) = (plug.path().to_owned(), Arc::new(Mutex::new(true)));
+        let fake = Arc::new(Mutex::new(Fake::new(settings)));
+        let (played, until) = (fake.clone(), plugged.clone());
+        let player = Some(spawn(move || play(plug, &played, &until)));
+        Self { fake, port, plugged, player }
+    }
+
+    fn look<T>(&self, at: impl FnOnce(&mut Fake) -> T) -> T {
+        at(&mut self.fake.lock().unwrap())
+    }
+
+    /// Waits until something holds of the controller.
+    #[track_caller]
+    fn until(&self, holds: impl Fn(&Fake) -> bool) {
+        let begin = Instant::now();
+        while !self.look(|fake| holds(fake)) {
+            assert!(begin.elapsed() < Duration::from_secs(60), "it does not come to that");
+            sleep(Duration::from_millis(5));
+        }
+    }
+
+    fn unplug(&mut self) {
+        *self.plugged.lock().unwrap() = false;
+        if let Some(player) = self.player.take() {
+            player.join().unwrap();
+        }
+    }
+
+    fn x_mm(&self) -> f64 {
+        self.look(|fake| fake.position().0[0])
+    }
+
+    fn args(&self, words: &str) -> String {
+        format!("{words} --driver grbl:{} --trace t.jsonl", self.port)
+    }
+
+    fn run(&self, shop: &Shop, words: &str) -> Did {
+        shop.kerf(&self.args(words))
+    }
+
+    fn start(&self, shop: &Shop, words: &str) -> Child {
+        let mut command = shop.command();
+        command.args(self.args(words).split_whitespace());
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+    }
+}
+
+impl Drop for Bench {
+    fn drop(&mut self) {
+        self.unplug();
+    }
+}
+
+fn play(mut plug: Plug, fake: &Mutex<Fake>, plugged: &Mutex<bool>) {
+    let (since, mut bytes) = (Instant::now(), [0; 256]);
+    while *plugged.lock().unwrap() {
+        let count = plug.read(&mut bytes, Duration::from_millis(2)).unwrap();
+        let now_s = since.elapsed().as_secs_f64();
+        let out = {
+            let mut fake = fake.lock().unwrap();
+            fake.hear(&bytes[..count], now_s);
+            fake.speak(now_s)
+        };
+        plug.write(&out).unwrap();
+    }
+}
+
+fn events(shop: &Shop, kind: &str) -> Vec<Value> {
+    let trace = shop.read("t.jsonl");
+    let all = trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    all.filter(|event| event["e"] == kind).collect()
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() < 0.02
+}
+
+const BOX: &str =
+    "TR,12000\nSO,1,1\nMS,2,1\nJZ,.2\nMZ,-.1\nMX,1\nMY,1\nCG,,0,0,-.5,-.5,T,1\nSO,1,0\nJZ,.2\n";
+
+#[test]
+fn sbp_ctl_run__on_a_grbl() {
+    let (shop, bench) = (Shop::new(&[("box.sbp", BOX)]), Bench::new(&[]));
+    bench.run(&shop, "run box.sbp").exits(0).complains("grbl 1.1h").says("ran to its end");
+    let [x, y, z, ..] = bench.look(|fake| fake.position()).0;
+    assert!(x.abs() < 0.01 && y.abs() < 0.01 && close(z, 5.08), "{x} {y} {z}");
+    assert_eq!(bench.look(|fake| (fake.spindle(), fake.overflowed)), (None, 0));
+    assert_eq!(
+        events(&shop, "arc").len(),
+        1,
+        "an arc is one event, whatever the controller makes of it"
+    );
+    assert_eq!(events(&shop, "end")[0]["status"], "ok");
+    let lines = bench.look(|fake| fake.lines.clone());
+    let place = |word: &str| lines.iter().position(|line| line.starts_with(word)).unwrap();
+    assert!(place("S12000") < place("M3") && place("M3") < place("G53"));
+    let chords = lines.iter().filter(|line| line.starts_with("G53G1X") && line.contains('Y'));
+    assert!(chords.count() > 50, "a circle within $12");
+    // It stood before the jog that follows the cut, and where the spindle was switched off.
+    assert!(bench.look(|fake| fake.stands()) <= 6, "{}", bench.look(|fake| fake.stands()));
+}
+
+#[test]
+fn a_row_of_short_moves_is_one_motion_on_a_grbl() {
+    let place = |n: u32| {
+        let angle = f64::from(n) * 0.03;
+        format!(
+            "M3,{:.4},{:.4},{:.4}\n",
+            angle.sin(),
+            1.0 - angle.cos(),
+            0.01 * (5.0 * angle).sin()
+        )
+    };
+    let moves: String = (1..=900).map(place).collect();
+    let (shop, bench) = (Shop::new(&[("many.sbp", &format!("MS,3,3\n{moves}"))]), Bench::new(&[]));
+    bench.run(&shop, "run many.sbp").exits(0);
+    assert_eq!(bench.look(|fake| (fake.stands(), fake.overflowed)), (1, 0));
+    assert_eq!(events(&shop, "move").len(), 900);
+}
+
+const SQUARE: &str = "MS,1,1\nSO,1,1\nMX,3\nMY,3\nMX,0\nMY,0\n";
+
+#[test]
+fn a_stop_on_a_grbl_ends_where_the_controller_stands() {
+    let (shop, bench) =
+        (Shop::new(&[("square.sbp", SQUARE), ("back.sbp", "J2,0,0\n")]), Bench::new(&[]));
+    let child = bench.start(&shop, "run square.sbp");
+    bench.until(|fake| fake.position().0[0] > 30.0);
+    let id = nix::unistd::Pid::from_raw(child.id() as i32);
+    nix::sys::signal::kill(id, nix::sys::signal::Signal::SIGINT).unwrap();
+    Did::of(child.wait_with_output().unwrap()).exits(3).says("STOPPED");
+    assert_eq!(bench.look(|fake| fake.spindle()), None);
+    let stood = bench.x_mm();
+    assert!(stood > 30.0 && stood < 70.0, "{stood}");
+    let made = events(&shop, "move");
+    assert!(close(made[0]["to"]["x"].as_f64().unwrap() * 25.4, stood), "{made:?} {stood}");
+    bench.run(&shop, "run back.sbp").exits(0);
+    assert!(bench.x_mm().abs() < 0.01, "the location was kept: {}", bench.x_mm());
+}
+
+#[test]
+fn an_alarm_of_a_grbl_names_the_line_and_doubts_the_place() {
+    let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run square.sbp");
+    bench.until(|fake| fake.position().0[1] > 10.0);
+    bench.look(Fake::hits_limit);
+    let did = Did::of(child.wait_with_output().unwrap());
+    did.exits(1).complains("M007").complains("square.sbp:4").complains("limit switch");
+    assert_eq!(bench.look(|fake| fake.spindle()), None);
+    bench.run(&shop, "run square.sbp").exits(1).complains("it is locked");
+    let again = bench.run(&shop, "run square.sbp --unlock");
+    again.exits(3).says("Position unverified");
+}
+
+#[test]
+fn a_grbl_that_is_unplugged_ends_the_run() {
+    let (shop, mut bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run square.sbp");
+    bench.until(|fake| fake.position().0[0] > 20.0);
+    bench.unplug();
+    let did = Did::of(child.wait_with_output().unwrap());
+    did.exits(1).complains("M005").complains("square.sbp:3");
+    let cut = events(&shop, "end")[0]["cut"].as_f64().unwrap();
+    assert!(cut > 0.5 && cut < 3.0, "what was told last is what is known: {cut}");
+    shop.kerf("run square.sbp --driver grbl:/dev/none")
+        .exits(1)
+        .complains("there is no serial port");
+}
+
+#[test]
+fn what_a_grbl_lacks_is_found_before_anything_moves() {
+    let (shop, bench) = (Shop::new(&[]), Bench::new(&[(20, 1.0)]));
+    let lacks = |program: &str, what: &str| {
+        shop.write("p.sbp", program.as_bytes());
+        bench.run(&shop, "run p.sbp --start fresh").exits(1).complains(what).complains("M007");
+        assert_eq!(bench.look(|fake| fake.way_mm()), 0.0, "{what}");
+    };
+    lacks("VD,,4\nMX,-1\nMA,90\n", "has no axis A");
+    lacks("MX,-1\nSO,7,1\n", "has no output 7");
+    lacks("MX,-1\nMX,1\n", "ends at X -600.000 … 0.000");
+    let nothing = Plug::new().unwrap();
+    let silent = format!("run p.sbp --driver grbl:{}", nothing.path());
+    shop.kerf(&silent).exits(1).complains("does not answer");
+    shop.kerf("run p.sbp --driver marlin:/dev/ttyS0")
+        .exits(2)
+        .complains("there is no driver 'marlin'");
+}
+
+#[test]
+fn a_grbl_that_homes_says_where_the_machine_is() {
+    let (shop, bench) = (Shop::new(&[("p.sbp", "MX,-2\n")]), Bench::new(&[(22, 1.0)]));
+    bench.run(&shop, "run p.sbp").exits(1).complains("--home");
+    bench.run(&shop, "run p.sbp --home").exits(0).complains("stands at -1.000");
+    assert!(close(bench.x_mm(), -50.8), "{}", bench.x_mm());
+}
