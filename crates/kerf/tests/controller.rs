@@ -171,7 +171,7 @@ fn an_alarm_of_a_grbl_names_the_line_and_doubts_the_place() {
     bench.until(|fake| fake.position().0[1] > 10.0);
     bench.look(Fake::hits_limit);
     let did = Did::of(child.wait_with_output().unwrap());
-    did.exits(1).complains("M007").complains("square.sbp:4").complains("limit switch");
+    did.exits(1).complains("M008").complains("square.sbp:4").complains("limit switch");
     assert_eq!(bench.look(|fake| fake.spindle()), None);
     bench.run(&shop, "run square.sbp").exits(1).complains("it is locked");
     let again = bench.run(&shop, "run square.sbp --unlock");
@@ -198,7 +198,7 @@ fn what_a_grbl_lacks_is_found_before_anything_moves() {
     let (shop, bench) = (Shop::new(&[]), Bench::new(&[(20, 1.0)]));
     let lacks = |program: &str, what: &str| {
         shop.write("p.sbp", program.as_bytes());
-        bench.run(&shop, "run p.sbp --start fresh").exits(1).complains(what).complains("M007");
+        bench.run(&shop, "run p.sbp --start fresh").exits(1).complains(what).complains("M008");
         assert_eq!(bench.look(|fake| fake.way_mm()), 0.0, "{what}");
     };
     lacks("VD,,4\nMX,-1\nMA,90\n", "has no axis A");
