@@ -49,6 +49,12 @@ fn a_file_that_breaks_off_in_a_polyline() {
 }
 
 #[test]
+fn a_file_without_a_byte() {
+    check("", &[], &["1: the file is empty"]);
+    check("999\na comment\n", &[], &[]);
+}
+
+#[test]
 fn a_line_that_is_missing() {
     let text = lines(&format!("{BEGIN}/{LINE}/{CIRCLE}/{LINE}/{END}"));
     // The radius of the circle.

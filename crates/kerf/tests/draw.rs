@@ -74,6 +74,16 @@ fn what_cannot_be_read_is_told() {
     let output = kerf(folder.path(), &["draw", "photo.dxf", "--list"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(told(&output).contains("photo.dxf: nothing of a drawing could be read"));
+    // A disk that was full leaves files without a byte.
+    for words in ["draw --list a.dxf", "draw --list a.rsg", "toolpath a.rsg", "run a.rsm"] {
+        let words: Vec<&str> = words.split(' ').collect();
+        let file = words[words.len() - 1];
+        std::fs::write(folder.path().join(file), b"").unwrap();
+        let output = kerf(folder.path(), &words);
+        assert_eq!(output.status.code(), Some(1), "{words:?}");
+        assert!(told(&output).contains(&format!("{file}:1: warning: the file is empty")));
+        assert!(told(&output).contains(&format!("{file}: nothing of a drawing could be read")));
+    }
     let output = kerf(folder.path(), &["draw", "missing.dxf", "--list"]);
     assert_eq!(output.status.code(), Some(2));
     let output = kerf(folder.path(), &["draw", "photo.dxf"]);

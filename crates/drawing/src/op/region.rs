@@ -167,6 +167,9 @@ fn directed(number: usize, shape: &Shape, outer: bool) -> Result<(), OpError> {
     }
     let (what, wanted) =
         if outer { ("an outer shape", "counter-clockwise") } else { ("a hole", "clockwise") };
-    let why = format!("directions not set: {what} must run {wanted}; use `directions auto` first");
+    let why = format!(
+        "directions not set: {what} must run {wanted}; use `directions auto` first, or `reverse` where a hole is taken \
+         for itself"
+    );
     Err(OpError::Shape { shape: number, at: None, why })
 }

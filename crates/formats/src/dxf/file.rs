@@ -144,7 +144,10 @@ impl<'f, 'a> File<'f, 'a> {
 
 /// A file with sections ends with EOF: one without may have lost something, and nobody would see it.
 fn tell_early_end(tags: &[Tag], findings: &mut Findings) {
-    let Some(last) = tags.last().filter(|last| !is(last, 0, b"EOF")) else { return };
+    let Some(last) = tags.last() else { return findings.warn("end", 1, "the file is empty") };
+    if is(last, 0, b"EOF") {
+        return;
+    }
     let edge = |tag: &&Tag| is(tag, 0, b"SECTION") || is(tag, 0, b"ENDSEC");
     match tags.iter().rfind(edge) {
         Some(open) if is(open, 0, b"SECTION") => {

@@ -62,10 +62,18 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     if reading.layers {
         group_by_layer(file, &mut read);
     }
-    if read.drawing.shapes.is_empty() && read.findings.iter().any(|f| f.weight == Weight::Warning) {
-        bail!("{}: nothing of a drawing could be read", file.display());
+    if read.drawing.shapes.is_empty() {
+        nothing_read(file, &read.findings)?;
     }
     Ok(read.drawing)
+}
+
+/// Refuses a file of which nothing is left, where that is not as it should be.
+fn nothing_read(file: &Path, findings: &[Finding]) -> Result<()> {
+    if findings.iter().any(|finding| finding.weight == Weight::Warning) {
+        bail!("{}: nothing of a drawing could be read", file.display());
+    }
+    Ok(())
 }
 
 fn bytes(file: &Path) -> Result<Vec<u8>> {
@@ -123,6 +131,9 @@ pub fn job_with_warnings(file: &Path, smoothing: f64) -> Result<(Job, Vec<Warnin
     if extension(file) == "rsm" {
         let (job, findings) = job_file::read(&bytes(file)?, smoothing);
         tell_all(file, &findings);
+        if job.paths.is_empty() {
+            nothing_read(file, &findings)?;
+        }
         return Ok((job, Vec::new()));
     }
     let reading = Reading { layers: false, scale: true, explode: true };
