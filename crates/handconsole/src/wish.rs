@@ -51,6 +51,12 @@ pub enum JobWish {
 }
 
 impl Wish {
+    /// Whether its outcome is told in a moment, for which keys wait.
+    pub const fn settles(&self) -> bool {
+        let placed = matches!(self, Self::Job(JobWish::Origin(_) | JobWish::Finish(_)));
+        placed || matches!(self, Self::Set(_) | Self::KeepSettings)
+    }
+
     /// Whether it is only done when the outcome is told, and the console shows it until then.
     pub const fn lasts(&self) -> bool {
         matches!(self, Self::Go(_) | Self::KeepSettings | Self::Job(JobWish::Nearest))

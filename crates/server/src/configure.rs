@@ -1,6 +1,7 @@
 //! The machine's configuration: the form of all settings, and a change of one.
 
 use crate::app::{App, lock, problem};
+use crate::handconsole::Happening;
 use crate::machine::Order;
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
@@ -8,6 +9,7 @@ use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::AXES;
 use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, State, Why, ZHeights};
+use std::sync::mpsc::Sender;
 
 /// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
 pub const PASSWORD: &str = "options.password";
@@ -102,17 +104,22 @@ impl App {
         self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
     }
 
-    /// Changes settings until Kerf ends, all of them or none.
+    /// Changes settings until Kerf ends, all of them or none; somebody is told when they hold.
     ///
     /// # Errors
     /// As [`App::configure`].
-    pub fn hold(&self, settings: &[(&str, String)]) -> Result<(), Problem> {
+    pub fn hold(
+        &self,
+        settings: &[(&str, String)],
+        tells: &Sender<Happening>,
+    ) -> Result<(), Problem> {
         let mut wanted = lock(&self.left).session.configuration();
         for (key, value) in settings {
             set(&mut wanted, key, value)?;
         }
         check(&wanted)?;
-        self.order(Order::Hold(Box::new(wanted)), State::Running)
+        let order = Order::Hold { wanted: Box::new(wanted), tells: tells.clone() };
+        self.order(order, State::Running)
     }
 
     /// The joining distance used last is the one offered next, also after a restart. Where the machine is

@@ -1,6 +1,7 @@
 //! What a person at the machine does to the open job: where it lies, where it ends, which path is near.
 
 use crate::app::{App, Open, lock, problem};
+use crate::handconsole::Happening;
 use crate::job::kind_of;
 use kerf_control::Work;
 use kerf_geom::Point2;
@@ -10,6 +11,7 @@ use kerf_program::Axis;
 use kerf_program::job::{Job, JobShape};
 use kerf_wire::{FileKind, JobChoice, Problem, Why};
 use std::sync::Arc;
+use std::sync::mpsc::Sender;
 
 impl App {
     /// Cuts the open job otherwise in some respect.
@@ -28,7 +30,7 @@ impl App {
     }
 
     /// Puts the origin or finish of the machine and of the open job somewhere. That of the machine is for jobs that
-    /// say nothing, and holds until Kerf ends.
+    /// say nothing, and holds until Kerf ends; somebody is told when it does.
     ///
     /// # Errors
     /// The machine is busy.
@@ -36,12 +38,13 @@ impl App {
         self: &Arc<Self>,
         key: &str,
         [x, y]: [f64; 2],
+        tells: &Sender<Happening>,
         change: impl FnOnce(JobChoice) -> JobChoice,
     ) -> Result<(), Problem> {
         if kind_of(&lock(&self.open).name) == FileKind::Job {
             self.choose_anew(change)?;
         }
-        self.hold(&[(key, format!("{x},{y}"))])
+        self.hold(&[(key, format!("{x},{y}"))], tells)
     }
 
     /// Where the origin of the open job lies on the table, and where the head goes at its end; those of the

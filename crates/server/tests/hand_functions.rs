@@ -9,7 +9,7 @@ use kerf_geom::{Point2, Polyarc};
 use kerf_machine::Configuration;
 use serde_json::{Value, json};
 use support::hand::Hand;
-use support::{Shop, Wanted, at, kept, rsm, start};
+use support::{Page, Shop, Wanted, at, kept, rsm, start};
 
 /// SIM, in a hurry, with this job open.
 fn with_job(rsm: &str, change: fn(&mut Configuration)) -> (Shop, Hand) {
@@ -34,6 +34,14 @@ fn go(hand: &mut Hand, [x, y]: [f64; 2], to: [f64; 2]) {
     hand.keys(&format!("U21E{x}E{y}EE"));
     let there = |at: [f64; 3]| (at[0] - to[0]).abs() + (at[1] - to[1]).abs() < 1e-6;
     hand.until("the place", |page| there(at(page)));
+    rests(hand);
+}
+
+/// The function is done: the screen shows the job again.
+fn rests(hand: &mut Hand) {
+    let job =
+        |page: &Page| page.shown["handConsole"]["lines"][0].as_str().unwrap().starts_with("JOB");
+    hand.until("the job on the screen", job);
     hand.until_state("idle");
 }
 
@@ -76,7 +84,7 @@ fn pro_console_f8() {
     assert_eq!(job(&shop)["finish"], json!([25.0, 20.0]));
     hand.keys("U4E");
     hand.until("the origin", |page| at(page)[..2] == [300.0, 200.0]);
-    hand.until_state("idle");
+    rests(&mut hand);
     hand.keys("U5E");
     hand.until("the finish", |page| at(page)[..2] == [325.0, 220.0]);
 }

@@ -22,13 +22,24 @@ pub struct Keeper {
     waiting: VecDeque<(Who, u32, Wish)>,
     /// The outcome of a wish is still to be told.
     doing: bool,
+    /// It will be in a moment: keys wait for it.
+    settling: bool,
+    keys: VecDeque<(Who, u32, Key)>,
     facts: Facts,
 }
 
 impl Keeper {
     pub fn new(app: Weak<App>, happens: Sender<Happening>) -> Self {
-        let (console, waiting) = (Console::default(), VecDeque::new());
-        Self { app, happens, console, waiting, doing: false, facts: Facts::default() }
+        Self {
+            app,
+            happens,
+            console: Console::default(),
+            waiting: VecDeque::new(),
+            doing: false,
+            settling: false,
+            keys: VecDeque::new(),
+            facts: Facts::default(),
+        }
     }
 
     /// Works until the server is gone.
@@ -41,11 +52,19 @@ impl Keeper {
             };
             let Some(app) = self.app.upgrade() else { return };
             match happened {
-                Some(Happening::Key { who, seq, key }) => self.press(&app, &who, seq, key),
+                Some(Happening::Key { who, seq, key: Key::Stop }) => {
+                    self.press(&app, &who, seq, Key::Stop);
+                }
+                Some(Happening::Key { who, seq, key }) => self.keys.push_back((who, seq, key)),
                 Some(Happening::Told(outcome)) => self.told(outcome),
                 None => {}
             }
             self.go_on(&app);
+            while !self.settling
+                && let Some((who, seq, key)) = self.keys.pop_front()
+            {
+                self.press(&app, &who, seq, key);
+            }
             self.show(&app);
         }
     }
@@ -74,9 +93,9 @@ impl Keeper {
             Wish::Open(job) => Wish::Open(self.facts.named(&job)),
             wish => wish,
         };
-        let lasts = wish.lasts();
+        let (lasts, settles) = (wish.lasts(), wish.settles());
         match app.grant(who, seq, wish, &self.happens) {
-            Ok(()) => self.doing = lasts,
+            Ok(()) => (self.doing, self.settling) = (lasts || settles, settles),
             Err(problem) => {
                 self.waiting.clear();
                 self.refused(&problem);
@@ -95,7 +114,7 @@ impl Keeper {
     }
 
     fn told(&mut self, outcome: Result<String, String>) {
-        self.doing = false;
+        (self.doing, self.settling) = (false, false);
         if outcome.is_err() {
             self.waiting.clear();
         }

@@ -38,7 +38,7 @@ impl App {
             }
             Wish::Set(settings) => {
                 self.sets(who)?;
-                return self.hold(&settings);
+                return self.hold(&settings, tells);
             }
             Wish::KeepSettings => {
                 self.sets(who)?;
@@ -71,10 +71,14 @@ impl App {
         tells: &Sender<Happening>,
     ) -> Result<(), Problem> {
         match wish {
-            JobWish::Origin(at) => self
-                .place_job("job.origin_mm", at, |choice| JobChoice { origin: Some(at), ..choice }),
-            JobWish::Finish(at) => self
-                .place_job("job.finish_mm", at, |choice| JobChoice { finish: Some(at), ..choice }),
+            JobWish::Origin(at) => self.place_job("job.origin_mm", at, tells, |choice| JobChoice {
+                origin: Some(at),
+                ..choice
+            }),
+            JobWish::Finish(at) => self.place_job("job.finish_mm", at, tells, |choice| JobChoice {
+                finish: Some(at),
+                ..choice
+            }),
             JobWish::Offset(offset) => self.choose_anew(|choice| JobChoice { offset, ..choice }),
             JobWish::Justify => self.justify_bottom(),
             JobWish::Save => self.save_job(),

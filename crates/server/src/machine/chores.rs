@@ -78,10 +78,11 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
-    /// Has another configuration until Kerf ends.
-    pub(super) fn hold(&mut self, wanted: Configuration) {
+    /// Has another configuration until Kerf ends, and tells when it holds.
+    pub(super) fn hold(&mut self, wanted: Configuration, tells: &Sender<Happening>) {
         self.workshop.session.hold(wanted);
         self.rest(State::Idle, None);
+        drop(tells.send(Happening::Told(Ok(String::new()))));
     }
 
     /// Keeps the configuration that holds, and tells how many settings were not kept yet.

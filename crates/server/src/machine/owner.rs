@@ -86,7 +86,12 @@ pub enum Order {
     /// Have another configuration, of which this setting is new.
     Configure(&'static Setting, Box<Configuration>),
     /// Have another configuration until Kerf ends.
-    Hold(Box<Configuration>),
+    Hold {
+        /// The configuration.
+        wanted: Box<Configuration>,
+        /// Told when it holds.
+        tells: Sender<Happening>,
+    },
     /// Keep the configuration that holds; told how that went.
     Keep(Sender<Happening>),
 }
@@ -153,7 +158,7 @@ impl Owner {
                 Order::Record(line) => self.record(&line),
                 Order::Watched => {}
                 Order::Configure(setting, wanted) => self.configure(setting, *wanted),
-                Order::Hold(wanted) => self.hold(*wanted),
+                Order::Hold { wanted, tells } => self.hold(*wanted, &tells),
                 Order::Keep(tells) => self.keep(&tells),
             }
             self.tell_shelf();
