@@ -20,6 +20,11 @@ const PAGES: &[Page] = &[
     Page { path: conformance::PAGE, text: conformance::page, command: "make conformance" },
     Page { path: "docs/book/messages.md", text: book::messages, command: "make book" },
     Page { path: "docs/book/states.md", text: book::states, command: "make book" },
+    Page {
+        path: "docs/book/hand-console-functions.md",
+        text: book::functions,
+        command: "make book",
+    },
     Page { path: "docs/book/commands.md", text: book::commands, command: "make book" },
     Page { path: WIRE, text: |_| Ok(kerf_wire::typescript()), command: "cargo xtask wire" },
 ];

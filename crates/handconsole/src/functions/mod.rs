@@ -2,12 +2,14 @@
 
 mod heights;
 mod jobs;
+mod meaning;
 mod moves;
 mod selecting;
 mod settings;
 mod stepping;
 mod table;
 
+pub use meaning::meaning;
 pub(crate) use selecting::Selecting;
 pub(crate) use stepping::Stepping;
 pub use table::FUNCTIONS;

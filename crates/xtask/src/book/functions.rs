@@ -1,0 +1,41 @@
+//! The page of the hand console's functions, made from the table that carries them out.
+
+use crate::Tree;
+use anyhow::Result;
+use kerf_handconsole::functions::{FUNCTIONS, Step, meaning};
+use std::fmt::Write as _;
+
+const FUNCTIONS_PAGE: &str = "\
+<!-- Written by `make book` from the functions of crates/handconsole. Do not edit. -->
+
+# Functions of the hand console
+
+`Func`, the number, `Enter`. What a function asks for is typed, with `+/-` for the sign and `File` for the point, and `Enter`
+goes on; the present value stands there first, and `Enter` alone keeps it. A value that the machine does not take is
+refused with a beep, and asked for again.
+
+Settings that are changed here hold at once, for everybody, and until Kerf ends; function 11 keeps them. What is decided
+about the open job holds as long as it is open; function 10 writes origin, finish position and start shape into its file.
+
+";
+
+/// The page.
+///
+/// # Errors
+/// Never; pages share one form.
+pub fn functions(_: &Tree) -> Result<String> {
+    let mut page = FUNCTIONS_PAGE.to_owned();
+    page += "| number | name | asks for | does |\n|---|---|---|---|\n";
+    for function in FUNCTIONS {
+        let asks: Vec<_> = function.steps.iter().map(prompt).collect();
+        let does = meaning(function.number).unwrap_or_default();
+        let (number, name, asks) = (function.number, function.name, asks.join("; "));
+        let _ = writeln!(page, "| {number} | {name} | {asks} | {does} |");
+    }
+    Ok(page)
+}
+
+fn prompt(step: &Step) -> &str {
+    let (Step::Number { prompt, .. } | Step::Height { prompt, .. }) = step;
+    prompt.trim_end_matches(':')
+}
