@@ -386,3 +386,18 @@ fn a_group_that_gets_another_cutter_is_told() {
     assert_eq!(notes(&format!("{two}; pocket tool=6 overlap=1 group=red")), Vec::<String>::new());
     assert_eq!(notes(&format!("{two}; pocket tool=3 overlap=1 group=blue")), Vec::<String>::new());
 }
+
+#[test]
+fn a_line_with_heights_keeps_every_point_but_repeated_ones() {
+    let mut editor = Editor::default();
+    let mut draw = |text: &str| {
+        editor.apply(&script(text).unwrap()[0].1)?;
+        Ok::<_, kerf_drawing::OpError>((**editor.drawing.shapes.last().unwrap()).clone())
+    };
+    let down = draw("line3d 0,0,0 10,0,-3 10,0,-5 10,0,-5").unwrap();
+    assert_eq!((down.path.vertices.len(), down.z_mm), (3, Some(vec![0.0, -3.0, -5.0])));
+    let round = draw("line3d 0,0,1 10,0,2 10,10,3 0,0,1 close").unwrap();
+    assert_eq!((round.path.closed, round.z_mm), (true, Some(vec![1.0, 2.0, 3.0])));
+    let told = draw("line3d 1,1,1 1,1,1").unwrap_err().to_string();
+    assert_eq!(told, "all points of the line are the same place");
+}

@@ -27,6 +27,7 @@ fn entered(value: Value) -> OperationValue {
     match value {
         Value::Pair => OperationValue::Pair,
         Value::Vertex => OperationValue::Vertex,
+        Value::Triple => OperationValue::Triple,
         Value::Length(name) => OperationValue::Length { name },
         Value::Number(name) => OperationValue::Number { name },
         Value::Arc => OperationValue::Arc,

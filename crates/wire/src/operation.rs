@@ -48,6 +48,8 @@ pub enum OperationValue {
     Pair,
     /// A vertex: a place, and perhaps a bulge behind it.
     Vertex,
+    /// A place `x,y,z`, lengths.
+    Triple,
     /// A length.
     Length {
         /// Its name in the table: `RADIUS`, `D`.

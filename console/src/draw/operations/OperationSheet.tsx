@@ -153,7 +153,7 @@ function PartField({ part, label, unit, text, error, first, onChange }: PartFiel
   if (value.is === "words" || value.is === "group") {
     return <WordField {...{ label, text, optional, onChange }} words={wordsOf(value)} />;
   }
-  const lengths = ["pair", "vertex", "length", "arc"].includes(value.is);
+  const lengths = ["pair", "vertex", "triple", "length", "arc"].includes(value.is);
   return (
     <Field
       label={label}

@@ -45,6 +45,7 @@ const titles: Record<string, string> = {
 const named: Partial<Record<OperationValue["is"], string>> = {
   pair: "Place",
   vertex: "Vertices",
+  triple: "Places",
   arc: "Radius, angle",
   grid: "Rows x columns",
   shape: "Shape",
@@ -82,6 +83,7 @@ export function exampleOf({ value, repeats }: OperationPart): string {
   const one: Partial<Record<OperationValue["is"], string>> = {
     pair: "x,y",
     vertex: "x,y or x,y,bulge",
+    triple: "x,y,z",
     arc: "5,90",
     grid: "2x3",
     shape: "1",
@@ -138,6 +140,8 @@ function written(value: OperationValue, text: string, mm: number): Read<string> 
       return list(text, [mm, mm]);
     case "vertex":
       return list(text, text.split(",").length === 3 ? [mm, mm, 1] : [mm, mm]);
+    case "triple":
+      return list(text, [mm, mm, mm]);
     case "arc":
       return list(text, [mm, 1]);
     case "length":

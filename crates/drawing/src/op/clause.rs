@@ -90,7 +90,7 @@ mod tests {
         vertex 1 10,0 12,1; stretch 0,0 9,9 by 20,0; delete-vertices 1 10,0 20,0; \
         array rect 2x3 spacing 5,8; array round 6 about 0,0; \
         circle 50,50 25; rect 10,10 60,40; point 12.5,7; line 0,0 10,0,0.414214 10,10; \
-        line 0,0 10,0 10,10 close; reverse; directions auto; start 4 50,0; pause on; pause off; \
+        line 0,0 10,0 10,10 close; line3d 0,0,0 10,0,-3 10,0,-5; line3d 0,0,0 10,0,-3 9,9,1.5 close; reverse; directions auto; start 4 50,0; pause on; pause off; \
         group blue; copy-to red; set blue on=off traversal=on tool=2 cut=3 speed=3000 height=-2.5 \
         pass=4 offset=3 rough=0.5 double=on tag=2 lead-in=5,90 lead-out=0,0; \
         set red speed=max height=thru pass=off; set red height=3d; set red plunge=straight; \

@@ -56,6 +56,26 @@ pub(super) fn polyarc(
     Ok(repeated(vertices).map(told).collect())
 }
 
+/// Straight lines with heights. A way straight down is one; the same place again is none.
+pub(super) fn space_line(
+    draft: &mut Editor,
+    places: &[[f64; 3]],
+    closed: bool,
+) -> Result<(), OpError> {
+    let mut places = places.to_vec();
+    places.dedup();
+    if closed && places.len() > 2 && places.first() == places.last() {
+        places.pop();
+    }
+    if places.len() < 2 {
+        return Err(OpError::SamePlace("all points of the line"));
+    }
+    let path = Polyarc::lines(places.iter().map(|[x, y, _]| Point2::new(*x, *y)), closed);
+    let z_mm = places.iter().map(|[_, _, z]| *z).collect();
+    draft.drawing.add(Shape::with_heights(path, z_mm));
+    Ok(())
+}
+
 /// Places that are drawn again at once; the last one again says that the line ends there.
 fn repeated(vertices: &[Vertex]) -> impl Iterator<Item = Point2> {
     let before_last = &vertices[..vertices.len().saturating_sub(1)];

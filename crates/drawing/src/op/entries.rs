@@ -172,6 +172,12 @@ pub const ENTRIES: &[Entry] = &[
         "adds lines, closed by `close`; with a bulge B the segment after a point is an arc, X,Y alone begins a line",
         line,
     ),
+    entry(
+        "line3d",
+        "line3d X,Y,Z X,Y,Z … [close]",
+        "adds straight lines with the height of each point above ZSurface, closed by `close`",
+        space_line,
+    ),
     entry("reverse", "reverse", "turns the cutting direction of the selected shapes", |_| {
         Ok(Operation::Reverse)
     }),
@@ -418,6 +424,24 @@ fn line(w: &mut Words) -> Read {
         }
         vertices.push(w.read("a point", "a point as x,y or x,y,bulge", vertex)?);
     }
+}
+
+fn space_line(w: &mut Words) -> Read {
+    const PLACE: &str = "a point as x,y,z";
+    let mut places = vec![w.read("the first point", PLACE, triple)?];
+    places.push(w.read("the second point", PLACE, triple)?);
+    loop {
+        let closed = w.takes("close");
+        if closed || w.peek().is_none() {
+            return Ok(Operation::SpaceLine { places, closed });
+        }
+        places.push(w.read("a point", PLACE, triple)?);
+    }
+}
+
+fn triple(word: &str) -> Option<[f64; 3]> {
+    let values: Option<Vec<f64>> = word.split(',').map(number).collect();
+    values?.try_into().ok()
 }
 
 fn vertex(word: &str) -> Option<Vertex> {

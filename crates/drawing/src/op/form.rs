@@ -40,6 +40,8 @@ pub enum Value {
     Pair,
     /// `x,y` or `x,y,bulge`.
     Vertex,
+    /// `x,y,z`.
+    Triple,
     /// Millimetres, with the name in the table.
     Length(String),
     /// A number that is no length, with the name in the table.
@@ -151,6 +153,7 @@ fn plain(name: &str) -> Value {
     match name {
         "X,Y" | "W,H" => Value::Pair,
         "X,Y,B" => Value::Vertex,
+        "X,Y,Z" => Value::Triple,
         "R,A" => Value::Arc,
         "RxC" => Value::Grid,
         "SHAPE" => Value::Shape,
@@ -174,6 +177,7 @@ mod tests {
     fn said(part: usize, value: &Value) -> String {
         match value {
             Value::Pair | Value::Vertex => format!("10,{part}"),
+            Value::Triple => format!("10,{part},-3"),
             Value::Length(_) | Value::Number(_) => "4".into(),
             Value::Arc => "5,90".into(),
             Value::Grid => "2x3".into(),

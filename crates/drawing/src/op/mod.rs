@@ -220,6 +220,13 @@ pub enum Operation {
         /// Whether the last segment returns to the start.
         closed: bool,
     },
+    /// Adds straight lines with heights.
+    SpaceLine {
+        /// X, Y and height above ZSurface of each place.
+        places: Vec<[f64; 3]>,
+        /// Whether the last segment returns to the start.
+        closed: bool,
+    },
     /// Turns the cutting direction of the selected shapes.
     Reverse,
     /// Makes outer shapes counter-clockwise and inner ones clockwise, in the whole drawing.

@@ -51,6 +51,11 @@ impl Display for Operation {
             Self::Rectangle { a, b } => write!(f, "rect {} {}", P(*a), P(*b)),
             Self::Point { at } => write!(f, "point {}", P(*at)),
             Self::Polyarc { vertices, closed } => line(f, vertices, *closed),
+            Self::SpaceLine { places, closed } => {
+                f.write_str("line3d")?;
+                places.iter().try_for_each(|[x, y, z]| write!(f, " {x},{y},{z}"))?;
+                f.write_str(if *closed { " close" } else { "" })
+            }
             Self::Reverse => f.write_str("reverse"),
             Self::Directions => f.write_str("directions auto"),
             Self::Start { shape, at } => write!(f, "start {shape} {}", P(*at)),
