@@ -1,9 +1,11 @@
 //! The console: which mode it is in, and what a key does there.
 
+use crate::digitizing::Digitizing;
 use crate::file::Choosing;
 use crate::functions::{Selecting, Stepping};
 use crate::start::Starting;
 use crate::{Key, Screen, View, Waits, Wish, idle, running, start};
+use kerf_digitize::Digitizer;
 use kerf_wire::State;
 
 /// What the console is used for at the moment.
@@ -17,6 +19,8 @@ pub(crate) enum Mode {
     Selecting(Selecting),
     /// A function asks for its numbers and places.
     Stepping(Stepping),
+    /// Points of a shape are recorded.
+    Digitizing(Box<Digitizing>),
     /// A job is to be aborted, if Enter says so.
     Aborting,
     /// The machine does what the function of this name wants.
@@ -66,6 +70,11 @@ impl Next {
         Self { note: (!text.is_empty()).then_some(note), ..self }
     }
 
+    /// The same inside of another mode.
+    pub fn within(self, wrap: impl FnOnce(Mode) -> Mode) -> Self {
+        Self { mode: wrap(self.mode), ..self }
+    }
+
     /// The same with a beep.
     pub fn beep(self) -> Self {
         Self { beeps: true, ..self }
@@ -100,7 +109,10 @@ impl Console {
             if note.control {
                 return vec![Wish::TakeControl];
             }
-            self.mode = Mode::default();
+            // Points that are being digitized are not put away by a key that says "I have read it".
+            if !matches!(self.mode, Mode::Digitizing(_)) {
+                self.mode = Mode::default();
+            }
             return Vec::new();
         }
         let next = std::mem::take(&mut self.mode).press(key, view);
@@ -113,7 +125,11 @@ impl Console {
     /// What came of a wish: what it found out, where that is more than that it is done; or why it is refused.
     /// Both are shown until the next key. Enter returns from there to what the machine shows.
     pub fn told(&mut self, outcome: Result<String, String>) {
-        let name = if let Mode::Doing(name) = self.mode { name } else { "" };
+        let name = match &mut self.mode {
+            Mode::Doing(name) => name,
+            Mode::Digitizing(digitizing) => digitizing.told(outcome.is_ok()),
+            _ => "",
+        };
         self.stand();
         match outcome {
             Err(why) => self.show(Screen::of_text(&why), false),
@@ -151,6 +167,21 @@ impl Console {
         }
     }
 
+    /// The machine is where a view says, also while no key is pressed.
+    pub fn follow(&mut self, view: &View) {
+        if let Mode::Digitizing(digitizing) = &mut self.mode {
+            digitizing.follow(view);
+        }
+    }
+
+    /// The points that are being digitized; nothing while none are.
+    pub fn digitized(&self, view: &View) -> Option<Digitizer> {
+        match &self.mode {
+            Mode::Digitizing(digitizing) => Some(digitizing.points(view)),
+            _ => None,
+        }
+    }
+
     /// How often it has beeped.
     pub const fn beeps(&self) -> u32 {
         self.beeps
@@ -172,6 +203,7 @@ impl Mode {
             Self::File(choosing) => choosing.press(key),
             Self::Selecting(selecting) => selecting.press(key, view),
             Self::Stepping(stepping) => stepping.press(key, view),
+            Self::Digitizing(digitizing) => digitizing.press(key, view),
             Self::Aborting => start::press_aborting(key),
             Self::Doing(_) => Next::to(self),
         }
@@ -189,6 +221,7 @@ impl Mode {
             Self::File(choosing) => choosing.screen(),
             Self::Selecting(selecting) => selecting.screen(),
             Self::Stepping(stepping) => stepping.screen(view),
+            Self::Digitizing(digitizing) => digitizing.screen(view),
             Self::Aborting => Screen::new("Abort? Enter=yes", ""),
             Self::Doing(name) => Screen::new(name, ""),
         }

@@ -15,6 +15,7 @@
 //! - A key is one byte and a screen 41, on a serial link as well as in messages ([`Key`], [`Screen`]).
 
 mod console;
+pub mod digitizing;
 mod entry;
 mod file;
 pub mod functions;

@@ -1,5 +1,6 @@
 //! What the console shows of the machine and the job.
 
+use kerf_drawing::Shape;
 use kerf_machine::Configuration;
 use kerf_program::Axes;
 use kerf_wire::{Asked, State};
@@ -52,6 +53,8 @@ pub struct View {
     pub machine: Arc<Configuration>,
     /// The jobs of the current folder, in the order of their names. Only a key looks at them.
     pub files: Vec<String>,
+    /// The paths of the job that is open, else the shapes of the drawing. Only a key looks at them.
+    pub drawn: Vec<Arc<Shape>>,
 }
 
 impl View {

@@ -1,6 +1,9 @@
 //! What the console wants done.
 
+use kerf_drawing::Shape;
 use kerf_machine::{Errand, Held};
+use kerf_wire::Look;
+use std::sync::Arc;
 
 /// What the console wants done by whoever owns machine and files. Wishes of one key are granted one after the
 /// other; when one is refused, those behind it are dropped.
@@ -31,6 +34,10 @@ pub enum Wish {
     KeepSettings,
     /// Something about the open job.
     Job(JobWish),
+    /// A shape is added, last: to the job that is open, else to the drawing, else to a new job.
+    AddShape(Arc<Shape>),
+    /// Pages have something else in sight.
+    Look(Look),
 }
 
 /// What the console wants done about the open job.
@@ -59,6 +66,9 @@ impl Wish {
 
     /// Whether it is only done when the outcome is told, and the console shows it until then.
     pub const fn lasts(&self) -> bool {
-        matches!(self, Self::Go(_) | Self::KeepSettings | Self::Job(JobWish::Nearest))
+        matches!(
+            self,
+            Self::Go(_) | Self::KeepSettings | Self::AddShape(_) | Self::Job(JobWish::Nearest)
+        )
     }
 }

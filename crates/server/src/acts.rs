@@ -109,6 +109,8 @@ fn needs(act: &Act) -> Need {
         | Act::Parameters { .. }
         | Act::Choose { .. }
         | Act::KeepOrigin
+        | Act::SaveJob
+        | Act::TakeShapeBack
         | Act::Machine { .. }
         | Act::Folder { .. }
         | Act::Record { .. }
@@ -157,10 +159,15 @@ impl App {
             Act::TakeLease { force } => self.take_lease(who, force)?,
             Act::GiveLease { .. } => self.drop_lease("nobody drives"),
             Act::Arm { .. } => self.arm()?,
-            Act::Open { name, parameters } => self.open_with(&name, parameters)?,
+            Act::Open { name, parameters } => {
+                self.nothing_unsaved()?;
+                self.open_with(&name, parameters)?;
+            }
             Act::Parameters { parameters } => self.run_with(parameters)?,
             Act::Choose { choice } => self.choose(choice)?,
             Act::KeepOrigin => self.keep_origin()?,
+            Act::SaveJob => self.save_job()?,
+            Act::TakeShapeBack => self.take_shape_back()?,
             Act::Machine { drawing, anew } => return self.machine(drawing.as_deref(), anew),
             Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
             Act::Record { line } => self.record(line)?,
@@ -170,7 +177,10 @@ impl App {
                 self.opened(who, None)?;
                 self.configure(&key, &value)?;
             }
-            Act::Close => self.close_file(),
+            Act::Close => {
+                self.nothing_unsaved()?;
+                self.close_file();
+            }
             Act::Run { hash, step, .. } => self.run(who, &hash, step)?,
             Act::TakeUp { .. } => self.take_up()?,
             Act::Command { line, .. } => self.command(who, line)?,

@@ -61,6 +61,8 @@ pub struct Open {
     pub name: String,
     /// Its bytes, as they were previewed.
     pub bytes: Arc<[u8]>,
+    /// What they were before each shape that was added since the job was saved: first as in the file.
+    pub unsaved: Vec<Arc<[u8]>>,
     /// What it is run by: their hash, that of the parameters, and those of the files they call as soon as
     /// the preview knows them.
     pub hash: String,
@@ -108,9 +110,9 @@ fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> Str
 }
 
 impl Open {
-    /// Whether these are still its bytes.
+    /// Whether these are still the bytes of its file.
     pub fn is_of(&self, bytes: &[u8]) -> bool {
-        *self.bytes == *bytes
+        **self.unsaved.first().unwrap_or(&self.bytes) == *bytes
     }
 }
 
@@ -265,6 +267,7 @@ impl App {
             kind: kind_of(&open.name),
             parameters: open.parameters,
             choice: open.choice,
+            added: open.unsaved.len() as u32,
             ..Opened::default()
         };
         if opened.kind != FileKind::Program {

@@ -57,6 +57,20 @@ impl App {
         Ok(notes)
     }
 
+    /// Draws a shape that was not drawn at a page.
+    ///
+    /// # Errors
+    /// Why it cannot be drawn.
+    pub fn draw_shape(self: &Arc<Self>, operation: Operation) -> Result<(), Problem> {
+        let mut desk = lock(&self.desk);
+        desk.notes = self.carry_out(&mut desk, &[(1, operation)])?;
+        let drawing = Some(desk.state(&self.heights()));
+        self.hub.change(vec![Change::Drawing { drawing }]);
+        drop(desk);
+        self.drawn();
+        Ok(())
+    }
+
     /// The heights that the machine is set to.
     pub fn heights(&self) -> Heights {
         let zpos = lock(&self.left).session.machine_is.zpos;
@@ -151,6 +165,7 @@ impl App {
 
     /// Writes the part program of the drawing's tool paths, and opens it.
     fn write_program(self: &Arc<Self>, desk: &Desk, name: &str) -> Done {
+        self.nothing_unsaved()?;
         let (job, warnings) = job(&desk.editor.drawing, self.shaping())?;
         let job = Job { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));

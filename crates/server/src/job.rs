@@ -153,6 +153,7 @@ impl App {
         self.parts.write(&open.name, text.as_bytes())?;
         self.files_changed();
         open.bytes = text.into_bytes().into();
+        open.unsaved.clear();
         self.cut_with(open, choice);
         Ok(())
     }
@@ -162,6 +163,7 @@ impl App {
     /// # Errors
     /// There is nothing to cut, or the file of the job was changed by hand.
     pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool) -> Done {
+        self.nothing_unsaved()?;
         let (name, drawing, finish) = self.drawing_to_machine(drawing)?;
         let name = format!("{}.{}", stem(&name), job_file::EXTENSION);
         if !anew && self.was_edited(&name) {

@@ -19,6 +19,7 @@ mod acts;
 mod app;
 mod configure;
 mod desk;
+mod digitized;
 mod draft;
 mod files;
 mod handconsole;

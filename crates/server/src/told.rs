@@ -4,13 +4,31 @@ use crate::machine::ports;
 use kerf_control::journal::JournalError;
 use kerf_control::{Session, Summary};
 use kerf_diag::{Diagnostic, Severity};
+use kerf_digitize::{Digitizer, Dimension, Kind};
 use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_sim::Machine;
 use kerf_wire::{
-    AxisUnits, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions, Speeds, Tone, Units,
+    AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions,
+    Speeds, Tone, Units,
 };
+
+/// The points that are being digitized.
+pub fn digitized(points: &Digitizer) -> Digitized {
+    let point = |point: &kerf_digitize::Point| DigitizedPoint {
+        at: [point.stand.at.x, point.stand.at.y, point.stand.z_mm],
+        arc: point.kind == Kind::Arc,
+    };
+    Digitized {
+        points: points.points().iter().map(point).collect(),
+        bulges: points.segments().iter().map(kerf_geom::Segment::bulge).collect(),
+        current: points.current() as u32,
+        three_d: points.dimension() == Dimension::Three,
+        next_arc: points.next() == Kind::Arc,
+        unsaved: points.is_unsaved(),
+    }
+}
 
 /// How a run ended, for whoever waits for it: why, when it did not come to its end.
 /// Nothing more is told of one that did.

@@ -74,6 +74,11 @@ pub enum Act {
     },
     /// Writes the origin that was chosen for the open job into its file. Not while a job runs.
     KeepOrigin,
+    /// Writes the open job into its file: with the origin, finish and start that hold, and the shapes that were
+    /// added. Not while a job runs.
+    SaveJob,
+    /// Takes the shape back that was added last to the open job and is not saved. Not while a job runs.
+    TakeShapeBack,
     /// Makes the tool path of a drawing: its job, in a file beside it, which is opened.
     Machine {
         /// The drawing, a file of the part folder; nothing for the one that is drawn.

@@ -1,9 +1,9 @@
 //! What the server tells without being asked.
 
 use crate::{
-    Asked, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine,
-    Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup, Snapshot, Sound,
-    Speeds, StartUp, Units, Who,
+    Asked, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease,
+    Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup,
+    Snapshot, Sound, Speeds, StartUp, Units, Who,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -98,6 +98,12 @@ pub enum Change {
     #[serde(rename_all = "camelCase")]
     HandConsole {
         hand_console: HandConsole,
+    },
+    Digitized {
+        digitized: Option<Digitized>,
+    },
+    Looked {
+        looked: Option<Looked>,
     },
 }
 

@@ -106,6 +106,8 @@ pub struct Opened {
     pub parameters: FileParameters,
     /// How it is run, when it is a job.
     pub choice: JobChoice,
+    /// Shapes that were added to a job since it was saved.
+    pub added: u32,
     /// Lines; paths of a job.
     pub lines: u32,
     /// What its head tells about the job.

@@ -20,6 +20,7 @@
 
 mod act;
 mod change;
+mod digitized;
 mod drawing;
 mod hand_console;
 mod job;
@@ -37,6 +38,7 @@ mod typescript;
 
 pub use act::{Act, Request};
 pub use change::{Change, ToPage};
+pub use digitized::{Digitized, DigitizedPoint, Look, Looked};
 pub use drawing::{
     Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList, ShapePath,
     ToolPaths,

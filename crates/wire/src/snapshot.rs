@@ -1,9 +1,9 @@
 //! Everything a page shows, at one moment.
 
 use crate::{
-    Asked, Change, Client, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease, Machine,
-    Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup, Sound, Speeds, Units,
-    VERSION,
+    Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job,
+    Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup,
+    Sound, Speeds, Units, VERSION,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -87,6 +87,10 @@ pub struct Snapshot {
     pub settings: u32,
     /// The screen of the hand console.
     pub hand_console: HandConsole,
+    /// The points that are being digitized; nothing while none are.
+    pub digitized: Option<Digitized>,
+    /// What pages were told to have in sight.
+    pub looked: Option<Looked>,
 }
 
 impl Default for Snapshot {
@@ -120,6 +124,8 @@ impl Default for Snapshot {
             watched: Vec::new(),
             settings: 0,
             hand_console: HandConsole::default(),
+            digitized: None,
+            looked: None,
         }
     }
 }
@@ -154,6 +160,8 @@ impl Snapshot {
             Change::Watched { watched } => self.watched = watched,
             Change::Settings { settings } => self.settings = settings,
             Change::HandConsole { hand_console } => self.hand_console = hand_console,
+            Change::Digitized { digitized } => self.digitized = digitized,
+            Change::Looked { looked } => self.looked = looked,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A function is chosen by its number.
 
+use super::table::DIGITIZE;
 use super::{Stepping, function};
 use crate::console::{Mode, Next};
 use crate::entry::Typed;
@@ -32,6 +33,9 @@ impl Selecting {
     pub fn press(self, key: Key, view: &View) -> Next {
         match key {
             Key::Enter => match function(&self.number()) {
+                Some(function) if function.number == DIGITIZE => {
+                    Next::to(Mode::Digitizing(Box::default()))
+                }
                 Some(function) => Stepping::begin(function, view),
                 None => Next::to(Mode::Selecting(Self { refused: true, ..self })).beep(),
             },

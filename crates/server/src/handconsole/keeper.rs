@@ -3,6 +3,7 @@
 use super::Happening;
 use super::view::Facts;
 use crate::app::App;
+use crate::told;
 use kerf_handconsole::{Console, Key, Wish};
 use kerf_wire::{Change, HandConsole, Problem, State, Who, Why};
 use std::collections::VecDeque;
@@ -125,12 +126,18 @@ impl Keeper {
 
     /// Tells pages what the screen shows, where that is something else.
     fn show(&mut self, app: &Arc<App>) {
-        let screen = self.console.screen(&self.facts.view(app, false));
+        let view = self.facts.view(app, false);
+        self.console.follow(&view);
+        let screen = self.console.screen(&view);
         let beeps = self.console.beeps();
+        let digitized = self.console.digitized(&view).as_ref().map(told::digitized);
         app.hub.changing(|now| {
             let hand_console = HandConsole { lines: screen.lines, beeps };
             let other = now.hand_console != hand_console;
-            other.then_some(Change::HandConsole { hand_console }).into_iter().collect()
+            let screen = other.then_some(Change::HandConsole { hand_console });
+            let others = now.digitized != digitized;
+            let points = others.then_some(Change::Digitized { digitized });
+            screen.into_iter().chain(points).collect()
         });
     }
 }

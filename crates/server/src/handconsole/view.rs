@@ -5,6 +5,7 @@ use crate::desk::extension;
 use crate::job::kind_of;
 use crate::job_by_hand::with_job;
 use kerf_control::{Work, job_file};
+use kerf_drawing::Shape;
 use kerf_geom::{Bounds2, Vec2};
 use kerf_handconsole::{Job, View, Waits};
 use kerf_program::Axes;
@@ -19,6 +20,8 @@ pub struct Facts {
     job: Option<Job>,
     /// Where it lies on the table and where it ends, as far as it says so.
     placed: kerf_program::job::Job,
+    /// Its paths, once a key has asked for them.
+    paths: Option<Vec<Arc<Shape>>>,
     /// Folder and open file when they were seen last.
     seen: (String, String),
     /// The folder that was chosen last, or that the file lies in which was opened last.
@@ -31,11 +34,13 @@ impl Facts {
         let open = lock(&app.open).clone();
         if open.key != self.key {
             (self.job, self.placed) = job(app, &open);
+            self.paths = None;
             self.key.clone_from(&open.key);
         }
         self.look_where(app, &open);
         let machine = with_job(lock(&app.left).session.configuration(), &self.placed);
         let files = if lists { jobs_in(app, &self.folder) } else { Vec::new() };
+        let drawn = if lists { self.drawn(app, &open) } else { Vec::new() };
         let is_job = kind_of(&open.name) == FileKind::Job;
         app.hub.read(|now| View {
             job: self.job.clone(),
@@ -46,7 +51,16 @@ impl Facts {
             position: Axes(now.motion.at.machine),
             machine: Arc::new(machine),
             files,
+            drawn,
         })
+    }
+
+    /// The shapes that can be loaded. The paths of a job are read once.
+    fn drawn(&mut self, app: &App, open: &Open) -> Vec<Arc<Shape>> {
+        if kind_of(&open.name) != FileKind::Job {
+            return app.loadable(open);
+        }
+        self.paths.get_or_insert_with(|| app.loadable(open)).clone()
     }
 
     /// The name below the part folder, of a job of the current folder.

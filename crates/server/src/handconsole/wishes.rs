@@ -5,7 +5,7 @@ use crate::app::{App, lock, problem};
 use crate::machine::Order;
 use kerf_handconsole::{JobWish, Wish};
 use kerf_machine::Errand;
-use kerf_wire::{Act, FileParameters, JobChoice, Problem, State, Who, Why};
+use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Who, Why};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
@@ -48,6 +48,16 @@ impl App {
                 self.drives(who)?;
                 return self.grant_of_job(wish, tells);
             }
+            Wish::AddShape(shape) => {
+                let added = self.add_shape(shape)?;
+                // The console waits for it as long as the server runs.
+                drop(tells.send(Happening::Told(Ok(added))));
+                return Ok(());
+            }
+            Wish::Look(at) => {
+                self.look_at(at);
+                return Ok(());
+            }
             Wish::Jog(held) => {
                 self.drives(who)?;
                 return self.jog(who, seq, self.errand(Errand::Held(held), tells));
@@ -58,6 +68,14 @@ impl App {
             }
         };
         self.act(who, act).map(drop)
+    }
+
+    /// Pages have something else in sight.
+    fn look_at(&self, at: Look) {
+        self.hub.changing(|now| {
+            let number = now.looked.map_or(1, |looked| looked.number + 1);
+            vec![Change::Looked { looked: Some(Looked { number, at }) }]
+        });
     }
 
     fn errand(&self, errand: Errand, tells: &Sender<Happening>) -> Order {

@@ -106,6 +106,8 @@ const fn is_slow(act: &Act) -> bool {
             | Act::Parameters { .. }
             | Act::Folder { .. }
             | Act::KeepOrigin
+            | Act::SaveJob
+            | Act::TakeShapeBack
             | Act::Set { .. }
             | Act::Run { .. }
             | Act::Command { .. }
