@@ -1,10 +1,13 @@
 //! The hand console on SIM: keys are pressed, wishes come true at once, and what moves is traced.
 
 use crate::jobs::{JobRun, JobTrace, sim};
+use kerf_digitize::Digitizer;
+use kerf_drawing::Shape;
 use kerf_handconsole::{Console, Key, View, Wish};
 use kerf_machine::{Configuration, Errand, Held, Value, table};
 use kerf_program::job::Job;
 use kerf_program::{Axes, AxisSet};
+use kerf_wire::Look;
 use std::sync::Arc;
 
 /// A hand console, and the machine it drives.
@@ -20,6 +23,10 @@ pub struct HandConsole {
     pub moves: Vec<String>,
     /// Axes that were homed, in order.
     pub found: Vec<String>,
+    /// The shapes of the job that is open.
+    pub shapes: Vec<Arc<Shape>>,
+    /// What pages were to have in sight, in order.
+    pub looks: Vec<Look>,
 }
 
 impl Default for HandConsole {
@@ -33,6 +40,8 @@ impl Default for HandConsole {
             last: None,
             moves: Vec::new(),
             found: Vec::new(),
+            shapes: Vec::new(),
+            looks: Vec::new(),
         }
     }
 }
@@ -71,6 +80,16 @@ impl HandConsole {
         self.console.screen(&self.view()).lines
     }
 
+    /// The points that are being digitized.
+    pub fn digitized(&self) -> Option<Digitizer> {
+        self.console.digitized(&self.view())
+    }
+
+    /// The trace of what the machine did last.
+    pub fn trace(&self) -> &JobTrace {
+        self.last.as_ref().expect("nothing moved yet")
+    }
+
     /// How often it has beeped.
     pub fn beeps(&self) -> u32 {
         self.console.beeps()
@@ -94,7 +113,12 @@ impl HandConsole {
     }
 
     fn view(&self) -> View {
-        View { position: self.place(), machine: Arc::new(self.machine.clone()), ..View::default() }
+        View {
+            position: self.place(),
+            machine: Arc::new(self.machine.clone()),
+            drawn: self.shapes.clone(),
+            ..View::default()
+        }
     }
 
     fn place(&self) -> Axes {
@@ -105,6 +129,11 @@ impl HandConsole {
         match wish {
             Wish::Set(values) => self.set(&values),
             Wish::Go(errand) => self.go(errand),
+            Wish::AddShape(shape) => {
+                self.shapes.push(shape);
+                self.console.told(Ok(format!("{} shapes", self.shapes.len())));
+            }
+            Wish::Look(look) => self.looks.push(look),
             other => panic!("there is nobody to grant {other:?}"),
         }
     }

@@ -6,6 +6,7 @@ mod console;
 mod console_moves;
 mod delays;
 mod digitize;
+mod digitize_console;
 mod entry;
 mod estop;
 mod group;
