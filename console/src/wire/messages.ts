@@ -21,7 +21,7 @@ parameters?: FileParameters, } | { "do": "parameters",
 /** How it is run. */
 parameters: FileParameters, } | { "do": "choose",
 /** How it is cut. */
-choice: JobChoice, } | { "do": "keepOrigin" } | { "do": "machine",
+choice: JobChoice, } | { "do": "keepOrigin" } | { "do": "saveJob" } | { "do": "takeShapeBack" } | { "do": "machine",
 /** The drawing, a file of the part folder; nothing for the one that is drawn. */
 drawing: string | null,
 /** Also where the paths of that job were changed by hand, which is lost then. */
@@ -156,7 +156,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, } | { "change": "digitized", digitized: Digitized | null, } | { "change": "looked", looked: Looked | null, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -229,6 +229,28 @@ tolerance: number,
 segments: number,
 /** Pieces they come in. */
 pieces: number, };
+
+/** Points that are being digitized, and the segments through them. */
+export type Digitized = {
+/** The points in order. */
+points: Array<DigitizedPoint>,
+/** The bulge of the segment behind each point but the last, from it to the next one. */
+bulges: Array<number>,
+/** Number of the current point, from 1; 0 without points. */
+current: number,
+/** Whether heights count. */
+threeD: boolean,
+/** Whether the next point is an arc point. */
+nextArc: boolean,
+/** There are points that no shape was saved of as they are. */
+unsaved: boolean, };
+
+/** A digitized point. */
+export type DigitizedPoint = {
+/** X and Y from the job origin, Z from home, mm. */
+at: [number, number, number],
+/** The arc from the point before to the point behind goes through it; else it ends a line. */
+arc: boolean, };
 
 /** What a page shows of the drawing. Its shapes come over HTTP: `/api/drawing/shapes`. */
 export type DrawingState = {
@@ -519,6 +541,16 @@ device: string, };
 /** How bad a finding is. */
 export type Level = "error" | "warning" | "note";
 
+/** What pages are to have in sight. */
+export type Look = "digitized" | "data" | "machine" | "out";
+
+/** What pages were last told to have in sight. */
+export type Looked = {
+/** Grows with each time. */
+number: number,
+/** What. */
+at: Look, };
+
 /** The state of the machine. */
 export type Machine = {
 /** What it is doing. */
@@ -595,6 +627,8 @@ kind: FileKind,
 parameters: FileParameters,
 /** How it is run, when it is a job. */
 choice: JobChoice,
+/** Shapes that were added to a job since it was saved. */
+added: number,
 /** Lines; paths of a job. */
 lines: number,
 /** What its head tells about the job. */
@@ -629,7 +663,7 @@ optional: boolean,
 repeats: boolean, };
 
 /** What is entered for a part. */
-export type OperationValue = { "is": "pair" } | { "is": "vertex" } | { "is": "length",
+export type OperationValue = { "is": "pair" } | { "is": "vertex" } | { "is": "triple" } | { "is": "length",
 /** Its name in the table: `RADIUS`, `D`. */
 name: string, } | { "is": "number",
 /** Its name in the table: `ANGLE`, `FACTOR`. */
@@ -917,7 +951,11 @@ watched: Array<NamedValue>,
 /** Grows when the machine's configuration changes. */
 settings: number,
 /** The screen of the hand console. */
-handConsole: HandConsole, };
+handConsole: HandConsole,
+/** The points that are being digitized; nothing while none are. */
+digitized: Digitized | null,
+/** What pages were told to have in sight. */
+looked: Looked | null, };
 
 /** A sound that a program started (PLAY). */
 export type Sound = {

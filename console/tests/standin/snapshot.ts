@@ -75,6 +75,7 @@ export const firstSnapshot: Snapshot = {
     hash: "abc",
     kind: "program",
     choice: { start: null, offset: 0, origin: null, finish: null, lift: 0 },
+    added: 0,
     parameters: usualParameters,
     lines: 24,
     header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",
@@ -101,4 +102,6 @@ export const firstSnapshot: Snapshot = {
   watched: [],
   settings: 0,
   handConsole: { lines: ["JOB: Untitled", "0x0mm #0"], beeps: 0 },
+  digitized: null,
+  looked: null,
 };

@@ -63,7 +63,7 @@ impl App {
             1 => format!("{folder}{NEW_JOB}.{}", job_file::EXTENSION),
             n => format!("{folder}{NEW_JOB}-{n}.{}", job_file::EXTENSION),
         };
-        let free = |name: &String| self.parts.find(name).is_ok_and(|path| !path.exists());
+        let free = |name: &String| self.parts.find(name).is_err();
         let name = (1..10_000).map(numbered).find(free);
         let name = name.ok_or_else(|| problem(Why::File, "there is no name for a new job"))?;
         let [origin, _] = self.lies(&Open::default());

@@ -553,7 +553,7 @@ fn pro_digitize_d21() {
 }
 
 #[test]
-fn pro_digitize_d30__asked_of_pages() {
+fn functions_of_the_picture_are_asked_of_pages() {
     let mut console = begun();
     console.press("Func 30 Enter Func 31 Enter Func 32 Enter Func 33 Enter");
     assert_eq!(console.looks, [Look::Digitized, Look::Data, Look::Machine, Look::Out]);
