@@ -42,6 +42,7 @@ impl<I: Interpreter> Runner<'_, I> {
             (Some((_, wish)), _) if self.is_taken(wish) => {
                 self.taken(StoppedBy::Operator, &self.stood())
             }
+            (Some((_, wish)), _) if self.is_passed_over(wish) => self.pass_until(until_s),
             (Some((_, wish)), _) => match self.stands(wish) {
                 Ok(()) => self.pass_until(until_s + self.world.now() - stood_s),
                 Err(over) => Flow::Over(over),
@@ -72,6 +73,12 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Whether the program says what follows on a wish.
     fn is_taken(&self, wish: Wish) -> bool {
         self.interpreter.takes_stops() && matches!(wish, Wish::Stop | Wish::Hold)
+    }
+
+    /// Whether the power went when a machine that stood was about to be stopped. It is elsewhere now, and
+    /// is brought back before the next move.
+    fn is_passed_over(&mut self, wish: Wish) -> bool {
+        matches!(wish, Wish::Stop | Wish::Hold) && self.is_taken_up()
     }
 
     /// Where the machine stands, with nothing left to make.
@@ -192,6 +199,9 @@ impl<I: Interpreter> Runner<'_, I> {
             return self.taken(StoppedBy::Operator, &self.stood());
         }
         self.world.shelf.tape.stood(1.0);
+        if self.is_passed_over(wish) {
+            return Flow::On;
+        }
         self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
     }
 
