@@ -66,6 +66,7 @@ mod table_limits;
 mod tally;
 mod text;
 mod trail;
+pub mod transfer;
 pub mod vcd;
 mod virtual_tools;
 mod waiting;

@@ -23,6 +23,7 @@ mod progress;
 mod remote;
 mod report;
 mod script;
+mod sending;
 mod setup;
 mod signals;
 mod sources;

@@ -15,7 +15,7 @@ use std::thread::{sleep, spawn};
 use std::time::{Duration, Instant};
 
 /// Whether Ctrl-C was pressed.
-type Pressed = Arc<AtomicBool>;
+pub type Pressed = Arc<AtomicBool>;
 
 /// Answers from a script, then from a person when there is one.
 pub struct Person {
@@ -207,7 +207,7 @@ impl RealPace {
 }
 
 /// Whether Ctrl-C was pressed, from the first time this is asked; a process has one such handler.
-fn listen() -> Result<Pressed> {
+pub fn listen() -> Result<Pressed> {
     static PRESSED: OnceLock<Pressed> = OnceLock::new();
     if let Some(pressed) = PRESSED.get() {
         return Ok(pressed.clone());

@@ -5,6 +5,7 @@
 
 mod shop;
 
+use shop::console::Console;
 use shop::{Did, Shop};
 
 const PART: &str = "SA\nMX,1\nMX,2\n";
@@ -324,55 +325,6 @@ fn sbp_ctl_reg_paths() {
         let told = shop.kerf(&format!("registry get ShopBot/UserData/{key}")).exits(0).out();
         let folder = std::path::Path::new(told.trim_end());
         assert!(folder.is_absolute() && folder.is_dir(), "{key} {told}");
-    }
-}
-
-/// A console that is served, and ends with the test.
-struct Console {
-    child: std::process::Child,
-    url: String,
-}
-
-impl Console {
-    fn begin(shop: &Shop, options: &[&str]) -> Self {
-        use std::io::{BufRead, BufReader};
-        let mut command = shop.command();
-        command.args(["serve", "--listen", "127.0.0.1:0", "--rate", "50"]).args(options);
-        let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
-        let mut line = String::new();
-        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        Self { child, url: line.trim().rsplit(' ').next().unwrap().to_owned() }
-    }
-
-    fn ask(&self, request: &str, body: &str) -> serde_json::Value {
-        use std::io::{Read, Write};
-        let address = self.url.strip_prefix("http://").unwrap();
-        let mut stream = std::net::TcpStream::connect(address).unwrap();
-        let length = body.len();
-        let head = "Connection: close\r\nContent-Type: application/json";
-        let text = format!(
-            "{request} HTTP/1.1\r\nHost: {address}\r\n{head}\r\nContent-Length: {length}\r\n\r\n{body}"
-        );
-        stream.write_all(text.as_bytes()).unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        let (_, body) = answer.split_once("\r\n\r\n").unwrap();
-        serde_json::from_str(body).unwrap_or_default()
-    }
-
-    /// Arms the machine and has a line carried out.
-    fn carry_out(&self, line: &str) {
-        self.ask("POST /api/do/takeLease", r#"{"force":true}"#);
-        let lease = self.ask("GET /api/state", "")["lease"]["number"].clone();
-        self.ask("POST /api/do/arm", &format!("{{\"lease\":{lease}}}"));
-        self.ask("POST /api/do/command", &format!("{{\"lease\":{lease},\"line\":\"{line}\"}}"));
-    }
-}
-
-impl Drop for Console {
-    fn drop(&mut self) {
-        drop(self.child.kill());
-        drop(self.child.wait());
     }
 }
 

@@ -1,6 +1,6 @@
 //! Ports on pseudo terminals, as a controller or a cable would be behind them.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 use kerf_serial::pretend::{Cable, Plug};
 use kerf_serial::{Port, SerialError};
@@ -98,4 +98,24 @@ fn a_cable_spoils_what_it_is_told_to_and_everything_between_unequal_rates() {
     cable.cut();
     near.write(b"abc").unwrap();
     assert_eq!(far.read(&mut [0; 3], Duration::from_millis(50)), Ok(0));
+}
+
+/// Seconds that so many bytes take over a cable.
+fn takes_s(baud: u32, count: usize) -> f64 {
+    let cable = Cable::new().unwrap();
+    let [mut near, mut far] = cable.ends().map(|end| Port::open(end, baud).unwrap());
+    let begin = Instant::now();
+    near.write(&vec![0x55; count]).unwrap();
+    assert_eq!(read(&mut far, count).len(), count);
+    begin.elapsed().as_secs_f64()
+}
+
+#[test]
+fn pro_send_speed__the_line_is_as_fast_as_its_rate() {
+    for baud in [2400, 4800, 9600, 19_200, 38_400] {
+        let count = baud as usize / 10;
+        // A second each; a busy computer may be late once, and again.
+        let off = (0..10).map(|_| takes_s(baud, count) - 1.0).find(|off| off.abs() <= 0.02);
+        assert!(off.is_some(), "{baud} baud: not a second for {count} bytes");
+    }
 }

@@ -108,6 +108,16 @@ impl Server {
         self.app.link.want(|wanted| wanted.stop = true);
     }
 
+    /// Whether the machine moves.
+    pub fn moves(&self) -> bool {
+        self.app.state() == kerf_wire::State::Running
+    }
+
+    /// Tells pages that files of the part folder have changed.
+    pub fn files_changed(&self) {
+        self.app.files_changed();
+    }
+
     /// Waits for as long as the server runs: for ever, or until a part file closes it.
     pub fn wait(&self) {
         let closed = self.closed.lock().unwrap_or_else(PoisonError::into_inner);

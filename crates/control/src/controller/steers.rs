@@ -25,13 +25,15 @@ pub struct Steers<'a> {
     braked: bool,
     failure: Option<Failure>,
     looked: Instant,
+    /// When it began to stand at a moment of machine time: an input on the way does not begin it anew.
+    stood: Option<(f64, Instant)>,
 }
 
 impl<'a> Steers<'a> {
     /// The run on a controller; the operator stops it through a pace that does not wait.
     pub fn new(shared: Shared, operator: &'a mut dyn Pace) -> Self {
         let (kept, failure, looked) = (None, None, Instant::now());
-        Self { shared, operator, kept, braked: false, failure, looked }
+        Self { shared, operator, kept, braked: false, failure, looked, stood: None }
     }
 
     /// What the operator wants by a moment.
@@ -76,7 +78,8 @@ impl<'a> Steers<'a> {
         let wish = self.wish(from_s, to_s);
         let until_s = wish.map_or(to_s, |(at_s, _)| at_s);
         self.shared.borrow_mut().settle();
-        let began = Instant::now();
+        let before = self.stood.filter(|(at_s, _)| *at_s == from_s);
+        let (_, began) = *self.stood.insert(before.unwrap_or_else(|| (from_s, Instant::now())));
         loop {
             let now_s = from_s + began.elapsed().as_secs_f64();
             self.shared.borrow_mut().look(NAP);

@@ -15,6 +15,7 @@ mod parts;
 mod plot;
 mod preview;
 mod protect;
+mod receive;
 mod registry;
 mod run;
 mod samples;
@@ -38,6 +39,7 @@ use clap::Subcommand;
 pub enum Command {
     Run(run::RunCommand),
     Send(send::SendArgs),
+    Receive(receive::ReceiveArgs),
     Serve(serve::ServeArgs),
     Settings(settings::SettingsArgs),
     Check(check::CheckArgs),
@@ -50,6 +52,7 @@ pub enum Command {
     Fmt(fmt::FmtArgs),
     Draw(draw::DrawArgs),
     Convert(convert::ConvertArgs),
+    #[command(visible_alias = "path")]
     Toolpath(toolpath::ToolpathArgs),
     Explain(explain::ExplainArgs),
     Help(help::HelpArgs),
@@ -72,6 +75,8 @@ impl Command {
             self,
             Self::Run(_) | Self::Sb3(_) | Self::Machine(_) | Self::Io(_) | Self::Registry(_)
         );
+        let moves_a_machine =
+            moves_a_machine || matches!(&self, Self::Send(args) if !args.is_file());
         match self {
             _ if edit_only && moves_a_machine => {
                 bail!(Usage("not available in editing version".into()))
@@ -87,6 +92,7 @@ pub fn run(command: Result<Command>) -> Result<Exit> {
     match command? {
         Command::Run(args) => run::run(&args),
         Command::Send(args) => send::run(&args),
+        Command::Receive(args) => receive::run(&args),
         Command::Serve(args) => serve::run(&args),
         Command::Settings(args) => settings::run(args),
         Command::Check(args) => check::run(&args),

@@ -1,21 +1,30 @@
-//! `kerf send`: commands to be carried out at once.
+//! `kerf send`: commands to be carried out at once, or a job file to another computer.
 
 use super::protect;
 use super::run::{MachineArgs, on_machine, told_by_server};
 use crate::args::RunArgs;
 use crate::exit::Exit;
+use crate::operator;
 use crate::remote::Remote;
 use crate::report::Talk;
+use crate::sending::{Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, anyhow};
 use clap::Args;
 use kerf_control::Shelf;
+use kerf_control::transfer::Sender;
+use kerf_serial::Port;
 use std::path::Path;
+use std::sync::atomic::Ordering;
 
 /// What the lines are kept as, in the part folder, as SI does.
 const FILE: &str = "temp_code.sbp";
 
-/// Carries out command lines at once, as if they were typed at the machine
+/// Carries out command lines at once, as if they were typed at the machine; or sends a file
+///
+/// A file goes to the computer at the machine: `kerf send FILE com2` over a serial line, where `kerf receive`
+/// takes it, `kerf send FILE http://…` over the network into the part folder of `kerf serve`. While the
+/// machine there moves nothing goes over. Ctrl-C stops it; then nothing of it is kept.
 ///
 /// Settings that they make stay. Several lines are a program: they may jump and decide. A line alone
 /// has to be a command or an assignment. The lines are kept in temp_code.sbp in the part folder: the
@@ -23,7 +32,8 @@ const FILE: &str = "temp_code.sbp";
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf send 'MX,1' 'MY,2'\n  kerf send 'VC,.375'\n  kerf send UV \
-    --quiet"
+    --quiet\n  kerf send door.rsm com2\n  kerf send door.rsm com        at the port of options.send_port\n  \
+    kerf send door.rsm http://192.168.1.20:8710"
 )]
 pub struct SendArgs {
     /// The lines
@@ -32,6 +42,9 @@ pub struct SendArgs {
     /// Sends them to a running `kerf serve` at this address [default: KERF_URL, where it is set]
     #[arg(long, value_name = "URL")]
     server: Option<String>,
+    /// The rate at which a file is sent: 2400, 4800, 9600, 19200 or 38400 baud [default: options.send_baud]
+    #[arg(long, value_name = "BAUD", value_parser = super::receive::baud)]
+    baud: Option<u32>,
     /// Carries out the lines sent last, once more
     #[arg(long, conflicts_with = "lines")]
     again: bool,
@@ -39,6 +52,40 @@ pub struct SendArgs {
     machine: MachineArgs,
     #[command(flatten)]
     run: RunArgs,
+}
+
+impl SendArgs {
+    /// The file that is sent, and where to.
+    fn file(&self) -> Option<(&Path, To)> {
+        let [file, to] = self.lines.as_slice() else { return None };
+        Some((Path::new(file), To::of(to)?))
+    }
+
+    /// Whether a file is sent, and nothing carried out.
+    pub fn is_file(&self) -> bool {
+        self.file().is_some()
+    }
+}
+
+/// Sends a file to another computer.
+fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
+    let bytes = setup::read_bytes(file)?;
+    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let pressed = operator::listen()?;
+    let stopped = || pressed.load(Ordering::Relaxed);
+    let mut shown = Shown::new(args.machine.quiet());
+    let state = match to {
+        To::Server(url) => send_over_network(url, &name, &bytes, &stopped, &mut shown)?,
+        _ => {
+            let place = &args.run.place;
+            let machine = setup::machine(place.config.as_deref(), &place.data)?;
+            let baud = args.baud.unwrap_or(machine.options.send_baud);
+            let port = Port::open(&to.device(&machine)?, baud)?;
+            let sender = Sender::new(&name, bytes, baud).map_err(|why| anyhow!(why))?;
+            send_over_line(port, sender, &stopped, &mut shown)?
+        }
+    };
+    Ok(ended(&name, &state))
 }
 
 /// Carries out lines that another command stands for.
@@ -75,6 +122,9 @@ fn remotely(url: &str, lines: &str, password: Option<&str>) -> Result<Exit> {
 }
 
 pub fn run(args: &SendArgs) -> Result<Exit> {
+    if let Some((file, to)) = args.file() {
+        return send_file(file, &to, args);
+    }
     args.machine.check()?;
     let named = std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
     if let (Some(url), false) = (args.server.clone().or(named), args.again) {

@@ -1,5 +1,6 @@
 //! `kerf serve`: the web console.
 
+use super::receive;
 use crate::args::PlaceArgs;
 use crate::clock;
 use crate::exit::{Exit, Usage};
@@ -15,6 +16,8 @@ use std::io;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
 
 /// Serves the web console: run and watch part files, drive the machine, draw
 ///
@@ -38,6 +41,10 @@ pub struct ServeArgs {
     /// Drawings only: the machine is left alone
     #[arg(long)]
     drawing_only: bool,
+    /// Takes job files that come over the serial port of file sending (`kerf send FILE PORT`) into the part
+    /// folder, while the machine stands
+    #[arg(long)]
+    receive: bool,
     /// EXIT SHOPBOT in a part file ends Kerf, not only the run
     #[arg(long)]
     exit_with_program: bool,
@@ -71,6 +78,7 @@ impl ServeArgs {
             lan: false,
             hosts: Vec::new(),
             drawing_only: false,
+            receive: false,
             exit_with_program: false,
             rate,
             place: PlaceArgs { parts, ..place.clone() },
@@ -137,7 +145,15 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
             "To pair a device, enter the code {code} there within five minutes.\n"
         ));
     }
-    server.wait();
+    let port = args.receive.then(|| receive::port(&args.place)).transpose()?;
+    let over = AtomicBool::new(false);
+    thread::scope(|scope| {
+        if let Some(port) = port {
+            scope.spawn(|| receive::beside(port, &parts(args), &server, &over));
+        }
+        server.wait();
+        over.store(true, Ordering::Relaxed);
+    });
     Ok(Exit::Good)
 }
 

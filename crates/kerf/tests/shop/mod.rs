@@ -2,6 +2,8 @@
 
 #![allow(dead_code)]
 
+pub mod console;
+
 use serde_json::Value;
 use std::fs;
 use std::io::Write;

@@ -4,6 +4,9 @@
 /// Serial ports that can be named.
 pub const PORTS: usize = 4;
 
+/// Speeds of file sending, baud.
+pub const SEND_BAUDS: [u32; 5] = [2400, 4800, 9600, 19_200, 38_400];
+
 /// General options.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
@@ -15,6 +18,8 @@ pub struct Options {
     pub console_baud: u32,
     /// Serial port of file sending, 1 … 4.
     pub send_port: u8,
+    /// Its speed, baud: one of [`SEND_BAUDS`].
+    pub send_baud: u32,
     /// Salted hash of the password that changing settings needs; none without protection.
     pub password: Option<String>,
     /// Vertices of paths nearer to each other than this are left out, mm; 0 none.
@@ -32,6 +37,7 @@ impl Default for Options {
             console_port: 1,
             console_baud: 2400,
             send_port: 2,
+            send_baud: 19_200,
             password: None,
             filter_mm: 0.0,
             join_mm: 0.1,

@@ -98,6 +98,8 @@ pub enum Bounds {
     NotNegative,
     /// From the first to the second.
     Range(f64, f64),
+    /// One of these.
+    OneOf(&'static [f64]),
     /// Like [`Bounds::Positive`], and without end too.
     PositiveOrInfinite,
 }
@@ -118,6 +120,7 @@ impl Bounds {
             Self::Positive => number.is_finite() && number > 0.0,
             Self::NotNegative => number.is_finite() && number >= 0.0,
             Self::Range(low, high) => (low..=high).contains(&number),
+            Self::OneOf(values) => values.contains(&number),
             Self::PositiveOrInfinite => number > 0.0,
         }
     }
@@ -130,6 +133,10 @@ impl std::fmt::Display for Bounds {
             Self::Positive => f.write_str("greater than 0"),
             Self::NotNegative => f.write_str("0 or greater"),
             Self::Range(low, high) => write!(f, "{low} to {high}"),
+            Self::OneOf(values) => {
+                let words: Vec<String> = values.iter().map(f64::to_string).collect();
+                write!(f, "one of {}", words.join(", "))
+            }
             Self::PositiveOrInfinite => f.write_str("greater than 0, or inf"),
         }
     }

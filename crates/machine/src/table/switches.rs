@@ -1,6 +1,6 @@
 //! Inputs, the emergency stop, jobs, and what else there is.
 
-use super::Bounds::{Any, NotNegative, Range};
+use super::Bounds::{Any, NotNegative, OneOf, Range};
 use super::{Area, Bounds, Setting, row};
 use kerf_program::settings::SWITCHES;
 
@@ -221,6 +221,14 @@ const OPTIONS: &[Setting] = &[
         None,
         Range(1.0, 4.0),
         "Serial port of file sending."
+    ),
+    row!(
+        c,
+        "options.send_baud",
+        c.options.send_baud,
+        Baud,
+        OneOf(&[2400.0, 4800.0, 9600.0, 19_200.0, 38_400.0]),
+        "Its speed."
     ),
     row!(
         c,

@@ -6,11 +6,11 @@ use super::{Refused, aside};
 use crate::app::App;
 use axum::body::Bytes;
 use axum::extract::{Path, Query, State};
-use axum::http::header;
+use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::IntoResponse;
 use axum::{Extension, Json};
 use kerf_control::parts;
-use kerf_wire::{FileInfo, Role};
+use kerf_wire::{self as wire, FileInfo, Problem, Role, Why};
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -54,6 +54,20 @@ impl App {
     }
 }
 
+/// Whether a file may be sent now, and has come as it was.
+fn may_be_sent(app: &App, told: &HeaderValue, bytes: &[u8]) -> Result<(), Problem> {
+    if app.state() == wire::State::Running {
+        let text = "the machine moves: files are sent when it stands".into();
+        return Err(Problem { why: Why::State, text });
+    }
+    let told = told.to_str().ok().and_then(|hex| u32::from_str_radix(hex, 16).ok());
+    if told != Some(crc32fast::hash(bytes)) {
+        let text = "the file is damaged: send it again".into();
+        return Err(Problem { why: Why::Malformed, text });
+    }
+    Ok(())
+}
+
 /// The last part of a name.
 fn file_name(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or(name)
@@ -69,14 +83,22 @@ pub async fn read(
     Ok(([(header::CONTENT_TYPE, "application/octet-stream")], bytes))
 }
 
+/// The checksum of a file that is sent from another computer, as eight hexadecimal digits. Such a file is
+/// taken only while the machine stands.
+const CHECKSUM: &str = "kerf-crc32";
+
 /// Writes a file.
 pub async fn write(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
     Path(name): Path<String>,
+    headers: HeaderMap,
     bytes: Bytes,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
+    if let Some(told) = headers.get(CHECKSUM) {
+        may_be_sent(&app, told, &bytes)?;
+    }
     let parts = app.clone();
     aside(move || parts.parts.write(&name, &bytes)).await?;
     app.files_changed();
