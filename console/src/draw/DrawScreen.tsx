@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useState, useSyncExternalStore } from "react";
 import { useScreen, useSnapshot } from "../app/context";
+import { DigitizePanel } from "../digitize/DigitizePanel";
 import { DrawingHead } from "./DrawingHead";
 import { DrawingSheet } from "./DrawingSheet";
 import { startTool } from "./desk";
@@ -36,10 +37,11 @@ export function DrawScreen() {
   const loaded = useShapes();
   const [optionsStore] = useState(createOptions);
   const options = useSyncExternalStore(optionsStore.watch, optionsStore.get);
+  const digitized = useSnapshot("digitized") ?? null;
   const machined = useMachined(showsMachined(options));
   const scene = useMemo(
-    () => sceneOf(loaded, drawing, machined, options),
-    [loaded, drawing, machined, options],
+    () => sceneOf(loaded, drawing, machined, options, digitized),
+    [loaded, drawing, machined, options, digitized],
   );
   const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
   const picked = drawing?.picked ?? nothingPicked;
@@ -78,6 +80,7 @@ export function DrawScreen() {
       )}
       <div className="draw-right">
         <SelectionPanel desk={desk} scene={scene} notes={machined.notes} />
+        <DigitizePanel />
         <GroupPanel desk={desk} scene={scene} />
         <ViewPanel options={options} onChange={(next) => optionsStore.set(next)} />
       </div>

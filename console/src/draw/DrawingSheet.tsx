@@ -7,6 +7,9 @@ import {
   useRef,
 } from "react";
 import { useScreen, useSnapshot } from "../app/context";
+import { paintDigitized } from "../digitize/paint";
+import { lookedAt } from "../digitize/points";
+import { useLook } from "../digitize/useLook";
 import { useSize } from "../view/useSize";
 import { Chooser } from "./Chooser";
 import { grabbed, moved, pressed, released, rightClicked } from "./desk";
@@ -23,7 +26,7 @@ import { paintTable } from "./paint/table";
 import { pictureOf } from "./picture";
 import { StatusBar } from "./StatusBar";
 import type { Scene } from "./scene";
-import { inDrawing, originOf, type TableItem, tableItems } from "./table";
+import { boundsOf, inDrawing, originOf, type TableItem, tableItems } from "./table";
 import type { Desk } from "./useDesk";
 import { fitted, toDrawing, zoomedAbout } from "./window";
 import "./drawing-sheet.css";
@@ -39,6 +42,15 @@ export function DrawingSheet({ desk, scene, children }: DrawingSheetProps) {
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   useWindow(desk, scene, size.width, size.height);
+  const [motion, reach] = [useSnapshot("motion"), useSnapshot("setup")?.reach];
+  useLook((look) => {
+    const machine = motion && reach ? boundsOf(motion, reach) : null;
+    desk.set((state) => {
+      const { window, size } = state;
+      const seen = { window, size, data: scene.box, points: scene.digitized, machine };
+      return { ...state, window: lookedAt(look, seen) };
+    });
+  });
   const { running, entry } = desk.state;
   // Keys of the drawing are heard as soon as a tool is taken.
   useEffect(() => {
@@ -133,8 +145,9 @@ function Canvases({ desk, scene, unitMm }: DrawingSheetProps & { unitMm: number 
     if (!sheet) return;
     const ink = inkOf(sheet.pen.canvas);
     paintOverlay(sheet, overlay, ink);
+    paintDigitized(sheet, scene.digitized, ink);
     paintTable(sheet, table, ink);
-  }, [overlay, table, window, size, theme]);
+  }, [overlay, table, scene.digitized, window, size, theme]);
   return (
     <>
       <canvas ref={base} className="sheet-canvas" />

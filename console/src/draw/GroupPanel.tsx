@@ -36,7 +36,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
               className="link-button"
               disabled={!some}
               onClick={() => desk.send(`group ${name}`)}
-              aria-label={`Put the selection into ${name}`}
+              aria-label={`put here: the selection into ${name}`}
             >
               put here
             </button>

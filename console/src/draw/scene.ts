@@ -1,6 +1,7 @@
 /** What the canvas shows, made from what the server tells. */
 
-import type { DrawingState, ShapeList, ToolPaths } from "../wire/messages";
+import { type DigitizedItem, digitizedItem } from "../digitize/points";
+import type { Digitized, DrawingState, ShapeList, ToolPaths } from "../wire/messages";
 import { crossesItself } from "./geometry/crossing";
 import { boxOfShapes, type Shape, shapeOf } from "./geometry/shape";
 import { type Box, type Place, place } from "./geometry/vec";
@@ -62,6 +63,8 @@ export interface Scene extends Omit<Machined, "notes"> {
   readonly leftOf: ReadonlySet<string>;
   readonly box: Box;
   readonly options: ViewOptions;
+  /** Points that are being digitized. */
+  readonly digitized: DigitizedItem | null;
 }
 
 export function sceneOf(
@@ -69,6 +72,7 @@ export function sceneOf(
   drawing: DrawingState | null | undefined,
   { paths, smoothed, filtered }: Machined,
   options: ViewOptions,
+  digitized: Digitized | null = null,
 ): Scene {
   const groups = drawing?.groups ?? [];
   const named = (which: (group: (typeof groups)[number]) => boolean) =>
@@ -84,6 +88,7 @@ export function sceneOf(
     smoothed,
     filtered,
     options,
+    digitized: digitized && digitizedItem(digitized),
   };
 }
 

@@ -43,3 +43,10 @@ export const inDrawing = (items: readonly TableItem[], origin: Place): TableItem
       ? { ...item, box: { min: minus(item.box.min, origin), max: minus(item.box.max, origin) } }
       : { ...item, at: minus(item.at, origin) },
   );
+
+/** How far the axes reach, in the drawing; nothing without bounds. */
+export function boundsOf(motion: Motion, [x, y]: Setup["reach"]): Box | null {
+  const origin = originOf(motion);
+  const far = { min: minus(place(0, 0), origin), max: minus(place(x, y), origin) };
+  return x > 0 && y > 0 ? far : null;
+}

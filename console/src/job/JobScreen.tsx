@@ -1,6 +1,7 @@
 import { useMemo, useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { DigitizePanel } from "../digitize/DigitizePanel";
 import { FileSheet } from "../draw/FileSheet";
 import { JobBar } from "../operator/JobBar";
 import { LocationDisplay } from "../operator/LocationDisplay";
@@ -38,7 +39,10 @@ export function JobScreen() {
         {plan ? <JobSheet plan={plan} standing={standing} /> : <NoJob />}
         <JobBar />
       </div>
-      <div className="job-page-right">{plan && <PathPanel plan={plan} standing={standing} />}</div>
+      <div className="job-page-right">
+        {plan && <PathPanel plan={plan} standing={standing} />}
+        <DigitizePanel />
+      </div>
     </div>
   );
 }
@@ -56,6 +60,7 @@ function JobHead() {
       <Button size="small" isDisabled={!idle} onPress={() => setAsking(true)}>
         Open a job…
       </Button>
+      <Added />
       {asking && (
         <FileSheet
           title="Open a job or a drawing"
@@ -65,6 +70,28 @@ function JobHead() {
         />
       )}
     </header>
+  );
+}
+
+/** Shapes that were added to the job and are not in its file yet. */
+function Added() {
+  const hands = useHands();
+  const added = useSnapshot("opened")?.added ?? 0;
+  if (added === 0) return null;
+  return (
+    <p className="job-added">
+      {added === 1 ? "1 shape is" : `${added} shapes are`} not saved
+      <Button size="small" onPress={() => void ask(worldOf(hands), { do: "takeShapeBack" })}>
+        Take the last back
+      </Button>
+      <Button
+        size="small"
+        look="primary"
+        onPress={() => void ask(worldOf(hands), { do: "saveJob" })}
+      >
+        Save the job
+      </Button>
+    </p>
   );
 }
 

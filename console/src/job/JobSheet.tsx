@@ -1,7 +1,10 @@
 import { type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
-import { isEmpty, joined, type Place, place } from "../draw/geometry/vec";
+import { paintDigitized } from "../digitize/paint";
+import { type DigitizedItem, digitizedItem, lookedAt } from "../digitize/points";
+import { useLook } from "../digitize/useLook";
+import { type Box, isEmpty, joined, type Place, place } from "../draw/geometry/vec";
 import { inkOf, pixelOf } from "../draw/ink";
 import { paintPaper } from "../draw/paint/paper";
 import { sheetOn } from "../draw/paint/pen";
@@ -40,6 +43,12 @@ export function JobSheet({ plan, standing }: JobSheetProps) {
     if (width > 0) setWindow(fitted(all, { width, height }, margin));
   }, [plan.paths.length, width, height]);
   const window = wanted ?? fitted(all, size, margin);
+  const digitized = useSnapshot("digitized");
+  const points = useMemo(() => (digitized ? digitizedItem(digitized) : null), [digitized]);
+  useLook((look) => {
+    const seen = { window, size, data: plan.box, points, machine: boundsOf(plan) };
+    setWindow(lookedAt(look, seen));
+  });
   const found = (event: MouseEvent) =>
     pathAt(plan, toDrawing(window, size, pixelOf(box.current, event)), near * window.mmPerPixel);
   return (
@@ -74,7 +83,7 @@ export function JobSheet({ plan, standing }: JobSheetProps) {
           setWindow(zoomedAbout(window, at, Math.exp(-event.deltaY / 500)));
         }}
       >
-        <Canvases {...{ plan, standing, window, hover }} size={size} />
+        <Canvases {...{ plan, standing, window, hover, points }} size={size} />
       </div>
       <div className="job-sheet-bar">
         <Button size="small" onPress={() => setWindow(fitted(all, size, margin))}>
@@ -101,9 +110,10 @@ interface CanvasesProps extends JobSheetProps {
   window: Window;
   size: { width: number; height: number };
   hover: number | null;
+  points: DigitizedItem | null;
 }
 
-function Canvases({ plan, standing, window, size, hover }: CanvasesProps) {
+function Canvases({ plan, standing, window, size, hover, points }: CanvasesProps) {
   const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
   const theme = useScreen("theme");
   const unitMm = useSnapshot("units")?.mm ?? 1;
@@ -126,8 +136,9 @@ function Canvases({ plan, standing, window, size, hover }: CanvasesProps) {
     pen.clearRect(0, 0, size.width, size.height);
     const ink = inkOf(pen.canvas);
     paintProgress(sheet, plan, standing, { hover, ink });
+    paintDigitized(sheet, points, ink);
     paintTable(sheet, spots(plan, toolPlace(snapshot, plan)), ink);
-  }, [plan, standing, hover, motion, window, size.width, size.height, theme]);
+  }, [plan, standing, hover, points, motion, window, size.width, size.height, theme]);
   return (
     <>
       <canvas ref={base} className="sheet-canvas" />
@@ -136,21 +147,19 @@ function Canvases({ plan, standing, window, size, hover }: CanvasesProps) {
   );
 }
 
+/** How far the axes reach, from the job's origin; nothing without bounds. */
+function boundsOf({ view }: Pick<Plan, "view">): Box | null {
+  const [[x0, y0], [[left, right], [bottom, top]]] = [view.origin, view.table];
+  const box = { min: place(left - x0, bottom - y0), max: place(right - x0, top - y0) };
+  return right > left && top > bottom ? box : null;
+}
+
 /** The machine round the job, from its origin. */
 function spots({ view }: Plan, tool: Place | null): TableItem[] {
   const [[x0, y0], [fx, fy]] = [view.origin, view.finish];
-  const [[left, right], [bottom, top]] = view.table;
-  const bounds: TableItem[] =
-    right > left && top > bottom
-      ? [
-          {
-            kind: "bounds",
-            box: { min: place(left - x0, bottom - y0), max: place(right - x0, top - y0) },
-          },
-        ]
-      : [];
+  const bounds = boundsOf({ view });
   return [
-    ...bounds,
+    ...(bounds ? [{ kind: "bounds" as const, box: bounds }] : []),
     { kind: "home", at: place(-x0, -y0) },
     { kind: "origin", at: place(0, 0) },
     { kind: "finish", at: place(fx, fy) },

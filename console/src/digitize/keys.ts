@@ -1,0 +1,82 @@
+/** What can be done while digitizing, each as the keys of the hand console that do it. */
+
+import type { World } from "../actions/action";
+import { drive } from "../actions/ask";
+
+export interface DigitizingKey {
+  readonly title: string;
+  readonly doc: string;
+  /** The keys in order: digits, `-` sign, `E` Enter, `F` File, `S` Start, `P` Stop, `U` Func. */
+  readonly keys: string;
+}
+
+const key = (title: string, keys: string, doc: string): DigitizingKey => ({ title, keys, doc });
+const run = (title: string, number: number, doc: string) => key(title, `U${number}E`, doc);
+
+export const begin = run("Digitize", 70, "Record the points of a shape with the tool");
+export const record = key("Record", "E", "A point where the tool is, behind the last one (Enter)");
+export const kind = key("Line / arc", "-", "The kind of the next point (+/-)");
+
+export const steps: readonly DigitizingKey[] = [
+  run("To start", 5, "Along the path to the first point"),
+  key("Back", "F", "To the point before, along its line or arc (File)"),
+  key("On", "S", "To the point behind, along its line or arc (Start)"),
+  run("To end", 4, "Along the path to the last point"),
+  run("To current", 6, "Straight to the current point"),
+  run("To nearest", 7, "Straight to the nearest point, which becomes current"),
+];
+
+export const edits: readonly DigitizingKey[] = [
+  run("Insert after", 0, "A point where the tool is, behind the current one"),
+  run("Insert before", 1, "A point where the tool is, before the current one"),
+  run("Modify", 3, "The current point goes where the tool is"),
+  run("Delete", 2, "Takes the current point out"),
+];
+
+export const shapes: readonly DigitizingKey[] = [
+  run("Save open", 8, "Adds an open shape to the job or the drawing"),
+  run("Save closed", 9, "Adds a closed shape to the job or the drawing"),
+  run("Load nearest", 10, "The points of the shape nearest to the tool"),
+  run("Clear", 15, "Forgets all points"),
+];
+
+export const looks: readonly DigitizingKey[] = [
+  run("Show points", 30, "The points on every sheet"),
+  run("Show all", 31, "All shapes on every sheet"),
+  run("Show machine", 32, "The machine's bounds on every sheet"),
+  run("Zoom out", 33, "Twice as much on every sheet"),
+];
+
+export const dimensions = {
+  flat: run("2D", 11, "Shapes without heights"),
+  space: run("3D", 12, "Shapes with the height of each point, without arcs"),
+} as const;
+
+export const exit = run("Exit", 99, "Ends digitizing");
+
+/** A place that is typed, from the job origin, mm. */
+export const moveTo = (x: number, y: number): DigitizingKey =>
+  key("Move to", `U20E${typed(x)}E${typed(y)}E`, "To a place from the job origin");
+
+/** A number as keys: File types the point, there is room for nine characters. */
+const typed = (mm: number): string => mm.toFixed(3).slice(0, 9).replace(".", "F");
+
+/** What is pressed goes on until here: keys of two buttons must not mix. */
+let before: Promise<void> = Promise.resolve();
+
+/** Presses the keys of a button, behind those of the button that was pressed before. */
+export function press(world: World, { keys }: DigitizingKey): Promise<void> {
+  before = before.then(() => pressed(world, keys));
+  return before;
+}
+
+/**
+ * Presses keys one after the other. None of them moves the tool as an arrow: jogs have numbers above 0, so
+ * that a digit which finds no entry open does nothing.
+ */
+async function pressed(world: World, keys: string): Promise<void> {
+  for (const one of keys) {
+    const character = one === "E" ? "\r" : one;
+    if (!(await drive(world, { do: "key", seq: 0, key: character }))) return;
+  }
+}
