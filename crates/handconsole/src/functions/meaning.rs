@@ -29,7 +29,7 @@ const MEANINGS: &[(&str, &str)] = &[
     (
         "10",
         "The open job is written into its file, with the origin, the finish position and the start shape that hold. Its \
-         paths stay as they were made: neither 60 nor 300 goes into the file",
+         paths stay as they were made: neither 60 nor 300 goes into the file. Shapes that were digitized are among them",
     ),
     ("11", "The settings of the machine are kept as they are now"),
     (

@@ -2,6 +2,7 @@
 
 use crate::Tree;
 use anyhow::Result;
+use kerf_handconsole::digitizing;
 use kerf_handconsole::functions::{FUNCTIONS, Step, meaning};
 use std::fmt::Write as _;
 
@@ -19,6 +20,13 @@ about the open job holds as long as it is open; function 10 writes origin, finis
 
 ";
 
+const DIGITIZING: &str = "
+## While digitizing
+
+Function 70 begins [digitizing](digitizing.md), with functions of its own behind `Func`. 20 and 21 ask for Z too in 3D.
+
+";
+
 /// The page.
 ///
 /// # Errors
@@ -31,6 +39,11 @@ pub fn functions(_: &Tree) -> Result<String> {
         let does = meaning(function.number).unwrap_or_default();
         let (number, name, asks) = (function.number, function.name, asks.join("; "));
         let _ = writeln!(page, "| {number} | {name} | {asks} | {does} |");
+    }
+    page += DIGITIZING;
+    page += "| number | name | does |\n|---|---|---|\n";
+    for entry in digitizing::FUNCTIONS {
+        let _ = writeln!(page, "| {} | {} | {} |", entry.number, entry.name, entry.doc);
     }
     Ok(page)
 }
