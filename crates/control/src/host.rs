@@ -73,6 +73,10 @@ impl Host for World<'_> {
         self.machine.is_connected()
     }
 
+    fn install_firmware(&mut self) -> Result<String, HostError> {
+        self.shelf.install_firmware()
+    }
+
     fn firmware(&mut self) -> i32 {
         FIRMWARE
     }

@@ -83,7 +83,7 @@ pub use part_log::Started;
 pub use parts::{Listing, PartFile};
 pub use press::Press;
 pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word};
-pub use shelf::{MOST_BYTES, Shelf, Shell};
+pub use shelf::{Firmware, MOST_BYTES, Shelf, Shell};
 pub use sink::{Made, Sink};
 pub use standing::{OpenFile, Standing, flag};
 pub use tally::{Tally, ToolPathTime};

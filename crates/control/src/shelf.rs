@@ -49,9 +49,16 @@ pub struct Shelf {
     pub(crate) made: Option<String>,
     /// Keys that were set while the tape played: they may not be in the journal yet.
     replayed: BTreeSet<String>,
+    /// Loads the firmware of a real controller, from a command.
+    firmware: Option<Firmware>,
     /// Program files that were called and lie on the disk, with their bytes; kept by previews only.
     called: Option<BTreeMap<PathBuf, Arc<[u8]>>>,
 }
+
+/// Loads firmware with a program that is started by the function it is handed, and tells what the
+/// controller is after that.
+pub type Firmware =
+    Box<dyn FnMut(&mut dyn FnMut(&str) -> Result<(), HostError>) -> Result<String, HostError>>;
 
 /// What SHELL does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -83,6 +90,7 @@ impl Shelf {
             url: None,
             made: None,
             replayed,
+            firmware: None,
             called: None,
         }
     }
@@ -102,6 +110,20 @@ impl Shelf {
     /// name. What a program wrote itself is not among them.
     pub fn take_called(&mut self) -> BTreeMap<PathBuf, Arc<[u8]>> {
         self.called.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// The same, for a machine whose controller has firmware that can be loaded.
+    #[must_use]
+    pub fn with_firmware(self, firmware: Firmware) -> Self {
+        Self { firmware: Some(firmware), ..self }
+    }
+
+    /// Loads the firmware of the controller (UI).
+    pub(crate) fn install_firmware(&mut self) -> Result<String, HostError> {
+        let none = "no firmware on the simulated machine";
+        let Some(load) = &mut self.firmware else { return Err(HostError::Refused(none.into())) };
+        let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
+        load(&mut |line| run_to_its_end(shell, &folder, line))
     }
 
     /// Files in memory only.
@@ -453,6 +475,12 @@ impl Shelf {
     }
 }
 
+/// Whether external programs are started.
+fn start_allowed(shell: Shell) -> Result<(), HostError> {
+    let what = "external programs are disabled; --allow-shell lets a run start them";
+    if shell == Shell::Started { Ok(()) } else { Err(HostError::Disabled(what.into())) }
+}
+
 /// Starts an external program.
 fn start(
     shell: Shell,
@@ -460,19 +488,27 @@ fn start(
     call: &ShellCall,
     told: [(&str, Option<String>); 2],
 ) -> Result<(), HostError> {
-    match shell {
-        Shell::Started => {}
-        Shell::Skipped => return Ok(()),
-        Shell::Refused => {
-            let what = "external programs are disabled; --allow-shell lets a run start them";
-            return Err(HostError::Disabled(what.into()));
-        }
+    if shell == Shell::Skipped {
+        return Ok(());
     }
+    start_allowed(shell)?;
     let mut command = shell_command(&call.line);
     command.current_dir(folder).stdin(Stdio::null());
     command.envs(told.into_iter().filter_map(|(name, value)| Some((name, value?))));
     let started = if call.wait { command.status().map(drop) } else { command.spawn().map(drop) };
     started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
+}
+
+/// Starts an external program and waits until it has done what it should.
+fn run_to_its_end(shell: Shell, folder: &Path, line: &str) -> Result<(), HostError> {
+    start_allowed(shell)?;
+    let ended = shell_command(line).current_dir(folder).stdin(Stdio::null()).status();
+    let failed = |why: String| Err(HostError::Refused(format!("'{line}' {why}")));
+    match ended {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => failed(format!("failed: {status}")),
+        Err(error) => failed(format!("cannot be started: {error}")),
+    }
 }
 
 /// A file that a program runs: from the folders, else one that comes with Kerf.

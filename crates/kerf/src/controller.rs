@@ -7,10 +7,11 @@ use crate::setup;
 use anyhow::{Result, anyhow, bail};
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Connection, Lacks, Line, Shared};
-use kerf_control::{Company, RunOptions, Session, Shelf, Sink, Work};
+use kerf_control::{Company, Firmware, RunOptions, Session, Shelf, Sink, Work};
 use kerf_driver_grbl::Grbl;
-use kerf_program::AxisSet;
-use kerf_serial::Port;
+use kerf_machine::driver::Wired;
+use kerf_program::{AxisSet, HostError};
+use kerf_serial::{Port, SerialError};
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::time::Duration;
@@ -61,10 +62,34 @@ impl Line for Wire {
     }
 }
 
+/// A driver that knows nothing yet, with the port it speaks through.
+type Ends = (Box<dyn Wired>, Box<dyn Line>);
+
+fn ends(name: &DriverName) -> Result<Ends, SerialError> {
+    let port = Port::open(&name.path, name.baud)?;
+    Ok((Box::new(Grbl::new()), Box::new(Wire(port))))
+}
+
+/// What loads firmware into a controller (UI): the command of the settings, run while the port is closed. It
+/// is loaded when the command says so and the controller answers again.
+pub fn firmware(shared: &Shared, name: &DriverName, command: &str) -> Firmware {
+    let (shared, name, command) = (shared.clone(), name.clone(), command.to_owned());
+    Box::new(move |run| {
+        if command.is_empty() {
+            let why = "name the command that loads it: kerf machine set options.firmware 'avrdude … -P {port} …'";
+            return Err(HostError::Refused(why.into()));
+        }
+        let line = command.replace("{port}", &name.path);
+        let opens = || ends(&name).map_err(|why| why.to_string());
+        let (done, again) = shared.borrow_mut().anew(|| run(&line), opens);
+        done?;
+        again.map_err(HostError::Refused)
+    })
+}
+
 /// Opens the port and waits until the controller has told who it is.
 pub fn connect(name: &DriverName, quiet: bool) -> Result<Connection> {
-    let port = Port::open(&name.path, name.baud)?;
-    let (driver, line) = (Box::new(Grbl::new()), Box::new(Wire(port)));
+    let (driver, line) = ends(name)?;
     let connection = Connection::open(&name.words, driver, line).map_err(|why| anyhow!(why))?;
     if !quiet {
         let facts = connection.facts();

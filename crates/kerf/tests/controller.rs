@@ -213,6 +213,34 @@ fn what_a_grbl_lacks_is_found_before_anything_moves() {
 }
 
 #[test]
+fn sbp_cmd_ui() {
+    let (shop, bench) = (Shop::new(&[("ui.sbp", "MX,.5\nUI\nMX,1\n")]), Bench::new(&[]));
+    let yes = "Yes\n";
+    shop.write("yes.txt", yes.as_bytes());
+    let ui = |more: &str| bench.run(&shop, &format!("run ui.sbp --answers yes.txt {more}"));
+    ui("--allow-shell").exits(1).complains("options.firmware");
+    let set = |command: &str| {
+        let mut kerf = shop.command();
+        Did::of(kerf.args(["machine", "set", "options.firmware", command]).output().unwrap())
+            .exits(0);
+    };
+    set("echo flashing {port} && echo {port} > flashed.txt");
+    ui("").exits(1).complains("--allow-shell");
+    assert!(!shop.file("flashed.txt").exists());
+    let loaded = ui("--allow-shell");
+    loaded.exits(0).says("firmware loaded: grbl 1.1h").says(&format!("flashing {}", bench.port));
+    assert_eq!(shop.read("flashed.txt").trim(), bench.port);
+    // What the command says of itself counts, and the run does not go on.
+    set("exit 3");
+    let way = bench.look(|fake| fake.way_mm());
+    ui("--allow-shell").exits(1).complains("failed: exit status: 3");
+    assert!(bench.look(|fake| fake.way_mm()) - way < 13.0, "the second move was not made");
+    shop.kerf("run ui.sbp --answers yes.txt")
+        .exits(1)
+        .complains("no firmware on the simulated machine");
+}
+
+#[test]
 fn a_grbl_that_homes_says_where_the_machine_is() {
     let (shop, bench) = (Shop::new(&[("p.sbp", "MX,-2\n")]), Bench::new(&[(22, 1.0)]));
     bench.run(&shop, "run p.sbp").exits(1).complains("--home");

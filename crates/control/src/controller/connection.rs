@@ -38,6 +38,19 @@ const ASK_S: f64 = 0.2;
 /// What is on its way to the controller at most: orders that are not done.
 const AHEAD: usize = 64;
 
+/// A line that somebody else has.
+struct Closed;
+
+impl Line for Closed {
+    fn read(&mut self, _: &mut [u8], _: Duration) -> Result<usize, String> {
+        self.write(&[]).map(|()| 0)
+    }
+
+    fn write(&mut self, _: &[u8]) -> Result<(), String> {
+        Err("the port of the controller is closed".into())
+    }
+}
+
 /// A connection to a controller.
 pub struct Connection {
     name: String,
@@ -165,6 +178,30 @@ impl Connection {
     /// The machine is where it stands: from here on places are counted so.
     pub fn is_at(&mut self, place: Axes) {
         self.offset = place.minus(self.stands());
+    }
+
+    /// Leaves its port to something that is done to the controller, and speaks to it again afterwards: what
+    /// came of that, and what the controller is then, or why it does not answer; then nothing moves any more.
+    pub fn anew<T>(
+        &mut self,
+        does: impl FnOnce() -> T,
+        opens: impl FnOnce() -> Result<(Box<dyn Wired>, Box<dyn Line>), String>,
+    ) -> (T, Result<String, String>) {
+        self.settle();
+        let place = self.place();
+        self.line = Box::new(Closed);
+        let done = does();
+        match opens().and_then(|(driver, line)| Self::open(&self.name, driver, line)) {
+            Ok(connection) => *self = connection,
+            Err(why) => {
+                self.fail(why.clone(), "look at its firmware", None, true);
+                return (done, Err(why));
+            }
+        }
+        if let (Some(place), false) = (place, self.facts.homes) {
+            self.is_at(place);
+        }
+        (done, Ok(self.facts.name.clone()))
     }
 
     /// Why it does nothing more.

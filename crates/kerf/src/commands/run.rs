@@ -233,6 +233,8 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
         {
             return Ok(exit);
         }
+        let command = &session.machine_is.options.firmware;
+        shelf = shelf.with_firmware(controller::firmware(&shared, name, command));
         controller = Some(shared);
     }
     let machine = VcdArgs::machine(&work, &session);

@@ -20,6 +20,8 @@ pub struct Options {
     pub send_port: u8,
     /// Its speed, baud: one of [`SEND_BAUDS`].
     pub send_baud: u32,
+    /// Command that loads firmware into a controller; `{port}` in it is its port. Empty for none.
+    pub firmware: String,
     /// Salted hash of the password that changing settings needs; none without protection.
     pub password: Option<String>,
     /// Vertices of paths nearer to each other than this are left out, mm; 0 none.
@@ -38,6 +40,7 @@ impl Default for Options {
             console_baud: 2400,
             send_port: 2,
             send_baud: 19_200,
+            firmware: String::new(),
             password: None,
             filter_mm: 0.0,
             join_mm: 0.1,

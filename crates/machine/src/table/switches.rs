@@ -232,6 +232,14 @@ const OPTIONS: &[Setting] = &[
     ),
     row!(
         c,
+        "options.firmware",
+        c.options.firmware,
+        None,
+        Any,
+        "Command that loads firmware into a real controller (UI); {port} stands for its port."
+    ),
+    row!(
+        c,
         "options.password",
         c.options.password,
         None,

@@ -116,7 +116,7 @@ fn install(c: &mut Context<'_>, _: &Arguments) -> Result<(), Stop> {
         return Ok(());
     }
     let loaded = c.host.install_firmware().map_err(|e| c.refused(e))?;
-    c.emit(Command::Message { text: format!("firmware loaded: {loaded}").into() });
+    c.emit(Command::Print { text: format!("firmware loaded: {loaded}").into(), newline: true });
     Ok(())
 }
 
