@@ -195,9 +195,13 @@ impl Mode {
                 Waits::Start(shape) => starting.press(key, *shape, view.shapes()),
                 Waits::Paused => running::press_paused(key),
                 Waits::Question(asked) => running::press_asked(key, asked),
-                Waits::No => match view.state {
-                    State::Idle => idle::press(key, view),
-                    _ => running::press(key, view.state),
+                Waits::No => match (view.state, key) {
+                    (State::Idle, _) => idle::press(key, view),
+                    // The key before was let go, and the tool slows down.
+                    (State::Jogging, Key::Digit(digit)) => {
+                        Next::wish(idle::jog(digit, view).map(Wish::Jog))
+                    }
+                    (state, _) => running::press(key, state),
                 },
             },
             Self::File(choosing) => choosing.press(key),

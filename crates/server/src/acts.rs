@@ -333,6 +333,11 @@ impl App {
         self.set_armed(false, why);
     }
 
+    /// Somebody has connected or gone.
+    pub fn tell_clients(&self) {
+        self.hub.change(vec![Change::Clients { clients: self.pages.list() }]);
+    }
+
     /// A page has gone: its jog ends, and its turn at driving.
     pub fn gone(&self, client: u32) {
         self.link.release(|held| held.client == client);
@@ -515,7 +520,7 @@ impl App {
         Ok(())
     }
 
-    fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {
+    pub fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {
         let renewed = self.link.want(|wanted| {
             let held = wanted.jog.as_mut()?;
             let same = held.seq == seq && held.client == who.client && !held.is_over();

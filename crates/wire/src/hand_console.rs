@@ -12,4 +12,6 @@ pub struct HandConsole {
     pub lines: [String; 2],
     /// How often it has beeped.
     pub beeps: u32,
+    /// Its serial link, in a sentence: the port it is at, or why it is not. Empty where there is none.
+    pub link: String,
 }

@@ -152,7 +152,9 @@ impl Sequence {
         };
         self.here.nth = nth;
         if let Some(shape) = self.here.shape(&self.job) {
-            self.steps.extend([self.up(), Small::Travel(shape.start())]);
+            // Over it the head comes down to the height of travel: from there it is seen where it would cut.
+            let down = Small::Rapid(self.travel_mm());
+            self.steps.extend([self.up(), Small::Travel(shape.start()), down]);
         }
         self.steps.push_back(Small::Ask);
     }

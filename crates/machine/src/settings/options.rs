@@ -12,6 +12,8 @@ pub const SEND_BAUDS: [u32; 5] = [2400, 4800, 9600, 19_200, 38_400];
 pub struct Options {
     /// Devices of the serial ports 1 … 4.
     pub devices: [String; PORTS],
+    /// There is a hand console at its serial port, which is opened.
+    pub console: bool,
     /// Serial port of the hand console, 1 … 4.
     pub console_port: u8,
     /// Its speed, baud; always 2400.
@@ -36,6 +38,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             devices: std::array::from_fn(|i| format!("/dev/ttyS{i}")),
+            console: false,
             console_port: 1,
             console_baud: 2400,
             send_port: 2,

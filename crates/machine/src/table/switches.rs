@@ -200,6 +200,14 @@ const OPTIONS: &[Setting] = &[
     row!(c, "options.devices", c.options.devices, None, Any, "Devices of the serial ports 1 to 4."),
     row!(
         c,
+        "options.console",
+        c.options.console,
+        None,
+        Any,
+        "There is a hand console at its serial port, which the machine version opens."
+    ),
+    row!(
+        c,
         "options.console_port",
         c.options.console_port,
         None,

@@ -75,7 +75,12 @@ impl Keeper {
         let mut wishes = self.console.press(key, &view).into_iter();
         let Some(first) = wishes.next() else { return };
         self.waiting = wishes.map(|wish| (who.clone(), seq, wish)).collect();
-        self.grant(app, who, seq, first);
+        // The key before was let go, and the tool slows down: it moves anew as soon as it stands.
+        if matches!(first, Wish::Jog(_)) && app.state() == State::Jogging {
+            self.waiting.push_front((who.clone(), seq, first));
+        } else {
+            self.grant(app, who, seq, first);
+        }
     }
 
     /// Grants what waits, as far as the machine is ready for it.
@@ -99,16 +104,19 @@ impl Keeper {
             Ok(()) => (self.doing, self.settling) = (lasts || settles, settles),
             Err(problem) => {
                 self.waiting.clear();
-                self.refused(&problem);
+                self.refused(app, &problem);
             }
         }
     }
 
-    fn refused(&mut self, problem: &Problem) {
+    fn refused(&mut self, app: &App, problem: &Problem) {
         match problem.why {
             // Whoever let the key go at once wanted no move.
             Why::Late => {}
-            Why::Lease => self.console.needs_control("Somebody else drives"),
+            Why::Lease if app.hub.read(|now| now.lease.is_some()) => {
+                self.console.needs_control("Somebody else drives");
+            }
+            Why::Lease => self.console.needs_control("Nobody drives"),
             Why::Disarmed => self.console.needs_control("Disarmed"),
             _ => self.console.told(Err(problem.text.clone())),
         }
@@ -132,7 +140,8 @@ impl Keeper {
         let beeps = self.console.beeps();
         let digitized = self.console.digitized(&view).as_ref().map(told::digitized);
         app.hub.changing(|now| {
-            let hand_console = HandConsole { lines: screen.lines, beeps };
+            let link = now.hand_console.link.clone();
+            let hand_console = HandConsole { lines: screen.lines, beeps, link };
             let other = now.hand_console != hand_console;
             let screen = other.then_some(Change::HandConsole { hand_console });
             let others = now.digitized != digitized;

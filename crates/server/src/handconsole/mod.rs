@@ -11,6 +11,7 @@
 //! one wishes is granted to whoever pressed it, under the same rules as everything that this somebody asks for.
 
 mod keeper;
+mod port;
 mod view;
 mod wishes;
 
@@ -49,6 +50,7 @@ pub fn begin(app: &Arc<App>) {
     if thread.spawn(move || keeper.work(&happenings)).is_ok() {
         // There is one for a server.
         drop(app.hand_console.set(happens));
+        port::begin(app);
     }
 }
 

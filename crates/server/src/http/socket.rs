@@ -12,7 +12,7 @@ use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::response::Response;
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt, StreamExt};
-use kerf_wire::{Act, Change, Problem, Reply, Request, ToPage, Who, Why};
+use kerf_wire::{Act, Problem, Reply, Request, ToPage, Who, Why};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::broadcast::{Receiver, error::RecvError};
@@ -39,7 +39,7 @@ pub async fn socket(
 async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
     let name = caller.device.as_ref().map_or(String::new(), |(_, name)| name.clone());
     let who = app.pages.add(caller.role.unwrap_or_default(), name);
-    tell_clients(&app);
+    app.tell_clients();
     let (write, read) = socket.split();
     let (replies, outgoing) = unbounded_channel();
     let (slow, waiting) = unbounded_channel();
@@ -54,11 +54,7 @@ async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
     app.pages.remove(who.client);
     app.unlocked.remove(who.client);
     app.gone(who.client);
-    tell_clients(&app);
-}
-
-fn tell_clients(app: &App) {
-    app.hub.change(vec![Change::Clients { clients: app.pages.list() }]);
+    app.tell_clients();
 }
 
 /// Who reads what a page sends.

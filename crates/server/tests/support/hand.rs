@@ -1,15 +1,30 @@
-//! A page with the hand console, whose keys tests press.
+//! The hand console as a page presses its keys, and the job that the manual shows on it.
 
-use super::{Page, Shop};
+use super::{Page, Shop, Wanted, rsm, start};
+use kerf_machine::Configuration;
 use serde_json::json;
 use std::ops::{Deref, DerefMut};
 use std::time::{Duration, Instant};
+
+/// Sixteen squares, 720 mm by 360 in all.
+pub fn sample() -> String {
+    let square = |n: u32| {
+        let (x, y) = (f64::from(n % 4) * 225.0, f64::from(n / 4) * 105.0);
+        format!("rect {x},{y} {},{}", x + 45.0, y + 45.0)
+    };
+    rsm(&(0..16).map(square).collect::<Vec<_>>().join("; "))
+}
+
+/// SIM, in a hurry.
+pub fn shop(change: fn(&mut Configuration)) -> Shop {
+    start(Wanted { rate: 8.0, machine: Some(("sim", change)), ..Wanted::default() })
+}
 
 /// A page with the hand console open, which drives.
 pub struct Hand {
     pub page: Page,
     /// Number of the last key.
-    seq: u32,
+    pub seq: u32,
 }
 
 impl Deref for Hand {
@@ -56,6 +71,16 @@ impl Hand {
         self.until_state("idle");
     }
 
+    /// Waits until the machine stands, and has the last key's screen.
+    #[track_caller]
+    pub fn settles(&mut self) {
+        let begin = Instant::now();
+        while begin.elapsed() < Duration::from_millis(150) {
+            self.read();
+        }
+        self.until_state("idle");
+    }
+
     /// Waits for the two lines of the screen.
     #[track_caller]
     pub fn shows(&mut self, top: &str, bottom: &str) {
@@ -67,4 +92,13 @@ impl Hand {
     pub fn beeps(&self) -> u64 {
         self.shown["handConsole"]["beeps"].as_u64().unwrap()
     }
+}
+
+/// A machine that is driven, with the sample open.
+pub fn with_sample(change: fn(&mut Configuration)) -> (Shop, Hand) {
+    let shop = shop(change);
+    shop.write("SAMPLE.RSM", sample().as_bytes());
+    let mut hand = Hand::of(&shop);
+    hand.open_file("SAMPLE.RSM");
+    (shop, hand)
 }
