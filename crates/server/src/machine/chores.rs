@@ -89,10 +89,10 @@ impl Owner {
     pub(super) fn keep(&mut self, tells: &Sender<Happening>) {
         let Workshop { session, shelf, .. } = &self.workshop;
         let kept = session.keep_configuration(shelf);
-        self.rest(State::Idle, None);
         let outcome = kept.map(|count| format!("{count} settings saved"));
         // Nobody waits for it where the server is closing.
         drop(tells.send(Happening::Told(outcome.map_err(|why| why.to_string()))));
+        self.rest(State::Idle, None);
     }
 
     /// The run that can be taken up, where runs are on record.

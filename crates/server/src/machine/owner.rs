@@ -146,7 +146,7 @@ impl Owner {
                     options.program.file = parameters;
                     let hash = Some(hash);
                     let job = Job { file: name, hash, ..Job::default() };
-                    drop(self.run(*work, options, job, planned));
+                    self.run(*work, options, job, planned);
                 }
                 Order::TakeUp => self.take_up(),
                 Order::Command { line, opened } => self.command(&line, opened),
@@ -171,19 +171,11 @@ impl Owner {
         RunOptions { started: (self.workshop.started)(), ..RunOptions::default() }
     }
 
-    /// Runs something that pages see as a job; gives how it ended.
-    fn run(
-        &mut self,
-        work: Work,
-        options: RunOptions,
-        job: Job,
-        planned: Planned,
-    ) -> Result<String, String> {
+    /// Runs something that pages see as a job.
+    fn run(&mut self, work: Work, options: RunOptions, job: Job, planned: Planned) {
         let job = self.tell_begun(job, &planned);
         let driven = self.drive(work, options, planned);
-        let outcome = told::outcome(&driven);
         self.tell_ended(job, driven);
-        outcome
     }
 
     /// Goes on with the run that was cut short, whatever file is open.
@@ -326,7 +318,7 @@ impl Owner {
         let mut options = RunOptions { opened, ..self.options() };
         options.program.typed = true;
         let job = Job { command: Some(line.into()), ..Job::default() };
-        drop(self.run(program.into(), options, job, Planned::default()));
+        self.run(program.into(), options, job, Planned::default());
     }
 
     /// Moves for as long as somebody holds a key, as far as the axes go.
@@ -334,31 +326,34 @@ impl Owner {
         let session = &self.workshop.session;
         let keypad = Keypad { way, times, speed, bounded: session.homed };
         let machine = Arc::new(session.configuration());
-        // Pages are told by what the run says.
-        drop(self.held(Work::Hand(Errand::Keypad(keypad), machine)));
+        let driven = self.held(Work::Hand(Errand::Keypad(keypad), machine));
+        self.come_to_rest(driven);
     }
 
-    /// Moves for as long as somebody holds a key; gives how that ended.
-    fn held(&mut self, work: Work) -> Result<String, String> {
+    /// Moves for as long as somebody holds a key.
+    fn held(&mut self, work: Work) -> Result<Summary, JournalError> {
         let driven = self.drive(work, self.options(), Planned::default());
         self.link.lock().jog = None;
-        let outcome = told::outcome(&driven);
-        self.come_to_rest(driven);
-        outcome
+        driven
     }
 
-    /// Does an errand, and tells how it ended.
+    /// Does an errand, and tells how it ended. Whoever waits for that knows it before anybody sees that the
+    /// machine stands: the next key finds both so.
     fn hand(&mut self, errand: Errand, machine: Configuration, tells: &Sender<Happening>) {
         let (held, name) = (matches!(errand, Errand::Held(_)), errand.name());
         let work = Work::Hand(errand, Arc::new(machine));
-        let outcome = if held {
-            self.held(work)
-        } else {
-            let job = Job { command: Some(name.into()), ..Job::default() };
-            self.run(work, self.options(), job, Planned::default())
-        };
         // Nobody waits for it where the server is closing.
-        drop(tells.send(Happening::Told(outcome)));
+        let tell = |driven: &_| drop(tells.send(Happening::Told(told::outcome(driven))));
+        if held {
+            let driven = self.held(work);
+            tell(&driven);
+            return self.come_to_rest(driven);
+        }
+        let job = Job { command: Some(name.into()), ..Job::default() };
+        let job = self.tell_begun(job, &Planned::default());
+        let driven = self.drive(work, self.options(), Planned::default());
+        tell(&driven);
+        self.tell_ended(job, driven);
     }
 
     fn nudge(&mut self, axis: Axis, distance: f64) {
