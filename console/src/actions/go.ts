@@ -49,6 +49,15 @@ export const openCalculator: Action = {
   everywhere: true,
   run: ({ screen }) => screen.calculate(true),
 };
+/** The hand console of the machine, with its keys on the keyboard as long as it is shown. */
+export const openHandConsole: Action = {
+  id: "sheet.handConsole",
+  title: "Hand console",
+  section: "go",
+  refused: ({ shown }) =>
+    shown.snapshot?.drawingOnly ? "Only drawings are worked on here." : undefined,
+  run: ({ screen }) => screen.showHandConsole(!screen.get().handConsole),
+};
 export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
 export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
 export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);
@@ -87,6 +96,7 @@ export const goActions: readonly Action[] = [
   openKeypad,
   openScratch,
   openCalculator,
+  openHandConsole,
   openNudge,
   openValues,
   openRecorder,

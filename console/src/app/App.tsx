@@ -1,6 +1,7 @@
 import { lazy, Suspense } from "react";
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
+import { HandConsole } from "../handconsole/HandConsole";
 import { HelpScreen } from "../help/HelpScreen";
 import { MessageWindow } from "../operator/MessageWindow";
 import { PauseCard } from "../operator/PauseCard";
@@ -57,6 +58,7 @@ function Body() {
   const sheet = useScreen("sheet");
   const asked = useShown((shown) => shown.snapshot?.asked);
   const calculator = useScreen("calculator");
+  const handConsole = useScreen("handConsole");
   const covered = sheet !== null || calculator !== null || (asked ? covers(asked) : false);
   return (
     <div className="body">
@@ -78,6 +80,7 @@ function Body() {
       <Guard about={calculator?.field}>
         {calculator && <CalculatorSheet field={calculator.field} />}
       </Guard>
+      <Guard>{handConsole && <HandConsole />}</Guard>
       <LostLink />
       <PairScreen />
     </div>

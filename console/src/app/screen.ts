@@ -31,6 +31,8 @@ export interface ScreenState {
   readonly sheet: Sheet | null;
   /** The calculator lies over whatever is open, and knows the field that it was called from. */
   readonly calculator: { readonly field: HTMLInputElement | null } | null;
+  /** The hand console lies over whatever is open. */
+  readonly handConsole: boolean;
   /** Lines of the open file at which going line by line halts. */
   readonly breakpoints: readonly number[];
   /** The tool path takes the whole screen. */
@@ -55,6 +57,8 @@ export interface Screen extends Store<ScreenState> {
   open(sheet: Sheet | null): void;
   /** Opens the calculator for the field that has the focus, or closes it. */
   calculate(open: boolean): void;
+  /** Shows the hand console, or puts it away. */
+  showHandConsole(shown: boolean): void;
   /** Goes to the drawing and begins a tool. */
   takeTool(id: string): void;
   wear(theme: Theme): void;
@@ -84,6 +88,7 @@ export function createScreen(): Screen {
     face: localStorage.getItem(faceKey) === "full" ? "full" : "easy",
     sheet: null,
     calculator: null,
+    handConsole: false,
     breakpoints: [],
     large: false,
     topic: "HQ",
@@ -109,6 +114,7 @@ export function createScreen(): Screen {
       const field = focused instanceof HTMLInputElement ? focused : null;
       store.update((now) => ({ ...now, calculator: open ? (now.calculator ?? { field }) : null }));
     },
+    showHandConsole: (handConsole) => store.update((now) => ({ ...now, handConsole })),
     takeTool(id) {
       this.go("/draw");
       store.update((now) => ({ ...now, sheet: null, tool: { id } }));

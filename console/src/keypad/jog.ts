@@ -9,7 +9,13 @@
 import type { Act, Reply } from "../wire/messages";
 import type { Direction } from "./keys";
 
-type Jog = Extract<Act, { do: "jogStart" | "jogRenew" | "jogStop" }>;
+type Jog = Extract<Act, { do: "jogStart" | "jogRenew" | "jogStop" | "key" }>;
+
+/** What begins a jog, under this number of the lease and of the jog. */
+type Begin = (lease: number, seq: number) => Jog;
+
+/** Jogs of this page so far: its hands never use a number twice. */
+let jogs = 0;
 
 /** How often a jog is renewed, milliseconds; the server waits 250. */
 export const renewEveryMs = 70;
@@ -41,9 +47,25 @@ export class JogHand {
   }
 
   /** Begins, or changes what is held. */
-  hold(wish: JogWish): void {
+  hold({ direction: [x, y, z, a, b, c], speedShare, distance }: JogWish): void {
+    this.#hold((lease, seq) => ({
+      do: "jogStart",
+      lease,
+      seq,
+      direction: [x, y, z, a, b, c],
+      speedShare,
+      distance,
+    }));
+  }
+
+  /** Presses a key of the hand console, which may move the tool until it is let go. */
+  press(key: string): void {
+    this.#hold((lease, seq) => ({ do: "key", lease, seq, key }));
+  }
+
+  #hold(begin: Begin): void {
     this.release();
-    void this.#begin(wish);
+    void this.#begin(begin);
   }
 
   /** Lets go; harmless when nothing is held. */
@@ -59,24 +81,22 @@ export class JogHand {
     this.#renewing = undefined;
   }
 
-  async #begin(wish: JogWish): Promise<void> {
+  async #begin(begin: Begin): Promise<void> {
     const lease = this.#lease();
     if (lease === undefined) return;
-    this.#seq += 1;
-    const seq = this.#seq;
+    jogs += 1;
+    const seq = jogs;
+    this.#seq = seq;
     this.#renewing = setInterval(
       () => void this.#ask({ do: "jogRenew", lease, seq }),
       renewEveryMs,
     );
-    const { speedShare, distance } = wish;
-    const direction: [number, number, number, number, number, number] = [...wish.direction];
-    const begin = { lease, seq, direction, speedShare, distance };
-    const { problem } = await this.#ask({ do: "jogStart", ...begin });
+    const { problem } = await this.#ask(begin(lease, seq));
     if (!problem || seq !== this.#seq || this.#renewing === undefined) return;
     this.#rest();
     // The jog before still ramps down: begins as soon as it is over, if the key is still held.
     if (problem.why === "state")
-      this.#again = setTimeout(() => void this.#begin(wish), renewEveryMs);
+      this.#again = setTimeout(() => void this.#begin(begin), renewEveryMs);
     else this.#refused(problem.text);
   }
 }

@@ -383,7 +383,9 @@ export type HandConsole = {
 /** Its lines, of 20 characters at most. */
 lines: [string, string],
 /** How often it has beeped. */
-beeps: number, };
+beeps: number,
+/** Its serial link, in a sentence: the port it is at, or why it is not. Empty where there is none. */
+link: string, };
 
 /** Which parameter of a command is being written. */
 export type Hint = {

@@ -101,7 +101,7 @@ export const firstSnapshot: Snapshot = {
   recorder: { on: true, lines: [] },
   watched: [],
   settings: 0,
-  handConsole: { lines: ["JOB: Untitled", "0x0mm #0"], beeps: 0 },
+  handConsole: { lines: ["JOB: Untitled", "0x0mm #0"], beeps: 0, link: "" },
   digitized: null,
   looked: null,
 };

@@ -185,3 +185,22 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn pro_console_entry() {
+    let view = sample();
+    let mut console = Console::default();
+    press(&mut console, "U3E-0F5", &view);
+    assert_eq!(console.screen(&view).lines, ["ZBottom adjust mm:", "-0.5"]);
+    press(&mut console, "-", &view);
+    assert_eq!(console.screen(&view).lines[1], "0.5");
+    press(&mut console, "-", &view);
+    let lowered = view.machine.zpos.bottom_mm - 0.5;
+    let wanted = Wish::Set(vec![("zpos.bottom_mm", lowered.to_string())]);
+    assert_eq!(press(&mut console, "E", &view), [wanted]);
+    // A sign alone is no number.
+    press(&mut console, "U3E-E", &view);
+    assert_eq!(console.screen(&view).lines[1], "-");
+    press(&mut console, "PP7F5PE", &view);
+    assert_eq!(console.beeps(), 1);
+}

@@ -13,6 +13,7 @@ use std::time::Duration;
 
 /// So often the screen follows the machine: pages and serial link show it within a tenth of a second.
 const LOOK: Duration = Duration::from_millis(30);
+const _: () = assert!(LOOK.as_millis() < 100);
 
 /// Who has the console.
 pub struct Keeper {
