@@ -66,6 +66,7 @@ it("pro_console_pckeys: F12, keypad 0 and keypad Enter are Func, 0 and Enter", a
   await page.keyboard.press("F9");
   await expect.poll(async () => (await lines())[0]).toContain("Select File");
   await page.keyboard.press("F9");
+  await shows("JOB: Untitled", "0x0mm #0");
   pressed.length = 0;
   await page.keyboard.press("F10");
   await page.keyboard.press("F11");
@@ -77,7 +78,7 @@ it("pro_console_mimic_screen: the page shows what the console shows", async () =
   const told = async () => (await stateOf(workshop)).handConsole.lines;
   for (const keys of ["Func", "1", "8", "File", "1", "Stop", "Func"]) {
     await click(keys);
-    await expect.poll(lines).toEqual(await told());
+    await until(async () => `${await lines()}` === `${await told()}`, "the same lines");
   }
   await click("Func");
   await shows("Enter function:", "0 Cut speed");
