@@ -213,6 +213,40 @@ fn what_a_grbl_lacks_is_found_before_anything_moves() {
 }
 
 #[test]
+fn an_input_of_a_grbl_interrupts_the_program() {
+    let program = "MS,1,1\nON INP(1,1) GOTO hit\nMX,5\nEND\nhit:\nPRINT \"at \";%(1)\nMX,0\nEND\n";
+    let (shop, bench) = (Shop::new(&[("touch.sbp", program)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run touch.sbp");
+    bench.until(|fake| fake.position().0[0] > 30.0);
+    bench.look(|fake| fake.pins("P"));
+    let pressed = bench.x_mm();
+    Did::of(child.wait_with_output().unwrap()).exits(0);
+    let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
+    let rest = bench.look(|fake| fake.rests()[0]);
+    assert!(close(stood, rest.0[0]), "the program stands where the machine does: {stood} {rest:?}");
+    // Two reports of 0.1 s, at 25.4 mm/s, and the ramp; a busy computer takes longer.
+    assert!(stood > pressed && stood < pressed + 25.4, "{pressed} {stood}");
+    assert!(bench.x_mm().abs() < 0.01);
+}
+
+#[test]
+fn a_job_runs_on_a_grbl() {
+    let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/figures/line.rsg");
+    let (shop, bench) = (Shop::new(&[]), Bench::new(&[]));
+    shop.kerf(&format!("toolpath {drawing} -o line.rsm")).exits(0);
+    let did = bench.run(&shop, "run line.rsm --start fresh");
+    did.exits(0).complains("has no output 13 (tool1): it is left out").says("ran to its end");
+    let lines = bench.look(|fake| fake.lines.clone());
+    let (on, off) = ("M3".to_owned(), "M5".to_owned());
+    assert!(lines.contains(&on) && lines.contains(&off), "the router is its spindle: {lines:?}");
+    let [x, y, z, ..] = bench.look(|fake| fake.position()).0;
+    let end = events(&shop, "move").pop().unwrap()["to"].clone();
+    let told = |axis: &str| end[axis].as_f64().unwrap();
+    assert!(close(x, told("x")) && close(y, told("y")) && close(z, told("z")), "{x} {y} {z} {end}");
+    assert!(bench.look(|fake| fake.way_mm()) > 10.0);
+}
+
+#[test]
 fn sbp_cmd_ui() {
     let (shop, bench) = (Shop::new(&[("ui.sbp", "MX,.5\nUI\nMX,1\n")]), Bench::new(&[]));
     let yes = "Yes\n";

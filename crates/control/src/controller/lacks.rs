@@ -5,6 +5,7 @@ use crate::event::MoveEvent;
 use crate::{Event, Made, Sink};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::driver::Facts;
+use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis, OutputReason};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -51,10 +52,11 @@ impl Lacks {
         self.found
     }
 
-    fn tell(&mut self, code: Code, what: &str) {
+    fn tell(&mut self, severity: Severity, what: &str) {
         if self.seen.insert(what.to_owned()) {
             let place = Place::line(self.file.clone(), self.line);
-            self.found.push(Diagnostic::new(code, place, format!("{} {what}", self.name)));
+            let told = Diagnostic::new(Code::Controller, place, format!("{} {what}", self.name));
+            self.found.push(told.severity(severity));
         }
     }
 
@@ -74,13 +76,10 @@ impl Lacks {
             let letter = axis.letter();
             // A hundredth is the rounding of units.
             if wanted > most * 1.01 && self.seen.insert(format!("slow {letter}")) {
-                let place = Place::line(self.file.clone(), self.line);
-                let why = format!(
-                    "{} moves {letter} at {most:.1} mm/s at most, the program asks for {wanted:.1}",
-                    self.name
+                let what = format!(
+                    "moves {letter} at {most:.1} mm/s at most, the program asks for {wanted:.1}"
                 );
-                let told = Diagnostic::new(Code::Controller, place, why);
-                self.found.push(told.severity(Severity::Warning));
+                self.tell(Severity::Warning, &what);
             }
         }
     }
@@ -88,8 +87,25 @@ impl Lacks {
 
 /// Whether an output is asked for that there is not. A light that is on while something moves is none that
 /// a program needs.
-pub(super) fn needs(facts: &Facts, line: u8, why: OutputReason) -> bool {
-    facts.outputs & (1 << (line - 1)) == 0 && why != OutputReason::Motion
+pub(super) fn needs(facts: &Facts, number: u8, why: OutputReason) -> bool {
+    let lacks = wired(number).is_some_and(|line| facts.outputs & (1 << (line - 1)) == 0);
+    lacks && why != OutputReason::Motion
+}
+
+/// The controller's line for an output of the machine. The router of a job is its spindle; signals for
+/// other machines, and what follows the first tool up and down, it can do without.
+pub(super) fn wired(number: u8) -> Option<u8> {
+    match Output::of_number(number) {
+        Some(Output::Router) => Some(1),
+        Some(Output::JobRunning | Output::Jig1 | Output::Jig2) => None,
+        Some(Output::Tool1 | Output::Cut1) => None,
+        _ => Some(number),
+    }
+}
+
+/// What goes up and down with the first tool.
+fn is_followed(number: u8) -> bool {
+    matches!(Output::of_number(number), Some(Output::Tool1 | Output::Cut1))
 }
 
 impl Sink for Lacks {
@@ -97,16 +113,21 @@ impl Sink for Lacks {
         match event {
             Event::Move(made) => self.moves(made),
             Event::Arc(arc) => self.moves(&arc.made),
+            Event::Start { file, .. } => self.file = file.clone(),
+            Event::Output { n, on: true, name: Some(name), .. } if is_followed(*n) => {
+                let what = format!("has no output {n} ({name}): it is left out");
+                self.tell(Severity::Warning, &what);
+            }
             Event::Output { n, on: true, why, .. } if needs(&self.facts, *n, *why) => {
-                self.tell(Code::Controller, &format!("has no output {n}"));
+                self.tell(Severity::Error, &format!("has no output {n}"));
             }
             Event::Independent { speed, frequency, .. } if *speed != 0.0 || *frequency != 0.0 => {
-                self.tell(Code::Controller, "has no axis that moves by itself");
+                self.tell(Severity::Error, "has no axis that moves by itself");
             }
-            Event::Height { .. } => self.tell(Code::Controller, "has no height control"),
+            Event::Height { .. } => self.tell(Severity::Error, "has no height control"),
             other => {
                 if let Some(what) = lacked(other) {
-                    self.tell(Code::Controller, &format!("has no {what}"));
+                    self.tell(Severity::Error, &format!("has no {what}"));
                 }
             }
         }
@@ -115,7 +136,7 @@ impl Sink for Lacks {
     fn made(&mut self, made: &Made<'_>) {
         let (from, to) = (made.span.made.from, made.span.made.to);
         if let Some(why) = out_of_reach(&self.facts, from, to, self.offset) {
-            self.tell(Code::Controller, &why);
+            self.tell(Severity::Error, &why);
         }
         self.is_slower(made);
     }

@@ -1,7 +1,7 @@
 //! Outputs of the machine on the controller.
 
 use super::Shared;
-use super::lacks::needs;
+use super::lacks::{needs, wired};
 use crate::{Event, Sink};
 use kerf_program::{OutputReason, Turn};
 
@@ -20,10 +20,10 @@ impl Sink for Mirror {
         match event {
             Event::Output { n, on, why, .. } if *why != OutputReason::Trigger => {
                 let lacks = needs(connection.facts(), *n, *why);
-                if lacks && *on {
-                    connection.lacks(&format!("output {n}"));
-                } else if !lacks {
-                    connection.want(*n, *on);
+                match wired(*n) {
+                    Some(_) if lacks && *on => connection.lacks(&format!("output {n}")),
+                    Some(line) if !lacks => connection.want(line, *on),
+                    _ => {}
                 }
             }
             Event::Spindle { rpm, .. } => connection.spin(*rpm),

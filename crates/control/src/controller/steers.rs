@@ -50,6 +50,10 @@ impl<'a> Steers<'a> {
 
     /// The controller makes the moves of a plan up to a moment. Something may come before.
     fn make(&mut self, going: Going<'_>, until_s: f64) -> Option<(f64, Wish)> {
+        // What is known to be made already is not waited for.
+        if reached_s(&mut self.shared.borrow_mut(), going) >= until_s {
+            return None;
+        }
         loop {
             let (reached_s, input) = {
                 let mut connection = self.shared.borrow_mut();
