@@ -2,7 +2,7 @@
 
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Kind, Shape, crosses};
-use kerf_geom::{Bounds2, BoxTree, Point2, Polyarc, Segment};
+use kerf_geom::{Bounds2, BoxTree, Indexed, Point2, Polyarc, Segment};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -24,8 +24,16 @@ pub(crate) struct Tool {
 /// All contours of a drawing, to be asked what is near.
 pub(crate) struct Contours {
     shapes: Vec<Arc<Shape>>,
-    segments: Vec<(usize, Segment)>,
+    outlines: Vec<Outline>,
+    /// The boxes of the outlines.
     tree: BoxTree,
+}
+
+/// The segments of a shape, apart from those of all others: a path has many of its own shape near, and is
+/// seldom asked about them.
+struct Outline {
+    shape: usize,
+    indexed: Indexed,
 }
 
 impl Contours {
@@ -37,13 +45,29 @@ impl Contours {
         };
         let shapes: Vec<usize> = (0..drawing.shapes.len()).filter(closed).collect();
         let boxes: Vec<Bounds2> = shapes.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
-        let segments: Vec<(usize, Segment)> = BoxTree::order(&boxes)
-            .into_iter()
-            .map(|place| shapes[place])
-            .flat_map(|n| drawing.shapes[n].path.segments().map(move |s| (n, s)))
-            .collect();
-        let tree = BoxTree::new(segments.iter().map(|(_, segment)| segment.bounds()));
-        Self { shapes: drawing.shapes.clone(), segments, tree }
+        let outline =
+            |shape: usize| Outline { shape, indexed: Indexed::new([&drawing.shapes[shape].path]) };
+        let order = BoxTree::order(&boxes).into_iter();
+        let outlines: Vec<Outline> = order.map(|place| outline(shapes[place])).collect();
+        let tree = BoxTree::new(outlines.iter().map(|outline| outline.indexed.tree().bounds()));
+        Self { shapes: drawing.shapes.clone(), outlines, tree }
+    }
+
+    /// Calls `visit` with every wanted shape of which a segment near an area is `hit`, until it returns false.
+    fn near(
+        &self,
+        area: &Bounds2,
+        wanted: impl Fn(usize) -> bool,
+        hit: impl Fn(&Segment) -> bool,
+        mut visit: impl FnMut(usize) -> bool,
+    ) {
+        let meets = |b: &Bounds2| b.meets(area);
+        let look = |n: usize| {
+            let Outline { shape, indexed } = &self.outlines[n];
+            let missed = |k: usize| !hit(&indexed.segments()[k]);
+            !wanted(*shape) || indexed.tree().search(meets, missed) || visit(*shape)
+        };
+        self.tree.search(meets, look);
     }
 
     /// The first shape whose contour a tool of that radius would cut into on a lead.
@@ -72,11 +96,10 @@ impl Contours {
         mut visit: impl FnMut(usize),
     ) {
         let reach = radius - ALLOWED_MM;
-        self.tree.meeting(&segment.bounds().grown(reach), |n| {
-            let (shape, contour) = &self.segments[n];
-            if wanted(*shape) && segment.distance_to(contour) < reach {
-                visit(*shape);
-            }
+        let hit = |contour: &Segment| segment.distance_to(contour) < reach;
+        self.near(&segment.bounds().grown(reach), wanted, hit, |shape| {
+            visit(shape);
+            true
         });
     }
 
@@ -93,10 +116,16 @@ impl Contours {
     /// The first shape whose contour a closed path crosses, of those that `wanted` lets pass.
     fn crossed_by(&self, path: &Polyarc, wanted: impl Fn(usize) -> bool) -> Option<usize> {
         let mut near = BTreeSet::new();
-        self.tree.meeting(&path.bounds(), |n| {
-            near.insert(self.segments[n].0);
-        });
-        near.into_iter().find(|n| wanted(*n) && crosses(&self.shapes[*n].path, path))
+        self.near(
+            &path.bounds(),
+            wanted,
+            |_| true,
+            |shape| {
+                near.insert(shape);
+                true
+            },
+        );
+        near.into_iter().find(|n| crosses(&self.shapes[*n].path, path))
     }
 
     /// The group of a shape.
@@ -117,7 +146,7 @@ impl Contours {
         }
         let reach = tool.radius_mm - ALLOWED_DOWN_MM;
         let near = |contour: &Segment| circle.segments().any(|s| s.distance_to(contour) < reach);
-        self.first(&circle.bounds().grown(reach), |shape, contour| wall(shape) && near(contour))
+        self.first(&circle.bounds().grown(reach), wall, near)
     }
 
     /// A shape into which a tool cuts that clears a disc, its middle up to a radius away from a place.
@@ -130,18 +159,21 @@ impl Contours {
     ) -> Option<usize> {
         let reach = radius_mm + tool.radius_mm - ALLOWED_DOWN_MM;
         let area = Bounds2::of(middle, middle).grown(reach);
-        self.first(&area, |shape, contour| wall(shape) && contour.distance(middle) < reach)
+        self.first(&area, wall, |contour| contour.distance(middle) < reach)
     }
 
-    /// A shape with a segment near an area that is wanted, the search ending with it.
-    fn first(&self, area: &Bounds2, wanted: impl Fn(usize, &Segment) -> bool) -> Option<usize> {
+    /// A wanted shape of which a segment near an area is `hit`.
+    fn first(
+        &self,
+        area: &Bounds2,
+        wanted: impl Fn(usize) -> bool,
+        hit: impl Fn(&Segment) -> bool,
+    ) -> Option<usize> {
         let mut found = None;
-        let look = |n: usize| {
-            let (shape, contour) = &self.segments[n];
-            found = wanted(*shape, contour).then_some(*shape);
-            found.is_none()
-        };
-        self.tree.search(|b| b.meets(area), look);
+        self.near(area, wanted, hit, |shape| {
+            found = Some(shape);
+            false
+        });
         found
     }
 }
