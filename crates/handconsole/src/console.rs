@@ -95,9 +95,16 @@ pub struct Console {
     mode: Mode,
     note: Option<Note>,
     beeps: u32,
+    /// Points that were being digitized when Kerf ended.
+    left: Option<Digitizer>,
 }
 
 impl Console {
+    /// A console with points that were being digitized when Kerf ended: function 70 goes on with them.
+    pub fn with_points(points: Digitizer) -> Self {
+        Self { left: Some(points), ..Self::default() }
+    }
+
     /// What a key wants done. One that means nothing now changes nothing.
     pub fn press(&mut self, key: Key, view: &View) -> Vec<Wish> {
         if key == Key::Stop && view.is_moving() {
@@ -117,6 +124,11 @@ impl Console {
         }
         let next = std::mem::take(&mut self.mode).press(key, view);
         self.mode = next.mode;
+        if let Mode::Digitizing(digitizing) = &mut self.mode
+            && let Some(points) = self.left.take()
+        {
+            **digitizing = Digitizing::of(points);
+        }
         self.note = next.note;
         self.beeps += u32::from(next.beeps);
         next.wishes

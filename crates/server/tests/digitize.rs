@@ -8,7 +8,7 @@ use kerf_drawing::Group;
 use kerf_toolpath::Job;
 use serde_json::json;
 use support::hand::Hand;
-use support::{Shop, Wanted, at, rsm, start};
+use support::{Shop, Wanted, at, kept, rsm, start};
 
 /// SIM, so much faster than the world, with the job origin at (300,200).
 fn sim(rate: f64) -> (Shop, Hand) {
@@ -179,4 +179,31 @@ fn pages_are_told_the_points_and_what_to_look_at() {
     hand.until("looks", |page| page.shown["looked"] == json!({ "number": 3, "at": "out" }));
     hand.keys("U99EE");
     hand.until("the end", |page| page.shown["digitized"].is_null());
+}
+
+#[test]
+fn points_outlive_the_server() {
+    let shop = kept(tempfile::tempdir().unwrap());
+    let mut hand = Hand::of(&shop);
+    hand.keys("U70EE");
+    hand.shows("Digitize: 2D Point", "Cur=1 of 1");
+    hand.keys("-");
+    hand.shows("Digitize: 2D Arc", "Cur=1 of 1");
+    let Shop { server, dir } = shop;
+    drop((hand, server));
+    let shop = kept(dir);
+    let mut hand = Hand::of(&shop);
+    hand.until("a word about it", |page| {
+        page.shown["messages"].to_string().contains("function 70 goes on with them")
+    });
+    hand.keys("U70E");
+    hand.until("the points", |page| {
+        page.shown["digitized"]["points"].as_array().is_some_and(|all| all.len() == 1)
+    });
+    // Who ends digitizing is asked, and then nothing is left.
+    hand.keys("U99EE");
+    hand.until("the end", |page| page.shown["digitized"].is_null());
+    let Shop { server, dir } = shop;
+    drop((hand, server));
+    assert!(!dir.path().join("data/digitized.draft").exists());
 }

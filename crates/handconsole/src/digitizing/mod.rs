@@ -25,6 +25,11 @@ pub(crate) struct Digitizing {
 }
 
 impl Digitizing {
+    /// Begins with points that were left.
+    pub fn of(points: Digitizer) -> Self {
+        Self { points, ..Self::default() }
+    }
+
     /// The points as they are with the tool where it is.
     pub fn points(&self, view: &View) -> Digitizer {
         let mut points = self.points.clone();

@@ -1,6 +1,7 @@
 //! The thread that owns the console.
 
 use super::Happening;
+use super::left::Left;
 use super::view::Facts;
 use crate::app::App;
 use crate::told;
@@ -28,6 +29,10 @@ pub struct Keeper {
     settling: bool,
     keys: VecDeque<(Who, u32, Key)>,
     facts: Facts,
+    /// Points were being digitized at the last look.
+    digitizes: bool,
+    /// Points that outlive the server; nothing before the first look.
+    left: Option<Left>,
 }
 
 impl Keeper {
@@ -41,6 +46,8 @@ impl Keeper {
             settling: false,
             keys: VecDeque::new(),
             facts: Facts::default(),
+            digitizes: false,
+            left: None,
         }
     }
 
@@ -53,6 +60,7 @@ impl Keeper {
                 Err(RecvTimeoutError::Disconnected) => return,
             };
             let Some(app) = self.app.upgrade() else { return };
+            self.take_up(&app);
             match happened {
                 Some(Happening::Key { who, seq, key: Key::Stop }) => {
                     self.press(&app, &who, seq, Key::Stop);
@@ -133,13 +141,30 @@ impl Keeper {
         }
     }
 
+    /// Points that an earlier server left.
+    fn take_up(&mut self, app: &App) {
+        if self.left.is_some() {
+            return;
+        }
+        let mut left = Left::default();
+        if let Some(points) = left.take_up(app) {
+            self.console = Console::with_points(points);
+        }
+        self.left = Some(left);
+    }
+
     /// Tells pages what the screen shows, where that is something else.
     fn show(&mut self, app: &Arc<App>) {
         let view = self.facts.view(app, false);
         self.console.follow(&view);
         let screen = self.console.screen(&view);
         let beeps = self.console.beeps();
-        let digitized = self.console.digitized(&view).as_ref().map(told::digitized);
+        let points = self.console.digitized(&view);
+        if let (Some(left), true) = (&mut self.left, points.is_some() || self.digitizes) {
+            left.keep(app, points.as_ref());
+        }
+        self.digitizes = points.is_some();
+        let digitized = points.as_ref().map(told::digitized);
         app.hub.changing(|now| {
             let link = now.hand_console.link.clone();
             let hand_console = HandConsole { lines: screen.lines, beeps, link };

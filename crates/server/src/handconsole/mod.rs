@@ -11,6 +11,7 @@
 //! one wishes is granted to whoever pressed it, under the same rules as everything that this somebody asks for.
 
 mod keeper;
+mod left;
 mod port;
 mod view;
 mod wishes;
