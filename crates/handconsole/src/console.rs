@@ -220,7 +220,7 @@ impl Mode {
             Self::Selecting(selecting) => selecting.press(key, view),
             Self::Stepping(stepping) => stepping.press(key, view),
             Self::Digitizing(digitizing) => digitizing.press(key, view),
-            Self::Aborting => start::press_aborting(key),
+            Self::Aborting => start::press_aborting(key, &view.waits),
             Self::Doing(_) => Next::to(self),
         }
     }

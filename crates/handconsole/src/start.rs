@@ -2,7 +2,7 @@
 
 use crate::console::{Mode, Next};
 use crate::entry::Typed;
-use crate::{Key, Screen, Wish};
+use crate::{JobWish, Key, Screen, Waits, Wish};
 use kerf_machine::Errand;
 
 /// What tells a job that waits that it goes on, as any question after a stop.
@@ -44,10 +44,18 @@ impl Starting {
     }
 }
 
-/// Enter gives the job up, and the head returns to the origin; any other key leaves it as it is.
-pub(crate) fn press_aborting(key: Key) -> Next {
+/// Enter gives the job up, and the head returns to the origin; any other key leaves it as it is. The shape that
+/// was chosen is the one with which the job begins from now on.
+pub(crate) fn press_aborting(key: Key, waits: &Waits) -> Next {
+    let start = match waits {
+        Waits::Start(shape) => Some(Wish::Job(JobWish::Start(*shape))),
+        _ => None,
+    };
     match key {
-        Key::Enter => Next::wish([Wish::Answer(QUIT.into()), Wish::Go(Errand::Origin)]),
+        Key::Enter => {
+            let goes = [Wish::Answer(QUIT.into())].into_iter().chain(start);
+            Next::wish(goes.chain([Wish::Go(Errand::Origin)]))
+        }
         _ => Next::default(),
     }
 }

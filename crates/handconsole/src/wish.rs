@@ -49,6 +49,8 @@ pub enum JobWish {
     Finish([f64; 2]),
     /// Every path is cut so far beside itself, mm, to the right of travel.
     Offset(f64),
+    /// It begins with this shape, from 1.
+    Start(u32),
     /// The lowest place of its 3D paths lies at ZBottom.
     Justify,
     /// It is written into its file, with the origin, finish and start that hold.

@@ -421,10 +421,12 @@ impl App {
         let (work, planned) = (Box::new(self.work(&open)?), preview.planned.clone());
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
-        let Open { name, hash, .. } = open;
+        let taken = self.takes(&work);
+        let Open { name, hash, key, .. } = open;
         let opened = self.opened(who, None).is_ok();
         let order = Order::File { work, name, hash, planned, parameters, opened };
-        self.order(order, State::Running)
+        *lock(&self.taken) = taken.map(|at| (key, at));
+        self.order(order, State::Running).inspect_err(|_| *lock(&self.taken) = None)
     }
 
     /// What was previewed is what runs: the file, and those that it calls.

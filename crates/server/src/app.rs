@@ -36,6 +36,8 @@ pub struct App {
     pub open: Mutex<Open>,
     /// What the last run left.
     pub left: Arc<Mutex<Left>>,
+    /// Where the job that runs took its origin, X and Y from home, mm, and the key of its preview.
+    pub taken: Mutex<Option<(String, [f64; 2])>>,
     /// Builds the shelf of previews.
     pub builders: Builders,
     /// Who gave the password of the settings.
@@ -160,6 +162,7 @@ impl App {
             changed: OnceLock::new(),
             hand_console: OnceLock::new(),
             open: Mutex::default(),
+            taken: Mutex::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),
@@ -347,6 +350,7 @@ impl App {
             // It was written a moment ago; where it cannot be read nothing is opened.
             drop(self.open_file(&name));
         }
+        self.keep_taken();
         let session = lock(&self.left).session.clone();
         let stale = lock(&self.open).preview.as_ref().is_some_and(|p| p.is_stale(&session));
         if stale {

@@ -29,6 +29,39 @@ impl App {
         self.choose(open.choice)
     }
 
+    /// The open job begins with this path, from 1.
+    ///
+    /// # Errors
+    /// As [`App::choose`].
+    pub fn begin_with(self: &Arc<Self>, path: u32) -> Result<(), Problem> {
+        let open = self.job_at_rest()?;
+        let Work::Job(job, _) = self.job_of(&open)? else { return Ok(()) };
+        if job.start == path as usize {
+            return Ok(());
+        }
+        self.choose_anew(|choice| JobChoice { start: Some(path), ..choice })
+    }
+
+    /// Where a job that is about to begin takes its origin, X and Y from home, mm: where the tool is, if the machine
+    /// is set so. One that is homed in X and Y first takes none that is worth keeping.
+    pub fn takes(&self, work: &Work) -> Option<[f64; 2]> {
+        let Work::Job(_, machine) = work else { return None };
+        let homes = machine.homing.at_job_start;
+        let moved = [Axis::X, Axis::Y].iter().any(|axis| homes.contains(*axis));
+        let position = lock(&self.left).session.memory.position;
+        let takes = machine.job.change_origin_at_start && !moved;
+        takes.then(|| [position[Axis::X], position[Axis::Y]])
+    }
+
+    /// A job is over that took its origin where the tool was: there it lies from now on.
+    pub fn keep_taken(self: &Arc<Self>) {
+        let Some((key, at)) = lock(&self.taken).take() else { return };
+        if lock(&self.open).key == key {
+            // Whoever begins something else at this very moment has no use for it.
+            drop(self.choose_anew(|choice| JobChoice { origin: Some(at), ..choice }));
+        }
+    }
+
     /// Puts the origin or finish of the machine and of the open job somewhere. That of the machine is for jobs that
     /// say nothing, and holds until Kerf ends; somebody is told when it does.
     ///

@@ -37,6 +37,60 @@ fn go(hand: &mut Hand, [x, y]: [f64; 2], to: [f64; 2]) {
     rests(hand);
 }
 
+#[test]
+fn pro_console_f34__the_job_lies_there_from_now_on() {
+    let (shop, mut hand) = with_job(&rsm(FIVE), |machine| machine.job.origin_mm = [300.0, 200.0]);
+    hand.keys("U34E1E");
+    go(&mut hand, [-250.0, -140.0], [50.0, 60.0]);
+    // The preview was made with the setting as it was.
+    previewed(&mut hand);
+    hand.keys("S");
+    hand.until("the end", |page| {
+        page.shown["job"]["ended"] == "ok" && page.shown["job"]["file"] == "job.rsm"
+    });
+    rests(&mut hand);
+    assert_eq!(at(&hand)[..2], [50.0, 60.0]);
+    hand.until("its origin", |page| {
+        page.shown["opened"]["choice"]["origin"] == json!([50.0, 60.0])
+    });
+    hand.keys("U34E0E");
+    go(&mut hand, [10.0, 0.0], [60.0, 60.0]);
+    hand.keys("U4E");
+    hand.until("the origin", |page| at(page)[..2] == [50.0, 60.0]);
+    previewed(&mut hand);
+    assert_eq!(job(&shop)["origin"], json!([50.0, 60.0]));
+}
+
+#[test]
+fn pro_files_rsm_start__saved_by_function_10() {
+    let (_shop, mut hand) = with_job(&rsm(FIVE), |machine| machine.misc.double_start = true);
+    choose(&mut hand, json!({ "start": 5 }));
+    hand.keys("U10E");
+    hand.shows("Save job", "Job saved");
+    hand.act(json!({ "do": "close" }));
+    hand.open_file("job.rsm");
+    hand.keys("ES");
+    hand.shows("Start job", "Shape 5 of 5");
+}
+
+#[test]
+fn pro_files_rsm_start__chosen_at_the_console() {
+    let (shop, mut hand) = with_job(&rsm(FIVE), |machine| machine.misc.double_start = true);
+    hand.keys("S");
+    hand.shows("Start job", "Shape 1 of 5");
+    hand.keys("4E");
+    hand.shows("Start job", "Shape 4 of 5");
+    hand.keys("UE");
+    hand.shows("JOB: job.rsm", "100x40mm #5");
+    hand.until("the start", |page| page.shown["opened"]["choice"]["start"] == 4);
+    hand.until("the origin", |page| at(page)[..2] == [0.0; 2]);
+    rests(&mut hand);
+    hand.keys("U10E");
+    hand.shows("Save job", "Job saved");
+    let saved = kerf_toolpath::read(&std::fs::read(shop.part("job.rsm")).unwrap()).0;
+    assert_eq!(saved.start, 4);
+}
+
 /// The function is done: the screen shows the job again.
 fn rests(hand: &mut Hand) {
     let job =
@@ -161,7 +215,7 @@ fn pro_console_f11() {
     assert_eq!(top(&hand), -10.0, "it was not saved");
     let lowered = lower_top(&mut hand);
     hand.keys("U11E");
-    hand.shows("Save machine", "1 settings saved");
+    hand.shows("Save machine", "1 setting saved");
     let Shop { server, dir } = shop;
     drop((hand, server));
     let shop = kept(dir);

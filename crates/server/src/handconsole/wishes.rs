@@ -98,6 +98,7 @@ impl App {
                 ..choice
             }),
             JobWish::Offset(offset) => self.choose_anew(|choice| JobChoice { offset, ..choice }),
+            JobWish::Start(shape) => self.begin_with(shape),
             JobWish::Justify => self.justify_bottom(),
             JobWish::Save => self.save_job(),
             JobWish::Nearest => {

@@ -78,21 +78,25 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
-    /// Has another configuration until Kerf ends, and tells when it holds.
+    /// Has another configuration until Kerf ends, and tells when it holds: as [`Owner::keep`].
     pub(super) fn hold(&mut self, wanted: Configuration, tells: &Sender<Happening>) {
         self.workshop.session.hold(wanted);
         self.rest(State::Idle, None);
         drop(tells.send(Happening::Told(Ok(String::new()))));
     }
 
-    /// Keeps the configuration that holds, and tells how many settings were not kept yet.
+    /// Keeps the configuration that holds, and tells how many settings were not kept yet. Keys wait for that: when it
+    /// is told the machine has to stand.
     pub(super) fn keep(&mut self, tells: &Sender<Happening>) {
         let Workshop { session, shelf, .. } = &self.workshop;
         let kept = session.keep_configuration(shelf);
-        let outcome = kept.map(|count| format!("{count} settings saved"));
+        self.rest(State::Idle, None);
+        let outcome = kept.map(|count| match count {
+            1 => "1 setting saved".into(),
+            count => format!("{count} settings saved"),
+        });
         // Nobody waits for it where the server is closing.
         drop(tells.send(Happening::Told(outcome.map_err(|why| why.to_string()))));
-        self.rest(State::Idle, None);
     }
 
     /// The run that can be taken up, where runs are on record.
