@@ -25,7 +25,7 @@ pub fn read(bytes: &[u8]) -> Imported {
     for instruction in words::instructions(bytes) {
         plotter.carry_out(&instruction, &mut findings);
     }
-    let (drawing, layers) = plotter.finish();
+    let (drawing, layers) = plotter.finish(&mut findings);
     if drawing.shapes.is_empty() {
         findings.warn("empty", 0, "nothing is drawn: no move with the pen down");
     }

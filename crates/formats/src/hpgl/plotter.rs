@@ -27,7 +27,10 @@ pub(super) struct Plotter {
     /// Whether a polygon is being defined (PM), and its contours.
     in_polygon: bool,
     polygon: Vec<Polyarc>,
-    shapes: Vec<(u32, Shape)>,
+    /// The line of the instruction at hand.
+    line: u32,
+    /// What was drawn: the pen, the line at which it was done, the shape.
+    shapes: Vec<(u32, u32, Shape)>,
 }
 
 /// Instructions that change how lines look, what paper is used or how the plotter talks: no paths.
@@ -43,6 +46,7 @@ impl Plotter {
     /// Carries out an instruction; what it cannot do is told.
     pub fn carry_out(&mut self, instruction: &Instruction<'_>, findings: &mut Findings) {
         let Instruction { name, numbers, bytes, line } = instruction;
+        self.line = *line;
         match name {
             b"IN" | b"DF" => self.begin_anew(),
             b"SP" => self.take(numbers.first().copied().unwrap_or_default()),
@@ -65,18 +69,23 @@ impl Plotter {
         }
     }
 
-    /// The drawing, each pen a group, and the shapes of each pen.
-    pub fn finish(mut self) -> (Drawing, Vec<(String, Vec<usize>)>) {
+    /// The drawing, each pen a group, and the shapes of each pen. What lies too far away is told and left out.
+    pub fn finish(mut self, findings: &mut Findings) -> (Drawing, Vec<(String, Vec<usize>)>) {
         self.end_run();
+        self.shapes.retain(|(_, line, shape)| {
+            let wrong = shape.path.check().err();
+            wrong.iter().for_each(|why| findings.warn("place", *line, format!("{why}: left out")));
+            wrong.is_none()
+        });
         let mut layers: Vec<(u32, Vec<usize>)> = Vec::new();
-        for (n, (pen, _)) in self.shapes.iter().enumerate() {
+        for (n, (pen, ..)) in self.shapes.iter().enumerate() {
             match layers.iter_mut().find(|layer| layer.0 == *pen) {
                 Some(layer) => layer.1.push(n),
                 None => layers.push((*pen, vec![n])),
             }
         }
         let layers = layers.into_iter().map(|(pen, shapes)| (format!("pen {pen}"), shapes));
-        (Drawing::of(self.shapes.into_iter().map(|(_, shape)| shape)), layers.collect())
+        (Drawing::of(self.shapes.into_iter().map(|(.., shape)| shape)), layers.collect())
     }
 
     fn begin_anew(&mut self) {
@@ -306,7 +315,7 @@ impl Plotter {
         let pen = self.pen.unwrap_or(1);
         if pen > 0 {
             let group = Group::ALL[(pen as usize - 1) % Group::ALL.len()];
-            self.shapes.push((pen, Shape::flat(path).in_group(group)));
+            self.shapes.push((pen, self.line, Shape::flat(path).in_group(group)));
         }
     }
 

@@ -104,6 +104,16 @@ fn packed_polylines_are_read() {
     assert_eq!(seven, "1,1 3,3");
 }
 
+#[test]
+fn what_lies_too_far_away_is_told_and_left_out() {
+    let read = read(b"SP1;PU0,0;PD400,0;PU;\nPU0,0;PD99999999999999,0;PU;\nSP2;PU0,0;PD0,400;PU;");
+    let lengths: Vec<f64> = read.drawing.shapes.iter().map(|shape| shape.path.length()).collect();
+    assert_eq!(lengths, [10.0, 10.0]);
+    let told: Vec<_> = read.findings.iter().map(|f| (f.line, f.text.as_str())).collect();
+    assert_eq!(told, [(2, "vertex 1: farther than a million metres from the origin: left out")]);
+    assert_eq!(read.layers, [("pen 1".into(), vec![0]), ("pen 2".into(), vec![1])]);
+}
+
 fn read_one(bytes: &[u8]) -> String {
     read(bytes).drawing.shapes.iter().map(|shape| told(&shape.path)).collect()
 }
