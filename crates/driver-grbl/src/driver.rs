@@ -326,6 +326,8 @@ impl Grbl {
         self.queue.clear();
         self.stopped_s = now_s;
         match self.phase {
+            // It hears nothing else while it goes home.
+            Phase::Ready if self.quiet() => self.reset(),
             Phase::Ready => {
                 self.phase = Phase::Stopping;
                 self.out.extend([at_once::HOLD, at_once::ASK]);

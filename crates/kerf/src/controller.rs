@@ -3,7 +3,7 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
-use crate::setup;
+use crate::{operator, setup};
 use anyhow::{Result, anyhow, bail};
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Connection, Lacks, Line, Shared};
@@ -14,6 +14,7 @@ use kerf_program::{AxisSet, HostError};
 use kerf_serial::{Port, SerialError};
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// The rate of grbl's own build.
@@ -122,7 +123,8 @@ pub fn ready(
         connection.unlock().map_err(|why| anyhow!(why))?;
     }
     if first.home {
-        connection.home().map_err(|why| anyhow!(why))?;
+        let pressed = operator::listen()?;
+        connection.home(|| pressed.load(Ordering::Relaxed)).map_err(|why| anyhow!(why))?;
     }
     if let Some(locked) = connection.locked() {
         bail!(locked);
@@ -174,6 +176,11 @@ pub fn look_through(
     let mut shelf = setup::shelf(shelf.part_folder(), &run.place, true)?;
     let connection = shared.borrow();
     let mut lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
+    if let Work::Job(_, machine) = &again
+        && (machine.plasma.use_sequence || machine.laser.use_laser)
+    {
+        lacks.burns();
+    }
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
     let mut answers: Answers = setup::answers(run)?;

@@ -97,6 +97,11 @@ fn events(shop: &Shop, kind: &str) -> Vec<Value> {
     all.filter(|event| event["e"] == kind).collect()
 }
 
+fn interrupt(child: &Child) {
+    let id = nix::unistd::Pid::from_raw(child.id() as i32);
+    nix::sys::signal::kill(id, nix::sys::signal::Signal::SIGINT).unwrap();
+}
+
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() < 0.02
 }
@@ -152,8 +157,7 @@ fn a_stop_on_a_grbl_ends_where_the_controller_stands() {
         (Shop::new(&[("square.sbp", SQUARE), ("back.sbp", "J2,0,0\n")]), Bench::new(&[]));
     let child = bench.start(&shop, "run square.sbp");
     bench.until(|fake| fake.position().0[0] > 30.0);
-    let id = nix::unistd::Pid::from_raw(child.id() as i32);
-    nix::sys::signal::kill(id, nix::sys::signal::Signal::SIGINT).unwrap();
+    interrupt(&child);
     Did::of(child.wait_with_output().unwrap()).exits(3).says("STOPPED");
     assert_eq!(bench.look(|fake| fake.spindle()), None);
     let stood = bench.x_mm();
@@ -243,7 +247,13 @@ fn a_job_runs_on_a_grbl() {
     let end = events(&shop, "move").pop().unwrap()["to"].clone();
     let told = |axis: &str| end[axis].as_f64().unwrap();
     assert!(close(x, told("x")) && close(y, told("y")) && close(z, told("z")), "{x} {y} {z} {end}");
-    assert!(bench.look(|fake| fake.way_mm()) > 10.0);
+    let way_mm = bench.look(|fake| fake.way_mm());
+    assert!(way_mm > 10.0);
+    let burnt = "run line.rsm --start fresh --config";
+    for machine in ["plasma", "laser-pwm"] {
+        bench.run(&shop, &format!("{burnt} {machine}")).exits(1).complains("a torch or a beam");
+    }
+    assert_eq!(bench.look(|fake| fake.way_mm()), way_mm, "nothing moves");
 }
 
 #[test]
@@ -280,4 +290,29 @@ fn a_grbl_that_homes_says_where_the_machine_is() {
     bench.run(&shop, "run p.sbp").exits(1).complains("--home");
     bench.run(&shop, "run p.sbp --home").exits(0).complains("stands at -1.000");
     assert!(close(bench.x_mm(), -50.8), "{}", bench.x_mm());
+}
+
+#[test]
+fn going_home_is_stopped_by_the_operator() {
+    let (shop, bench) = (Shop::new(&[("p.sbp", "MX,-2\n")]), Bench::new(&[(22, 1.0)]));
+    let child = bench.start(&shop, "run p.sbp --home");
+    bench.until(|fake| fake.lines.iter().any(|line| line == "$H"));
+    interrupt(&child);
+    let did = Did::of(child.wait_with_output().unwrap());
+    did.exits(1).complains("was stopped before it could get home");
+    bench.run(&shop, "run p.sbp").exits(1).complains("--home");
+}
+
+#[test]
+fn a_grbl_that_somebody_holds_is_given_up_when_the_operator_stops() {
+    let program = "PAUSE 1\nSO,1,1\nPAUSE 1\nMX,1\n";
+    let (shop, bench) = (Shop::new(&[("held.sbp", program)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run held.sbp");
+    bench.until(|fake| fake.lines.iter().any(|line| line.starts_with("G21")));
+    bench.look(|fake| fake.hear(b"!", 0.0));
+    sleep(Duration::from_millis(1500));
+    interrupt(&child);
+    let did = Did::of(child.wait_with_output().unwrap());
+    did.exits(1).complains("was stopped before it had made its last moves");
+    assert_eq!((bench.x_mm(), bench.look(|fake| fake.spindle())), (0.0, None));
 }

@@ -29,6 +29,10 @@ const GREETING_S: f64 = 8.0;
 /// A machine slows down and its controller is reset within this, seconds.
 const STOPPING_S: f64 = 10.0;
 
+/// A machine that is wanted stopped gets so long to make its last moves, seconds: longer than what is sent
+/// ahead takes.
+const PATIENCE_S: f64 = 2.0;
+
 /// Going home takes at most so long, seconds.
 const HOMING_S: f64 = 300.0;
 
@@ -144,8 +148,8 @@ impl Connection {
     ///
     /// # Errors
     /// It does not get there.
-    pub fn home(&mut self) -> Result<(), String> {
-        self.does(Order::Home, "get home")
+    pub fn home(&mut self, is_stopped: impl Fn() -> bool) -> Result<(), String> {
+        self.does(Order::Home, "get home", is_stopped)
     }
 
     /// Takes orders after an alarm although nobody has homed it.
@@ -153,15 +157,24 @@ impl Connection {
     /// # Errors
     /// It stays locked.
     pub fn unlock(&mut self) -> Result<(), String> {
-        self.does(Order::Unlock, "unlock")
+        self.does(Order::Unlock, "unlock", || false)
     }
 
     /// Has it do something before a run.
-    fn does(&mut self, order: Order, what: &str) -> Result<(), String> {
+    fn does(
+        &mut self,
+        order: Order,
+        what: &str,
+        is_stopped: impl Fn() -> bool,
+    ) -> Result<(), String> {
         let until_s = self.now_s() + HOMING_S;
         self.order(order);
         while self.open > 0 && self.failure.is_none() && self.now_s() < until_s {
             self.look(NAP);
+            if is_stopped() {
+                self.stop();
+                return Err(format!("{} was stopped before it could {what}", self.name));
+            }
         }
         match self.failure.take() {
             Some(failure) => Err(failure.message),
@@ -187,7 +200,7 @@ impl Connection {
         does: impl FnOnce() -> T,
         opens: impl FnOnce() -> Result<(Box<dyn Wired>, Box<dyn Line>), String>,
     ) -> (T, Result<String, String>) {
-        self.settle();
+        self.settle(|| false);
         let place = self.place();
         self.line = Box::new(Closed);
         let done = does();
@@ -404,17 +417,28 @@ impl Connection {
         (self.done, self.open, self.ordered) = (0, 0, 0);
     }
 
-    /// Waits until everything that was ordered is done.
-    pub(super) fn settle(&mut self) {
+    /// Waits until everything that was ordered is done. Somebody may hold the machine at the controller: when
+    /// the operator wants it stopped and it still does not come to an end, it is given up.
+    pub(super) fn settle(&mut self, mut is_stopped: impl FnMut() -> bool) {
+        let mut stopped_s = None;
         while self.is_busy() {
             self.look(NAP);
+            let now_s = self.now_s();
+            if stopped_s.is_none() && is_stopped() {
+                stopped_s = Some(now_s);
+            }
+            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE_S) {
+                let why = format!("{} was stopped before it had made its last moves", self.name);
+                let hint = "it was held at the controller: look why before the next file";
+                self.fail(why, hint, None, false);
+            }
         }
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off.
-    pub fn close(&mut self, well: bool) {
+    pub fn close(&mut self, well: bool, is_stopped: impl FnMut() -> bool) {
         if well {
-            self.settle();
+            self.settle(is_stopped);
         }
         if !well || self.failure.is_some() {
             self.wanted = 0;

@@ -52,6 +52,12 @@ impl Lacks {
         self.found
     }
 
+    /// The machine of the job is a plasma table or a laser.
+    pub fn burns(&mut self) {
+        let what = "has no output for a torch or a beam: it drives machines with a spindle";
+        self.tell(Severity::Error, what);
+    }
+
     fn tell(&mut self, severity: Severity, what: &str) {
         if self.seen.insert(what.to_owned()) {
             let place = Place::line(self.file.clone(), self.line);

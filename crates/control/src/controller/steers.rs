@@ -38,7 +38,17 @@ impl<'a> Steers<'a> {
 
     /// What the operator wants by a moment.
     fn wish(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
-        self.kept.take().or_else(|| self.operator.pass(from_s, to_s))
+        let kept = self.kept.take().map(|(at_s, wish)| (at_s.max(from_s), wish));
+        kept.or_else(|| self.operator.pass(from_s, to_s))
+    }
+
+    /// What was handed over is made. What the operator wants meanwhile is heard afterwards.
+    fn settle(&mut self) {
+        let (operator, kept) = (&mut self.operator, &mut self.kept);
+        self.shared.borrow_mut().settle(|| {
+            *kept = kept.take().or_else(|| operator.pass(0.0, 0.0));
+            matches!(kept, Some((_, Wish::Stop | Wish::Hold | Wish::End)))
+        });
     }
 
     /// Notices what went wrong.
@@ -79,9 +89,9 @@ impl<'a> Steers<'a> {
 
     /// Nothing moves for a while.
     fn stand(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+        self.settle();
         let wish = self.wish(from_s, to_s);
         let until_s = wish.map_or(to_s, |(at_s, _)| at_s);
-        self.shared.borrow_mut().settle();
         let before = self.stood.filter(|(at_s, _)| *at_s == from_s);
         let (_, began) = *self.stood.insert(before.unwrap_or_else(|| (from_s, Instant::now())));
         loop {
@@ -206,7 +216,7 @@ impl Pace for Steers<'_> {
     }
 
     fn stands(&mut self) {
-        self.shared.borrow_mut().settle();
+        self.settle();
         self.braked = false;
         self.note();
     }

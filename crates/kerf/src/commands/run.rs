@@ -5,7 +5,7 @@ use crate::clock;
 use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
 use crate::exit::{Exit, Usage};
-use crate::operator::{Clock, Person, RealPace};
+use crate::operator::{self, Clock, Person, RealPace};
 use crate::out;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
@@ -29,6 +29,7 @@ use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// Runs a part file on a machine: the simulated one
 ///
@@ -331,7 +332,8 @@ fn attended<'a>(
     let real = args.pace == PaceName::Real && controller.is_none();
     let clock = if real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
-    let mut operator = Person::new(answers, person, &pace).with_editor(show.editor);
+    let pressed = operator::listen()?;
+    let mut person_at_it = Person::new(answers, person, &pace).with_editor(show.editor);
     let mut steers;
     let pace: &mut dyn Pace = match controller.clone() {
         Some(shared) => {
@@ -340,10 +342,12 @@ fn attended<'a>(
         }
         None => &mut pace,
     };
-    let company = Company { sink: &mut sink as &mut dyn Sink, operator: &mut operator, pace };
+    let company = Company { sink: &mut sink as &mut dyn Sink, operator: &mut person_at_it, pace };
     let (summary, session) = runs(company)?;
     if let Some(shared) = controller {
-        shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok);
+        shared
+            .borrow_mut()
+            .close(summary.status == kerf_sbp::Status::Ok, || pressed.load(Ordering::Relaxed));
     }
     let ((_, (trace, (signals, readings))), (_, (picture, progress))) = told;
     readings.map_or(Ok(()), ReadingBytes::finish)?;
