@@ -65,6 +65,8 @@ pub(crate) struct Runner<'a, I> {
     pub ends: Option<Over>,
     /// The run is taken up: where the machine stands meanwhile.
     pub reentry: Option<Placed>,
+    /// Up to here it is on record how far a move has come, machine time.
+    pub recorded_s: f64,
 }
 
 /// Whether a run goes on.
@@ -117,6 +119,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             settled: false,
             ends: None,
             reentry: None,
+            recorded_s: 0.0,
         }
     }
 

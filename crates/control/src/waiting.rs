@@ -170,6 +170,11 @@ impl<I: Interpreter> Runner<'_, I> {
             if wish.is_some() || slice == slices {
                 return wish;
             }
+            // A way that is looked through again after something happened is on record already.
+            if end_s <= self.recorded_s {
+                continue;
+            }
+            self.recorded_s = end_s;
             let state = under_way.at(end_s);
             if state.move_index == under_way.index {
                 let place = Placed { position: state.position, ..self.world.placed() };
