@@ -185,6 +185,7 @@ fn pro_options_persist() {
             "/dev/a,/dev/b,/dev/c,/dev/d",
             "[\"/dev/a\", \"/dev/b\", \"/dev/c\", \"/dev/d\"]",
         ),
+        ("options.console", "true", "true"),
         ("options.console_port", "4", "4"),
         ("options.send_port", "1", "1"),
         ("options.send_baud", "38400", "38400"),
@@ -206,7 +207,7 @@ fn pro_options_persist() {
     let listed = shop.kerf("machine list options").out();
     let named = listed.lines().filter(|line| line.starts_with("options.")).count();
     assert_eq!(
-        named, 10,
+        named, 11,
         "the speed of the console is always the same, the password has a test: {listed}"
     );
 }
