@@ -66,6 +66,8 @@ function usual({ value }: OperationPart, n: number): string {
     case "pair":
     case "vertex":
       return `${10 + 20 * n}mm,${5 + 15 * n}mm`;
+    case "triple":
+      return `${10 + 20 * n}mm,5mm,-3mm`;
     case "length":
       return "20mm";
     case "number":
