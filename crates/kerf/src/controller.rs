@@ -10,7 +10,7 @@ use kerf_control::controller::{Connection, Lacks, Line, Shared};
 use kerf_control::{Company, Firmware, RunOptions, Session, Shelf, Sink, Work};
 use kerf_driver_grbl::Grbl;
 use kerf_machine::driver::Wired;
-use kerf_program::{AxisSet, HostError};
+use kerf_program::{Axes, AxisSet, HostError};
 use kerf_serial::{Port, SerialError};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -117,6 +117,7 @@ pub fn ready(
     first: First,
     quiet: bool,
     session: &mut Session,
+    shelf: &Shelf,
 ) -> Result<Shared> {
     let mut connection = connect(name, quiet)?;
     if first.unlock {
@@ -130,17 +131,57 @@ pub fn ready(
         bail!(locked);
     }
     if connection.facts().homes {
-        takes_place(&mut connection, session, quiet);
+        let stands = connection.stands();
+        takes_place(&connection, session, stands, quiet);
+        AxisSet::first(connection.facts().axes).iter().for_each(|axis| session.homed.insert(axis));
     } else {
+        match left_at(name, connection.stands(), shelf) {
+            Some(place) => takes_place(&connection, session, place, quiet),
+            None => tell_believed(name, session.memory.position, quiet),
+        }
         connection.is_at(session.memory.position);
     }
     Ok(Rc::new(RefCell::new(connection)))
 }
 
-/// A controller that was homed knows where it stands; Kerf believes it.
-fn takes_place(connection: &mut Connection, session: &mut Session, quiet: bool) {
+/// The value that says where a controller without homing was left: its port, its own place, and that of the
+/// machine. Runs on the simulated machine leave the location elsewhere.
+const LEFT: &str = "ControllerLeft";
+
+/// Places closer than this are the same, mm: a controller tells thousandths.
+const SAME_MM: f64 = 0.01;
+
+/// Where the machine stands, when its controller was neither moved nor switched off since it was driven last.
+fn left_at(name: &DriverName, stands: Axes, shelf: &Shelf) -> Option<Axes> {
+    let (path, own, place): (String, Axes, Axes) =
+        serde_json::from_str(shelf.stored.get(LEFT)?).ok()?;
+    let still = own.minus(stands).0.iter().all(|way| way.abs() < SAME_MM);
+    (path == name.path && still).then_some(place)
+}
+
+/// Keeps where a controller was left.
+pub fn leaves(name: &DriverName, shared: &Shared, shelf: &mut Shelf) {
+    let mut connection = shared.borrow_mut();
+    let own = connection.stands();
+    let left = (&name.path, own, own.plus(connection.offset()));
+    shelf.stored.set(LEFT, serde_json::to_string(&left).ok().as_deref());
+}
+
+/// Nobody but Kerf remembers where the machine is.
+fn tell_believed(name: &DriverName, place: Axes, quiet: bool) {
+    if !quiet {
+        let [x, y, z, ..] = place.0;
+        eprintln!(
+            "kerf: {} has not been driven before, or was moved or switched off since: the machine is believed to stand \
+             at {x:.3}, {y:.3}, {z:.3}, where the last run ended; stop and set its location where that is wrong",
+            name.words
+        );
+    }
+}
+
+/// The machine stands where its controller tells; Kerf believes it.
+fn takes_place(connection: &Connection, session: &mut Session, stands: Axes, quiet: bool) {
     let axes = AxisSet::first(connection.facts().axes);
-    let stands = connection.stands();
     let mut place = session.memory.position;
     for axis in axes.iter() {
         let apart = (place[axis] - stands[axis]).abs() > 0.01;
@@ -154,7 +195,6 @@ fn takes_place(connection: &mut Connection, session: &mut Session, quiet: bool) 
             );
         }
         place[axis] = stands[axis];
-        session.homed.insert(axis);
     }
     session.memory.position = place;
 }

@@ -316,3 +316,18 @@ fn a_grbl_that_somebody_holds_is_given_up_when_the_operator_stops() {
     did.exits(1).complains("was stopped before it had made its last moves");
     assert_eq!((bench.x_mm(), bench.look(|fake| fake.spindle())), (0.0, None));
 }
+
+#[test]
+fn runs_on_the_simulated_machine_do_not_move_what_a_grbl_without_homing_is_believed_to_be() {
+    let files = [("two.sbp", "MX,2\n"), ("far.sbp", "J2,9,7\n"), ("back.sbp", "J2,0,0\n")];
+    let (shop, bench) = (Shop::new(&files), Bench::new(&[]));
+    bench.run(&shop, "run two.sbp").exits(0).complains("has not been driven before");
+    assert!(close(bench.x_mm(), 50.8));
+    shop.kerf("run far.sbp").exits(0);
+    bench.run(&shop, "run back.sbp").exits(0).complains("stands at 50.800 and not at 228.600");
+    assert!(bench.look(|fake| fake.position()).0[..2].iter().all(|place| place.abs() < 0.02));
+    // Somebody jogged it at the controller.
+    bench.look(|fake| fake.hear(b"G53G1X3F600\n", 0.0));
+    bench.until(|fake| close(fake.position().0[0], 3.0));
+    bench.run(&shop, "run back.sbp").exits(0).complains("is believed to stand at 0.000");
+}

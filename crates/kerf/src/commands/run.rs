@@ -228,7 +228,7 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
     let mut controller = None;
     if let Some(name) = &args.driver {
         controller::check(run)?;
-        let shared = controller::ready(name, args.first, args.quiet(), &mut session)?;
+        let shared = controller::ready(name, args.first, args.quiet(), &mut session, &shelf)?;
         if let Some(exit) =
             controller::look_through(&shared, &work, &session, &options, &shelf, run)?
         {
@@ -244,7 +244,7 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
-    let mut exit = attended(args, run, show, answers, controller, |company| {
+    let mut exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
         let summary = match kept {
             true => session.run_on_record(work, options, replaced, shelf, company)?,
@@ -252,6 +252,9 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
         };
         Ok((summary, &session))
     })?;
+    if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
+        controller::leaves(name, &shared, &mut shelf);
+    }
     if kept {
         while let Some(command) = visit.command(&shelf)? {
             exit = passed_in(command, &mut session, &mut shelf, args, run)?;
