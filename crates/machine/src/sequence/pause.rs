@@ -56,10 +56,13 @@ impl Sequence {
     /// What follows on an event, all the way to the question.
     fn stop_for(&mut self, event: Event, why: &str) {
         self.given = false;
-        self.steps.clear();
+        // What an earlier stop switches off goes off, whoever stops the machine again in the same moment.
+        let state = self.state;
+        self.steps.retain(|step| step.belongs_to_stop(state));
         if self.state == State::Waiting && event == Event::Fault {
             self.why = why.into();
         } else if let Some(first) = self.state.on(event, self.stop_settings()) {
+            self.steps.clear();
             self.why = why.into();
             self.state = first.state;
             self.marked = false;

@@ -72,6 +72,19 @@ pub(crate) enum Small {
     Say(Arc<str>),
 }
 
+impl Small {
+    /// Whether it switches something off, or tells that the machine is in a state that it stopped in.
+    pub fn belongs_to_stop(&self, state: crate::State) -> bool {
+        match self {
+            Self::Switch(_, on) => !on,
+            Self::Beam(beam) => *beam == Beam::Off,
+            Self::Height(law) => law.is_none(),
+            Self::Enter(entered) => *entered == state,
+            _ => false,
+        }
+    }
+}
+
 /// An input that is waited for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Awaited {
