@@ -163,7 +163,7 @@ const fn moves(
     steps: &'static [Step],
     does: fn(&[f64], &View) -> Result<Done, String>,
 ) -> Function {
-    Function { number: "", name, steps, does }
+    Function { number: "", name, doc: "", steps, does }
 }
 
 const TO_STEPS: &[Step] = &[

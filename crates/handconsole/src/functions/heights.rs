@@ -11,6 +11,8 @@ use kerf_program::{Axis, AxisSet};
 pub(super) const SETTING: Function = Function {
     number: "2",
     name: "Z settings",
+    doc: "The tool goes to ZTop, ZSurface and ZBottom in turn; digits move it, Enter records where it stands. Z is homed \
+         first where jobs home it. Nothing is set before the third. `zpos.*`",
     steps: &[
         Height {
             prompt: "ZTop: move, Enter",
@@ -40,6 +42,7 @@ pub(super) const SETTING: Function = Function {
 pub(super) const BOTTOM_ADJUST: Function = Function {
     number: "3",
     name: "ZBottom adjust",
+    doc: "ZBottom by a distance, negative down. `zpos.bottom_mm`",
     steps: &[Number { prompt: "ZBottom adjust mm:", now: |_| None }],
     does: |typed, view| lowered(view, typed[0]),
 };
@@ -47,6 +50,7 @@ pub(super) const BOTTOM_ADJUST: Function = Function {
 pub(super) const BOTTOM_JUSTIFY: Function = Function {
     number: "300",
     name: "ZBottom justify",
+    doc: "As 3; then the 3D paths of the open job lie with their lowest place at ZBottom",
     steps: &[Number { prompt: "ZBottom adjust mm:", now: |_| Some(0.0) }],
     does: |typed, view| {
         let mut done = lowered(view, typed[0])?;
@@ -57,22 +61,30 @@ pub(super) const BOTTOM_JUSTIFY: Function = Function {
 
 /// A function that moves set points of height control: shares of the distance that X and Y get.
 macro_rules! adjusts {
-    ($number:literal, $name:literal, $prompt:literal, $shares:expr) => {
+    ($number:literal, $name:literal, $doc:literal, $prompt:literal, $shares:expr) => {
         Function {
             number: $number,
             name: $name,
+            doc: $doc,
             steps: &[Number { prompt: $prompt, now: |_| None }],
             does: |typed, view| adjusted(view, $shares.map(|share: f64| share * typed[0])),
         }
     };
 }
 
-pub(super) const ADJUST: Function =
-    adjusts!("19", "XY adjust mm", "Adjust x and y mm:", [1.0, 1.0]);
+pub(super) const ADJUST: Function = adjusts!(
+    "19",
+    "XY adjust mm",
+    "Both set points by a distance; held between 0 and 255, which is told",
+    "Adjust x and y mm:",
+    [1.0, 1.0]
+);
 
-pub(super) const ADJUST_X: Function = adjusts!("19.1", "X adjust mm", "Adjust x mm:", [1.0, 0.0]);
+pub(super) const ADJUST_X: Function =
+    adjusts!("19.1", "X adjust mm", "That of X", "Adjust x mm:", [1.0, 0.0]);
 
-pub(super) const ADJUST_Y: Function = adjusts!("19.2", "Y adjust mm", "Adjust y mm:", [0.0, 1.0]);
+pub(super) const ADJUST_Y: Function =
+    adjusts!("19.2", "Y adjust mm", "That of Y", "Adjust y mm:", [0.0, 1.0]);
 
 /// Z bottom by a distance.
 fn lowered(view: &View, by_mm: f64) -> Result<Done, Refusal> {

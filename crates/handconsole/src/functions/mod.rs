@@ -2,14 +2,12 @@
 
 mod heights;
 mod jobs;
-mod meaning;
 mod moves;
 mod selecting;
 mod settings;
 mod stepping;
 mod table;
 
-pub use meaning::meaning;
 pub(crate) use selecting::Selecting;
 pub(crate) use stepping::Stepping;
 pub use table::FUNCTIONS;
@@ -26,6 +24,8 @@ pub struct Function {
     pub number: &'static str,
     /// Its name: with the number and a blank 20 characters at most.
     pub name: &'static str,
+    /// What it does, for the book.
+    pub doc: &'static str,
     /// What it asks for, in this order.
     pub steps: &'static [Step],
     /// What it wants done with what was answered; or why that cannot be.

@@ -9,6 +9,7 @@ use kerf_program::{AXES, Axis, AxisSet};
 pub(super) const ORIGIN: Function = Function {
     number: "4",
     name: "Move to origin",
+    doc: "To the job origin in X and Y, Z at least at ZTop",
     steps: &[],
     does: |_, _| Ok(go([Errand::Origin])),
 };
@@ -16,6 +17,7 @@ pub(super) const ORIGIN: Function = Function {
 pub(super) const FINISH: Function = Function {
     number: "5",
     name: "Move to finish",
+    doc: "To the finish position of the job, in the same way",
     steps: &[],
     does: |_, _| Ok(go([Errand::Finish])),
 };
@@ -23,6 +25,7 @@ pub(super) const FINISH: Function = Function {
 pub(super) const BY: Function = Function {
     number: "6",
     name: "Move by x,y,z",
+    doc: "By distances. Z first where it rises, last where it sinks",
     steps: &[
         Number { prompt: "Move by x mm:", now: |_| Some(0.0) },
         Number { prompt: "Move by y mm:", now: |_| Some(0.0) },
@@ -34,6 +37,7 @@ pub(super) const BY: Function = Function {
 pub(super) const TO: Function = Function {
     number: "21",
     name: "Move to x,y,z",
+    doc: "To a place: X and Y from the job origin, Z from home. Z first where it rises, last where it sinks",
     steps: &[
         Number {
             prompt: "Move to x mm:",
@@ -51,6 +55,7 @@ pub(super) const TO: Function = Function {
 pub(super) const HOMES: Function = Function {
     number: "20",
     name: "Move to homes",
+    doc: "Z to home, then all other axes",
     steps: &[],
     does: |_, view| Ok(go([Errand::Home(view.machine.motors.axes())])),
 };
@@ -58,6 +63,7 @@ pub(super) const HOMES: Function = Function {
 pub(super) const FIND_Z: Function = Function {
     number: "50",
     name: "Find z(w) home",
+    doc: "The home switch of Z is sought; then that of w, where it keeps the tool along the path",
     steps: &[],
     does: |_, view| {
         let turns = view.machine.misc.tangential && has_switch(view, W);
@@ -70,6 +76,7 @@ pub(super) const FIND_Z: Function = Function {
 pub(super) const FIND_XY: Function = Function {
     number: "51",
     name: "Find xy homes",
+    doc: "Those of X and Y; Z rises to ZTop first where it is lower",
     steps: &[],
     does: |_, view| {
         let axes = find(view, &[Axis::X, Axis::Y], "no xy home switches")?;

@@ -12,10 +12,11 @@ const PER_MIN: f64 = 60.0;
 /// A function that gives settings the number that is typed, a so-manyth of it. What the first of them is now
 /// stands there before.
 macro_rules! sets {
-    ($number:literal, $name:literal, $prompt:literal, $per:expr, $first:literal $(, $key:literal)*) => {
+    ($number:literal, $name:literal, $doc:literal, $prompt:literal, $per:expr, $first:literal $(, $key:literal)*) => {
         Function {
             number: $number,
             name: $name,
+            doc: $doc,
             steps: &[Number { prompt: $prompt, now: |view| now(view, $first, $per) }],
             does: |typed, view| with(view, &[$first $(, $key)*], typed[0] / $per).map(Done::from),
         }
@@ -24,10 +25,11 @@ macro_rules! sets {
 
 /// The same for a yes, which is 1, or no, which is 0.
 macro_rules! decides {
-    ($number:literal, $name:literal, $prompt:literal, $key:literal, $words:expr) => {
+    ($number:literal, $name:literal, $doc:literal, $prompt:literal, $key:literal, $words:expr) => {
         Function {
             number: $number,
             name: $name,
+            doc: $doc,
             steps: &[Number { prompt: $prompt, now: |view| yes(view, $key, $words) }],
             does: |typed, view| decided(view, $key, $words, typed[0]).map(Done::from),
         }
@@ -39,58 +41,134 @@ type NoYes = [&'static str; 2];
 
 const FLAG: NoYes = ["false", "true"];
 
-pub(super) const CUT_SPEED: Function =
-    sets!("0", "Cut speed", "Cut speed mm/min:", PER_MIN, "smoothing.cut_speed_mm_s");
+pub(super) const CUT_SPEED: Function = sets!(
+    "0",
+    "Cut speed",
+    "Highest cutting speed of the machine; at most that of the X axis. `smoothing.cut_speed_mm_s`",
+    "Cut speed mm/min:",
+    PER_MIN,
+    "smoothing.cut_speed_mm_s"
+);
 
-pub(super) const PLUNGE_SPEED: Function =
-    sets!("1", "Plunge speed", "Plunge speed mm/min:", PER_MIN, "plunge.speed_mm_s");
+pub(super) const PLUNGE_SPEED: Function = sets!(
+    "1",
+    "Plunge speed",
+    "Speed from ZTop down to the cut; at most that of the Z axis. `plunge.speed_mm_s`",
+    "Plunge speed mm/min:",
+    PER_MIN,
+    "plunge.speed_mm_s"
+);
 
-pub(super) const SET_POINTS: Function =
-    sets!("18", "XY set point", "XY set point:", 1.0, "height.x_set_point", "height.y_set_point");
+pub(super) const SET_POINTS: Function = sets!(
+    "18",
+    "XY set point",
+    "Both set points of proportional height control, 0 to 255. `height.x_set_point`, `height.y_set_point`",
+    "XY set point:",
+    1.0,
+    "height.x_set_point",
+    "height.y_set_point"
+);
 
 pub(super) const X_SET_POINT: Function =
-    sets!("18.1", "X set point", "X set point:", 1.0, "height.x_set_point");
+    sets!("18.1", "X set point", "That of X", "X set point:", 1.0, "height.x_set_point");
 
 pub(super) const Y_SET_POINT: Function =
-    sets!("18.2", "Y set point", "Y set point:", 1.0, "height.y_set_point");
+    sets!("18.2", "Y set point", "That of Y", "Y set point:", 1.0, "height.y_set_point");
 
-pub(super) const Z2_ADJUSTMENT: Function =
-    sets!("23", "Z2 adjust mm", "Z2 adjustment mm:", 1.0, "homing.z2_adjustment_mm");
+pub(super) const Z2_ADJUSTMENT: Function = sets!(
+    "23",
+    "Z2 adjust mm",
+    "By how much the second head goes further when it is homed. `homing.z2_adjustment_mm`",
+    "Z2 adjustment mm:",
+    1.0,
+    "homing.z2_adjustment_mm"
+);
 
-pub(super) const BOTTOM_DELAY: Function =
-    sets!("30", "Bottom delay s", "Bottom delay s:", 1.0, "delays.bottom_s");
+pub(super) const BOTTOM_DELAY: Function = sets!(
+    "30",
+    "Bottom delay s",
+    "The wait at the bottom before the cut. `delays.bottom_s`",
+    "Bottom delay s:",
+    1.0,
+    "delays.bottom_s"
+);
 
 pub(super) const BOTTOM_INPUT: Function = decides!(
     "31",
     "Bottom by input",
+    "Whether an input ends that wait. `delays.bottom_type`",
     "By input 1 yes 0 no:",
     "delays.bottom_type",
     ["time", "input"]
 );
 
-pub(super) const RAISE: Function =
-    decides!("32", "Raise on pause", "Raise 1 yes 0 no:", "pause.raise", FLAG);
+pub(super) const RAISE: Function = decides!(
+    "32",
+    "Raise on pause",
+    "Whether the tool rises in a pause. `pause.raise`",
+    "Raise 1 yes 0 no:",
+    "pause.raise",
+    FLAG
+);
 
-pub(super) const ORIGIN_AT_START: Function =
-    decides!("34", "Origin at start", "Change 1 yes 0 no:", "job.change_origin_at_start", FLAG);
+pub(super) const ORIGIN_AT_START: Function = decides!(
+    "34",
+    "Origin at start",
+    "Whether each Start takes the present position as job origin. `job.change_origin_at_start`",
+    "Change 1 yes 0 no:",
+    "job.change_origin_at_start",
+    FLAG
+);
 
-pub(super) const ARROW_SPEED: Function =
-    sets!("38", "Arrow speed %", "Arrow speed %:", 1.0, "arrows.speed_percent");
+pub(super) const ARROW_SPEED: Function = sets!(
+    "38",
+    "Arrow speed %",
+    "Speed of the digits that move the tool, of the highest of each axis. `arrows.speed_percent`",
+    "Arrow speed %:",
+    1.0,
+    "arrows.speed_percent"
+);
 
-pub(super) const ARROW_ACCEL: Function =
-    sets!("39", "Arrow accel %", "Arrow accel %:", 1.0, "arrows.accel_percent");
+pub(super) const ARROW_ACCEL: Function = sets!(
+    "39",
+    "Arrow accel %",
+    "Their acceleration. `arrows.accel_percent`",
+    "Arrow accel %:",
+    1.0,
+    "arrows.accel_percent"
+);
 
-pub(super) const CENTRIPETAL: Function =
-    sets!("40", "Centripetal %", "Centripetal accel %:", 1.0, "smoothing.centripetal_percent");
+pub(super) const CENTRIPETAL: Function = sets!(
+    "40",
+    "Centripetal %",
+    "Acceleration in curves, of the lesser of X's and Y's. `smoothing.centripetal_percent`",
+    "Centripetal accel %:",
+    1.0,
+    "smoothing.centripetal_percent"
+);
 
-pub(super) const REPEATS: Function = sets!("61", "Job repeats", "Job repeats:", 1.0, "job.repeats");
+pub(super) const REPEATS: Function = sets!(
+    "61",
+    "Job repeats",
+    "How often a Start cuts the job. `job.repeats`",
+    "Job repeats:",
+    1.0,
+    "job.repeats"
+);
 
-pub(super) const Y_FACTOR: Function =
-    sets!("100.2", "Y speed factor", "Y speed factor:", 1.0, "smoothing.y_factor");
+pub(super) const Y_FACTOR: Function = sets!(
+    "100.2",
+    "Y speed factor",
+    "The highest cutting speed along Y is so many times that along X. `smoothing.y_factor`",
+    "Y speed factor:",
+    1.0,
+    "smoothing.y_factor"
+);
 
 pub(super) const SCALE: Function = Function {
     number: "17",
     name: "HC scale",
+    doc: "Millimetres of one unit of the height sensor; a K that suits is told, K itself stays. `height.scale_mm`",
     steps: &[Number {
         prompt: "HC scale mm/unit:",
         now: |view| Some(view.machine.height.scale_mm),

@@ -45,5 +45,10 @@ pub const FUNCTIONS: &[Function] = &[
 /// The function behind which there is a mode of its own.
 pub(super) const DIGITIZE: &str = "70";
 
-const DIGITIZING: Function =
-    Function { number: DIGITIZE, name: "Digitize", steps: &[], does: |_, _| Ok(Vec::new().into()) };
+const DIGITIZING: Function = Function {
+    number: DIGITIZE,
+    name: "Digitize",
+    doc: "Shapes are taken from a pattern: digitizing, a mode of its own",
+    steps: &[],
+    does: |_, _| Ok(Vec::new().into()),
+};

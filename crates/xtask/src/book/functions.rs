@@ -3,7 +3,7 @@
 use crate::Tree;
 use anyhow::Result;
 use kerf_handconsole::digitizing;
-use kerf_handconsole::functions::{FUNCTIONS, Step, meaning};
+use kerf_handconsole::functions::{FUNCTIONS, Step};
 use std::fmt::Write as _;
 
 const FUNCTIONS_PAGE: &str = "\
@@ -36,8 +36,8 @@ pub fn functions(_: &Tree) -> Result<String> {
     page += "| number | name | asks for | does |\n|---|---|---|---|\n";
     for function in FUNCTIONS {
         let asks: Vec<_> = function.steps.iter().map(prompt).collect();
-        let does = meaning(function.number).unwrap_or_default();
-        let (number, name, asks) = (function.number, function.name, asks.join("; "));
+        let (number, name, does) = (function.number, function.name, function.doc);
+        let asks = asks.join("; ");
         let _ = writeln!(page, "| {number} | {name} | {asks} | {does} |");
     }
     page += DIGITIZING;
