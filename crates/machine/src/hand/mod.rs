@@ -1,0 +1,280 @@
+//! Moves by hand: what a person has the machine do beside jobs and part files (Profiler reference,
+//! "Changing the Tool Position").
+//!
+//! A [`Hand`] is an interpreter like a job: it is stepped, gives commands, and is stopped and goes on by
+//! the same table of states.
+
+mod errand;
+mod halting;
+mod ways;
+
+pub use errand::{Errand, FAR, Held, Keypad, Stretch, cut_move, keypad_settings};
+
+use crate::lines::Input;
+use crate::sequence::{CHORDS, planner_settings, rapid_mm_s};
+use crate::settings::Configuration;
+use crate::state::{Event, State, StopSettings};
+use kerf_diag::{Code, Diagnostic};
+use kerf_geom::Arc2;
+use kerf_program::{
+    Arc as Turn, At, Axes, Axis, Command, Feed, Frame, Halted, Host, Interpreter, Line, MoveKind,
+    Settings, Sourced, Status, Step, StoppedBy, Watch,
+};
+use std::collections::VecDeque;
+use std::sync::Arc;
+use ways::{Leg, SAME};
+
+/// An errand being done.
+#[derive(Clone, Debug)]
+pub struct Hand {
+    errand: Errand,
+    machine: Arc<Configuration>,
+    settings: Arc<Settings>,
+    frame: Frame,
+    position: Axes,
+    /// Ways still to go.
+    legs: VecDeque<Leg>,
+    /// Where the rest leads, while the machine is stopped.
+    rest: Option<VecDeque<Leg>>,
+    given: bool,
+    begun: bool,
+    state: State,
+    motions: u64,
+    /// The stop input that blocks it.
+    blocked_by: u8,
+    /// Why it is not moving.
+    why: Arc<str>,
+    /// What is said when it is done.
+    note: Option<Arc<str>>,
+    over: Option<(Status, Option<Box<Diagnostic>>)>,
+}
+
+impl Hand {
+    /// An errand of a machine that stands at a position, machine frame.
+    pub fn new(errand: Errand, machine: Arc<Configuration>, position: Axes, frame: Frame) -> Self {
+        let mut settings = match &errand {
+            Errand::Keypad(keypad) => keypad_settings(&machine.program, keypad.speed),
+            _ => planner_settings(&machine),
+        };
+        if let (Errand::Held(held), Some(dynamics)) = (&errand, &mut settings.dynamics) {
+            let share = held.accel.clamp(0.01, 1.0);
+            dynamics.accel_mm_s2 = dynamics.accel_mm_s2.zip(Axes::default(), |a, _| a * share);
+        }
+        let mut hand = Self {
+            errand,
+            settings: Arc::new(settings),
+            machine,
+            frame,
+            position,
+            legs: VecDeque::new(),
+            rest: None,
+            given: false,
+            begun: false,
+            state: State::Running,
+            motions: 0,
+            blocked_by: 0,
+            why: Arc::default(),
+            note: None,
+            over: None,
+        };
+        hand.legs = hand.ways();
+        hand
+    }
+
+    /// It lasts as long as a key is held.
+    const fn is_held(&self) -> bool {
+        matches!(self.errand, Errand::Held(_) | Errand::Keypad(_))
+    }
+
+    /// A stop ends it for good.
+    const fn ends_at_stop(&self) -> bool {
+        self.is_held() || matches!(self.errand, Errand::Along(_))
+    }
+
+    fn stop_settings(&self) -> StopSettings {
+        StopSettings::profiler(self.machine.pause.raise)
+    }
+
+    fn give(&self, command: Command, out: &mut Vec<Sourced>) {
+        out.push(Sourced { at: At::default(), command });
+    }
+
+    fn end(&mut self, status: Status, why: Option<Box<Diagnostic>>) -> Step {
+        self.over = Some((status, why.clone()));
+        Step::Done(status, why)
+    }
+
+    fn begin(&mut self, out: &mut Vec<Sourced>) -> Step {
+        self.begun = true;
+        if let Some(why) = self.refusal() {
+            return self.end(Status::Failed, Some(why));
+        }
+        self.give(Command::Settings(self.settings.clone()), out);
+        Step::Ran
+    }
+
+    /// The next way.
+    fn go(&mut self, leg: Leg, out: &mut Vec<Sourced>) {
+        let Leg { to, arc } = leg;
+        let rapid = || rapid_mm_s(&self.settings, to.minus(self.position));
+        let feed = match self.errand {
+            Errand::Keypad(_) => Feed::Axis,
+            Errand::Held(held) => Feed::Path(held.speed.clamp(0.01, 1.0) * rapid()),
+            _ => Feed::Path(rapid()),
+        };
+        let kind = MoveKind::Jog;
+        let command = match arc {
+            None => Command::Line(Line { kind, to, feed }),
+            Some(Arc2 { centre, sweep_rad, .. }) => {
+                let centre = [centre.x, centre.y];
+                Command::Arc(Turn {
+                    kind,
+                    centre,
+                    sweep_rad,
+                    to,
+                    feed,
+                    chords: CHORDS,
+                    small: false,
+                })
+            }
+        };
+        self.motions += 1;
+        (self.position, self.given) = (to, true);
+        self.give(command, out);
+    }
+
+    fn is_at(&self, place: &Axes) -> bool {
+        Axis::ALL.into_iter().all(|axis| (place[axis] - self.position[axis]).abs() <= SAME)
+    }
+
+    fn carry_on(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        if self.given {
+            if host.settle().is_pending() {
+                return Step::Waiting;
+            }
+            self.given = false;
+            self.legs.pop_front();
+            return Step::Ran;
+        }
+        match self.legs.front().copied() {
+            Some(leg) if leg.arc.is_none() && self.is_at(&leg.to) => drop(self.legs.pop_front()),
+            Some(leg) => self.go(leg, out),
+            None if self.rest.is_some() => return self.ask(host, out),
+            None => {
+                if let Some(text) = self.note.take() {
+                    self.give(Command::Message { text }, out);
+                }
+                return self.end(Status::Ok, None);
+            }
+        }
+        Step::Ran
+    }
+}
+
+impl Interpreter for Hand {
+    fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+        match &self.over {
+            Some((status, why)) => Step::Done(*status, why.clone()),
+            None if !self.begun => self.begin(out),
+            None => self.carry_on(host, out),
+        }
+    }
+
+    fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
+        for _ in 0..lines.max(1) {
+            match self.step(host, out) {
+                Step::Ran => {}
+                other => return other,
+            }
+        }
+        Step::Ran
+    }
+
+    /// Only the emergency stop is watched: it ends a move by hand for good.
+    fn interrupt(&mut self, _: &Watch, _: Option<u64>, position: Axes) {
+        self.position = position;
+        self.why = "emergency stop".into();
+        self.over = Some((Status::Stopped, Some(self.stopped_for(Code::InputStop))));
+    }
+
+    fn takes_stops(&self) -> bool {
+        true
+    }
+
+    /// A key is let go for good, and a way that is followed ends; every other way is kept.
+    fn stopped(&mut self, by: StoppedBy, halted: &Halted) {
+        let (event, why) = match by {
+            StoppedBy::Operator | StoppedBy::PowerCut => (Event::Stop, String::new()),
+            StoppedBy::Input(n) => {
+                self.blocked_by = n;
+                (Event::StopInput, format!("stopped by stop input {n}"))
+            }
+            StoppedBy::Limit(n) => (Event::Limit, format!("stopped by limit input {n}")),
+        };
+        self.why = why.into();
+        if self.ends_at_stop() {
+            (self.position, self.legs, self.given) = (halted.stands, VecDeque::new(), false);
+            match event {
+                Event::Stop => self.over = Some((Status::Ended, None)),
+                _ if self.is_held() => self.note = Some(self.why.clone()),
+                _ => {
+                    let limit = event == Event::Limit;
+                    let status = if limit { Status::Limit } else { Status::Stopped };
+                    self.over = Some((status, Some(self.stopped_for(Code::InputStop))));
+                }
+            }
+            return;
+        }
+        self.halt(event, halted);
+    }
+
+    fn nudge(&mut self, _: Axes) {}
+
+    fn carried_out(&mut self, _: u64) {}
+
+    fn stop(&mut self, _: &mut dyn Host, _: &mut Vec<Sourced>) -> Step {
+        self.end(Status::Stopped, None)
+    }
+
+    fn limit(&mut self, _: &mut dyn Host, _: &mut Vec<Sourced>) -> Step {
+        self.end(Status::Limit, None)
+    }
+
+    /// The emergency stop.
+    fn watches(&self) -> Vec<Watch> {
+        let input = Input::EmergencyStop.number();
+        vec![Watch::level(input, self.machine.estop.active, 0.0)]
+    }
+
+    fn file_name(&self, file: u32) -> Option<Arc<str>> {
+        (file == 0).then(|| self.errand.name().into())
+    }
+
+    fn call_stack(&self) -> Vec<At> {
+        vec![At::default()]
+    }
+
+    fn motions(&self) -> u64 {
+        self.motions
+    }
+
+    fn lines(&self) -> u64 {
+        0
+    }
+
+    fn settings(&self) -> &Arc<Settings> {
+        &self.settings
+    }
+
+    fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    fn position(&self) -> Axes {
+        self.position
+    }
+
+    fn variables(&self) -> Vec<(String, String)> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,209 @@
+//! Where a move by hand leads, and whether it may.
+
+use super::Hand;
+use super::errand::{Errand, FAR, Stretch};
+use crate::homing::soft_bounds;
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_geom::{Arc2, Point2};
+use kerf_program::settings::Mode;
+use kerf_program::{AXES, Axes, Axis};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// Places closer than this are the same, mm or degrees.
+pub(super) const SAME: f64 = 1e-9;
+
+/// A way to a place, machine frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    pub to: Axes,
+    /// The arc in X and Y; else it is straight.
+    pub arc: Option<Arc2>,
+}
+
+impl From<Axes> for Leg {
+    fn from(to: Axes) -> Self {
+        Self { to, arc: None }
+    }
+}
+
+impl Hand {
+    /// Where it leads, one way after the other.
+    pub(super) fn ways(&mut self) -> VecDeque<Leg> {
+        if let Errand::Along(stretches) = &self.errand {
+            return self.along(stretches);
+        }
+        self.straight_ways().into_iter().map(Leg::from).collect()
+    }
+
+    fn straight_ways(&mut self) -> VecDeque<Axes> {
+        let here = self.position;
+        let job = &self.machine.job;
+        match self.errand {
+            Errand::FindHome(_) | Errand::Along(_) => VecDeque::new(),
+            Errand::Home(axes) => {
+                let mut up = here;
+                if axes.contains(Axis::Z) {
+                    up[Axis::Z] = 0.0;
+                }
+                let mut home = up;
+                axes.iter().for_each(|axis| home[axis] = 0.0);
+                [up, home].into()
+            }
+            Errand::Origin => self.over_the_table([0.0; 2]),
+            Errand::Finish => self.over_the_table(job.finish_mm),
+            Errand::CutMoveTo(place) => self.over_the_table(place),
+            Errand::To { place, relative, flat } => {
+                let mut to = here;
+                for (axis, value) in Axis::ALL.into_iter().zip(place) {
+                    let Some(value) = value else { continue };
+                    let zero = match axis {
+                        _ if relative => here[axis],
+                        Axis::X => job.origin_mm[0],
+                        Axis::Y => job.origin_mm[1],
+                        _ => 0.0,
+                    };
+                    to[axis] = zero + value;
+                }
+                let mut level = to;
+                if flat {
+                    (2..AXES).for_each(|i| level.0[i] = here.0[i]);
+                }
+                [level, to].into()
+            }
+            Errand::Held(held) => {
+                let way = held.way.map(f64::from);
+                [self.as_far_as_allowed(way, FAR)].into()
+            }
+            Errand::Keypad(keypad) => {
+                [self.as_far_as_allowed(keypad.way, keypad.times.unwrap_or(FAR))].into()
+            }
+        }
+    }
+
+    /// Lines and arcs from the job origin.
+    fn along(&self, stretches: &[Stretch]) -> VecDeque<Leg> {
+        let [x0, y0] = self.machine.job.origin_mm;
+        let on_table = |at: Point2| Point2::new(x0 + at.x, y0 + at.y);
+        let mut to = self.position;
+        let leg = |stretch: &Stretch| {
+            let end = on_table(stretch.path.end());
+            (to[Axis::X], to[Axis::Y]) = (end.x, end.y);
+            to[Axis::Z] = stretch.z_mm.unwrap_or(to[Axis::Z]);
+            let on_table = |arc: Arc2| Arc2 {
+                start: on_table(arc.start),
+                centre: on_table(arc.centre),
+                ..arc
+            };
+            Leg { to, arc: stretch.path.arc().map(on_table) }
+        };
+        stretches.iter().map(leg).collect()
+    }
+
+    /// Up to Z top where the tool is lower, then to a place from the job origin.
+    fn over_the_table(&self, [x, y]: [f64; 2]) -> VecDeque<Axes> {
+        let [x0, y0] = self.machine.job.origin_mm;
+        let mut up = self.position;
+        up[Axis::Z] = up[Axis::Z].max(self.machine.zpos.top_mm);
+        let mut there = up;
+        (there[Axis::X], there[Axis::Y]) = (x0 + x, y0 + y);
+        [up, there].into()
+    }
+
+    /// Where a key that is held leads: to the first bound on its way.
+    fn as_far_as_allowed(&mut self, way: [f64; AXES], most: f64) -> Axes {
+        let ways = Axis::ALL.into_iter().zip(way);
+        let mut far = most;
+        for (axis, way) in ways.clone().filter(|(_, way)| *way != 0.0) {
+            let (low, high) = self.allowed(axis);
+            let end = if way > 0.0 { high } else { low };
+            let room = ((end - self.position[axis]) / way).max(0.0);
+            if room < far {
+                far = room;
+                self.note = Some(self.ends_at(axis, end));
+            }
+        }
+        let mut to = self.position;
+        ways.for_each(|(axis, way)| to[axis] += way * far);
+        to
+    }
+
+    /// What is said at the end of an axis; at the keypad in the words and units of part files.
+    fn ends_at(&self, axis: Axis, end: f64) -> Arc<str> {
+        if !matches!(self.errand, Errand::Keypad(_)) {
+            let name = self.machine.motors.axis_name(axis);
+            return format!("Out of bounds: {name} ends at {end:.3}").into();
+        }
+        let shown = self.settings.to_user(self.frame.working(Axes::splat(end)))[axis];
+        let shown = (shown * 1e4).round() / 1e4;
+        format!("Out of bounds: {} ends at {shown}", axis.letter()).into()
+    }
+
+    /// Where an axis may go, machine frame: the soft bounds, the table limits while they are checked,
+    /// Z no lower than Z bottom.
+    fn allowed(&self, axis: Axis) -> (f64, f64) {
+        let (bounded, to_bottom) = match self.errand {
+            Errand::Held(held) => (true, held.sets_bottom),
+            Errand::Keypad(keypad) => (keypad.bounded.contains(axis), true),
+            _ => (true, false),
+        };
+        let free = (f64::NEG_INFINITY, f64::INFINITY);
+        let soft = soft_bounds(&self.machine, axis).filter(|_| bounded);
+        let (mut low, mut high) = soft.unwrap_or(free);
+        let limits = &self.machine.program.limits;
+        if limits.check {
+            let zero = self.frame.base_zero[axis];
+            low = low.max(limits.low[axis] + zero);
+            high = high.min(limits.high[axis] + zero);
+        }
+        if axis == Axis::Z && !to_bottom && self.machine.axes.limit_movement {
+            low = low.max(self.machine.zpos.bottom_mm);
+        }
+        (low, high)
+    }
+
+    /// Why it is not done: it leads out of bounds.
+    pub(super) fn refusal(&self) -> Option<Box<Diagnostic>> {
+        if matches!(self.errand, Errand::Keypad(_)) && self.settings.mode == Mode::Preview {
+            let place = Place::line(self.errand.name().into(), 0);
+            let why =
+                Diagnostic::new(Code::NotSupported, place, "the keypad moves nothing in preview");
+            return Some(Box::new(why.hint("SM sets Move/Cut mode")));
+        }
+        if self.is_held() {
+            return None;
+        }
+        let (outside, reached) = self.places().into_iter().find_map(|to| {
+            let axis = Axis::ALL.into_iter().find(|axis| {
+                let (low, high) = self.allowed(*axis);
+                let moves = (to[*axis] - self.position[*axis]).abs() > SAME;
+                moves && !(low - SAME..=high + SAME).contains(&to[*axis])
+            })?;
+            Some((axis, to[axis]))
+        })?;
+        let (low, high) = self.allowed(outside);
+        let name = self.machine.motors.axis_name(outside);
+        let message = format!("Out of bounds: {name} would reach {reached:.3}");
+        let hint = format!("{name} goes from {low:.3} to {high:.3}");
+        let place = Place::line(self.errand.name().into(), 0);
+        Some(Box::new(Diagnostic::new(Code::OutsideLimits, place, message).hint(hint)))
+    }
+
+    /// The places that must be within bounds: the end of the way, all of one that is followed.
+    fn places(&self) -> Vec<Axes> {
+        if !matches!(self.errand, Errand::Along(_)) {
+            return self.legs.back().map(|leg| leg.to).into_iter().collect();
+        }
+        let mut places = Vec::new();
+        for leg in &self.legs {
+            places.push(leg.to);
+            let mut reaches = |at: Point2| {
+                let mut place = leg.to;
+                (place[Axis::X], place[Axis::Y]) = (at.x, at.y);
+                places.push(place);
+            };
+            leg.arc.iter().for_each(|arc| arc.extremes(&mut reaches));
+        }
+        places
+    }
+}
