@@ -4,6 +4,9 @@ import { defineConfig } from "vitest/config";
 export default defineConfig({
   test: {
     include: ["**/*.test.ts"],
+    // Hooks in the order of their files: what is shown is told before a test closes its pages.
+    setupFiles: ["tests/browser/aftermath.ts"],
+    sequence: { hooks: "list" },
     // What a test waits for comes when it comes: these only end one that waits for ever.
     testTimeout: 240_000,
     hookTimeout: 120_000,

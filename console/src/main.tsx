@@ -10,6 +10,12 @@ import { openLink, socketAddress } from "./link/link";
 
 const hands = { link: openLink(socketAddress(location)), screen: createScreen() };
 
+// How far this page has followed the server, for whoever looks at it from outside: compare `revision` of
+// /api/state.
+hands.link.shown.watch(() => {
+  document.documentElement.dataset.revision = `${hands.link.shown.get().snapshot?.revision ?? ""}`;
+});
+
 const page = document.getElementById("page");
 if (page) {
   createRoot(page).render(

@@ -1,7 +1,6 @@
 import { type PointerEvent, useEffect, useRef } from "react";
 import { ask, leased } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
-import type { JogHand } from "../keypad/jog";
 import { useJog } from "../keypad/useJog";
 import { leaseOf } from "../link/shown";
 import { Button } from "../ui/Button";
@@ -16,21 +15,31 @@ export function HandConsole() {
   const hands = useHands();
   const shown = useSnapshot("handConsole");
   const jog = useJog();
+  const held = useRef<ConsoleKey>(undefined);
+  /** Takes the machine first; a key that is let go before that means nothing. */
+  const takeAndPress = async (key: ConsoleKey) => {
+    const lease = await leased(worldOf(hands));
+    if (lease !== undefined && held.current === key) jog.press(key.key);
+  };
   const press = (key: ConsoleKey) => {
+    held.current = key;
     const world = worldOf(hands);
     const isStop = key.key === "P";
     if (leaseOf(world.shown) !== undefined) jog.press(key.key);
     else if (isStop) void ask(world, { do: "key", lease: 0, seq: 0, key: key.key });
-    else void leased(world);
+    else void takeAndPress(key);
   };
-  useKeyboard(press, jog);
+  const release = () => {
+    held.current = undefined;
+    jog.release();
+  };
+  useKeyboard(press, release);
   useEffect(() => void leased(worldOf(hands)), [hands]);
   const down = (key: ConsoleKey) => (event: PointerEvent) => {
     if (event.button !== 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
     press(key);
   };
-  const release = () => jog.release();
   return (
     <aside className="hand-console" aria-label="Hand console">
       <div className="hand-console-head">
@@ -77,9 +86,9 @@ const isField = (target: EventTarget | null): boolean =>
   (target.isContentEditable || ["INPUT", "TEXTAREA", "SELECT"].includes(target.tagName));
 
 /** Its keys on the keyboard, before anything else that these mean. */
-function useKeyboard(press: (key: ConsoleKey) => void, jog: JogHand) {
-  const latest = useRef(press);
-  latest.current = press;
+function useKeyboard(press: (key: ConsoleKey) => void, release: () => void) {
+  const latest = useRef({ press, release });
+  latest.current = { press, release };
   useEffect(() => {
     const meant = (event: KeyboardEvent) => {
       const key = keyOf(event.code, isField(event.target));
@@ -90,14 +99,14 @@ function useKeyboard(press: (key: ConsoleKey) => void, jog: JogHand) {
     };
     const down = (event: KeyboardEvent) => {
       const key = meant(event);
-      if (key && !event.repeat) latest.current(key);
+      if (key && !event.repeat) latest.current.press(key);
     };
-    const up = (event: KeyboardEvent) => meant(event) && jog.release();
+    const up = (event: KeyboardEvent) => meant(event) && latest.current.release();
     addEventListener("keydown", down, true);
     addEventListener("keyup", up, true);
     return () => {
       removeEventListener("keydown", down, true);
       removeEventListener("keyup", up, true);
     };
-  }, [jog]);
+  }, []);
 }

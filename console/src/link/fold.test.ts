@@ -9,6 +9,7 @@ describe("changes of the snapshot", () => {
     expect(next.overrides).toBe(overrides);
     expect(next.motion).toBe(firstSnapshot.motion);
     expect(next).not.toHaveProperty("change");
+    expect(next.revision).toBe(firstSnapshot.revision + 1);
   });
 
   it("empty a section", () =>

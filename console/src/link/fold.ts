@@ -10,7 +10,13 @@ const keepLast = <T>(list: readonly T[], more: readonly T[], most: number): T[] 
   [...list, ...more].slice(-most);
 
 /** The snapshot after a change; sections that did not change stay the same objects. */
-export function fold(now: Snapshot, change: Change): Snapshot {
+export const fold = (now: Snapshot, change: Change): Snapshot => ({
+  ...changed(now, change),
+  // As the number of 32 bits that it is.
+  revision: (now.revision + 1) >>> 0,
+});
+
+function changed(now: Snapshot, change: Change): Snapshot {
   switch (change.change) {
     case "printed":
       return { ...now, printed: keepLast(now.printed, change.lines, mostPrinted) };

@@ -902,6 +902,8 @@ export type Snapshot = {
 version: number,
 /** Version of Kerf. */
 kerf: string,
+/** Grows with every change: whoever follows sees whether he has heard them all. */
+revision: number,
 /** Whether only drawings are worked on here. */
 drawingOnly: boolean,
 /** The machine. */

@@ -1,6 +1,15 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { arm, command, fullFace, location, openWorkshop, until, type Workshop } from "./workshop";
+import {
+  arm,
+  carryOut,
+  command,
+  fullFace,
+  location,
+  openWorkshop,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -50,9 +59,8 @@ it("sbp_con_direct_immediate: what needs no parameters acts on the second key", 
 
 it("sbp_cmd_home_immediate: MH and JH move on their second letter", async () => {
   for (const home of ["mh", "jh"]) {
-    await command(page, "m2,1,1");
+    await carryOut(workshop, page, "m2,1,1");
     await reaches("Y", 1);
-    await ready();
     await line().pressSequentially(home);
     await reaches("X", 0);
     await reaches("Y", 0);

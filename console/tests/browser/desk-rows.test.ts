@@ -6,6 +6,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
 import {
   arm,
+  carryOut,
   command,
   commandDesk,
   hold,
@@ -27,20 +28,14 @@ beforeAll(async () => {
   file("words.sbp", "'alpha\nMX,1\n'beta\nEND\n");
   file("inner.sbp", "PAUSE 1\nMX,0\nPAUSE 60\n");
   file("outer.sbp", "SA\n\nFP,inner.sbp,,,1\nEND\n");
-  page = await commandDesk(workshop, 8000);
+  page = await commandDesk(workshop);
   await arm(page);
 });
 afterAll(() => workshop?.close());
 
 const line = () => page.getByLabel("Command line");
 const ready = () => page.locator(".state", { hasText: "Ready" }).waitFor();
-const run = async (text: string) => {
-  await command(page, text);
-  await until(async () => (await stateOf(workshop)).job?.command === text, `${text} is taken`);
-  // The server first: a page may still show the state from before the command.
-  await until(async () => (await stateOf(workshop)).machine.state === "idle", `${text} is done`);
-  await ready();
-};
+const run = (text: string) => carryOut(workshop, page, text);
 const screen = () => page.getByRole("region", { name: "Message screen" });
 
 beforeEach(async () => {
@@ -164,12 +159,16 @@ it("sbp_val_vd_msgscreen: place and size are those of VD in twips, and moving it
   await page.mouse.down();
   await page.mouse.move(250, strip + 112, { steps: 4 });
   await page.mouse.up();
-  await ready();
-  const values = (await (await fetch(`${workshop.address}/api/values`)).json()) as {
-    settings: string[];
+  const window = async () => {
+    const values = await (await fetch(`${workshop.address}/api/values`)).json();
+    const { settings } = values as { settings: string[] };
+    return settings
+      .find((text) => text.startsWith("VD,"))
+      ?.split(",")
+      .slice(12, 16);
   };
-  const vd = values.settings.find((text) => text.startsWith("VD,"))?.split(",") ?? [];
-  expect(vd.slice(12, 16)).toEqual(["2190", "1530", "7200", "3600"]);
+  await expect.poll(window).toEqual(["2190", "1530", "7200", "3600"]);
+  await ready();
   await page.getByRole("button", { name: "Close the message screen" }).click();
 });
 

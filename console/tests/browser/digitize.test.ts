@@ -13,7 +13,6 @@ beforeAll(async () => {
   await script(workshop, "draw", { op: { op: "new" } });
   await script(workshop, "draw", { op: { op: "do", clauses: "rect 0,0 100,100" } });
   page = await workshop.page({ width: 1360, height: 900 });
-  page.setDefaultTimeout(15_000);
   await page.getByRole("link", { name: "Draw" }).click();
   await arm(page);
 });

@@ -6,6 +6,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
 import {
   arm,
+  carryOut,
   command,
   commandDesk,
   location,
@@ -54,8 +55,7 @@ it("sbp_file_fe_last: FE opens an empty page at first, later the file that FP ra
   expect(await title()).toBe("New file");
   expect((await text().textContent())?.trim()).toBe("");
   await page.getByRole("link", { name: "Operate" }).click();
-  await command(page, "FP,a.sbp");
-  await ended("FP,a.sbp");
+  await carryOut(workshop, page, "FP,a.sbp");
   await command(page, "FE");
   await text().filter({ hasText: "MX,2" }).waitFor();
   expect(await title()).toBe("a.sbp");
@@ -93,8 +93,7 @@ it("sbp_file_fn: FN opens an empty page, which asks for its name and becomes a .
 });
 
 it("sbp_file_fe_infile: a program shows a file and goes on when the editor is closed", async () => {
-  await command(page, "MX,0");
-  await ended("MX,0");
+  await carryOut(workshop, page, "MX,0");
   await command(page, "FP,waits.sbp");
   const bar = page.getByRole("region", { name: "The program waits" });
   await bar.waitFor();

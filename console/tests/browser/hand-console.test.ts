@@ -19,14 +19,19 @@ beforeAll(async () => {
   );
   await page.reload();
   await page.locator(".state", { hasText: /./ }).waitFor();
-  await page.keyboard.press("Control+k");
-  await page.getByRole("dialog").getByRole("textbox").fill("hand console");
-  await page.getByRole("option", { name: "Hand console" }).waitFor();
-  await page.keyboard.press("Enter");
+  await chooses("Hand console");
   await panel().waitFor();
   await until(async () => (await stateOf(workshop)).lease !== null, "the page drives");
 });
 afterAll(() => workshop?.close());
+
+/** An action of the palette. */
+async function chooses(words: string): Promise<void> {
+  await page.keyboard.press("Control+k");
+  await page.getByRole("dialog").getByRole("textbox").fill(words);
+  await page.getByRole("option", { name: words }).waitFor();
+  await page.keyboard.press("Enter");
+}
 
 const panel = () => page.getByRole("complementary", { name: "Hand console" });
 const lines = async () =>
@@ -72,6 +77,19 @@ it("pro_console_pckeys: F12, keypad 0 and keypad Enter are Func, 0 and Enter", a
   await page.keyboard.press("F11");
   await expect.poll(() => pressed).toEqual(["S", "P"]);
   await click("Enter");
+});
+
+it("a key that is held while nobody drives takes the machine first, and is not lost", async () => {
+  await chooses("Give up control");
+  await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
+  await page.getByRole("dialog").waitFor({ state: "detached" });
+  pressed.length = 0;
+  await page.keyboard.down("F12");
+  await shows("Enter function:", "0 Cut speed");
+  await page.keyboard.up("F12");
+  expect(pressed).toEqual(["U"]);
+  await click("Func");
+  await shows("JOB: Untitled", "0x0mm #0");
 });
 
 it("pro_console_mimic_screen: the page shows what the console shows", async () => {

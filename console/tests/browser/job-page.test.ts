@@ -34,7 +34,6 @@ beforeAll(async () => {
   expect(await draw({ op: "save", name: "part.rsg" })).toBe(200);
   expect(await draw({ op: "new" })).toBe(200);
   page = await workshop.page({ width: 1360, height: 800 });
-  page.setDefaultTimeout(15_000);
 });
 afterAll(() => workshop?.close());
 

@@ -7,6 +7,7 @@ import { afterAll, beforeAll, expect, it } from "vitest";
 import { type Painted, type Pixel, painted } from "./pixels";
 import {
   arm,
+  carryOut,
   command,
   commandDesk,
   moment,
@@ -115,9 +116,8 @@ it("sbp_con_preview: a thousand lines are drawn, jogs red; pan, zoom, turn; exte
   await changes("turned", drag);
   await page.getByRole("radio", { name: "Top" }).click();
 
-  await command(page, "SP");
+  await carryOut(workshop, page, "SP");
   await page.getByRole("button", { name: "PREVIEW" }).waitFor();
-  await idle();
   await page.locator('[data-path="all"]').waitFor();
   await page.getByRole("button", { name: "Clear", exact: true }).click();
   await page.getByText("The preview is cleared.").waitFor();
@@ -137,14 +137,12 @@ it("sbp_cmd_sp_clear: SP in preview empties the picture on every page, the next 
   await page.getByRole("button", { name: "Start" }).click();
   await page.locator('[data-path="all"]').waitFor();
   await idle();
-  await command(page, "SM");
+  await carryOut(workshop, page, "SM");
   await page.getByRole("button", { name: "SIMULATED" }).waitFor();
-  await idle();
 });
 
 it("sbp_con_preview_cut: with simulate on, CC,4 takes a ring a quarter of an inch wide out of the stock", async () => {
-  await command(page, "VP,,,,,1");
-  await idle();
+  await carryOut(workshop, page, "VP,,,,,1");
   await opens("ring.sbp");
   const stock = page.getByRole("button", { name: "Stock" });
   await expect.poll(() => stock.getAttribute("aria-pressed")).toBe("true");

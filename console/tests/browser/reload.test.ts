@@ -7,6 +7,7 @@ import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import {
   arm,
+  carryOut,
   comesToRest,
   command,
   commandDesk,
@@ -62,9 +63,7 @@ async function everywhere(shows: (one: Page) => Promise<void>): Promise<void> {
 const word = (text: string) => (one: Page) => one.locator(".state", { hasText: text }).waitFor();
 
 it("an alarm is shown with its reason until somebody takes note of it", async () => {
-  await command(page, "VL,0,10,0,10,,,,,1");
-  await begins("idle");
-  await page.locator(".state", { hasText: "Ready" }).waitFor();
+  await carryOut(workshop, page, "VL,0,10,0,10,,,,,1");
   await command(page, "MX,30");
   await page.getByRole("button", { name: "End" }).click();
   await begins("alarm");
@@ -76,8 +75,7 @@ it("an alarm is shown with its reason until somebody takes note of it", async ()
   await other.getByRole("button", { name: "Acknowledge" }).click();
   await begins("idle");
   await arm(page);
-  await command(page, "VL,,,,,,,,,0");
-  await begins("idle");
+  await carryOut(workshop, page, "VL,,,,,,,,,0");
 });
 
 it("line by line: the line that is due, and what is watched, are the same everywhere", async () => {
@@ -93,7 +91,7 @@ it("line by line: the line that is due, and what is watched, are the same everyw
   await everywhere(due(1));
   for (const line of [2, 3]) {
     await step(other).getByRole("button", { name: "Step", exact: true }).click();
-    await due(line)(page);
+    for (const one of [page, other]) await due(line)(one);
   }
   await everywhere(async (one) => {
     await due(3)(one);

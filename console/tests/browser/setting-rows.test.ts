@@ -6,6 +6,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
 import {
   arm,
+  carryOut,
   command,
   commandDesk,
   location,
@@ -35,13 +36,13 @@ beforeEach(async () => {
 
 const state = (wanted: string) =>
   until(async () => (await stateOf(workshop)).machine.state === wanted, wanted);
-const run = async (line: string) => {
-  await command(page, line);
-  await until(async () => (await stateOf(workshop)).job?.command === line, `${line} is taken`);
-  await state("idle");
-  await page.locator(".state", { hasText: "Ready" }).waitFor();
-};
+const run = (line: string) => carryOut(workshop, page, line);
 const keypad = () => page.getByRole("dialog", { name: "Keypad" });
+/** The keypad is, on the page and at the machine. */
+const closed = async () => {
+  await state("idle");
+  await keypad().waitFor({ state: "detached" });
+};
 const working = async (n: number) => (await stateOf(workshop)).motion.at.working[n] ?? 0;
 const settings = async () => {
   const values = await (await fetch(`${workshop.address}/api/values`)).json();
@@ -59,7 +60,7 @@ it("sbp_val_vd_fixed: a tap at the keypad moves the distance of VD", async () =>
   await state("asking");
   await expect.poll(() => working(0)).toBeCloseTo(before + 0.05 * 25.4, 3);
   await page.keyboard.press("Escape");
-  await state("idle");
+  await closed();
 });
 
 it("sbp_val_vd_autooff: with it on, closing the keypad switches outputs off", async () => {
@@ -74,7 +75,7 @@ it("sbp_val_vd_autooff: with it on, closing the keypad switches outputs off", as
     await keypad().waitFor();
     expect(await output()).toBe(true);
     await page.keyboard.press("Escape");
-    await state("idle");
+    await closed();
     await expect.poll(output).toBe(left);
   }
   await run("VD,,,,,,,,,,,,,,,,0");

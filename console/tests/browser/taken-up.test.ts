@@ -36,6 +36,9 @@ it("a run that a power cut ended is taken up after the safe way back, in each br
   expect(interrupted).toMatchObject({ file: "cut.sbp", stopped: false, moved: true });
   expect(machine.armed).toBe(false);
   const [page, other] = [await workshop.page(), await workshop.page()];
+  for (const one of [page, other]) {
+    await one.locator(".state", { hasText: "not verified: home X Y Z, or zero them" }).waitFor();
+  }
   await other.getByText("the run of cut.sbp was cut short behind line").waitFor();
   const offer = page.getByRole("button", { name: "Take it up…" });
   expect(await offer.isDisabled(), "not before somebody arms the machine").toBe(true);

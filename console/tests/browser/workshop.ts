@@ -18,12 +18,17 @@ export interface Workshop {
   readonly browser: Browser;
   /** A page of this size; what went wrong on it is kept in `mistakes`. */
   page(size?: { width: number; height: number }): Promise<Page>;
+  /** Every page that was opened here. */
+  readonly pages: readonly Page[];
   /** Errors of every page so far. */
   readonly mistakes: string[];
   /** Ends the server as a power cut does, and keeps its folder. */
   kill(): Promise<void>;
   close(): Promise<void>;
 }
+
+/** Those that are open in this file of tests. */
+export const openWorkshops = new Set<Workshop>();
 
 /** What the server itself tells, past every page. */
 export async function stateOf(workshop: Workshop): Promise<Snapshot> {
@@ -55,9 +60,8 @@ export async function fullFace(page: Page): Promise<void> {
 }
 
 /** A page with the FULL face on which the sheets stay closed: what is typed is sent as it is. */
-export async function commandDesk(workshop: Workshop, patience_ms = 30_000): Promise<Page> {
+export async function commandDesk(workshop: Workshop): Promise<Page> {
   const page = await workshop.page();
-  page.setDefaultTimeout(patience_ms);
   await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
   await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
   await page.reload();
@@ -69,6 +73,16 @@ export async function commandDesk(workshop: Workshop, patience_ms = 30_000): Pro
 export async function command(page: Page, line: string): Promise<void> {
   await page.getByLabel("Command line").pressSequentially(line);
   await page.keyboard.press("Enter");
+}
+
+/** Types a line and waits until it is done. */
+export async function carryOut(workshop: Workshop, page: Page, line: string): Promise<void> {
+  const before = (await stateOf(workshop)).job?.run ?? 0;
+  await command(page, line);
+  await until(async () => {
+    const { job, machine } = await stateOf(workshop);
+    return (job?.run ?? 0) > before && machine.state === "idle";
+  }, `${line} is done`);
 }
 
 /** Goes with Tab to what has this name, as a person without a mouse does. */
@@ -94,12 +108,28 @@ export async function enter(page: Page, name: string | RegExp): Promise<void> {
 /** How long a test waits for anything before it says that it never comes. */
 const patienceMs = 60_000;
 
-/** Waits until something holds, looked at again and again. */
+/**
+ * Waits until something holds, looked at again and again; and until every page has heard what the server
+ * has told so far, so that what is pressed next means that.
+ */
 export async function until(holds: () => Promise<boolean>, words: string): Promise<void> {
   const end = Date.now() + patienceMs;
   while (!(await holds())) {
     if (Date.now() > end) throw new Error(`never: ${words}`);
     await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  for (const workshop of openWorkshops) await catchUp(workshop);
+}
+
+/** How long a page that hears nothing is waited for: its link may be what a test is about. */
+const deafMs = 2000;
+
+async function catchUp(workshop: Workshop): Promise<void> {
+  const told = await stateOf(workshop).catch(() => undefined);
+  const heard = (revision: number) => Number(document.documentElement.dataset.revision) >= revision;
+  for (const page of workshop.pages.filter((one) => !one.isClosed())) {
+    const waits = page.waitForFunction(heard, told?.revision ?? 0, { timeout: deafMs });
+    await waits.catch(() => undefined);
   }
 }
 
@@ -131,15 +161,18 @@ export const keysOf = (page: Page, keys: readonly string[]): Hand => ({
 
 /**
  * Holds what moves the tool until something is so, and does not let go. On a busy computer a link may be
- * slow for a moment, which ends a jog: then it is let go and held again.
+ * slow for a moment, which ends a jog: then it is let go and held again. Gives the machine as it stood
+ * before it was held last.
  */
 export async function hold(
   workshop: Workshop,
   hand: Hand,
   holds: (now: Snapshot) => boolean,
   words: string,
-): Promise<void> {
+): Promise<Snapshot> {
+  let stood = await stateOf(workshop);
   await until(async () => {
+    stood = await stateOf(workshop);
     await hand.down();
     for (let [look, moved] = [0, false]; look < looks; look += 1) {
       const now = await stateOf(workshop);
@@ -153,6 +186,7 @@ export async function hold(
     await until(() => stands(workshop), "what was begun is over");
     return false;
   }, words);
+  return stood;
 }
 
 /** Stops and acknowledges until the machine is idle. */
@@ -233,6 +267,17 @@ function addressOf(server: ChildProcess): Promise<string> {
   });
 }
 
+/** What the server tells a page comes later by so much, milliseconds: tests must not hurry before it. */
+const lagMs = Number(process.env.KERF_LAG_MS ?? 0);
+
+async function delayed(page: Page): Promise<void> {
+  if (lagMs === 0) return;
+  await page.routeWebSocket(/\/ws$/, (link) => {
+    const server = link.connectToServer();
+    server.onMessage((message) => void setTimeout(() => link.send(message), lagMs));
+  });
+}
+
 export async function openWorkshop(options: WorkshopOptions = {}): Promise<Workshop> {
   const folder = options.folder ?? mkdtempSync(join(tmpdir(), "kerf-console-"));
   for (const part of options.parts ?? []) {
@@ -252,10 +297,12 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
     args: chromiumFlags,
   });
   const mistakes: string[] = [];
-  return {
+  const pages: Page[] = [];
+  const workshop: Workshop = {
     address,
     parts: folder,
     browser,
+    pages,
     mistakes,
     async page(size = { width: 1280, height: 720 }) {
       const page = await browser.newPage({ viewport: size });
@@ -264,6 +311,8 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
       page.on("console", (message) => {
         if (message.type() === "error") mistakes.push(message.text());
       });
+      pages.push(page);
+      await delayed(page);
       await page.goto(address);
       return page;
     },
@@ -271,12 +320,16 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
       const gone = new Promise((done) => server.once("exit", done));
       server.kill("SIGKILL");
       await gone;
+      openWorkshops.delete(workshop);
       await browser.close();
     },
     async close() {
+      openWorkshops.delete(workshop);
       await browser.close();
       server.kill();
       rmSync(folder, { recursive: true, force: true });
     },
   };
+  openWorkshops.add(workshop);
+  return workshop;
 }

@@ -104,4 +104,5 @@ export const firstSnapshot: Snapshot = {
   handConsole: { lines: ["JOB: Untitled", "0x0mm #0"], beeps: 0, link: "" },
   digitized: null,
   looked: null,
+  revision: 0,
 };

@@ -28,6 +28,11 @@ pub trait Operator {
     /// An input has answered the question that was asked last.
     fn answered(&mut self) {}
 
+    /// The line of a script that answered last, counted from 1; none when a person did.
+    fn script_line(&self) -> Option<usize> {
+        None
+    }
+
     /// Whether a question was left unanswered because the operator stopped the machine: then the run
     /// is over, and the default does not count.
     fn gives_up(&self) -> bool {
@@ -38,46 +43,67 @@ pub trait Operator {
 /// Answers written down beforehand.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Answers {
-    in_order: VecDeque<String>,
-    by_line: BTreeMap<u32, VecDeque<String>>,
-    by_kind: BTreeMap<&'static str, String>,
+    in_order: VecDeque<Line>,
+    by_line: BTreeMap<u32, VecDeque<Line>>,
+    by_kind: BTreeMap<&'static str, Line>,
+    /// The line that answered last.
+    last: Option<usize>,
+}
+
+/// A line of a script.
+#[derive(Clone, Debug, PartialEq)]
+struct Line {
+    number: usize,
+    answer: String,
 }
 
 impl Answers {
     /// Reads a script.
     pub fn read(text: &str) -> Self {
         let mut answers = Self::default();
-        for line in text.lines().filter(|l| !l.starts_with('#')) {
-            answers.add(line.trim());
+        for (index, line) in text.lines().enumerate().filter(|(_, l)| !l.starts_with('#')) {
+            answers.add(index + 1, line.trim());
         }
         answers
     }
 
-    fn add(&mut self, text: &str) {
-        if let Some((line, answer)) = numbered(text) {
-            self.by_line.entry(line).or_default().push_back(answer.to_owned());
+    fn add(&mut self, number: usize, text: &str) {
+        let line = |answer: &str| Line { number, answer: answer.to_owned() };
+        if let Some((asks, answer)) = numbered(text) {
+            self.by_line.entry(asks).or_default().push_back(line(answer));
         } else if let Some((kind, answer)) = of_kind(text) {
-            self.by_kind.insert(kind, answer.to_owned());
+            self.by_kind.insert(kind, line(answer));
         } else {
-            self.in_order.push_back(text.to_owned());
+            self.in_order.push_back(line(text));
         }
     }
 }
 
 impl Operator for Answers {
     /// The answer of the line, else of the kind, else the next in order. Boxes that the machine
-    /// shows, not the program, leave the next one alone when it does not fit them.
+    /// shows, not the program, leave the next one alone when it does not fit them; a job asks nothing else,
+    /// so that what does not fit its boxes is a mistake.
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
         let by_line = self.by_line.get_mut(&line).and_then(VecDeque::pop_front);
         let by_kind = || self.by_kind.get(kind_word(question.kind)).cloned();
-        by_line.or_else(by_kind).or_else(|| {
-            let fits = self.in_order.front().is_some_and(|w| meaning(question, w).is_some());
+        let given = by_line.or_else(by_kind).or_else(|| {
+            let next = self.in_order.front();
+            let fits = next.is_some_and(|line| meaning(question, &line.answer).is_some());
             let asked = matches!(
                 question.kind,
-                QuestionKind::Input | QuestionKind::Msgbox | QuestionKind::Pause
+                QuestionKind::Input
+                    | QuestionKind::Msgbox
+                    | QuestionKind::Pause
+                    | QuestionKind::Paused
             );
             (asked || fits).then(|| self.in_order.pop_front()).flatten()
-        })
+        });
+        self.last = given.as_ref().map(|line| line.number);
+        given.map(|line| line.answer)
+    }
+
+    fn script_line(&self) -> Option<usize> {
+        self.last
     }
 }
 
@@ -228,6 +254,17 @@ mod tests {
         assert_eq!(answers.answer(&limit, 1), None);
         assert_eq!(answers.answer(&question(QuestionKind::Input, &[]), 2).as_deref(), Some("3.5"));
         assert_eq!(answers.answer(&limit, 3).as_deref(), Some("Continue"));
+    }
+
+    #[test]
+    fn a_job_takes_the_next_answer_whatever_it_says() {
+        let mut answers = Answers::read("# note\n\ncut 0\nresume");
+        let paused = question(QuestionKind::Paused, &[Button::Continue, Button::Abort]);
+        let taken = |answers: &mut Answers| (answers.answer(&paused, 1), answers.script_line());
+        for (line, words) in [(2, ""), (3, "cut 0"), (4, "resume")] {
+            assert_eq!(taken(&mut answers), (Some(words.into()), Some(line)));
+        }
+        assert_eq!(taken(&mut answers), (None, None));
     }
 
     #[test]

@@ -118,7 +118,9 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.machine.foresee(&plan, t0_s);
             let mut index = 0;
             while index < plan.moves().len() {
-                let going = Going { plan: &plan, index, t0_s, until: plan.moves().len() };
+                let until = plan.moves().len();
+                // No share of it is one of a move of the program, which is taken up at its own.
+                let going = Going { plan: &plan, index, t0_s, until, part: 0.0 };
                 let stops = driven.is_some();
                 let until = self.driven_until(&watched, going, stops);
                 let Some((t_s, why, ramped)) = until else {

@@ -70,6 +70,9 @@ pub enum DrawnError {
     /// What cannot be cut, a sentence each.
     #[error("{}", .0.join("; "))]
     Uncut(Vec<String>),
+    /// A job that is not what it was.
+    #[error(transparent)]
+    Damaged(#[from] kerf_toolpath::Damaged),
 }
 
 /// Millimetres from dot to dot of a picture when nothing is said.
@@ -109,7 +112,7 @@ pub fn print(
         return picture(bytes, how, printer);
     }
     let (job, findings) = if kind == "rsm" {
-        let (job, read) = kerf_toolpath::read(bytes);
+        let (job, read) = kerf_toolpath::read_whole(bytes)?;
         (job, read.findings)
     } else {
         job(drawing(bytes, kind), how)?

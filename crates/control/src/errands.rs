@@ -1,7 +1,7 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
 use crate::runner::{Over, Runner};
-use crate::session::{Company, RunOptions, Session, Summary, end_event, lost, summary};
+use crate::session::{Company, RunOptions, Session, Summary, end_event, summary, unverified};
 use crate::shelf::Shelf;
 use crate::stopping::CONFIRM;
 use crate::world::World;
@@ -40,7 +40,7 @@ impl Session {
             _ => AxisSet::first(AXES),
         };
         let simulated = self.machine_like(machine, options.inputs, bounded);
-        let simulated = simulated.pushed(options.pushes).doubting(lost(shelf));
+        let simulated = simulated.pushed(options.pushes).doubting(unverified(shelf));
         self.memory.settings = settings;
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
@@ -175,7 +175,7 @@ impl Session {
 
     /// What is homed is no longer in doubt.
     pub(crate) fn location_is_known(&self, shelf: &mut Shelf) {
-        let doubted = lost(shelf).without(self.homed);
+        let doubted = unverified(shelf).without(self.homed);
         let letters: String = doubted.iter().map(Axis::letter).collect();
         shelf.stored.set(POSITION_LOST, Some(&*letters).filter(|it| !it.is_empty()));
     }
@@ -273,6 +273,15 @@ fn names(machine: &Configuration, axes: AxisSet) -> String {
 pub(crate) fn unconfirmed(shelf: &Shelf) -> AxisSet {
     let letters = shelf.stored.get(CONFIRM).unwrap_or_default();
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
+}
+
+impl Shelf {
+    /// Whoever cuts next is asked whether these axes are where they are believed to be.
+    pub fn doubts_location(&mut self, axes: AxisSet) {
+        let letters: String = axes.iter().map(Axis::letter).collect();
+        self.set_value(POSITION_LOST, Some(&letters));
+        self.set_value(CONFIRM, Some(&letters));
+    }
 }
 
 /// The location of these axes is right, or was set.

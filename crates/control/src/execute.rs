@@ -151,13 +151,14 @@ impl<I: Interpreter> Runner<'_, I> {
             let (begin_s, end_s) = plan.span_s(index);
             let [_, end_s] = self.moments(t0_s, [begin_s, end_s]);
             match &turned {
-                Some((_, turn, _)) => {
-                    let going = Going { plan: &plan, index, t0_s, until: plan.moves().len() };
+                Some((stop, turn, _)) => {
+                    let (until, part) = (plan.moves().len(), stop.part(index));
+                    let going = Going { plan: &plan, index, t0_s, until, part };
                     self.pass_on(turn, end_s, going);
                 }
                 None => {
                     let until = index.saturating_add(self.stack.before_mark());
-                    let going = Going { plan: &plan, index, t0_s, until };
+                    let going = Going { plan: &plan, index, t0_s, until, part: 1.0 };
                     if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
                         if let Turn::Operator(Wish::Input { number, on }) = turn {
                             self.press(number, on, t_s);
@@ -165,7 +166,7 @@ impl<I: Interpreter> Runner<'_, I> {
                             halt = self.world.machine.first_halt(end_s, &watched);
                             continue;
                         }
-                        if self.is_overtaken(turn) {
+                        if self.overtakes(turn) {
                             self.stand_back(&plan.moves()[index..]);
                             return None;
                         }
@@ -193,9 +194,9 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Whether the power went while the machine was about to do what the operator wants.
-    fn is_overtaken(&mut self, turn: Turn) -> bool {
+    fn overtakes(&mut self, turn: Turn) -> bool {
         let Turn::Operator(wish) = turn else { return false };
-        let overtaken = self.is_taken_up();
+        let overtaken = self.is_overtaken();
         if overtaken {
             self.overtaken(wish);
         }

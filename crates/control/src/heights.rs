@@ -4,20 +4,35 @@
 use crate::Event;
 use kerf_program::job::Heights;
 
-/// Heights that held when the tool was at a height.
+/// Heights in force, and what they are measured by: the height of the tool, and as soon as a sensor reads, the
+/// sheet itself, which Z comes after.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Carried {
-    /// The heights.
-    pub heights: Heights,
-    /// Where the tool was, Z of the machine frame, mm.
-    pub z_mm: f64,
+    heights: Heights,
+    /// What they held for, Z of the machine frame, mm.
+    held_at_mm: f64,
+    /// The gap that was read last, mm.
+    gap_mm: Option<f64>,
 }
 
 impl Carried {
+    /// Heights that hold while the tool is at a height.
+    pub const fn told(heights: Heights, z_mm: f64) -> Self {
+        Self { heights, held_at_mm: z_mm, gap_mm: None }
+    }
+
+    /// The heights under a tool at a height over the sheet; the first that is read is what they were told for.
+    pub fn read(&mut self, z_mm: f64, gap_mm: f64) -> Heights {
+        if self.gap_mm.replace(gap_mm).is_none() {
+            self.held_at_mm = z_mm - gap_mm;
+        }
+        self.at(z_mm)
+    }
+
     /// The heights now that height control has brought the tool elsewhere.
     pub fn at(&self, z_mm: f64) -> Heights {
         let Heights { top_mm, surface_mm, bottom_mm } = self.heights;
-        let by = z_mm - self.z_mm;
+        let by = z_mm - self.gap_mm.unwrap_or(0.0) - self.held_at_mm;
         Heights { top_mm: top_mm + by, surface_mm: surface_mm + by, bottom_mm }
     }
 }

@@ -5,7 +5,7 @@ use kerf_formats::{Finding, Weight};
 use kerf_geom::Point2;
 use kerf_machine::Configuration;
 use kerf_program::job::JobShape;
-use kerf_toolpath::{Job, NoRoom};
+use kerf_toolpath::{Damaged, Job, NoRoom};
 use std::sync::Arc;
 
 /// The extension of jobs.
@@ -31,8 +31,11 @@ pub struct Choice {
 
 /// The job in the bytes of a file, and what was noticed: also that it was made with another smoothing factor
 /// than the one in force.
-pub fn read(bytes: &[u8], smoothing: f64) -> (Job, Vec<Finding>) {
-    let (job, read) = kerf_toolpath::read(bytes);
+///
+/// # Errors
+/// The file is damaged: what is left of it is not cut.
+pub fn read(bytes: &[u8], smoothing: f64) -> Result<(Job, Vec<Finding>), Damaged> {
+    let (job, read) = kerf_toolpath::read_whole(bytes)?;
     let mut findings = read.findings;
     if let Some(made) = job.smoothing.filter(|made| *made != smoothing) {
         let text = format!(
@@ -41,7 +44,7 @@ pub fn read(bytes: &[u8], smoothing: f64) -> (Job, Vec<Finding>) {
         );
         findings.push(Finding { line: 0, weight: Weight::Warning, text });
     }
-    (job, findings)
+    Ok((job, findings))
 }
 
 /// A job as it runs on a machine, under a name. People know its paths by their place in cutting order, as

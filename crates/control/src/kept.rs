@@ -27,7 +27,8 @@ impl Session {
             return Ok((Self::default(), Whereabouts::Known));
         };
         if remembered.whereabouts == Whereabouts::Moving {
-            let letters: String = Axis::ALL.into_iter().map(Axis::letter).collect();
+            let axes = remembered.machine.motors.axes();
+            let letters: String = axes.iter().map(Axis::letter).collect();
             shelf.stored.learn(POSITION_LOST, Some(&letters));
         }
         let mut session = Self::new(remembered.memory);
@@ -76,13 +77,22 @@ impl Session {
         let company = Company { sink, operator, pace };
         let kept = KeptWork::of(&work)?;
         let run = RunUnderWay::new(self, &kept, &options, settings, shelf);
-        shelf.tape = journal.begin(&run, &kept.bytes)?;
+        shelf.tape = journal.begin(&run, self, &kept.bytes)?;
         // A location that is in doubt is so for everybody from now on.
         shelf.stored.keep(POSITION_LOST);
         journal.each_commit_lasts(company.pace.is_real())?;
         let summary = self.go(work, options, shelf, company, None);
-        self.over(&run, &summary, shelf, &owner)?;
-        Ok(summary)
+        self.over(&run, summary, shelf, &owner)
+    }
+
+    /// Keeps where the machine is, after its locations were shifted.
+    ///
+    /// # Errors
+    /// As the journal cannot be written, or another process has the machine.
+    pub fn keep_place(&self, shelf: &Shelf) -> Result<(), JournalError> {
+        let Some(journal) = shelf.journal() else { return Ok(()) };
+        let _owner = journal.own()?;
+        journal.end_by_hand(self)
     }
 
     /// The operator says whether the location is right, where that is in doubt since an emergency stop.
@@ -97,10 +107,11 @@ impl Session {
         if unconfirmed(shelf).is_empty() {
             return Ok(None);
         }
+        journal.begin_by_hand(self)?;
         let summary = self.confirm_location(work, options, shelf, company);
         shelf.stored.keep(POSITION_LOST);
         shelf.stored.keep(CONFIRM);
-        journal.remember_place(self)?;
+        journal.end_by_hand(self)?;
         Ok(summary)
     }
 
@@ -114,11 +125,9 @@ impl Session {
         company: Company<'_>,
         journal: &Journal,
     ) -> Result<Option<Summary>, JournalError> {
-        let lost = shelf.stored.get(POSITION_LOST).map(str::to_owned);
         let moves = matches!(work, Work::Hand(..)) || self.homes_before(work, options);
         if moves {
-            shelf.stored.set(POSITION_LOST, Some("XYZABC"));
-            shelf.stored.keep(POSITION_LOST);
+            journal.begin_by_hand(self)?;
         }
         let summary = match work {
             Work::Hand(errand, machine) => {
@@ -128,10 +137,9 @@ impl Session {
             _ => self.before_run(work, options, shelf, company),
         };
         if moves {
-            shelf.stored.set(POSITION_LOST, lost.as_deref());
             self.location_is_known(shelf);
             shelf.stored.keep(POSITION_LOST);
-            journal.remember_place(self)?;
+            journal.end_by_hand(self)?;
         }
         Ok(summary)
     }
@@ -149,27 +157,46 @@ impl Session {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = shelf.journal().cloned().ok_or_else(nothing)?;
         let owner = journal.own()?;
-        let (work, tape) = journal.take_up(cut)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
+        let (work, tape) = journal.take_up(cut, stands)?;
         let run = &cut.run;
-        *self = cut.session();
+        // Whoever homed the machine since knows its homes.
+        *self = Self { homed: self.homed, ..cut.session() };
         shelf.as_it_was(&run.folders, run.shell);
         shelf.stored.begin_from(run.values.clone());
         shelf.tape = tape;
         journal.each_commit_lasts(company.pace.is_real())?;
         let summary = self.go(work, run.options.clone(), shelf, company, Some(stands));
-        self.over(run, &summary, shelf, &owner)?;
-        Ok(summary)
+        self.over(run, summary, shelf, &owner)
     }
 
+    /// A run is over: what it left is kept.
     fn over(
+        &self,
+        run: &RunUnderWay,
+        summary: Summary,
+        shelf: &mut Shelf,
+        owner: &Owner,
+    ) -> Result<Summary, JournalError> {
+        match self.keep_ended(run, &summary, shelf, owner) {
+            Ok(()) => Ok(summary),
+            // It has not come where it was.
+            Err(why @ JournalError::Unfit(_)) => Err(why),
+            Err(why) => {
+                Err(JournalError::NotKept { summary: Box::new(summary), why: Box::new(why) })
+            }
+        }
+    }
+
+    fn keep_ended(
         &self,
         run: &RunUnderWay,
         summary: &Summary,
         shelf: &mut Shelf,
         _: &Owner,
     ) -> Result<(), JournalError> {
-        let tape: Tape = std::mem::take(&mut shelf.tape);
+        let mut tape: Tape = std::mem::take(&mut shelf.tape);
+        tape.ends();
         self.keep_switches(shelf);
         let Some(journal) = shelf.journal() else { return Ok(()) };
         if let Some(why) = tape.unfit() {

@@ -82,7 +82,7 @@ pub use pace::{Doing, Failure, Going, Pace, Script, StopAt, Wish};
 pub use part_log::Started;
 pub use parts::{Listing, PartFile};
 pub use press::Press;
-pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word};
+pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word, unverified};
 pub use shelf::{Firmware, MOST_BYTES, Shelf, Shell};
 pub use sink::{Made, Sink};
 pub use standing::{OpenFile, Standing, flag};

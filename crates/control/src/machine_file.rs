@@ -6,6 +6,7 @@
 
 use crate::files::{Disk, RealDisk};
 use kerf_diag::Diagnostic;
+use kerf_machine::profile::PROFILES;
 use kerf_machine::{Configuration, Value, contradictions, file, table};
 use kerf_program::Settings;
 use std::io;
@@ -58,6 +59,31 @@ impl MachineFile {
         self.0.display().to_string()
     }
 
+    /// Puts another machine in its place. What was there is kept beside it, under the name that is given, unless it
+    /// is a machine that comes with Kerf.
+    ///
+    /// # Errors
+    /// As it cannot be written, or read.
+    pub fn replace(&self, text: &str) -> Result<Option<PathBuf>, MachineFileError> {
+        let before = self.text()?.filter(|before| before != text);
+        let own = before.filter(|before| PROFILES.iter().all(|ready| ready.text != before));
+        self.read(text)?;
+        let kept = own.map(|own| self.keep_beside(&own)).transpose()?;
+        self.write(text)?;
+        Ok(kept)
+    }
+
+    /// Keeps a text beside the file, under a name that is free.
+    fn keep_beside(&self, text: &str) -> Result<PathBuf, MachineFileError> {
+        let name = |n: u32| match n {
+            1 => PathBuf::from(format!("{}.before", self.name())),
+            n => PathBuf::from(format!("{}.before-{n}", self.name())),
+        };
+        let free = (1..).map(name).find(|path| !path.exists()).unwrap_or_else(|| name(0));
+        RealDisk.write(&free, text.as_bytes()).map_err(|error| self.of_disk(error))?;
+        Ok(free)
+    }
+
     /// What it says; `None` where it is not there.
     ///
     /// # Errors
@@ -79,11 +105,12 @@ impl MachineFile {
         read.map_err(|found| MachineFileError::Mistakes(told(&found)))
     }
 
-    /// Puts a text in its place, whole or not at all.
+    /// Puts a text in its place, whole or not at all, once it is known that it can be read.
     ///
     /// # Errors
-    /// As it cannot be written.
+    /// As it cannot be written, or read.
     pub fn write(&self, text: &str) -> Result<(), MachineFileError> {
+        self.read(text)?;
         let folder = self.0.parent().unwrap_or(Path::new(""));
         let made = RealDisk.make_folder(folder);
         made.and_then(|()| RealDisk.write(&self.0, text.as_bytes())).map_err(|e| self.of_disk(e))

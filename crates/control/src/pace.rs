@@ -61,6 +61,9 @@ pub struct Going<'a> {
     pub t0_s: f64,
     /// Before this move of the plan something else has to be done.
     pub until: usize,
+    /// How much of the move that was planned its shares are of: less than 1 where it ends at a stop within, 0
+    /// where the machine moves beside the program.
+    pub part: f64,
 }
 
 impl Going<'_> {

@@ -7,7 +7,7 @@
 //!
 //! The line at which a run ended is where FG can take it up again.
 
-use crate::Session;
+use crate::{Session, Shelf};
 use kerf_diag::Diagnostic;
 use kerf_program::Status;
 use kerf_program::settings::Mode;
@@ -83,6 +83,23 @@ pub(crate) fn why(status: Status, error: Option<&Diagnostic>) -> Option<&'static
 pub(crate) fn last_line(log: &str) -> Option<u32> {
     let mut fields = log.lines().next_back()?.split(',');
     (fields.next() == Some("TERMINATED")).then(|| fields.next()?.parse().ok()).flatten()
+}
+
+/// The value that says which job ended early last, and at which of its shapes.
+const LAST_SHAPE: &str = "LastShape";
+
+impl Shelf {
+    /// The shape of a job at which its last run ended early; 0 before the first.
+    pub fn last_shape(&self, job: &str) -> Option<u32> {
+        let (shape, name) = self.stored.get(LAST_SHAPE)?.split_once(' ')?;
+        shape.parse().ok().filter(|_| name == job)
+    }
+
+    /// Keeps at which shape a job ended early; nothing for one that came to its end.
+    pub(crate) fn keep_last_shape(&mut self, ended: Option<(&str, u32)>) {
+        let kept = ended.map(|(job, shape)| format!("{shape} {job}"));
+        self.stored.set(LAST_SHAPE, kept.as_deref());
+    }
 }
 
 /// Hours, minutes and seconds.

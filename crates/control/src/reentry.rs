@@ -50,6 +50,18 @@ impl<I: Interpreter> Runner<'_, I> {
         self.reentry.is_some() && (!self.world.silent || self.world.shelf.tape.is_reentered())
     }
 
+    /// Whether the power went when the machine was about to do what the operator wants: then or now.
+    pub(crate) fn is_overtaken(&mut self) -> bool {
+        if self.world.shelf.tape.was_overtaken() {
+            return true;
+        }
+        let overtaken = self.is_taken_up();
+        if overtaken && !self.world.silent {
+            self.world.shelf.tape.overtakes();
+        }
+        overtaken
+    }
+
     /// The moves that are left are planned anew, from a stand.
     pub(crate) fn stand_back(&mut self, piece: &[Move]) {
         let mut left = piece.to_vec();
@@ -111,20 +123,25 @@ impl<I: Interpreter> Runner<'_, I> {
     fn hand_over(&mut self, from: Axes) -> Result<Halted, Over> {
         let began = self.world.machine.position();
         let motion = self.stack.next_number();
-        let was_on = self.world.machine.restart(from);
+        // What was on comes on by the program's own way back.
+        drop(self.world.machine.restart(from));
         self.tell_taken_up();
-        self.whether_ready(&was_on).0?;
+        let at = kerf_program::Halted { motion, began, stands: from };
+        let outputs = self.interpreter.comes_on(&at);
+        self.whether_ready(&WasOn { outputs, pwm_percent: 0.0 }).0?;
         let stands = self.world.machine.position();
         self.world.tell(&Event::Resume { t: self.world.now() });
-        let at = kerf_program::Halted { motion, began, stands };
+        let at = kerf_program::Halted { stands, ..at };
         Ok(Halted::Taken { by: StoppedBy::PowerCut, at })
     }
 
     /// Nothing goes back and nothing turns before the operator says so. With it goes how far he has nudged
     /// the workpiece.
     fn whether_ready(&mut self, was_on: &WasOn) -> (Result<(), Over>, Axes) {
-        // Cut short before the answer, it is asked when this is gone through again.
-        let unanswered = self.world.silent && !self.world.shelf.tape.plays();
+        // Cut short before the answer, it is asked when this is gone through again: what is answered on
+        // the tape was asked where the run was taken up after that.
+        let tape = &self.world.shelf.tape;
+        let unanswered = self.world.silent && (!tape.plays() || tape.is_reentered());
         let (ready, nudged) = match unanswered {
             true => (Ok(()), Axes::default()),
             false => self.until_resumed(&ready_question(was_on)),

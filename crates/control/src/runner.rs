@@ -146,6 +146,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             self.world.machine.end_file();
         }
         self.world.tell_log();
+        self.world.spindle_rests();
         self.on(Stopped::End, StopSettings::OPENSBP, "");
         self.world.flush_print();
         self.world.file_runs = false;
@@ -334,6 +335,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         if let Some(nudged) = self.nudged {
             sourced.command.shift(nudged);
+        }
+        if let Some((axis, place)) = Mover::beyond(&sourced.command) {
+            let far = place / self.world.scale(axis);
+            let message = format!("{} would go to {far:e}: nothing is that long", axis.letter());
+            return Flow::Over(self.over(Status::Failed, Code::OutOfRange, sourced.at, message));
         }
         let made = match &sourced.command {
             Command::Line(line) => self.mover.line(sourced.at, line),

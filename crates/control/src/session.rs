@@ -43,6 +43,9 @@ pub struct RunOptions {
     pub pushes: Vec<Push>,
     /// Tell the user's variables at the end.
     pub tell_variables: bool,
+    /// The controller that carries it out, as it was named; else it is the simulated machine.
+    #[serde(default)]
+    pub controller: Option<String>,
     /// When the run starts, for the log of the part file; without it none is written.
     pub started: Option<Started>,
     /// What happens when a move would leave the table limits.
@@ -208,7 +211,7 @@ impl Session {
             .machine(options.inputs)
             .with_touches(&options.touches)
             .pushed(options.pushes)
-            .doubting(lost(shelf));
+            .doubting(unverified(shelf));
         let memory = kerf_part::Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
@@ -268,6 +271,7 @@ impl Session {
     ) -> Summary {
         let Company { sink, operator, pace } = company;
         let preview = options.program.preview;
+        let (name, on_record) = (job.name.clone(), options.started.is_some() && !preview);
         let mode = if preview { "preview" } else { "move" };
         sink.event(&Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" });
         self.tell_not_homed(machine, &options, sink);
@@ -280,7 +284,7 @@ impl Session {
             .with_sheet(options.sheet)
             .with_touches(&options.touches)
             .pushed(options.pushes)
-            .doubting(lost(shelf));
+            .doubting(unverified(shelf));
         (self.memory.settings, self.memory.frame) = (settings, frame);
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
@@ -289,11 +293,15 @@ impl Session {
         runner.reentry = stands;
         let over = runner.run();
         runner.stay_where_it_stands();
-        let Runner { interpreter, mut world, .. } = runner;
+        let Runner { interpreter, mut world, last_move, .. } = runner;
         let summary = summary(&interpreter, &mut world, over);
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         self.memory.position = world.machine.position();
         self.machine = Some(world.machine);
+        if on_record {
+            let well = matches!(summary.status, Status::Ok | Status::Ended);
+            shelf.keep_last_shape((!well).then_some((&*name, last_move.line)));
+        }
         summary
     }
 
@@ -372,7 +380,7 @@ impl Session {
 }
 
 /// The axes whose locations are not verified.
-pub(crate) fn lost(shelf: &Shelf) -> AxisSet {
+pub fn unverified(shelf: &Shelf) -> AxisSet {
     let letters = shelf.stored.get(POSITION_LOST).unwrap_or_default();
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
 }

@@ -7,12 +7,12 @@
 use crate::runner::{Over, Runner};
 use crate::{Event, Failure, flag};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_machine::state::{Effect, Event as Stopped, StopSettings};
+use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};
 use kerf_program::{
     Answer, At, Axes, Axis, Button, Independent, Interpreter, OutputReason, Question, QuestionKind,
     Status,
 };
-use kerf_sbp::{POSITION_LOST, SPINDLE_STATUS};
+use kerf_sbp::SPINDLE_STATUS;
 
 /// The value that says of which axes the location is to be confirmed before anything is cut: letters.
 pub(crate) const CONFIRM: &str = "ConfirmLocation";
@@ -20,9 +20,6 @@ pub(crate) const CONFIRM: &str = "ConfirmLocation";
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
 /// (command reference, alpha tools).
 const POWER_S: f64 = 5.0;
-
-/// So long a stop input is waited for to be released before the operator is asked again, seconds.
-const RELEASE_S: f64 = 0.5;
 
 /// A script of answers that says nothing but Resume does not hold a run for ever.
 const MOST_REFUSALS: u32 = 1000;
@@ -118,9 +115,8 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Whoever cuts next is asked whether the machine is where it is believed to be.
     fn doubt(&mut self) {
-        let letters: String = self.world.machine.doubt().iter().map(Axis::letter).collect();
-        self.world.shelf.set_value(POSITION_LOST, Some(&letters));
-        self.world.shelf.set_value(CONFIRM, Some(&letters));
+        let doubted = self.world.machine.doubt();
+        self.world.shelf.doubts_location(doubted);
     }
 
     /// Goes on where the machine stood, from wherever the operator moved it: what a stop switched off

@@ -4,6 +4,24 @@
 use crate::journal::{Journal, JournalError};
 use std::collections::BTreeMap;
 
+/// Refuses a key or a value that other programs could not read: they see a line each, `key=value`.
+///
+/// # Errors
+/// What is wrong, for the user.
+pub fn check_value(key: &str, value: Option<&str>) -> Result<(), String> {
+    let breaks = |text: &str| text.contains(char::is_control);
+    match value {
+        _ if key.trim().is_empty() => Err("a value has a key: its name is empty".into()),
+        _ if breaks(key) || key.contains('=') => {
+            Err(format!("{key:?} is no key: it takes no line break and no ="))
+        }
+        Some(value) if breaks(value) => Err(format!(
+            "a value is one line, and that of {key} has a line break or another control character"
+        )),
+        _ => Ok(()),
+    }
+}
+
 /// Values by key, and the journal that keeps them. Other programs may set them meanwhile.
 #[derive(Clone, Debug, Default)]
 pub struct Stored {

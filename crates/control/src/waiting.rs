@@ -78,7 +78,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Whether the power went when a machine that stood was about to be stopped. It is elsewhere now, and
     /// is brought back before the next move.
     fn is_passed_over(&mut self, wish: Wish) -> bool {
-        matches!(wish, Wish::Stop | Wish::Hold) && self.is_taken_up()
+        matches!(wish, Wish::Stop | Wish::Hold) && self.is_overtaken()
     }
 
     /// Where the machine stands, with nothing left to make.
@@ -178,7 +178,7 @@ impl<I: Interpreter> Runner<'_, I> {
             let state = under_way.at(end_s);
             if state.move_index == under_way.index {
                 let place = Placed { position: state.position, ..self.world.placed() };
-                self.world.shelf.tape.makes(state.share, place);
+                self.world.shelf.tape.makes(state.share * under_way.part, place);
             }
         }
         None
@@ -342,7 +342,7 @@ impl<I: Interpreter> Runner<'_, I> {
         };
         let place = Place::line(self.world.file(at), at.line);
         let diagnostic = Diagnostic::new(Code::Terminated, place, message)
-            .hint("the script of answers has to name a button of the box");
+            .hint("the script of answers has to fit what is asked");
         Over { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }
 

@@ -19,7 +19,7 @@ use kerf_program::job::{Heights, InForce};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Frame, Independent, OutputReason, Question,
-    QuestionKind, Settings,
+    QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
 use kerf_sim::{Happening, Machine, What};
 use std::collections::BTreeSet;
@@ -28,6 +28,10 @@ use std::sync::Arc;
 /// A line of the print window that grows beyond this is told in parts, bytes: a loop that prints
 /// without end must not eat the memory.
 const LONGEST_LINE: usize = 1_000_000;
+
+/// What a job that waits is told besides its buttons: an example of each.
+const TELLS_JOBS: &str = "cut 3000, plunge 600, zbottom -0.5, height 0.1, raise no, move x 10; before it starts \
+                          next, previous, 3";
 
 /// Why a question has no answer.
 #[derive(Debug)]
@@ -72,6 +76,8 @@ pub(crate) struct World<'a> {
     heights: Carried,
     /// The pulse frequency of a laser, where one was set.
     laser_hz: Option<f64>,
+    /// The spindle was switched in this run.
+    spindle_switched: bool,
 }
 
 impl<'a> World<'a> {
@@ -103,6 +109,7 @@ impl<'a> World<'a> {
             machine_is: Arc::default(),
             heights: Carried::default(),
             laser_hz: None,
+            spindle_switched: false,
         }
     }
 
@@ -226,15 +233,26 @@ impl<'a> World<'a> {
         self.shelf.tape.switches(inputs, outputs);
         let happenings: Vec<Happening> = self.machine.log().take().collect();
         for happening in happenings {
-            if let What::LaserFrequency(hz) = happening.what {
-                self.laser_hz = Some(hz);
+            match happening.what {
+                What::LaserFrequency(hz) => self.laser_hz = Some(hz),
+                What::Output { number: SPINDLE_OUTPUT, .. } => self.spindle_switched = true,
+                _ => {}
             }
             let event = self.happened(&happening);
             self.tell(&event);
         }
     }
 
-    fn happened(&self, happening: &Happening) -> Event {
+    /// A spindle that was switched in a run and is off at its end counts as active no longer: whoever
+    /// starts it next is asked again.
+    pub fn spindle_rests(&mut self) {
+        if self.spindle_switched && !self.previews && !self.machine.outputs().is_on(SPINDLE_OUTPUT)
+        {
+            self.shelf.set_value(SPINDLE_STATUS, Some("0"));
+        }
+    }
+
+    fn happened(&mut self, happening: &Happening) -> Event {
         let t = happening.t_s;
         match happening.what {
             What::Input { number, on } => {
@@ -255,8 +273,9 @@ impl<'a> World<'a> {
                 pulse_us: self.laser_hz.map(|hz| Laser::pulse_us(hz, value)),
                 t,
             },
-            What::Height { z_mm, error_mm, reading } => {
-                let Heights { top_mm: top, surface_mm: surface, .. } = self.heights.at(z_mm);
+            What::Height { z_mm, gap_mm, error_mm, reading } => {
+                let now = self.heights.read(z_mm, gap_mm);
+                let Heights { top_mm: top, surface_mm: surface, .. } = now;
                 let off = error_mm.abs() > self.machine_is.height.display_accuracy_mm;
                 Event::Height { z: z_mm, error: error_mm, reading, off, surface, top, t }
             }
@@ -328,7 +347,7 @@ impl<'a> World<'a> {
             Command::LaserFrequency { hz } => self.machine.laser_frequency(hz),
             Command::Heights(heights) => {
                 let z_mm = self.machine.true_position()[Axis::Z];
-                self.heights = Carried { heights, z_mm };
+                self.heights = Carried::told(heights, z_mm);
                 self.tell(&heights::event(heights, t));
             }
             Command::InForce(InForce { cut_mm_s, plunge_mm_s, raise }) => {
@@ -422,18 +441,27 @@ impl<'a> World<'a> {
         let scripted = given.is_some();
         let answer = match given {
             None => answers::unattended_answer(question),
-            Some(words) => answers::meaning(question, &words).ok_or_else(|| {
-                let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
-                let buttons = buttons.join(", ");
-                let message = format!("the answer '{words}' is no button of this box ({buttons})");
-                Unanswered::NoButton(message)
-            })?,
+            Some(words) => answers::meaning(question, &words)
+                .ok_or_else(|| Unanswered::NoButton(self.fits_nothing(question, &words)))?,
         };
         self.told_question(question, &answer, scripted, at);
         if question.kind == QuestionKind::Limit && answer == Answer::Button(Button::Continue) {
             self.machine.override_limits();
         }
         Ok(answer)
+    }
+
+    /// What is told of an answer that a box does not take.
+    fn fits_nothing(&self, question: &Question, words: &str) -> String {
+        let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
+        let buttons = buttons.join(", ");
+        let line = self.operator.script_line().map(|line| format!("line {line} of the answers: "));
+        let line = line.unwrap_or_default();
+        if question.kind == QuestionKind::Paused {
+            let told = "tells a job that waits nothing";
+            return format!("{line}'{words}' {told} (it takes {buttons}, {TELLS_JOBS})");
+        }
+        format!("{line}the answer '{words}' is no button of this box ({buttons})")
     }
 
     /// The operator moves the tool by hand while a question is open.

@@ -9,11 +9,15 @@ use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Event, Pace, Press, RunOptions, Session, Shelf, Started, StopAt, Wish,
+    Company, Event, Pace, Press, RunOptions, Session, Shelf, Started, StopAt, Wish, Work,
 };
+use kerf_geom::{Point2, Polyarc};
+use kerf_machine::profile::profile;
+use kerf_program::job::{Job, JobShape};
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use tempfile::{TempDir, tempdir};
 
 /// A line, an arc, a slope down and a way back, with the spindle on.
@@ -45,17 +49,25 @@ fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
 
 /// Runs the part file on record; nothing when the power fails.
 fn run(folder: &TempDir, pace: &mut dyn Pace, answers: &str) -> (Vec<Event>, Option<Status>) {
+    run_work(folder, kerf_part::read("a.sbp".into(), PART.as_bytes()), pace, answers)
+}
+
+fn run_work(
+    folder: &TempDir,
+    work: impl Into<Work>,
+    pace: &mut dyn Pace,
+    answers: &str,
+) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let mut shelf = shelf(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
     let (mut events, mut operator) = (Vec::new(), Answers::read(answers));
     let company = Company { sink: &mut events, operator: &mut operator, pace };
-    let program = kerf_part::read("a.sbp".into(), PART.as_bytes());
     // Logs are written at its end, also when it was given up.
     let started = Started { time: "14:03:05".into(), date: "2026-11-21".into() };
     let options = RunOptions { started: Some(started), ..RunOptions::default() };
     let went = catch_unwind(AssertUnwindSafe(|| {
-        session.run_on_record(program, options, None, &mut shelf, company).unwrap()
+        session.run_on_record(work, options, None, &mut shelf, company).unwrap()
     }));
     (events, went.ok().map(|summary| summary.status))
 }
@@ -179,6 +191,38 @@ fn the_way_back_is_safe() {
     let ready =
         "ask Output 1 comes on, the tool goes back to where the cut ended. Is everything ready?";
     assert_eq!(steps, ["up to 1.0", ready, "output true", "down to -0.2"]);
+}
+
+/// What the operator is asked when a job is taken up that was cut short at a time, and what comes on then.
+fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
+    let machine = profile("sim").unwrap().configuration().unwrap();
+    let path = [(0.0, 0.0), (100.0, 0.0)].map(|(x, y)| Point2::new(x, y));
+    let shapes = [JobShape::through(1, Polyarc::lines(path, false))].into();
+    let job = Job { name: "a.rsm".into(), shapes, ..Job::default() };
+    let folder = tempdir().unwrap();
+    let work = Work::Job(Arc::new(job), Arc::new(machine));
+    let (_, status) = run_work(&folder, work, &mut PowerCut(at_s), "");
+    assert_eq!(status, None, "the power failed");
+    let (rest, status) = resume(&folder, "");
+    assert_eq!(status, Status::Ok);
+    let asked = rest.iter().position(|e| matches!(e, Event::Ask(_))).expect("a question");
+    let Event::Ask(question) = &rest[asked] else { unreachable!() };
+    let switched = rest[asked..].iter().filter_map(|event| match event {
+        Event::Output { name: Some(name), on: true, .. } => Some((*name).to_owned()),
+        _ => None,
+    });
+    (question.text.clone(), switched.collect())
+}
+
+#[test]
+fn whoever_takes_up_a_job_is_told_what_comes_on() {
+    // In the delay of the router, on the way down, along the path.
+    for at_s in [1.0, 3.3, 5.4] {
+        let (asked, on) = asked_and_switched(at_s);
+        let told = "Outputs job_running, router, tool1, cut1 come on, the tool goes back";
+        assert!(asked.starts_with(told), "{asked}");
+        assert_eq!(on, ["job_running", "router", "tool1", "cut1"], "cut short at {at_s} s");
+    }
 }
 
 #[test]

@@ -53,12 +53,10 @@ impl Language {
     /// assert_eq!(Language::of_file("box.dxf", Default::default()), None);
     /// ```
     pub fn of_file(name: &str, dialect: Dialect) -> Option<Self> {
-        let extension = name.rsplit_once('.')?.1.to_ascii_lowercase();
-        match extension.as_str() {
-            "sbp" | "sbc" => Some(Self::OpenSbp),
-            "nc" | "tap" | "ngc" | "gcode" | "cnc" | "gc" => Some(Self::Gcode(dialect)),
-            _ => None,
+        if kerf_sbp::is_part_name(name) {
+            return Some(Self::OpenSbp);
         }
+        kerf_sbp::is_gcode_name(name).then_some(Self::Gcode(dialect))
     }
 }
 

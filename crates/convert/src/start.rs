@@ -8,7 +8,7 @@
 //! followed from zero, and that is told.
 
 use crate::item::{Item, Passage};
-use kerf_program::{AXES, Axes, Command};
+use kerf_program::{AXES, Axes, Axis, Command, Sourced};
 
 /// A place a hair beside zero, mm and degrees.
 pub const ODD: Axes =
@@ -18,6 +18,9 @@ const SAME: f64 = 1e-9;
 
 /// Whether a program does from the odd place what it does from zero.
 pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
+    if !says_its_height(odd) {
+        return false;
+    }
     let mut plain = zero.commands().filter(|s| s.command.is_motion()).peekable();
     let mut here = Axes::default();
     for sourced in odd.commands().filter(|s| s.command.is_motion()) {
@@ -31,6 +34,28 @@ pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
         here = to;
     }
     plain.next().is_none() && others(odd) == others(zero)
+}
+
+/// Whether its height is said before it matters: a change of tools leaves the tool higher than it was, and
+/// an arc is written with how far it goes down.
+fn says_its_height(odd: &Passage) -> bool {
+    let (mut height, mut raised) = (ODD[Axis::Z], false);
+    for Sourced { command, .. } in odd.commands() {
+        if matches!(command, Command::ToolChange { begin: false }) {
+            raised = height == ODD[Axis::Z];
+        }
+        if !command.is_motion() {
+            continue;
+        }
+        let to = end(command)[Axis::Z];
+        let unsaid = height == ODD[Axis::Z];
+        let sinks = matches!(command, Command::Arc(_)) && to != height;
+        if unsaid && (raised && to == height || sinks) {
+            return false;
+        }
+        height = to;
+    }
+    true
 }
 
 /// How many things it does besides moving.

@@ -115,6 +115,8 @@ codes! {
         "PLAY names a file that is neither in the part folder nor, by the last part of its name, in the folder `media` of the data folder. The part file goes on without it.";
     KeptProtected "W021" Warning "values that do not stay"
         "The machine's settings are protected by a password (`kerf machine password`). A part file runs with the values that it sets; when it ends they are what they were, also after SV, unless the password was given with the run.";
+    EmptyFile "W022" Warning "the file is empty"
+        "Nothing stands in the file, so nothing is done. A disk that was full, or a program that was ended while it saved, leaves files without a byte: save it again where it was made.";
 
     UndefinedVariable "R001" Error "variable has no value"
         "A variable must be assigned before it is used as a number. As text it reads as empty.";

@@ -1,7 +1,7 @@
 //! Drawing diagnostics for a person at a terminal.
 
 use crate::{Diagnostic, Severity};
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 /// Where the text of a file comes from when a diagnostic is drawn.
 pub trait Sources {
@@ -27,7 +27,13 @@ pub fn render_text(diagnostic: &Diagnostic, sources: &dyn Sources, colour: bool)
         .line_start(place.line as usize)
         .path(place.file.as_ref())
         .annotation(AnnotationKind::Primary.span(start..end));
-    let mut group = Group::with_title(title).element(snippet);
+    let group = Group::with_title(title);
+    // Line 0 is the whole file.
+    let mut group = if place.line == 0 {
+        group.element(Origin::path(place.file.as_ref()))
+    } else {
+        group.element(snippet)
+    };
     if !diagnostic.hint.is_empty() {
         group = group.element(Level::HELP.message(&diagnostic.hint));
     }
@@ -62,6 +68,13 @@ mod tests {
         fn line(&self, _: &str, line: u32) -> Option<String> {
             (line == 3).then(|| self.0.to_string())
         }
+    }
+
+    #[test]
+    fn what_is_said_of_a_whole_file_names_no_line() {
+        let whole = Diagnostic::new(Code::OutsideLimits, Place::line("a.rsm".into(), 0), "too far");
+        let text = render_text(&whole, &One("M23"), false);
+        assert!(text.contains("--> a.rsm\n") || text.ends_with("--> a.rsm"), "{text}");
     }
 
     #[test]

@@ -107,13 +107,24 @@ pub fn read(bytes: &[u8]) -> Imported {
     read_with(bytes).0
 }
 
+/// What a file has that only Kerf writes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Own {
+    /// Nothing: another program wrote it, the old one among them.
+    Nothing,
+    /// The data of a drawing, and those of a job where it is one.
+    Read(Option<serde_json::Value>),
+    /// Not all of it can be read, and why.
+    Damaged(String),
+}
+
 /// Reads an RSG or RSM file with the data of its job.
-pub fn read_with(bytes: &[u8]) -> (Imported, Option<serde_json::Value>) {
+pub fn read_with(bytes: &[u8]) -> (Imported, Own) {
     let options = Options { scale: false, ..Options::default() };
     let (mut read, notes) = dxf::read_with_notes(bytes, &options);
     let head: String = notes.head.iter().filter_map(|line| line.strip_prefix(MARK)).collect();
-    if head.is_empty() {
-        return (read, None);
+    if head.is_empty() && !notes.shapes.iter().any(|note| note.starts_with(MARK)) {
+        return (read, Own::Nothing);
     }
     let mut job = None;
     match serde_json::from_str::<Head>(&head) {
@@ -124,11 +135,17 @@ pub fn read_with(bytes: &[u8]) -> (Imported, Option<serde_json::Value>) {
         Ok(head) => tell(&mut read, format!("written by a later Kerf (version {})", head.version)),
         Err(error) => tell(&mut read, format!("its own data cannot be read ({error})")),
     }
-    (read, job)
+    // Kerf writes nothing that it warns of.
+    let damage = read.findings.iter().find(|found| found.weight == Weight::Warning);
+    let own = damage.map_or(Own::Read(job), |found| Own::Damaged(found.text.clone()));
+    (read, own)
 }
 
 fn tell(read: &mut Imported, why: String) {
-    let text = format!("{why}: read as a plain drawing, groups and arrays are lost");
+    warn(read, format!("{why}: read as a plain drawing, groups and arrays are lost"));
+}
+
+fn warn(read: &mut Imported, text: String) {
     read.findings.push(Finding { line: 1, weight: Weight::Warning, text });
 }
 
@@ -137,10 +154,12 @@ fn restore(read: &mut Imported, head: Head, notes: &[String]) {
     drawing.groups = head.groups;
     drawing.arrays = head.arrays;
     drawing.moved = head.moved;
-    for (shape, note) in drawing.shapes.iter_mut().zip(notes) {
-        let own = note.strip_prefix(MARK).and_then(|json| serde_json::from_str(json).ok());
-        if let Some(extra) = own {
-            *shape = Arc::new(restored(shape, extra));
+    let (mut without, mut notes) = (Vec::new(), notes.iter());
+    for (number, shape) in (1..).zip(&mut drawing.shapes) {
+        let own = notes.next().and_then(|note| note.strip_prefix(MARK));
+        match own.and_then(|json| serde_json::from_str(json).ok()) {
+            Some(extra) => *shape = Arc::new(restored(shape, extra)),
+            None => without.push(number),
         }
     }
     let bad = Group::ALL.iter().find_map(|group| {
@@ -150,6 +169,9 @@ fn restore(read: &mut Imported, head: Head, notes: &[String]) {
         tell(read, why);
         read.drawing.groups = Drawing::default().groups;
     }
+    without.into_iter().for_each(|shape: u32| {
+        warn(read, format!("shape {shape}: its own data cannot be read, it is in group black"));
+    });
 }
 
 fn restored(shape: &Shape, extra: Extra) -> Shape {

@@ -74,6 +74,19 @@ fn path_data_of_every_kind() {
 }
 
 #[test]
+fn arcs_of_ellipses_are_as_long_in_either_direction() {
+    for (large, length) in [(0, 5.539), (1, 91.345)] {
+        for sweep in [0, 1] {
+            let arc = format!("<path d=\"M50,25 A20,10 30 {large} {sweep} 55.5,25.5\"/>");
+            let read = drawn(&arc);
+            let path = &read.drawing.shapes[0].path;
+            assert!((path.length() - length).abs() < 0.01, "{arc}: {}", path.length());
+            assert!(path.vertices.len() < 150, "{arc}: {}", path.vertices.len());
+        }
+    }
+}
+
+#[test]
 fn transforms_are_done_from_the_inside_out() {
     let line = "<line x1=\"0\" y1=\"0\" x2=\"1\" y2=\"0\"";
     check(&format!("{line} transform=\"translate(10 20)\"/>"), &["10,30 11,30"]);

@@ -48,6 +48,9 @@ pub enum GeomError {
         /// Its name.
         what: &'static str,
     },
+    /// An offset by no number, or by more than [`crate::tol::FARTHEST_MM`].
+    #[error("an offset is at most a million metres")]
+    OffsetTooFar,
     /// The boundary of a combined region has an end: the contours lie too nearly on each other.
     #[error("the contours cannot be told apart near {:.3}, {:.3}", at.x, at.y)]
     Unclosed {

@@ -145,7 +145,9 @@ fn bad_input_is_named() {
     let mut bad = sq100();
     bad.vertices[3].at.x = f64::NAN;
     assert_eq!(offset(&bad, 1.0), Err(GeomError::NotFinite { vertex: 3 }));
-    assert!(offset(&sq100(), f64::INFINITY).is_err());
+    for far in [f64::INFINITY, f64::NAN, -1e12] {
+        assert_eq!(offset(&sq100(), far), Err(GeomError::OffsetTooFar));
+    }
     let point = Polyarc::open(vec![Vertex::new(1., 1., 0.)]);
     assert_eq!(offset(&point, 1.0), Err(GeomError::TooFewVertices { found: 1, needed: 2 }));
     let none = Polyarc::closed(vec![Vertex::new(1., 1., 0.); 9]);

@@ -32,7 +32,7 @@ pub struct RunArgs {
     pub script: Option<PathBuf>,
     /// Lays a sheet on the table of the simulated machine: how high it lies, how it rises along X and Y, height
     /// and length of its waves along X
-    #[arg(long, value_name = "Z[,X,Y[,WAVE,LENGTH]]", value_parser = parse::sheet, allow_negative_numbers = true)]
+    #[arg(long, value_name = "Z[,X,Y[,WAVE,LENGTH]]", value_parser = parse::sheet)]
     pub sheet: Option<Sheet>,
     /// Pushes an axis of the simulated machine by hand, so far, at a time in seconds; may be repeated
     #[arg(long, value_name = "AXIS@T=BY", value_parser = parse::hand_move)]
@@ -64,13 +64,13 @@ pub struct RunArgs {
 #[command(next_help_heading = "The operator, at times in seconds of machine time")]
 pub struct OperatorArgs {
     /// Stops the machine; the run is over
-    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative)]
     pub stop_at: Option<f64>,
     /// Holds the machine, which ramps down and stands; may be repeated
-    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative)]
     pub hold_at: Vec<f64>,
     /// Lets a held machine go on, one time for each hold; a hold without one ends the run
-    #[arg(long, value_name = "SECONDS", value_parser = parse::number)]
+    #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative)]
     pub resume_at: Vec<f64>,
     /// From a time on cuts run at so much of their feed, 10 to 200 percent; may be repeated
     #[arg(long = "override", value_name = "PERCENT@SECONDS", value_parser = parse::feed_override)]
@@ -91,7 +91,7 @@ impl OperatorArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Folders")]
 pub struct PlaceArgs {
-    /// Configuration of the machine
+    /// What the machine is like: a configuration file, or the name of a ready-made machine
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
     /// The part folder [default: where the part file lies]
@@ -106,8 +106,8 @@ pub struct PlaceArgs {
     #[command(flatten)]
     pub data: DataArgs,
     /// Start from the machine as it was left, or from inches and zeros, with speeds as Kerf comes with them
-    /// unless --config names a machine [default: kept for send and,
-    /// where a data folder is named, for run; fresh for the others]
+    /// unless --config names a machine [default: kept for send and, where a data folder is named or a
+    /// controller, for run; fresh for the others]
     #[arg(long, value_enum, value_name = "HOW")]
     pub start: Option<Start>,
     /// Lets SHELL start programs; never in a preview
@@ -119,16 +119,16 @@ pub struct PlaceArgs {
 #[derive(Args, Clone, Debug)]
 pub struct DataArgs {
     /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
-    #[arg(long = "data", value_name = "DIR")]
+    #[arg(long = "data", value_name = "DIR", global = true)]
     pub folder: Option<PathBuf>,
 }
 
 impl PlaceArgs {
     /// `kerf run` on the simulated machine goes on from the last run only where a data folder is
-    /// named: else the same file run twice would begin at two places.
-    pub fn start_run(&mut self) {
+    /// named: else the same file run twice would begin at two places. A real machine is as it was left.
+    pub fn start_run(&mut self, real: bool) {
         let named = self.data.folder.is_some() || std::env::var_os("KERF_DATA").is_some();
-        if !named {
+        if !named && !real {
             self.start = self.start.or(Some(Start::Fresh));
         }
     }
@@ -137,9 +137,11 @@ impl PlaceArgs {
 /// What a run starts from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Start {
-    /// The settings and locations that the last run left; this one leaves its own.
+    /// The machine of the data folder: its settings, and the locations that the last run left; this one
+    /// leaves its own.
     Kept,
-    /// Inches, every location 0; nothing is left.
+    /// The machine as Kerf comes with it: inches, every location 0, none of the settings of the data folder;
+    /// nothing is left.
     Fresh,
 }
 
@@ -150,14 +152,14 @@ pub struct FileArgs {
     /// Scales the file
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
     pub proportion: Option<[f64; 3]>,
-    /// Runs the file so many times
+    /// Runs the file, or the job, so many times
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub repeat: u32,
     /// Takes the tool's present place as the file's zero: 3d, or 2d without Z
     #[arg(long, value_name = "3d|2d", value_parser = parse::offset)]
     pub offset: Option<u8>,
     /// Moves Z by this before each repetition
-    #[arg(long, value_name = "Z", value_parser = parse::number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "Z", value_parser = parse::number)]
     pub plunge: Option<f64>,
     /// Leaves tabs in the last repetition
     #[arg(long)]
@@ -169,7 +171,7 @@ pub struct FileArgs {
     #[arg(long)]
     pub step: bool,
     /// Begins at a line, or at the one executed last when the last run ended early; with "N
-    /// settings" settings and assignments before it are carried out
+    /// settings" settings and assignments before it are carried out. Of a job it is the number of a shape
     #[arg(long, value_name = "N|last", value_parser = parse::from_line)]
     pub from_line: Option<String>,
 }
@@ -192,7 +194,7 @@ pub struct MotionArgs {
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three_positive)]
     pub accel: Option<[f64; 3]>,
     /// With --ramps optimal: greatest jerk of each axis, mm/s³; 0 for no limit [default: 0]
-    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::three_not_negative)]
     pub jerk: Option<[f64; 3]>,
     /// With --ramps profiler: how far a smooth curve may leave the segments, in tenths of a
     /// millimetre; 0 for no smoothing [default: 0.6]

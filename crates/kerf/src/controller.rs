@@ -3,7 +3,8 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
-use crate::{operator, setup};
+use crate::setup;
+use crate::stop::Stop;
 use anyhow::{Result, anyhow, bail};
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Connection, Lacks, Line, Shared};
@@ -13,8 +14,8 @@ use kerf_machine::driver::Wired;
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_serial::{Port, SerialError};
 use std::cell::RefCell;
+use std::fmt;
 use std::rc::Rc;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 /// The rate of grbl's own build.
@@ -47,6 +48,12 @@ impl DriverName {
             return Err(kind.into());
         }
         Ok(Self { words: words.to_owned(), path: path.to_owned(), baud })
+    }
+}
+
+impl fmt::Display for DriverName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words)
     }
 }
 
@@ -117,15 +124,19 @@ pub fn ready(
     first: First,
     quiet: bool,
     session: &mut Session,
-    shelf: &Shelf,
+    shelf: &mut Shelf,
 ) -> Result<Shared> {
     let mut connection = connect(name, quiet)?;
+    let abandoned = was_abandoned(name, shelf);
+    if abandoned {
+        connection.halt();
+    }
     if first.unlock {
         connection.unlock().map_err(|why| anyhow!(why))?;
     }
     if first.home {
-        let pressed = operator::listen()?;
-        connection.home(|| pressed.load(Ordering::Relaxed)).map_err(|why| anyhow!(why))?;
+        let stop = Stop::listen()?;
+        connection.home(|| stop.is_wanted()).map_err(|why| anyhow!(why))?;
     }
     if let Some(locked) = connection.locked() {
         bail!(locked);
@@ -135,9 +146,16 @@ pub fn ready(
         takes_place(&connection, session, stands, quiet);
         AxisSet::first(connection.facts().axes).iter().for_each(|axis| session.homed.insert(axis));
     } else {
-        match left_at(name, connection.stands(), shelf) {
-            Some(place) => takes_place(&connection, session, place, quiet),
-            None => tell_believed(name, session.memory.position, quiet),
+        let stands = connection.stands();
+        match (left_at(name, stands, shelf), abandoned) {
+            (Some(place), false) => takes_place(&connection, session, place, quiet),
+            (None, false) => tell_believed(name, session.memory.position, quiet),
+            (_, true) => {
+                let counted = counted_on(name, stands, shelf);
+                session.memory.position = counted.unwrap_or(session.memory.position);
+                tell_abandoned(name, session.memory.position);
+                shelf.doubts_location(AxisSet::first(connection.facts().axes));
+            }
         }
         connection.is_at(session.memory.position);
     }
@@ -151,16 +169,52 @@ const LEFT: &str = "ControllerLeft";
 /// Places closer than this are the same, mm: a controller tells thousandths.
 const SAME_MM: f64 = 0.01;
 
-/// Where the machine stands, when its controller was neither moved nor switched off since it was driven last.
-fn left_at(name: &DriverName, stands: Axes, shelf: &Shelf) -> Option<Axes> {
+/// Where the controller at this port was kept to stand, as it counts and as the machine does.
+fn kept_at(name: &DriverName, shelf: &Shelf) -> Option<(Axes, Axes)> {
     let (path, own, place): (String, Axes, Axes) =
         serde_json::from_str(shelf.stored.get(LEFT)?).ok()?;
-    let still = own.minus(stands).0.iter().all(|way| way.abs() < SAME_MM);
-    (path == name.path && still).then_some(place)
+    (path == name.path).then_some((own, place))
+}
+
+/// Where the machine stands, when its controller was neither moved nor switched off since it was driven last.
+fn left_at(name: &DriverName, stands: Axes, shelf: &Shelf) -> Option<Axes> {
+    let (own, place) = kept_at(name, shelf)?;
+    same(own, stands).then_some(place)
+}
+
+/// Where the machine stands, when its controller has gone on counting since its run began. One that was switched
+/// off, or reset when its port was opened, counts from zero.
+fn counted_on(name: &DriverName, stands: Axes, shelf: &Shelf) -> Option<Axes> {
+    let (own, place) = kept_at(name, shelf)?;
+    (!same(stands, Axes::default())).then(|| place.plus(stands.minus(own)))
+}
+
+fn same(a: Axes, b: Axes) -> bool {
+    a.minus(b).0.iter().all(|way| way.abs() < SAME_MM)
+}
+
+/// The value that names the port of a controller while it is driven.
+const DRIVEN: &str = "ControllerDriven";
+
+/// Whether the last run on this controller has no end: the process was killed, or the power failed.
+fn was_abandoned(name: &DriverName, shelf: &Shelf) -> bool {
+    shelf.stored.get(DRIVEN) == Some(&*name.path)
+}
+
+/// A controller is driven from now on. That is on record until it is left.
+pub fn begins(name: &DriverName, shared: &Shared, shelf: &mut Shelf) {
+    stands(name, shared, shelf);
+    shelf.stored.set(DRIVEN, Some(&name.path));
 }
 
 /// Keeps where a controller was left.
 pub fn leaves(name: &DriverName, shared: &Shared, shelf: &mut Shelf) {
+    stands(name, shared, shelf);
+    shelf.stored.set(DRIVEN, None);
+}
+
+/// Keeps where a controller stands, as it counts and as the machine does.
+fn stands(name: &DriverName, shared: &Shared, shelf: &mut Shelf) {
     let mut connection = shared.borrow_mut();
     let own = connection.stands();
     let left = (&name.path, own, own.plus(connection.offset()));
@@ -177,6 +231,16 @@ fn tell_believed(name: &DriverName, place: Axes, quiet: bool) {
             name.words
         );
     }
+}
+
+/// Kerf has not seen the end of the last run.
+fn tell_abandoned(name: &DriverName, place: Axes) {
+    let [x, y, z, ..] = place.0;
+    eprintln!(
+        "kerf: the last run on {} has no end: Kerf was killed, or the power failed. What still moved is stopped; the \
+         machine is believed to stand at {x:.3}, {y:.3}, {z:.3}",
+        name.words
+    );
 }
 
 /// The machine stands where its controller tells; Kerf believes it.

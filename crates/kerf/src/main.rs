@@ -3,6 +3,22 @@
 //! Each subcommand is a file of [`commands`]; what they share is in [`args`] (options) and [`setup`]
 //! (from options to a machine, its folders and its memory). Exit codes are in [`exit`].
 
+/// As in the standard library, but a terminal that has gone is no panic: what runs has to be stopped.
+macro_rules! eprint {
+    ($($arg:tt)*) => {{
+        use std::io::Write as _;
+        let _ = write!(std::io::stderr(), $($arg)*);
+    }};
+}
+
+/// As [`eprint`], with the end of the line.
+macro_rules! eprintln {
+    ($($arg:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($arg)*);
+    }};
+}
+
 mod args;
 mod clock;
 mod coloured;
@@ -13,6 +29,7 @@ mod date;
 mod drawings;
 mod estimate;
 mod exit;
+mod job_options;
 mod machine_file;
 mod memory;
 mod operator;
@@ -27,9 +44,10 @@ mod sending;
 mod setup;
 mod signals;
 mod sources;
+mod stop;
 mod visit;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches, Parser};
 use std::process::ExitCode;
 
 /// Runs part files, makes tool paths from drawings, drives the machine
@@ -62,7 +80,8 @@ Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the co
 3 stopped by the operator or a limit";
 
 fn main() -> ExitCode {
-    let Cli { command, edit_only } = Cli::parse();
+    let given = parse::with_negative_numbers(Cli::command()).get_matches();
+    let Cli { command, edit_only } = Cli::from_arg_matches(&given).unwrap_or_else(|e| e.exit());
     match commands::run(command.restricted(edit_only)) {
         Ok(exit) => exit.into(),
         Err(error) => {

@@ -5,8 +5,8 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
-use kerf_control::journal::{Journal, Whereabouts};
-use kerf_control::{Session, Shelf};
+use kerf_control::journal::{Journal, JournalError, Whereabouts};
+use kerf_control::{Session, Shelf, unverified};
 use std::path::Path;
 
 /// Whether a command goes on from the journal; one that only looks usually does not.
@@ -30,14 +30,32 @@ pub fn journal(data: &Path, looks: bool) -> Result<Option<Journal>> {
 pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Session> {
     let (session, whereabouts) = Session::recall(journal, shelf)?;
     if !looks {
-        if whereabouts == Whereabouts::Moving {
-            eprintln!(
-                "kerf: the machine was moving when Kerf ended; its locations are not verified"
-            );
-        }
-        if let Some(cut) = journal.cut_short()? {
-            eprintln!("kerf: {}; kerf run --resume takes it up", cut.told());
-        }
+        tell(journal, shelf, whereabouts)?;
     }
     Ok(session)
+}
+
+/// Tells what is in doubt since the process before, and what it did not finish; or that it still runs.
+fn tell(journal: &Journal, shelf: &Shelf, whereabouts: Whereabouts) -> Result<()> {
+    let cut = journal.cut_short()?;
+    let moving = whereabouts == Whereabouts::Moving;
+    if (moving || cut.is_some()) && matches!(journal.own(), Err(JournalError::Owned { .. })) {
+        eprintln!("kerf: another Kerf runs the machine now");
+        return Ok(());
+    }
+    let doubted = unverified(shelf);
+    if moving {
+        eprintln!("kerf: the machine was moving when Kerf ended; its locations are not verified");
+    } else if !doubted.is_empty() {
+        let letters: Vec<String> = doubted.iter().map(|axis| axis.letter().to_string()).collect();
+        eprintln!("kerf: locations that are not verified: {}", letters.join(" "));
+    }
+    if let Some(cut) = cut {
+        let how = match cut.controller() {
+            None => "kerf run --resume takes it up",
+            Some(_) => "kerf run --from-line goes on at a line of it",
+        };
+        eprintln!("kerf: {}; {how}", cut.told());
+    }
+    Ok(())
 }

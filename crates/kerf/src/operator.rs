@@ -1,6 +1,7 @@
 //! The person at the terminal: answers, Ctrl-C, and the time of the world.
 
-use anyhow::{Context, Result};
+use crate::stop::Stop;
+use anyhow::Result;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
 use kerf_control::{Pace, Script, Wish};
 use kerf_program::{Question, QuestionKind};
@@ -8,18 +9,14 @@ use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
-use std::sync::{Arc, OnceLock};
 use std::thread::{sleep, spawn};
 use std::time::{Duration, Instant};
-
-/// Whether Ctrl-C was pressed.
-pub type Pressed = Arc<AtomicBool>;
 
 /// Answers from a script, then from a person when there is one.
 pub struct Person {
     script: Answers,
+    stop: Stop,
     /// What somebody types at the terminal.
     keyboard: Option<Keyboard>,
     /// The program that shows files (UN), and the folder they lie in.
@@ -29,8 +26,9 @@ pub struct Person {
 impl Person {
     /// `present` when somebody sits at a terminal.
     pub fn new(script: Answers, present: bool, pace: &RealPace) -> Self {
-        let keyboard = present.then(|| Keyboard::new(pace.pressed.clone()));
-        Self { script, keyboard, editor: None }
+        let stop = pace.stop.clone();
+        let keyboard = present.then(|| Keyboard::new(stop.clone()));
+        Self { script, stop, keyboard, editor: None }
     }
 
     /// The same, with a program that shows files below a folder.
@@ -57,13 +55,13 @@ impl Person {
 struct Keyboard {
     wants: Sender<()>,
     lines: Receiver<String>,
-    pressed: Pressed,
+    stop: Stop,
     /// A line is wanted that has not come.
     waits: Cell<bool>,
 }
 
 impl Keyboard {
-    fn new(pressed: Pressed) -> Self {
+    fn new(stop: Stop) -> Self {
         let ((wants, wanted), (typed, lines)) = (channel(), channel());
         spawn(move || {
             let mut keyed = io::stdin().lines().map_while(Result::ok);
@@ -74,10 +72,10 @@ impl Keyboard {
                 }
             }
         });
-        Self { wants, lines, pressed, waits: Cell::new(false) }
+        Self { wants, lines, stop, waits: Cell::new(false) }
     }
 
-    /// The next line; nothing when Ctrl-C is pressed or the terminal has gone.
+    /// The next line; nothing when Kerf is asked to stop or the terminal has gone.
     fn line(&self) -> Option<String> {
         if !self.waits.replace(true) {
             // Whoever has gone tells so where the line is waited for.
@@ -89,7 +87,8 @@ impl Keyboard {
                     self.waits.set(false);
                     return Some(line);
                 }
-                Err(RecvTimeoutError::Timeout) if !self.pressed.load(Ordering::Relaxed) => {}
+                Err(RecvTimeoutError::Timeout) if !self.stop.is_wanted() && !self.stop.leaves() => {
+                }
                 Err(_) => {
                     eprintln!();
                     return None;
@@ -144,10 +143,21 @@ fn edit(program: &str, folder: &Path, name: &str) -> io::Result<()> {
 
 impl Operator for Person {
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
+        if self.stop.leaves() {
+            return None;
+        }
         let scripted = self.script.answer(question, line);
         scripted
             .or_else(|| self.shows(question))
             .or_else(|| self.keyboard.as_ref()?.ask(question, line))
+    }
+
+    fn script_line(&self) -> Option<usize> {
+        self.script.script_line()
+    }
+
+    fn gives_up(&self) -> bool {
+        self.stop.leaves()
     }
 }
 
@@ -168,33 +178,32 @@ const NAP: Duration = Duration::from_millis(10);
 pub struct RealPace {
     clock: Clock,
     script: Script,
-    pressed: Pressed,
+    stop: Stop,
     /// The moment of the world at which machine time was last seen, and that machine time.
     seen: Option<(Instant, f64)>,
 }
 
 impl RealPace {
-    /// Listens to Ctrl-C from now on.
+    /// Listens to Ctrl-C and signals from now on.
     pub fn new(clock: Clock, script: Script) -> Result<Self> {
-        let pressed = listen()?;
-        Ok(Self { clock, script, pressed, seen: None })
+        Ok(Self { clock, script, stop: Stop::listen()?, seen: None })
     }
 
-    /// Whether Ctrl-C was pressed.
+    /// Whether Kerf was asked to stop.
     pub fn is_stopped(&self) -> bool {
-        self.pressed.load(Ordering::Relaxed)
+        self.stop.is_wanted()
     }
 
     /// Sleeps until the moment of the world at which a machine time is reached; earlier, and with
-    /// the machine time, when Ctrl-C is pressed.
+    /// the machine time, when Kerf is asked to stop.
     fn sleep(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
         if self.clock == Clock::Fast {
-            return self.pressed.load(Ordering::Relaxed).then_some(from_s);
+            return self.stop.is_wanted().then_some(from_s);
         }
         let (since, since_s) = *self.seen.get_or_insert_with(|| (Instant::now(), from_s));
         loop {
             let now_s = since_s + since.elapsed().as_secs_f64();
-            if self.pressed.load(Ordering::Relaxed) {
+            if self.stop.is_wanted() {
                 return Some(now_s.clamp(from_s, to_s));
             }
             let left_s = to_s - now_s;
@@ -204,19 +213,6 @@ impl RealPace {
             sleep(NAP.min(Duration::from_secs_f64(left_s)));
         }
     }
-}
-
-/// Whether Ctrl-C was pressed, from the first time this is asked; a process has one such handler.
-pub fn listen() -> Result<Pressed> {
-    static PRESSED: OnceLock<Pressed> = OnceLock::new();
-    if let Some(pressed) = PRESSED.get() {
-        return Ok(pressed.clone());
-    }
-    let pressed = PRESSED.get_or_init(Pressed::default).clone();
-    let flag = pressed.clone();
-    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
-        .context("cannot listen to Ctrl-C")?;
-    Ok(pressed)
 }
 
 impl Pace for RealPace {
@@ -232,7 +228,7 @@ impl Pace for RealPace {
     }
 
     fn resumes(&mut self, held_s: f64) -> Option<f64> {
-        let at_s = self.script.resumes(held_s)?;
+        let at_s = self.script.resumes(held_s).filter(|_| !self.stop.leaves())?;
         match self.sleep(held_s, at_s) {
             Some(_) => None,
             None => Some(at_s),
@@ -240,7 +236,7 @@ impl Pace for RealPace {
     }
 
     fn heard(&mut self) {
-        self.pressed.store(false, Ordering::Relaxed);
+        self.stop.hear();
         self.seen = None;
     }
 }

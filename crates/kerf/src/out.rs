@@ -11,6 +11,14 @@ pub fn print(text: &str) {
     let _ = io::stdout().write_all(text.as_bytes());
 }
 
+/// What became of writing to standard output: a reader that went away is no error there.
+pub fn unless_gone(written: io::Result<()>) -> io::Result<()> {
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        written => written,
+    }
+}
+
 /// Writes a file whole: where that fails half-way, what stood there stays.
 ///
 /// # Errors

@@ -6,6 +6,29 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
 use kerf_sbp::{Dialect, Value};
 use kerf_sim::{Change, Push, Sheet};
+use std::any::TypeId;
+
+/// A command whose options take `-1` where their value is a number, or several: whether it may be below 0 the
+/// reader of the value says, in its own words.
+pub fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let numbers = [
+        TypeId::of::<f64>(),
+        TypeId::of::<[f64; 2]>(),
+        TypeId::of::<[f64; 3]>(),
+        TypeId::of::<(f64, f32)>(),
+        TypeId::of::<Sheet>(),
+        TypeId::of::<u8>(),
+        TypeId::of::<u32>(),
+        TypeId::of::<u64>(),
+        TypeId::of::<usize>(),
+    ];
+    let takes = |arg: clap::Arg| {
+        let number = numbers.iter().any(|it| arg.get_value_parser().type_id() == *it);
+        let counted = arg.get_long().is_some() && number && arg.get_action().takes_values();
+        if counted { arg.allow_hyphen_values(true) } else { arg }
+    };
+    command.mut_args(takes).mut_subcommands(with_negative_numbers)
+}
 
 /// Letters of axes, as `xyz`.
 pub fn axes(text: &str) -> Result<Vec<Axis>, String> {
@@ -159,6 +182,13 @@ pub fn three(text: &str) -> Result<[f64; 3], String> {
         Ok(&[x, y, z]) if [x, y, z].iter().all(|n| n.is_finite()) => Ok([x, y, z]),
         _ => Err("give three numbers with commas between, X,Y,Z".into()),
     }
+}
+
+/// Three numbers as X,Y,Z, all 0 or greater.
+pub fn three_not_negative(text: &str) -> Result<[f64; 3], String> {
+    let all = three(text)?;
+    let fit = all.iter().all(|n| *n >= 0.0);
+    fit.then_some(all).ok_or_else(|| "give numbers, 0 or greater".into())
 }
 
 /// A size, both lengths 0 or more.

@@ -15,6 +15,11 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
+    /// With the lines of what runs.
+    pub const fn with(lines: FileLines) -> Self {
+        Self { lines }
+    }
+
     /// Writes one.
     pub fn show(&self, diagnostic: &Diagnostic) {
         eprintln!("{}\n", render_text(diagnostic, &self.lines, colour(&io::stderr())));
@@ -51,6 +56,11 @@ impl Talk {
     /// Writes every message: the operator typed what asks for it.
     pub const fn all() -> Self {
         Self { comment: None, all: true }
+    }
+
+    /// A job has no comments: whatever it says is for the operator.
+    pub fn of(job: bool) -> Self {
+        Self { all: job, ..Self::default() }
     }
 }
 

@@ -4,6 +4,7 @@ use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
 use crate::drawings;
 use crate::exit::Usage;
+use crate::job_options;
 use crate::machine_file;
 use crate::memory;
 use crate::script::Script;
@@ -50,7 +51,8 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     let mut drawing = None;
     let work = if drawings::is_drawing(file) {
         let name = file.display().to_string().into();
-        let machine = machine(args.place.config.as_deref(), &args.place.data)?;
+        job_options::refuse_foreign(args)?;
+        let machine = machine_of(&args.place, preview)?;
         let smoothing = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
         let job = drawings::job(file, smoothing)?;
         let work = job_file::work(&job, name, machine);
@@ -98,7 +100,10 @@ pub fn job_of(
             options.program.file.from = from_line(&args.file, program, &shelf)?;
         }
         // A job takes what the options say of motion from the settings, the rest from the machine.
-        Work::Job(_, machine) => Arc::make_mut(machine).program = settings.clone(),
+        Work::Job(job, machine) => {
+            Arc::make_mut(machine).program = settings.clone();
+            job_options::of(args, Arc::make_mut(job), &shelf)?;
+        }
         Work::Hand(..) => {}
     }
     let in_mm = |push: &Push| Push { by: push.by * settings.axis_scale(push.axis), ..*push };
@@ -238,6 +243,15 @@ fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
     dynamics
 }
 
+/// The machine of a run: that of `--config`; else that of the data folder, whole, for a run that goes on from there,
+/// and for one that begins fresh the machine as Kerf comes with it.
+pub fn machine_of(place: &PlaceArgs, looks: bool) -> Result<Configuration> {
+    if place.config.is_none() && !memory::is_kept(place, looks) {
+        return Ok(Configuration::default());
+    }
+    machine(place.config.as_deref(), &place.data)
+}
+
 /// The machine: that of `--config`, a file or the name of a ready-made one; else that of the data
 /// folder; else the usual one.
 pub fn machine(config: Option<&Path>, data: &DataArgs) -> Result<Configuration> {
@@ -247,6 +261,7 @@ pub fn machine(config: Option<&Path>, data: &DataArgs) -> Result<Configuration> 
     };
     match config.to_str().and_then(profile) {
         Some(ready) if !config.exists() => read_machine(ready.name.into(), ready.text),
+        None if !config.exists() => bail!(machine_file::nothing_called(&config.to_string_lossy())),
         _ => read_machine(config.display().to_string(), &read_text(config)?),
     }
 }

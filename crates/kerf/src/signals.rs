@@ -28,6 +28,11 @@ impl VcdArgs {
         }
     }
 
+    /// The file that is named.
+    pub fn path(&self) -> Option<&Path> {
+        self.vcd.as_deref()
+    }
+
     /// The sink, where a file is named.
     pub fn sink(&self, machine: Configuration) -> Result<Option<Signals>> {
         let Some(path) = &self.vcd else { return Ok(None) };

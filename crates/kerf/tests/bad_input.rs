@@ -5,6 +5,8 @@
 mod shop;
 
 use shop::Shop;
+use std::io::Write;
+use std::process::Stdio;
 
 #[track_caller]
 fn check(program: &[u8], options: &str, code: i32, status: &str, message: &str) {
@@ -113,5 +115,142 @@ fn a_reader_that_goes_away_is_no_error() {
             std::process::Command::new("sh").arg("-c").arg(line).current_dir(shop.path()).output();
         let err = String::from_utf8(output.unwrap().stderr).unwrap();
         assert_eq!(err, "");
+    }
+}
+
+#[test]
+fn messages_that_nobody_reads_end_nothing() {
+    let bad = "MX,1\nQQ,3\nMX,2\nM23,1\n".repeat(30);
+    let shop = Shop::new(&[("bad.sbp", &bad), ("a.sbp", "MX,1\nPRINT \"x\"\nMX,0\n")]);
+    for (args, code) in [
+        ("run bad.sbp", 1),
+        ("run bad.sbp --allow-errors", 1),
+        ("run a.sbp --trace -", 0),
+        ("run a.sbp", 0),
+        ("fmt - ", 0),
+        ("registry get nothing", 1),
+        ("run none.sbp", 2),
+    ] {
+        let mut kerf = shop.command();
+        kerf.args(args.split_whitespace()).stdin(Stdio::piped());
+        let mut running = kerf.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        // Both readers are gone before anything is written.
+        drop((running.stdout.take(), running.stderr.take()));
+        let _ = running.stdin.take().unwrap().write_all(b"mx,1\n");
+        assert_eq!(running.wait().unwrap().code(), Some(code), "{args}");
+    }
+}
+
+#[test]
+fn only_part_files_are_formatted() {
+    let mine = "[axes]\nend = \"low\"\n";
+    let shop = Shop::new(&[("mine.toml", mine), ("notes.txt", "mx,1\n"), ("a.sbp", "mx,1\n")]);
+    for name in ["mine.toml", "notes.txt", "plain"] {
+        shop.write(name, mine.as_bytes());
+        let did = shop.kerf(&format!("fmt a.sbp {name}"));
+        did.exits(2)
+            .complains(&format!("{name} is no part file by its ending"))
+            .complains(".sbp .sbc");
+        did.complains(&format!("kerf fmt - < {name}"));
+        assert_eq!(shop.read(name), mine);
+        assert_eq!(shop.read("a.sbp"), "mx,1\n", "nothing is written where a name is wrong");
+    }
+    for (name, tidy) in
+        [("a.sbc", "MX,1\n"), ("a.sbd", "MX,1\n"), ("a.NC", "G0 X1\n"), ("a.cnc", "G0 X1\n")]
+    {
+        let text = if tidy.starts_with('M') { "mx,1\n" } else { "g0x1\n" };
+        shop.write(name, text.as_bytes());
+        shop.kerf(&format!("fmt {name}")).exits(0);
+        assert_eq!(shop.read(name), tidy, "{name}");
+    }
+    // What is no text is told, and the others are formatted.
+    let photo = b"\x89PNG\r\n\x1a\n\0\0\0mx,1\n";
+    for name in ["photo.sbp", "photo.nc"] {
+        shop.write(name, photo);
+        let did = shop.kerf(&format!("fmt {name} a.sbp"));
+        did.exits(1).complains("not a text file").complains(&format!("{name}:3"));
+        assert_eq!(std::fs::read(shop.file(name)).unwrap(), photo);
+        assert_eq!(shop.read("a.sbp"), "MX,1\n");
+        shop.kerf(&format!("fmt --check {name}")).exits(1).complains("not a text file");
+    }
+    let did = shop.kerf_with("fmt -", photo);
+    did.exits(1).complains("not a text file");
+    assert_eq!(did.out(), "");
+}
+
+#[test]
+fn an_empty_part_file_is_told() {
+    for name in ["a.sbp", "a.nc"] {
+        let shop = Shop::new(&[(name, ""), ("blank.sbp", "\n \n"), ("note.sbp", "' later\n")]);
+        let did = shop.kerf(&format!("check {name}"));
+        did.exits(0).says("warning[W022]: the file is empty").says("1 warning");
+        shop.kerf("check blank.sbp").exits(0).says("the file is empty");
+        shop.kerf("check note.sbp").exits(0).says("nothing wrong");
+        for command in ["preview -o a.svg", "run", "time"] {
+            shop.kerf(&format!("{command} {name}")).exits(0).complains("the file is empty");
+        }
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_cannot_be_read_is_told_beside_the_others() {
+    let shop = Shop::new(&[("a.sbp", "MX,1\nQQ,3\n")]);
+    // It is there, and reading it fails.
+    let did = shop.kerf("check a.sbp /proc/self/mem --format json");
+    did.exits(1);
+    let found = did.json();
+    let codes: Vec<_> = found.as_array().unwrap().iter().map(|d| &d["code"]).collect();
+    assert_eq!(codes, ["S002", "F001"]);
+    assert!(found[1]["message"].as_str().unwrap().starts_with("cannot read /proc/self/mem: "));
+}
+
+#[test]
+fn what_cannot_be_written_is_told_by_its_own_name() {
+    let shop = Shop::new(&[("a.sbp", "JZ,.5\nMX,1\nMZ,-.1\nMX,2\nMY,1\n")]);
+    for command in [
+        "draw a.sbp -o nodir/z.rsg",
+        "convert a.sbp nodir/z.nc",
+        "preview a.sbp -o nodir/z.svg",
+        "plot a.sbp -o nodir/z.svg",
+        "run a.sbp --picture nodir/z.svg",
+    ] {
+        let did = shop.kerf(command);
+        did.exits(1).complains("cannot write nodir/z.").complains("No such file or directory");
+        assert!(!did.err().contains("tmp"), "{command}: {}", did.err());
+    }
+}
+
+#[test]
+fn help_says_that_a_wrong_command_line_is_2() {
+    for command in ["convert", "fmt", "draw", "toolpath", "machine", "io", "registry", "check"] {
+        let did = Shop::new(&[]).kerf(&format!("help {command}"));
+        let text = did.exits(0).out().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains("2 the command line was wrong"), "{command}");
+    }
+}
+
+#[test]
+fn a_drawing_with_the_text_of_something_else_is_not_called_empty() {
+    let text = "' a part file\nJZ,.5\nMX,1\nMZ,-.1\nMX,2\nMY,1\n";
+    let shop = Shop::new(&[("a.dxf", text), ("a.rsm", text), ("none.dxf", "")]);
+    for command in ["draw a.dxf --list", "run a.rsm"] {
+        let did = shop.kerf(command);
+        did.exits(1).complains("the file is no DXF");
+        assert!(!did.err().contains("empty"), "{}", did.err());
+    }
+    shop.kerf("draw none.dxf --list").exits(1).complains("the file is empty");
+}
+
+#[test]
+fn a_drawing_of_kerf_with_the_ending_of_gcode_is_told_once() {
+    let shop = Shop::new(&[("a.sbp", "JZ,.5\nMX,1\nMZ,-.1\nMX,2\nMY,1\nMX,0\n")]);
+    shop.kerf("draw a.sbp -o a.rsg").exits(0);
+    shop.kerf("toolpath a.rsg -o a.rsm").exits(0);
+    for name in ["a.rsg", "a.rsm"] {
+        std::fs::copy(shop.file(name), shop.file("a.nc")).unwrap();
+        let did = shop.kerf("check a.nc");
+        did.exits(1).says("(RSG, DXF) or a job (RSM), not G-code").says(".rsg, .rsm or .dxf");
+        did.says("\n1 error\n");
     }
 }

@@ -97,6 +97,28 @@ fn a_job_outside_the_limits_is_refused_before_the_first_move() {
 }
 
 #[test]
+fn a_finish_position_outside_the_limits_is_named() {
+    let shop = shop("");
+    shop.kerf("toolpath job.rsm --finish 9999,0 -o far.rsm");
+    let did = shop.kerf("run far.rsm --config machine.toml --trace out.jsonl");
+    did.exits(1).complains("Out of bounds: the finish position reaches X 9999.000");
+    did.complains("X goes from 0.000 to 2500.000");
+    assert!(!did.err().contains("shape"), "{}", did.err());
+    assert!(!shop.read("out.jsonl").contains("\"e\":\"move\""));
+}
+
+#[test]
+fn what_a_waiting_job_refuses_is_shown() {
+    let shop = shop("");
+    shop.write("answers", b"zbottom 20\nabort\n");
+    let did = shop.kerf("run job.rsm --config machine.toml --hold-at 0.2 --answers answers");
+    did.exits(3).says("ZBottom would be at -10.000, above ZSurface at -20.000");
+    shop.write("answers", b"# note\ncut 0\nresume\n");
+    let did = shop.kerf("run job.rsm --config machine.toml --hold-at 0.2 --answers answers");
+    did.exits(1).complains("line 2 of the answers: 'cut 0' tells a job that waits nothing");
+}
+
+#[test]
 fn pro_options_password__kerf_machine_set() {
     let shop = Shop::new(&[]);
     shop.kerf_with("machine password", b"secret word\nsecret word\n").exits(0);

@@ -6,6 +6,8 @@ mod shop;
 
 use kerf_driver_grbl::fake::Fake;
 use kerf_serial::pretend::Plug;
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
 use serde_json::Value;
 use shop::{Did, Shop};
 use std::process::{Child, Stdio};
@@ -98,8 +100,11 @@ fn events(shop: &Shop, kind: &str) -> Vec<Value> {
 }
 
 fn interrupt(child: &Child) {
-    let id = nix::unistd::Pid::from_raw(child.id() as i32);
-    nix::sys::signal::kill(id, nix::sys::signal::Signal::SIGINT).unwrap();
+    send(Signal::SIGINT, child);
+}
+
+fn send(signal: Signal, child: &Child) {
+    kill(Pid::from_raw(child.id() as i32), signal).unwrap();
 }
 
 fn close(a: f64, b: f64) -> bool {
@@ -164,7 +169,12 @@ fn a_stop_on_a_grbl_ends_where_the_controller_stands() {
     assert!(stood > 30.0 && stood < 70.0, "{stood}");
     let made = events(&shop, "move");
     assert!(close(made[0]["to"]["x"].as_f64().unwrap() * 25.4, stood), "{made:?} {stood}");
-    bench.run(&shop, "run back.sbp").exits(0);
+    // The simulated machine does not go on with it.
+    let stopped = "square.sbp was stopped behind line 3 on grbl:/dev/";
+    let again = shop.kerf("run --resume");
+    again.exits(1).complains(stopped).complains("only runs of the simulated machine");
+    let back = bench.run(&shop, "run back.sbp");
+    back.exits(0).complains(stopped).complains("kerf run --from-line goes on at a line of it");
     assert!(bench.x_mm().abs() < 0.01, "the location was kept: {}", bench.x_mm());
 }
 
@@ -330,4 +340,68 @@ fn runs_on_the_simulated_machine_do_not_move_what_a_grbl_without_homing_is_belie
     bench.look(|fake| fake.hear(b"G53G1X3F600\n", 0.0));
     bench.until(|fake| close(fake.position().0[0], 3.0));
     bench.run(&shop, "run back.sbp").exits(0).complains("is believed to stand at 0.000");
+}
+
+#[test]
+fn a_process_that_is_to_end_stops_its_controller_first() {
+    shop::hear_hangups();
+    for signal in [Signal::SIGTERM, Signal::SIGHUP] {
+        let files =
+            [("square.sbp", SQUARE), ("yes.txt", "hold=Resume\n"), ("back.sbp", "J2,0,0\n")];
+        let (shop, bench) = (Shop::new(&files), Bench::new(&[]));
+        let child = bench.start(&shop, "run square.sbp --answers yes.txt");
+        bench.until(|fake| fake.position().0[0] > 30.0);
+        send(signal, &child);
+        // Whoever ends processes may say so twice; the stop goes on.
+        sleep(Duration::from_millis(100));
+        send(signal, &child);
+        Did::of(child.wait_with_output().unwrap()).exits(3).says("STOPPED");
+        let [x, _, z, ..] = bench.look(|fake| fake.position()).0;
+        assert!(x > 30.0 && x < 70.0, "{signal}: {x}");
+        assert!(z > 1.0, "{signal}: the tool is lifted: {z}");
+        assert_eq!(bench.look(|fake| fake.spindle()), None, "{signal}");
+        bench.run(&shop, "run back.sbp").exits(0).complains("was stopped behind line 3");
+        assert!(bench.x_mm().abs() < 0.01, "{signal}: the location was kept");
+    }
+}
+
+#[test]
+fn a_run_that_is_to_outlive_its_terminal_does() {
+    let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::new(&[]));
+    let mut plain = shop.command();
+    plain.args(bench.args("run square.sbp").split_whitespace());
+    let mut nohup = std::process::Command::new("sh");
+    nohup.args(["-c", "trap '' HUP; exec \"$0\" \"$@\""]).arg(plain.get_program());
+    nohup.args(plain.get_args()).current_dir(shop.path()).env("KERF_DATA", shop.file("data"));
+    let nohup = nohup.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let child = nohup.spawn().unwrap();
+    bench.until(|fake| fake.position().0[0] > 10.0);
+    send(Signal::SIGHUP, &child);
+    Did::of(child.wait_with_output().unwrap()).exits(0).says("ran to its end");
+}
+
+#[test]
+fn nobody_knows_where_a_grbl_stands_whose_run_was_killed() {
+    let (shop, bench) =
+        (Shop::new(&[("square.sbp", SQUARE), ("x.sbp", "MX,1\n")]), Bench::new(&[]));
+    let mut child = bench.start(&shop, "run square.sbp");
+    bench.until(|fake| fake.position().0[0] > 20.0);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    // It goes on with what it was told, and its spindle turns.
+    bench.until(|fake| fake.position().0[1] > 5.0);
+    assert!(bench.look(|fake| fake.spindle()).is_some());
+    // A run elsewhere makes nothing of it known.
+    shop.kerf("run x.sbp").exits(0);
+    for told in [true, false] {
+        let did = bench.run(&shop, "run square.sbp");
+        did.exits(3).says("Position unverified: x, y, z");
+        assert_eq!(bench.look(|fake| fake.spindle()), None, "what went on is switched off");
+        let [x, y, ..] = bench.look(|fake| fake.position()).0;
+        let place = format!("believed to stand at {x:.3}, {y:.3}, ");
+        assert_eq!(did.err().contains(&place), told, "{place} {}", did.err());
+    }
+    shop.write("yes.txt", b"Continue\n");
+    bench.run(&shop, "run square.sbp --answers yes.txt").exits(0);
+    bench.run(&shop, "run x.sbp").exits(0);
 }

@@ -259,3 +259,17 @@ fn sbp_conv_fc_unknown() {
     shop.kerf("convert part.xyz part.sbp --type nc").exits(0);
     assert!(shop.read("part.sbp").contains("CG,,3,0,1,0,T,1\n"));
 }
+
+#[test]
+fn a_height_that_nobody_said_is_told_and_not_made_up() {
+    let shop = Shop::new(&[
+        ("tool.nc", "G21 G90 G17 F600\nM6 T1\nG0 X10 Y10\nG1 X20\nM2\n"),
+        ("arc.nc", "G20 G90 G17 F60\nG0 X0 Y0\nG2 X1 Y0 Z0 R.5\nG2 X0 Y0 Z-.1 R.5\nM2\n"),
+    ]);
+    shop.kerf("convert tool.nc tool.sbp --units mm").exits(0).complains("C002");
+    shop.kerf("convert arc.nc arc.sbp").exits(0).complains("C002");
+    let texts = ["tool.sbp", "arc.sbp"].map(|file| shop.read(file));
+    // No digits of the place a hair beside zero.
+    assert!(texts.iter().all(|text| !text.contains("0.0219") && !text.contains("0.00086")));
+    assert!(texts[1].contains("CG,,0,0,-0.5,0,T,1,-0.1,1"), "{}", texts[1]);
+}

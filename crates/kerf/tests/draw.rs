@@ -292,6 +292,19 @@ fn pro_clipboard_dxf_via_clip() {
 }
 
 #[test]
+fn a_program_that_cuts_nothing_is_no_drawing() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in
+        [("e.nc", ""), ("j.nc", "G71\nG0 X10\n"), ("e.sbp", ""), ("c.sbp", "' no\n")]
+    {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        let made = kerf(folder.path(), &["draw", name, "--list"]);
+        assert!(told(&made).contains("the program cuts nothing"), "{name}: {}", told(&made));
+        assert_eq!(made.status.code(), Some(1), "{name}");
+    }
+}
+
+#[test]
 fn pro_sequence_full_show__list() {
     let folder = folder_with_drawings();
     let made = kerf(folder.path(), &["draw", "a.dxf", "--do", "pick 3; pick 1", "--list"]);

@@ -97,10 +97,92 @@ fn sbp_cmd_zt_persist__killed_in_motion() {
     let did = send(&shop, &["UD"]);
     did.exits(0).complains("not verified").says("position not verified: X Y Z");
     let again = send(&shop, &["UD"]);
-    assert!(!again.err().contains("not verified"), "it is told once");
-    again.says("position not verified: X Y Z").says("uValue: 7");
+    again.complains("not verified: X Y Z").says("position not verified: X Y Z").says("uValue: 7");
     send(&shop, &["ZT"]).exits(0);
     assert!(!send(&shop, &["UD"]).out().contains("not verified"), "zeroed again");
+}
+
+/// Begins a command that takes as long as the machine does, and kills it on its way.
+fn kill(shop: &Shop, args: &str) {
+    let mut child = shop.command().args(args.split_whitespace()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    child.kill().unwrap();
+    child.wait().unwrap();
+}
+
+/// Two long cuts on a metric machine with home switches, whose job goes on from where it was.
+fn two_lines() -> Shop {
+    let shop = Shop::new(&[]);
+    shop.kerf("machine use sim").exits(0);
+    let lines = ["draw", "--do", "line 0,0 100,0; line 100,50 0,50", "-o", "t.rsg"];
+    Did::of(shop.command().args(lines).output().unwrap()).exits(0);
+    shop.kerf("toolpath t.rsg -o t.rsm").exits(0);
+    shop
+}
+
+#[test]
+fn what_a_person_does_with_the_machine_after_a_kill_is_where_it_is() {
+    let shop = two_lines();
+    let mut whole = shop.command();
+    let whole =
+        Did::of(whole.args(["run", "t.rsm", "--trace", "-", "--start", "fresh"]).output().unwrap());
+    let mut child = shop.command().args(["run", "t.rsm", "--pace", "real"]).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(5300));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    shop.kerf("machine pos").exits(0).complains("not verified").complains("t.rsm was cut short");
+    shop.kerf("machine origin here").exits(1).complains("home it first");
+    shop.kerf("machine home").exits(0);
+    let pos = shop.kerf("machine pos");
+    pos.exits(0).says("x  0.000 homed").says("z  0.000 homed");
+    // It has no switch to be homed with.
+    pos.complains("not verified: C\n");
+    shop.kerf("machine move to 7,3").exits(0);
+    shop.kerf("machine pos").exits(0).says("x  7.000 homed");
+    shop.kerf("machine origin here").exits(0).says("[7, 3]");
+    shop.kerf("machine origin 0,0").exits(0);
+    // What is typed meanwhile asks the world, too, and is none of the run.
+    send(&shop, &["UD", "PAUSE 0.1", "GetUsrVal, &v"]).exits(0);
+    // It goes on from there, and cuts what it would have cut.
+    let rest = shop.kerf("run --resume --trace -");
+    rest.exits(0);
+    let cuts = |did: &Did| -> Vec<String> {
+        let moves = did.out();
+        let cut = |e: &serde_json::Value| e["e"] == "move" && e["kind"] == "cut" && e["line"] == 2;
+        let events = moves.lines().filter_map(|line| serde_json::from_str(line).ok());
+        events.filter(cut).map(|e: serde_json::Value| e["to"].to_string()).collect()
+    };
+    assert!(!cuts(&rest).is_empty());
+    assert_eq!(cuts(&rest), cuts(&whole));
+    shop.kerf("machine pos").exits(0).says("x  0.000 homed");
+}
+
+#[test]
+fn a_move_by_hand_that_was_killed_leaves_the_location_in_doubt() {
+    let shop = two_lines();
+    shop.kerf("machine home").exits(0);
+    shop.kerf("machine pos").exits(0).says("x  0.000 homed");
+    kill(&shop, "machine move --real to 500,500,-5");
+    for _ in 0..2 {
+        shop.kerf("machine pos").exits(0).says("x  0.000 not homed").complains("not verified");
+    }
+    shop.kerf("run t.rsm").exits(0).complains("not verified");
+    shop.kerf("machine home").exits(0);
+    let pos = shop.kerf("machine pos");
+    pos.says("x  0.000 homed").complains("not verified: C\n");
+}
+
+#[test]
+fn who_asks_while_a_run_is_under_way_is_told_that_it_is() {
+    let shop = two_lines();
+    let mut child = shop.command().args(["run", "t.rsm", "--pace", "real"]).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(3000));
+    let pos = shop.kerf("machine pos");
+    pos.exits(0).complains("another Kerf runs the machine");
+    assert!(!pos.err().contains("cut short") && !pos.err().contains("ended"), "{}", pos.err());
+    shop.kerf("machine origin here").exits(1).complains("another Kerf runs the machine");
+    child.kill().unwrap();
+    child.wait().unwrap();
 }
 
 #[test]

@@ -417,3 +417,71 @@ fn sbp_ctl_addin() {
     }
     drop(console);
 }
+
+#[cfg(unix)]
+#[test]
+fn a_server_that_is_to_end_stops_its_machine_first() {
+    use nix::sys::signal::{Signal, kill};
+    shop::hear_hangups();
+    for signal in [Signal::SIGTERM, Signal::SIGHUP, Signal::SIGINT] {
+        let shop = shop();
+        shop.write("long.sbp", b"JZ,1\nMS,1,1\nMX,5000\n");
+        let mut console = Console::begin(&shop, &[]);
+        console.carry_out("FP,long.sbp");
+        let state = || console.ask("GET /api/state", "");
+        while state()["motion"]["at"]["working"][0].as_f64().unwrap() < 30.0 {}
+        kill(nix::unistd::Pid::from_raw(console.child.id() as i32), signal).unwrap();
+        assert_eq!(console.child.wait().unwrap().code(), Some(0), "{signal}");
+        let log = shop.read("data/SbSys.log");
+        assert!(log.contains("NORMAL,Total Time"), "{signal}: {log}");
+        let did = shop.kerf("run rel.sbp --quiet");
+        assert!(
+            !did.err().contains("not verified"),
+            "{signal}: where it stands is known: {}",
+            did.err()
+        );
+    }
+}
+
+#[test]
+fn a_terminal_that_has_gone_is_no_panic() {
+    let shop = shop();
+    let (gone, stderr) = std::io::pipe().unwrap();
+    drop(gone);
+    let status = shop.command().args(["run", "nowhere.sbp"]).stderr(stderr).status().unwrap();
+    assert_eq!(status.code(), Some(2));
+}
+
+#[test]
+fn what_a_server_runs_is_told_as_any_run_is() {
+    let shop = shop();
+    shop.write("good.sbp", b"MX,1\nMY,2\nJZ,.5\n");
+    shop.write("bad.sbp", b"MX,1\nQQ,3\nM23,1\n");
+    shop.write("stops.sbp", b"MX,1\nPAUSE 1\nMX,&none\n");
+    shop.write("outer.sbp", b"MX,1\nFP,stops.sbp\n");
+    shop.write("warns.sbp", b"MX,1\nGOTO A\nA:\nA:\n");
+    let console = Console::begin(&shop, &[]);
+    let on = |what: &str| shop.kerf(&format!("{what} --server {}", console.url));
+    // The same words as here.
+    let did = on("run good.sbp --arm");
+    did.exits(0).says("ran to its end after").says("3 lines, 3 moves, 0 arcs\n");
+    assert_eq!(did.out(), shop.kerf("run good.sbp --data other").out());
+    assert_eq!(did.err(), "");
+    assert_eq!(on("run good.sbp --arm --quiet").exits(0).out(), "");
+    // Mistakes are shown with their place and the mend, and nothing starts.
+    let did = on("run bad.sbp --arm");
+    did.exits(1)
+        .complains("error[S002]: unknown command QQ")
+        .complains("bad.sbp:2:1")
+        .complains("2 | QQ,3");
+    did.complains("help: a command has two letters").complains("bad.sbp:3:1");
+    assert!(!did.out().contains("after"), "{}", did.out());
+    // An error of the run too, also that of a file that the file calls.
+    for name in ["stops.sbp", "outer.sbp"] {
+        let did = on(&format!("run {name} --arm"));
+        did.exits(1).says("FAILED after").complains("error[R001]: variable &NONE has no value");
+        did.complains("stops.sbp:3:4").complains("3 | MX,&none").complains("help: assign it");
+        assert_eq!(did.err().matches("R001").count(), 1, "{}", did.err());
+    }
+    on("run warns.sbp --arm").exits(0).complains("warning[W001]").complains("warns.sbp:4:");
+}

@@ -144,6 +144,28 @@ fn sbp_io_setspindle() {
 }
 
 #[test]
+fn each_run_asks_for_the_spindle_anew() {
+    let shop = Shop::new(&[
+        ("cut.sbp", "SO,1,1\nMX,1\nSO,1,0\nSO,1,1\nMX,0\nSO,1,0\n"),
+        ("cut.nc", "M3 S9000\nG1 X1 F100\nM5\n"),
+        ("left.sbp", "SO,1,1\nMX,1\n"),
+        ("on.sbp", "SetSpindleStatus, 1\n"),
+    ]);
+    let asked = |file: &str| {
+        let run = shop.kerf(&format!("run {file}")).exits(0).out();
+        run.matches("The spindle is about to start").count()
+    };
+    let status = || shop.kerf("registry get SpindleStatus").exits(0).out();
+    for file in ["cut.sbp", "cut.nc", "left.sbp", "cut.sbp"] {
+        assert_eq!(asked(file), 1, "{file}");
+        assert_eq!(status(), "0\n", "the end of {file} has switched it off");
+    }
+    asked("on.sbp");
+    assert_eq!(asked("cut.sbp"), 0, "the program said that it is active");
+    assert_eq!(asked("cut.sbp"), 1);
+}
+
+#[test]
 fn sbp_io_setusrval() {
     let shop =
         Shop::new(&[("a.sbp", "SetUsrVal, hello\n"), ("b.sbp", "GetUsrVal, &v\nPRINT &v\n")]);

@@ -128,3 +128,31 @@ fn pictures_of_jobs_have_the_colours_of_groups_or_directions() {
     shop.kerf("toolpath job.rsg -o job.png").exits(0);
     assert!(std::fs::read(shop.file("job.png")).unwrap().starts_with(b"\x89PNG"));
 }
+
+#[test]
+fn a_damaged_job_is_not_cut() {
+    let script = "rect 50,50 150,150; select all; directions auto; set black height=-2 tool=2 cut=2 speed=1000";
+    let shop = drawn(script);
+    shop.kerf("toolpath job.rsg --config sim -o job.rsm").exits(0);
+    let text = shop.read("job.rsm");
+    let lines: Vec<&str> = text.lines().collect();
+    let hurt = [&lines[..2], &lines[4..]].concat().join("\n");
+    shop.write("hurt.rsm", hurt.as_bytes());
+    let why = "the job is damaged and is not cut";
+    for command in ["run --start fresh", "time", "trace", "preview -o p.svg", "convert"] {
+        let out = if command == "convert" { "hurt.sbp" } else { "--config sim" };
+        shop.kerf(&format!("{command} hurt.rsm {out}")).exits(1).complains(why);
+    }
+    shop.kerf("check hurt.rsm").exits(1).says("F005").says(why);
+    shop.kerf("check job.rsm hurt.rsm --format json").exits(1).says("\"severity\":\"error\"");
+    shop.kerf("toolpath hurt.rsm -o again.rsm").exits(1).complains(why);
+    assert!(!shop.file("again.rsm").exists() && !shop.file("hurt.sbp").exists());
+    // What is left of it can be looked at.
+    shop.kerf("draw hurt.rsm -o left.rsg").exits(0).complains("groups and arrays are lost");
+    // Line ends that another system wrote are no damage, and files of the old program have no data of Kerf's own.
+    shop.write("dos.rsm", lines.join("\r\n").as_bytes());
+    shop.kerf("run dos.rsm --config sim --start fresh").exits(0);
+    let pairs = lines.chunks(2).filter(|pair| pair[0].trim() != "999");
+    shop.write("old.rsm", pairs.flatten().copied().collect::<Vec<_>>().join("\n").as_bytes());
+    shop.kerf("run old.rsm --config sim --start fresh").exits(0).says("cut ");
+}

@@ -199,3 +199,17 @@ pub fn soft_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
         HomeEnd::High => (-length, 0.0),
     })
 }
+
+/// Where the table limits let an axis go, table base coordinates. `None` while they are not checked, and for
+/// an axis that the machine lacks or that turns without end.
+pub fn table_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
+    let limits = &machine.program.limits;
+    let there = axis.index() < usize::from(machine.program.axis_count);
+    let holds = limits.check && there && !turns_endlessly(machine, axis);
+    holds.then(|| (limits.low[axis], limits.high[axis]))
+}
+
+/// Whether an axis is the tangential one, and turns without end.
+pub fn turns_endlessly(machine: &Configuration, axis: Axis) -> bool {
+    axis == Axis::C && machine.misc.tangential && machine.misc.tangential_endless
+}

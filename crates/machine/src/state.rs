@@ -6,6 +6,11 @@
 //! from it. What is not in the table may not happen: a motion command while the machine is stopped is
 //! refused because there is no such row.
 
+use kerf_program::Button;
+
+/// So long a stop input is waited for to be released before the operator is asked again, seconds.
+pub const RELEASE_S: f64 = 0.5;
+
 /// What a machine is doing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum State {
@@ -201,6 +206,14 @@ impl State {
             Self::EmergencyStopping => "estopping",
             Self::Emergency => "estop",
             Self::Alarm => "alarm",
+        }
+    }
+
+    /// The answers to the question of a machine that stands: it goes on, or that is the end.
+    pub(crate) const fn ways_on(self) -> [Button; 2] {
+        match self {
+            Self::Limited => [Button::Continue, Button::End],
+            _ => [Button::Resume, Button::Quit],
         }
     }
 

@@ -61,6 +61,9 @@ fn split(text: &str) -> Vec<Value> {
     text.split(',').map(Value::single).collect()
 }
 
+/// From here on not every whole number is a number of its own.
+const LARGE: f64 = 9e15;
+
 /// As TOML writes it.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -69,6 +72,8 @@ impl fmt::Display for Value {
             Self::Number(number) if number.is_infinite() => {
                 f.write_str(if *number > 0.0 { "inf" } else { "-inf" })
             }
+            // Without an exponent it would be a whole number, and TOML has none that large.
+            Self::Number(number) if number.abs() >= LARGE => write!(f, "{number:e}"),
             Self::Number(number) => write!(f, "{}", number + 0.0),
             Self::Text(text) => f.write_str(&quoted(text)),
             Self::List(values) => {
@@ -111,5 +116,8 @@ mod tests {
         check("[]", "[]");
         check("proportional", "\"proportional\"");
         check("\"a\\b\"", "\"a\\\\b\"");
+        check("1e19", "1e19");
+        check("-9300000000000000000", "-9.3e18");
+        check("1e15", "1000000000000000");
     }
 }

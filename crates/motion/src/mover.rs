@@ -4,7 +4,7 @@
 use crate::moves::{Basis, Move, Path};
 use kerf_geom::{Arc2, Point2};
 use kerf_program::settings::{NO_SHIFT_JOG_MM_S, PerGroup, Ramps};
-use kerf_program::{Arc, At, Axes, Axis, Feed, Line, MoveKind, Settings};
+use kerf_program::{Arc, At, Axes, Axis, Command, Feed, Line, MoveKind, Settings};
 
 /// Shorter ways do not count as motion, mm or degrees. Far below a step of any machine; keeps
 /// rounding noise of X and Y from turning a plunge into an XY move.
@@ -97,6 +97,19 @@ impl Mover {
         let extent = Extent::new(length, arc.to.minus(self.position));
         let path = Path::Arc { centre, sweep_rad, chords, small };
         self.make(at, arc.kind, arc.to, path, arc.feed, &extent)
+    }
+
+    /// The axis of a motion command that would go beyond all reason, and where it would end, mm or degrees. The
+    /// mover refuses such a command; whoever runs a program says so.
+    pub fn beyond(command: &Command) -> Option<(Axis, f64)> {
+        let (to, [x, y]) = match command {
+            Command::Line(line) => (line.to, [0.0; 2]),
+            Command::Arc(arc) => (arc.to, arc.centre),
+            _ => return None,
+        };
+        let places = Axis::ALL.into_iter().map(|axis| (axis, to[axis]));
+        let mut places = places.chain([(Axis::X, x), (Axis::Y, y)]);
+        places.find(|(_, place)| !in_reach(*place))
     }
 
     fn make(

@@ -52,6 +52,13 @@ impl Stop {
     pub fn whole(&self) -> usize {
         self.move_index + usize::from(self.share >= 1.0)
     }
+
+    /// How much of a move that was planned the cut plan tells shares of: the move that a plan of ramps stops in
+    /// ends there, and counts as a whole; a plan by a clock goes on to tell shares of what was planned.
+    pub fn part(&self, index: usize) -> f64 {
+        let ends = index == self.move_index && matches!(self.law, Braked::Ramped(_));
+        if ends { self.share } else { 1.0 }
+    }
 }
 
 impl Plan {

@@ -32,6 +32,14 @@ fn polyline(places: &[[f64; 3]], feed: f64) -> Vec<Move> {
     places.iter().filter_map(|p| mover.line(At::default(), &cut(axes(p), feed))).collect()
 }
 
+/// The same, each with a feed of its own.
+fn with_feeds(places: &[[f64; 3]], feeds: &[f64]) -> Vec<Move> {
+    let mut mover = Mover::new(Axes::xyz(0.0, 0.0, 0.0), &Settings::default());
+    let all = places.iter().zip(feeds.iter().cycle());
+    all.filter_map(|(p, feed)| mover.line(At::default(), &cut(Axes::xyz(p[0], p[1], p[2]), *feed)))
+        .collect()
+}
+
 fn plan(moves: &[Move], dynamics: &Dynamics) -> Plan {
     Optimal { dynamics }.plan(moves.to_vec())
 }
@@ -103,10 +111,8 @@ fn check(plan: &Plan, d: &Dynamics, samples: u32) {
         assert!(off <= d.tolerance_mm.max(1e-3) * (1.0 + 1e-9) + 1e-9, "{off} off at {t}");
         let feed = moves[s.move_index].speed_mm_s;
         let v = length(&s.velocity.0[..3]);
-        let top = moves.iter().map(|m| m.speed_mm_s).fold(0.0, f64::max);
-        assert!(s.path_speed_mm_s <= top * (1.0 + 1e-9), "{} of {top} at {t}", s.path_speed_mm_s);
-        // Within a corner the feed of the neighbour may hold.
-        assert!(v <= feed * (1.0 + ROUNDING) || moves.iter().any(|m| m.speed_mm_s > feed));
+        assert!(s.path_speed_mm_s <= feed * (1.0 + 1e-9), "{} of {feed} at {t}", s.path_speed_mm_s);
+        assert!(v <= feed * (1.0 + ROUNDING), "{v} of {feed} at {t}");
         assert!(s.move_index >= before.move_index);
         before = s;
     }
@@ -148,6 +154,28 @@ fn a_corner_without_tolerance_is_a_stop_and_with_it_is_not() {
     // A parabola with its apex at the tolerance: v² = a·c there, with c = 4·ε/√2.
     let v = length(&smooth.at(smooth.span_s(1).0).velocity.0);
     assert!((v - (500.0 * 0.04 / 2f64.sqrt()).sqrt()).abs() < 1e-3, "{v}");
+}
+
+/// Straight on from one feed to another: the slower move keeps its own to its end, whichever it is.
+#[test]
+fn a_move_that_goes_straight_on_keeps_its_own_feed() {
+    let places = [[10.0, 0.0, 0.0], [30.0, 0.0, 0.0], [40.0, 0.0, 0.0]];
+    let [v, a] = [25.0, 500.0];
+    let ramp_s = |from: f64, to: f64| (to - from) / a;
+    let way_mm = |from: f64, to: f64| (to * to - from * from) / (2.0 * a);
+    let slow = plan(&with_feeds(&places, &[v, 100.0]), &dynamics(200.0, a, 0.01));
+    check(&slow, &dynamics(200.0, a, 0.01), 3000);
+    let first_s = ramp_s(0.0, v) + (10.0 - way_mm(0.0, v)) / v;
+    assert!((slow.span_s(0).1 - first_s).abs() < 1e-6, "{:?}", slow.span_s(0));
+    let second_s = 2.0 * ramp_s(v, 100.0) + (20.0 - 2.0 * way_mm(v, 100.0)) / 100.0;
+    let is_s = slow.span_s(1).1 - slow.span_s(1).0;
+    assert!((is_s - second_s).abs() < 1e-6, "{is_s} s, not {second_s}");
+    for jerk in [None, Some(20_000.0)] {
+        let mut d = dynamics(200.0, a, 0.01);
+        d.jerk_mm_s3 = jerk.map(Axes::splat);
+        check(&plan(&with_feeds(&places, &[v, 100.0]), &d), &d, 3000);
+        check(&plan(&with_feeds(&places, &[100.0, v, 50.0]), &d), &d, 3000);
+    }
 }
 
 #[test]
@@ -259,6 +287,17 @@ fn wander(steps: &[[f64; 3]], scale: f64) -> Vec<[f64; 3]> {
         .collect()
 }
 
+/// Every way in two halves.
+fn halved(places: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let mut here = [0.0; 3];
+    let halves = places.iter().flat_map(|to| {
+        let half = [0, 1, 2].map(|k| 0.5 * (here[k] + to[k]));
+        here = *to;
+        [half, *to]
+    });
+    halves.collect()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig {
         cases: 60,
@@ -270,15 +309,17 @@ proptest! {
     #[test]
     fn random_programs_keep_every_limit(
         places in prop::collection::vec(place(), 1..30),
-        feed in 5.0..200.0f64,
+        feeds in prop::collection::vec(5.0..200.0f64, 1..4),
         speed in prop::array::uniform3(20.0..300.0f64),
         accel in prop::array::uniform3(100.0..3000.0f64),
         tolerance in prop::sample::select(vec![0.0, 0.002, 0.01, 0.1, 1.0]),
         smooth in any::<bool>(),
         scale in 0.01..2.0f64,
+        straight_on in any::<bool>(),
     ) {
         let places = if smooth { wander(&places, scale) } else { places };
-        let moves = polyline(&places, feed);
+        let places = if straight_on { halved(&places) } else { places };
+        let moves = with_feeds(&places, &feeds);
         prop_assume!(!moves.is_empty());
         let mut d = dynamics(100.0, 500.0, tolerance);
         d.speed_mm_s.0[..3].copy_from_slice(&speed);
@@ -297,9 +338,12 @@ proptest! {
         tolerance in prop::sample::select(vec![0.0, 0.01, 0.1]),
         smooth in any::<bool>(),
         scale in 0.05..2.0f64,
+        straight_on in any::<bool>(),
+        feeds in prop::collection::vec(5.0..100.0f64, 1..4),
     ) {
         let places = if smooth { wander(&places, scale) } else { places };
-        let moves = polyline(&places, 60.0);
+        let places = if straight_on { halved(&places) } else { places };
+        let moves = with_feeds(&places, &feeds);
         prop_assume!(!moves.is_empty());
         let mut d = with_jerk(1e4, tolerance);
         d.accel_mm_s2.0[..3].copy_from_slice(&accel);

@@ -3,9 +3,9 @@
 
 mod shop;
 
-use kerf_motion::{Pass, Plan, Stop};
-use kerf_program::Axis;
+use kerf_motion::{Model, Optimal, Pass, Plan, Stop};
 use kerf_program::settings::MM_PER_INCH as INCH;
+use kerf_program::{Axes, Axis, Dynamics, Settings};
 use shop::{joints, near, peaks, vs};
 
 /// A stop that begins where a move's share is reached.
@@ -65,6 +65,30 @@ fn a_ramped_stop_runs_on_through_joints_but_not_round_a_full_corner() {
     assert_eq!((stop.move_index, stop.share), (0, 1.0));
     let (done, rest) = corner.cut(&stop);
     assert_eq!((done.moves().len(), rest.len()), (1, 1));
+}
+
+/// Whoever is asked while the machine brakes how much of a move is made tells the same of every model: the
+/// share that [`Stop::part`] names is one of the move as it was planned.
+#[test]
+fn shares_of_a_cut_plan_lead_to_where_it_is() {
+    let moves = vs(2.0, 1.0).mx(4.0).mx(8.0).plan().moves().to_vec();
+    let dynamics = Dynamics { tolerance_mm: 0.0, ..Dynamics::usual(&Settings::default().speeds) };
+    let jerky = Dynamics { jerk_mm_s3: Some(Axes::splat(5000.0)), ..dynamics };
+    let plans = [
+        vs(2.0, 1.0).mx(4.0).mx(8.0).plan(),
+        Optimal { dynamics: &dynamics }.plan(moves.clone()),
+        Optimal { dynamics: &jerky }.plan(moves.clone()),
+    ];
+    for plan in plans {
+        let stop = stop_at(&plan, 1, 0.3, true);
+        let (cut, _) = plan.clone().cut(&stop);
+        for n in 0..10 {
+            let at = cut.at(stop.begin_s + (stop.end_s - stop.begin_s) * f64::from(n) / 10.0);
+            let share = at.share * stop.part(at.move_index);
+            let there = moves[at.move_index].position(share);
+            near(&[there[Axis::X]], &[at.position[Axis::X]], 1e-6);
+        }
+    }
 }
 
 #[test]

@@ -122,7 +122,25 @@ impl Interpreter {
         };
         self.files.learn_sbp(&self.sbp);
         self.files.translate_sbp(&mut out[given..]);
-        step
+        match self.moved_beside_path(&out[given..]) {
+            Some((first, error)) => {
+                out.truncate(given + first);
+                self.failed(host, out, Status::Failed, Some(error))
+            }
+            None => step,
+        }
+    }
+
+    /// The first move of OpenSBP while cutter compensation of G-code is on, which knows nothing of it and of the
+    /// moves that are held back.
+    fn moved_beside_path(&self, given: &[Sourced]) -> Option<(usize, Box<Diagnostic>)> {
+        self.lines.as_ref().filter(|(_, lines)| lines.compensates())?;
+        let first = given.iter().position(|it| it.command.is_motion())?;
+        let at = given[first].at;
+        let name = self.files.name(at.file).unwrap_or_else(|| Arc::from(""));
+        let message = "OpenSBP moves while cutter compensation is on";
+        let error = Diagnostic::new(Code::Compensation, Place::line(name, at.line), message);
+        Some((first, Box::new(error.hint("write G40 before it, or the move in G-code"))))
     }
 
     fn go_gcode(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {

@@ -1,6 +1,6 @@
 //! A part file that was read.
 
-use kerf_diag::Diagnostic;
+use kerf_diag::{Code, Diagnostic, Place};
 use kerf_sbp::{Dialect, Language};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -18,12 +18,22 @@ pub struct Program {
 
 /// Reads a part file; its ending and its lines say in which language.
 pub fn read<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>) -> Program {
-    kerf_sbp::read_part(name, bytes).into()
+    told_empty(kerf_sbp::read_part(name, bytes).into())
 }
 
 /// The same, OpenSBP written in a dialect.
 pub fn read_as<'a>(name: Arc<str>, bytes: impl Into<Cow<'a, [u8]>>, dialect: Dialect) -> Program {
-    kerf_sbp::read_part_as(name, bytes, dialect).into()
+    told_empty(kerf_sbp::read_part_as(name, bytes, dialect).into())
+}
+
+/// A file in which nothing stands is hardly what was meant.
+fn told_empty(mut program: Program) -> Program {
+    if program.diagnostics.is_empty() && program.sbp.text.trim().is_empty() {
+        let place = Place::line(program.name().clone(), 1);
+        let empty = Diagnostic::new(Code::EmptyFile, place, "the file is empty");
+        program.diagnostics.push(empty.hint("save it again where it was made"));
+    }
+    program
 }
 
 impl From<kerf_sbp::Program> for Program {

@@ -152,6 +152,24 @@ fn a_line_that_could_be_either_goes_by_the_ending() {
 }
 
 #[test]
+fn opensbp_does_not_move_beside_a_compensated_path() {
+    let begins = "G20 G17 ⏎ G41.1 D.5 G1 X1 Y1 F60 ⏎ G1 Y3 ⏎ ";
+    for line in ["MZ,-.5", "JZ,1", "MH", "FP,s.sbp"] {
+        let text = format!("{begins}PRINT 1 ⏎ {line} ⏎ G1 X3 ⏎ G40 G1 X7 Y0");
+        let ran = run(&[("a.nc", &text), ("s.sbp", "MZ,-1")], false);
+        assert_eq!(ran.status, Status::Failed, "{line}");
+        assert!(ran.error.contains("cutter compensation is on"), "{line}: {}", ran.error);
+        let low = ran.out.iter().filter_map(|it| match &it.command {
+            Command::Line(moved) => Some(moved.to.0[2]),
+            _ => None,
+        });
+        assert!(low.into_iter().all(|z| z == 0.0), "{line}: nothing moves up or down");
+    }
+    let ended = format!("{begins}G40 ⏎ MZ,-.5");
+    assert_eq!(run(&[("a.nc", &ended)], false).status, Status::Ok);
+}
+
+#[test]
 fn files_call_files_and_places_name_them() {
     let files = [
         ("a.sbp", "FP,b.nc ⏎ FP,c.sbp ⏎ FP,b.nc ⏎ MX,9"),

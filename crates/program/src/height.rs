@@ -65,6 +65,11 @@ impl HeightLaw {
         if gain_mm < 0.0 { MOST - units } else { units }
     }
 
+    /// How far the gap grows or shrinks from one reading to the next, mm; two inputs do not tell.
+    pub const fn scale_mm(&self) -> f64 {
+        if let Gauge::Proportional { scale_mm, .. } = self.gauge { scale_mm } else { 0.0 }
+    }
+
     /// The gap at which the sensor says so, mm.
     pub fn gap_mm(&self, reading: f64) -> f64 {
         let Gauge::Proportional { gain_mm, scale_mm, .. } = self.gauge else { return 0.0 };

@@ -203,6 +203,8 @@ pub enum HostError {
 /// Key under which [`Host::store`] keeps `1` while the spindle counts as active: then nobody is asked
 /// before it starts (SetSpindleStatus).
 pub const SPINDLE_STATUS: &str = "SpindleStatus";
+/// The output that starts the spindle.
+pub const SPINDLE_OUTPUT: u8 = 1;
 
 /// What became of a request to convert a file (FC).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

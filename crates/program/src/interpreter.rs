@@ -119,6 +119,12 @@ pub trait Interpreter: Send {
     /// that take stops; what they do about it are the next commands.
     fn stopped(&mut self, _by: StoppedBy, _halted: &Halted) {}
 
+    /// The outputs that its own way back switches on when it is taken up after the power was off there. Only
+    /// of those that take stops.
+    fn comes_on(&self, _halted: &Halted) -> Vec<u8> {
+        Vec::new()
+    }
+
     /// Tells where the machine was when a watched input fired, before the
     /// [`interrupt`](Self::interrupt) that follows.
     fn fired(&mut self, _halted: &Halted) {}

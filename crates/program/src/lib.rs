@@ -40,8 +40,8 @@ pub use go_to::GoTo;
 pub use height::{Gauge, HeightLaw};
 pub use host::{
     Answer, Button, ConversionRequest, CutChoice, FileConversion, FileMode, FileRequest, Folder,
-    Host, HostError, Question, QuestionKind, SPINDLE_STATUS, ShellCall, SourceFile, ToolCall,
-    no_such_tool,
+    Host, HostError, Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, ShellCall, SourceFile,
+    ToolCall, no_such_tool,
 };
 pub use interpreter::{Halted, Interpreter, Status, Step, StoppedBy, Watch};
 pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};

@@ -51,7 +51,10 @@ pub use interp::{
 pub use named_files::NamedFile;
 pub use number::format_number;
 pub use printer::{Printing, SbpPrinter, print};
-pub use reader::{is_gcode_name, read, read_as, read_part, read_part_as, statement_words};
+pub use reader::{
+    GCODE_ENDINGS, PART_ENDINGS, is_gcode_name, is_part_name, read, read_as, read_part,
+    read_part_as, statement_words,
+};
 pub use tree::{Language, Program};
 pub use typed::read_typed;
 pub use value::Value;

@@ -198,6 +198,10 @@ impl App {
     ) -> Result<(), Problem> {
         shop::check(&parameters)?;
         let bytes: Arc<[u8]> = self.parts.read(name)?.into();
+        if kind_of(name) == FileKind::Job {
+            let damaged = kerf_toolpath::read_whole(&bytes).err();
+            damaged.map_or(Ok(()), |why| Err(problem(Why::Mistake, format!("{name}: {why}"))))?;
+        }
         let hash = hash_of(&bytes, &parameters, &JobChoice::default());
         self.show(Open { name: name.into(), hash, bytes, parameters, ..Open::default() });
         Ok(())

@@ -38,7 +38,8 @@ impl App {
 
     pub fn job_of(&self, open: &Open) -> Result<Work, Problem> {
         let machine = lock(&self.left).session.configuration();
-        let (job, _) = job_file::read(&open.bytes, machine.program.smoothing.factor);
+        let read = job_file::read(&open.bytes, machine.program.smoothing.factor);
+        let (job, _) = read.map_err(|damaged| problem(Why::Mistake, damaged.to_string()))?;
         let name = self.parts.root().join(&open.name).display().to_string();
         let work = job_file::work(&job, name.into(), machine);
         let no_room = |why: kerf_toolpath::NoRoom| problem(Why::Mistake, why.to_string());

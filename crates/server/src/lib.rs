@@ -51,11 +51,15 @@ use machine::{Left, Link, Order, Owner};
 use problems::ProblemLog;
 use std::io;
 use std::net::SocketAddr;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, Weak};
-use std::thread;
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::runtime::Runtime;
+
+/// How often it is looked whether the server is to end.
+const LOOK: Duration = Duration::from_millis(100);
 
 /// A server that runs, until it is dropped.
 pub struct Server {
@@ -64,6 +68,8 @@ pub struct Server {
     app: Arc<App>,
     /// Told when a part file closed Kerf.
     closed: Mutex<Receiver<()>>,
+    /// The thread that drives the machine.
+    machine: Mutex<Option<JoinHandle<()>>>,
     /// Carries the connections.
     runtime: Option<Runtime>,
 }
@@ -84,7 +90,8 @@ impl Server {
         let address = listener.local_addr()?;
         let (closing, closed) = channel();
         let closing = options.closes_with_program.then_some(closing);
-        let app = machine_and_app(options, builders, format!("http://{address}"), closing)?;
+        let (app, machine) =
+            machine_and_app(options, builders, format!("http://{address}"), closing)?;
         app.keep_drafts();
         handconsole::begin(&app);
         if let Some(name) = app.options.open.clone() {
@@ -95,7 +102,8 @@ impl Server {
         }
         let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
         runtime.spawn(async move { axum::serve(listener, service).await });
-        Ok(Self { address, app, closed: Mutex::new(closed), runtime: Some(runtime) })
+        let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));
+        Ok(Self { address, app, closed, machine, runtime: Some(runtime) })
     }
 
     /// A code by which a device is paired that asks for it.
@@ -118,12 +126,22 @@ impl Server {
         self.app.files_changed();
     }
 
-    /// Waits for as long as the server runs: for ever, or until a part file closes it.
-    pub fn wait(&self) {
+    /// Waits for as long as the server runs: until a part file closes it, or it is to end; then what runs is
+    /// stopped first, as the button does, and nobody is asked.
+    pub fn wait(&self, is_to_end: impl Fn() -> bool) {
         let closed = self.closed.lock().unwrap_or_else(PoisonError::into_inner);
-        while closed.recv().is_err() {
-            thread::park();
+        while !is_to_end() {
+            match closed.recv_timeout(LOOK) {
+                Ok(()) => return,
+                Err(RecvTimeoutError::Timeout) => {}
+                // No part file closes this one.
+                Err(RecvTimeoutError::Disconnected) => thread::sleep(LOOK),
+            }
         }
+        self.app.link.want(|wanted| (wanted.stop, wanted.leaves) = (true, true));
+        let machine = self.machine.lock().unwrap_or_else(PoisonError::into_inner).take();
+        // A machine whose thread has failed moves no more.
+        machine.map(JoinHandle::join);
     }
 }
 
@@ -144,7 +162,7 @@ fn machine_and_app(
     builders: Builders,
     url: String,
     closing: Option<Sender<()>>,
-) -> io::Result<Arc<App>> {
+) -> io::Result<(Arc<App>, JoinHandle<()>)> {
     let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
     snapshot.drawing_only = options.drawing_only;
     snapshot.start.clone_from(&options.start);
@@ -177,9 +195,9 @@ fn machine_and_app(
         drop(ready.send(Ok(())));
         owner.work(&waiting);
     };
-    thread::Builder::new().name("machine".into()).spawn(move || run(waiting))?;
+    let machine = thread::Builder::new().name("machine".into()).spawn(move || run(waiting))?;
     started.recv().map_err(io::Error::other)??;
     let made = Arc::new(App::new(options, Parts { hub, link, orders, left, builders })?);
     drop(app.set(Arc::downgrade(&made)));
-    Ok(made)
+    Ok((made, machine))
 }

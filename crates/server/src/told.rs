@@ -11,7 +11,7 @@ use kerf_sbp::Status;
 use kerf_sim::Machine;
 use kerf_wire::{
     AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions,
-    Speeds, Tone, Units,
+    RunSummary, Speeds, Tone, Units,
 };
 
 /// The points that are being digitized.
@@ -38,6 +38,22 @@ pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<String, String>
         (Some(error), _) => Err(error.message.clone()),
         (None, Status::Ok | Status::Ended) => Ok(String::new()),
         (None, status) => Err(self::status(status).into()),
+    }
+}
+
+/// What a run came to.
+pub fn summary(summary: &Summary) -> RunSummary {
+    let tally = &summary.tally;
+    let bounds = (!tally.bounds.is_empty()).then_some([tally.bounds.min, tally.bounds.max]);
+    RunSummary {
+        seconds: summary.seconds,
+        lines: summary.lines,
+        moves: tally.moves,
+        arcs: tally.arcs,
+        cut_mm: tally.cut_mm,
+        jog_mm: tally.jog_mm,
+        bounds,
+        millimetres: summary.unit == LinearUnit::Mm,
     }
 }
 

@@ -163,18 +163,6 @@ fn pro_console_f10() {
 }
 
 #[test]
-fn pro_files_rsm_start__by_function_10() {
-    let (_shop, mut hand) = with_job(&rsm(FIVE), |machine| machine.misc.double_start = true);
-    choose(&mut hand, json!({ "start": 5 }));
-    hand.keys("U10E");
-    hand.shows("Save job", "Job saved");
-    hand.act(json!({ "do": "close" }));
-    hand.open_file("job.rsm");
-    hand.keys("S");
-    hand.shows("Start job", "Shape 5 of 5");
-}
-
-#[test]
 fn a_job_that_somebody_else_changed_is_not_overwritten() {
     let (shop, mut hand) = with_job(&rsm(FIVE), |_| {});
     shop.write("job.rsm", rsm("line 0,0 1,0").as_bytes());

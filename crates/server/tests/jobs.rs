@@ -389,3 +389,14 @@ fn pro_misc_runtime() {
         assert_eq!(page.act(act).as_deref(), Some("mistake"));
     }
 }
+
+#[test]
+fn a_damaged_job_is_not_opened() {
+    let shop = shop(FIVE, |_| {});
+    let text = rsm(FIVE);
+    let lines: Vec<&str> = text.lines().collect();
+    shop.write("hurt.rsm", [&lines[..2], &lines[4..]].concat().join("\n").as_bytes());
+    let mut page = shop.driver();
+    assert_eq!(page.act(json!({ "do": "open", "name": "hurt.rsm" })).as_deref(), Some("mistake"));
+    assert_eq!(page.act(json!({ "do": "open", "name": "job.rsm" })), None);
+}

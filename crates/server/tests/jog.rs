@@ -6,7 +6,7 @@ mod support;
 
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
-use support::{Page, shop};
+use support::{Page, Shop, shop};
 
 /// Begins a jog of X.
 fn start(page: &Page, seq: u32) -> Value {
@@ -171,13 +171,19 @@ fn jog_in_question(page: &mut Page, seq: u32, direction: [f64; 6], state: &str) 
     page.until_state(state);
 }
 
-#[test]
-fn a_program_that_opened_the_keypad_goes_on_where_the_tool_was_moved() {
-    let shop = shop(1.0, &[("keypad.sbp", "SK,\"Move to the corner\"\nZX\nMX,.1\n")]);
+/// A program that has opened the keypad, and the number of its question.
+fn keypad(program: &'static str) -> (Shop, Page, u64) {
+    let shop = shop(1.0, &[("keypad.sbp", program)]);
     let mut page = shop.driver();
     page.open_file("keypad.sbp");
     assert_eq!(page.run(), None);
     let number = page.asked("keypad");
+    (shop, page, number)
+}
+
+#[test]
+fn a_program_that_opened_the_keypad_goes_on_where_the_tool_was_moved() {
+    let (_shop, mut page, number) = keypad("SK,\"Move to the corner\"\nZX\nMX,.1\n");
     jog_in_question(&mut page, 1, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0], "asking");
     jog_in_question(&mut page, 2, [1.0, 1.0, 0.0, 0.0, 0.0, 0.0], "asking");
     assert_eq!(page.shown["asked"]["number"], number, "it is the same question");
@@ -217,11 +223,7 @@ fn after_a_stop_the_tool_is_moved_away_and_the_cut_goes_on_where_it_was() {
 
 #[test]
 fn a_hold_of_a_machine_that_asks_ends_no_later_jog() {
-    let shop = shop(1.0, &[("keypad.sbp", "SK\n")]);
-    let mut page = shop.driver();
-    page.open_file("keypad.sbp");
-    assert_eq!(page.run(), None);
-    page.asked("keypad");
+    let (_shop, mut page, _) = keypad("SK\n");
     page.act(json!({ "do": "hold" }));
     jog_in_question(&mut page, 1, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0], "asking");
     assert!((page.x() - 10.0).abs() < 1e-6, "{}", page.x());
@@ -229,11 +231,7 @@ fn a_hold_of_a_machine_that_asks_ends_no_later_jog() {
 
 #[test]
 fn a_stop_during_a_jog_in_a_question_ends_the_job() {
-    let shop = shop(1.0, &[("keypad.sbp", "SK\nMX,5\n")]);
-    let mut page = shop.driver();
-    page.open_file("keypad.sbp");
-    assert_eq!(page.run(), None);
-    page.asked("keypad");
+    let (_shop, mut page, _) = keypad("SK\nMX,5\n");
     let begin = start(&page, 1);
     assert_eq!(page.act(begin), None);
     page.until_state("jogging");

@@ -31,6 +31,8 @@ pub(crate) struct Sensed {
 pub(crate) struct Reading {
     /// What it says, 0 … 255.
     pub value: u8,
+    /// The gap, less what a way between paths is higher than a cut, mm.
+    pub gap_mm: f64,
     /// How far the gap is from what is wanted, mm.
     pub error_mm: f64,
 }
@@ -91,7 +93,8 @@ impl Follower {
         let set_point = law.set_point(sensed.way[0], sensed.way[1]);
         let error = if sensed.active { reading - set_point } else { 0.0 };
         self.target_mm = self.offset_mm - error * gain_mm;
-        Some(Reading { value: reading as u8, error_mm: gap_mm - law.gap_mm(set_point) })
+        let error_mm = gap_mm - law.gap_mm(set_point);
+        Some(Reading { value: reading as u8, gap_mm, error_mm })
     }
 
     /// The speed that comes to rest at the target.

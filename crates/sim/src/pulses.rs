@@ -89,13 +89,14 @@ impl Pulses {
         if self.now[i].replace(wanted) != Some(wanted) {
             edges.push(Edge { t_ns, motor, line: Line::Direction, high: wanted });
             if self.dir_delay_ns > 0 {
-                t_ns += self.output_delay_ns + self.dir_delay_ns;
+                t_ns = t_ns.saturating_add(self.output_delay_ns + self.dir_delay_ns);
             }
         }
-        let falls_ns = t_ns + self.pulse_ns;
+        // Nanoseconds are counted for five centuries; what comes later comes at their end.
+        let falls_ns = t_ns.saturating_add(self.pulse_ns);
         edges.push(Edge { t_ns, motor, line: Line::Step, high: true });
         edges.push(Edge { t_ns: falls_ns, motor, line: Line::Step, high: false });
-        self.free_ns[i] = falls_ns + self.output_delay_ns;
+        self.free_ns[i] = falls_ns.saturating_add(self.output_delay_ns);
         edges
     }
 }
@@ -121,6 +122,17 @@ mod tests {
         let mut pulses = Pulses::new(machine);
         let steps = stepper.follow(0.0, 1.0, place);
         steps.iter().flat_map(|step| pulses.edges(step)).collect()
+    }
+
+    #[test]
+    fn a_step_at_the_end_of_time_is_one() {
+        let mut pulses = Pulses::new(&sim(|machine| machine.motors.dir_delay_ns = 5000));
+        let step = |forward| Step { t_s: 1e12, axis: 0, forward };
+        for forward in [true, false] {
+            let edges = pulses.edges(&step(forward));
+            assert_eq!(edges.len(), 3, "a direction, up, down: {edges:?}");
+            assert!(edges.iter().all(|edge| edge.t_ns == u64::MAX));
+        }
     }
 
     fn rising(edges: &[Edge], motor: Motor) -> Vec<u64> {

@@ -46,7 +46,7 @@ pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};
 pub use program::print;
 pub use relief::{Relief, print_relief};
-pub use rsm::{read, write};
+pub use rsm::{Damaged, read, read_whole, write};
 pub use shape_paths::Pass;
 pub use table::off_table;
 pub use warning::Warning;

@@ -4,8 +4,9 @@
 //! laid out; the comments hold where the job lies on the table and what each path comes from.
 
 use crate::job::{CutPath, Job, Origin};
-use kerf_drawing::Arrays;
-use kerf_formats::{Imported, rsg};
+use kerf_drawing::{Arrays, Drawing};
+use kerf_formats::Imported;
+use kerf_formats::rsg::{self, Own};
 use kerf_geom::Point2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -21,6 +22,9 @@ struct Head {
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     edited: bool,
     paths: Vec<Origin>,
+    /// The check number of what is cut; files of before have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    sum: Option<u32>,
 }
 
 /// A job as RSM.
@@ -32,15 +36,37 @@ pub fn write(job: &Job) -> String {
         |path: &CutPath| Origin { from: path.from, pass: path.pass, room_mm: path.room_mm };
     let paths = job.paths.iter().map(origin).collect();
     let Job { origin, finish, start, smoothing, edited, .. } = *job;
-    let head = Head { origin, finish, start, smoothing, edited, paths };
+    let sum = Some(sum(&drawing));
+    let head = Head { origin, finish, start, smoothing, edited, paths, sum };
     rsg::write_with(&drawing, Some(serde_json::to_value(head).unwrap_or_default()))
 }
 
-/// Reads an RSM. A drawing that is none is a job of its shapes as they are; what was noticed comes
-/// with it.
+/// Why a job is not cut: what its file says of it cannot all be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the job is damaged and is not cut ({0}): make it anew from its drawing")]
+pub struct Damaged(String);
+
+/// Reads an RSM. A drawing that is none is a job of its shapes as they are, so is a job of the old program; what
+/// was noticed comes with it.
+///
+/// # Errors
+/// Kerf wrote it, and it is not what it was.
+pub fn read_whole(bytes: &[u8]) -> Result<(Job, Imported), Damaged> {
+    match read_with_damage(bytes) {
+        (job, read, None) => Ok((job, read)),
+        (.., Some(why)) => Err(Damaged(why)),
+    }
+}
+
+/// The same, and of a damaged one what is left of it.
 pub fn read(bytes: &[u8]) -> (Job, Imported) {
+    let (job, read, _) = read_with_damage(bytes);
+    (job, read)
+}
+
+fn read_with_damage(bytes: &[u8]) -> (Job, Imported, Option<String>) {
     let (mut read, own) = rsg::read_with(bytes);
-    let head: Head = own.and_then(|own| serde_json::from_value(own).ok()).unwrap_or_default();
+    let (head, damage) = head(own, &read.drawing);
     let shapes = std::mem::take(&mut read.drawing.shapes);
     let origins = head.paths.iter().copied();
     let numbered = (1..).map(|from| Origin { from, ..Origin::default() });
@@ -53,5 +79,87 @@ pub fn read(bytes: &[u8]) -> (Job, Imported) {
     let Head { origin, finish, start, smoothing, edited, .. } = head;
     let drawing = read.drawing.clone();
     let start = start.max(1);
-    (Job { paths, drawing, origin, finish, start, smoothing, edited }, read)
+    (Job { paths, drawing, origin, finish, start, smoothing, edited }, read, damage)
+}
+
+/// What a file with these shapes says of its job, and what is wrong with that.
+fn head(own: Own, drawing: &Drawing) -> (Head, Option<String>) {
+    let value = match own {
+        Own::Nothing | Own::Read(None) => return (Head::default(), None),
+        Own::Damaged(why) => return (Head::default(), Some(why)),
+        Own::Read(Some(value)) => value,
+    };
+    match serde_json::from_value::<Head>(value) {
+        Err(error) => (Head::default(), Some(format!("its own data cannot be read ({error})"))),
+        Ok(head) if head.paths.len() != drawing.shapes.len() => {
+            let (had, has) = (head.paths.len(), drawing.shapes.len());
+            (head, Some(format!("it had {had} paths and has {has}")))
+        }
+        Ok(head) if head.sum.is_some_and(|written| written != sum(drawing)) => {
+            (head, Some("its paths or groups are not what they were".into()))
+        }
+        Ok(head) => (head, None),
+    }
+}
+
+/// A check number of everything that is cut, and how; the same for a file with other line ends.
+fn sum(drawing: &Drawing) -> u32 {
+    let mut sum = crc32fast::Hasher::new();
+    let mut add = |value: f64| sum.update(&(value + 0.0).to_bits().to_le_bytes());
+    for shape in &drawing.shapes {
+        let path = &shape.path;
+        path.vertices.iter().for_each(|v| [v.at.x, v.at.y, v.bulge].into_iter().for_each(&mut add));
+        shape.z_mm.iter().flatten().copied().for_each(&mut add);
+        let flags = [path.closed, shape.pause].map(|flag| f64::from(u8::from(flag)));
+        [flags[0], flags[1], shape.group as usize as f64].into_iter().for_each(&mut add);
+    }
+    sum.update(serde_json::to_string(&drawing.groups).unwrap_or_default().as_bytes());
+    sum.finalize()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::smoothed_job;
+    use kerf_drawing::{Editor, script};
+
+    fn job() -> Job {
+        let text = "rect 50,50 150,150; line 0,0 10,1; circle 5,5 2; select 2; group red; select 3; pause on; \
+                    set black height=-2 tool=2 cut=2 speed=1000; set red offset=1; array block 2x1 gap 10,20";
+        let mut editor = Editor::default();
+        for (_, op) in script(text).unwrap() {
+            editor.apply(&op).unwrap();
+        }
+        smoothed_job(&editor.drawing, 0.6).unwrap().0
+    }
+
+    #[test]
+    fn a_job_that_lost_a_line_is_refused_or_the_same() {
+        let (text, mut refused) = (write(&job()), 0);
+        let (job, _) = read_whole(text.as_bytes()).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        for n in 0..lines.len() {
+            let (before, after) = (&lines[..n], &lines[n + 1..]);
+            for middle in [&[][..], &["xyz"], &["0"], &["12.5"], &["\u{1}\u{2}"]] {
+                let hurt = [before, middle, after].concat().join("\n");
+                match read_whole(hurt.as_bytes()) {
+                    Err(_) => refused += 1,
+                    Ok((read, _)) => assert!(read == job, "line {}: {middle:?}", n + 1),
+                }
+            }
+        }
+        assert!(refused > lines.len(), "{refused} of {}", lines.len());
+    }
+
+    #[test]
+    fn a_job_of_the_old_program_is_one() {
+        let text = write(&job());
+        let lines: Vec<&str> = text.lines().collect();
+        // Its files have no comments.
+        let pairs = lines.chunks(2).filter(|pair| pair[0].trim() != "999");
+        let plain = pairs.flatten().copied().collect::<Vec<_>>().join("\n");
+        let (read, _) = read_whole(plain.as_bytes()).unwrap();
+        assert_eq!(read.paths.len(), job().paths.len());
+    }
 }

@@ -180,6 +180,32 @@ pub struct Job {
     pub ended: Option<String>,
     /// What ended it, when it was an error.
     pub error: Option<Finding>,
+    /// What it came to, for whoever had it run and sees no page; nothing while it runs.
+    #[ts(skip)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub summary: Option<RunSummary>,
+}
+
+/// What a run came to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct RunSummary {
+    /// Machine time.
+    pub seconds: f64,
+    /// Lines that were executed.
+    pub lines: u64,
+    /// Straight moves.
+    pub moves: u64,
+    /// Arcs.
+    pub arcs: u64,
+    /// Length of the cutting moves.
+    pub cut_mm: f64,
+    /// Length of the jogs.
+    pub jog_mm: f64,
+    /// Lowest and highest X, Y and Z of the cutting moves, mm; nothing where nothing was cut.
+    pub bounds: Option<[[f64; 3]; 2]>,
+    /// The person reads millimetres, else inches.
+    pub millimetres: bool,
 }
 
 /// What holds for the rest of a job.

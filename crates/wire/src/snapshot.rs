@@ -35,6 +35,8 @@ pub struct Snapshot {
     pub version: u32,
     /// Version of Kerf.
     pub kerf: String,
+    /// Grows with every change: whoever follows sees whether he has heard them all.
+    pub revision: u32,
     /// Whether only drawings are worked on here.
     pub drawing_only: bool,
     /// The machine.
@@ -98,6 +100,7 @@ impl Default for Snapshot {
         Self {
             version: VERSION,
             kerf: String::new(),
+            revision: 0,
             drawing_only: false,
             machine: Machine::default(),
             motion: Motion::default(),
@@ -133,6 +136,7 @@ impl Default for Snapshot {
 impl Snapshot {
     /// Takes a change over, as every page does.
     pub fn apply(&mut self, change: Change) {
+        self.revision = self.revision.wrapping_add(1);
         match change {
             Change::Machine { machine } => self.machine = machine,
             Change::Motion { motion } => self.motion = motion,

@@ -78,6 +78,8 @@ pub struct Connection {
     failure: Option<Failure>,
     /// The line itself is gone.
     dead: bool,
+    /// The run is over, and what it leaves on is meant to be.
+    closed: bool,
 }
 
 impl Connection {
@@ -103,6 +105,7 @@ impl Connection {
             asked_s: 0.0,
             failure: None,
             dead: false,
+            closed: false,
         };
         let known = |it: &mut Self| it.link.driver().facts().cloned();
         while connection.now_s() < GREETING_S && !connection.dead {
@@ -435,6 +438,11 @@ impl Connection {
         }
     }
 
+    /// Stops what goes on from before, and switches it off.
+    pub fn halt(&mut self) {
+        self.stop();
+    }
+
     /// The run is over; when it did not end well, everything is stopped and switched off.
     pub fn close(&mut self, well: bool, is_stopped: impl FnMut() -> bool) {
         if well {
@@ -444,13 +452,14 @@ impl Connection {
             self.wanted = 0;
             self.stop();
         }
+        self.closed = true;
     }
 }
 
 impl Drop for Connection {
     fn drop(&mut self) {
         // Whoever forgot to close it has left in the middle.
-        if self.open > 0 {
+        if self.open > 0 || self.ordered != 0 && !self.closed {
             self.stop();
         }
     }

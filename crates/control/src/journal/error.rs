@@ -1,5 +1,6 @@
 //! Why the journal cannot be used, in words that say what to do.
 
+use crate::Summary;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -46,6 +47,14 @@ pub enum JournalError {
     Owned {
         /// The data folder.
         folder: PathBuf,
+    },
+    /// The run is over, and what it left cannot be kept.
+    #[error("what the run left is not kept: {why}")]
+    NotKept {
+        /// How it ended.
+        summary: Box<Summary>,
+        /// Why.
+        why: Box<JournalError>,
     },
     /// No run was cut short.
     #[error("no run was cut short: there is nothing to take up in {}", folder.display())]

@@ -46,7 +46,9 @@ pub(crate) struct Progress {
     steps: Vec<(i64, Vec<u8>)>,
     /// Files that steps speak of, by their hashes.
     contents: BTreeMap<String, Vec<u8>>,
-    next_step: i64,
+    /// Number of the next one. `None`: the run cannot be taken up, and the steps in the file are those of
+    /// another that can.
+    next_step: Option<i64>,
     written: Option<Reached>,
     /// What other programs saw last.
     published: Option<Live>,
@@ -58,8 +60,8 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Of a run whose next step has this number.
-    pub(super) fn new(journal: Journal, next_step: i64) -> Self {
+    /// Of a run whose next step has this number; of one that is not taken up, none.
+    pub(super) fn new(journal: Journal, next_step: Option<i64>) -> Self {
         Self {
             journal,
             steps: Vec::new(),
@@ -75,13 +77,15 @@ impl Progress {
 
     /// Adds something that the world told. It is in the file before what follows from it.
     pub(crate) fn add_step(&mut self, step: Vec<u8>) {
-        self.steps.push((self.next_step, step));
-        self.next_step += 1;
+        if let Some(number) = &mut self.next_step {
+            self.steps.push((*number, step));
+            *number += 1;
+        }
     }
 
-    /// The number of the next step.
-    pub(crate) const fn next_step(&self) -> i64 {
-        self.next_step
+    /// The number of the last step.
+    pub(crate) fn last_step(&self) -> Option<i64> {
+        Some(self.next_step? - 1)
     }
 
     /// Forgets what the world told from a step on.
@@ -94,7 +98,9 @@ impl Progress {
     /// Adds a file that a step speaks of; tells its name.
     pub(crate) fn add_content(&mut self, bytes: &[u8]) -> String {
         let hash = super::contents::hash(bytes);
-        self.contents.insert(hash.clone(), bytes.to_vec());
+        if self.next_step.is_some() {
+            self.contents.insert(hash.clone(), bytes.to_vec());
+        }
         hash
     }
 

@@ -3,6 +3,7 @@
 
 use super::progress::{PROGRESS, Reached};
 use super::rows::{Rows, Table};
+use super::under_way::keep_reached;
 use super::{Journal, JournalError, Placed, json, rows};
 use crate::{Session, settings_text};
 use kerf_machine::Configuration;
@@ -87,11 +88,28 @@ impl Journal {
         self.write(|rows| remember(rows, memory, gcode))
     }
 
-    /// Keeps where the machine is, and all that belongs to it.
-    pub(crate) fn remember_place(&self, session: &Session) -> Result<(), JournalError> {
+    /// The machine is about to be moved by hand. Until that is over it is near where it stands now; a run
+    /// that was cut short can still be taken up afterwards.
+    pub(crate) fn begin_by_hand(&self, session: &Session) -> Result<(), JournalError> {
+        let earlier = self.cut_short()?;
+        let kerf_sbp::Session { position, frame, .. } = session.memory;
+        let place = Placed { position, frame };
+        let reached = Reached { moving: true, place, ..Reached::default() };
         self.write(|rows| {
+            keep_reached(rows, earlier.as_ref())?;
+            rows.put(Table::Fact, PROGRESS, &json(&reached)?)
+        })
+    }
+
+    /// It was moved by hand: where it is, and all that belongs to it. What a run that was cut short knew
+    /// of that holds no longer.
+    pub(crate) fn end_by_hand(&self, session: &Session) -> Result<(), JournalError> {
+        let earlier = self.cut_short()?;
+        self.write(|rows| {
+            keep_reached(rows, earlier.as_ref())?;
             remember(rows, &session.memory, &session.gcode)?;
-            remember_homed(rows, session)
+            remember_homed(rows, session)?;
+            rows.set(Table::Fact, PROGRESS, None)
         })
     }
 

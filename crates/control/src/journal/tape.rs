@@ -42,6 +42,8 @@ pub(crate) enum Kind {
     Log,
     /// A value that somebody else set.
     Value,
+    /// The power went before what the operator wanted was done: the number is that of the wish.
+    Overtaken,
     /// The run was taken up here: the number is that of the moves made.
     Reentry,
 }
@@ -139,7 +141,7 @@ impl Tape {
 
     /// Everything has happened that happened before but a part of the next move.
     pub(crate) fn is_within(&self) -> bool {
-        self.silent && self.within_before > 0.0 && self.reached.made == self.made_before
+        self.silent && self.within_before > 0.0
     }
 
     /// Whether the run is taken up in the middle of the next move: where it was before, or now.
@@ -151,6 +153,14 @@ impl Tape {
     /// From here on the world is heard; the machine stands there.
     pub(crate) fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
+    }
+
+    /// The run is over. Where something on the tape was never asked for it is not the tape of this run, and
+    /// nothing of the run was made.
+    pub(crate) fn ends(&mut self) {
+        if self.plays() {
+            self.unfit.get_or_insert_with(|| "more is on record than the run asks for".into());
+        }
     }
 
     /// Why the tape does not fit the run.
@@ -225,13 +235,30 @@ impl Tape {
 
     /// The step that was added last stops the run.
     pub(crate) fn stops(&mut self) {
-        let last = self.writing.as_ref().map(|progress| progress.next_step() - 1);
+        let last = self.writing.as_ref().and_then(Progress::last_step);
         self.wish = self.wish.or(last);
     }
 
     /// The run goes on after a stop.
     pub(crate) const fn goes_on(&mut self) {
         (self.wish, self.stood) = (None, None);
+    }
+
+    /// Whether the power went before the wish that was told last was done, when this was gone through before.
+    pub(crate) fn was_overtaken(&mut self) -> bool {
+        let call = self.last_call(Kind::Wish);
+        let next = self.played.get(&Kind::Overtaken).and_then(VecDeque::front);
+        next.is_some_and(|step| step.call == call) && self.pop::<()>(Kind::Overtaken).is_some()
+    }
+
+    /// The power went before the wish that was told last was done.
+    pub(crate) fn overtakes(&mut self) {
+        self.add(Kind::Overtaken, self.last_call(Kind::Wish), &());
+    }
+
+    /// The number of the question of a kind that was asked last; 0 before the first.
+    fn last_call(&self, kind: Kind) -> u64 {
+        self.calls.get(&kind).copied().unwrap_or_default()
     }
 
     /// A file: its name and its bytes, which are kept once however often it is read.
@@ -282,8 +309,7 @@ impl Tape {
     }
 
     fn keep(&mut self, kind: Kind, told: &impl Serialize) {
-        let call = self.calls.get(&kind).copied().unwrap_or_default();
-        self.add(kind, call, told);
+        self.add(kind, self.last_call(kind), told);
     }
 
     fn add(&mut self, kind: Kind, call: u64, told: &impl Serialize) {
@@ -327,8 +353,9 @@ impl Tape {
 
     /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
     pub(crate) fn reenter(&mut self, place: super::Placed) -> Reentered {
-        let told = Reentered { place, within: self.within_before, told: self.told };
-        self.stood = Some((self.reached.made, self.within_before));
+        let within = self.within_before;
+        let told = Reentered { place, within, told: self.told };
+        self.stood = Some((self.reached.made, within));
         self.add(Kind::Reentry, self.reached.made, &told);
         self.stops();
         self.reached.place = place;
@@ -424,5 +451,27 @@ impl Tape {
     /// Why nothing can be written, when that was not told yet.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         self.writing.as_mut()?.new_trouble()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// Steps of another run on the tape: nothing of this one would be made, and it must not be said to have
+    /// ended.
+    #[test]
+    fn a_run_that_does_not_ask_for_what_is_on_record_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let (journal, _) = crate::journal::Journal::open(folder.path()).unwrap();
+        let step = Step { kind: Kind::Log, call: 1, told: serde_json::Value::Null };
+        for (steps, fits) in [(Vec::new(), true), (vec![step], false)] {
+            let progress = Progress::new(journal.clone(), Some(2));
+            let reached = Reached::default();
+            let mut tape = Tape::playing(steps, BTreeMap::new(), &reached, progress);
+            tape.ends();
+            assert_eq!(tape.unfit().is_none(), fits);
+        }
     }
 }

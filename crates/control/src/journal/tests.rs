@@ -17,14 +17,20 @@ fn after(program: &str) -> Session {
     run_text(&[("a.sbp", program)], "a.sbp", TextOptions::default()).session
 }
 
-/// Runs a program on record, begun at a moment as a person reads it.
-fn run(folder: &TempDir, program: &str, date: &str) -> Session {
+/// The machine as its journal remembers it, with a program in its part folder.
+fn recalled(folder: &TempDir, program: &str) -> (Session, Shelf) {
     let (journal, _) = opened(folder);
     let disk = MemoryDisk::new([("a.sbp", program.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
     let stored = Stored::of(journal.clone()).unwrap();
     let mut shelf = Shelf::new(Box::new(disk), folders, stored, folder.path().into());
-    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    (session, shelf)
+}
+
+/// Runs a program on record, begun at a moment as a person reads it.
+fn run(folder: &TempDir, program: &str, date: &str) -> Session {
+    let (mut session, mut shelf) = recalled(folder, program);
     let started = Some(Started { time: "12:00:00".into(), date: date.into() });
     let options = RunOptions { started, ..RunOptions::default() };
     let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
@@ -72,6 +78,18 @@ fn of_a_preview_what_was_before_it_is_kept() {
         journal.remembered().unwrap().unwrap().memory
     };
     assert_eq!(kept("MX,1\nSP\nMX,5\nVC,2"), kept("MX,1"));
+}
+
+#[test]
+fn a_nudge_is_kept() {
+    let folder = tempdir().unwrap();
+    run(&folder, "MX,4\nZX\nMX,1\n", "2026-11-20");
+    let (mut session, shelf) = recalled(&folder, "");
+    session.nudge(kerf_program::Axis::X, 2.5).unwrap();
+    session.keep_place(&shelf).unwrap();
+    let (back, _) = recalled(&folder, "");
+    assert_eq!(back.memory.position[kerf_program::Axis::X], 5.0 * 25.4 + 2.5);
+    assert_eq!(back.memory.frame, session.memory.frame);
 }
 
 #[test]

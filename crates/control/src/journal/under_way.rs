@@ -79,6 +79,11 @@ impl CutShort {
         self.reached.stopped
     }
 
+    /// The controller that it ran on, when it was no simulated machine.
+    pub fn controller(&self) -> Option<&str> {
+        self.run.options.controller.as_deref()
+    }
+
     /// Whether the machine moved when it was cut short.
     pub const fn moved(&self) -> bool {
         self.reached.moving
@@ -94,12 +99,16 @@ impl CutShort {
         let how = if self.stopped() { "stopped" } else { "cut short" };
         let (file, line) = self.last_move();
         let run = name(self.file());
-        match line {
-            0 => format!("the run of {run} was {how} before its first move"),
-            shape if self.is_job() => format!("the job {run} was {how} at shape {shape}"),
-            line if file == self.file() => format!("the run of {run} was {how} behind line {line}"),
-            line => format!("the run of {run} was {how} behind line {line} of {}", name(file)),
-        }
+        let place = match line {
+            0 if self.moved() => "in its first move".to_owned(),
+            0 => "before its first move".to_owned(),
+            shape if self.is_job() => format!("at shape {shape}"),
+            line if file == self.file() => format!("behind line {line}"),
+            line => format!("behind line {line} of {}", name(file)),
+        };
+        let what = if self.is_job() && line > 0 { "job" } else { "run of" };
+        let on = self.controller().map(|name| format!(" on {name}")).unwrap_or_default();
+        format!("the {what} {run} was {how} {place}{on}")
     }
 
     /// The session as it was when the run began.
@@ -145,25 +154,29 @@ impl RunUnderWay {
 
 impl Journal {
     /// A run begins. It is on record before anything moves; typed lines cannot be taken up again.
-    pub(crate) fn begin(&self, run: &RunUnderWay, bytes: &[u8]) -> Result<Tape, JournalError> {
-        let earlier = self.cut_short()?;
+    pub(crate) fn begin(
+        &self,
+        run: &RunUnderWay,
+        session: &Session,
+        bytes: &[u8],
+    ) -> Result<Tape, JournalError> {
+        let (earlier, takes_up) = (self.cut_short()?, !run.options.program.typed);
         self.write(|rows| {
-            remember(rows, &run.session.sbp, &run.session.gcode)?;
-            if run.options.program.typed {
-                // A run that was cut short can still be taken up after this.
-                if let Some(earlier) = &earlier {
-                    rows.put(Table::Fact, REACHED, &json(&earlier.reached)?)?;
-                }
-            } else {
+            remember(rows, &session.memory, &session.gcode)?;
+            // After a run that was killed in motion nobody knows homes any more.
+            remember_homed(rows, session)?;
+            if takes_up {
                 forget(rows, earlier.as_ref())?;
                 rows.keep_content(run.hash(), bytes)?;
                 rows.put(Table::Fact, RUN, &json(run)?)?;
+            } else {
+                keep_reached(rows, earlier.as_ref())?;
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
-        let memory = &run.session.sbp;
-        let place = Placed { position: memory.position, frame: memory.frame };
-        Ok(Tape::recording(place, Progress::new(self.clone(), 1)))
+        let kerf_sbp::Session { position, frame, .. } = session.memory;
+        let place = Placed { position, frame };
+        Ok(Tape::recording(place, Progress::new(self.clone(), takes_up.then_some(1))))
     }
 
     /// A run is over: what it left is kept. One that was given up can still be taken up.
@@ -212,9 +225,18 @@ impl Journal {
         Ok(Some(CutShort { run, reached }))
     }
 
-    /// What a run carried out that was cut short, and the tape of what the world told it.
-    pub(crate) fn take_up(&self, cut: &CutShort) -> Result<(Work, Tape), JournalError> {
+    /// What a run carried out that was cut short, and the tape of what the world told it. The machine is at
+    /// this place now; how far the run is, is told by its own progress again.
+    pub(crate) fn take_up(
+        &self,
+        cut: &CutShort,
+        place: Placed,
+    ) -> Result<(Work, Tape), JournalError> {
         let run = &cut.run;
+        if let Some(name) = cut.controller() {
+            let why = format!("it ran on {name}, and only runs of the simulated machine are");
+            return Err(JournalError::Unfit(why));
+        }
         let version = env!("CARGO_PKG_VERSION");
         if run.version != version {
             let why = format!("Kerf {} ran it, this is {version}", run.version);
@@ -228,7 +250,14 @@ impl Journal {
         let parse = |(_, text): (String, String)| serde_json::from_str::<Step>(&text);
         let steps: Result<Vec<Step>, _> = steps.into_iter().map(parse).collect();
         let steps = steps.map_err(|error| JournalError::Unfit(error.to_string()))?;
-        let progress = Progress::new(self.clone(), last + 1);
+        self.write(|rows| {
+            if rows.text(Table::Fact, REACHED)?.is_some() {
+                let reached = Reached { place, moving: false, ..cut.reached.clone() };
+                rows.put(Table::Fact, PROGRESS, &json(&reached)?)?;
+            }
+            rows.set(Table::Fact, REACHED, None)
+        })?;
+        let progress = Progress::new(self.clone(), Some(last + 1));
         Ok((work, Tape::playing(steps, contents, &cut.reached, progress)))
     }
 }
@@ -247,6 +276,14 @@ impl RunUnderWay {
             seconds,
             status: status.into(),
         }
+    }
+}
+
+/// How far the run came that was cut short: it can still be taken up after what comes now.
+pub(super) fn keep_reached(rows: &Rows<'_>, earlier: Option<&CutShort>) -> rows::Result<()> {
+    match earlier {
+        Some(earlier) => rows.put(Table::Fact, REACHED, &json(&earlier.reached)?),
+        None => Ok(()),
     }
 }
 

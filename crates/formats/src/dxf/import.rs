@@ -45,6 +45,10 @@ pub fn read(bytes: &[u8], options: &Options) -> Imported {
 pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Notes) {
     let mut findings = Findings::default();
     let tags = tags(bytes, &mut findings);
+    if tags.is_empty() {
+        let empty = bytes.trim_ascii().is_empty();
+        findings.warn("end", 1, if empty { "the file is empty" } else { "the file is no DXF" });
+    }
     let file = File::of(&tags, &mut findings);
     let unit = unit(&file, options, &mut findings);
     let mut import = Import {

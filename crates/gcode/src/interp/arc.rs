@@ -151,12 +151,15 @@ impl Context<'_> {
         let [u, v, w] = plane.axes();
         let flat = self.flat(words, to, [u, v, w])?;
         let feed = self.feed(self.core.position, self.moving(to))?;
-        let round = self.core.options.proportion[0] == self.core.options.proportion[1];
-        if plane == Plane::Xy && round {
+        if plane == Plane::Xy && self.core.options.keeps_circles() {
             return self.round_arc(&flat, to, feed);
         }
         if self.core.compensator.is_some() {
-            return Err(self.not_compensated("arcs in this plane"));
+            let what = match plane {
+                Plane::Xy => "arcs that the proportions of the file stretch",
+                _ => "arcs in this plane",
+            };
+            return Err(self.not_compensated(what));
         }
         self.chords(&flat, [u, v], to, feed)
     }
@@ -283,10 +286,11 @@ impl Context<'_> {
         }
         let centre = self.core.machine_of(place);
         let centre = [centre.0[0], centre.0[1]];
+        let sweep = if self.core.options.mirrors() { -flat.sweep } else { flat.sweep };
         if self.core.compensator.is_some() {
-            return self.compensated_arc(centre, flat.sweep, to, feed);
+            return self.compensated_arc(centre, sweep, to, feed);
         }
-        let arc = command(&self.core.settings, self.core.position, centre, flat.sweep, to, feed);
+        let arc = command(&self.core.settings, self.core.position, centre, sweep, to, feed);
         self.core.position = to;
         self.emit(Command::Arc(arc));
         Ok(())

@@ -75,6 +75,11 @@ impl Interpreter {
         self.core.adopt(settings, frame, position);
     }
 
+    /// Whether cutter compensation is on: the tool is beside the path, and moves are held back.
+    pub const fn compensates(&self) -> bool {
+        self.core.compensator.is_some()
+    }
+
     /// Whether the program came to its end (M2, M30).
     pub fn is_over(&self) -> bool {
         self.core.over

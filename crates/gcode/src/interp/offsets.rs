@@ -65,6 +65,11 @@ impl Context<'_> {
         if axis.index() < 3 { self.core.state.modal.unit.mm() } else { 1.0 }
     }
 
+    /// Millimetres or degrees of one unit as the words of a move count it: with the proportions of FP.
+    fn scale_of(&self, axis: Axis) -> f64 {
+        self.core.scale[axis.index()]
+    }
+
     /// Codes that do something once.
     pub(super) fn once(&mut self, g: &Gathered) -> Result<(), Stop> {
         let Some(code) = g.g[ONCE] else { return Ok(()) };
@@ -80,7 +85,7 @@ impl Context<'_> {
             301 => self.core.state.home[1] = self.core.position,
             520 => {
                 for (axis, value) in self.given(g) {
-                    self.core.state.shift[axis] = value * self.unit_of(axis);
+                    self.core.state.shift[axis] = value * self.scale_of(axis);
                 }
                 self.core.state.shift_kept = self.core.state.shift;
             }
@@ -110,7 +115,7 @@ impl Context<'_> {
         }
         let place = self.core.place_of(self.core.position);
         for (axis, value) in self.given(g) {
-            self.core.state.shift[axis] += place[axis] - value * self.unit_of(axis);
+            self.core.state.shift[axis] += place[axis] - value * self.scale_of(axis);
         }
         self.core.state.shift_kept = self.core.state.shift;
         Ok(())
@@ -155,13 +160,16 @@ impl Context<'_> {
             let state = &self.core.state;
             let mut reading = self.core.place_of(self.core.position);
             for (axis, value) in self.given(g) {
-                reading[axis] = value * self.unit_of(axis);
+                reading[axis] = value * self.scale_of(axis);
             }
             let local = reading.plus(state.shift);
             let mut turned = local;
             turned.0[0] = local.0[0] * cos - local.0[1] * sin;
             turned.0[1] = local.0[0] * sin + local.0[1] * cos;
+            // Where FP lays the file is no part of the system.
+            let [x, y, z] = self.core.options.temporary_zero_mm;
             let wanted = self.core.position.minus(turned).minus(state.tool_offset);
+            let wanted = wanted.minus(Axes::xyz(x, y, z));
             for (axis, _) in self.given(g) {
                 system.offset[axis] = wanted[axis];
             }
@@ -190,11 +198,10 @@ impl Context<'_> {
         });
         let place = self.core.place_of(self.core.position);
         for (axis, value) in self.given(g) {
-            let value = value * self.unit_of(axis);
             tool.offset[axis] = if present {
-                self.core.state.tool_offset[axis] + place[axis] - value
+                self.core.state.tool_offset[axis] + place[axis] - value * self.scale_of(axis)
             } else {
-                value
+                value * self.unit_of(axis)
             };
         }
         if let Some(radius) = g.get(b'R') {

@@ -96,6 +96,18 @@ pub struct Options {
     pub from: Option<GoTo>,
 }
 
+impl Options {
+    /// Whether the proportions turn the plane over: left is right then, and clockwise the other way.
+    pub(super) fn mirrors(&self) -> bool {
+        self.proportion[0] * self.proportion[1] < 0.0
+    }
+
+    /// Whether a circle in XY stays one.
+    pub(super) fn keeps_circles(&self) -> bool {
+        self.proportion[0].abs() == self.proportion[1].abs()
+    }
+}
+
 impl Default for Options {
     fn default() -> Self {
         Self {

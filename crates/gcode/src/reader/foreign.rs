@@ -47,6 +47,10 @@ pub(super) fn judge(program: &mut Program, foreign: usize) {
     };
     let place = Place::line(program.name.clone(), line);
     program.diagnostics = vec![Diagnostic::new(Code::NotGcode, place, message).hint(hint)];
+    if !sbp {
+        // No line of it is meant for a machine.
+        program.lines = Default::default();
+    }
 }
 
 /// What a text is by the way it begins, and what to do with it.
@@ -57,7 +61,12 @@ fn other_language(text: &str) -> Option<(&'static str, &'static str)> {
     let second = head.lines().nth(1).unwrap_or_default().trim();
     let is_second =
         |mark: &str| second.get(..mark.len()).is_some_and(|h| h.eq_ignore_ascii_case(mark));
-    if head.lines().next().is_some_and(|l| l.trim() == "0") && is_second("SECTION") {
+    let first = head.lines().next().unwrap_or_default().trim();
+    if first == "999" {
+        let hint = "give it the ending it had: .rsg, .rsm or .dxf";
+        return Some(("this file is a drawing (RSG, DXF) or a job (RSM), not G-code", hint));
+    }
+    if first == "0" && is_second("SECTION") {
         return Some(("this file is a DXF drawing, not G-code", CONVERT));
     }
     if ["IN;", "SP1;", "PU;", "PA;"].into_iter().any(begins) {

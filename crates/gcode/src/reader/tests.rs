@@ -140,6 +140,7 @@ fn o_words_find_their_partners() {
 fn other_languages_are_said_once() {
     finds("'a part⏎M3,1,2,3⏎MX,4⏎&a=1⏎IF &a=1 THEN GOTO x", &["G001 1:1+0 this file is OpenSBP"]);
     finds("0⏎SECTION⏎2⏎HEADER⏎9⏎$ACADVER", &["G001 1:1+0 this file is a DXF"]);
+    finds("999⏎KERF {\"version\":1}⏎0⏎SECTION⏎2⏎HEADER⏎9", &["G001 1:1+0 this file is a drawing"]);
     finds("IN;SP1;PU0,0;PD100,0;", &["G001 1:1+0 this file is a plot"]);
     finds(
         "solid cube⏎ facet normal 0 0 1⏎ outer loop⏎ vertex 1 2 3",

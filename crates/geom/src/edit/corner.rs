@@ -28,7 +28,8 @@ pub fn fillet(path: &Polyarc, vertex: usize, radius: f64) -> Result<Polyarc, Geo
         return Err(corner.refused("a segment is shorter than the fillet needs"));
     };
     let kept = (before.part(0.0, nearest.on_first), after.part(nearest.on_second, 1.0));
-    let (u, v) = (kept.0.direction(1.0), kept.1.direction(0.0));
+    // Of the whole segments: nothing may be left of one, and nothing has no direction.
+    let (u, v) = (before.direction(nearest.on_first), after.direction(nearest.on_second));
     let bulge = (u.cross(v).atan2(u.dot(v)) * 0.25).tan();
     Ok(corner.replaced(
         path,
@@ -126,7 +127,9 @@ mod tests {
         let refused = |r: Result<Polyarc, GeomError>| r.expect_err("refused").to_string();
         assert!(refused(fillet(&elbow(9.0), 1, 10.0)).contains("shorter"));
         assert!(refused(chamfer(&elbow(9.0), 1, 10.0)).contains("shorter"));
-        assert!(fillet(&elbow(10.0), 1, 10.0).is_ok());
+        let whole = fillet(&elbow(10.0), 1, 10.0).expect("just long enough");
+        let round = whole.segments().find(|segment| segment.length() > 1.0).expect("an arc");
+        assert!((round.length() - 5.0 * std::f64::consts::PI).abs() < 1e-9, "a quarter turn");
         let sharp = Polyarc::lines([p(15., 0.), p(0., 0.), p(7.5, 12.990381)], false);
         assert!(refused(fillet(&sharp, 1, 10.0)).contains("shorter"));
         assert!(refused(fillet(&elbow(9.0), 0, 1.0)).contains("no corner"));

@@ -20,12 +20,11 @@ pub struct Ellipse {
 }
 
 impl Ellipse {
-    /// Place and direction of travel at a parameter.
+    /// Place at a parameter, and which way it goes as the parameter grows.
     pub fn at(&self, t: f64) -> (Point2, Vec2) {
         let (sin, cos) = t.sin_cos();
         let along = self.minor * cos - self.major * sin;
-        let sign = if self.to_rad < self.from_rad { -1.0 } else { 1.0 };
-        (self.centre + self.major * cos + self.minor * sin, along * sign)
+        (self.centre + self.major * cos + self.minor * sin, along)
     }
 
     /// Arcs at most `tolerance` away; closed when the parameters span a full turn.
@@ -61,6 +60,18 @@ mod tests {
         let size = path.bounds().size();
         assert!((size.x - 100.0).abs() < 0.01 && (size.y - 50.0).abs() < 0.01);
         assert!(path.vertices.len() <= 64, "{} vertices", path.vertices.len());
+    }
+
+    #[test]
+    fn a_part_that_travels_clockwise_is_the_other_one_backwards() {
+        for (from_rad, to_rad) in [(0.3, -2.0), (TAU, 0.0), (1.0, 0.9)] {
+            let back = Ellipse { from_rad, ..ellipse(to_rad) }.polyarc(0.01);
+            let there = Ellipse { from_rad: to_rad, ..ellipse(from_rad) }.polyarc(0.01);
+            assert_eq!(back.vertices.len(), there.vertices.len());
+            assert!((back.length() - there.length()).abs() < 0.05, "{from_rad} to {to_rad}");
+            let meets = |place: Point2| there.segments().any(|s| s.distance(place) < 0.03);
+            assert!(back.segments().all(|s| meets(s.at(0.5))), "{from_rad} to {to_rad}");
+        }
     }
 
     #[test]

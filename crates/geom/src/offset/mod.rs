@@ -177,7 +177,7 @@ impl<'a> Offsetter<'a> {
 
 fn checked_input(contours: &[Polyarc], distance: f64) -> Result<(), GeomError> {
     if !distance.is_finite() || distance.abs() > tol::FARTHEST_MM {
-        return Err(GeomError::NotPositive { what: "the size of an offset" });
+        return Err(GeomError::OffsetTooFar);
     }
     contours.iter().try_for_each(Polyarc::check)
 }

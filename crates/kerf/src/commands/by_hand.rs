@@ -4,11 +4,13 @@ use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
-use crate::{out, setup};
+use crate::{out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Sink, Wish, Work};
+use kerf_control::{
+    Company, Event, RunOptions, Script, Session, Shelf, Sink, Wish, Work, unverified,
+};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
 use kerf_program::{AXES, Axis, AxisSet, MoveKind};
@@ -70,7 +72,7 @@ enum Way {
         #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u8).range(1..=100))]
         accel: u8,
         /// How long the key is held, seconds; until a bound when not given
-        #[arg(long = "for", value_name = "SECONDS")]
+        #[arg(long = "for", value_name = "SECONDS", value_parser = parse::not_negative)]
         seconds: Option<f64>,
     },
 }
@@ -122,6 +124,21 @@ impl Shop {
         let machine = Arc::new(machine);
         session.machine_is = machine.clone();
         Ok(Self { session, shelf, machine, real })
+    }
+
+    /// Whether the machine stands, and it is known where in X and Y.
+    fn stands_for_sure(&self) -> Result<()> {
+        if let Some(journal) = self.shelf.journal() {
+            drop(journal.own()?);
+        }
+        let doubted = unverified(&self.shelf);
+        if doubted.contains(Axis::X) || doubted.contains(Axis::Y) {
+            bail!(
+                "where the machine is is not known for sure: home it first (kerf machine home), or give \
+                 the place as X,Y"
+            );
+        }
+        Ok(())
     }
 
     /// Does something and prints each step of it.
@@ -234,6 +251,7 @@ pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
             return Ok(Exit::Good);
         }
         Some("here") => {
+            shop.stands_for_sure()?;
             let position = shop.session.memory.position;
             [position[Axis::X], position[Axis::Y]]
         }

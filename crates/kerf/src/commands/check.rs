@@ -1,6 +1,7 @@
 //! `kerf check`: what is wrong or doubtful in part files.
 
 use crate::args::{Format, RunArgs};
+use crate::drawings::DamagedFile;
 use crate::exit::{Exit, Usage};
 use crate::report::colour;
 use crate::sources::FileLines;
@@ -18,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// would not take are read, but not run.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf check box.sbp\n  kerf check *.sbp --format json\n\n\
-    Exit codes: 0 clean or warnings only, 1 errors")]
+    Exit codes: 0 clean or warnings only, 1 errors, 2 the command line was wrong")]
 pub struct CheckArgs {
     /// The part files
     #[arg(required = true)]
@@ -49,12 +50,17 @@ pub fn run(args: &CheckArgs) -> Result<Exit> {
 fn check(file: &Path, args: &RunArgs) -> Result<Checked> {
     let mut job = match setup::job(file, args, true) {
         Ok(job) => job,
-        Err(error) if error.is::<Usage>() && !file.is_file() => {
+        Err(error) if error.is::<Usage>() && setup::read_bytes(file).is_err() => {
             let place = Place::line(file.display().to_string().into(), 1);
             let missing = Diagnostic::new(Code::FileNotFound, place, error.to_string());
             return Ok(Checked { diagnostics: vec![missing], summary: None });
         }
-        Err(error) => return Err(error),
+        Err(error) => {
+            let DamagedFile(_, why) = error.downcast::<DamagedFile>()?;
+            let place = Place::line(file.display().to_string().into(), 1);
+            let damaged = Diagnostic::new(Code::FileError, place, why.to_string());
+            return Ok(Checked { diagnostics: vec![damaged], summary: None });
+        }
     };
     Ok(kerf_control::check(&job.session, job.work, job.options, &mut job.shelf, &mut job.answers))
 }

@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "Examples:\n  kerf convert box.sbp box.nc\n  \
     kerf convert box.sbp box.nc --to grbl\n  kerf convert box.nc box.sbp\n  \
     kerf convert sign.plt sign.sbp --depth 0.1\n  kerf convert face.png face.sbp --size 6,8 --depth 0.5\n\n\
-    Exit codes: 0 converted, 1 not converted")]
+    Exit codes: 0 converted, 1 not converted, 2 the command line was wrong")]
 pub struct ConvertArgs {
     /// The file to convert
     #[arg(value_name = "IN")]
@@ -69,13 +69,13 @@ pub struct ConvertArgs {
 #[command(next_help_heading = "Drawings and pictures, in the unit of --units")]
 struct DrawnArgs {
     /// How deep is cut; of a picture the deepest place [default: 0.125 in, 3 mm]
-    #[arg(long, value_name = "DEPTH", value_parser = parse::number)]
+    #[arg(long, value_name = "DEPTH", value_parser = parse::not_negative)]
     depth: Option<f64>,
     /// Where the tool travels, above the surface [default: 0.5 in, 12 mm]
-    #[arg(long, value_name = "HEIGHT", value_parser = parse::number)]
+    #[arg(long, value_name = "HEIGHT", value_parser = parse::not_negative)]
     safe_height: Option<f64>,
     /// How much larger the drawing becomes
-    #[arg(long, value_name = "FACTOR", value_parser = parse::number, default_value_t = 1.0)]
+    #[arg(long, value_name = "FACTOR", value_parser = parse::positive, default_value_t = 1.0)]
     scale: f64,
     /// How large the picture becomes, from the first dot to the last [default: 0.1 mm a dot]
     #[arg(long, value_name = "X,Y", value_parser = parse::size)]

@@ -3,9 +3,11 @@
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::out;
+use crate::parse;
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use kerf_drawing::{ENTRIES, Editor, Group, Kind, Operation, Shape, script};
+use kerf_program::settings::LinearUnit;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -36,6 +38,9 @@ pub struct DrawArgs {
     /// Counts the blocks that are placed in the drawing instead of drawing what they hold
     #[arg(long)]
     no_blocks: bool,
+    /// Units in which programs are followed, in or mm [default: as they are run; in for part files that do, else mm]
+    #[arg(long, value_name = "UNIT", value_parser = parse::units)]
+    units: Option<LinearUnit>,
 }
 
 /// What stands below the options: every operation, from the table.
@@ -47,7 +52,8 @@ fn help() -> String {
     }
     let groups: Vec<_> = Group::ALL.iter().map(|group| group.name()).collect();
     text += &format!("\nGroups, in order: {}\n", groups.join(" "));
-    text + "\nExample: kerf draw part.dxf --do \"select all; rotate 30 about 0,0; group red\" -o part.rsg"
+    text + "\nExample: kerf draw part.dxf --do \"select all; rotate 30 about 0,0; group red\" -o part.rsg\n\n\
+            Exit codes: 0 done, 1 failed, 2 the command line was wrong"
 }
 
 pub fn run(args: &DrawArgs) -> Result<Exit> {
@@ -63,8 +69,8 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
     {
         return edit_job(args, file, output);
     }
-    let reading =
-        drawings::Reading { layers: args.layers, scale: !args.unscaled, explode: !args.no_blocks };
+    let (scale, explode) = (!args.unscaled, !args.no_blocks);
+    let reading = drawings::Reading { layers: args.layers, scale, explode, units: args.units };
     let mut editor = Editor::of(drawings::open(&args.files, &reading)?);
     if let Some(text) = &args.operations {
         carry_out(&mut editor, text, &reading)?;
@@ -82,7 +88,7 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
 fn edit_job(args: &DrawArgs, file: &Path, output: &Path) -> Result<Exit> {
     let job = drawings::job_to_edit(file)?;
     let mut editor = Editor::of(job.as_drawing());
-    let reading = drawings::Reading { layers: false, scale: true, explode: true };
+    let reading = drawings::Reading { layers: false, scale: true, explode: true, units: None };
     carry_out(&mut editor, args.operations.as_deref().unwrap_or_default(), &reading)?;
     drawings::write_edited(job, &editor.drawing, output)?;
     if args.list {

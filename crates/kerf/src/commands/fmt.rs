@@ -3,8 +3,10 @@
 use crate::exit::{Exit, Usage};
 use crate::out;
 use crate::parse::{self, Dialects};
+use crate::report::Diagnostics;
 use anyhow::{Context, Result, bail};
 use clap::Args;
+use kerf_diag::{Code, Diagnostic};
 use kerf_sbp::{Dialect, Language};
 use std::fs;
 use std::io::{self, Read, Write};
@@ -16,7 +18,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf fmt box.sbp\n  kerf fmt --check *.sbp\n  kerf fmt - < box.sbp\
-    \n\nExit codes: 0 done, 1 with --check when a file would change"
+    \n\nExit codes: 0 done, 1 with --check when a file would change, or no text, 2 the command line was wrong"
 )]
 pub struct FmtArgs {
     /// The part files; - reads standard input and writes standard output
@@ -31,17 +33,51 @@ pub struct FmtArgs {
 }
 
 pub fn run(args: &FmtArgs) -> Result<Exit> {
-    let mut changed = false;
+    args.files.iter().try_for_each(|file| refuse_others(file))?;
+    let mut failed = false;
     for file in &args.files {
-        changed |= one(file, args)?;
+        let outcome = one(file, args)?;
+        failed |= outcome == Outcome::Refused || args.check && outcome == Outcome::Changes;
     }
-    Ok(if args.check && changed { Exit::Failed } else { Exit::Good })
+    Ok(if failed { Exit::Failed } else { Exit::Good })
 }
 
-/// Formats one file; true when that changes it.
-fn one(file: &Path, args: &FmtArgs) -> Result<bool> {
-    let stream = file == Path::new("-");
+/// The name of standard input.
+const STREAM: &str = "-";
+
+/// What is no part file by its name stays as it is: to a formatter every text is one.
+fn refuse_others(file: &Path) -> Result<()> {
+    let name = file.to_string_lossy();
+    if name != STREAM && !kerf_sbp::is_part_name(&name) && !kerf_sbp::is_gcode_name(&name) {
+        let known: Vec<_> = kerf_sbp::PART_ENDINGS.iter().chain(&kerf_sbp::GCODE_ENDINGS).collect();
+        let known = known.iter().map(|it| format!(".{it}")).collect::<Vec<_>>().join(" ");
+        bail!(Usage(format!(
+            "{name} is no part file by its ending: part files are {known}; rename it, or `kerf fmt - < {name}` \
+             prints it formatted"
+        )));
+    }
+    Ok(())
+}
+
+/// What became of a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    /// It is as it should be.
+    Same,
+    /// Formatting changes it.
+    Changes,
+    /// It is no text, or something else than a program.
+    Refused,
+}
+
+/// Formats one file.
+fn one(file: &Path, args: &FmtArgs) -> Result<Outcome> {
+    let stream = file == Path::new(STREAM);
     let bytes = if stream { read_stream()? } else { read_file(file)? };
+    if let Some(why) = refusal(file, &bytes, args.dialect.sbp) {
+        Diagnostics::default().show(&why);
+        return Ok(Outcome::Refused);
+    }
     let formatted = format(file, &bytes, args.dialect.sbp);
     let changes = formatted != bytes;
     if args.check {
@@ -49,11 +85,19 @@ fn one(file: &Path, args: &FmtArgs) -> Result<bool> {
             tell(file);
         }
     } else if stream {
-        io::stdout().write_all(&formatted).context("cannot write the formatted text")?;
+        let written = io::stdout().write_all(&formatted);
+        out::unless_gone(written).context("cannot write the formatted text")?;
     } else if changes {
         out::file(file, &formatted)?;
     }
-    Ok(changes)
+    Ok(if changes { Outcome::Changes } else { Outcome::Same })
+}
+
+/// Why a file as a whole is no program.
+fn refusal(file: &Path, bytes: &[u8], dialect: Dialect) -> Option<Diagnostic> {
+    let name = file.to_string_lossy();
+    let told = kerf_part::read_as(name.as_ref().into(), bytes, dialect).diagnostics;
+    told.into_iter().find(|it| it.is_error() && matches!(it.code, Code::NotText | Code::NotGcode))
 }
 
 /// Old files are not UTF-8: each byte stands for a character then, and comes back as it was.

@@ -3,7 +3,7 @@
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
 use crate::signals::VcdArgs;
-use crate::{memory, out, setup};
+use crate::{memory, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
 use kerf_control::journal::Journal;
@@ -22,14 +22,13 @@ use std::time::{Duration, Instant};
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf io list\n  kerf io set tool2 1\n  kerf io set in.xhome 1\n  \
-    kerf io step x +\n  kerf io map --card pci --notes"
+    kerf io step x +\n  kerf io map --card pci --notes\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong"
 )]
 pub struct IoArgs {
     #[command(subcommand)]
     action: Action,
-    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
-    #[arg(long, value_name = "DIR", global = true)]
-    data: Option<PathBuf>,
+    #[command(flatten)]
+    data: DataArgs,
     /// The machine whose steps are meant: a file, or the name of a ready-made machine
     #[arg(long, value_name = "FILE", global = true)]
     config: Option<PathBuf>,
@@ -65,7 +64,7 @@ enum Action {
     /// Prints every change of a bit as it happens
     Watch {
         /// Ends after so many seconds
-        #[arg(long = "for", value_name = "SECONDS")]
+        #[arg(long = "for", value_name = "SECONDS", value_parser = parse::not_negative)]
         seconds: Option<f64>,
     },
     /// Prints where the bits come out on a card
@@ -113,7 +112,7 @@ pub fn run(args: &IoArgs) -> Result<Exit> {
 
 impl IoArgs {
     fn folder(&self) -> DataArgs {
-        DataArgs { folder: self.data.clone() }
+        self.data.clone()
     }
 
     fn journal(&self, looks: bool) -> Result<Option<Journal>> {

@@ -4,7 +4,7 @@ use crate::args::DataArgs;
 use crate::commands::by_hand::{self, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
-use crate::{machine_file, out, setup};
+use crate::{machine_file, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::machine_file::{MachineFile, told};
@@ -23,7 +23,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:\n  kerf machine profiles\n  kerf machine use router-96x48\n  \
     kerf machine set delays.router_start_s 2\n  kerf machine list homing\n  \
     kerf machine show > mine.toml\n  kerf machine home\n  kerf machine move to 10,20,-5 --flat\n  \
-      kerf machine check mine.toml")]
+      kerf machine check mine.toml\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong")]
 pub struct MachineArgs {
     #[command(subcommand)]
     action: Action,
@@ -37,9 +37,8 @@ pub struct Which {
     /// Configuration: a file, or the name of a ready-made machine
     #[arg(long, value_name = "FILE", global = true)]
     pub config: Option<PathBuf>,
-    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
-    #[arg(long, value_name = "DIR", global = true)]
-    data: Option<PathBuf>,
+    #[command(flatten)]
+    data: DataArgs,
     /// The password of the settings, where they are protected [default: KERF_PASSWORD]; asked for at a
     /// terminal
     #[arg(long, value_name = "WORD", global = true)]
@@ -48,7 +47,7 @@ pub struct Which {
 
 impl Which {
     pub fn folder(&self) -> DataArgs {
-        DataArgs { folder: self.data.clone() }
+        self.data.clone()
     }
 
     /// The machine.
@@ -126,10 +125,10 @@ enum Action {
         #[arg(value_enum)]
         height: Height,
         /// Goes to this height first, millimetres from home
-        #[arg(allow_hyphen_values = true, conflicts_with = "by")]
+        #[arg(allow_hyphen_values = true, value_parser = parse::number, conflicts_with = "by")]
         to: Option<f64>,
         /// Puts the height by so much instead, negative down
-        #[arg(long, allow_hyphen_values = true, value_name = "MM")]
+        #[arg(long, value_parser = parse::number, value_name = "MM")]
         by: Option<f64>,
     },
     /// Prints where the axes are, and which are homed
@@ -162,7 +161,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Use { name } => {
             let text = named(name)?;
             args.which.to_change()?;
-            machine_file::of_data(&args.which.folder())?.write(text)?;
+            if let Some(kept) = machine_file::of_data(&args.which.folder())?.replace(text)? {
+                eprintln!("kerf: the machine as it was is kept in {}", kept.display());
+            }
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes } => return by_hand::home(&args.which, axes.as_deref()),
@@ -188,9 +189,10 @@ fn known(key: &str) -> Result<&'static Setting> {
 fn named(name: &str) -> Result<&'static str> {
     match profile(name) {
         Some(profile) => Ok(profile.text),
-        None => {
-            bail!(Usage(format!("no ready-made machine is called {name}: kerf machine profiles")))
-        }
+        None => bail!(Usage(format!(
+            "no ready-made machine is called {name}; {}",
+            machine_file::nearest(name)
+        ))),
     }
 }
 

@@ -2,9 +2,9 @@
 
 use crate::args::{DataArgs, PlaceArgs};
 use crate::exit::{Exit, Usage};
-use crate::operator;
 use crate::sending::{Folder, Shown, To, ended, receive_over_line};
 use crate::setup;
+use crate::stop::Stop;
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::flag;
@@ -112,7 +112,7 @@ pub fn run(args: &ReceiveArgs) -> Result<Exit> {
     if !args.into.is_dir() {
         bail!(Usage(format!("{} is no folder", args.into.display())));
     }
-    let pressed = operator::listen()?;
+    let stop = Stop::listen()?;
     let baud = args.baud.unwrap_or(machine.options.send_baud);
     let mut port = Port::open(&to.device(&machine)?, baud)?;
     if !args.quiet {
@@ -122,7 +122,7 @@ pub fn run(args: &ReceiveArgs) -> Result<Exit> {
     let watch = Watch { folder: setup::data_folder(&args.data)?, journal, seen };
     let folder = Folder { path: Path::new(&args.into), moves: &|| watch.moves(), kept: &|| {} };
     loop {
-        let stopped = || pressed.load(Ordering::Relaxed);
+        let stopped = || stop.is_wanted();
         let (state, name) =
             receive_over_line(&mut port, &folder, &stopped, &mut Shown::new(args.quiet))?;
         let exit = ended(&name, &state);

@@ -1,13 +1,14 @@
 //! `kerf registry`: the values that programs and other software keep.
 
 use crate::args::DataArgs;
-use crate::exit::Exit;
+use crate::exit::{Exit, Usage};
 use crate::remote::Remote;
 use crate::{memory, out, setup};
 use anyhow::Result;
 use clap::{Args, Subcommand};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_control::journal::Journal;
+use kerf_control::stored::check_value;
 use std::path::Path;
 
 /// Shows and sets the values that survive runs: uValue, $variables, what other software leaves
@@ -16,7 +17,7 @@ use std::path::Path;
 /// ShopBot/UserData/uValue is uValue.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf registry get\n  kerf registry get uValue\n  \
-    kerf registry set uValue hello\n  kerf registry set uValue")]
+    kerf registry set uValue hello\n  kerf registry set uValue\n\nExit codes: 0 done, 1 the key has no value, 2 the command line was wrong")]
 pub struct RegistryArgs {
     #[command(subcommand)]
     action: Action,
@@ -68,6 +69,9 @@ fn no_value(key: &str) -> Exit {
 }
 
 pub fn run(args: &RegistryArgs) -> Result<Exit> {
+    if let Action::Set { key, value } = &args.action {
+        check_value(last_part(key), value.as_deref()).map_err(Usage)?;
+    }
     if let Some(url) = &args.server {
         return remotely(&Remote::new(url)?, &args.action);
     }

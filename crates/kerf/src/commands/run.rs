@@ -1,19 +1,24 @@
 //! `kerf run`: a part file on a machine.
 
-use crate::args::RunArgs;
+use crate::args::{PlaceArgs, RunArgs};
 use crate::clock;
 use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
+use crate::drawings;
 use crate::exit::{Exit, Usage};
-use crate::operator::{self, Clock, Person, RealPace};
+use crate::machine_file;
+use crate::memory;
+use crate::operator::{Clock, Person, RealPace};
 use crate::out;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
-use crate::remote::{Along, Remote};
+use crate::remote::{Along, Ended, Remote};
 use crate::report::{Diagnostics, Talk};
-use crate::setup::{self, Job};
+use crate::setup::{self, Job as Prepared};
 use crate::signals::{ReadingBytes, VcdArgs};
+use crate::sources::FileLines;
+use crate::stop::Stop;
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use clap::{Args, ValueEnum};
@@ -22,14 +27,15 @@ use kerf_control::controller::{Mirror, Shared, Steers};
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
 use kerf_control::{Company, Pace, Session, Shelf, Sink, Summary, Work, command_passing};
-use kerf_machine::Configuration;
+use kerf_diag::Diagnostic;
+use kerf_machine::{Configuration, sequence};
+use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::FileParameters;
 use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
 /// Runs a part file on a machine: the simulated one
 ///
@@ -67,9 +73,10 @@ const STANDARD_OUTPUT: &str = "-";
 #[derive(Args, Clone)]
 pub struct MachineArgs {
     /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
-    #[arg(long, value_name = "MM", value_parser = parse::number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", value_parser = parse::number)]
     offset_job: Option<f64>,
-    /// The machine to run on
+    /// The machine to run on: the simulated one, sim. --driver runs on a real controller, --config says what
+    /// the machine is like
     #[arg(long, value_name = "NAME", default_value = "sim")]
     machine: String,
     /// Runs it on a real controller: grbl or grblHAL at a serial port, at 115200 baud unless another rate
@@ -123,22 +130,22 @@ fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
     let mut operator = Person::new(setup::answers(&args.run)?, person, &pace);
     let mut print = |line: &str| out::print(&format!("{line}\n"));
     let stopped = || pace.is_stopped();
-    let along = Along { operator: &mut operator, stopped: &stopped, print: &mut print };
-    let (ended, why) = server.run(&file.display().to_string(), args.arm, along)?;
-    if let Some(why) = why {
-        eprintln!("kerf: {why}");
-    }
-    Ok(told_by_server(&ended))
+    let diagnostics = Diagnostics::default();
+    let show = |found: &Diagnostic| diagnostics.show(found);
+    let along =
+        Along { operator: &mut operator, stopped: &stopped, print: &mut print, show: &show };
+    let ended = server.run(&file.display().to_string(), args.arm, along)?;
+    Ok(told_by_server(&ended, args.machine.quiet()))
 }
 
 /// Tells how a server's run ended.
-pub fn told_by_server(ended: &str) -> Exit {
-    eprintln!("kerf: {ended}");
-    match ended {
-        "ok" | "ended" => Exit::Good,
-        "failed" => Exit::Failed,
-        _ => Exit::Stopped,
+pub fn told_by_server(ended: &Ended, quiet: bool) -> Exit {
+    let diagnostics = Diagnostics::default();
+    ended.told.iter().for_each(|found| diagnostics.show(found));
+    if !quiet {
+        tell(&ended.summary);
     }
+    ended.summary.status.into()
 }
 
 pub fn run(args: &RunCommand) -> Result<Exit> {
@@ -147,30 +154,50 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
         return remotely(url, file, args);
     }
     let mut run = args.run.clone();
-    run.place.start_run();
+    run.place.start_run(args.machine.driver.is_some());
     match &args.file {
         Some(file) => {
+            if args.run.place.start.is_none() && !args.machine.quiet() {
+                tell_fresh(&run.place);
+            }
             let mut job = setup::job(file, &run, false)?;
             if let Some(by_mm) = args.machine.offset_job {
                 job.work = setup::beside(job.work, by_mm)?;
             }
-            if let (Work::Job(_, machine), false) = (&job.work, args.machine.quiet()) {
-                out::print(&format!("{}\n", in_force(machine)));
+            if let (Work::Job(job, machine), false) = (&job.work, args.machine.quiet()) {
+                out::print(&format!("{}\n", in_force(job, machine)));
             }
-            on_machine(job, &args.machine, &run, Talk::default())
+            let talk = Talk::of(matches!(job.work, Work::Job(..)));
+            on_machine(job, &args.machine, &run, talk)
         }
         None => resume(&args.machine, &run),
     }
 }
 
+/// Who has a machine of his own is told when a run does not take it.
+fn tell_fresh(place: &PlaceArgs) {
+    let fresh = place.config.is_none() && !memory::is_kept(place, false);
+    let Ok(kept) = machine_file::of_data(&place.data) else { return };
+    if fresh && kept.text().is_ok_and(|text| text.is_some()) {
+        eprintln!(
+            "kerf: a fresh machine, none of the settings in {}: --start kept has them",
+            kept.name()
+        );
+    }
+}
+
 /// What a job is cut with: to be looked at before the start.
-fn in_force(machine: &Configuration) -> String {
+fn in_force(job: &Job, machine: &Configuration) -> String {
     let speeds = &machine.program.speeds;
     let cut = machine.program.smoothing.cut_speed_mm_s.unwrap_or(speeds.cut.xy);
     let mm_min = |mm_s: f64| out::number(mm_s * 60.0, 1);
-    let (z, [x0, y0]) = (machine.zpos, machine.job.origin_mm);
+    let (z, [origin, _]) = (machine.zpos, sequence::lies(job, machine));
+    let origin = match machine.job.change_origin_at_start {
+        true => "where the tool is".to_owned(),
+        false => format!("{},{}", origin.x, origin.y),
+    };
     format!(
-        "cutting at {} mm/min, plunging at {} mm/min; Z top {}, surface {}, bottom {} mm; origin {x0},{y0}",
+        "cutting at {} mm/min, plunging at {} mm/min; Z top {}, surface {}, bottom {} mm; origin {origin}",
         mm_min(cut),
         mm_min(machine.speeds.plunge_mm_s),
         z.top_mm,
@@ -207,28 +234,32 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let show = Show {
         name: cut.file().into(),
         lines: 0,
-        talk: Talk::default(),
+        talk: Talk::of(drawings::is_drawing(Path::new(cut.file()))),
+        source: FileLines::default(),
         machine,
         editor: editor(&shelf),
     };
     let visit = Visit::default();
     visit.begins(&session, &mut shelf)?;
     let exit = attended(args, run, show, answers, None, |company| {
-        let summary = session.resume(&cut, &mut shelf, company)?;
-        Ok((summary, &session))
+        let (summary, unkept) = over(session.resume(&cut, &mut shelf, company))?;
+        Ok((summary, &session, unkept))
     })?;
     visit.ends(&session, &mut shelf);
     Ok(exit)
 }
 
 /// Runs a job on the machine and keeps what stays.
-pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
-    let Job { work, mut session, mut options, mut shelf, answers, kept, replaced, visit, .. } = job;
+pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
+    args.spare(Path::new(&*job.work.name()), run)?;
+    let Prepared {
+        work, mut session, mut options, mut shelf, answers, kept, replaced, visit, ..
+    } = job;
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
     let mut controller = None;
     if let Some(name) = &args.driver {
         controller::check(run)?;
-        let shared = controller::ready(name, args.first, args.quiet(), &mut session, &shelf)?;
+        let shared = controller::ready(name, args.first, args.quiet(), &mut session, &mut shelf)?;
         if let Some(exit) =
             controller::look_through(&shared, &work, &session, &options, &shelf, run)?
         {
@@ -236,27 +267,36 @@ pub fn on_machine(job: Job, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Re
         }
         let command = &session.machine_is.options.firmware;
         shelf = shelf.with_firmware(controller::firmware(&shared, name, command));
+        options.controller = Some(name.to_string());
+        controller::begins(name, &shared, &mut shelf);
         controller = Some(shared);
     }
     let machine = VcdArgs::machine(&work, &session);
-    let show =
-        Show { name: work.name(), lines: work.line_count(), talk, machine, editor: editor(&shelf) };
+    let show = Show {
+        name: work.name(),
+        lines: work.line_count(),
+        talk,
+        source: FileLines::of(&work),
+        machine,
+        editor: editor(&shelf),
+    };
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
     let mut exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
-        let summary = match kept {
-            true => session.run_on_record(work, options, replaced, shelf, company)?,
-            false => session.run(work, options, shelf, company),
-        };
-        Ok((summary, &session))
+        let (summary, unkept) = over(match kept {
+            true => session.run_on_record(work, options, replaced, shelf, company),
+            false => Ok(session.run(work, options, shelf, company)),
+        })?;
+        Ok((summary, &session, unkept))
     })?;
     if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
         controller::leaves(name, &shared, &mut shelf);
     }
     if kept {
-        while let Some(command) = visit.command(&shelf)? {
+        let stop = Stop::listen()?;
+        while let Some(command) = visit.command(&shelf)?.filter(|_| !stop.leaves()) {
             exit = passed_in(command, &mut session, &mut shelf, args, run)?;
         }
         visit.ends(&session, &mut shelf);
@@ -272,7 +312,7 @@ fn passed_in(
     args: &MachineArgs,
     run: &RunArgs,
 ) -> Result<Exit> {
-    let program = kerf_sbp::read_typed(command_passing::NAME.into(), &command);
+    let work = Work::from(kerf_sbp::read_typed(command_passing::NAME.into(), &command));
     let mut options = setup::run_options(run, &session.memory.settings, false);
     (options.program.typed, options.program.file) = (true, FileParameters::default());
     options.started = Some(clock::started());
@@ -282,14 +322,15 @@ fn passed_in(
         name: command_passing::NAME.into(),
         lines: 1,
         talk: Talk::all(),
+        source: FileLines::of(&work),
         machine,
         editor: editor(shelf),
     };
     let vcd = VcdArgs::default();
     let again = MachineArgs { trace: None, picture: None, readings: None, vcd, ..args.clone() };
     attended(&again, run, show, setup::answers(run)?, None, |company| {
-        let summary = session.run_on_record(program, options, None, shelf, company)?;
-        Ok((summary, session))
+        let (summary, unkept) = over(session.run_on_record(work, options, None, shelf, company))?;
+        Ok((summary, session, unkept))
     })
 }
 
@@ -299,6 +340,8 @@ struct Show {
     /// Lines of the part file; 0 where nobody counts them.
     lines: usize,
     talk: Talk,
+    /// What is shown where something is wrong.
+    source: FileLines,
     /// Whose signals are traced.
     machine: Configuration,
     /// The program that shows files, and the folder they lie in.
@@ -318,7 +361,7 @@ fn attended<'a>(
     show: Show,
     answers: Answers,
     controller: Option<Shared>,
-    runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session)>,
+    runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
 ) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
@@ -327,15 +370,17 @@ fn attended<'a>(
     let signals = args.vcd.sink(show.machine)?;
     let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
     let talk = (!args.traces_out()).then_some(show.talk);
-    let mut told =
-        ((talk, (trace, (signals, readings))), (Diagnostics::default(), (picture, progress)));
+    let mut told = (
+        (talk, (trace, (signals, readings))),
+        (Diagnostics::with(show.source), (picture, progress)),
+    );
     let mirror = controller.clone().map(Mirror);
     let mut sink = (mirror, &mut told as &mut dyn Sink);
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let real = args.pace == PaceName::Real && controller.is_none();
     let clock = if real { Clock::Real } else { Clock::Fast };
     let mut pace = RealPace::new(clock, run.operator.script())?;
-    let pressed = operator::listen()?;
+    let stop = Stop::listen()?;
     let mut person_at_it = Person::new(answers, person, &pace).with_editor(show.editor);
     let mut steers;
     let pace: &mut dyn Pace = match controller.clone() {
@@ -346,17 +391,15 @@ fn attended<'a>(
         None => &mut pace,
     };
     let company = Company { sink: &mut sink as &mut dyn Sink, operator: &mut person_at_it, pace };
-    let (summary, session) = runs(company)?;
+    let (summary, session, unkept) = runs(company)?;
     if let Some(shared) = controller {
-        shared
-            .borrow_mut()
-            .close(summary.status == kerf_sbp::Status::Ok, || pressed.load(Ordering::Relaxed));
+        shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok, || stop.is_wanted());
     }
     let ((_, (trace, (signals, readings))), (_, (picture, progress))) = told;
     readings.map_or(Ok(()), ReadingBytes::finish)?;
     args.vcd.finish(signals)?;
     if let Some(trace) = trace {
-        trace.finish().context("cannot write the trace")?;
+        out::unless_gone(trace.finish()).context("cannot write the trace")?;
     }
     if let Some(progress) = progress {
         progress.finish();
@@ -367,7 +410,18 @@ fn attended<'a>(
     if !args.quiet() {
         tell(&summary);
     }
-    Ok(summary.status.into())
+    match unkept {
+        Some(why) => Err(why.into()),
+        None => Ok(summary.status.into()),
+    }
+}
+
+/// A run that is over, and why what it left is not kept.
+fn over(ran: Result<Summary, JournalError>) -> Result<(Summary, Option<JournalError>)> {
+    match ran {
+        Err(JournalError::NotKept { ref summary, .. }) => Ok(((**summary).clone(), ran.err())),
+        ran => Ok((ran?, None)),
+    }
 }
 
 /// Prints the summary of a run.
@@ -391,6 +445,34 @@ impl MachineArgs {
         self.quiet || self.traces_out()
     }
 
+    /// Refuses to write over what is run, or what the run reads.
+    fn spare(&self, file: &Path, run: &RunArgs) -> Result<()> {
+        let written = [
+            ("--trace", self.trace.as_deref()),
+            ("--picture", self.picture.as_deref()),
+            ("--readings", self.readings.as_deref()),
+            ("--vcd", self.vcd.path()),
+        ];
+        let read = [
+            Some(file),
+            run.answers.as_deref(),
+            run.script.as_deref(),
+            run.place.config.as_deref(),
+        ];
+        let whole: Vec<PathBuf> =
+            read.into_iter().flatten().filter_map(|path| path.canonicalize().ok()).collect();
+        for (option, path) in written {
+            let there = path.and_then(|path| path.canonicalize().ok());
+            if let Some(there) = there.filter(|there| whole.contains(there)) {
+                let name = there.display();
+                bail!(Usage(format!(
+                    "{option} would write over {name}, which the run reads: name another file"
+                )));
+            }
+        }
+        Ok(())
+    }
+
     /// Standard output belongs to the trace.
     fn traces_out(&self) -> bool {
         self.trace.as_deref() == Some(Path::new(STANDARD_OUTPUT))
@@ -401,7 +483,8 @@ impl MachineArgs {
         if self.machine != "sim" {
             let name = &self.machine;
             bail!(Usage(format!(
-                "there is no machine '{name}'; only the simulated one, sim, so far"
+                "there is no machine '{name}': runs are on the simulated one, sim; --driver grbl:PORT runs on a \
+                 real controller, --config {name} says what the machine is like"
             )));
         }
         Ok(())

@@ -3,19 +3,18 @@
 use super::protect;
 use super::run::{MachineArgs, on_machine, told_by_server};
 use crate::args::RunArgs;
-use crate::exit::Exit;
-use crate::operator;
+use crate::exit::{Exit, Usage};
 use crate::remote::Remote;
 use crate::report::Talk;
 use crate::sending::{Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
-use anyhow::{Context, Result, anyhow};
+use crate::stop::Stop;
+use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;
 use kerf_control::transfer::Sender;
 use kerf_serial::Port;
 use std::path::Path;
-use std::sync::atomic::Ordering;
 
 /// What the lines are kept as, in the part folder, as SI does.
 const FILE: &str = "temp_code.sbp";
@@ -71,8 +70,8 @@ impl SendArgs {
 fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
     let bytes = setup::read_bytes(file)?;
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let pressed = operator::listen()?;
-    let stopped = || pressed.load(Ordering::Relaxed);
+    let stop = Stop::listen()?;
+    let stopped = || stop.is_wanted();
     let mut shown = Shown::new(args.machine.quiet());
     let state = match to {
         To::Server(url) => send_over_network(url, &name, &bytes, &stopped, &mut shown)?,
@@ -113,12 +112,23 @@ fn typed(
 }
 
 /// Has a running server carry the lines out.
-fn remotely(url: &str, lines: &str, password: Option<&str>) -> Result<Exit> {
+fn remotely(url: &str, lines: &str, args: &SendArgs) -> Result<Exit> {
     let server = Remote::new(url)?;
-    if let Some(password) = password {
-        server.unlock(password)?;
+    if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
+        server.unlock(&password)?;
     }
-    Ok(told_by_server(&server.send(lines)?))
+    Ok(told_by_server(&server.send(lines)?, args.machine.quiet()))
+}
+
+/// Refuses a file that was meant to be sent: it is no line, and where it goes is missing.
+fn refuse_file(args: &SendArgs) -> Result<()> {
+    let [file] = args.lines.as_slice() else { return Ok(()) };
+    if Path::new(file).is_file() && kerf_sbp::read_typed(FILE.into(), file).has_errors() {
+        bail!(Usage(format!(
+            "{file} is a file: name a port or an address: kerf send {file} com2; `kerf run {file}` runs it"
+        )));
+    }
+    Ok(())
 }
 
 pub fn run(args: &SendArgs) -> Result<Exit> {
@@ -126,10 +136,10 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
         return send_file(file, &to, args);
     }
     args.machine.check()?;
+    refuse_file(args)?;
     let named = std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
     if let (Some(url), false) = (args.server.clone().or(named), args.again) {
-        let password = protect::of_option(args.machine.password.as_deref());
-        return remotely(&url, &args.lines.join("\n"), password.as_deref());
+        return remotely(&url, &args.lines.join("\n"), args);
     }
     let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
     let text = if args.again {

@@ -4,16 +4,17 @@ use super::receive;
 use crate::args::PlaceArgs;
 use crate::clock;
 use crate::exit::{Exit, Usage};
+use crate::stop::Stop;
 use crate::visit::Visit;
 use crate::{out, setup};
-use anyhow::{Context, Result};
+use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;
 use kerf_control::machine_file::MachineFile;
 use kerf_control::start_up::{OpenMethod, StartUp};
 use kerf_server::{Builders, Options, Server, Workshop};
-use std::io;
-use std::net::SocketAddr;
+use std::io::{self, ErrorKind};
+use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,7 +28,7 @@ use std::thread;
 #[command(after_help = "Examples:\n  kerf serve\n  kerf serve box.sbp --parts ~/parts\n  \
     kerf serve --lan --listen 0.0.0.0:8710 --host router.local")]
 pub struct ServeArgs {
-    /// A part file of the part folder that is open at the start
+    /// A file of the part folder that is open at the start
     file: Option<String>,
     /// Where to listen
     #[arg(long, value_name = "ADDR", default_value = "127.0.0.1:8710")]
@@ -119,6 +120,13 @@ impl ServeArgs {
     }
 }
 
+/// The name of the file that is open at the start: named from the part folder, or from here.
+fn opened(parts: &Path, file: &str) -> Result<String> {
+    let path = Some(parts.join(file)).filter(|it| it.exists()).unwrap_or_else(|| file.into());
+    setup::read_bytes(path.strip_prefix(".").unwrap_or(&path))?;
+    below(parts, &path)
+}
+
 /// The name of a file below the part folder.
 fn below(parts: &Path, file: &Path) -> Result<String> {
     let whole = |path: &Path| {
@@ -137,7 +145,9 @@ fn below(parts: &Path, file: &Path) -> Result<String> {
 }
 
 pub fn run(args: &ServeArgs) -> Result<Exit> {
-    let server = Server::start(options(args)?, builders(args)).context("cannot serve")?;
+    let stop = Stop::listen()?;
+    let options = options(args)?;
+    let server = Server::start(options, builders(args)).map_err(|why| cannot(args.listen, why))?;
     out::print(&format!("Kerf's console is at http://{}\n", server.address));
     if args.lan {
         let code = server.show_code(kerf_server::Role::Owner).context("no code can be made")?;
@@ -151,13 +161,60 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
         if let Some(port) = port {
             scope.spawn(|| receive::beside(port, &parts(args), &server, &over));
         }
-        server.wait();
+        server.wait(|| stop.is_wanted());
         over.store(true, Ordering::Relaxed);
     });
     Ok(Exit::Good)
 }
 
+/// Why nothing is served, with the mend.
+fn cannot(address: SocketAddr, why: io::Error) -> Error {
+    let mend = match why.kind() {
+        ErrorKind::AddrInUse => {
+            let next =
+                free_beside(address).map_or_else(String::new, |it| format!(": --listen {it}"));
+            format!("{address} is in use, perhaps by another kerf serve{next}")
+        }
+        ErrorKind::AddrNotAvailable => {
+            format!(
+                "{address}: this computer has no such address: --listen 0.0.0.0:{}",
+                address.port()
+            )
+        }
+        ErrorKind::PermissionDenied if address.port() < OF_ALL && why.raw_os_error().is_some() => {
+            let all = SocketAddr::new(address.ip(), USUAL_PORT);
+            format!("{address}: ports below {OF_ALL} are not everybody's: --listen {all}")
+        }
+        _ => return Error::new(why).context("cannot serve"),
+    };
+    anyhow!("cannot serve: {mend}")
+}
+
+/// From here on ports may be listened at by everybody.
+const OF_ALL: u16 = 1024;
+
+/// The port of the console.
+const USUAL_PORT: u16 = 8710;
+
+/// The next port that is free.
+fn free_beside(address: SocketAddr) -> Option<SocketAddr> {
+    let at = |port| SocketAddr::new(address.ip(), port);
+    let later = address.port().checked_add(1)?..=u16::MAX;
+    later.take(100).map(at).find(|it| TcpListener::bind(it).is_ok())
+}
+
 fn options(args: &ServeArgs) -> Result<Options> {
+    let parts = parts(args);
+    if let Err(why) = std::fs::read_dir(&parts) {
+        let folder = parts.display();
+        bail!(Usage(format!(
+            "cannot read {folder}: {why}; --parts names the folder of part files"
+        )));
+    }
+    if let Some(config) = &args.place.config {
+        setup::machine(Some(config), &args.place.data)?;
+    }
+    let open = args.file.as_deref().map(|file| opened(&parts, file)).transpose()?;
     let (start, begin_with) = args.start();
     Ok(Options {
         start,
@@ -165,10 +222,10 @@ fn options(args: &ServeArgs) -> Result<Options> {
         listen: args.listen,
         lan: args.lan,
         names: args.hosts.clone(),
-        parts: parts(args),
+        parts,
         data: setup::data_folder(&args.place.data)?,
         drawing_only: args.drawing_only,
-        open: args.file.clone(),
+        open,
         closes_with_program: args.exit_with_program,
         rate: args.rate,
     })

@@ -2,8 +2,8 @@
 
 use crate::args::RunArgs;
 use crate::exit::Exit;
-use crate::setup;
 use crate::signals::VcdArgs;
+use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::Company;
@@ -40,10 +40,6 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     let (lines, signals) = sink;
     args.vcd.finish(signals)?;
-    match lines.finish() {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(error).context("cannot write the trace")
-        }
-        _ => Ok(summary.status.into()),
-    }
+    out::unless_gone(lines.finish()).context("cannot write the trace")?;
+    Ok(summary.status.into())
 }

@@ -12,7 +12,7 @@ use kerf_gcode::{Writer, Writing};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
 use kerf_sbp::{Printing, SbpPrinter};
-use kerf_toolpath::{Heights, Job, Warning};
+use kerf_toolpath::{Damaged, Heights, Job, Warning};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -26,6 +26,8 @@ pub struct Reading {
     pub scale: bool,
     /// Blocks are drawn.
     pub explode: bool,
+    /// The unit in which programs are followed; nothing for what is usual.
+    pub units: Option<LinearUnit>,
 }
 
 /// Opens drawings and puts them on top of each other. What is found in them is told. The settings of
@@ -52,7 +54,7 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
         "rsg" | "rsm" => rsg::read(&bytes),
         "svg" => svg::read(&bytes),
         "plt" | "hpg" | "hpgl" => hpgl::read(&bytes),
-        _ if programs::is_program(file) => programs::read(file, &bytes)?,
+        _ if programs::is_program(file) => programs::read(file, &bytes, reading.units)?,
         _ => bail!(Usage(format!(
             "{}: a drawing is .dxf, .svg, .plt, .hpg, .hpgl, .rsg or .rsm, or a program: .nc or .sbp",
             file.display()
@@ -119,25 +121,38 @@ fn group_by_layer(file: &Path, read: &mut Imported) {
 /// The job in a file: the one of an RSM, or the one that is made of a drawing with a smoothing factor. What
 /// is noticed is told.
 pub fn job(file: &Path, smoothing: f64) -> Result<Job> {
-    let (job, warnings) = job_with_warnings(file, smoothing)?;
+    let (job, warnings) = job_with_warnings(file, smoothing, None)?;
     for warning in &warnings {
         eprintln!("{}: warning: {warning}", file.display());
     }
     Ok(job)
 }
 
-/// The same, with what was noticed while the tool paths were made.
-pub fn job_with_warnings(file: &Path, smoothing: f64) -> Result<(Job, Vec<Warning>)> {
+/// The same, with what was noticed while the tool paths were made; programs are followed in a unit.
+pub fn job_with_warnings(
+    file: &Path,
+    smoothing: f64,
+    units: Option<LinearUnit>,
+) -> Result<(Job, Vec<Warning>)> {
     if extension(file) == "rsm" {
-        let (job, findings) = job_file::read(&bytes(file)?, smoothing);
+        let (job, findings) = job_file::read(&bytes(file)?, smoothing).map_err(of_file(file))?;
         tell_all(file, &findings);
         if job.paths.is_empty() {
             nothing_read(file, &findings)?;
         }
         return Ok((job, Vec::new()));
     }
-    let reading = Reading { layers: false, scale: true, explode: true };
+    let reading = Reading { layers: false, scale: true, explode: true, units };
     Ok(kerf_toolpath::smoothed_job(&open(&[file], &reading)?, smoothing)?)
+}
+
+/// A job that cannot be cut as it is, with the name of its file.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}: {1}")]
+pub struct DamagedFile(pub String, pub Damaged);
+
+fn of_file(file: &Path) -> impl Fn(Damaged) -> DamagedFile {
+    move |damaged| DamagedFile(file.display().to_string(), damaged)
 }
 
 /// A job as a part program of OpenSBP, millimetres.
@@ -190,7 +205,7 @@ pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
 
 /// The job in a file, to be changed by hand.
 pub fn job_to_edit(file: &Path) -> Result<Job> {
-    let (job, read) = kerf_toolpath::read(&bytes(file)?);
+    let (job, read) = kerf_toolpath::read_whole(&bytes(file)?).map_err(of_file(file))?;
     tell(file, &read);
     Ok(job)
 }

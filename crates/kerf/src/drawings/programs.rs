@@ -5,7 +5,7 @@ use anyhow::{Result, bail};
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{Desk, Shelf};
-use kerf_convert::{Conversion, Language, Source};
+use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_formats::{Finding, Imported, Weight, motion};
 use kerf_gcode::Dialect;
 use kerf_program::Axes;
@@ -21,13 +21,54 @@ fn language(file: &Path) -> Option<Language> {
     Language::of_file(&file.display().to_string(), Dialect::Generic)
 }
 
-/// What a program cuts. It is followed as in a preview, from millimetres and zeros; a program that does
-/// not run to its end gives no drawing.
-pub fn read(file: &Path, bytes: &[u8]) -> Result<Imported> {
+/// What a program cuts. It is followed as in a preview, from zeros, in the unit that is named; else a part file in
+/// inches as it is run, and in millimetres where it does not run in inches, and G-code in millimetres. A program that
+/// does not run to its end gives no drawing.
+pub fn read(file: &Path, bytes: &[u8], units: Option<LinearUnit>) -> Result<Imported> {
     let Some(from) = language(file) else { bail!("{} is no program", file.display()) };
+    let usual = if from == Language::OpenSbp { LinearUnit::Inch } else { LinearUnit::Mm };
+    let mut passage = follow(file, bytes, from, units.unwrap_or(usual));
+    let mut in_mm = None;
+    if units.is_none() && from == Language::OpenSbp && !draws(&passage) {
+        in_mm = Some(follow(file, bytes, from, LinearUnit::Mm)).filter(draws);
+    }
+    let is_metric = in_mm.is_some();
+    passage = in_mm.unwrap_or(passage);
+    let shown = Diagnostics::default();
+    passage.diagnostics.iter().for_each(|diagnostic| shown.show(diagnostic));
+    if has_errors(&passage) {
+        bail!("{}: a program with errors is not drawn", file.display());
+    }
+    let mut read = motion::read(passage.commands(), passage.start);
+    let mut note = |weight, text: String| read.findings.push(Finding { line: 0, weight, text });
+    if is_metric {
+        note(Weight::Note, "read in millimetres: it does not run in inches".into());
+    }
+    if let Language::Gcode(_) = from {
+        let ignored =
+            kerf_gcode::no_path(&kerf_gcode::read(file.display().to_string().into(), bytes));
+        ignored.into_iter().for_each(|text| note(Weight::Note, text));
+    }
+    if read.drawing.shapes.is_empty() {
+        note(Weight::Warning, "the program cuts nothing".into());
+    }
+    Ok(read)
+}
+
+fn has_errors(passage: &Passage) -> bool {
+    passage.diagnostics.iter().any(kerf_diag::Diagnostic::is_error)
+}
+
+/// Whether a program ran to its end and cut something.
+fn draws(passage: &Passage) -> bool {
+    !has_errors(passage)
+        && !motion::read(passage.commands(), passage.start).drawing.shapes.is_empty()
+}
+
+fn follow(file: &Path, bytes: &[u8], from: Language, unit: LinearUnit) -> Passage {
     let source = Source { name: file.display().to_string().into(), bytes, language: from };
     let mut settings = Settings::default();
-    settings.use_linear_unit(LinearUnit::Mm);
+    settings.use_linear_unit(unit);
     let how = Conversion {
         from,
         to: from,
@@ -39,22 +80,10 @@ pub fn read(file: &Path, bytes: &[u8]) -> Result<Imported> {
         title: String::new(),
     };
     let parts = file.parent().unwrap_or(Path::new(""));
-    let mut desk =
-        |follow: &mut dyn FnMut(&mut dyn kerf_program::Host) -> kerf_convert::Passage| {
-            let folders = Folders::new(parts.into(), Vec::new(), Vec::new());
-            let mut shelf = Shelf::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
-            follow(&mut Desk::new(&mut shelf, &mut ()))
-        };
-    let passage = kerf_convert::path(&source, &how, &mut desk, Axes::default());
-    let shown = Diagnostics::default();
-    passage.diagnostics.iter().for_each(|diagnostic| shown.show(diagnostic));
-    if passage.diagnostics.iter().any(kerf_diag::Diagnostic::is_error) {
-        bail!("{}: a program with errors is not drawn", file.display());
-    }
-    let mut read = motion::read(passage.commands(), passage.start);
-    if let Language::Gcode(_) = from {
-        let ignored = kerf_gcode::no_path(&kerf_gcode::read(source.name, bytes));
-        read.findings.extend(ignored.map(|text| Finding { line: 0, weight: Weight::Note, text }));
-    }
-    Ok(read)
+    let mut desk = |follow: &mut dyn FnMut(&mut dyn kerf_program::Host) -> Passage| {
+        let folders = Folders::new(parts.into(), Vec::new(), Vec::new());
+        let mut shelf = Shelf::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
+        follow(&mut Desk::new(&mut shelf, &mut ()))
+    };
+    kerf_convert::path(&source, &how, &mut desk, Axes::default())
 }

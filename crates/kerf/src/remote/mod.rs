@@ -1,8 +1,10 @@
 //! A running server instead of the machine of the data folder: lines, files and values go to it over HTTP.
 
+mod ended;
 mod runs;
 mod values;
 
+pub use ended::Ended;
 pub use runs::Along;
 
 use anyhow::{Context, Result, bail};
@@ -19,6 +21,15 @@ const LOOK: Duration = Duration::from_millis(50);
 const BESIDE: &str = "the lines were not sent. A line that may be carried out beside a page that drives is \
     passed in: kerf registry set uCommand 'MX,2'";
 
+/// What a server did not do.
+#[derive(Debug, thiserror::Error)]
+#[error("{text}")]
+struct Refused {
+    text: String,
+    /// The program has mistakes.
+    mistake: bool,
+}
+
 /// A server.
 pub struct Remote {
     address: String,
@@ -31,8 +42,8 @@ impl Remote {
         Ok(Self { address: address.trim_end_matches('/').to_owned() })
     }
 
-    /// Carries lines out and waits for their end; what it was, as the trace writes it.
-    pub fn send(&self, lines: &str) -> Result<String> {
+    /// Carries lines out and waits for their end.
+    pub fn send(&self, lines: &str) -> Result<Ended> {
         let sends = |lease: &Value, before: &Value| {
             self.act("command", json!({ "lease": lease, "line": lines }))?;
             self.until_over(number_of_run(before))
@@ -62,9 +73,9 @@ impl Remote {
         self.act("unlock", json!({ "password": password }))
     }
 
-    fn until_over(&self, before: u64) -> Result<String> {
+    fn until_over(&self, before: u64) -> Result<Ended> {
         loop {
-            if let Some(ended) = ended(&self.state()?, before) {
+            if let Some(ended) = Ended::of(&self.state()?, before) {
                 return Ok(ended);
             }
             sleep(LOOK);
@@ -100,7 +111,8 @@ impl Remote {
         let (head, body) = answer.split_once("\r\n\r\n").with_context(reached)?;
         if head.split(' ').nth(1) != Some("200") {
             let problem: Value = serde_json::from_str(body).unwrap_or_default();
-            bail!("{}", problem["text"].as_str().unwrap_or(body));
+            let text = problem["text"].as_str().unwrap_or(body).to_owned();
+            bail!(Refused { text, mistake: problem["why"] == "mistake" });
         }
         Ok(body.to_owned())
     }
@@ -109,10 +121,4 @@ impl Remote {
 /// The number of the run that a state tells of.
 fn number_of_run(state: &Value) -> u64 {
     state["job"]["run"].as_u64().unwrap_or_default()
-}
-
-/// How a run ended that began after another.
-fn ended(state: &Value, before: u64) -> Option<String> {
-    let ended = state["job"]["ended"].as_str()?;
-    (number_of_run(state) > before).then(|| ended.to_owned())
 }

@@ -1,8 +1,10 @@
 //! A part file that a running server runs, with whoever sits here.
 
-use super::{LOOK, Remote, ended, number_of_run};
+use super::ended::findings;
+use super::{Ended, LOOK, Refused, Remote, number_of_run};
 use anyhow::{Result, bail};
 use kerf_control::answers::{self, Operator};
+use kerf_diag::{Diagnostic, Severity};
 use kerf_program::{Button, Question};
 use serde_json::{Value, json};
 use std::thread::sleep;
@@ -18,27 +20,39 @@ pub struct Along<'a> {
     pub stopped: &'a dyn Fn() -> bool,
     /// Takes the lines that it prints.
     pub print: &'a mut dyn FnMut(&str),
+    /// Takes what is wrong with the file, or worth knowing.
+    pub show: &'a dyn Fn(&Diagnostic),
 }
 
 impl Remote {
-    /// Has a file of the server's part folder run, after arming the machine where that is wanted. How it
-    /// ended, as the trace writes it, and the error.
-    pub fn run(&self, name: &str, arm: bool, along: Along<'_>) -> Result<(String, Option<String>)> {
+    /// Has a file of the server's part folder run, after arming the machine where that is wanted.
+    pub fn run(&self, name: &str, arm: bool, along: Along<'_>) -> Result<Ended> {
         self.act("open", json!({ "name": name }))?;
-        let hash = self.previewed(name)?;
-        self.driving(BESIDE, |lease, before| {
+        let (hash, found) = self.previewed(name)?;
+        let show = along.show;
+        let mut ended = self.driving(BESIDE, |lease, before| {
             if arm {
                 self.act("arm", json!({ "lease": lease }))?;
             }
-            self.act("run", json!({ "lease": lease, "hash": hash, "step": false }))?;
+            let starts = self.act("run", json!({ "lease": lease, "hash": hash, "step": false }));
+            if starts.as_ref().is_err_and(is_mistake) {
+                found.iter().for_each(show);
+            }
+            starts?;
+            found.iter().filter(|it| it.severity == Severity::Warning).for_each(show);
             self.goes_along(before, along)
-        })
+        })?;
+        // Of an error that the preview met as well it knows more.
+        let notes = found.into_iter().filter(|it| it.severity == Severity::Note);
+        ended.told.extend(notes);
+        Ok(ended)
     }
 
-    /// Waits until a file that was opened is previewed; its hash.
-    fn previewed(&self, name: &str) -> Result<Value> {
+    /// Waits until a file that was opened is previewed; its hash, and what was found in it.
+    fn previewed(&self, name: &str) -> Result<(Value, Vec<Diagnostic>)> {
         loop {
-            let opened = self.state()?["opened"].clone();
+            let state = self.state()?;
+            let opened = &state["opened"];
             if opened["name"] != name {
                 bail!("another file was opened meanwhile: {}", opened["name"]);
             }
@@ -47,22 +61,21 @@ impl Remote {
                 Some("failed") => {
                     bail!("{name}: {}", opened["preview"]["why"].as_str().unwrap_or_default())
                 }
-                _ => return Ok(opened["hash"].clone()),
+                _ => return Ok((opened["hash"].clone(), findings(&state))),
             }
         }
     }
 
-    fn goes_along(&self, before: &Value, along: Along<'_>) -> Result<(String, Option<String>)> {
-        let Along { operator, stopped, print } = along;
+    fn goes_along(&self, before: &Value, along: Along<'_>) -> Result<Ended> {
+        let Along { operator, stopped, print, .. } = along;
         let (mut printed, mut answered, mut stops) = (lines(before), None, false);
         loop {
             let now = self.state()?;
             let told = lines(&now);
             news(&printed, &told).iter().for_each(|line| print(line));
             printed = told;
-            if let Some(ended) = ended(&now, number_of_run(before)) {
-                let why = now["job"]["error"]["message"].as_str().map(str::to_owned);
-                return Ok((ended, why));
+            if let Some(ended) = Ended::of(&now, number_of_run(before)) {
+                return Ok(ended);
             }
             if stopped() && !std::mem::replace(&mut stops, true) {
                 self.act("stop", json!({}))?;
@@ -89,6 +102,11 @@ impl Remote {
         // Somebody at a page may have been first.
         if self.state()?["asked"]["number"] == *number { told } else { Ok(()) }
     }
+}
+
+/// Whether a server did not start a file because of what is wrong with it.
+fn is_mistake(why: &anyhow::Error) -> bool {
+    why.downcast_ref::<Refused>().is_some_and(|refused| refused.mistake)
 }
 
 /// The print window.

@@ -11,6 +11,13 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;
 
+/// From here on commands hear SIGHUP. Whoever runs the tests may have it ignored (nohup), and so would they; a
+/// handler here is none there.
+#[cfg(unix)]
+pub fn hear_hangups() {
+    signal_hook::flag::register(signal_hook::consts::SIGHUP, std::sync::Arc::default()).unwrap();
+}
+
 /// A folder of its own for one test, with a data folder beside the part files.
 pub struct Shop {
     folder: TempDir,

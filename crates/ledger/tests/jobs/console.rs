@@ -133,7 +133,7 @@ fn pro_console_f30() {
     };
     assert!(starts(&mut HandConsole::default()).starts_with("4.840-"));
     assert!(starts(&mut pressed("Func 30 Enter 1.5 Enter")).starts_with("5.340-"));
-    refuses("Func 30 Enter -1 Enter", "0 or greater");
+    refuses("Func 30 Enter -1 Enter", "0 to 3600");
 }
 
 #[test]

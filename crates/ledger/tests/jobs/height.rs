@@ -213,6 +213,25 @@ fn pro_height_top_track__at_every_sample() {
     assert!(told.iter().all(|(surface, top)| (top - surface - 10.0).abs() < 1e-9));
 }
 
+/// ZTop after a job that was stopped so often and went on each time.
+fn top_after(stops: &[f64]) -> f64 {
+    let run = stops.iter().fold(over(rising(0.03)), |run, at_s| run.stop(*at_s));
+    let trace = run.say(&vec!["continue"; stops.len()].join("\n")).run();
+    assert_eq!(trace.states().iter().filter(|state| state.contains("paused")).count(), stops.len());
+    trace.rests()[2]
+}
+
+#[test]
+fn pro_height_surf_track__whatever_stops_the_job() {
+    let undisturbed = top_after(&[]);
+    assert!((undisturbed + 7.0).abs() < 0.1, "{undisturbed}");
+    // On the way down to the sheet; on the path; three times on ways down; path, way down, bottom delay.
+    for stops in [&[2.95][..], &[4.9], &[2.95, 5.75, 8.6], &[4.9, 7.8, 11.5]] {
+        let top = top_after(stops);
+        assert!((top - undisturbed).abs() < 0.1, "{top} after stops at {stops:?}");
+    }
+}
+
 #[test]
 fn pro_height_reset() {
     let whole = heights(&over(rising(0.03)).run());

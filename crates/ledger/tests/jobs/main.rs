@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
+mod bounds;
 mod console;
 mod console_moves;
 mod delays;
@@ -11,6 +12,7 @@ mod entry;
 mod estop;
 mod group;
 mod height;
+mod height_kept;
 mod homing;
 mod job;
 mod knife;
@@ -22,3 +24,4 @@ mod pause;
 mod plasma;
 mod signals;
 mod timing;
+mod told;

@@ -6,7 +6,7 @@ use crate::{jobs, programs};
 use kerf_control::{RunOptions, Started, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
-use kerf_program::job::Job;
+use kerf_program::job::{Depth, Job, Plunge};
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sim::{Change, Sheet};
 use std::fmt;
@@ -131,6 +131,28 @@ impl Case {
             What::Job(_, machine) => !machine.height.on && !machine.plasma.use_sequence,
             What::Part { .. } => true,
         }
+    }
+
+    /// Whether a sheet is followed, by a sensor that leads the head to it.
+    pub fn follows_sheet(&self) -> bool {
+        let What::Job(_, machine) = &self.what else { return false };
+        machine.height.on && !machine.plasma.use_sequence
+    }
+
+    /// Whether the tool goes down along the path of a shape by plan: not where the sheet is followed, or felt
+    /// where the cut begins.
+    pub fn slopes(&self, number: u32) -> bool {
+        let What::Job(job, machine) = &self.what else { return true };
+        let shape = job.shapes.iter().find(|shape| shape.number == number);
+        let followed = machine.height.on && shape.is_some_and(|shape| shape.depth == Depth::Thru);
+        !machine.plasma.use_sequence && !followed
+    }
+
+    /// Whether a way down along the path is begun again when the machine stops on it.
+    pub fn ramps(&self, number: u32) -> bool {
+        let What::Job(job, _) = &self.what else { return false };
+        let shape = job.shapes.iter().find(|shape| shape.number == number);
+        shape.is_some_and(|shape| shape.plunge != Plunge::Straight)
     }
 
     pub fn work(&self) -> Work {

@@ -1,20 +1,25 @@
 //! A case lived through: once without a kill, once with kills and resumes, on a journal of its own.
 
 use crate::case::{Case, What};
+use crate::levels::Levels;
 use crate::path::{Piece, difference, follow_on, laid};
 use crate::programs::SUB;
 use crate::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
 use kerf_control::files::{Folders, RealDisk};
-use kerf_control::journal::Journal;
+use kerf_control::journal::{Journal, Whereabouts};
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Event, Pace, Session, Shelf, Summary, Wish, json};
+use kerf_control::{
+    Company, Doing, Event, Going, Pace, RunOptions, Session, Shelf, Summary, Wish, Work, json,
+};
+use kerf_machine::Errand;
 use kerf_program::settings::Resolution;
-use kerf_program::{Axes, Axis, Question, QuestionKind, Status};
+use kerf_program::{Axes, Axis, MoveKind, Question, QuestionKind, Status};
 use std::cell::RefCell;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::Path;
+use std::sync::Arc;
 use tempfile::TempDir;
 
 /// What a case came to.
@@ -29,9 +34,31 @@ pub struct Lived {
 struct Person<'a> {
     doom: &'a Doom,
     wishes: &'a RefCell<Vec<(f64, Wish)>>,
+    /// Places in the middle of a cut that the machine comes by, as the watch began that was the last.
+    under_way: Vec<Axes>,
+    /// Up to when it was watched: a way that is looked through again is on record already.
+    looked_s: f64,
+    /// Something was cut in the plane.
+    cut: bool,
+}
+
+impl<'a> Person<'a> {
+    const fn new(doom: &'a Doom, wishes: &'a RefCell<Vec<(f64, Wish)>>) -> Self {
+        Self { doom, wishes, under_way: Vec::new(), looked_s: 0.0, cut: false }
+    }
 }
 
 impl Pace for Person<'_> {
+    fn watch(&mut self, from_s: f64, to_s: f64, doing: &Doing<'_>) -> Option<(f64, Wish)> {
+        if to_s > self.looked_s || doing.going.is_none() {
+            self.cut |= doing.going.is_some_and(|going| cuts_flat(&going));
+            let near = doing.going.filter(|_| self.doom.is_near());
+            self.under_way = near.map_or_else(Vec::new, |it| cut_under_way(from_s, to_s, it));
+            self.looked_s = to_s;
+        }
+        self.pass(from_s, to_s)
+    }
+
     fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
         self.doom.tick();
         let mut wishes = self.wishes.borrow_mut();
@@ -48,6 +75,32 @@ impl Pace for Person<'_> {
         Some(held_s + 0.5)
     }
 }
+
+/// Whether something is cut in the plane.
+fn cuts_flat(going: &Going<'_>) -> bool {
+    going.made().is_some_and(|made| {
+        let way = made.to.minus(made.from);
+        let flat = way[Axis::X].hypot(way[Axis::Y]) > 1e-6 || made.arc().is_some();
+        made.kind == MoveKind::Cut && flat
+    })
+}
+
+/// Where the machine comes by from one moment to another, in the middle of a cut in the plane.
+fn cut_under_way(from_s: f64, to_s: f64, going: Going<'_>) -> Vec<Axes> {
+    let ends_s = going.t0_s + going.plan.span_s(going.index).1;
+    if !cuts_flat(&going) || to_s > ends_s - 1e-6 {
+        return Vec::new();
+    }
+    let share = |n: u32| f64::from(n) / f64::from(PLACES);
+    let moment = |n: u32| from_s + (to_s - from_s) * share(n) - going.t0_s;
+    (0..=PLACES).map(|n| going.plan.at(moment(n)).position).collect()
+}
+
+/// Places that are looked at between two moments.
+const PLACES: u32 = 8;
+
+/// Looks at the operator before a process dies in a move by hand.
+const LIFE_BY_HAND: u64 = 3;
 
 /// So often.
 const PATIENCE: u32 = 60;
@@ -91,6 +144,12 @@ struct Process {
     from: Axes,
     to: Axes,
     took_up: bool,
+    /// The operator's patience ended.
+    gave_up: bool,
+    /// Where it died, when that was in the middle of a cut.
+    under_way: Vec<Axes>,
+    /// Something was cut in the plane.
+    cut: bool,
 }
 
 impl<'a> Life<'a> {
@@ -119,14 +178,20 @@ impl<'a> Life<'a> {
         let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
         let kept = session.memory.settings.clone();
         if cut.is_some() {
-            session.memory.position = self.within(session.memory.position.plus(pushed));
+            self.type_lines(&mut session, &mut shelf, pushed);
+            self.die_by_hand(&mut session, &mut shelf, &journal, pushed);
+            self.move_by_hand(&mut session, &mut shelf, pushed, &mut ());
+            let (again, whereabouts) = Session::recall(&journal, &mut shelf).unwrap();
+            assert_eq!(again.memory.position, session.memory.position, "it was moved by hand");
+            assert!(whereabouts == Whereabouts::Known || pushed == Axes::default());
+            session = again;
         } else {
             session.memory.settings = self.case.settings.clone();
         }
         let from = session.memory.position;
         let mut watch =
             Watch { doom: &self.doom, allowed: self.case.allowed(), seen: Seen::default() };
-        let mut person = Person { doom: &self.doom, wishes: &self.wishes };
+        let mut person = Person::new(&self.doom, &self.wishes);
         let mut helpful = Helpful(&self.doom, 0);
         let ran = catch_unwind(AssertUnwindSafe(|| {
             let company = Company { sink: &mut watch, operator: &mut helpful, pace: &mut person };
@@ -149,7 +214,64 @@ impl<'a> Life<'a> {
         };
         talk(&watch.seen);
         let to = session.memory.position;
-        Some(Process { seen: watch.seen, summary, from, to, took_up: cut.is_some() })
+        let gave_up = helpful.1 > PATIENCE;
+        let took_up = cut.is_some();
+        let Person { under_way, cut, .. } = person;
+        Some(Process { seen: watch.seen, summary, from, to, took_up, gave_up, under_way, cut })
+    }
+
+    /// Now and then the process dies while somebody moves the tool: it is near where it stood, and not homed.
+    fn die_by_hand(&self, session: &mut Session, shelf: &mut Shelf, journal: &Journal, by: Axes) {
+        if by[Axis::X] >= 0.0 {
+            return;
+        }
+        let (doom, nothing) = (Doom::default(), RefCell::default());
+        doom.after(LIFE_BY_HAND);
+        let mut person = Person::new(&doom, &nothing);
+        let stands = session.memory.position;
+        let moves = || self.move_by_hand(session, shelf, by, &mut person);
+        let died = catch_unwind(AssertUnwindSafe(moves)).is_err();
+        let (again, whereabouts) = Session::recall(journal, shelf).unwrap();
+        if died {
+            assert_eq!((again.memory.position, whereabouts), (stands, Whereabouts::Moving));
+            assert!(again.homed.is_empty());
+        }
+        *session = again;
+    }
+
+    /// Now and then somebody types lines before, which ask the world and write to it.
+    fn type_lines(&self, session: &mut Session, shelf: &mut Shelf, by: Axes) {
+        if by[Axis::Y] >= 0.0 {
+            return;
+        }
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        let lines = kerf_sbp::read_typed("command".into(), "UD\nPAUSE 0.1\nSetUsrVal, 7\n");
+        let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+        session.run_on_record(lines, options, None, shelf, company).unwrap();
+    }
+
+    /// Somebody moves the tool before the run is taken up.
+    fn move_by_hand(
+        &self,
+        session: &mut Session,
+        shelf: &mut Shelf,
+        by: Axes,
+        pace: &mut dyn Pace,
+    ) {
+        if by == Axes::default() {
+            return;
+        }
+        let stands = session.memory.position;
+        let way = self.within(stands.plus(by)).minus(stands);
+        let machine = match &self.case.what {
+            What::Part { .. } => Arc::new(session.configuration()),
+            What::Job(_, machine) => Arc::new((**machine).clone()),
+        };
+        let errand = Errand::To { place: way.0.map(Some), relative: true, flat: true };
+        let company = Company { sink: &mut (), operator: &mut (), pace };
+        let work = Work::Hand(errand, machine);
+        session.run_on_record(work, RunOptions::default(), None, shelf, company).unwrap();
     }
 
     /// A place on the table near one.
@@ -179,7 +301,18 @@ pub fn live(case: &Case) -> Lived {
     let takes_s = plain.summary.as_ref().unwrap().seconds;
     let whole = Life::new(case, takes_s).process(Axes::default()).unwrap();
     whole.check_location(case);
+    if plain.seen.faults + whole.seen.faults == 0 {
+        same_levels(case, &plain, &Levels::of(&whole.seen));
+    }
     killed(case, takes_s, &whole)
+}
+
+/// Where a sheet is followed it is followed at the same heights, whatever happens.
+fn same_levels(case: &Case, usual: &Process, levels: &Levels) {
+    if case.keeps_its_path() && case.follows_sheet() {
+        let left = Levels::of(&usual.seen).left_by(levels);
+        assert!(left.is_none(), "heights differ: {}", left.unwrap_or_default());
+    }
 }
 
 /// Inputs that are on from the beginning.
@@ -199,8 +332,11 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     let mut done: Vec<Piece> = Vec::new();
     let mut kills = case.kills.iter().zip(&case.pushed);
     let mut pushed = Axes::default();
-    let path = laid(&whole.seen.pieces, case.keeps_heights());
-    let (mut lost, mut why) = (None, None);
+    let compared = |seen: &Seen| laid(&seen.pieces, case.keeps_heights(), |line| case.slopes(line));
+    let path = compared(&whole.seen);
+    let (mut lost, mut why, mut gave_up) = (None, None, false);
+    let mut under_way: Vec<Axes> = Vec::new();
+    let (mut levels, mut faults) = (Levels::default(), whole.seen.faults);
     let status = loop {
         let kill = kills.next();
         life.doom.after(kill.map_or(0, |(share, _)| 1 + (share * all) as u64));
@@ -208,10 +344,20 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         life.doom.after(0);
         pushed = kill.map(|(_, by)| *by).unwrap_or_default();
         lived.resumes += u64::from(process.took_up);
-        let next = laid(&process.seen.pieces, case.keeps_heights());
+        let next = compared(&process.seen);
+        if let Some(first) = next.first().filter(|_| case.keeps_its_path()) {
+            let again = first.goes_down() && case.ramps(first.line);
+            let goes_on = under_way.is_empty() || again || first.begins_by(&under_way);
+            assert!(goes_on, "it died at {under_way:?} and goes on with {first:?}");
+        }
+        if process.cut {
+            under_way = process.under_way;
+        }
         lost = lost.or_else(|| follow_on(&mut done, &next, &path).err());
+        levels.add(&process.seen);
+        faults += process.seen.faults;
         if let Some(summary) = process.summary {
-            why = summary.error;
+            (why, gave_up) = (summary.error, process.gave_up);
             break Some(summary.status);
         }
         lived.kills += 1;
@@ -225,7 +371,12 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         assert!(different.is_none(), "the path differs: {}", different.unwrap_or_default());
         lived.compared = true;
     }
-    if case.keeps_its_path() && whole.status() == Status::Ok {
+    if faults == 0 {
+        same_levels(case, whole, &levels);
+    }
+    // A cut that the machine cannot make ends when the operator says so.
+    let hopeless = gave_up && whole.seen.faults > 0;
+    if case.keeps_its_path() && whole.status() == Status::Ok && !hopeless {
         assert!(
             status.is_none_or(|status| status == Status::Ok),
             "it ended as {status:?}: {why:?}"

@@ -1,8 +1,9 @@
-//! The path of a cut, whatever interrupted it: pieces that lie on one line or arc are one.
+//! The path of a cut, whatever interrupted it.
 
+use crate::alike::{self, Point};
 use kerf_control::Made;
 use kerf_geom::Arc2;
-use kerf_program::{Axis, MoveKind};
+use kerf_program::{Axes, Axis, MoveKind};
 use std::f64::consts::TAU;
 
 /// Places closer than this are the same, mm.
@@ -11,8 +12,8 @@ const SAME: f64 = 1e-6;
 /// A smoothed path is left so far beside its line, mm.
 const NEAR: f64 = 0.03;
 
-/// Who stops while a corner is smoothed stops so far along the next line: the corner is seen there, mm.
-const BLENDED: f64 = 2.0 * NEAR;
+/// Arcs are compared by chords that lie so far beside them, mm.
+const CHORD: f64 = 1e-3;
 
 /// A cut in the plane.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +21,9 @@ pub struct Piece {
     pub from: [f64; 3],
     pub to: [f64; 3],
     pub arc: Option<Arc2>,
-    /// How far it leads down by the plan, also where heights are laid aside, mm.
+    /// The line of the program, or the number of the shape.
+    pub line: u32,
+    /// How far it leads down by the plan, mm.
     down_mm: f64,
 }
 
@@ -33,7 +36,7 @@ impl Piece {
         let arc = it.arc();
         let flat = arc.is_some() || apart(from, to, Axis::X) || apart(from, to, Axis::Y);
         let down_mm = from[2] - to[2];
-        (level && flat).then_some(Self { from, to, arc, down_mm })
+        (level && flat).then_some(Self { from, to, arc, line: it.at.line, down_mm })
     }
 
     /// The two as one, when the second goes on where the first ends in the same way.
@@ -58,6 +61,26 @@ impl Piece {
 }
 
 impl Piece {
+    /// Whether it leads down by plan.
+    pub fn goes_down(&self) -> bool {
+        self.down_mm > SAME
+    }
+
+    /// Whether it begins at one of these places, or between two of them.
+    pub fn begins_by(&self, places: &[Axes]) -> bool {
+        let lay = |at: &Axes| {
+            let [x, y, z] = at.first3();
+            [x, y, if self.from[2] == 0.0 { 0.0 } else { z }]
+        };
+        let between = |pair: &[Axes]| {
+            let (a, b) = (lay(&pair[0]), lay(&pair[1]));
+            let middle = [0, 1, 2].map(|i| 0.5 * (a[i] + b[i]));
+            let reach = alike::distance(a, b) * 0.5 + NEAR;
+            alike::distance(middle, self.from) <= reach
+        };
+        places.windows(2).any(between)
+    }
+
     /// The part of it that leads to a place on it.
     fn up_to(&self, at: [f64; 3]) -> Option<Self> {
         let share = self.share(at)?;
@@ -108,6 +131,18 @@ impl Piece {
         }
         at
     }
+
+    /// Places on it, its end among them, so close that lines between them are as good as it.
+    fn places(&self) -> impl Iterator<Item = Point> {
+        let count = self.arc.map_or(1, |arc| {
+            let radius = arc.start.distance(arc.centre).max(CHORD);
+            let step = 2.0 * (1.0 - CHORD / radius).clamp(-1.0, 1.0).acos();
+            (arc.sweep_rad.abs() / step).ceil().max(1.0) as u32
+        });
+        (1..=count).map(
+            move |n| if n == count { self.to } else { self.at(f64::from(n) / f64::from(count)) },
+        )
+    }
 }
 
 fn turned(arc: Arc2, share: f64) -> Arc2 {
@@ -140,19 +175,41 @@ fn straight(a: &Piece, b: &Piece) -> bool {
     dot > 0.0 && length(cross) / (lu + lv) < NEAR
 }
 
-/// The path in as few pieces as possible.
-pub fn whole(pieces: &[Piece]) -> Vec<Piece> {
+/// The path without what was begun again, and without pieces that lead nowhere.
+fn once(pieces: &[Piece]) -> Vec<Piece> {
     let mut path: Vec<Piece> = Vec::new();
     for piece in pieces.iter().filter(|p| p.arc.is_some() || !same(p.from, p.to)) {
         if let Some(again) = begun_again(&path, piece) {
             path.truncate(again);
         }
-        match path.last().and_then(|last| last.join(piece)) {
-            Some(joined) => drop(path.pop().map(|_| path.push(joined))),
-            None => path.push(*piece),
-        }
+        path.push(*piece);
     }
     path
+}
+
+/// The path in as few pieces as possible: what a stop took apart is one again.
+fn joined(path: Vec<Piece>) -> Vec<Piece> {
+    let mut moves: Vec<Piece> = Vec::new();
+    for piece in path {
+        match moves.last().and_then(|last| last.join(&piece)) {
+            Some(both) => drop(moves.pop().map(|_| moves.push(both))),
+            None => moves.push(piece),
+        }
+    }
+    moves
+}
+
+/// The path as places, its pieces joined by lines, and of each place the piece that it is on.
+fn track(path: &[Piece]) -> (Vec<Point>, Vec<usize>) {
+    let (mut places, mut on) = (Vec::new(), Vec::new());
+    for (n, piece) in path.iter().enumerate() {
+        let begins = places.last().is_none_or(|last| !same(*last, piece.from));
+        for place in begins.then_some(piece.from).into_iter().chain(piece.places()) {
+            places.push(place);
+            on.push(n);
+        }
+    }
+    (places, on)
 }
 
 /// Where a way down along the path began that this piece begins again: one that was stopped on is made
@@ -161,61 +218,82 @@ fn begun_again(path: &[Piece], piece: &Piece) -> Option<usize> {
     let slope = path.iter().rev().take_while(|p| p.down_mm > SAME).count();
     let first = path.len() - slope;
     let again = path[first..].iter().position(|p| same(p.from, piece.from));
-    again.filter(|_| piece.down_mm > SAME).map(|at| first + at)
+    again.filter(|_| piece.goes_down()).map(|at| first + at)
 }
 
-/// The path without its heights when they do not count.
-pub fn laid(pieces: &[Piece], heights: bool) -> Vec<Piece> {
+/// The path as it is compared: without its heights where those are the sheet's, and going down only where
+/// that is planned.
+pub fn laid(pieces: &[Piece], heights: bool, slopes: impl Fn(u32) -> bool) -> Vec<Piece> {
     let down = |[x, y, z]: [f64; 3]| [x, y, if heights { z } else { 0.0 }];
-    let lay = |p: &Piece| Piece { from: down(p.from), to: down(p.to), ..*p };
+    let lay = |p: &Piece| {
+        let down_mm = if slopes(p.line) { p.down_mm } else { 0.0 };
+        Piece { from: down(p.from), to: down(p.to), down_mm, ..*p }
+    };
     pieces.iter().map(lay).collect()
 }
 
 /// Adds what the next process cut to what those before it did. Of the move under way a process that dies
-/// tells nothing: it was made up to where the next one begins, along the path, or is made again.
+/// tells nothing: it was made up to where the next one begins, along the path, or is made again. Where ways
+/// lie side by side, which of these it was is what follows the path.
 pub fn follow_on(done: &mut Vec<Piece>, next: &[Piece], path: &[Piece]) -> Result<(), String> {
     let Some(first) = next.first() else { return Ok(()) };
-    let at = first.from;
-    match done.last() {
-        Some(last) if near(last.to, at) => {}
-        Some(last) if near(last.from, at) => drop(done.pop()),
-        Some(last) if last.up_to(at).is_some() => {
-            let made = last.up_to(at);
-            done.pop();
-            done.extend(made);
-        }
-        _ => {
-            let made = untold(done, path, at);
-            done.push(made.ok_or_else(|| format!("{at:?} is not where the path goes on"))?);
-        }
-    }
-    done.extend(next);
+    let ways = ways_on(done, first, path).into_iter().map(|mut way| {
+        way.extend(next);
+        way
+    });
+    let ways: Vec<_> = ways.collect();
+    let along = ways.iter().find(|way| difference(way, path, false).is_none());
+    let found = along.or(ways.first()).cloned();
+    *done = found.ok_or_else(|| format!("{:?} is not where the path goes on", first.from))?;
     Ok(())
+}
+
+/// What may have been done when the next process begins with a piece.
+fn ways_on(done: &[Piece], first: &Piece, path: &[Piece]) -> Vec<Vec<Piece>> {
+    let at = first.from;
+    let mut ways = Vec::new();
+    let with = |before: &[Piece], piece: Piece| [before, &[piece]].concat();
+    if let Some((last, before)) = done.split_last() {
+        if near(last.to, at) || begun_again(done, first).is_some() {
+            ways.push(done.to_vec());
+        }
+        if near(last.from, at) {
+            ways.push(before.to_vec());
+        }
+        ways.extend(last.up_to(at).map(|made| with(before, made)));
+    }
+    ways.extend(untold(done, path, at).map(|made| with(done, made)));
+    ways
 }
 
 /// What was made between the end of what was told and a place on the path.
 fn untold(done: &[Piece], path: &[Piece], at: [f64; 3]) -> Option<Piece> {
-    let (done, path) = (whole(done), whole(path));
-    let under_way = done.last().zip(done.len().checked_sub(1).and_then(|last| path.get(last)));
-    let rest = under_way.and_then(|(last, of)| of.beyond(last.to)?.up_to(at));
-    rest.or_else(|| path.get(done.len())?.up_to(at))
+    let (done, path) = (once(done), joined(once(path)));
+    let Some(last) = done.last() else { return path.first()?.up_to(at) };
+    let ((made, _), (all, on)) = (track(&done), track(&path));
+    let ends = alike::compare(&made, &all, NEAR).first_ends;
+    // The piece that it ends on, or the next one.
+    ends.into_iter().find_map(|place| {
+        let n = on[place];
+        let rest = path[n].beyond(last.to).and_then(|rest| rest.up_to(at));
+        rest.or_else(|| path.get(n + 1)?.up_to(at))
+    })
 }
 
-/// Where two paths differ: to their ends, or as far as both go, but for the last piece of the shorter.
+/// Where two paths differ: to their ends, or as far as both go.
 pub fn difference(a: &[Piece], b: &[Piece], to_the_end: bool) -> Option<String> {
-    let (mut a, mut b) = (whole(a), whole(b));
-    if !to_the_end {
-        let both = a.len().min(b.len()).saturating_sub(1);
-        a.truncate(both);
-        b.truncate(both);
+    let (a, b) = (once(a), once(b));
+    let ((places, on), (others, other_on)) = (track(&a), track(&b));
+    let common = alike::compare(&places, &others, NEAR);
+    if common.whole || (!to_the_end && common.as_far_as_both_go) {
+        return None;
     }
-    let alike = |(a, b): (&Piece, &Piece)| {
-        let sweep = |p: &Piece| p.arc.map_or(0.0, |arc| arc.sweep_rad);
-        let ends = |p: [f64; 3], q: [f64; 3]| p.iter().zip(q).all(|(p, q)| (p - q).abs() < BLENDED);
-        ends(a.from, b.from) && ends(a.to, b.to) && (sweep(a) - sweep(b)).abs() < NEAR
+    let part = |p: &[Piece], on: &[usize], place: usize| {
+        let n = on.get(place).copied().unwrap_or_default();
+        format!("piece {n}: {:#?}", &p[n.saturating_sub(1).min(p.len())..p.len().min(n + 3)])
     };
-    let at = a.iter().zip(&b).position(|pair| !alike(pair));
-    let at = at.or_else(|| (a.len() != b.len()).then(|| a.len().min(b.len())))?;
-    let part = |p: &[Piece]| format!("{:#?}", &p[at.saturating_sub(1)..p.len().min(at + 3)]);
-    Some(format!("{} and {} pieces, apart at {at}:\n{}\n{}", a.len(), b.len(), part(&a), part(&b)))
+    let (i, j) = common.furthest;
+    let (length, other) = (a.len(), b.len());
+    let (here, there) = (part(&a, &on, i), part(&b, &other_on, j));
+    Some(format!("{length} and {other} pieces, apart in\n{here}\nand\n{there}"))
 }

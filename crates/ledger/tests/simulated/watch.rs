@@ -6,6 +6,7 @@ use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis};
 use std::cell::Cell;
 use std::collections::BTreeSet;
+use std::f64::consts::SQRT_2;
 
 /// Looks at the plan of a move, beside its ends.
 const LOOKS: u32 = 5;
@@ -23,10 +24,21 @@ pub struct Killed;
 #[derive(Debug, Default)]
 pub struct Doom(Cell<u64>);
 
+/// How much harder than allowed a stop on a smoothed path may brake.
+const BRAKING: f64 = 1.05;
+
+/// Fewer things happen between two looks at the operator.
+const SOON: u64 = 50;
+
 impl Doom {
     /// Dies with so many things done; 0 never.
     pub fn after(&self, count: u64) {
         self.0.set(count);
+    }
+
+    /// Whether it dies soon.
+    pub const fn is_near(&self) -> bool {
+        matches!(self.0.get(), 1..SOON)
     }
 
     /// One thing is done.
@@ -88,6 +100,8 @@ pub struct Seen {
     intensity: u8,
     /// A stop input ended it.
     stopped: bool,
+    /// How often the machine stopped by itself because something is wrong with the cut.
+    pub faults: u32,
 }
 
 impl Seen {
@@ -125,7 +139,12 @@ impl Sink for Watch<'_> {
                 seen.intensity = *value;
                 seen.passes(*t);
             }
-            Event::State { state, .. } if self.allowed.job => seen.entered(state),
+            Event::State { state, why, .. } if self.allowed.job => {
+                let fault =
+                    &**state == "paused" && !why.is_empty() && !why.starts_with("pause mark");
+                seen.faults += u32::from(fault);
+                seen.entered(state);
+            }
             Event::Stop { by: "stop", .. } if !self.allowed.job => {
                 seen.stopped = true;
             }
@@ -161,12 +180,13 @@ impl Sink for Watch<'_> {
         self.seen.at = Some(it.to);
         self.seen.t = made.t0_s + made.span.t1_s;
         self.accelerations(made);
-        let top_mm_s = self.allowed.feed * self.allowed.top_mm_s(made);
         for look in 0..=LOOKS {
             let share = f64::from(look) / f64::from(LOOKS);
             let t_s = made.span.t0_s + (made.span.t1_s - made.span.t0_s) * share;
             let state = made.plan.at(t_s);
             self.allowed.place(state.position);
+            // At its end the next one may have begun.
+            let top_mm_s = self.allowed.feed * made.plan.moves()[state.move_index].speed_mm_s;
             self.allowed.speed(&state.velocity, state.path_speed_mm_s, top_mm_s);
         }
         self.allowed.place(it.to);
@@ -186,8 +206,15 @@ impl Watch<'_> {
         let it = made.span.made;
         let way: f64 = it.to.minus(it.from).first3().iter().map(|v| v * v).sum();
         // Round a bend the way in and the way along may both be at their highest.
-        let bends = it.arc().is_some() || it.length_mm > way.sqrt() + 1e-6;
-        let share = if bends { std::f64::consts::SQRT_2 } else { 1.0 };
+        let share = match (it.arc(), it.length_mm > way.sqrt() + 1e-6) {
+            (Some(_), _) => SQRT_2,
+            // What a stop leaves of a smooth curve is a curve of its own, bent a little more at its end.
+            (None, true) => 1.05 * SQRT_2,
+            (None, false) => 1.0,
+        };
+        // A stop is found on another grid than the plan, and may brake a little harder.
+        let stops = !it.is_last_part && self.allowed.jump_mm > 1e-3;
+        let share = if stops { share * BRAKING } else { share };
         // Inside the move: at its ends another may say how fast.
         let moment = |look: u32| from_s + (f64::from(look) + 0.5) * step_s;
         let velocity = |look: u32| made.plan.at(moment(look)).velocity;
@@ -212,16 +239,6 @@ impl Seen {
 }
 
 impl Allowed {
-    /// The speed that is asked for; in a rounded corner that of either move.
-    fn top_mm_s(&self, made: &Made<'_>) -> f64 {
-        if self.jump_mm < 1e-3 {
-            return made.span.made.speed_mm_s;
-        }
-        let (moves, index) = (made.plan.moves(), made.span.index);
-        let near = &moves[index.saturating_sub(1)..(index + 2).min(moves.len())];
-        near.iter().map(|made| made.speed_mm_s).fold(0.0, f64::max)
-    }
-
     fn place(&self, at: Axes) {
         let Some([low, high]) = self.bounds else { return };
         for axis in [Axis::X, Axis::Y, Axis::Z] {

@@ -167,9 +167,20 @@ fn pro_plasma_times() {
     let times = [plasma.initial_height_mm, plasma.initial_wait_s, plasma.debounce_s];
     assert_eq!(times, [3.5, 0.25, 0.0]);
     for key in ["initial_height_mm", "initial_wait_s", "debounce_s"] {
-        let wanted = format!("plasma.{key} must be 0 or greater");
+        let wanted = if key.ends_with("_s") { "0 to 3600" } else { "0 or greater" };
+        let wanted = format!("plasma.{key} must be {wanted}");
         check(&format!("[plasma]\n{key} = -0.1"), 2, &wanted);
     }
+}
+
+#[test]
+fn no_wait_of_a_job_is_longer_than_an_hour() {
+    for key in ["router_start_s", "air_tool_s", "bottom_s", "bottom_timeout_s", "end_s"] {
+        let wanted = format!("delays.{key} must be 0 to 3600, not 1000000000000");
+        check(&format!("[delays]\n{key} = 1e12"), 2, &wanted);
+    }
+    check("laser.gas.wait_ms = 1e12", 1, "laser.gas.wait_ms must be 0 to 3600000");
+    assert_eq!(saved("[delays]\nend_s = 3600").delays.end_s, 3600.0);
 }
 
 #[test]

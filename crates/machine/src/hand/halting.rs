@@ -3,15 +3,12 @@
 use super::Hand;
 use super::ways::Leg;
 use crate::sequence::Word;
-use crate::state::{Effect, Event, State};
+use crate::state::{Effect, Event, RELEASE_S, State};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::{
-    Answer, Axis, Button, Command, Halted, Host, Question, QuestionKind, Sourced, Status, Step,
+    Answer, Axis, Command, Halted, Host, Question, QuestionKind, Sourced, Status, Step,
 };
 use std::task::Poll;
-
-/// So long a stop input is waited for to be released before the operator is asked again, seconds.
-const RELEASE_S: f64 = 0.5;
 
 impl Hand {
     /// What follows on a stop: the table says whether the tool rises; the rest of the way is kept.
@@ -90,15 +87,11 @@ impl Hand {
 
     fn question(&self) -> Question {
         let limited = self.state == State::Limited;
-        let [goes_on, ends] = match limited {
-            true => [Button::Continue, Button::End],
-            false => [Button::Resume, Button::Quit],
-        };
         Question {
             kind: if limited { QuestionKind::Limit } else { QuestionKind::Paused },
             text: if self.why.is_empty() { "Paused".into() } else { self.why.to_string() },
             title: "Move".into(),
-            buttons: vec![goes_on, ends],
+            buttons: self.state.ways_on().into(),
             default: 1,
             prefill: String::new(),
             icon: 0,

@@ -2,7 +2,7 @@
 
 use super::Hand;
 use super::errand::{Errand, FAR, Stretch};
-use crate::homing::soft_bounds;
+use crate::homing::{soft_bounds, table_bounds};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::{Arc2, Point2};
 use kerf_program::settings::Mode;
@@ -150,11 +150,9 @@ impl Hand {
         let free = (f64::NEG_INFINITY, f64::INFINITY);
         let soft = soft_bounds(&self.machine, axis).filter(|_| bounded);
         let (mut low, mut high) = soft.unwrap_or(free);
-        let limits = &self.machine.program.limits;
-        if limits.check {
+        if let Some((lowest, highest)) = table_bounds(&self.machine, axis) {
             let zero = self.frame.base_zero[axis];
-            low = low.max(limits.low[axis] + zero);
-            high = high.min(limits.high[axis] + zero);
+            (low, high) = (low.max(lowest + zero), high.min(highest + zero));
         }
         if axis == Axis::Z && !to_bottom && self.machine.axes.limit_movement {
             low = low.max(self.machine.zpos.bottom_mm);

@@ -3,7 +3,7 @@
 use super::Sequence;
 use super::place::{Along, Here, Stage, passes};
 use super::small::Small;
-use crate::homing::soft_bounds;
+use crate::homing::turns_endlessly;
 use crate::lines::Output;
 use crate::settings::Configuration;
 use crate::state::{Event, State};
@@ -15,6 +15,9 @@ use kerf_program::{
     At, Axes, Axis, AxisSet, Command, RampModel, Settings, Sourced, Status, Step, ToolPathStart,
 };
 use std::sync::Arc;
+
+/// No knife turns so far in its life, degrees.
+const ENDLESS_DEG: f64 = 1e12;
 
 /// The job where it is cut, and how often: Start may take the present position as origin.
 pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
@@ -47,6 +50,9 @@ pub fn settings(machine: &Configuration) -> Settings {
     settings.io.output4 = -4;
     settings.height.on = false;
     settings.cutter.trigger.active = false;
+    if turns_endlessly(machine, Axis::C) {
+        (settings.limits.low[Axis::C], settings.limits.high[Axis::C]) = (-ENDLESS_DEG, ENDLESS_DEG);
+    }
     settings
 }
 
@@ -92,11 +98,11 @@ impl Sequence {
     }
 
     /// At z = 0 to the first shape, down, the router and its delay; after a pause at the height the
-    /// head has.
+    /// head has, at the lowest that of travel.
     pub(super) fn approach(&self, again: bool) -> Vec<Small> {
         let mut steps = Vec::new();
         if let Some(shape) = self.here.shape(&self.job) {
-            steps.extend((!again).then_some(Small::RaiseTo(0.0)));
+            steps.push(if again { self.up() } else { Small::RaiseTo(0.0) });
             steps.push(Small::Travel(shape.start()));
         }
         steps.push(Small::Rapid(self.travel_mm()));
@@ -190,42 +196,19 @@ impl Sequence {
 
     /// Why the job does not begin.
     fn refusal(&self) -> Option<Diagnostic> {
-        let problem = self.no_pulse().map(|why| (Code::OutsideLimits, 0, why.to_owned()));
-        let (code, line, message) =
-            problem.or_else(|| self.too_low()).or_else(|| self.outside())?;
-        Some(Diagnostic::new(code, Place::line(self.job.name.clone(), line), message))
+        let problem = self.no_pulse().map(|why| (0, why.to_owned()));
+        if let Some((line, message)) = problem.or_else(|| self.too_low()) {
+            let place = Place::line(self.job.name.clone(), line);
+            return Some(Diagnostic::new(Code::OutsideLimits, place, message));
+        }
+        self.outside()
     }
 
-    fn too_low(&self) -> Option<(Code, u32, String)> {
+    fn too_low(&self) -> Option<(u32, String)> {
         self.job.shapes.iter().find_map(|shape| {
             let low = Depths::of(shape.depth, &shape.z_mm, &self.heights).err()?;
-            Some((Code::OutsideLimits, shape.number, format!("shape {}: {low}", shape.number)))
+            Some((shape.number, format!("shape {}: {low}", shape.number)))
         })
-    }
-
-    /// The first place that lies outside the lengths of the axes.
-    fn outside(&self) -> Option<(Code, u32, String)> {
-        self.job.shapes.iter().find_map(|shape| {
-            let bounds = shape.path.bounds();
-            let corners = [bounds.min, bounds.max];
-            let outside = corners.into_iter().find_map(|corner| {
-                let at = self.job.on_table(corner);
-                [(Axis::X, at.x), (Axis::Y, at.y)].into_iter().find(|(axis, value)| {
-                    let reach = self.reach(*axis);
-                    reach.is_some_and(|[low, high]| *value < low || *value > high)
-                })
-            });
-            let (axis, value) = outside?;
-            let letter = axis.letter();
-            let message =
-                format!("Out of bounds: shape {} reaches {letter} {value:.3}", shape.number);
-            Some((Code::OutsideLimits, shape.number, message))
-        })
-    }
-
-    /// How far an axis may go, machine frame; `None` when it has no bounds.
-    pub fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
-        soft_bounds(&self.machine, axis).map(Into::into)
     }
 
     /// Where the job stands in its file: the number of the shape.

@@ -1,6 +1,5 @@
 //! Carrying out small steps: which commands each gives, and when it is over.
 
-use super::pause::RELEASE_S;
 use super::place::Along;
 use super::small::Small;
 use super::start::PATIENCE_S;
@@ -8,7 +7,7 @@ use super::{SAME_MM, Sequence, bit};
 use crate::lines::{Input, Output};
 use crate::settings::axes::Z2;
 use crate::settings::job::Heads;
-use crate::state::State;
+use crate::state::{RELEASE_S, State};
 use kerf_geom::Point2;
 use kerf_program::{
     Answer, Axes, Axis, Command, Feed, HeightLaw, Host, Line, MoveKind, Settings, Sourced, Step,
@@ -117,11 +116,11 @@ impl Sequence {
         };
         if expected {
             if matches!(self.steps.front(), Some(Small::Feel(_))) {
-                self.felt_mm = began[Axis::Z];
+                self.felt_at(began[Axis::Z]);
             }
             if matches!(self.steps.front(), Some(Small::Lower(_))) {
                 // What the tool runs on is not the sheet's.
-                self.begun_mm = began[Axis::Z];
+                self.sensed_at(began[Axis::Z]);
             }
             if self.steps.front() == Some(&Small::AwaitJig) {
                 self.take_jig(input);
@@ -193,6 +192,7 @@ impl Sequence {
         let ends = law.is_none() && self.controlled;
         if law.is_some() || ends {
             self.controlled = law.is_some();
+            self.law = law.clone().or_else(|| self.law.take());
             self.begun_mm = if ends { self.begun_mm } else { self.position[Axis::Z] };
             self.give(Command::HeightControl(law), out);
         }

@@ -19,6 +19,7 @@
 
 mod beam;
 mod begin;
+mod bounds;
 mod carry;
 mod entry;
 mod height;
@@ -45,7 +46,7 @@ use crate::state::{State, StopSettings};
 use kerf_diag::Diagnostic;
 use kerf_geom::Point2;
 use kerf_program::job::{Depths, Heights, InForce, Job};
-use kerf_program::{Axes, Axis, Frame, Halted, Settings, Status};
+use kerf_program::{Axes, Axis, Frame, Halted, HeightLaw, Settings, Status};
 use path::Followed;
 use place::{Here, Stage};
 use small::Small;
@@ -97,8 +98,10 @@ pub struct Sequence {
     felt_mm: f64,
     /// The height from which height control carried Z, machine frame.
     begun_mm: f64,
-    /// The height at which height control left Z last, machine frame.
-    cut_at_mm: f64,
+    /// How far ZSurface lies above the sheet as it was sensed first.
+    lift_mm: Option<f64>,
+    /// How Z follows the sheet, or followed it last.
+    law: Option<Arc<HeightLaw>>,
     /// Height control is on.
     controlled: bool,
     /// The machine stands at the pause mark of a shape.
@@ -146,7 +149,8 @@ impl Sequence {
             began: Halted::default(),
             felt_mm: heights.surface_mm,
             begun_mm: heights.surface_mm,
-            cut_at_mm: heights.surface_mm,
+            lift_mm: None,
+            law: None,
             controlled: false,
             marked: false,
             halted_before: false,

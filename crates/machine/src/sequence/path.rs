@@ -9,6 +9,9 @@ use kerf_program::{Arc, Axes, Axis, Command, Feed, Halted, Line, MoveKind, Sourc
 /// Chords that a machine without arcs makes of a full circle.
 pub(crate) const CHORDS: u32 = 360;
 
+/// Angles closer than this are the same, degrees.
+const SAME_DEG: f64 = 1e-9;
+
 /// The motion commands of the path at hand: which segment each of them makes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Followed {
@@ -175,9 +178,12 @@ impl Sequence {
     }
 }
 
-/// The angle nearest to where the axis stands that means the same direction, degrees.
+/// The angle nearest to where the axis stands that means the same direction, degrees. Half a turn leads back
+/// towards zero: to and fro the knife does not wind itself up.
 pub(super) fn nearest_turn(stands: f64, direction: f64) -> f64 {
-    stands + (direction - stands + 180.0).rem_euclid(360.0) - 180.0
+    let turn = (direction - stands + 180.0).rem_euclid(360.0) - 180.0;
+    let half = turn.abs() > 180.0 - SAME_DEG;
+    stands + if half { 180.0_f64.copysign(if stands < 0.0 { 1.0 } else { -1.0 }) } else { turn }
 }
 
 #[cfg(test)]
@@ -188,7 +194,8 @@ mod tests {
     fn the_knife_turns_the_short_way() {
         let cases =
             [(0.0, 90.0, 90.0), (270.0, 0.0, 360.0), (350.0, -90.0, 270.0), (0.0, 179.0, 179.0)];
-        for (stands, direction, expected) in cases {
+        let halves = [(0.0, 180.0, -180.0), (-180.0, 0.0, 0.0), (180.0, 0.0, 0.0)];
+        for (stands, direction, expected) in cases.into_iter().chain(halves) {
             assert!((nearest_turn(stands, direction) - expected).abs() < 1e-9);
         }
     }

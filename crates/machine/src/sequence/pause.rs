@@ -9,18 +9,14 @@ use super::place::{Along, Stage};
 use super::small::Small;
 use super::words::Word;
 use crate::lines::{Input, Output};
-use crate::state::{Effect, Event, State};
+use crate::state::{Effect, Event, RELEASE_S, State};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_geom::Point2;
 use kerf_program::job::JobShape;
-use kerf_program::{Axis, Beam, Button, Halted, Question, QuestionKind, Status, Step};
+use kerf_program::{Axis, Beam, Halted, Question, QuestionKind, Status, Step};
 use std::sync::Arc;
 
 /// Cut outputs.
 const CUTS: [Output; 3] = [Output::Cut1, Output::Cut2, Output::Cut3];
-
-/// So long the emergency stop is waited for to be released before the operator is asked again, seconds.
-pub(super) const RELEASE_S: f64 = 0.5;
 
 /// Tool outputs.
 const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
@@ -28,14 +24,10 @@ const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
 impl Sequence {
     /// Motion or a wait was stopped in the middle.
     pub(super) fn halt(&mut self, event: Event, why: &str, halted: &Halted) {
-        let following = self.is_following();
-        if following {
+        if self.is_following() {
             self.keep_place(halted);
         }
-        let carried = self.controlled && following;
-        if carried {
-            self.follow_heights(halted.stands[Axis::Z]);
-        }
+        let carried = self.heights_left(halted.stands[Axis::Z]);
         self.position = halted.stands;
         self.stop_for(event, why);
         if carried {
@@ -136,18 +128,13 @@ impl Sequence {
             return self.finish();
         }
         let back = self.here.shape(&self.job).and_then(|shape| self.here.spot(shape));
-        let mut steps = back.map_or(Vec::new(), |spot| self.way_back(spot.at));
+        let mut steps = back.map_or(Vec::new(), |spot| self.way_to(spot.at));
         steps.extend(self.router_on());
         if self.here.along == Along::After || self.here.along == Along::Clear {
             return steps;
         }
         steps.extend(self.pass_steps());
         steps
-    }
-
-    /// In the plane at the height of the pause.
-    fn way_back(&self, place: Point2) -> Vec<Small> {
-        if self.raise { self.way_to(place) } else { vec![Small::Travel(place)] }
     }
 
     /// What the operator is asked.
@@ -162,15 +149,11 @@ impl Sequence {
             (why, false) => format!("Paused: {why}"),
         };
         let limited = self.state == State::Limited;
-        let [goes_on, ends] = match limited {
-            true => [Button::Continue, Button::End],
-            false => [Button::Resume, Button::Quit],
-        };
         Question {
             kind: if limited { QuestionKind::Limit } else { QuestionKind::Paused },
             text,
             title: "Job".into(),
-            buttons: vec![goes_on, ends],
+            buttons: self.state.ways_on().into(),
             default: usize::from(!marked),
             // The shape it begins with, so that whoever shows it need not read the text.
             prefill: if preparing { (self.here.nth + 1).to_string() } else { String::new() },
@@ -293,7 +276,7 @@ impl Sequence {
         Step::Done(Status::Limit, why)
     }
 
-    fn obey(&mut self, word: Word) {
+    pub(super) fn obey(&mut self, word: Word) {
         match word {
             Word::CutSpeed(mm_s) => {
                 self.use_cut_speed(mm_s);
@@ -303,10 +286,13 @@ impl Sequence {
                 self.plunge_mm_s = mm_s;
                 self.steps.push_back(Small::TellInForce);
             }
-            Word::AdjustBottom(by) => {
-                self.heights.bottom_mm += by;
-                self.steps.push_back(Small::TellHeights);
-            }
+            Word::AdjustBottom(by) => match self.no_bottom(self.heights.bottom_mm + by) {
+                Some(why) => self.steps.push_back(Small::Say(why.into())),
+                None => {
+                    self.heights.bottom_mm += by;
+                    self.steps.push_back(Small::TellHeights);
+                }
+            },
             Word::AdjustHeight(by_mm) => {
                 if !Arc::make_mut(&mut self.machine).height.adjust(by_mm) {
                     let text = "the set points are held between 0 and 255".into();
@@ -321,8 +307,25 @@ impl Sequence {
                 let to = self.within_reach(axis, self.position[axis] + by);
                 self.steps.push_back(Small::Hand(axis, to));
             }
-            Word::Continue | Word::Abort | Word::Shape(_) | Word::Next | Word::Previous => {}
+            Word::Shape(_) | Word::Next | Word::Previous => {
+                let text = "the shape to begin with is chosen before the job starts";
+                self.steps.push_back(Small::Say(text.into()));
+            }
+            Word::Continue | Word::Abort => {}
         }
+    }
+
+    /// Why ZBottom cannot be at a height, if it cannot.
+    fn no_bottom(&self, z_mm: f64) -> Option<String> {
+        let surface_mm = self.heights.surface_mm;
+        let end = self.reach(Axis::Z).map(|[low, _]| low).filter(|low| z_mm < *low);
+        let why = match end {
+            Some(end) => format!("Z ends at {end:.3}"),
+            None if z_mm > surface_mm => format!("above ZSurface at {surface_mm:.3}"),
+            None => return None,
+        };
+        let stays = self.heights.bottom_mm;
+        Some(format!("ZBottom would be at {z_mm:.3}, {why}: it stays at {stays:.3}"))
     }
 
     /// A place that an axis may go to, nearest to one that is asked for. Z goes to ZBottom at the

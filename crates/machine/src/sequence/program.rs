@@ -72,6 +72,10 @@ impl Interpreter for Sequence {
         }
     }
 
+    fn comes_on(&self, halted: &Halted) -> Vec<u8> {
+        self.comes_on_again(halted)
+    }
+
     fn moved(&mut self, position: Axes) {
         self.position = position;
     }

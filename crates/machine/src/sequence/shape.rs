@@ -90,7 +90,7 @@ impl Sequence {
     }
 
     /// A knife turns into the direction of the path before it plunges.
-    fn turn_before_plunge(&self, shape: &JobShape, spot: &Spot) -> Option<Small> {
+    pub(super) fn turn_before_plunge(&self, shape: &JobShape, spot: &Spot) -> Option<Small> {
         if !self.machine.misc.tangential || shape.path.segment_count() == 0 {
             return None;
         }

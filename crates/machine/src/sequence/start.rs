@@ -145,10 +145,20 @@ impl Sequence {
                 return;
             }
             Some(Word::Abort) => return self.abort(),
-            Some(Word::Shape(number)) => number.saturating_sub(1).min(last),
+            Some(Word::Shape(number)) if number > last + 1 => {
+                let text = format!("the job has {} shapes", self.job.shapes.len());
+                self.steps.extend([Small::Say(text.into()), Small::Ask]);
+                return;
+            }
+            Some(Word::Shape(number)) => number - 1,
             Some(Word::Next) => (self.here.nth + 1).min(last),
             Some(Word::Previous) => self.here.nth.saturating_sub(1),
-            _ => self.here.nth,
+            Some(word) => {
+                self.obey(word);
+                self.steps.push_back(Small::Ask);
+                return;
+            }
+            None => self.here.nth,
         };
         self.here.nth = nth;
         if let Some(shape) = self.here.shape(&self.job) {

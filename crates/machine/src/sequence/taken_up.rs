@@ -9,14 +9,32 @@ use crate::state::State;
 use kerf_program::{Axis, Halted};
 
 impl Sequence {
+    /// What goes on when the job is taken up from there, in order.
+    pub(super) fn comes_on_again(&self, halted: &Halted) -> Vec<u8> {
+        let mut ahead = self.clone();
+        ahead.take_up(halted);
+        if ahead.stage == Stage::Approach {
+            ahead.steps.extend(ahead.pass_steps());
+        }
+        let switched = ahead.steps.iter().filter_map(|step| match step {
+            Small::Switch(output, true) => Some(output.number()),
+            _ => None,
+        });
+        let mut on = Vec::new();
+        for number in switched {
+            if !on.contains(&number) {
+                on.push(number);
+            }
+        }
+        on
+    }
+
     /// Goes on from where the path was left; the machine stands elsewhere.
     pub(super) fn take_up(&mut self, halted: &Halted) {
         if self.is_following() {
             self.keep_place(&Halted { stands: halted.began, ..*halted });
-            if self.controlled {
-                self.follow_heights(halted.began[Axis::Z]);
-            }
         }
+        self.heights_left(halted.began[Axis::Z]);
         let jig = [Output::Jig1, Output::Jig2].into_iter().find(|output| self.is_on(*output));
         let runs = self.is_on(Output::JobRunning);
         (self.controlled, self.on, self.given) = (false, 0, false);

@@ -7,12 +7,19 @@ pub struct Miscellaneous {
     pub double_start: bool,
     /// The `w` axis keeps the tool along the path ("Use Tangential Axis").
     pub tangential: bool,
+    /// The tangential axis turns without end: the table limits of C do not hold for it.
+    pub tangential_endless: bool,
     /// Live drawing: 0 never in motion, 10 always, n up to n tenths of the highest speed.
     pub runtime_drawing: u8,
 }
 
 impl Default for Miscellaneous {
     fn default() -> Self {
-        Self { double_start: false, tangential: false, runtime_drawing: 10 }
+        Self {
+            double_start: false,
+            tangential: false,
+            tangential_endless: true,
+            runtime_drawing: 10,
+        }
     }
 }

@@ -188,6 +188,14 @@ const MISC: &[Setting] = &[
     ),
     row!(
         c,
+        "misc.tangential_endless",
+        c.misc.tangential_endless,
+        None,
+        Any,
+        "The tangential axis turns without end: jobs do not mind the limits of C."
+    ),
+    row!(
+        c,
         "misc.runtime_drawing",
         c.misc.runtime_drawing,
         None,

@@ -15,13 +15,19 @@ pub(super) const AREAS: &[Area] = &[
     Area { title: "Laser", manual: "Profiler, Laser Operation", rows: LASER },
 ];
 
+/// Waits of a cutting sequence: an hour at the most, more is a slip of the keyboard.
+const WAIT: super::Bounds = Range(0.0, 3600.0);
+
+/// The same in milliseconds.
+const WAIT_MS: super::Bounds = Range(0.0, 3_600_000.0);
+
 const DELAYS: &[Setting] = &[
     row!(
         c,
         "delays.router_start_s",
         c.delays.router_start_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "After the router or shutter goes on at the first shape and after a pause."
     ),
     row!(
@@ -29,7 +35,7 @@ const DELAYS: &[Setting] = &[
         "delays.air_tool_s",
         c.delays.air_tool_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "After a tool output goes on and after it goes off, at each shape."
     ),
     row!(
@@ -40,13 +46,13 @@ const DELAYS: &[Setting] = &[
         Any,
         "What ends the wait at the bottom: time, or input (EndBottomDelay) and then the time."
     ),
-    row!(c, "delays.bottom_s", c.delays.bottom_s, Seconds, NotNegative, "The wait at the bottom."),
+    row!(c, "delays.bottom_s", c.delays.bottom_s, Seconds, WAIT, "The wait at the bottom."),
     row!(
         c,
         "delays.bottom_timeout_s",
         c.delays.bottom_timeout_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "How long the input is waited for."
     ),
     row!(
@@ -62,7 +68,7 @@ const DELAYS: &[Setting] = &[
         "delays.end_s",
         c.delays.end_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "After the cut output is off and before raising."
     ),
     row!(
@@ -237,7 +243,7 @@ const PLASMA: &[Setting] = &[
         "plasma.initial_wait_s",
         c.plasma.initial_wait_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "Wait after the arc came during which its input is ignored."
     ),
     row!(
@@ -245,7 +251,7 @@ const PLASMA: &[Setting] = &[
         "plasma.debounce_s",
         c.plasma.debounce_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "From the start of cutting the arc input is ignored for so long."
     ),
     row!(
@@ -253,7 +259,7 @@ const PLASMA: &[Setting] = &[
         "plasma.arc_timeout_s",
         c.plasma.arc_timeout_s,
         Seconds,
-        NotNegative,
+        WAIT,
         "How long the arc is waited for."
     ),
 ];
@@ -310,7 +316,7 @@ const LASER: &[Setting] = &[
         "laser.pierce.gas_wait_ms",
         c.laser.pierce.gas_wait_ms,
         Ms,
-        NotNegative,
+        WAIT_MS,
         "Wait for the pierce gas."
     ),
     row!(
@@ -321,20 +327,13 @@ const LASER: &[Setting] = &[
         Range(0.0, 127.0),
         "Intensity, mapped through the table."
     ),
-    row!(
-        c,
-        "laser.pierce.time_ms",
-        c.laser.pierce.time_ms,
-        Ms,
-        NotNegative,
-        "Time the laser is on."
-    ),
+    row!(c, "laser.pierce.time_ms", c.laser.pierce.time_ms, Ms, WAIT_MS, "Time the laser is on."),
     row!(
         c,
         "laser.pierce.purge_ms",
         c.laser.pierce.purge_ms,
         Ms,
-        NotNegative,
+        WAIT_MS,
         "Wait while cut gas displaces the pierce gas."
     ),
     row!(
@@ -345,7 +344,7 @@ const LASER: &[Setting] = &[
         Range(1.0, 3.0),
         "Tool output of the cut gas."
     ),
-    row!(c, "laser.gas.wait_ms", c.laser.gas.wait_ms, Ms, NotNegative, "Wait for the cut gas."),
+    row!(c, "laser.gas.wait_ms", c.laser.gas.wait_ms, Ms, WAIT_MS, "Wait for the cut gas."),
     row!(
         c,
         "laser.gas.overrides",

@@ -144,7 +144,8 @@ fn straight<const N: usize>(
     most: f64,
     nodes: &mut Vec<Node>,
 ) -> f64 {
-    let exit = most.min(entry + 2.0 * accel * gate.h);
+    // What follows may be faster: this cell ends at its own feed.
+    let exit = most.min(gate.cap).min(entry + 2.0 * accel * gate.h);
     let peak = gate.cap.min(0.5 * (entry + exit) + accel * gate.h).max(entry).max(exit);
     let rise = (peak - entry) / (2.0 * accel);
     let fall = (peak - exit) / (2.0 * accel);

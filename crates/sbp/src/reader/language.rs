@@ -14,11 +14,26 @@ use kerf_diag::{Code, Diagnostic, Place, Severity};
 use std::borrow::Cow;
 use std::sync::Arc;
 
+/// Endings of files in OpenSBP: part files, custom cuts, settings.
+pub const PART_ENDINGS: [&str; 3] = ["sbp", "sbc", "sbd"];
+
+/// Endings of G-code files.
+pub const GCODE_ENDINGS: [&str; 6] = ["nc", "tap", "ngc", "gcode", "cnc", "gc"];
+
 /// Whether the name of a file ends as those of G-code files do.
 pub fn is_gcode_name(name: &str) -> bool {
+    ends_in(name, &GCODE_ENDINGS)
+}
+
+/// Whether the name of a file ends as those of files in OpenSBP do.
+pub fn is_part_name(name: &str) -> bool {
+    ends_in(name, &PART_ENDINGS)
+}
+
+fn ends_in(name: &str, endings: &[&str]) -> bool {
     let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
-    ["nc", "tap", "ngc", "gcode"].iter().any(|known| known.eq_ignore_ascii_case(ending))
+    endings.iter().any(|known| known.eq_ignore_ascii_case(ending))
 }
 
 /// Reads a part file in either language, or in both.

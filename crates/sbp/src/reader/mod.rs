@@ -34,7 +34,9 @@ mod text;
 
 pub(crate) use kerf_diag::did_you_mean;
 pub(crate) use language::read_language;
-pub use language::{is_gcode_name, read_part, read_part_as};
+pub use language::{
+    GCODE_ENDINGS, PART_ENDINGS, is_gcode_name, is_part_name, read_part, read_part_as,
+};
 pub use statements::statement_words;
 pub(crate) use text::{blank, code_end};
 

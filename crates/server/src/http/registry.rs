@@ -6,6 +6,7 @@ use super::{Refused, aside};
 use crate::app::{App, problem};
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
+use kerf_control::stored::check_value;
 use kerf_wire::{NamedValue, Problem, Role, Why};
 use std::sync::Arc;
 
@@ -41,6 +42,7 @@ pub async fn set(
         }
         let journal = app.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
         let value = Some(value.trim_end()).filter(|value| !value.is_empty());
+        check_value(last_part(&key), value).map_err(|why| problem(Why::Malformed, why))?;
         journal.set_value(last_part(&key), value).map_err(server)
     };
     Ok(Json(aside(set).await?))

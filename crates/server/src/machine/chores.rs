@@ -107,7 +107,8 @@ impl Owner {
 
     /// The same as pages show it. A journal that cannot be read was told when it was opened.
     fn interrupted(&self) -> Option<Interrupted> {
-        let cut = self.cut_short().ok().flatten()?;
+        // What ran on a controller is not taken up by the simulated machine.
+        let cut = self.cut_short().ok().flatten().filter(|cut| cut.controller().is_none())?;
         let name = |path: &str| self.parts.name_of(path);
         Some(Interrupted {
             file: name(cut.file()),

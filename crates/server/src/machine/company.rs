@@ -144,7 +144,7 @@ impl Pace for Clock {
         self.shared.state(State::Held);
         let mut wanted = self.shared.link.lock();
         loop {
-            if wanted.hear_stop() {
+            if wanted.gives_up() {
                 return None;
             }
             if std::mem::take(&mut wanted.resume) {
@@ -190,7 +190,7 @@ impl Pages {
     fn wait(&mut self, question: &Question) -> Option<String> {
         let mut wanted = self.shared.link.lock();
         loop {
-            if wanted.hear_stop() {
+            if wanted.gives_up() {
                 self.stopped = true;
                 return None;
             }

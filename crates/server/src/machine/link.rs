@@ -22,6 +22,8 @@ pub struct Link {
 pub struct Wanted {
     /// Stop; stays until it was heard.
     pub stop: bool,
+    /// Kerf ends: what runs is stopped, nobody answers any more, nothing else begins.
+    pub leaves: bool,
     /// The run was told to stop, and ramps down.
     stopping: bool,
     /// Hold.
@@ -92,6 +94,11 @@ impl Wanted {
         self.stopping = false;
         std::mem::take(&mut self.stop)
     }
+
+    /// Whether whoever waits for somebody is to give up: a stop is wanted, and heard now, or nobody is there.
+    pub fn gives_up(&mut self) -> bool {
+        self.hear_stop() || self.leaves
+    }
 }
 
 impl Link {
@@ -130,8 +137,8 @@ impl Link {
     /// A run begins: what was wanted of the one before is forgotten.
     pub fn begin(&self) {
         let mut wanted = self.lock();
-        let jog = wanted.jog.take();
-        *wanted = Wanted { jog, ..Wanted::default() };
+        let (jog, leaves) = (wanted.jog.take(), wanted.leaves);
+        *wanted = Wanted { jog, leaves, stop: leaves, ..Wanted::default() };
     }
 
     /// The page of a jog has gone, or released the key.

@@ -10,7 +10,7 @@ use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::journal::JournalError;
-use kerf_control::{Company, Press, RunOptions, Summary, Work};
+use kerf_control::{Company, Press, RunOptions, Summary, Work, unverified};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad};
 use kerf_program::{AXES, Axis};
@@ -124,14 +124,27 @@ pub struct Owner {
 }
 
 impl Owner {
-    /// Shows where the machine stands.
+    /// Shows where the machine stands, and whether that is sure.
     pub fn begin(&mut self) {
-        self.rest(State::Idle, None);
+        let doubted = unverified(&self.workshop.shelf);
+        let letters: Vec<String> = doubted.iter().map(|axis| axis.letter().to_string()).collect();
+        let why = (!letters.is_empty()).then(|| {
+            let axes = letters.join(" ");
+            format!("where the machine stands is not verified: home {axes}, or zero them anew")
+        });
+        if let Some(why) = &why {
+            self.hub.say(Tone::Warning, why.clone());
+        }
+        self.rest(State::Idle, why);
     }
 
-    /// Works until nobody gives orders any more.
+    /// Works until nobody gives orders any more, or Kerf ends.
     pub fn work(mut self, orders: &Receiver<Order>) {
         loop {
+            if self.link.lock().leaves {
+                let Workshop { session, shelf, .. } = &mut self.workshop;
+                return shelf.close_system_log(&session.memory.settings, "NORMAL");
+            }
             let order = match orders.recv_timeout(LOOK) {
                 Ok(order) => order,
                 Err(RecvTimeoutError::Timeout) => match self.passed_in() {
@@ -213,7 +226,8 @@ impl Owner {
             Err(_) => ("failed", None),
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
-        self.hub.change(vec![Change::Job { job: Some(Job { ended, error, ..job }) }]);
+        let summary = driven.as_ref().ok().map(told::summary);
+        self.hub.change(vec![Change::Job { job: Some(Job { ended, error, summary, ..job }) }]);
         self.come_to_rest(driven);
     }
 
@@ -357,12 +371,17 @@ impl Owner {
     }
 
     fn nudge(&mut self, axis: Axis, distance: f64) {
-        match self.workshop.session.nudge(axis, distance) {
-            Ok(()) => self.rest(State::Idle, None),
-            Err(outside) => {
-                self.rest(State::Idle, None);
-                self.hub.say(Tone::Error, outside.to_string());
-            }
+        let Workshop { session, shelf, kept, .. } = &mut self.workshop;
+        let why = match session.nudge(axis, distance) {
+            Err(outside) => Some(outside.to_string()),
+            Ok(()) if *kept => session.keep_place(shelf).err().map(|error| {
+                format!("the nudge holds until Kerf ends, it cannot be kept: {error}")
+            }),
+            Ok(()) => None,
+        };
+        self.rest(State::Idle, None);
+        if let Some(why) = why {
+            self.hub.say(Tone::Error, why);
         }
     }
 

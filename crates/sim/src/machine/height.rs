@@ -121,8 +121,8 @@ impl Machine {
         let follower = following.follower;
         let before_mm = self.follower.offset_mm;
         self.follower = follower;
-        for (t_s, z_mm, Reading { value, error_mm }) in told {
-            self.log.add(t_s, What::Height { z_mm, error_mm, reading: value });
+        for (t_s, z_mm, Reading { value, gap_mm, error_mm }) in told {
+            self.log.add(t_s, What::Height { z_mm, gap_mm, error_mm, reading: value });
         }
         if self.follower.offset_mm != before_mm {
             let planned_mm = span.made.to[Axis::Z];

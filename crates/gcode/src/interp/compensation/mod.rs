@@ -92,8 +92,10 @@ impl Context<'_> {
         }
         let radius = self.tool_radius(g, matches!(code, 411 | 421))?;
         let side = if matches!(code, 410 | 411) { Side::Left } else { Side::Right };
-        // A negative diameter, as tool tables have for measured tools, is the other side.
-        let sign = if (side == Side::Left) == (radius >= 0.0) { 1.0 } else { -1.0 };
+        // A negative diameter, as tool tables have for measured tools, is the other side; so is the side of a
+        // file that FP mirrors.
+        let left = (side == Side::Left) == (radius >= 0.0);
+        let sign = if left == self.core.options.mirrors() { -1.0 } else { 1.0 };
         self.core.state.modal.compensation = Some((side, radius));
         self.core.compensator = Some(Compensator {
             side: sign,

@@ -197,6 +197,53 @@ fn file_parameters_scale_and_shift() {
 }
 
 #[test]
+fn offsets_to_the_present_place_read_what_the_words_of_moves_do() {
+    let options = Options {
+        proportion: [2.0, 2.0, 1.0],
+        temporary_zero_mm: [10.0, 4.0, 0.0],
+        ..Options::default()
+    };
+    for offset in ["G92 X5 Y0", "G10 L20 P1 X5 Y0"] {
+        let program = format!("G21 F100⏎G1 X1 Y1⏎{offset}⏎G1 X5 Y1⏎G1 X6");
+        let ran = run_with(&program, FakeHost::default(), metric(), options.clone());
+        assert_eq!(ran.path(), "L12,6,0 L12,8,0 L14,8,0", "{offset}");
+    }
+    let shifted = "G21 F100⏎G52 X5⏎G1 X5 Y1⏎G52 X0⏎G1 X10";
+    let ran = run_with(shifted, FakeHost::default(), metric(), options);
+    assert_eq!(ran.path(), "L30,6,0", "ten units are ten units");
+}
+
+#[test]
+fn a_file_that_is_mirrored_is_cut_as_its_mirror_image() {
+    let program = "G21 F100⏎G41.1 D2 G1 X10 Y10⏎G1 Y30⏎G2 X20 Y40 I10⏎G1 X40⏎G1 Y10⏎G40 G1 X60 Y0⏎\
+                   G3 X70 Y10 R10⏎G2 I5";
+    let ends = |proportion: [f64; 3]| {
+        let options = Options { proportion, ..Options::default() };
+        let ran = run_with(program, FakeHost::default(), metric(), options);
+        let commands = ran.commands.iter().filter_map(|c| match &c.command {
+            Command::Line(line) => Some((line.to, 0.0, [0.0; 2])),
+            Command::Arc(arc) => Some((arc.to, arc.sweep_rad, arc.centre)),
+            _ => None,
+        });
+        commands.collect::<Vec<_>>()
+    };
+    let usual = ends([1.0; 3]);
+    assert!(usual.iter().filter(|(_, sweep, _)| *sweep != 0.0).count() >= 3);
+    for (x, y) in [(-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+        let mirrored = ends([x, y, 1.0]);
+        assert_eq!(mirrored.len(), usual.len());
+        for ((to, sweep, centre), (image, turned, middle)) in usual.iter().zip(&mirrored) {
+            let places = [(to.0[0], image.0[0], x), (to.0[1], image.0[1], y)];
+            let centres = [(centre[0], middle[0], x), (centre[1], middle[1], y)];
+            for (place, image, by) in places.into_iter().chain(centres) {
+                assert!((place * by - image).abs() < 1e-9, "{place} at {image}");
+            }
+            assert!((sweep * x * y - turned).abs() < 1e-9, "{sweep} as {turned}");
+        }
+    }
+}
+
+#[test]
 fn compensation_of_lines_and_arcs() {
     let with_tool = |text: &str| {
         let mut session = metric();

@@ -20,8 +20,8 @@ pub fn follow(args: &ToolpathArgs, work: Work) -> Result<DryRun> {
     let parts = args.drawing.parent().unwrap_or(Path::new(""));
     let shelf = setup::shelf(parts, &args.run.place, true)?;
     let mut run = args.run.clone();
-    // The program of a job is written in millimetres.
-    run.units = run.units.or(Some(kerf_program::settings::LinearUnit::Mm));
+    // The program of a job is written in millimetres, whatever the one was that it was made of.
+    run.units = Some(kerf_program::settings::LinearUnit::Mm);
     if let Work::Part(_) = work {
         // Its paths are smooth already.
         run.motion.smoothing = None;

@@ -7,7 +7,7 @@ use crate::args::{Format, RunArgs};
 use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
 use crate::picture::{self, Format as Picture};
-use crate::{drawings, out, parse, setup};
+use crate::{drawings, job_options, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::Work;
@@ -25,9 +25,9 @@ use std::sync::Arc;
 /// What cannot be cut as it is drawn is told with the number of its shape.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf toolpath plate.rsg -o plate.rsm --report\n  \
-    kerf toolpath plate.rsg -o plate.png --colours direction")]
+    kerf toolpath plate.rsg -o plate.png --colours direction\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong")]
 pub struct ToolpathArgs {
-    /// The drawing: .rsg or .dxf, or a job that was made before: .rsm
+    /// The drawing: .rsg or .dxf, a job that was made before: .rsm, or a program as it cuts: .nc or .sbp
     drawing: PathBuf,
     /// The job to write, .rsm, a part program, .sbp or .nc, or a picture, .svg or .png [default: the
     /// drawing's name with .rsm]
@@ -46,10 +46,10 @@ pub struct ToolpathArgs {
     #[arg(long, value_name = "X,Y", value_parser = parse::size)]
     table: Option<[f64; 2]>,
     /// Where the drawing's origin lies on the table, mm from home
-    #[arg(long, value_name = "X,Y", value_parser = parse::place, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = parse::place)]
     origin: Option<[f64; 2]>,
     /// Where the head goes at the end, mm from the origin
-    #[arg(long, value_name = "X,Y", value_parser = parse::place, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = parse::place)]
     finish: Option<[f64; 2]>,
     /// The path with which the job begins, from 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
@@ -68,13 +68,13 @@ pub struct ToolpathArgs {
 #[derive(Args, Clone, Copy, Debug)]
 pub struct HeightArgs {
     /// Where the tool travels [default: the machine's; in a part program 10]
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", value_parser = parse::number)]
     z_top: Option<f64>,
     /// The surface of the material; zero of Z in a part program [default: the machine's; in a part program 0]
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", value_parser = parse::number)]
     z_surface: Option<f64>,
     /// Where THRU cuts; nothing is cut below it [default: the machine's; in a part program -10]
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", value_parser = parse::number)]
     z_bottom: Option<f64>,
 }
 
@@ -86,9 +86,10 @@ impl HeightArgs {
         let top_mm = self.z_top.unwrap_or(usual.top_mm);
         let surface_mm = self.z_surface.unwrap_or(usual.surface_mm);
         let bottom_mm = self.z_bottom.unwrap_or(usual.bottom_mm);
-        if !(bottom_mm < surface_mm && surface_mm < top_mm) {
+        // A beam cuts through from the surface: there it may be the bottom as well.
+        if !(bottom_mm <= surface_mm && surface_mm < top_mm) {
             bail!(Usage(format!(
-                "Z top must lie above Z surface, and Z bottom below it: they are {top_mm}, {surface_mm} and \
+                "Z top must lie above Z surface, and Z bottom not above it: they are {top_mm}, {surface_mm} and \
                  {bottom_mm}"
             )));
         }
@@ -99,7 +100,8 @@ impl HeightArgs {
 pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let output = args.output.clone().unwrap_or_else(|| args.drawing.with_extension("rsm"));
     let kind = Kind::of(&output)?;
-    let machine = setup::machine(args.run.place.config.as_deref(), &args.run.place.data)?;
+    job_options::refuse_all(&args.run)?;
+    let machine = setup::machine_of(&args.run.place, true)?;
     let heights = args.heights.over(if kind == Kind::Program {
         PROGRAM
     } else {
@@ -107,7 +109,8 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
         Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm }
     })?;
     let smoothing = args.run.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
-    let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, smoothing)?;
+    let (job, mut warnings) =
+        drawings::job_with_warnings(&args.drawing, smoothing, args.run.units)?;
     let job = args.placed(job)?;
     if let Some(table) = table(args, &job)? {
         warnings.extend(off_table(&job, &table));

@@ -6,7 +6,7 @@ use crate::table::setting::{flag, real, set};
 use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
 use kerf_diag::Code;
 use kerf_program::settings::Mode;
-use kerf_program::{Button, Command, QuestionKind};
+use kerf_program::{Button, Command, QuestionKind, SPINDLE_OUTPUT};
 
 static LIMITS: [ParamSpec; 1] = [{
     let mut value = ParamSpec::of("Value", Kind::OneOf(&[0, 1]), flag!(limits.check));
@@ -67,13 +67,12 @@ pub(super) static SO: CommandSpec = CommandSpec::new(
     ],
     Stack::Joins,
     "Switches an output. On goes with the stack of moves, off ends it. Starting the spindle (output \
-     1) asks first, unless it is active already (SetSpindleStatus), in preview, or when the settings \
-     say not to.",
+     1) asks first, unless it is active already, in preview, or when the settings say not to. It is \
+     active from the answer on, or by SetSpindleStatus, until a stop or the end of a run that leaves \
+     it off.",
     output,
 );
 
-/// Output that starts the spindle.
-const SPINDLE: u8 = 1;
 /// Output with modes of its own, and the mode that frees it.
 const MOTION_OUTPUT: u8 = 4;
 const FREE: i8 = -4;
@@ -102,7 +101,7 @@ fn output(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let on = state == 1;
     if !on {
         c.settle()?;
-    } else if number == SPINDLE {
+    } else if number == SPINDLE_OUTPUT {
         ask_spindle(c)?;
     }
     c.emit(Command::Output { number, on });

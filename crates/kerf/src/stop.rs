@@ -1,0 +1,82 @@
+//! What asks Kerf to stop: Ctrl-C, and where there are signals SIGTERM and SIGHUP (`kill`, the end of a login, a
+//! terminal that was closed). Whatever moves is stopped and switched off before the process ends.
+
+use anyhow::{Context, Result};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+
+/// What asked for a stop.
+#[derive(Clone, Debug, Default)]
+pub struct Stop {
+    /// Ctrl-C, which nobody has heard yet.
+    pressed: Arc<AtomicBool>,
+    /// The process is to end: nobody answers any more.
+    leaves: Arc<AtomicBool>,
+    /// A run has heard that.
+    heard: Arc<AtomicBool>,
+}
+
+impl Stop {
+    /// Listens from the first time this is called; a process listens once.
+    pub fn listen() -> Result<Self> {
+        static STOP: OnceLock<Stop> = OnceLock::new();
+        if let Some(stop) = STOP.get() {
+            return Ok(stop.clone());
+        }
+        let stop = STOP.get_or_init(Self::default).clone();
+        let flag = stop.pressed.clone();
+        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))
+            .context("cannot listen to Ctrl-C")?;
+        #[cfg(unix)]
+        signals::listen(&stop.leaves).context("cannot listen to signals")?;
+        Ok(stop)
+    }
+
+    /// Whether what runs is to stop.
+    pub fn is_wanted(&self) -> bool {
+        self.pressed.load(Ordering::Relaxed) || self.leaves() && !self.heard.load(Ordering::Relaxed)
+    }
+
+    /// Whether the process is to end.
+    pub fn leaves(&self) -> bool {
+        self.leaves.load(Ordering::Relaxed)
+    }
+
+    /// What runs stops. That the process is to end is told once: another signal does not disturb the stop.
+    pub fn hear(&self) {
+        self.pressed.store(false, Ordering::Relaxed);
+        if self.leaves() {
+            self.heard.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+#[cfg(unix)]
+mod signals {
+    use signal_hook::consts::{SIGHUP, SIGTERM};
+    use signal_hook::flag::register;
+    use std::fs;
+    use std::io;
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicBool;
+
+    /// Sets the flag at the signals that end a process. What was started to outlive its terminal (`nohup`)
+    /// goes on without one.
+    pub fn listen(leaves: &Arc<AtomicBool>) -> io::Result<()> {
+        register(SIGTERM, leaves.clone())?;
+        if !is_ignored(SIGHUP) {
+            register(SIGHUP, leaves.clone())?;
+        }
+        Ok(())
+    }
+
+    /// Whether whoever started the process had it ignore a signal. Only Linux tells; elsewhere the machine
+    /// stops rather than to run on.
+    fn is_ignored(signal: i32) -> bool {
+        let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+        status.lines().find_map(|line| line.strip_prefix("SigIgn:")).is_some_and(|mask| {
+            let mask = u64::from_str_radix(mask.trim(), 16).unwrap_or_default();
+            mask & (1 << (signal - 1)) != 0
+        })
+    }
+}

@@ -1,0 +1,146 @@
+//! A command line with a mistake in it: what is wrong is named, and how to mend it.
+
+#![allow(clippy::unwrap_used)]
+
+mod shop;
+
+use shop::console::Console;
+use shop::{Did, Shop};
+use std::net::TcpListener;
+
+const BOX: &str = "JZ,.5\nJ2,1,1\nMZ,-.1\nMX,4\nMY,3\nMX,1\nMY,1\nJZ,.5\n";
+
+fn shop() -> Shop {
+    Shop::new(&[("box.sbp", BOX)])
+}
+
+#[test]
+fn numbers_below_zero_are_refused_where_they_mean_nothing() {
+    let shop = shop();
+    let not_negative = "give a number, 0 or greater";
+    for (args, message) in [
+        ("time box.sbp --ramps optimal --jerk=-1,-1,-1", "give numbers, 0 or greater"),
+        ("time box.sbp --ramps optimal --jerk -1,-1,-1", "give numbers, 0 or greater"),
+        ("run box.sbp --accel -1", "give numbers greater than 0"),
+        ("run box.sbp --stop-at=-3", not_negative),
+        ("run box.sbp --hold-at=-1", not_negative),
+        ("run box.sbp --hold-at -1", not_negative),
+        ("run box.sbp --hold-at 1 --resume-at -1", not_negative),
+        ("time box.sbp --ramps optimal --tolerance -1", not_negative),
+        ("time box.sbp --ramps profiler --smoothing -1", not_negative),
+        ("convert a.dxf b.sbp --depth -0.1", not_negative),
+        ("convert a.dxf b.sbp --safe-height -1", not_negative),
+        ("convert a.dxf b.sbp --scale -1", "give a number greater than 0"),
+        ("convert a.png b.sbp --size -1,2", "give two lengths"),
+        ("plot box.sbp -o a.svg --from -1", not_negative),
+        ("run box.sbp --override -5@3", "10 to 200 percent"),
+        ("run box.sbp --repeat -1", "-1 is not in 1.."),
+        ("run box.sbp --max-lines -1", "invalid"),
+        ("io watch --for -1", not_negative),
+    ] {
+        let did = shop.kerf(args);
+        did.exits(2).complains(message);
+        assert!(!did.err().contains("tip:"), "{args}\n{}", did.err());
+    }
+    shop.kerf("trace box.sbp --plunge -.1 --sheet -20,0.05 --proportion -1,1,1").exits(0);
+}
+
+#[test]
+fn a_machine_that_is_not_there_is_refused_with_the_nearest() {
+    let shop = shop();
+    for args in [
+        "run box.sbp --config router96x48",
+        "time box.sbp --config router96x48",
+        "serve --config router96x48 --listen 127.0.0.1:0",
+        "machine show --config router96x48",
+        "machine set zpos.top_mm 3 --config router96x48",
+        "machine use router96x48",
+        "toolpath box.rsg --config router96x48",
+        "io list --config router96x48",
+    ] {
+        let did = shop.kerf(args);
+        did.exits(2).complains("router96x48").complains("did you mean router-96x48?");
+        did.complains("`kerf machine profiles` lists them");
+    }
+    let did = shop.kerf("run box.sbp --config nowhere.toml");
+    did.exits(2).complains("cannot read nowhere.toml: there is no such file");
+    shop.kerf("machine set zpos.top_mm 3 --config sim")
+        .exits(2)
+        .complains("profiles sim > mine.toml");
+}
+
+#[test]
+fn another_machine_is_named_by_its_driver_or_its_configuration() {
+    let did = shop().kerf("run box.sbp --machine router-96x48");
+    did.exits(2).complains("--driver grbl:PORT").complains("--config router-96x48");
+}
+
+#[test]
+fn the_data_folder_is_named_before_and_behind_the_subcommand() {
+    let shop = shop();
+    shop.kerf("registry set uValue there --data other").exits(0);
+    for args in ["registry --data other get uValue", "registry get uValue --data other"] {
+        assert_eq!(shop.kerf(args).exits(0).out(), "there\n", "{args}");
+    }
+    shop.kerf("run box.sbp --data other --quiet").exits(0);
+    shop.kerf("log show --data other").exits(0).says("box.sbp,CUT");
+    shop.kerf("log verify --data other").exits(0);
+    for args in ["machine get zpos.top_mm", "io list", "settings list", "sysvars", "parts"] {
+        shop.kerf(&format!("{args} --data other")).exits(0);
+    }
+}
+
+#[test]
+fn a_server_with_a_mistake_does_not_start() {
+    let shop = shop();
+    let serve = |args: &str| shop.kerf(&format!("serve --listen 127.0.0.1:0 {args}"));
+    serve("nofile.sbp").exits(2).complains("cannot read").complains("nofile.sbp");
+    serve("--parts nodir").exits(2).complains("nodir").complains("--parts names");
+    serve("--parts box.sbp").exits(2).complains("box.sbp").complains("--parts names");
+    shop.write("other/deep.sbp", b"MX,1\n");
+    serve("other/deep.sbp --parts none").exits(2);
+    serve("box.sbp --parts other").exits(2).complains("is not in the part folder");
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = taken.local_addr().unwrap();
+    let did = shop.kerf(&format!("serve --listen {address}"));
+    did.exits(1).complains(&format!(
+        "{address} is in use, perhaps by another kerf serve: --listen 127.0.0.1:"
+    ));
+    let did = shop.kerf("serve --listen 203.0.113.7:8710 --lan");
+    did.exits(1).complains("203.0.113.7").complains("this computer has no such address");
+}
+
+#[test]
+fn a_served_file_is_named_from_here_or_from_the_part_folder() {
+    let shop = Shop::new(&[("parts/deep/box.sbp", BOX)]);
+    for name in ["deep/box.sbp", "parts/deep/box.sbp"] {
+        let console = Console::begin(&shop, &["--parts", "parts", name]);
+        let opened = console.ask("GET /api/state", "")["opened"]["name"].clone();
+        assert_eq!(opened, "deep/box.sbp", "{name}");
+    }
+}
+
+#[test]
+fn a_refused_line_is_shown_itself() {
+    let shop = shop();
+    shop.kerf("send MX,1").exits(0);
+    let mut kerf = shop.command();
+    let did = Did::of(kerf.args(["send", "GOTO A"]).output().unwrap());
+    did.exits(1).complains("1 | GOTO A");
+    assert!(!did.err().contains("1 | MX,1"), "{}", did.err());
+    let mut kerf = shop.command();
+    let did = Did::of(kerf.args(["send", "MX,3", "QQ,3"]).output().unwrap());
+    did.exits(1).complains("2 | QQ,3");
+    // What was refused is not kept: it cannot be sent again.
+    assert_eq!(shop.read("temp_code.sbp"), "MX,1\n");
+}
+
+#[test]
+fn a_file_is_sent_to_a_port_or_an_address() {
+    let shop = shop();
+    for args in ["send box.sbp", "send box.sbp --server http://127.0.0.1:9"] {
+        let did = shop.kerf(args);
+        did.exits(2)
+            .complains("box.sbp is a file: name a port or an address: kerf send box.sbp com2");
+    }
+}
