@@ -63,16 +63,16 @@ interface Moving {
   readonly atMs: number;
 }
 
-/** Presses the key and waits until the machine moves at its full speed. */
-async function jogs(): Promise<void> {
+/** Presses the key and waits until the machine moves at its full speed; where it was then. */
+async function jogs(): Promise<Moving> {
   const full = (await stateOf(workshop)).speeds.cutMmS[0];
-  const goes = ({ motion }: Snapshot) => motion.speedMmS > 0.98 * full;
+  let from: Moving = { x: 0, speed: 0, atMs: 0 };
+  const goes = ({ motion }: Snapshot) => {
+    from = { x: motion.at.working[0], speed: motion.speedMmS, atMs: performance.now() };
+    return motion.speedMmS > 0.98 * full;
+  };
   await hold(workshop, keysOf(page, ["ArrowRight"]), goes, "the machine moves");
-}
-
-async function moving(): Promise<Moving> {
-  const { motion } = await stateOf(workshop);
-  return { x: motion.at.working[0], speed: motion.speedMmS, atMs: performance.now() };
+  return from;
 }
 
 /** Waits until nothing moves, and tells how far that was from where the link became bad. */
@@ -92,8 +92,7 @@ async function stays(): Promise<void> {
 }
 
 it("a link that loses everything stops the jog, and nothing begins again with the link", async () => {
-  await jogs();
-  const from = await moving();
+  const from = await jogs();
   proxy.fromPage = () => dead;
   await stops("every message lost", from);
   proxy.fromPage = () => asUsual;
@@ -108,8 +107,9 @@ it("a link that loses every other message does not stutter", async () => {
     return text.includes("jogRenew") && n % 2 === 0 ? dead : asUsual;
   };
   // A busy computer may itself be silent for a quarter of a second; then it has to stop, and is pressed again.
+  let from: Moving | undefined;
   await until(async () => {
-    await jogs();
+    from = await jogs();
     for (let look = 0; look < 10; look += 1) {
       await moment(70);
       if ((await watched()).moves) continue;
@@ -119,22 +119,21 @@ it("a link that loses every other message does not stutter", async () => {
     }
     return true;
   }, "it goes on for a while");
-  const from = await moving();
+  if (!from) throw new Error("it moved");
+  from = { ...from, x: (await watched()).x };
   await page.keyboard.up("ArrowRight");
   await stops("half of the renewals lost, key let go", from);
 });
 
 it("a key that is let go while its message is lost stops the jog all the same", async () => {
   proxy.fromPage = (text) => (text.includes("jogStop") ? dead : asUsual);
-  await jogs();
-  const from = await moving();
+  const from = await jogs();
   await page.keyboard.up("ArrowRight");
   await stops("only the stop is lost", from);
 });
 
 it("renewals that come late do not keep it moving, and do not move it again", async () => {
-  await jogs();
-  const from = await moving();
+  const from = await jogs();
   proxy.fromPage = () => ({ copies: 1, afterMs: 800 });
   await stops("every message 800 ms late", from);
   await stays();
@@ -144,8 +143,7 @@ it("renewals that come late do not keep it moving, and do not move it again", as
 
 it("messages that come twice move it once, and a start that comes again moves nothing", async () => {
   proxy.fromPage = () => ({ copies: 2, afterMs: 0 });
-  await jogs();
-  const from = await moving();
+  const from = await jogs();
   await page.keyboard.up("ArrowRight");
   await stops("every message doubled, key let go", from);
   const starts = proxy.heard.filter(({ text }) => text.includes("jogStart"));
@@ -165,18 +163,18 @@ it("a slow link moves by steps only", async () => {
   await until(async () => {
     const { x: from } = await watched();
     const begun = ({ motion }: Snapshot) => motion.at.working[0] > from;
-    await hold(workshop, keysOf(page, ["ArrowRight"]), begun, "the step begins");
+    const hand = keysOf(page, ["ArrowRight"]);
+    const stood = await hold(workshop, hand, begun, "the step begins");
     await until(() => stands(workshop), "the step ends");
     await page.keyboard.up("ArrowRight");
-    const way = (await watched()).x - from;
+    const way = (await watched()).x - stood.motion.at.working[0];
     expect(way).toBeLessThan(2.55);
     return way > 2.53;
   }, "a whole step");
 });
 
 it("a link that ends stops the jog", async () => {
-  await jogs();
-  const from = await moving();
+  const from = await jogs();
   proxy.close();
   await stops("the link ends", from);
   await page.getByText("No link to the machine.", { exact: true }).waitFor();

@@ -96,14 +96,15 @@ it("sbp_con_keypad_fixed: D moves the distance that is set", async () => {
   await page.keyboard.press("d");
   /** Holds the key until the step is made; how far it went. */
   const step = async () => {
-    const { x } = await at();
+    const x = (now: Snapshot) => now.motion.at.working[0] / inch;
+    const from = (await at()).x;
     const hand = keysOf(page, ["ArrowLeft"]);
-    await hold(workshop, hand, ({ motion }) => motion.at.working[0] / inch < x - 1e-6, "it moves");
+    const stood = await hold(workshop, hand, (now) => x(now) < from - 1e-6, "it moves");
     await standing();
     await moment(200);
     await hand.up();
     await standing();
-    const way = (await at()).x - x;
+    const way = (await at()).x - x(stood);
     expect(way, "it goes no further, however long the key is held").toBeGreaterThan(-0.1001);
     return way;
   };
