@@ -298,6 +298,12 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   });
   const mistakes: string[] = [];
   const pages: Page[] = [];
+  const ended = async (signal: NodeJS.Signals) => {
+    if (server.exitCode !== null || server.signalCode !== null) return;
+    const gone = new Promise((done) => server.once("exit", done));
+    server.kill(signal);
+    await gone;
+  };
   const workshop: Workshop = {
     address,
     parts: folder,
@@ -317,16 +323,15 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
       return page;
     },
     async kill() {
-      const gone = new Promise((done) => server.once("exit", done));
-      server.kill("SIGKILL");
-      await gone;
+      await ended("SIGKILL");
       openWorkshops.delete(workshop);
       await browser.close();
     },
     async close() {
       openWorkshops.delete(workshop);
       await browser.close();
-      server.kill();
+      // It puts down what it knows before it goes.
+      await ended("SIGTERM");
       rmSync(folder, { recursive: true, force: true });
     },
   };
