@@ -147,13 +147,13 @@ fn job(read: Imported, how: &Drawn) -> Result<(Job, Vec<Finding>), DrawnError> {
     }
     let (job, warnings) = kerf_toolpath::job(&scaled(drawing, how.scale)?)
         .map_err(|error| DrawnError::Nothing(error.to_string()))?;
-    let warning = |text| Finding { line: 0, weight: Weight::Warning, text };
+    let warning = |text| Finding::of_file(Weight::Warning, text);
     findings.extend(warnings.iter().map(|told| warning(told.to_string())));
     Ok((job, findings))
 }
 
 fn note(text: String) -> Finding {
-    Finding { line: 0, weight: Weight::Note, text }
+    Finding::of_file(Weight::Note, text)
 }
 
 fn scaled(drawing: Drawing, factor: f64) -> Result<Drawing, DrawnError> {

@@ -42,7 +42,7 @@ pub fn read(bytes: &[u8], smoothing: f64) -> Result<(Job, Vec<Finding>), Damaged
             "tool path made with other smoothing values: the factor was {made} and is {smoothing} now; \
              make it anew from the drawing"
         );
-        findings.push(Finding { line: 0, weight: Weight::Warning, text });
+        findings.push(Finding::of_file(Weight::Warning, text));
     }
     Ok((job, findings))
 }

@@ -98,7 +98,7 @@ impl Editor {
             shape.path.check().map_err(|error| OpError::Shape {
                 shape: place + 1,
                 at: None,
-                why: format!("it would have a {error}"),
+                why: format!("what comes of it is no shape: {error}"),
             })?;
         }
         Ok(outcome)

@@ -18,10 +18,19 @@ pub enum Weight {
 pub struct Finding {
     /// Line of the file, counted from 1; in a binary file the byte.
     pub line: u32,
+    /// Column of the line, counted from 1; 0 where lines have none that help.
+    pub column: u32,
     /// How much it matters.
     pub weight: Weight,
     /// What was found and what was done about it.
     pub text: String,
+}
+
+impl Finding {
+    /// What concerns the whole file.
+    pub fn of_file(weight: Weight, text: impl Into<String>) -> Self {
+        Self { line: 0, column: 0, weight, text: text.into() }
+    }
 }
 
 /// Findings of one kind beyond this many are only counted: a file with a million mistakes is told in
@@ -39,19 +48,31 @@ pub struct Findings {
 impl Findings {
     /// Adds a warning. `kind` groups those that are alike.
     pub fn warn(&mut self, kind: &'static str, line: u32, text: impl Into<String>) {
-        self.add(kind, line, Weight::Warning, text.into());
+        self.add_at(kind, (line, 0), Weight::Warning, text.into());
     }
 
     /// Adds a note.
     pub fn note(&mut self, kind: &'static str, line: u32, text: impl Into<String>) {
-        self.add(kind, line, Weight::Note, text.into());
+        self.add_at(kind, (line, 0), Weight::Note, text.into());
     }
 
-    fn add(&mut self, kind: &'static str, line: u32, weight: Weight, text: String) {
+    /// Whether one more of a kind would be told, and not only counted.
+    pub fn wants(&self, kind: &'static str) -> bool {
+        self.seen.get(kind).is_none_or(|seen| *seen < MOST_OF_A_KIND)
+    }
+
+    /// Adds a finding at a line and a column.
+    pub fn add_at(
+        &mut self,
+        kind: &'static str,
+        (line, column): (u32, u32),
+        weight: Weight,
+        text: String,
+    ) {
         let seen = self.seen.entry(kind).or_default();
         *seen += 1;
         if *seen <= MOST_OF_A_KIND {
-            self.list.push(Finding { line, weight, text });
+            self.list.push(Finding { line, column, weight, text });
         }
     }
 
@@ -72,10 +93,10 @@ impl Findings {
         let more: usize = self.seen.values().map(|n| n.saturating_sub(MOST_OF_A_KIND)).sum();
         if more > 0 {
             let text = format!("and {more} more of the same");
-            self.list.push(Finding { line: 0, weight: Weight::Warning, text });
+            self.list.push(Finding::of_file(Weight::Warning, text));
         }
         if let Some(text) = self.skipped() {
-            self.list.push(Finding { line: 0, weight: Weight::Note, text });
+            self.list.push(Finding::of_file(Weight::Note, text));
         }
         self.list
     }

@@ -9,6 +9,7 @@ pub mod dxf;
 mod finding;
 pub mod hpgl;
 pub mod motion;
+mod places;
 pub mod rsg;
 pub mod svg;
 mod tidy;

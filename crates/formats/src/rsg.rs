@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// What a comment of Kerf begins with.
-const MARK: &str = "KERF ";
+pub(crate) const MARK: &str = "KERF ";
 
 /// The version that is written. A file of a later one is read as a plain drawing, and that is told.
 const VERSION: u32 = 1;
@@ -104,7 +104,7 @@ fn extra(shape: &Shape) -> Extra {
 
 /// Reads an RSG file, or any DXF.
 pub fn read(bytes: &[u8]) -> Imported {
-    read_with(bytes).0
+    read_as(bytes, false).0
 }
 
 /// What a file has that only Kerf writes.
@@ -118,9 +118,13 @@ pub enum Own {
     Damaged(String),
 }
 
-/// Reads an RSG or RSM file with the data of its job.
+/// Reads an RSG or RSM file with the data of its job, its paths to the letter.
 pub fn read_with(bytes: &[u8]) -> (Imported, Own) {
-    let options = Options { scale: false, ..Options::default() };
+    read_as(bytes, true)
+}
+
+fn read_as(bytes: &[u8], as_written: bool) -> (Imported, Own) {
+    let options = Options { scale: false, as_written, ..Options::default() };
     let (mut read, notes) = dxf::read_with_notes(bytes, &options);
     let head: String = notes.head.iter().filter_map(|line| line.strip_prefix(MARK)).collect();
     if head.is_empty() && !notes.shapes.iter().any(|note| note.starts_with(MARK)) {
@@ -146,7 +150,7 @@ fn tell(read: &mut Imported, why: String) {
 }
 
 fn warn(read: &mut Imported, text: String) {
-    read.findings.push(Finding { line: 1, weight: Weight::Warning, text });
+    read.findings.push(Finding { line: 1, ..Finding::of_file(Weight::Warning, text) });
 }
 
 fn restore(read: &mut Imported, head: Head, notes: &[String]) {

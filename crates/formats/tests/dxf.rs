@@ -256,6 +256,99 @@ fn what_nobody_can_see_is_not_drawn() {
     );
 }
 
+/// Lengths of what is drawn of entities in a file with layers, a layer as `name colour flags`, and what is told.
+fn on_layers(
+    layers: &[&str],
+    blocks: &str,
+    entities: &str,
+    options: Options,
+) -> (Vec<f64>, Vec<String>) {
+    let layer = |words: &&str| {
+        let words: Vec<_> = words.split(' ').collect();
+        format!("0 LAYER/2 {}/62 {}/70 {}/", words[0], words[1], words[2])
+    };
+    let table: String = layers.iter().map(layer).collect();
+    let sections = [("TABLES", &*table), ("BLOCKS", blocks), ("ENTITIES", entities)];
+    let section = |(name, body): (&str, &str)| format!("0 SECTION/2 {name}/{body}/0 ENDSEC/");
+    let pairs = sections.map(section).concat() + "0 EOF";
+    let pairs = pairs.split('/').filter(|pair| !pair.is_empty());
+    let text: String = pairs.map(|pair| pair.trim().replacen(' ', "\n", 1) + "\n").collect();
+    let read = read(text.as_bytes(), &options);
+    (read.drawing.shapes.iter().map(|shape| shape.path.length()).collect(), told(&read))
+}
+
+fn line_on(layer: &str, length: u32) -> String {
+    format!("0 LINE/8 {layer}/10 0/20 0/11 {length}/21 0/")
+}
+
+const SOME_LAYERS: [&str; 4] = ["cut 7 64", "guides -3 64", "Old 7 1", "both -7 5"];
+
+#[test]
+fn layers_that_are_not_seen_are_not_drawn_and_told() {
+    let layers = ["cut", "guides", "GUIDES", "old", "both", "new"];
+    let lines: String = (1..).zip(layers).map(|(n, layer)| line_on(layer, n)).collect();
+    let corners =
+        "0 POLYLINE/8 old/66 1/0 VERTEX/8 old/10 0/20 0/0 VERTEX/8 old/10 7/20 0/0 SEQEND";
+    let all = lines + corners;
+    let (drawn, told) = on_layers(&SOME_LAYERS, "", &all, Options::default());
+    assert_eq!(drawn, [1.0, 6.0]);
+    let expected = [
+        "1 entity left out: layer `GUIDES` is off in the drawing",
+        "1 entity left out: layer `both` is frozen in the drawing",
+        "1 entity left out: layer `guides` is off in the drawing",
+        "2 entities left out: layer `old` is frozen in the drawing",
+    ];
+    assert_eq!(told, expected);
+    let unseen = Options { unseen: true, ..Options::default() };
+    assert_eq!(
+        on_layers(&SOME_LAYERS, "", &all, unseen),
+        ((1..8).map(f64::from).collect(), vec![])
+    );
+}
+
+#[test]
+fn invisible_entities_are_not_drawn_and_told() {
+    let hidden = line_on("cut", 1) + "60 1/" + &line_on("cut", 2) + "60 0/";
+    let (drawn, told) = on_layers(&SOME_LAYERS, "", &hidden, Options::default());
+    assert_eq!(drawn, [2.0]);
+    assert_eq!(told, ["1 entity left out: marked as invisible (group code 60)"]);
+}
+
+/// What a block has on layer 0 goes with the layer of its INSERT; the rest goes with its own, unless that of the
+/// INSERT is frozen.
+#[test]
+fn blocks_on_layers_that_are_not_seen() {
+    let lines = line_on("0", 1) + &line_on("cut", 2) + &line_on("old", 3);
+    let blocks = format!("0 BLOCK/2 b/10 0/20 0/{lines}/0 ENDBLK");
+    let placed = |layer: &str, more: &str| {
+        let insert = format!("0 INSERT/2 b/8 {layer}/10 0/20 0/{more}");
+        on_layers(&SOME_LAYERS, &blocks, &insert, Options::default()).0
+    };
+    assert_eq!(placed("cut", ""), [1.0, 2.0]);
+    assert_eq!(placed("guides", ""), [2.0]);
+    assert_eq!(placed("old", ""), [0.0; 0]);
+    assert_eq!(placed("cut", "60 1"), [0.0; 0]);
+}
+
+#[test]
+fn blocks_that_multiply_nothing_end() {
+    let block = |n: u32| {
+        let insert = format!("0 INSERT/2 b{}/10 0/20 0/70 100/71 100/44 1/45 1/", n.max(1) - 1);
+        let body = if n == 0 { "0 TEXT/1 x/".into() } else { insert };
+        format!("0 BLOCK/2 b{n}/10 0/20 0/{body}0 ENDBLK/")
+    };
+    let (blocks, options) = (
+        (0..6).map(block).collect::<String>(),
+        Options { most_shapes: 1000, ..Options::default() },
+    );
+    let (drawn, told) = on_layers(&[], &blocks, "0 INSERT/2 b5/10 0/20 0", options);
+    assert_eq!(drawn, [0.0; 0]);
+    assert!(
+        told[0].starts_with("more than 1000 shapes, or eight times as many entities"),
+        "{told:?}"
+    );
+}
+
 #[test]
 fn no_bytes_make_it_panic() {
     let whole =

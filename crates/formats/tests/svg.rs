@@ -165,7 +165,11 @@ fn layers_and_what_is_left_out_are_told() {
         read.layers.iter().map(|(name, shapes)| (name.as_str(), shapes.len())).collect();
     assert_eq!(layers, [("cuts", 1), ("holes", 1)]);
     assert_eq!(read.skipped.as_deref(), Some("skipped: (hidden) 1, <text> 1"));
-    assert_eq!(read.findings[0].text, "<circle> without a size: left out");
+    let told: Vec<_> = read.findings.iter().map(|it| (it.column, it.text.as_str())).collect();
+    assert_eq!(
+        told[1..3].iter().map(|it| it.1).collect::<Vec<_>>(),
+        ["<g> is hidden (display: none): left out", "<circle> without a size: left out",]
+    );
 }
 
 #[test]
@@ -177,7 +181,7 @@ fn what_is_no_svg_is_told() {
     assert_eq!(read.drawing.shapes.len(), 1, "what comes before a mistake is kept");
     let told: Vec<_> = read.findings.iter().map(|finding| finding.text.as_str()).collect();
     assert_eq!(told[0], "<path>: unexpected data at position 14: the rest is left out");
-    assert!(told[1].starts_with("too many elements, or one within itself"));
+    assert!(told[1].starts_with("elements within elements, more than 200, or one within itself"));
 }
 
 #[test]

@@ -53,6 +53,45 @@ fn pro_import_dxf_manipulate() {
     assert_eq!(rsg[0]["points"], dxf[0]["points"]);
 }
 
+/// What `kerf draw FILE --list` draws, and what it says.
+fn listed(folder: &Path, file: &str, text: &str, options: &[&str]) -> (usize, String) {
+    std::fs::write(folder.join(file), text).unwrap();
+    let did = kerf(folder, &[&["draw", file, "--list"], options].concat());
+    (String::from_utf8_lossy(&did.stdout).lines().count(), told(&did))
+}
+
+#[test]
+fn what_is_not_drawn_is_told_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg' width='9mm' height='9mm' viewBox='0 0 9 9'>\n  \
+               <style>.fold { visibility: hidden }</style>\n  <rect width='50%' height='1'/>\n  \
+               <rect class='fold' width='3' height='3'/><text>a</text>\n</svg>";
+    let (drawn, told) = listed(folder.path(), "box.svg", svg, &[]);
+    assert_eq!(drawn, 1);
+    assert!(told.contains("box.svg:4:3: warning: <rect> is hidden (visibility: hidden)"), "{told}");
+    assert!(told.contains("box.svg:4:44: warning: <text> is left out"), "{told}");
+    let dxf = "0\nSECTION\n2\nTABLES\n0\nLAYER\n2\nfold\n62\n-1\n70\n0\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n\
+               0\nCIRCLE\n8\nfold\n10\n0\n20\n0\n40\n1\n0\nCIRCLE\n8\ncut\n10\n0\n20\n0\n40\n2\n0\nENDSEC\n0\nEOF\n";
+    let (drawn, told) = listed(folder.path(), "box.dxf", dxf, &[]);
+    assert_eq!(drawn, 1);
+    assert!(
+        told.contains("warning: 1 entity left out: layer `fold` is off in the drawing"),
+        "{told}"
+    );
+    assert_eq!(listed(folder.path(), "box.dxf", dxf, &["--hidden"]), (2, String::new()));
+}
+
+#[test]
+fn a_drawing_of_nothing_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg'/>";
+    let told = |file: &str, text: &str| listed(folder.path(), file, text, &[]).1;
+    assert!(told("a.svg", svg).contains("a.svg: warning: nothing is drawn in this file"));
+    assert!(
+        told("a.dxf", "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n").contains("nothing is drawn")
+    );
+}
+
 #[test]
 fn a_mistake_names_the_clause_and_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,6 +1,7 @@
 //! A DXF file as header, blocks and entities.
 
 use super::tag::Tag;
+use super::unseen::{self, Layers};
 use crate::finding::Findings;
 use std::collections::BTreeMap;
 
@@ -81,6 +82,8 @@ pub struct File<'f, 'a> {
     pub header: BTreeMap<&'a [u8], Tag<'a>>,
     /// Blocks by name, in capitals.
     pub blocks: BTreeMap<Vec<u8>, Block<'f, 'a>>,
+    /// Layers that are not seen.
+    pub unseen: Layers,
     /// Pairs of the entities.
     pub entities: Vec<&'f [Tag<'a>]>,
 }
@@ -111,6 +114,7 @@ impl<'f, 'a> File<'f, 'a> {
         let Some((first, body)) = tags.split_first() else { return };
         match (first.code, first.name()) {
             (2, b"HEADER") => self.read_header(body),
+            (2, b"TABLES") => self.unseen.extend(unseen::layers(body)),
             (2, b"BLOCKS") => self.read_blocks(body),
             (2, b"ENTITIES") => self.entities.push(body),
             _ => {}

@@ -3,10 +3,12 @@
 use super::file::{Block, Entity, File, entities};
 use super::map::{Map3, Vec3};
 use super::tag::{Tag, tags};
+use super::unseen::Unseen;
 use super::write::Notes;
 use super::{curves, insert, polyline, skipped, units};
 use crate::Imported;
 use crate::finding::Findings;
+use crate::rsg::MARK;
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Point2, Polyarc, fit, tol};
 
@@ -17,6 +19,11 @@ pub struct Options {
     pub explode: bool,
     /// Take the drawing's own unit (`$INSUNITS`) into account; else a unit is a millimetre.
     pub scale: bool,
+    /// Draw also what drawing programs do not show: layers that are off or frozen, what is invisible.
+    pub unseen: bool,
+    /// Leave entities that bear a comment of Kerf as they are written: paths of a job whose end is their start are open,
+    /// with leads before and behind.
+    pub as_written: bool,
     /// How far arcs may stray from ellipses and splines, millimetres.
     pub tolerance_mm: f64,
     /// The most shapes that are made: nested blocks can multiply without bound.
@@ -25,7 +32,9 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { explode: true, scale: true, tolerance_mm: tol::FIT_MM, most_shapes: 5_000_000 }
+        let (tolerance_mm, most_shapes) = (tol::FIT_MM, 5_000_000);
+        let (unseen, as_written) = (false, false);
+        Self { explode: true, scale: true, unseen, as_written, tolerance_mm, most_shapes }
     }
 }
 
@@ -59,11 +68,15 @@ pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Not
         layers: Vec::new(),
         notes: Vec::new(),
         open_blocks: Vec::new(),
+        unseen: Unseen::default(),
+        seen: 0,
+        full: false,
     };
     let world = Place { map: Map3::scaled(unit, unit, unit), layer: None };
     for section in &file.entities {
         import.entities(section, &world);
     }
+    import.unseen.tell(&file.unseen, &mut import.findings);
     let head = tags.iter().take_while(|tag| tag.code == 999).map(Tag::text).collect();
     import.finish(head)
 }
@@ -90,6 +103,14 @@ pub(super) struct Place<'a> {
     pub layer: Option<&'a [u8]>,
 }
 
+impl<'a> Place<'a> {
+    /// The layer of an entity: what stands on layer 0 of a block stands on that of its INSERT.
+    pub fn layer_of(&self, entity: &Entity<'_, 'a>) -> &'a [u8] {
+        let own = entity.tag(8).map_or(b"0".as_slice(), |tag| tag.name());
+        self.layer.filter(|_| own == b"0").unwrap_or(own)
+    }
+}
+
 /// What is being made of a file.
 pub(super) struct Import<'f, 'a> {
     pub file: &'f File<'f, 'a>,
@@ -101,6 +122,10 @@ pub(super) struct Import<'f, 'a> {
     notes: Vec<String>,
     /// Names of the blocks being drawn, outermost first.
     pub open_blocks: Vec<&'f [u8]>,
+    unseen: Unseen<'a>,
+    /// Entities so far, those of blocks as often as they are placed.
+    seen: usize,
+    pub full: bool,
 }
 
 impl<'f, 'a> Import<'f, 'a> {
@@ -125,6 +150,11 @@ impl<'f, 'a> Import<'f, 'a> {
                 self.findings.skip("(paper space)");
                 continue;
             }
+            if !self.options.unseen
+                && self.unseen.hides(&entity, place.layer_of(&entity), &self.file.unseen)
+            {
+                continue;
+            }
             match entity.name {
                 b"POLYLINE" => polyline::old(self, &entity, &mut rest, place),
                 b"INSERT" => insert::insert(self, &entity, place),
@@ -133,12 +163,18 @@ impl<'f, 'a> Import<'f, 'a> {
         }
     }
 
+    /// Whether more was read than anybody draws: blocks in blocks multiply also where they draw nothing.
     fn is_full(&mut self, line: u32) -> bool {
-        let full = self.shapes.len() >= self.options.most_shapes;
-        if full {
-            let text = format!("more than {} shapes: the rest is left out", self.shapes.len());
+        let most = self.options.most_shapes;
+        self.seen += 1;
+        let full = self.shapes.len() >= most || self.seen > most.saturating_mul(8);
+        if full && !self.full {
+            let text = format!(
+                "more than {most} shapes, or eight times as many entities: the rest is left out"
+            );
             self.findings.warn("full", line, text);
         }
+        self.full |= full;
         full
     }
 
@@ -299,8 +335,9 @@ impl<'f, 'a> Import<'f, 'a> {
 
     /// Adds a shape to the drawing and to its layer.
     pub fn add(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>, shape: Shape) {
-        let is_point = entity.name == b"POINT";
-        let tidied = if is_point { Some(shape) } else { crate::tidy::tidied(shape) };
+        let note = entity.tag(999).map(Tag::text).unwrap_or_default();
+        let stays = entity.name == b"POINT" || self.options.as_written && note.starts_with(MARK);
+        let tidied = if stays { Some(shape) } else { crate::tidy::tidied(shape) };
         let Some(shape) = tidied else {
             let text = format!("{} without length: left out", entity.shown());
             return self.findings.warn("length", entity.line, text);
@@ -310,14 +347,13 @@ impl<'f, 'a> Import<'f, 'a> {
             self.findings.warn("place", entity.line, text);
             return;
         }
-        let own = entity.tag(8).map_or(b"0".as_slice(), |tag| tag.name());
-        let layer = place.layer.filter(|_| own == b"0").unwrap_or(own);
+        let layer = place.layer_of(entity);
         let number = self.shapes.len();
         match self.layers.iter_mut().find(|(name, _)| *name == layer) {
             Some((_, shapes)) => shapes.push(number),
             None => self.layers.push((layer, vec![number])),
         }
-        self.notes.push(entity.tag(999).map(Tag::text).unwrap_or_default());
+        self.notes.push(note);
         self.shapes.push(shape);
     }
 

@@ -38,6 +38,9 @@ pub(super) fn insert<'f, 'a>(
     let layer = own.filter(|own| *own != b"0").or(place.layer);
     import.open_blocks.push(name);
     for copy in copies {
+        if import.full {
+            break;
+        }
         let map = Map3::moved(Vec3::new(-base.x, -base.y, -base.z)).then(&copy);
         import.entities(block.tags, &Place { map, layer });
     }

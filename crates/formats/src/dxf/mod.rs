@@ -18,6 +18,7 @@ mod skipped;
 mod tag;
 mod through;
 mod units;
+mod unseen;
 mod write;
 
 pub use import::{Options, read};

@@ -5,13 +5,22 @@
 //! physical units has 96 units to the inch, as CSS says. Y, which points down in SVG, is turned up, with
 //! the lower edge of the page at 0. Circular arcs stay arcs.
 //!
-//! Source: SVG 1.1 (second edition), W3C.
+//! Style sheets are read as far as they say what is seen, where and how large. What cannot be seen is left out, what cannot
+//! be read too, and both are told with line and column.
+//!
+//! Sources: SVG 1.1 (second edition), SVG 2, CSS 2.1, W3C.
 
 mod arc;
+mod length;
+mod look;
 mod page;
 mod path;
 mod read;
 mod shapes;
+mod sheet;
+mod text;
+mod transform;
+mod unread;
 mod write;
 
 pub use read::read;

@@ -1,7 +1,7 @@
 //! From the units of a file to millimetres, and from one view of a file to another.
 
-use super::shapes::{length, number};
-use crate::finding::Findings;
+use super::length::{Along, Measure};
+use super::look::Look;
 use kerf_geom::{Point2, Transform2, Vec2};
 use roxmltree::Node;
 use svgtypes::{Align, AspectRatio, ViewBox};
@@ -13,24 +13,44 @@ const UNIT_MM: f64 = 25.4 / 96.0;
 /// comes back where it was.
 pub const ORIGIN: &str = "data-origin";
 
-/// From the units of the file to millimetres with Y upwards, the lower edge of the page at 0.
-pub fn page(root: Node, findings: &mut Findings) -> Transform2 {
-    let size = |name| root.attribute(name).and_then(length).filter(|size| *size > 0.0);
+/// What the outermost element says of everything within it.
+pub struct Page {
+    /// From the units of the file to millimetres with Y upwards, the lower edge of the page at 0.
+    pub map: Transform2,
+    /// What percentages refer to, in units of the file.
+    pub room: Option<Vec2>,
+    /// The size of the page in pixels.
+    pub sheet: Option<Vec2>,
+    /// It has a view box and no size.
+    pub is_unsized: bool,
+}
+
+/// The page. Its own attributes count before styles: those tell how large it is on a screen.
+pub fn page(look: &Look, measure: &Measure) -> Page {
+    let root = look.node;
+    let size = |name| {
+        let text = root.attribute(name).or_else(|| look.styled(name))?;
+        measure.units(text, Along::of(name)).ok().filter(|size| *size > 0.0)
+    };
     let (width, height) = (size("width"), size("height"));
-    let (view, tall) = match view_box(root) {
-        None => (Transform2::IDENTITY, height.unwrap_or_default()),
+    let box_of = view_box(root);
+    let (view, sheet) = match box_of {
+        None => (Transform2::IDENTITY, width.zip(height).map(|(w, h)| Vec2::new(w, h))),
         Some(view) => {
-            if width.or(height).is_none() {
-                findings.note("size", 1, "no width in mm or inches: 96 units to the inch");
-            }
             let wide = width.or(height.map(|tall| tall * view.w / view.h)).unwrap_or(view.w);
             let tall = height.unwrap_or(wide * view.h / view.w);
-            (fitted(root, view, wide, tall), tall)
+            (fitted(root, view, wide, tall), Some(Vec2::new(wide, tall)))
         }
     };
+    let tall = sheet.map(|sheet| sheet.y).or(height).unwrap_or_default();
     let flip = Transform2::scaled(Point2::default(), UNIT_MM, -UNIT_MM);
     let lower_left = origin(root) + Vec2::new(0.0, tall * UNIT_MM);
-    view.then(&flip).then(&Transform2::moved(lower_left - Point2::default()))
+    Page {
+        map: view.then(&flip).then(&Transform2::moved(lower_left - Point2::default())),
+        room: box_of.map(|view| Vec2::new(view.w, view.h)).or(sheet),
+        sheet,
+        is_unsized: box_of.is_some() && width.or(height).is_none(),
+    }
 }
 
 fn origin(root: Node) -> Point2 {
@@ -40,16 +60,35 @@ fn origin(root: Node) -> Point2 {
     near.map_or(Point2::default(), |(x, y)| Point2::new(x, y))
 }
 
-/// What a symbol or an SVG within an SVG is moved and scaled by: `user` tells where it stands and how large
-/// it is, itself or the `use` that draws it.
-pub fn inner(node: Node, user: Node) -> Transform2 {
-    let place = |name| if node == user { number(node, name).unwrap_or_default() } else { 0.0 };
-    let own = Transform2::moved(Vec2::new(place("x"), place("y")));
-    let Some(view) = view_box(node) else { return own };
-    let size = |name| number(user, name).or_else(|| number(node, name)).filter(|size| *size > 0.0);
-    // Without a size it is as large as what it stands in, which is not known here: then nothing is scaled.
-    let (wide, tall) = (size("width").unwrap_or(view.w), size("height").unwrap_or(view.h));
-    fitted(node, view, wide, tall).then(&own)
+/// What a symbol or an SVG within an SVG is moved and scaled by, and how large it is to what stands in it: `user`
+/// tells where it stands and how large it is, itself or the `use` that draws it.
+///
+/// # Errors
+/// A length in it cannot be read, or it has no size.
+pub fn inner(
+    look: &Look,
+    user: &Look,
+    measure: &Measure,
+) -> Result<(Transform2, Option<Vec2>), String> {
+    let is_svg = look.node.tag_name().name() == "svg";
+    let place = |name| if is_svg { look.length(name, measure) } else { Ok(None) };
+    let by = Vec2::new(place("x")?.unwrap_or_default(), place("y")?.unwrap_or_default());
+    let size = |name| {
+        let asked = user.length(name, measure)?;
+        let found = if asked.is_some() { asked } else { look.length(name, measure)? };
+        let none = || format!("<{}> without a size", user.node.tag_name().name());
+        found.map(|size| if size > 0.0 { Ok(size) } else { Err(none()) }).transpose()
+    };
+    // Without a size it fills what it stands in, whose size may not be known: then nothing is scaled.
+    let room = measure.room;
+    let wide = size("width")?.or(room.map(|room| room.x));
+    let tall = size("height")?.or(room.map(|room| room.y));
+    let own = Transform2::moved(by);
+    let Some(view) = view_box(look.node) else {
+        return Ok((own, wide.zip(tall).map(|(w, h)| Vec2::new(w, h))));
+    };
+    let map = fitted(look.node, view, wide.unwrap_or(view.w), tall.unwrap_or(view.h));
+    Ok((map.then(&own), Some(Vec2::new(view.w, view.h))))
 }
 
 fn view_box(node: Node) -> Option<ViewBox> {

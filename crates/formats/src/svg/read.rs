@@ -1,13 +1,20 @@
 //! From an SVG file to a drawing.
 
+use super::length::Measure;
+use super::look::{Inherited, Look};
 use super::page::{inner, page};
 use super::shapes::{Drawn, drawn, spot};
+use super::sheet::Sheet;
+use super::text::text_of;
+use super::transform::transform;
+use super::unread;
 use crate::Imported;
-use crate::finding::Findings;
+use crate::finding::{Findings, Weight};
+use crate::places::Places;
 use kerf_drawing::{Drawing, Shape};
-use kerf_geom::{Point2, Polyarc, Transform2, Vec2, tol};
+use kerf_geom::{Polyarc, Transform2, Vec2, tol};
 use roxmltree::{Document, Node};
-use svgtypes::{TransformListParser, TransformListToken};
+use std::collections::BTreeMap;
 
 /// Elements within elements, at the most.
 const DEEPEST: usize = 200;
@@ -15,10 +22,23 @@ const DEEPEST: usize = 200;
 /// The most shapes of a file: `use` can multiply without bound.
 const MOST_SHAPES: usize = 1_000_000;
 
+/// The most elements for each of these, as often as they are used: groups within groups hold one shape.
+const MOST_TO_A_SHAPE: usize = 8;
+
 /// Reads an SVG file. A file that is no SVG gives an empty drawing and a finding that says so.
 pub fn read(bytes: &[u8]) -> Imported {
+    read_at_most(bytes, MOST_SHAPES)
+}
+
+fn read_at_most(bytes: &[u8], most: usize) -> Imported {
     let mut findings = Findings::default();
-    let text = String::from_utf8_lossy(bytes);
+    let text = match text_of(bytes) {
+        Ok(text) => text,
+        Err(why) => {
+            findings.warn("xml", 1, why);
+            return imported(Vec::new(), Vec::new(), findings);
+        }
+    };
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document = match Document::parse_with_options(&text, options) {
         Ok(document) => document,
@@ -27,15 +47,12 @@ pub fn read(bytes: &[u8]) -> Imported {
             return imported(Vec::new(), Vec::new(), findings);
         }
     };
-    let root = document.root_element();
-    if root.tag_name().name() != "svg" {
+    if document.root_element().tag_name().name() != "svg" {
         findings.warn("xml", 1, "the file is no SVG: it does not begin with <svg>");
         return imported(Vec::new(), Vec::new(), findings);
     }
-    let map = page(root, &mut findings);
-    let mut reading =
-        Reading { document: &document, findings, shapes: Vec::new(), layers: Vec::new() };
-    reading.children(root, &Place { map, layer: None, depth: 0 });
+    let mut reading = Reading::of(&document, findings, most);
+    reading.whole();
     imported(reading.shapes, reading.layers, reading.findings)
 }
 
@@ -44,121 +61,290 @@ fn imported(shapes: Vec<Shape>, layers: Vec<(String, Vec<usize>)>, findings: Fin
     Imported { drawing: Drawing::of(shapes), findings: findings.finish(), layers, skipped }
 }
 
-/// Where an element is drawn.
+/// Where and how an element is drawn.
 #[derive(Clone, Copy)]
 struct Place<'a> {
     map: Transform2,
     layer: Option<&'a str>,
     depth: usize,
+    inherited: Inherited,
 }
 
 struct Reading<'a> {
     document: &'a Document<'a>,
+    places: Places<'a>,
+    ids: BTreeMap<&'a str, Node<'a, 'a>>,
+    sheet: Sheet<'a>,
     findings: Findings,
     shapes: Vec<Shape>,
     layers: Vec<(String, Vec<usize>)>,
+    /// The most shapes.
+    most: usize,
+    /// Elements so far, as often as they are used.
+    seen: usize,
+    full: bool,
 }
 
 impl<'a> Reading<'a> {
+    fn of(document: &'a Document<'a>, findings: Findings, most: usize) -> Self {
+        let mut ids = BTreeMap::new();
+        for node in document.descendants() {
+            if let Some(id) = node.attribute("id") {
+                ids.entry(id).or_insert(node);
+            }
+        }
+        let places = Places::of(document.input_text());
+        let (sheet, wrong) = Sheet::of(document);
+        let (shapes, layers) = (Vec::new(), Vec::new());
+        let (seen, full) = (0, false);
+        let mut reading =
+            Self { document, places, ids, sheet, findings, shapes, layers, most, seen, full };
+        wrong.into_iter().for_each(|(at, text)| reading.tell(Weight::Warning, "style", at, text));
+        reading
+    }
+
+    /// The page and everything on it.
+    fn whole(&mut self) {
+        let root = self.document.root_element();
+        let look = Look::of(root, &self.sheet);
+        let inherited = Inherited::default().with(&look);
+        if self.is_hidden(&look) {
+            return;
+        }
+        if look.value("transform").is_some_and(|text| text != "none") {
+            self.warn("transform", root, "the transform of the page is passed over".into());
+        }
+        self.tell_looks(&look);
+        let letter = inherited.measure.letter;
+        let page = page(&look, &Measure { page_letter: letter, ..inherited.measure });
+        if page.is_unsized {
+            self.findings.note("size", 1, "no width in mm or inches: 96 units to the inch");
+        }
+        let measure = Measure { room: page.room, page: page.sheet, letter, page_letter: letter };
+        let inherited = Inherited { measure, ..inherited };
+        self.children(root, &Place { map: page.map, layer: None, depth: 0, inherited });
+    }
+
+    fn tell(&mut self, weight: Weight, kind: &'static str, at: usize, text: String) {
+        if self.findings.wants(kind) {
+            self.findings.add_at(kind, self.places.of_byte(at), weight, text);
+        } else {
+            self.findings.add_at(kind, (0, 0), weight, text);
+        }
+    }
+
+    fn warn(&mut self, kind: &'static str, node: Node, text: String) {
+        self.tell(Weight::Warning, kind, node.range().start, text);
+    }
+
     fn children(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
         for child in node.children().filter(Node::is_element) {
             self.element(child, place);
         }
     }
 
-    fn line(&self, node: Node) -> u32 {
-        self.document.text_pos_at(node.range().start).row
-    }
-
     fn element(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
-        if place.depth > DEEPEST || self.shapes.len() >= MOST_SHAPES {
-            let line = self.line(node);
-            self.findings.warn("deep", line, "too many elements, or one within itself: left out");
+        if self.is_full(node) {
             return;
         }
-        if is_hidden(node) {
-            return self.findings.skip("(hidden)");
+        if place.depth > DEEPEST {
+            let text = format!(
+                "elements within elements, more than {DEEPEST}, or one within itself: left out"
+            );
+            return self.warn("deep", node, text);
         }
-        let place = self.place_of(node, place);
-        match node.tag_name().name() {
-            "g" | "a" | "switch" => self.children(node, &place),
-            "svg" => self.children(node, &within(node, node, &place)),
-            "use" => self.use_again(node, &place),
-            // What these hold is drawn only where something refers to it.
-            "defs" | "symbol" | "clipPath" | "mask" | "marker" | "pattern" | "style" | "title"
-            | "desc" | "metadata" | "script" | "namedview" => {}
-            _ => self.shape(node, &place),
+        let name = node.tag_name().name();
+        let is_foreign =
+            node.tag_name().namespace() != self.document.root_element().tag_name().namespace();
+        if is_foreign || unread::draws_nothing(name) {
+            return;
+        }
+        let look = Look::of(node, &self.sheet);
+        if self.is_hidden(&look) {
+            return;
+        }
+        self.tell_looks(&look);
+        let Some(place) = self.place_of(&look, place) else { return };
+        match name {
+            "g" | "a" => self.children(node, &place),
+            "switch" => self.switch(node, &place),
+            "svg" => self.view(&look, &look, &place),
+            "use" => self.use_again(&look, &place),
+            _ => self.shape(&look, &place),
         }
     }
 
-    fn place_of(&mut self, node: Node<'a, 'a>, place: &Place<'a>) -> Place<'a> {
-        let own = node.attribute("transform").map(transform);
-        if let Some(Err(error)) = &own {
-            let line = self.line(node);
-            self.findings.warn("transform", line, format!("transform: {error}: passed over"));
+    /// Whether more was read than anybody draws: `use` multiplies also what draws nothing.
+    fn is_full(&mut self, node: Node) -> bool {
+        let most = self.most;
+        self.seen += 1;
+        let full = self.shapes.len() >= most || self.seen > MOST_TO_A_SHAPE * most;
+        if full && !self.full {
+            let text = format!(
+                "more than {most} shapes, or eight times as many elements: the rest is left out"
+            );
+            self.warn("full", node, text);
         }
-        let map = own.and_then(Result::ok).map_or(place.map, |own| own.then(&place.map));
-        let layer = place.layer.or_else(|| layer_name(node));
-        Place { map, layer, depth: place.depth + 1 }
+        self.full |= full;
+        full
+    }
+
+    /// Whether nothing of an element is seen, which is told.
+    fn is_hidden(&mut self, look: &Look) -> bool {
+        let Some(why) = look.hidden() else { return false };
+        self.tell_hidden(look.node, why);
+        true
+    }
+
+    fn tell_hidden(&mut self, node: Node, why: &str) {
+        self.findings.skip("(hidden)");
+        let layer = layer_name(node).map_or(String::new(), |layer| format!(" `{layer}`"));
+        let name = node.tag_name().name();
+        self.warn("hidden", node, format!("<{name}>{layer} is hidden ({why}): left out"));
+    }
+
+    fn tell_looks(&mut self, look: &Look) {
+        for (weight, text) in unread::looks(look, &self.ids) {
+            self.tell(weight, "looks", look.node.range().start, text);
+        }
+    }
+
+    /// Where an element is drawn; nothing where that cannot be told.
+    fn place_of(&mut self, look: &Look<'a>, place: &Place<'a>) -> Option<Place<'a>> {
+        let inherited = place.inherited.with(look);
+        match transform(look, &inherited.measure) {
+            Err(why) => {
+                let name = look.node.tag_name().name();
+                self.warn("transform", look.node, format!("{why}: <{name}> is left out"));
+                None
+            }
+            Ok(own) => {
+                let layer = place.layer.or_else(|| layer_name(look.node));
+                let map = own.then(&place.map);
+                Some(Place { map, layer, depth: place.depth + 1, inherited })
+            }
+        }
+    }
+
+    /// The first of several ways to draw the same that a reader of English without extensions can take.
+    fn switch(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
+        let ways: Vec<_> = node.children().filter(Node::is_element).collect();
+        let Some(chosen) = ways.iter().position(|way| is_for_us(*way)) else {
+            let text = "<switch>: nothing in it is for readers like this one: left out";
+            return self.warn("switch", node, text.into());
+        };
+        let drawn = |way: &&Node| {
+            way.tag_name().name() != "foreignObject"
+                && !unread::draws_nothing(way.tag_name().name())
+        };
+        let others = ways.iter().filter(drawn).count().saturating_sub(1);
+        if others > 0 {
+            let (line, _) = self.places.of_byte(ways[chosen].range().start);
+            let text =
+                format!("<switch>: drawn is what line {line} has; other ways left out: {others}");
+            self.tell(Weight::Note, "switch", node.range().start, text);
+        }
+        self.element(ways[chosen], place);
+    }
+
+    /// What stands in a symbol or in an SVG within an SVG; `user` says where and how large that is.
+    fn view(&mut self, look: &Look<'a>, user: &Look<'a>, place: &Place<'a>) {
+        match inner(look, user, &place.inherited.measure) {
+            Err(why) => self.warn("shape", user.node, format!("{why}: left out")),
+            Ok((map, room)) => {
+                let inherited = place.inherited.within(room);
+                let place = Place { map: map.then(&place.map), inherited, ..*place };
+                self.children(look.node, &place);
+            }
+        }
     }
 
     /// `use` draws an element again, moved by x and y.
-    fn use_again(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
-        let xlink = ("http://www.w3.org/1999/xlink", "href");
+    fn use_again(&mut self, look: &Look<'a>, place: &Place<'a>) {
+        let (node, xlink) = (look.node, ("http://www.w3.org/1999/xlink", "href"));
         let name = node.attribute("href").or_else(|| node.attribute(xlink)).unwrap_or_default();
-        let name = name.trim_start_matches('#');
-        let found = self.document.descendants().find(|n| n.attribute("id") == Some(name));
-        let Some(found) = found else {
-            let line = self.line(node);
-            return self.findings.warn(
-                "use",
-                line,
-                format!("<use> of `{name}`, which is not there"),
-            );
+        let name = name.trim().trim_start_matches('#');
+        let Some(found) = self.ids.get(name).copied() else {
+            return self.warn("use", node, format!("<use> of `{name}`, which is not there"));
         };
-        let x = super::shapes::number(node, "x").unwrap_or_default();
-        let y = super::shapes::number(node, "y").unwrap_or_default();
+        let measure = &place.inherited.measure;
+        let (x, y) = match (look.length("x", measure), look.length("y", measure)) {
+            (Ok(x), Ok(y)) => (x.unwrap_or_default(), y.unwrap_or_default()),
+            (Err(why), _) | (_, Err(why)) => {
+                return self.warn("shape", node, format!("{why}: left out"));
+            }
+        };
         let map = Transform2::moved(Vec2::new(x, y)).then(&place.map);
-        let place = Place { map, ..*place };
-        match found.tag_name().name() {
-            "symbol" => self.children(found, &within(found, node, &place)),
-            _ => self.element(found, &place),
+        self.used(found, look, &Place { map, ..*place });
+    }
+
+    fn used(&mut self, found: Node<'a, 'a>, user: &Look<'a>, place: &Place<'a>) {
+        let is_view = matches!(found.tag_name().name(), "symbol" | "svg");
+        if !is_view || place.depth > DEEPEST {
+            return self.element(found, place);
+        }
+        let look = Look::of(found, &self.sheet);
+        if self.is_hidden(&look) {
+            return;
+        }
+        if let Some(place) = self.place_of(&look, place) {
+            self.view(&look, user, &place);
         }
     }
 
-    fn shape(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
-        if let Some(at) = spot(node) {
-            return self.keep(Shape::point(place.map.apply(at)), place);
-        }
-        let line = self.line(node);
-        match drawn(node, &place.map, tol::FIT_MM) {
-            None => self.findings.skip(&format!("<{}>", node.tag_name().name())),
-            Some(Err(why)) => self.findings.warn("shape", line, format!("{why}: left out")),
-            Some(Ok(Drawn { paths, wrong, repeated })) => {
+    fn shape(&mut self, look: &Look<'a>, place: &Place<'a>) {
+        let (node, name) = (look.node, look.node.tag_name().name());
+        let measure = &place.inherited.measure;
+        let found = match spot(look, measure) {
+            Some(at) => at.map(|at| Some(Err(place.map.apply(at)))),
+            None => drawn(look, measure, &place.map, tol::FIT_MM).map(|it| it.map(Ok)),
+        };
+        match found {
+            Ok(None) => self.left_out(node),
+            Err(why) => self.warn("shape", node, format!("{why}: left out")),
+            Ok(Some(_)) if !place.inherited.visible => self.tell_hidden(node, "visibility: hidden"),
+            Ok(Some(Err(at))) => self.keep(Shape::point(at), place),
+            Ok(Some(Ok(Drawn { paths, wrong, repeated }))) => {
+                self.tell_unpainted(node, place);
                 paths.into_iter().for_each(|path| self.add(node, path, place));
                 if let Some(why) = wrong {
-                    self.findings.warn("shape", line, format!("{why}: the rest is left out"));
+                    self.warn("shape", node, format!("{why}: the rest is left out"));
                 }
                 if repeated > 0 {
-                    let name = node.tag_name().name();
                     let text = format!("<{name}>: segments without length left out: {repeated}");
-                    self.findings.note("repeated", line, text);
+                    self.tell(Weight::Note, "repeated", node.range().start, text);
                 }
             }
+        }
+    }
+
+    /// Tells of an element that has no outline.
+    fn left_out(&mut self, node: Node) {
+        let name = node.tag_name().name();
+        self.findings.skip(&format!("<{name}>"));
+        if let Some(text) = unread::element(name) {
+            self.warn("element", node, text.into());
+        }
+    }
+
+    /// Tells of a shape that no viewer shows and that is cut all the same: drawings for machines are often so.
+    fn tell_unpainted(&mut self, node: Node, place: &Place) {
+        if !place.inherited.filled && !place.inherited.stroked {
+            let name = node.tag_name().name();
+            let text = format!(
+                "<{name}> has neither fill nor stroke and cannot be seen: drawn all the same"
+            );
+            self.tell(Weight::Note, "unpainted", node.range().start, text);
         }
     }
 
     fn add(&mut self, node: Node, path: Polyarc, place: &Place) {
         if let Err(error) = path.check() {
-            let line = self.line(node);
-            return self.findings.warn("place", line, format!("{error}: left out"));
+            return self.warn("place", node, format!("{error}: left out"));
         }
         match crate::tidy::tidied(Shape::flat(path)) {
             Some(shape) => self.keep(shape, place),
-            None => {
-                let line = self.line(node);
-                self.findings.warn("length", line, "a path without length: left out");
-            }
+            None => self.warn("length", node, "a path without length: left out".into()),
         }
     }
 
@@ -172,16 +358,13 @@ impl<'a> Reading<'a> {
     }
 }
 
-/// The same place seen through the view of an element; `user` says how large that is.
-fn within<'a>(node: Node, user: Node, place: &Place<'a>) -> Place<'a> {
-    Place { map: inner(node, user).then(&place.map), ..*place }
-}
-
-fn is_hidden(node: Node) -> bool {
-    let style = node.attribute("style").unwrap_or_default().replace(' ', "");
-    node.attribute("display") == Some("none")
-        || node.attribute("visibility") == Some("hidden")
-        || style.contains("display:none")
+/// Whether a way of a `<switch>` asks for nothing that Kerf has not.
+fn is_for_us(way: Node) -> bool {
+    let english = |names: &str| {
+        names.split(',').any(|name| name.trim().to_ascii_lowercase().starts_with("en"))
+    };
+    way.attribute("requiredExtensions").is_none()
+        && way.attribute("systemLanguage").is_none_or(english)
 }
 
 /// The name of a layer of Inkscape, or of a group that has one.
@@ -191,31 +374,31 @@ fn layer_name<'a>(node: Node<'a, 'a>) -> Option<&'a str> {
     is_group.then(|| node.attribute(inkscape).or_else(|| node.attribute("id")))?
 }
 
-/// A list of transforms; the last one in it is done first.
-fn transform(text: &str) -> Result<Transform2, svgtypes::Error> {
-    let mut map = Transform2::IDENTITY;
-    for token in TransformListParser::from(text) {
-        map = one(token?).then(&map);
-    }
-    Ok(map)
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn one(token: TransformListToken) -> Transform2 {
-    use TransformListToken as T;
-    let origin = Point2::default();
-    let skew = |x: f64, y: f64| Transform2 {
-        x_axis: Vec2::new(1.0, y.to_radians().tan()),
-        y_axis: Vec2::new(x.to_radians().tan(), 1.0),
-        origin: Vec2::default(),
-    };
-    match token {
-        T::Matrix { a, b, c, d, e, f } => {
-            Transform2 { x_axis: Vec2::new(a, b), y_axis: Vec2::new(c, d), origin: Vec2::new(e, f) }
+    /// Ten thousand millions of something.
+    fn used(what: &str) -> Imported {
+        let tenfold = |n: usize| {
+            let uses = format!("<use href='#a{}'/>", n - 1).repeat(10);
+            format!("<g id='a{n}'>{uses}</g>")
+        };
+        let groups: String = (1..11).map(tenfold).collect();
+        let body = format!("<defs><g id='a0'>{what}</g>{groups}</defs><use href='#a10'/>");
+        let text = format!("<svg xmlns='http://www.w3.org/2000/svg'>{body}</svg>");
+        read_at_most(text.as_bytes(), 1000)
+    }
+
+    #[test]
+    fn what_is_used_without_bound_ends() {
+        for (what, shapes) in [("", 0), ("<text/>", 0), ("<rect width='5' height='5'/>", 1000)] {
+            let read = used(what);
+            assert_eq!(read.drawing.shapes.len(), shapes, "{what}");
+            let full =
+                "more than 1000 shapes, or eight times as many elements: the rest is left out";
+            let told = read.findings.iter().filter(|found| found.text == full);
+            assert_eq!(told.count(), 1, "{what}");
         }
-        T::Translate { tx, ty } => Transform2::moved(Vec2::new(tx, ty)),
-        T::Scale { sx, sy } => Transform2::scaled(origin, sx, sy),
-        T::Rotate { angle } => Transform2::turned(origin, angle.to_radians()),
-        T::SkewX { angle } => skew(angle, 0.0),
-        T::SkewY { angle } => skew(0.0, angle),
     }
 }

@@ -1,5 +1,7 @@
 //! The basic shapes of SVG as paths in millimetres.
 
+use super::length::Measure;
+use super::look::Look;
 use super::path::{mapped, paths};
 use kerf_geom::fit::{self, Ellipse};
 use kerf_geom::{Point2, Polyarc, Transform2, Vec2};
@@ -20,91 +22,110 @@ pub struct Drawn {
 /// The class of the dots by which Kerf shows places to drill.
 pub const SPOT: &str = "point";
 
-/// A place to drill.
-pub fn spot(node: Node) -> Option<Point2> {
+/// A place to drill, where an element is one.
+pub fn spot(look: &Look, measure: &Measure) -> Option<Result<Point2, String>> {
+    let node = look.node;
     let is_spot = node.tag_name().name() == "circle" && node.attribute("class") == Some(SPOT);
-    is_spot.then(|| Point2::new(or_zero(node, "cx"), or_zero(node, "cy")))
+    is_spot.then(|| Sized { look, measure }.point("cx", "cy"))
 }
 
-/// What an element draws, or what is wrong with it. Nothing for elements that draw nothing.
-pub fn drawn(node: Node, map: &Transform2, tolerance: f64) -> Option<Result<Drawn, String>> {
-    let some = |path: Option<(Polyarc, usize)>| {
-        let size = || format!("<{}> without a size", node.tag_name().name());
-        let one = |(path, repeated)| Drawn { paths: vec![path], wrong: None, repeated };
-        path.map(one).ok_or_else(size)
+/// What an element draws; nothing for elements that have no outline.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn drawn(
+    look: &Look,
+    measure: &Measure,
+    map: &Transform2,
+    tolerance: f64,
+) -> Result<Option<Drawn>, String> {
+    let (node, sized) = (look.node, Sized { look, measure });
+    let name = node.tag_name().name();
+    let alone = |path: Option<Polyarc>| path.map(|path| (path, 0));
+    let found = match name {
+        "path" => return path(look, map, tolerance).map(Some),
+        "rect" => alone(rect(&sized, map, tolerance)?),
+        "circle" => alone(round(&sized, "r", "r", map, tolerance)?),
+        "ellipse" => alone(round(&sized, "rx", "ry", map, tolerance)?),
+        "line" => alone(line(&sized, map)?),
+        "polyline" => points(node, map, false),
+        "polygon" => points(node, map, true),
+        _ => return Ok(None),
     };
-    let one = |path: Option<Polyarc>| some(path.map(|path| (path, 0)));
-    Some(match node.tag_name().name() {
-        "path" => {
-            let mut found = paths(node.attribute("d").unwrap_or_default(), map, tolerance);
-            found.wrong = found.wrong.map(|error| format!("<path>: {error}"));
-            match found.wrong {
-                Some(error) if found.paths.is_empty() => Err(error),
-                _ => Ok(found),
-            }
-        }
-        "rect" => one(rect(node, map, tolerance)),
-        "circle" => one(number(node, "r").and_then(|r| round(node, r, r, map, tolerance))),
-        "ellipse" => {
-            let radii = number(node, "rx").zip(number(node, "ry"));
-            one(radii.and_then(|(rx, ry)| round(node, rx, ry, map, tolerance)))
-        }
-        "line" => one(line(node, map)),
-        "polyline" => some(points(node, map, false)),
-        "polygon" => some(points(node, map, true)),
-        _ => return None,
-    })
+    let one = |(path, repeated)| Drawn { paths: vec![path], wrong: None, repeated };
+    found.map(one).map(Some).ok_or_else(|| format!("<{name}> without a size"))
 }
 
-/// A length of an element in units of the file; percent and font sizes are not known here.
-pub fn number(node: Node, name: &str) -> Option<f64> {
-    length(node.attribute(name)?)
-}
-
-/// A length in units of the file.
-pub fn length(text: &str) -> Option<f64> {
-    use svgtypes::LengthUnit as U;
-    let length: svgtypes::Length = text.trim().parse().ok()?;
-    let units = match length.unit {
-        U::None | U::Px => 1.0,
-        U::In => 96.0,
-        U::Cm => 96.0 / 2.54,
-        U::Mm => 96.0 / 25.4,
-        U::Pt => 96.0 / 72.0,
-        U::Pc => 16.0,
-        U::Em | U::Ex | U::Percent => return None,
-    };
-    Some(length.number * units).filter(|value| value.is_finite())
-}
-
-fn or_zero(node: Node, name: &str) -> f64 {
-    number(node, name).unwrap_or_default()
-}
-
-fn rect(node: Node, map: &Transform2, tolerance: f64) -> Option<Polyarc> {
-    let (w, h) = number(node, "width").zip(number(node, "height"))?;
-    let (x, y) = (or_zero(node, "x"), or_zero(node, "y"));
-    if w <= 0.0 || h <= 0.0 {
-        return None;
+fn path(look: &Look, map: &Transform2, tolerance: f64) -> Result<Drawn, String> {
+    let own = look.node.attribute("d").unwrap_or_default();
+    let mut found = paths(look.styled("d").map_or(own, unwrapped), map, tolerance);
+    found.wrong = found.wrong.map(|error| format!("<path>: {error}"));
+    match found.wrong {
+        Some(error) if found.paths.is_empty() => Err(error),
+        _ => Ok(found),
     }
-    let rx = number(node, "rx").or(number(node, "ry")).unwrap_or_default().clamp(0.0, 0.5 * w);
-    let ry = number(node, "ry").or(number(node, "rx")).unwrap_or_default().clamp(0.0, 0.5 * h);
+}
+
+/// Path data as a style has them: `path("M 0 0 …")`.
+fn unwrapped(text: &str) -> &str {
+    let inside = text.strip_prefix("path(").and_then(|rest| rest.strip_suffix(')'));
+    inside.map_or("", |data| data.trim().trim_matches(|c| matches!(c, '"' | '\'')))
+}
+
+/// An element and what its lengths refer to.
+struct Sized<'s, 'a> {
+    look: &'s Look<'a>,
+    measure: &'s Measure,
+}
+
+impl Sized<'_, '_> {
+    fn length(&self, name: &str) -> Result<Option<f64>, String> {
+        self.look.length(name, self.measure)
+    }
+
+    fn point(&self, x: &str, y: &str) -> Result<Point2, String> {
+        let or_zero = |name| Ok::<_, String>(self.length(name)?.unwrap_or_default());
+        Ok(Point2::new(or_zero(x)?, or_zero(y)?))
+    }
+}
+
+fn rect(sized: &Sized, map: &Transform2, tolerance: f64) -> Result<Option<Polyarc>, String> {
+    let Some((w, h)) = sized.length("width")?.zip(sized.length("height")?) else { return Ok(None) };
+    let Point2 { x, y } = sized.point("x", "y")?;
+    if w <= 0.0 || h <= 0.0 {
+        return Ok(None);
+    }
+    let (rx, ry) = (sized.length("rx")?, sized.length("ry")?);
+    let within = |own: Option<f64>, other: Option<f64>, side: f64| {
+        own.or(other).unwrap_or_default().clamp(0.0, 0.5 * side)
+    };
+    let (rx, ry) = (within(rx, ry, w), within(ry, rx, h));
     if rx == 0.0 || ry == 0.0 {
         let corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)];
-        return Some(Polyarc::lines(corners.map(|(x, y)| map.apply(Point2::new(x, y))), true));
+        let corners = corners.map(|(x, y)| map.apply(Point2::new(x, y)));
+        return Ok(Some(Polyarc::lines(corners, true)));
     }
     // Round corners are circles where both radii are equal; else the rectangle is drawn squeezed.
     let squeeze = Transform2::scaled(Point2::new(x, y), 1.0, ry / rx);
     let (a, b) = (Point2::new(x, y), Point2::new(x + w, y + h * rx / ry));
     let round = Polyarc::rounded_rectangle(a, b, rx);
-    fit::affine(&round, &squeeze.then(map), tolerance).ok()
+    Ok(fit::affine(&round, &squeeze.then(map), tolerance).ok())
 }
 
-fn round(node: Node, rx: f64, ry: f64, map: &Transform2, tolerance: f64) -> Option<Polyarc> {
+/// A circle or an ellipse. One radius that is left open is the other (SVG 2, section 10.4).
+fn round(
+    sized: &Sized,
+    x: &str,
+    y: &str,
+    map: &Transform2,
+    tolerance: f64,
+) -> Result<Option<Polyarc>, String> {
+    let (rx, ry) = (sized.length(x)?, sized.length(y)?);
+    let Some((rx, ry)) = rx.or(ry).zip(ry.or(rx)) else { return Ok(None) };
     if rx <= 0.0 || ry <= 0.0 {
-        return None;
+        return Ok(None);
     }
-    let centre = Point2::new(or_zero(node, "cx"), or_zero(node, "cy"));
+    let centre = sized.point("cx", "cy")?;
     let (major, minor) = (Vec2::new(rx, 0.0), Vec2::new(0.0, ry));
     let ellipse = Ellipse { centre, major, minor, from_rad: 0.0, to_rad: TAU };
     let mut path = mapped(&ellipse, map, tolerance);
@@ -113,13 +134,12 @@ fn round(node: Node, rx: f64, ry: f64, map: &Transform2, tolerance: f64) -> Opti
         path.closed = true;
     }
     // Travel is counter-clockwise whatever the map does.
-    Some(if path.signed_area() < 0.0 { path.reversed() } else { path })
+    Ok(Some(if path.signed_area() < 0.0 { path.reversed() } else { path }))
 }
 
-fn line(node: Node, map: &Transform2) -> Option<Polyarc> {
-    let end = |x, y| map.apply(Point2::new(or_zero(node, x), or_zero(node, y)));
-    let (from, to) = (end("x1", "y1"), end("x2", "y2"));
-    (from != to).then(|| Polyarc::lines([from, to], false))
+fn line(sized: &Sized, map: &Transform2) -> Result<Option<Polyarc>, String> {
+    let ends = (map.apply(sized.point("x1", "y1")?), map.apply(sized.point("x2", "y2")?));
+    Ok((ends.0 != ends.1).then(|| Polyarc::lines([ends.0, ends.1], false)))
 }
 
 /// Lines through places, and how many of them have no length.

@@ -38,6 +38,9 @@ pub struct DrawArgs {
     /// Counts the blocks that are placed in the drawing instead of drawing what they hold
     #[arg(long)]
     no_blocks: bool,
+    /// Draws also what a .dxf hides: layers that are off or frozen, what is invisible
+    #[arg(long)]
+    hidden: bool,
     /// Units in which programs are followed, in or mm [default: as they are run; in for part files that do, else mm]
     #[arg(long, value_name = "UNIT", value_parser = parse::units)]
     units: Option<LinearUnit>,
@@ -69,8 +72,13 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
     {
         return edit_job(args, file, output);
     }
-    let (scale, explode) = (!args.unscaled, !args.no_blocks);
-    let reading = drawings::Reading { layers: args.layers, scale, explode, units: args.units };
+    let reading = drawings::Reading {
+        layers: args.layers,
+        scale: !args.unscaled,
+        explode: !args.no_blocks,
+        hidden: args.hidden,
+        units: args.units,
+    };
     let mut editor = Editor::of(drawings::open(&args.files, &reading)?);
     if let Some(text) = &args.operations {
         carry_out(&mut editor, text, &reading)?;
@@ -88,7 +96,7 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
 fn edit_job(args: &DrawArgs, file: &Path, output: &Path) -> Result<Exit> {
     let job = drawings::job_to_edit(file)?;
     let mut editor = Editor::of(job.as_drawing());
-    let reading = drawings::Reading { layers: false, scale: true, explode: true, units: None };
+    let reading = drawings::Reading::default();
     carry_out(&mut editor, args.operations.as_deref().unwrap_or_default(), &reading)?;
     drawings::write_edited(job, &editor.drawing, output)?;
     if args.list {

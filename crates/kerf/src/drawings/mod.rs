@@ -26,8 +26,16 @@ pub struct Reading {
     pub scale: bool,
     /// Blocks are drawn.
     pub explode: bool,
+    /// What a .dxf hides is drawn.
+    pub hidden: bool,
     /// The unit in which programs are followed; nothing for what is usual.
     pub units: Option<LinearUnit>,
+}
+
+impl Default for Reading {
+    fn default() -> Self {
+        Self { layers: false, scale: true, explode: true, hidden: false, units: None }
+    }
 }
 
 /// Opens drawings and puts them on top of each other. What is found in them is told. The settings of
@@ -47,11 +55,12 @@ pub fn open(files: &[impl AsRef<Path>], reading: &Reading) -> Result<Drawing> {
 fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     let extension = extension(file);
     let bytes = bytes(file)?;
-    let options =
-        dxf::Options { scale: reading.scale, explode: reading.explode, ..dxf::Options::default() };
+    let Reading { scale, explode, hidden, .. } = *reading;
+    let options = dxf::Options { scale, explode, unseen: hidden, ..dxf::Options::default() };
     let mut read = match extension.as_str() {
         "dxf" => dxf::read(&bytes, &options),
-        "rsg" | "rsm" => rsg::read(&bytes),
+        "rsg" => rsg::read(&bytes),
+        "rsm" => rsg::read_with(&bytes).0,
         "svg" => svg::read(&bytes),
         "plt" | "hpg" | "hpgl" => hpgl::read(&bytes),
         _ if programs::is_program(file) => programs::read(file, &bytes, reading.units)?,
@@ -75,6 +84,9 @@ fn nothing_read(file: &Path, findings: &[Finding]) -> Result<()> {
     if findings.iter().any(|finding| finding.weight == Weight::Warning) {
         bail!("{}: nothing of a drawing could be read", file.display());
     }
+    if findings.is_empty() {
+        eprintln!("{}: warning: nothing is drawn in this file", file.display());
+    }
     Ok(())
 }
 
@@ -96,8 +108,9 @@ pub fn tell_all(file: &Path, findings: &[Finding]) {
             Weight::Note => "note",
             Weight::Warning => "warning",
         };
-        let line = if finding.line > 0 { format!(":{}", finding.line) } else { String::new() };
-        eprintln!("{}{line}: {word}: {}", file.display(), finding.text);
+        let counted = [finding.line, finding.column].into_iter().take_while(|it| *it > 0);
+        let place: String = counted.map(|it| format!(":{it}")).collect();
+        eprintln!("{}{place}: {word}: {}", file.display(), finding.text);
     }
 }
 
@@ -142,7 +155,7 @@ pub fn job_with_warnings(
         }
         return Ok((job, Vec::new()));
     }
-    let reading = Reading { layers: false, scale: true, explode: true, units };
+    let reading = Reading { units, ..Reading::default() };
     Ok(kerf_toolpath::smoothed_job(&open(&[file], &reading)?, smoothing)?)
 }
 

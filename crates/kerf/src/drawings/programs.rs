@@ -40,7 +40,7 @@ pub fn read(file: &Path, bytes: &[u8], units: Option<LinearUnit>) -> Result<Impo
         bail!("{}: a program with errors is not drawn", file.display());
     }
     let mut read = motion::read(passage.commands(), passage.start);
-    let mut note = |weight, text: String| read.findings.push(Finding { line: 0, weight, text });
+    let mut note = |weight, text: String| read.findings.push(Finding::of_file(weight, text));
     if is_metric {
         note(Weight::Note, "read in millimetres: it does not run in inches".into());
     }
