@@ -65,8 +65,8 @@ impl Choice {
         let Work::Job(job, machine) = work else { return Ok(work) };
         let mut chosen = kerf_toolpath::beside(&job, self.offset_mm)?;
         chosen.start = self.start.unwrap_or(chosen.start).clamp(1, chosen.shapes.len().max(1));
-        chosen.origin = self.origin.unwrap_or(chosen.origin);
-        chosen.finish = self.finish.unwrap_or(chosen.finish);
+        chosen.origin = self.origin.or(chosen.origin);
+        chosen.finish = self.finish.or(chosen.finish);
         Ok(Work::Job(Arc::new(kerf_toolpath::lifted(chosen, self.lift_mm)), machine))
     }
 }

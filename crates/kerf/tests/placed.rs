@@ -70,6 +70,23 @@ fn pro_job_finish_saved() {
     assert_eq!(ended(&shop), [25.0, 20.0]);
 }
 
+/// The origin and the finish of the machine are for jobs that name none; 0,0 is a place.
+#[test]
+fn a_place_of_zero_is_a_place() {
+    let shop = shop("line 0,0 10,0");
+    shop.kerf("machine set job.origin_mm 300,200").exits(0);
+    shop.kerf("machine set job.finish_mm 25,20").exits(0);
+    let ends = |options: &str| {
+        shop.kerf(&format!("toolpath job.rsg {options}")).exits(0);
+        shop.kerf("run job.rsm --start kept").exits(0);
+        ended(&shop)
+    };
+    assert_eq!(ends(""), [325.0, 220.0]);
+    assert_eq!(ends("--origin 0,0"), [25.0, 20.0]);
+    assert_eq!(ends("--finish 0,0"), [300.0, 200.0]);
+    assert_eq!(ends("--origin 0,0 --finish 0,0"), [0.0, 0.0]);
+}
+
 #[test]
 fn pro_job_step_speeds() {
     let shop = shop("line 0,0 1000,0");
@@ -140,4 +157,15 @@ fn pro_job_offsetjob() {
     shop.kerf("run job.rsm --offset-job 60")
         .exits(2)
         .complains("shape 1: no path lies 60 mm beside it");
+}
+
+#[test]
+fn pro_job_offsetjob__with_leads() {
+    let shop = shop("rect 20,20 110,110; set black lead-in=5,90 lead-out=5,90");
+    shop.kerf("toolpath job.rsg").exits(0);
+    // Both leads lie outside at the lower left, 5 mm from where the path begins and ends: at the corner of the square, and
+    // then 1 mm below it.
+    assert_eq!(cut(&shop, ""), [95.0, 95.0]);
+    assert_eq!(cut(&shop, "--offset-job 1"), [96.0, 97.0]);
+    assert_eq!(cut(&shop, "--offset-job=-1"), [93.0, 93.0]);
 }

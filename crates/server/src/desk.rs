@@ -26,7 +26,7 @@ pub struct Desk {
     open: bool,
     pub(crate) notes: Vec<String>,
     /// Where the head goes when the job is done, from its origin.
-    pub(crate) finish: Point2,
+    pub(crate) finish: Option<Point2>,
 }
 
 impl App {
@@ -115,10 +115,10 @@ impl App {
     }
 
     /// Where the head goes at the end of a job in a file; at its origin where it says nothing.
-    fn finish_of(&self, name: &str) -> Result<Point2, Problem> {
+    fn finish_of(&self, name: &str) -> Result<Option<Point2>, Problem> {
         let is_job = extension(name) == "rsm";
         let job = is_job.then(|| self.parts.read(name)).transpose()?;
-        Ok(job.map(|bytes| kerf_toolpath::read(&bytes).0.finish).unwrap_or_default())
+        Ok(job.and_then(|bytes| kerf_toolpath::read(&bytes).0.finish))
     }
 
     pub(crate) fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
@@ -127,7 +127,8 @@ impl App {
                 let options = dxf::Options { scale: true, explode: true, ..Default::default() };
                 Some(dxf::read(bytes, &options))
             }
-            "rsg" | "rsm" => Some(rsg::read(bytes)),
+            "rsg" => Some(rsg::read(bytes)),
+            "rsm" => Some(rsg::read_with(bytes).0),
             "svg" => Some(svg::read(bytes)),
             _ => None,
         };
@@ -196,7 +197,7 @@ impl Desk {
         self.editor = Editor::of(drawing);
         self.editor.join_mm = join_mm;
         (self.name, self.open) = (name, true);
-        self.finish = Point2::default();
+        self.finish = None;
         self.revision += 1;
     }
 
@@ -204,7 +205,7 @@ impl Desk {
         if !(x.is_finite() && y.is_finite()) {
             return Err(problem(Why::Malformed, "a place has two numbers"));
         }
-        self.finish = Point2::new(x, y);
+        self.finish = Some(Point2::new(x, y));
         Ok(Vec::new())
     }
 

@@ -67,7 +67,8 @@ impl App {
         let name = (1..10_000).map(numbered).find(free);
         let name = name.ok_or_else(|| problem(Why::File, "there is no name for a new job"))?;
         let [origin, _] = self.lies(&Open::default());
-        let (bytes, _) = with_shape(Job { origin, start: 1, ..Job::default() }, shape);
+        let (bytes, _) =
+            with_shape(Job { origin: Some(origin), start: 1, ..Job::default() }, shape);
         self.parts.write(&name, &bytes)?;
         self.files_changed();
         self.open_file(&name)?;

@@ -30,8 +30,8 @@ const AGAIN: &str = "It was not saved when Kerf ended: here it is again.";
 struct Draft {
     /// The file it came from or was saved in last.
     name: Option<String>,
-    /// Where the head goes when its job is done, mm from its origin.
-    finish: [f64; 2],
+    /// Where the head goes when its job is done, mm from its origin; nothing for where the machine has it.
+    finish: Option<[f64; 2]>,
     /// It as an RSG.
     drawing: String,
 }
@@ -94,7 +94,7 @@ impl App {
             return;
         }
         let read = RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(&bytes)?));
-        let Draft { name, finish: [x, y], drawing } = match read {
+        let Draft { name, finish, drawing } = match read {
             Ok(draft) => draft,
             Err(error) => {
                 let aside = file.with_extension("unread");
@@ -111,7 +111,7 @@ impl App {
         let drawing = rsg::read(drawing.as_bytes()).drawing;
         desk.notes = self.begin(&mut desk, drawing, name, vec![AGAIN.into()]);
         desk.saved = saved.map(|read| read.drawing).unwrap_or_default();
-        desk.finish = Point2::new(x, y);
+        desk.finish = finish.map(|[x, y]| Point2::new(x, y));
         let drawing = Some(desk.state(&self.heights()));
         self.hub.change(vec![Change::Drawing { drawing }]);
     }
@@ -121,7 +121,7 @@ impl Desk {
     /// What would be lost.
     fn draft(&self) -> Option<Draft> {
         let drawing = &self.editor.drawing;
-        let finish = [self.finish.x, self.finish.y];
+        let finish = self.finish.map(|at| [at.x, at.y]);
         let draft = || Draft { name: self.name.clone(), finish, drawing: rsg::write(drawing) };
         (*drawing != self.saved).then(draft)
     }

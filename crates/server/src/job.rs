@@ -119,7 +119,7 @@ impl App {
             return Err(problem(Why::State, "the job lies where its file says"));
         };
         let choice = JobChoice { origin: None, ..open.choice };
-        self.write_job(open, choice, |job| Job { origin: Point2::new(x, y), ..job })
+        self.write_job(open, choice, |job| Job { origin: Some(Point2::new(x, y)), ..job })
     }
 
     /// Writes where the open job lies, where it ends and with which path it begins into its file. Its paths stay
@@ -129,7 +129,7 @@ impl App {
     /// As [`App::keep_origin`].
     pub fn save_job(self: &Arc<Self>) -> Result<(), Problem> {
         let open = self.job_at_rest()?;
-        let [origin, finish] = self.lies(&open);
+        let [origin, finish] = self.lies(&open).map(Some);
         let chosen = open.choice.start;
         let choice = JobChoice { origin: None, finish: None, start: None, ..open.choice };
         self.write_job(open, choice, |job| {
@@ -187,9 +187,9 @@ impl App {
     fn drawing_to_machine(
         &self,
         drawing: Option<&str>,
-    ) -> Result<(String, Drawing, Point2), Problem> {
+    ) -> Result<(String, Drawing, Option<Point2>), Problem> {
         if let Some(name) = drawing {
-            return Ok((name.into(), self.read_drawing(name)?.drawing, Point2::default()));
+            return Ok((name.into(), self.read_drawing(name)?.drawing, None));
         }
         let desk = lock(&self.desk);
         let name = desk.name.clone().unwrap_or_else(|| "drawing".into());
@@ -237,11 +237,12 @@ fn chosen(choice: &JobChoice) -> Choice {
 
 fn view(sequence: &Sequence, machine: &Configuration) -> JobView {
     let (job, heights) = (sequence.job(), sequence.heights());
+    let corner = |place: Option<Point2>| place.map_or([0.0; 2], |at| [at.x, at.y]);
     let reach = |axis| sequence.reach(axis).unwrap_or_default();
     JobView {
         paths: job.shapes.iter().map(path).collect(),
-        origin: [job.origin.x, job.origin.y],
-        finish: [job.finish.x, job.finish.y],
+        origin: corner(job.origin),
+        finish: corner(job.finish),
         start: u32::try_from(job.start).unwrap_or(1),
         repeats: job.repeats,
         cut_mm_s: sequence.cut_mm_s(),

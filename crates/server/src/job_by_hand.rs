@@ -94,8 +94,8 @@ impl App {
             let (read, _) = kerf_toolpath::read(&open.bytes);
             (job.origin, job.finish) = (read.origin, read.finish);
             let place = |[x, y]: [f64; 2]| Point2::new(x, y);
-            job.origin = open.choice.origin.map_or(job.origin, place);
-            job.finish = open.choice.finish.map_or(job.finish, place);
+            job.origin = open.choice.origin.map(place).or(job.origin);
+            job.finish = open.choice.finish.map(place).or(job.finish);
         }
         (job, machine)
     }

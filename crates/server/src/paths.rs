@@ -92,7 +92,7 @@ impl Desk {
             clipboard: editor.clipboard.len() as u32,
             groups: Group::ALL.map(|group| group_state(drawing, group, heights)).into(),
             block: block(drawing),
-            finish: [self.finish.x, self.finish.y],
+            finish: self.finish.map_or([0.0; 2], |at| [at.x, at.y]),
             join: editor.join_mm,
             notes: self.notes.clone(),
         }

@@ -109,7 +109,7 @@ fn pro_glossary_rsm__digitized_without_a_drawing() {
     hand.keys("U8E");
     hand.shows("Shape saved", "in digitized.rsm");
     let job = job_in(&shop, "digitized.rsm");
-    assert_eq!((job.paths.len(), job.origin), (1, kerf_geom::Point2::new(300.0, 200.0)));
+    assert_eq!((job.paths.len(), job.origin), (1, Some(kerf_geom::Point2::new(300.0, 200.0))));
     assert!(!shop.part("digitized.rsg").exists());
     assert_eq!(hand.shown["opened"]["name"], "digitized.rsm");
     // The next shape belongs to the same job.

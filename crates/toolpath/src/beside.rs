@@ -1,5 +1,6 @@
 //! A whole job offset: every path cut beside itself (Profiler reference, "Hand Console", function 60).
 
+use crate::beside_loop;
 use kerf_geom::{Offsetter, Polyarc};
 use kerf_program::job::{Job, JobShape, Note, Plunge};
 use std::collections::BTreeSet;
@@ -67,11 +68,8 @@ fn shape_beside(
     if shape.z_mm.iter().any(|z| *z != 0.0) {
         return Err(NoRoom::Heights { number });
     }
-    let lost = NoRoom::Lost { number, by_mm };
-    let found = offsetter.offset(&shape.path, by_mm).map_err(|_| lost.clone())?;
-    if found.is_empty() {
-        return Err(lost);
-    }
+    let found = paths_beside(&shape.path, by_mm, offsetter);
+    let found = found.filter(|all| !all.is_empty()).ok_or(NoRoom::Lost { number, by_mm })?;
     let plunge = match shape.plunge {
         Plunge::Helix { angle_deg, .. } => Plunge::Ramp { angle_deg },
         other => other,
@@ -80,5 +78,15 @@ fn shape_beside(
         let z_mm = vec![0.0; if shape.z_mm.is_empty() { 0 } else { path.vertices.len() }].into();
         JobShape { path: path.into(), z_mm, plunge, ..shape.clone() }
     };
-    Ok(found.into_iter().map(|found| with(found.path)).collect())
+    Ok(found.into_iter().map(with).collect())
+}
+
+/// The paths beside one. A closed one keeps its leads, where it has any: they follow its start and its end.
+fn paths_beside(path: &Polyarc, by_mm: f64, offsetter: &Offsetter) -> Option<Vec<Polyarc>> {
+    let beside = |path: &Polyarc| {
+        let found = offsetter.offset(path, by_mm).ok()?;
+        Some(found.into_iter().map(|found| found.path).collect::<Vec<_>>())
+    };
+    let Some(led) = beside_loop::with_leads_of(path) else { return beside(path) };
+    Some(beside(&led.closed)?.iter().map(|ring| led.again(ring)).collect())
 }

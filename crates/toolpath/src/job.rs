@@ -44,10 +44,10 @@ pub struct Job {
     pub paths: Vec<CutPath>,
     /// The drawing that it was made from, without its shapes: settings of the groups, comments.
     pub drawing: Drawing,
-    /// Where the drawing's origin lies on the table, millimetres from home.
-    pub origin: Point2,
-    /// Where the head goes at the end, millimetres from the origin.
-    pub finish: Point2,
+    /// Where the drawing's origin lies on the table, millimetres from home; nothing for the origin of the machine.
+    pub origin: Option<Point2>,
+    /// Where the head goes at the end, millimetres from the origin; nothing for the finish of the machine.
+    pub finish: Option<Point2>,
     /// The path with which the job begins, counted from 1.
     pub start: usize,
     /// The smoothing factor that the paths were made with; nothing for paths that were not made.

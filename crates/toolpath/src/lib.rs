@@ -13,6 +13,7 @@
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
 mod beside;
+mod beside_loop;
 mod depth;
 mod entry;
 #[cfg(test)]

@@ -48,7 +48,7 @@ pub fn print(job: &Job, heights: &Heights, printer: &mut dyn Printer) -> Result<
     }
     writing.jog_up();
     writing.command(Command::Output { number: ROUTER, on: false });
-    writing.jog_to(job.finish);
+    writing.jog_to(job.finish.unwrap_or_default());
     Ok(())
 }
 

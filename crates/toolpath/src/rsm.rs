@@ -15,7 +15,12 @@ use std::sync::Arc;
 #[derive(Default, Serialize, Deserialize)]
 struct Head {
     origin: Point2,
+    /// A place of 0,0 that is meant: in files of before it meant none.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    origin_set: bool,
     finish: Point2,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    finish_set: bool,
     start: usize,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     smoothing: Option<f64>,
@@ -25,6 +30,20 @@ struct Head {
     /// The check number of what is cut; files of before have none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     sum: Option<u32>,
+}
+
+impl Head {
+    fn origin(&self) -> Option<Point2> {
+        meant(self.origin, self.origin_set)
+    }
+
+    fn finish(&self) -> Option<Point2> {
+        meant(self.finish, self.finish_set)
+    }
+}
+
+fn meant(place: Point2, set: bool) -> Option<Point2> {
+    (set || place != Point2::default()).then_some(place)
 }
 
 /// A job as RSM.
@@ -37,7 +56,17 @@ pub fn write(job: &Job) -> String {
     let paths = job.paths.iter().map(origin).collect();
     let Job { origin, finish, start, smoothing, edited, .. } = *job;
     let sum = Some(sum(&drawing));
-    let head = Head { origin, finish, start, smoothing, edited, paths, sum };
+    let head = Head {
+        origin: origin.unwrap_or_default(),
+        origin_set: origin.is_some(),
+        finish: finish.unwrap_or_default(),
+        finish_set: finish.is_some(),
+        start,
+        smoothing,
+        edited,
+        paths,
+        sum,
+    };
     rsg::write_with(&drawing, Some(serde_json::to_value(head).unwrap_or_default()))
 }
 
@@ -76,7 +105,8 @@ fn read_with_damage(bytes: &[u8]) -> (Job, Imported, Option<String>) {
     };
     let missing = numbered.skip(head.paths.len());
     let paths = shapes.into_iter().zip(origins.chain(missing)).map(path).collect();
-    let Head { origin, finish, start, smoothing, edited, .. } = head;
+    let (origin, finish) = (head.origin(), head.finish());
+    let Head { start, smoothing, edited, .. } = head;
     let drawing = read.drawing.clone();
     let start = start.max(1);
     (Job { paths, drawing, origin, finish, start, smoothing, edited }, read, damage)
@@ -150,6 +180,36 @@ mod tests {
             }
         }
         assert!(refused > lines.len(), "{refused} of {}", lines.len());
+    }
+
+    #[test]
+    fn a_path_whose_leads_meet_comes_back_open() {
+        let text = "rect 20,20 110,110; set black lead-in=5,90 lead-out=5,90";
+        let mut editor = Editor::default();
+        for (_, op) in script(text).unwrap() {
+            editor.apply(&op).unwrap();
+        }
+        let job = smoothed_job(&editor.drawing, 0.6).unwrap().0;
+        let (back, _) = read_whole(write(&job).as_bytes()).unwrap();
+        assert!(!job.paths[0].shape.is_closed());
+        assert_eq!(back.paths, job.paths);
+    }
+
+    #[test]
+    fn an_origin_of_zero_is_another_thing_than_none() {
+        let back = |origin, finish| {
+            let text = write(&Job { origin, finish, ..job() });
+            let (read, _) = read_whole(text.as_bytes()).unwrap();
+            ((read.origin, read.finish), text)
+        };
+        let (zero, there) = (Some(Point2::default()), Some(Point2::new(3.0, 4.0)));
+        for (origin, finish) in [(None, None), (zero, None), (None, zero), (there, zero)] {
+            assert_eq!(back(origin, finish).0, (origin, finish));
+        }
+        // Files of before wrote 0,0 for a place that was not set.
+        let old = back(there, zero).1.replace(",\"finish_set\":true", "");
+        let (read, _) = read_whole(old.replace(",\"origin_set\":true", "").as_bytes()).unwrap();
+        assert_eq!((read.origin, read.finish), (there, None));
     }
 
     #[test]

@@ -343,8 +343,8 @@ fn arrays_without_bound_are_refused() {
 #[test]
 fn pro_files_rsm() {
     let (mut job, _) = made("rect 0,0 100,50; set black offset=3 height=-2; array block 2x3");
-    job.origin = Point2::new(300.0, 200.0);
-    job.finish = Point2::new(25.0, 20.0);
+    job.origin = Some(Point2::new(300.0, 200.0));
+    job.finish = Some(Point2::new(25.0, 20.0));
     job.start = 5;
     let (back, read) = read(write(&job).as_bytes());
     assert_eq!(read.findings, []);

@@ -31,13 +31,13 @@ fn knife(clauses: &str) -> JobRun {
 
 #[test]
 fn pro_axes_limit_on__at_the_finish_position() {
-    let ends_at = |x: f64, y: f64| JobRun::new(t2()).job(|it| it.finish = Point2::new(x, y));
+    let ends_at = |x: f64, y: f64| JobRun::new(t2()).job(|it| it.finish = Some(Point2::new(x, y)));
     refused(ends_at(9999.0, 0.0), "Out of bounds: the finish position reaches X 9999.000");
     refused(ends_at(0.0, -0.001), "Out of bounds: the finish position reaches Y -0.001");
     let set = JobRun::new(t2()).with(|machine| machine.job.finish_mm = [-5.0, 0.0]);
     refused(set, "Out of bounds: the finish position reaches X -5.000");
     // It counts from the origin of the job.
-    let from = |x: f64| ends_at(-5.0, 0.0).job(|it| it.origin = Point2::new(x, 0.0));
+    let from = |x: f64| ends_at(-5.0, 0.0).job(|it| it.origin = Some(Point2::new(x, 0.0)));
     refused(from(4.0), "Out of bounds: the finish position reaches X -1.000");
     let moves = cut(from(5.0));
     assert!(moves.last().expect("moves").ends_with(" x-5 y0"), "{moves:?}");

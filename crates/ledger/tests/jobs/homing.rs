@@ -226,7 +226,7 @@ fn pro_job_origin_saved__after_power_up_elsewhere() {
                 machine.simulated.start_at[..2].copy_from_slice(&start);
                 machine.homing.at_job_start = AxisSet::first(2);
             })
-            .job(|job| job.origin = kerf_geom::Point2::new(300.0, 200.0))
+            .job(|job| job.origin = Some(kerf_geom::Point2::new(300.0, 200.0)))
             .run();
         assert_eq!(trace.rests()[..2], [300.0, 200.0]);
         trace.session.look(|machine| [machine.truth()[0][0], machine.truth()[1][0]])

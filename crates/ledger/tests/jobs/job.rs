@@ -38,7 +38,7 @@ fn cut(trace: &JobTrace) -> Vec<u32> {
 #[test]
 fn pro_job_origin_any() {
     let placed = JobRun::new(job([line(1, (10.0, 5.0), (20.0, 5.0))]));
-    let trace = placed.job(|job| job.origin = Point2::new(300.0, 200.0)).run();
+    let trace = placed.job(|job| job.origin = Some(Point2::new(300.0, 200.0))).run();
     // The display is relative to the origin; the machine ends where the origin lies.
     assert_eq!(ends(&trace)[0], "x10 y5");
     assert_eq!(trace.rests(), [300.0, 200.0, -10.0]);
@@ -47,13 +47,13 @@ fn pro_job_origin_any() {
 #[test]
 fn pro_job_origin_start_yes() {
     let run = JobRun::new(t1()).with(|machine| machine.job.change_origin_at_start = true);
-    let run = run.job(|job| job.origin = Point2::new(300.0, 200.0)).at(50.0, 60.0, 0.0).run();
+    let run = run.job(|job| job.origin = Some(Point2::new(300.0, 200.0))).at(50.0, 60.0, 0.0).run();
     assert_eq!(run.rests(), [50.0, 60.0, -10.0]);
 }
 
 #[test]
 fn pro_job_origin_start_no() {
-    let run = JobRun::new(t1()).job(|job| job.origin = Point2::new(300.0, 200.0));
+    let run = JobRun::new(t1()).job(|job| job.origin = Some(Point2::new(300.0, 200.0)));
     assert_eq!(run.at(50.0, 60.0, 0.0).run().rests(), [300.0, 200.0, -10.0]);
 }
 
@@ -61,7 +61,7 @@ fn pro_job_origin_start_no() {
 fn pro_job_finish() {
     let run = |origin: Point2| {
         let run = JobRun::new(t1()).job(|job| {
-            (job.origin, job.finish) = (origin, Point2::new(25.0, 20.0));
+            (job.origin, job.finish) = (Some(origin), Some(Point2::new(25.0, 20.0)));
         });
         run.run()
     };
@@ -75,7 +75,7 @@ fn pro_job_finish() {
 
 #[test]
 fn pro_job_finish_default() {
-    let run = JobRun::new(t1()).job(|job| job.origin = Point2::new(300.0, 200.0));
+    let run = JobRun::new(t1()).job(|job| job.origin = Some(Point2::new(300.0, 200.0)));
     assert_eq!(run.run().rests(), [300.0, 200.0, -10.0]);
 }
 
@@ -233,7 +233,7 @@ fn pro_job_jig_cycle() {
 
 #[test]
 fn a_job_outside_the_table_does_not_begin() {
-    let outside = JobRun::new(t1()).job(|job| job.origin = Point2::new(2450.0, 0.0)).run();
+    let outside = JobRun::new(t1()).job(|job| job.origin = Some(Point2::new(2450.0, 0.0))).run();
     assert!(outside.moves().is_empty() && outside.edges().is_empty());
     assert_eq!(outside.refused(), "Out of bounds: shape 1 reaches X 2550.000");
 }

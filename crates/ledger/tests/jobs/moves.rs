@@ -183,6 +183,16 @@ fn pro_move_cutmoveto_cut() {
     assert_eq!(trace.rests(), [100.0, 0.0, -10.0], "no finish move");
 }
 
+/// The job origin is a place to cut to, wherever jobs finish.
+#[test]
+fn pro_move_cutmoveto_cut__to_the_origin() {
+    let mut machine = kerf_ledger::jobs::sim();
+    machine.job.finish_mm = [25.0, 20.0];
+    let made = cut_move(&machine, Axes([50.0, 0.0, 0.0, 0.0, 0.0, 0.0]), [0.0, 0.0]);
+    let run = JobRun::new(made).with(|machine| machine.job.finish_mm = [25.0, 20.0]);
+    assert_eq!(run.at(50.0, 0.0, 0.0).run().rests(), [0.0, 0.0, -10.0]);
+}
+
 #[test]
 fn pro_move_moveto_abs() {
     assert_eq!(placed(to([10.0, 20.0, -5.0], false, false)).run().rests(), [310.0, 220.0, -5.0]);

@@ -106,7 +106,7 @@ fn pro_pause_resume_pos__of_a_tool_that_is_not_raised() {
 #[test]
 fn a_tool_that_was_lowered_by_hand_before_the_first_shape_rises_first() {
     // On the way to the first shape, moved down and away.
-    let run = JobRun::new(t1()).job(|job| job.origin = kerf_geom::Point2::new(300.0, 0.0));
+    let run = JobRun::new(t1()).job(|job| job.origin = Some(kerf_geom::Point2::new(300.0, 0.0)));
     let trace = run.stop(0.5).say("move z -15 ⏎ move x 30 ⏎ resume").run();
     let moves = trace.moves();
     let ends: Vec<&str> = moves.iter().filter_map(|it| Some(it.split_once(' ')?.1)).collect();

@@ -69,8 +69,8 @@ pub fn random(dice: &mut Dice) -> Job {
     let shapes: Vec<JobShape> = (1..=count).map(|n| shape(dice, n)).collect();
     let far = if dice.happens(4) { 2400.0 } else { 500.0 };
     Job {
-        origin: Point2::new(dice.between(0.0, far), dice.between(0.0, 500.0)),
-        finish: point(dice),
+        origin: Some(Point2::new(dice.between(0.0, far), dice.between(0.0, 500.0))),
+        finish: Some(point(dice)),
         start: 1 + dice.below(count as usize),
         repeats: dice.of(&[1, 1, 1, 2]),
         ..job(shapes)

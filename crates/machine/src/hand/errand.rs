@@ -110,5 +110,11 @@ pub fn cut_move(machine: &Configuration, position: Axes, [x, y]: [f64; 2]) -> Jo
     let (origin, to) = (Point2::new(x0, y0), Point2::new(x, y));
     let from = Point2::new(position[Axis::X] - x0, position[Axis::Y] - y0);
     let shape = JobShape::through(1, Polyarc::lines([from, to], false));
-    Job { name: "cut move to".into(), shapes: [shape].into(), origin, finish: to, ..Job::default() }
+    Job {
+        name: "cut move to".into(),
+        shapes: [shape].into(),
+        origin: Some(origin),
+        finish: Some(to),
+        ..Job::default()
+    }
 }

@@ -22,9 +22,9 @@ const ENDLESS_DEG: f64 = 1e12;
 /// The job where it is cut, and how often: Start may take the present position as origin.
 pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
     let mut placed = (*job).clone();
-    [placed.origin, placed.finish] = lies(&job, machine);
+    [placed.origin, placed.finish] = lies(&job, machine).map(Some);
     if machine.job.change_origin_at_start {
-        placed.origin = Point2::new(position[Axis::X], position[Axis::Y]);
+        placed.origin = Some(Point2::new(position[Axis::X], position[Axis::Y]));
     }
     placed.repeats = placed.repeats.max(machine.job.repeats);
     Arc::new(placed)
@@ -34,8 +34,7 @@ pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> 
 /// the job says nothing of them.
 pub fn lies(job: &Job, machine: &Configuration) -> [Point2; 2] {
     let set = [machine.job.origin_mm, machine.job.finish_mm].map(|[x, y]| Point2::new(x, y));
-    let own = |own: Point2, set| if own == Point2::default() { set } else { own };
-    [own(job.origin, set[0]), own(job.finish, set[1])]
+    [job.origin.unwrap_or(set[0]), job.finish.unwrap_or(set[1])]
 }
 
 /// What the planner works with: millimetres, the machine's own model of motion, nothing that part
@@ -187,7 +186,7 @@ impl Sequence {
         vec![
             self.up(),
             Small::Switch(Output::Router, false),
-            Small::Travel(self.job.finish),
+            Small::Travel(self.job.finish.unwrap_or_default()),
             Small::Switch(Output::JobRunning, false),
             Small::RestoreHeights,
             Small::Enter(State::Idle),

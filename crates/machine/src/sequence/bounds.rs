@@ -121,7 +121,7 @@ impl Sequence {
 
     /// Where the job leads beside its shapes: to the finish position, at the height of travel.
     fn reached_beside(&self) -> Vec<Reached> {
-        let Point2 { x, y } = self.job.on_table(self.job.finish);
+        let Point2 { x, y } = self.job.on_table(self.job.finish.unwrap_or_default());
         let finish = [(Axis::X, x), (Axis::Y, y)];
         let finish = finish.map(|(axis, at)| Reached::by_job("the finish position", axis, at));
         let travel_mm = self.travel_mm();

@@ -126,7 +126,8 @@ impl Sequence {
         let settings = begin::settings(&machine);
         let cut_mm_s = settings.smoothing.cut_speed_mm_s.unwrap_or(settings.speeds.cut.xy);
         let mut frame = Frame::default();
-        (frame.working_zero[Axis::X], frame.working_zero[Axis::Y]) = (job.origin.x, job.origin.y);
+        let origin = job.origin.unwrap_or_default();
+        (frame.working_zero[Axis::X], frame.working_zero[Axis::Y]) = (origin.x, origin.y);
         Self {
             settings: Arc::new(settings),
             frame,

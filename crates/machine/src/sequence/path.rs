@@ -158,7 +158,7 @@ impl Sequence {
         let index = motion.saturating_sub(self.followed.first) as usize;
         let Some(segment) = self.followed.segments.get(index) else { return };
         let on_table = Point2::new(halted.stands[Axis::X], halted.stands[Axis::Y]);
-        let origin = self.job.origin;
+        let origin = self.job.origin.unwrap_or_default();
         let at = Point2::new(on_table.x - origin.x, on_table.y - origin.y);
         let spot = Spot::near(&shape.path, *segment as usize, at);
         self.here = Here { along: Along::At(spot), ..self.here };

@@ -124,7 +124,7 @@ impl Sequence {
             self.up(),
             Small::Switch(jig.output(), false),
             Small::Switch(Output::Router, false),
-            Small::Travel(self.job.finish),
+            Small::Travel(self.job.finish.unwrap_or_default()),
             Small::Enter(State::Waiting),
             Small::AwaitJig,
         ]

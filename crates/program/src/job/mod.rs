@@ -60,10 +60,10 @@ pub struct Job {
     pub name: Arc<str>,
     /// The paths, in cutting order, arrays laid out.
     pub shapes: Arc<[JobShape]>,
-    /// Where the job's origin lies on the table, millimetres from home.
-    pub origin: Point2,
-    /// Where the head goes at the end, millimetres from the origin.
-    pub finish: Point2,
+    /// Where the job's origin lies on the table, millimetres from home; nothing for that of the machine.
+    pub origin: Option<Point2>,
+    /// Where the head goes at the end, millimetres from the origin; nothing for that of the machine.
+    pub finish: Option<Point2>,
     /// The shape with which it begins, counted from 1.
     pub start: usize,
     /// How many times it is cut.
@@ -78,8 +78,8 @@ impl Default for Job {
         Self {
             name: Arc::default(),
             shapes: Arc::default(),
-            origin: Point2::default(),
-            finish: Point2::default(),
+            origin: None,
+            finish: None,
             start: 1,
             repeats: 1,
             notes: Arc::default(),
@@ -125,6 +125,7 @@ impl JobShape {
 impl Job {
     /// Where a place of the job lies on the table.
     pub fn on_table(&self, place: Point2) -> Point2 {
-        place + Vec2::new(self.origin.x, self.origin.y)
+        let origin = self.origin.unwrap_or_default();
+        place + Vec2::new(origin.x, origin.y)
     }
 }

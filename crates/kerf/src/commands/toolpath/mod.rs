@@ -45,10 +45,10 @@ pub struct ToolpathArgs {
     /// The table that nothing may leave, mm from the origin [default: that of --config]
     #[arg(long, value_name = "X,Y", value_parser = parse::size)]
     table: Option<[f64; 2]>,
-    /// Where the drawing's origin lies on the table, mm from home
+    /// Where the drawing's origin lies on the table, mm from home [default: that of the machine that cuts it]
     #[arg(long, value_name = "X,Y", value_parser = parse::place)]
     origin: Option<[f64; 2]>,
-    /// Where the head goes at the end, mm from the origin
+    /// Where the head goes at the end, mm from the origin [default: that of the machine that cuts it]
     #[arg(long, value_name = "X,Y", value_parser = parse::place)]
     finish: Option<[f64; 2]>,
     /// The path with which the job begins, from 1
@@ -112,7 +112,9 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let (job, mut warnings) =
         drawings::job_with_warnings(&args.drawing, smoothing, args.run.units)?;
     let job = args.placed(job)?;
-    if let Some(table) = table(args, &job)? {
+    let [x, y] = if kind == Kind::Program { [0.0; 2] } else { machine.job.origin_mm };
+    let origin = job.origin.unwrap_or(Point2::new(x, y));
+    if let Some(table) = table(args, origin)? {
         warnings.extend(off_table(&job, &table));
     }
     if kind != Kind::Program {
@@ -185,8 +187,8 @@ impl ToolpathArgs {
     /// The job where it is cut, and where it begins.
     fn placed(&self, mut job: Job) -> Result<Job> {
         let point = |[x, y]: [f64; 2]| Point2::new(x, y);
-        job.origin = self.origin.map_or(job.origin, point);
-        job.finish = self.finish.map_or(job.finish, point);
+        job.origin = self.origin.map(point).or(job.origin);
+        job.finish = self.finish.map(point).or(job.finish);
         job.start = self.begin_with.map_or(job.start, |first| first as usize);
         if job.start > job.paths.len().max(1) {
             let (start, count) = (job.start, job.paths.len());
@@ -233,7 +235,7 @@ fn tell(args: &ToolpathArgs, warnings: &[Warning]) {
 }
 
 /// The table in the coordinates of the job, when one is named.
-fn table(args: &ToolpathArgs, job: &Job) -> Result<Option<Bounds2>> {
+fn table(args: &ToolpathArgs, origin: Point2) -> Result<Option<Bounds2>> {
     let corners = match args.table {
         Some([x, y]) => Some((Point2::default(), Point2::new(x, y))),
         None if args.run.place.config.is_some() => {
@@ -243,6 +245,6 @@ fn table(args: &ToolpathArgs, job: &Job) -> Result<Option<Bounds2>> {
         }
         None => None,
     };
-    let origin = job.origin - Point2::default();
+    let origin = origin - Point2::default();
     Ok(corners.map(|(low, high)| Bounds2::of(low + origin * -1.0, high + origin * -1.0)))
 }
