@@ -4,7 +4,7 @@ use crate::compare::{Comparing, SAME_MM, same_motion};
 use crate::follow::follow;
 use crate::item::{Item, Passage};
 use crate::kept::{self, KEPT_MM, Unkept};
-use crate::start::{ODD, says_its_places};
+use crate::start::{ODD, says_its_height, says_its_places};
 use crate::times::{cutting_s, switched};
 use crate::{Conversion, Converted, Hosts, Language, Source};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
@@ -25,31 +25,65 @@ const DRAWN_MM: f64 = 0.004;
 /// Converts by following the program.
 pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {
     let (passage, start) = passage(source, how, hosts);
-    let mut diagnostics = passage.diagnostics.clone();
     if !ended_well(&passage) {
+        let mut diagnostics = passage.diagnostics;
         if !diagnostics.iter().any(Diagnostic::is_error) {
             diagnostics.push(stopped(source));
         }
         return Converted { text: None, diagnostics };
     }
-    if start == Axes::default() {
-        diagnostics.push(from_here(&passage, source));
-    }
-    let unit = passage.at_motion.as_ref().map_or(how.settings.linear_unit, |(unit, _)| *unit);
-    let settings = settings_for(how, &passage, unit);
+    let mut unkept = None;
     if how.keep_variables {
-        match keep(source, &passage, how, &settings, start, hosts) {
-            Ok(text) => return Converted { text: Some(text), diagnostics },
-            Err(unkept) => diagnostics.push(unkept),
+        match keep(source, &passage, how, start, hosts) {
+            Ok(text) => {
+                let diagnostics = told_before(&passage, source, start);
+                return Converted { text: Some(text), diagnostics };
+            }
+            Err(diagnostic) => unkept = Some(diagnostic),
         }
     }
-    let written = write(&passage, how, &settings, unit, start);
-    diagnostics.extend(written.lost.iter().map(|lost| told(lost, &passage, how.to)));
+    let (passage, start) = with_heights(passage, start, source, how, hosts);
+    let mut diagnostics = told_before(&passage, source, start);
+    diagnostics.extend(unkept);
+    as_moves(&passage, start, how, hosts, diagnostics)
+}
+
+/// What following it told.
+fn told_before(passage: &Passage, source: &Source<'_>, start: Axes) -> Vec<Diagnostic> {
+    let from_here = (start == Axes::default()).then(|| from_here(passage, source));
+    passage.diagnostics.iter().cloned().chain(from_here).collect()
+}
+
+/// Moves by numbers have to know every height; a part file with variables asks for it when it runs.
+fn with_heights(
+    passage: Passage,
+    start: Axes,
+    source: &Source<'_>,
+    how: &Conversion,
+    hosts: Hosts<'_, '_>,
+) -> (Passage, Axes) {
+    if start == Axes::default() || says_its_height(&passage) {
+        return (passage, start);
+    }
+    (run(source, how, hosts, Axes::default(), false), Axes::default())
+}
+
+/// The program as the moves it makes.
+fn as_moves(
+    passage: &Passage,
+    start: Axes,
+    how: &Conversion,
+    hosts: Hosts<'_, '_>,
+    mut diagnostics: Vec<Diagnostic>,
+) -> Converted {
+    let (unit, settings) = settings_for(how, passage);
+    let written = write(passage, how, &settings, unit, start);
+    diagnostics.extend(written.lost.iter().map(|lost| told(lost, passage, how.to)));
     if written.lost.iter().any(|lost| lost.is_motion) {
         return Converted { text: None, diagnostics };
     }
     let how = &Conversion { keep_variables: false, ..how.clone() };
-    if let Err(difference) = read_back(&passage, &written.text, how, &settings, start, hosts) {
+    if let Err(difference) = read_back(passage, &written.text, how, &settings, start, hosts) {
         diagnostics.push(difference);
         return Converted { text: None, diagnostics };
     }
@@ -61,10 +95,10 @@ fn keep(
     source: &Source<'_>,
     passage: &Passage,
     how: &Conversion,
-    settings: &Settings,
     start: Axes,
     hosts: Hosts<'_, '_>,
 ) -> Result<String, Diagnostic> {
+    let settings = &settings_for(how, passage).1;
     let unkept = |unkept: Unkept| {
         let place = Place::line(source.name.clone(), unkept.line);
         Diagnostic::new(Code::NotKept, place, format!("variables are not kept: {}", unkept.what))
@@ -152,9 +186,10 @@ fn ended_well(passage: &Passage) -> bool {
     ended && !passage.diagnostics.iter().any(Diagnostic::is_error)
 }
 
-/// The settings that the written file begins with. G-code measures turning axes in degrees; a part
+/// The unit and the settings that the written file begins with. G-code measures turning axes in degrees; a part
 /// file has to say so.
-fn settings_for(how: &Conversion, passage: &Passage, unit: LinearUnit) -> Settings {
+fn settings_for(how: &Conversion, passage: &Passage) -> (LinearUnit, Settings) {
+    let unit = passage.at_motion.as_ref().map_or(how.settings.linear_unit, |(unit, _)| *unit);
     let mut settings = how.settings.clone();
     settings.use_linear_unit(unit);
     if let Some(axis) = passage.last_axis().filter(|axis| axis.index() >= 3) {
@@ -165,7 +200,7 @@ fn settings_for(how: &Conversion, passage: &Passage, unit: LinearUnit) -> Settin
             (None, Language::OpenSbp) => {}
         }
     }
-    settings
+    (unit, settings)
 }
 
 fn write(

@@ -18,9 +18,6 @@ const SAME: f64 = 1e-9;
 
 /// Whether a program does from the odd place what it does from zero.
 pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
-    if !says_its_height(odd) {
-        return false;
-    }
     let mut plain = zero.commands().filter(|s| s.command.is_motion()).peekable();
     let mut here = Axes::default();
     for sourced in odd.commands().filter(|s| s.command.is_motion()) {
@@ -38,7 +35,7 @@ pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
 
 /// Whether its height is said before it matters: a change of tools leaves the tool higher than it was, and
 /// an arc is written with how far it goes down.
-fn says_its_height(odd: &Passage) -> bool {
+pub fn says_its_height(odd: &Passage) -> bool {
     let (mut height, mut raised) = (ODD[Axis::Z], false);
     for Sourced { command, .. } in odd.commands() {
         if matches!(command, Command::ToolChange { begin: false }) {

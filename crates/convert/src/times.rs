@@ -48,18 +48,31 @@ fn seconds(feed: Feed, speeds: &kerf_program::settings::PerGroup, xy: f64, delta
     }
 }
 
-/// What it switches, waits for and asks, in order.
+/// What it switches, waits for and asks, in order. What happens while a tool is changed is each
+/// machine's own.
 pub(crate) fn switched(passage: &Passage) -> Vec<String> {
-    let words = |item: &Item| match item {
+    let mut changing = false;
+    let words = |item: &Item| {
+        if let Item::Command(sourced) = item
+            && let Command::ToolChange { begin } = sourced.command
+        {
+            changing = begin;
+            return begin.then(|| "tool".into());
+        }
+        if changing { None } else { switching(item) }
+    };
+    passage.items.iter().filter_map(words).collect()
+}
+
+fn switching(item: &Item) -> Option<String> {
+    match item {
         Item::Command(sourced) => match &sourced.command {
             Command::Output { number, on } => Some(format!("output {number} {on}")),
             Command::Wait { seconds } => Some(format!("wait {seconds:.3}")),
             Command::Spindle { rpm, .. } => Some(format!("speed {rpm:.3}")),
-            Command::ToolChange { .. } => Some("tool".into()),
             _ => None,
         },
         Item::Hold(_) => Some("hold".into()),
         _ => None,
-    };
-    passage.items.iter().filter_map(words).collect()
+    }
 }

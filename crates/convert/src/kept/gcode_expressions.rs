@@ -10,6 +10,49 @@ const DEGREES: &str = "57.29577951308232";
 /// Parameters above this belong to the machine.
 const LAST_FREE: f64 = 4999.0;
 
+/// The parameters that tell where the tool is.
+const LOCATIONS: std::ops::RangeInclusive<f64> = 5420.0..=5422.0;
+
+fn is_location(number: f64) -> bool {
+    LOCATIONS.contains(&number) && number.fract() == 0.0
+}
+
+/// Where an axis is, as the file counts: `%(1)` counts from the working zero, whatever FP does.
+pub(super) fn location(axis: usize) -> String {
+    format!("((%({}) - %({})) / %({}))", axis + 1, axis + 61, axis + 66)
+}
+
+/// Calls a function with every expression within another, itself first.
+pub(super) fn each(expr: &Expr, found: &mut dyn FnMut(&Expr)) {
+    found(expr);
+    match expr {
+        Expr::Number(_) | Expr::Named(_) | Expr::Exists(_) => {}
+        Expr::Numbered(a) | Expr::Call(_, a) => each(a, found),
+        Expr::Atan(a, b) | Expr::Binary(_, a, b) => {
+            each(a, found);
+            each(b, found);
+        }
+    }
+}
+
+/// The parameter of an expression `#n`.
+pub(super) fn number_of(expr: &Expr) -> Option<f64> {
+    match expr {
+        Expr::Numbered(number) => match **number {
+            Expr::Number(n) => Some(n),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether an expression asks where the tool is.
+pub(super) fn asks_location(expr: &Expr) -> bool {
+    let mut asks = false;
+    each(expr, &mut |part| asks |= number_of(part).is_some_and(is_location));
+    asks
+}
+
 /// Writes expressions of a line. Parameters of a subroutine carry its name.
 #[derive(Clone, Copy)]
 pub(super) struct Words<'a> {
@@ -32,8 +75,7 @@ impl Words<'_> {
                     None => format!("&p{n}"),
                 })
             }
-            // Where the tool is.
-            Expr::Number(n) if (5420.0..=5422.0).contains(n) => Ok(format!("%({})", n - 5419.0)),
+            Expr::Number(n) if is_location(*n) => Ok(location((*n - 5420.0) as usize)),
             Expr::Number(n) => self.unkept(format!("the parameter #{n}")),
             _ => self.unkept("a parameter whose number is computed"),
         }
@@ -52,7 +94,7 @@ impl Words<'_> {
         }
         Ok(match (name.strip_prefix('_'), self.sub) {
             (Some(global), _) => format!("&g_{global}"),
-            (None, Some(sub)) => format!("&{sub}_{name}"),
+            (None, Some(sub)) => format!("&{sub}_v_{name}"),
             (None, None) => format!("&v_{name}"),
         })
     }
@@ -70,18 +112,24 @@ impl Words<'_> {
             }
             Expr::Call(function, x) => self.call(*function, &self.value(x)?)?,
             Expr::Binary(operator, a, b) => {
-                let (a, b) = (self.value(a)?, self.value(b)?);
+                let (a, b) = (self.operand(a)?, self.operand(b)?);
                 match operator {
                     Operator::Power => format!("({a} ^ {b})"),
                     Operator::Times => format!("({a} * {b})"),
                     Operator::Over => format!("({a} / {b})"),
-                    Operator::Mod => format!("({a} - {b} * INT({a} / {b}))"),
+                    Operator::Mod => format!("({a} - ABS({b}) * INT({a} / ABS({b})))"),
                     Operator::Plus => format!("({a} + {b})"),
                     Operator::Minus => format!("({a} - {b})"),
                     _ => return self.unkept("a comparison as a number"),
                 }
             }
         })
+    }
+
+    /// A value beside an operator: `-3 ^ 2` is −9 in OpenSBP and 9 in G-code.
+    fn operand(self, expr: &Expr) -> Result<String, Unkept> {
+        let text = self.value(expr)?;
+        Ok(if text.starts_with('-') { format!("({text})") } else { text })
     }
 
     /// A value that stands alone, without the parentheses around it.

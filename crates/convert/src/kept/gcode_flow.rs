@@ -3,6 +3,7 @@
 use super::Unkept;
 use super::gcode_expressions::Words;
 use super::gcode_lines::Keeper;
+use super::gcode_survey::{changes, end_of_sub};
 use kerf_gcode::Expr;
 use kerf_gcode::tree::{Flow, Keyword, Label};
 
@@ -13,20 +14,23 @@ impl Keeper<'_> {
             return Err(Unkept::new(line, "an O-word whose label is computed"));
         };
         let name = name_of(label);
+        self.lower();
         match flow.keyword {
             Keyword::Sub => self.begin_sub(line, name),
             Keyword::Endsub => {
                 self.line("RETURN");
                 self.sub = None;
+                self.ways.end_sub();
                 Ok(())
             }
             Keyword::Return if flow.values.is_empty() => {
                 self.line("RETURN");
+                self.ways.stop();
                 Ok(())
             }
-            Keyword::Call => self.call(line, &name, &flow.values),
+            Keyword::Call => self.call(line, &name, flow),
             Keyword::While => {
-                let label = self.scoped(&name);
+                let label = self.begin_loop(line, &name, flow)?;
                 self.line(&format!("AGAIN_{label}:"));
                 self.leave(line, flow, false, &format!("DONE_{label}"))
             }
@@ -34,10 +38,11 @@ impl Keeper<'_> {
                 let label = self.scoped(&name);
                 self.line(&format!("GOTO AGAIN_{label}"));
                 self.line(&format!("DONE_{label}:"));
+                self.ways.end_loop();
                 Ok(())
             }
             Keyword::Do => {
-                let label = self.scoped(&name);
+                let label = self.begin_loop(line, &name, flow)?;
                 self.line(&format!("AGAIN_{label}:"));
                 Ok(())
             }
@@ -45,10 +50,11 @@ impl Keeper<'_> {
                 let label = self.scoped(&name);
                 self.leave(line, flow, true, &format!("AGAIN_{label}"))?;
                 self.line(&format!("DONE_{label}:"));
+                self.ways.end_loop();
                 Ok(())
             }
             Keyword::Repeat => {
-                let label = self.scoped(&name);
+                let label = self.begin_loop(line, &name, flow)?;
                 let count = self.words(line).value(first(flow))?;
                 self.line(&format!("&turns_{label} = {count}"));
                 self.line(&format!("AGAIN_{label}:"));
@@ -60,16 +66,19 @@ impl Keeper<'_> {
                 let label = self.scoped(&name);
                 self.line(&format!("GOTO AGAIN_{label}"));
                 self.line(&format!("DONE_{label}:"));
+                self.ways.end_loop();
                 Ok(())
             }
             Keyword::Break => {
                 let label = self.scoped(&name);
                 self.line(&format!("GOTO DONE_{label}"));
+                self.ways.leave_loop(&label);
                 Ok(())
             }
             Keyword::If => {
-                let label = self.scoped(&name);
+                let label = self.fresh(line, &name)?;
                 self.branches.push((label.clone(), 1));
+                self.ways.begin_branch();
                 self.leave(line, flow, false, &format!("ELSE_{label}_1"))
             }
             Keyword::Elseif | Keyword::Else => self.other_branch(line, flow),
@@ -79,10 +88,27 @@ impl Keeper<'_> {
                     self.line(&format!("ELSE_{label}_{branch}:"));
                 }
                 self.line(&format!("ENDIF_{label}:"));
+                self.ways.end_branches(branch == 0);
                 Ok(())
             }
             _ => Err(Unkept::new(line, "this O-word")),
         }
+    }
+
+    /// A label that stands only once: jumps go to the first of two.
+    fn fresh(&mut self, line: u32, name: &str) -> Result<String, Unkept> {
+        let label = self.scoped(name);
+        if self.labels.insert(label.clone()) {
+            return Ok(label);
+        }
+        Err(Unkept::new(line, "an O-word whose number or name stands twice"))
+    }
+
+    fn begin_loop(&mut self, line: u32, name: &str, flow: &Flow) -> Result<String, Unkept> {
+        let label = self.fresh(line, name)?;
+        let around = changes(self.program, line, flow.end.max(line));
+        self.ways.begin_loop(label.clone(), flow.keyword != Keyword::Do, &around);
+        Ok(label)
     }
 
     /// A jump to a label where the condition holds, or where it does not.
@@ -96,6 +122,7 @@ impl Keeper<'_> {
         let Some((label, branch)) = self.branches.pop() else { return Ok(()) };
         self.line(&format!("GOTO ENDIF_{label}"));
         self.line(&format!("ELSE_{label}_{branch}:"));
+        self.ways.next_branch();
         let next = if flow.keyword == Keyword::Else { 0 } else { branch + 1 };
         self.branches.push((label.clone(), next));
         if next > 0 {
@@ -110,19 +137,26 @@ impl Keeper<'_> {
         }
         self.line(&format!("SUB_{name}:"));
         self.sub = Some(format!("s_{name}"));
+        self.ways.begin_sub();
         Ok(())
     }
 
     /// The values of a call are the first parameters of the subroutine, the rest are zero.
-    fn call(&mut self, line: u32, name: &str, values: &[Expr]) -> Result<(), Unkept> {
-        if self.sub.as_deref() == Some(&format!("s_{name}")) {
-            return Err(Unkept::new(line, "a subroutine that calls itself"));
-        }
-        for (i, value) in values.iter().enumerate() {
+    fn call(&mut self, line: u32, name: &str, flow: &Flow) -> Result<(), Unkept> {
+        let Some(own) = self.survey.own.get(name).cloned() else {
+            return Err(Unkept::new(line, "a subroutine of another file"));
+        };
+        for (n, value) in (1..).zip(&flow.values) {
             let value = self.words(line).alone(value)?;
-            self.line(&format!("&s_{name}_p{} = {value}", i + 1));
+            self.line(&format!("&s_{name}_p{n} = {value}"));
+        }
+        for n in own.into_iter().filter(|n| *n as usize > flow.values.len()) {
+            self.line(&format!("&s_{name}_p{n} = 0"));
         }
         self.line(&format!("GOSUB SUB_{name}"));
+        let first = flow.label.as_ref().and_then(|label| self.program.subs.get(label)).copied();
+        let end = first.and_then(|first| end_of_sub(self.program, first)).unwrap_or(0);
+        self.ways.call(&changes(self.program, first.unwrap_or(1), end));
         Ok(())
     }
 
@@ -136,7 +170,7 @@ impl Keeper<'_> {
     }
 }
 
-fn name_of(label: &Label) -> String {
+pub(super) fn name_of(label: &Label) -> String {
     match label {
         Label::Number(n) => n.to_string(),
         Label::Name(name) => {

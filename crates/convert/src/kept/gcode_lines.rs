@@ -1,26 +1,38 @@
 //! A G-code program as a part file.
 //!
-//! G-code remembers modes from line to line. They are followed in the order of the lines, not of the
-//! run, which is what people mean when they write; comparing what both programs do finds the rest.
+//! G-code remembers modes from line to line. They are followed in the order of the lines; where a mode
+//! depends on the way the run takes, the line that needs it cannot be kept (see `gcode_modes`).
+//!
+//! A block is calculated before any of it is done: what is assigned in it holds from the next block on,
+//! and what it asks of the tool's place is the place before it.
 
 use super::Unkept;
+use super::gcode_expressions::{asks_location, each};
+use super::gcode_modes::{Known, Ways};
+use super::gcode_survey::Survey;
 use crate::Conversion;
-use kerf_gcode::Program;
-use kerf_gcode::tree::{Block, CommentKind, Extra, Node, PlainMove, Target, Value, Word};
+use kerf_gcode::tree::{Block, CommentKind, Extra, Node, PlainMove, Setting, Target, Value, Word};
+use kerf_gcode::{Expr, Program};
 use kerf_program::settings::LinearUnit;
+use std::collections::BTreeSet;
 
 /// Writes a G-code program with its variables.
 pub(super) fn to_sbp(program: &Program, how: &Conversion) -> Result<String, Unkept> {
     let mut keeper = Keeper {
         program,
+        survey: Survey::of(program)?,
         unit: how.settings.linear_unit,
         coolant: how.coolant_outputs,
         text: String::new(),
         subs: String::new(),
         sub: None,
         branches: Vec::new(),
-        motion: None,
-        tool: None,
+        labels: BTreeSet::new(),
+        ways: Ways::new(),
+        raised: false,
+        feed_said: false,
+        sloped: false,
+        helices: false,
         over: false,
     };
     for line in 1..=program.line_count() {
@@ -34,6 +46,7 @@ pub(super) fn to_sbp(program: &Program, how: &Conversion) -> Result<String, Unke
 /// A part file while it is written.
 pub(super) struct Keeper<'a> {
     pub(super) program: &'a Program,
+    pub(super) survey: Survey,
     unit: LinearUnit,
     coolant: [u8; 2],
     /// What is run, and the subroutines behind it.
@@ -43,18 +56,19 @@ pub(super) struct Keeper<'a> {
     pub(super) sub: Option<String>,
     /// The conditions around: label, and the number of the branch; 0 behind `else`.
     pub(super) branches: Vec<(String, u32)>,
-    /// G0 … G3.
-    motion: Option<u8>,
-    tool: Option<String>,
+    /// Labels written so far.
+    pub(super) labels: BTreeSet<String>,
+    /// The modes where the present line stands.
+    pub(super) ways: Ways,
+    /// Behind a change of tools: the tool may stand above the height that it had.
+    pub(super) raised: bool,
+    /// An F was written.
+    pub(super) feed_said: bool,
+    /// Speeds of slopes, and those of helices, are worked out somewhere.
+    pub(super) sloped: bool,
+    pub(super) helices: bool,
     /// M2 stood outside of any condition.
     over: bool,
-}
-
-/// The values of a block that makes a motion.
-#[derive(Default)]
-struct Places {
-    axes: [Option<String>; 3],
-    centre: [Option<String>; 2],
 }
 
 impl Keeper<'_> {
@@ -72,9 +86,19 @@ impl Keeper<'_> {
         };
         let title: String = how.title.lines().map(|line| format!("'{line}\n")).collect();
         let guard = format!("'UNITS: {name}\nIF %(25) = {wrong} THEN GOTO UNIT_ERROR\nSA\n");
-        let end = "END\nUNIT_ERROR:\nC#,91\nEND\n";
+        // Those of a file begin at zero each time, the others keep what an earlier file put there.
+        let unset: String = self
+            .survey
+            .unset
+            .iter()
+            .map(|n| match n {
+                ..=30 => format!("&p{n} = 0\n"),
+                _ => format!("IF &p{n} = \"\" THEN &p{n} = 0\n"),
+            })
+            .collect();
+        let feed = self.feed_subroutines().concat();
         let subs = self.subs;
-        format!("{title}{guard}{}END\n{subs}{}", self.text, end.trim_start_matches("END\n"))
+        format!("{title}{guard}{unset}{}END\n{subs}{feed}UNIT_ERROR:\nC#,91\nEND\n", self.text)
     }
 
     fn one(&mut self, line: u32) -> Result<(), Unkept> {
@@ -94,7 +118,7 @@ impl Keeper<'_> {
         let words: Vec<_> =
             plain.words().map(|(letter, value)| (letter, format!("{value}"))).collect();
         if plain.motion != PlainMove::MODAL {
-            self.motion = Some(plain.motion);
+            self.ways.modes().motion = Known::Is(Some(plain.motion));
         }
         self.settings_before(line, &words)?;
         self.motion_of(line, &words)
@@ -110,7 +134,10 @@ impl Keeper<'_> {
             self.comments(line, extra)?;
             return self.flow(line, flow);
         }
+        let settings = extra.map_or(&[][..], |extra| &extra.settings);
+        self.lower_for(line, block)?;
         let words = self.values(line, program.words_of(block))?;
+        let assigned = self.assigned(line, settings, words.is_empty())?;
         let empty = words.is_empty();
         if empty {
             self.comments(line, extra)?;
@@ -118,19 +145,64 @@ impl Keeper<'_> {
         self.codes(line, &words)?;
         self.motion_of(line, &words)?;
         self.ends(&words);
-        for setting in extra.iter().flat_map(|extra| &extra.settings) {
+        assigned.iter().for_each(|text| self.line(text));
+        if !empty {
+            self.comments(line, extra)?;
+        }
+        Ok(())
+    }
+
+    /// A block that asks where the tool is asks for the height that it had before a change of tools.
+    fn lower_for(&mut self, line: u32, block: &Block) -> Result<(), Unkept> {
+        let words = self.program.words_of(block);
+        let computed = words.iter().filter_map(|word| match word.value {
+            Value::Computed(index) => self.program.exprs.get(index as usize),
+            Value::Number(_) => None,
+        });
+        let settings = self.program.extra_of(block).into_iter().flat_map(|extra| &extra.settings);
+        let mut asks = computed.chain(settings.map(|setting| &setting.value)).map(asks_location);
+        if !asks.any(|asks| asks) {
+            return Ok(());
+        }
+        self.lower();
+        let is = |word: &Word, letter: u8, code: f64| {
+            word.letter == letter && word.value == Value::Number(code)
+        };
+        if words.iter().any(|word| is(word, b'M', 6.0)) {
+            return Err(Unkept::new(line, "M6 in a block that asks where the tool is"));
+        }
+        Ok(())
+    }
+
+    /// The assignments of a block, to be written last; what they assign is put aside first where that
+    /// could change before.
+    fn assigned(
+        &mut self,
+        line: u32,
+        settings: &[Setting],
+        alone: bool,
+    ) -> Result<Vec<String>, Unkept> {
+        let aside = settings.len() > 1 && settings.iter().any(|s| asks_parameter(&s.value))
+            || !alone && settings.iter().any(|s| asks_location(&s.value));
+        let mut texts = Vec::new();
+        for (n, setting) in (1..).zip(settings) {
             let words = self.words(line);
             let target = match &setting.target {
                 Target::Numbered(number) => words.numbered(number)?,
                 Target::Named(index) => words.named(*index)?,
             };
-            let text = format!("{target} = {}", words.alone(&setting.value)?);
-            self.line(&text);
+            if target.starts_with('(') {
+                return Err(Unkept::new(line, "an assignment to where the tool is"));
+            }
+            let value = words.alone(&setting.value)?;
+            if aside {
+                self.line(&format!("&next_{n} = {value}"));
+                texts.push(format!("{target} = &next_{n}"));
+            } else {
+                texts.push(format!("{target} = {value}"));
+            }
         }
-        if !empty {
-            self.comments(line, extra)?;
-        }
-        Ok(())
+        Ok(texts)
     }
 
     fn comments(&mut self, line: u32, extra: Option<&Extra>) -> Result<(), Unkept> {
@@ -187,15 +259,9 @@ impl Keeper<'_> {
     fn settings_before(&mut self, line: u32, words: &[(u8, String)]) -> Result<(), Unkept> {
         for (letter, value) in words {
             match letter {
-                b'F' => {
-                    let speed = match value.parse::<f64>() {
-                        Ok(feed) => kerf_program::decimal(feed / 60.0, 6),
-                        Err(_) => format!("{value} / 60"),
-                    };
-                    self.line(&format!("VS,{speed},{speed}"));
-                }
+                b'F' => self.feed(value),
                 b'S' => self.line(&format!("TR,{value}")),
-                b'T' => self.tool = Some(value.clone()),
+                b'T' => self.ways.modes().tool = Known::Is(Some(value.clone())),
                 b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {
                     return Err(Unkept::new(line, "axes beside X, Y and Z"));
                 }
@@ -220,11 +286,13 @@ impl Keeper<'_> {
     fn g_code(&mut self, line: u32, code: &str, words: &[(u8, String)]) -> Result<(), Unkept> {
         let value = |letter: u8| words.iter().find(|(l, _)| *l == letter).map(|(_, v)| v.clone());
         match (code, self.unit) {
-            ("0" | "1" | "2" | "3", _) => self.motion = code.parse().ok(),
+            ("0" | "1" | "2" | "3", _) => {
+                self.ways.modes().motion = Known::Is(code.parse().ok());
+            }
             ("20", LinearUnit::Inch) | ("21", LinearUnit::Mm) => {}
             ("17" | "40" | "49" | "54" | "80" | "90" | "94" | "64" | "61" | "91.1", _) => {
                 if code == "80" {
-                    self.motion = None;
+                    self.ways.modes().motion = Known::Is(None);
                 }
             }
             ("4", _) => {
@@ -232,7 +300,13 @@ impl Keeper<'_> {
                 self.line(&format!("PAUSE {seconds}"));
             }
             ("92", _) => {
-                let places = [b'X', b'Y', b'Z'].map(|letter| value(letter).unwrap_or_default());
+                self.lower();
+                // VA counts in the working frame, a block in that of the file.
+                let scaled = |axis: usize| {
+                    value(b"XYZ"[axis])
+                        .map_or_else(String::new, |v| format!("({v}) * %({})", axis + 66))
+                };
+                let places = [0, 1, 2].map(scaled);
                 self.line(format!("VA,{}", places.join(",")).trim_end_matches(','));
             }
             _ => return Err(Unkept::new(line, format!("G{code}"))),
@@ -250,11 +324,7 @@ impl Keeper<'_> {
             "9" => [mist, flood].into_iter().filter(|n| *n > 0).for_each(|n| {
                 self.line(&format!("SO,{n},0"));
             }),
-            "6" => {
-                let tool = self.tool.clone().unwrap_or_default();
-                self.line(&format!("&Tool = {tool}"));
-                self.line("C9");
-            }
+            "6" => self.change_tool(line)?,
             "0" | "2" | "30" => {}
             _ => return Err(Unkept::new(line, format!("M{code}"))),
         }
@@ -267,60 +337,19 @@ impl Keeper<'_> {
             match code.as_str() {
                 "0" => self.line("PAUSE"),
                 "2" | "30" if self.sub.is_none() && self.branches.is_empty() => self.over = true,
-                "2" | "30" => self.line("END"),
+                "2" | "30" => {
+                    self.line("END");
+                    self.ways.stop();
+                }
                 _ => {}
             }
         }
     }
+}
 
-    fn motion_of(&mut self, line: u32, words: &[(u8, String)]) -> Result<(), Unkept> {
-        let other = |(letter, value): &(u8, String)| *letter == b'G' && value == "92";
-        let mut places = Places::default();
-        for (letter, value) in words {
-            match letter {
-                b'X'..=b'Z' => places.axes[usize::from(letter - b'X')] = Some(value.clone()),
-                b'I' | b'J' => places.centre[usize::from(letter - b'I')] = Some(value.clone()),
-                b'R' | b'K' => return Err(Unkept::new(line, "an arc by its radius, or with K")),
-                _ => {}
-            }
-        }
-        let goes =
-            places.axes.iter().any(Option::is_some) || places.centre.iter().any(Option::is_some);
-        if !goes || words.iter().any(other) {
-            return Ok(());
-        }
-        match self.motion {
-            Some(0) => self.straight('J', &places.axes),
-            Some(1) => self.straight('M', &places.axes),
-            Some(arc @ (2 | 3)) => self.arc(arc == 2, places),
-            _ => return Err(Unkept::new(line, "places without a motion")),
-        }
-        Ok(())
-    }
-
-    fn straight(&mut self, kind: char, axes: &[Option<String>; 3]) {
-        let text = match axes {
-            [Some(x), None, None] => format!("{kind}X,{x}"),
-            [None, Some(y), None] => format!("{kind}Y,{y}"),
-            [None, None, Some(z)] => format!("{kind}Z,{z}"),
-            [x, y, z] => {
-                let values = [x, y, z].map(|v| v.clone().unwrap_or_default());
-                let number = if z.is_some() { 3 } else { 2 };
-                format!("{kind}{number},{}", values[..number].join(","))
-            }
-        };
-        self.line(&text);
-    }
-
-    fn arc(&mut self, clockwise: bool, places: Places) {
-        let turn = if clockwise { "1" } else { "-1" };
-        let [x, y, z] = places.axes;
-        let [i, j] = places.centre.map(|v| v.unwrap_or_else(|| "0".into()));
-        let [x, y] = [x, y].map(Option::unwrap_or_default);
-        let mut text = format!("CG,,{x},{y},{i},{j},T,{turn}");
-        if let Some(z) = z {
-            text += &format!(",{z} - %(3),1,,,3,1");
-        }
-        self.line(&text);
-    }
+/// Whether an expression asks for any parameter.
+fn asks_parameter(expr: &Expr) -> bool {
+    let mut asks = false;
+    each(expr, &mut |part| asks |= matches!(part, Expr::Numbered(_) | Expr::Named(_)));
+    asks
 }

@@ -6,8 +6,12 @@
 //! compared with the source, as every conversion is, within [`KEPT_MM`].
 
 mod gcode_expressions;
+mod gcode_feed;
 mod gcode_flow;
 mod gcode_lines;
+mod gcode_modes;
+mod gcode_motion;
+mod gcode_survey;
 mod jumps;
 mod sbp_expressions;
 mod sbp_lines;
