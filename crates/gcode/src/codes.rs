@@ -79,6 +79,11 @@ pub const fn g_elsewhere(code: i32) -> Option<&'static str> {
         432 => "additional tool offsets are not supported",
         171 | 181 | 191 => "planes of U, V and W are not supported",
         960 => "constant surface speed is for lathes",
+        680 | 690 => {
+            "G10 L2 P0 R30 turns the coordinate system in force by 30 degrees, R0 turns it back"
+        }
+        500 | 510 | 501 | 511 => "the proportions of FP scale and mirror a file",
+        150 | 160 => "@ and ^ are polar places: @10 ^45 is 10 from zero at 45 degrees",
         _ => return None,
     })
 }

@@ -235,6 +235,11 @@ impl Core {
         system.offset.plus(self.state.tool_offset).plus(self.turn(self.state.shift))
     }
 
+    /// An angle of the file as one of the machine, and back: a file that FP mirrors turns the other way.
+    pub(super) fn turn_of(&self, degrees: f64) -> f64 {
+        if self.options.mirrors() { -degrees } else { degrees }
+    }
+
     /// A displacement in the coordinate system as one in the machine frame.
     pub(super) fn turn(&self, mut place: Axes) -> Axes {
         if let Some([sin, cos]) = self.turned {

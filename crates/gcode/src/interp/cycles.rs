@@ -4,7 +4,7 @@
 
 use super::Dialect;
 use super::context::{Context, Stop};
-use super::state::Plane;
+use super::state::{FeedMode, Plane};
 use crate::codes::g_name;
 use crate::gathered::Gathered;
 use kerf_diag::Code;
@@ -29,6 +29,16 @@ pub(super) struct Cycle {
     depth: Option<f64>,
     p: Option<f64>,
     q: Option<f64>,
+    /// I, J and K of G87 as written.
+    #[serde(default)]
+    beside: [Option<f64>; 3],
+    /// The axis that it drills along.
+    #[serde(default = "usual_axis")]
+    axis: usize,
+}
+
+const fn usual_axis() -> usize {
+    2
 }
 
 /// One hole.
@@ -37,14 +47,34 @@ struct Hole {
     code: i32,
     /// Axes of the plane, the drilling one last.
     axes: [usize; 3],
+    /// Which way is out of the hole: 1, or −1 where FP mirrors the drilling axis.
+    out: f64,
     r: f64,
     bottom: f64,
     clear: f64,
     dwell: f64,
     peck: f64,
-    /// I, J, K of G87.
+    /// Where G87 goes in, from the hole.
     beside: [f64; 2],
+    /// Where G87 bores to.
     middle: f64,
+}
+
+impl Hole {
+    /// Whether a place lies farther out of the hole than another.
+    fn is_above(&self, place: f64, other: f64) -> bool {
+        (place - other) * self.out > 0.0
+    }
+
+    /// A place so far below another.
+    const fn below(&self, place: f64, distance: f64) -> f64 {
+        place - distance * self.out
+    }
+
+    /// The higher of two places.
+    fn higher(&self, a: f64, b: f64) -> f64 {
+        if self.is_above(b, a) { b } else { a }
+    }
 }
 
 impl Context<'_> {
@@ -52,21 +82,34 @@ impl Context<'_> {
         if self.core.compensator.is_some() {
             return Err(self.not_compensated("a canned cycle"));
         }
+        if self.core.state.modal.feed_mode == FeedMode::Inverse {
+            let message = format!("{} while G93 holds", g_name(code));
+            return Err(self.fail(
+                Code::ModalConflict,
+                message,
+                "write G94 and F before the cycle",
+            ));
+        }
         let axes = self.core.state.modal.plane.axes();
         let letters = axes.map(|a| b"XYZ"[a]);
         let here = self.core.place_of(self.core.position).0[axes[2]];
-        let mut cycle = self.core.cycle.unwrap_or(Cycle {
+        let mut cycle = self.core.cycle.filter(|cycle| cycle.axis == axes[2]).unwrap_or(Cycle {
             initial: here,
             r: None,
             depth: None,
             p: None,
             q: None,
+            beside: [None; 3],
+            axis: axes[2],
         });
         cycle.r = g.get(b'R').or(cycle.r);
         cycle.depth = g.get(letters[2]).or(cycle.depth);
         cycle.p = g.get(b'P').or(cycle.p);
         cycle.q = g.get(b'Q').or(cycle.q);
-        let hole = self.hole(g, code, &cycle)?;
+        for (word, letter) in cycle.beside.iter_mut().zip(*b"IJK") {
+            *word = g.get(letter).or(*word);
+        }
+        let hole = self.hole(code, &cycle)?;
         self.core.cycle = Some(cycle);
         let times = g.get(b'L').unwrap_or(1.0);
         if times.fract() != 0.0 || !(0.0..=MOST_REPEATS).contains(&times) {
@@ -77,7 +120,7 @@ impl Context<'_> {
     }
 
     /// The heights of a hole.
-    fn hole(&self, g: &Gathered, code: i32, cycle: &Cycle) -> Result<Hole, Stop> {
+    fn hole(&self, code: i32, cycle: &Cycle) -> Result<Hole, Stop> {
         let modal = &self.core.state.modal;
         let axes = modal.plane.axes();
         let scale = self.core.scale[axes[2]];
@@ -95,7 +138,7 @@ impl Context<'_> {
         } else {
             (r * scale, depth * scale)
         };
-        if r < bottom {
+        if (r - bottom) * scale < 0.0 {
             let message = format!("R lies below {letter}");
             return Err(self.fail(Code::OutOfRange, message, "a cycle drills down from R"));
         }
@@ -104,7 +147,7 @@ impl Context<'_> {
             let message = format!("{} without Q", g_name(code));
             return Err(self.fail(Code::MissingWord, message, "Q is the depth of one peck"));
         }
-        if peck > 0.0 && (r - bottom) / peck > MOST_PECKS {
+        if peck > 0.0 && (r - bottom).abs() / peck > MOST_PECKS {
             return Err(self.fail(
                 Code::OutOfRange,
                 "Q is far too small for this depth",
@@ -118,19 +161,43 @@ impl Context<'_> {
                 "it is a time in seconds",
             ));
         }
-        let clear = if modal.return_to_r { r } else { cycle.initial.max(r) };
-        let beside = [b'I', b'J', b'K'].map(|l| g.or_zero(l) * modal.unit.mm());
-        Ok(Hole {
+        let (beside, middle) = self.beside(code, cycle, bottom)?;
+        let mut hole = Hole {
             code,
             axes,
+            out: scale.signum(),
             r,
             bottom,
-            clear,
+            clear: r,
             dwell: cycle.p.unwrap_or_default(),
             peck,
-            beside: [beside[axes[0]], beside[axes[1]]],
-            middle: beside[axes[2]],
-        })
+            beside,
+            middle,
+        };
+        if !modal.return_to_r {
+            hole.clear = hole.higher(cycle.initial, r);
+        }
+        Ok(hole)
+    }
+
+    /// Where G87 goes in, from the hole, and the height that it bores to. The tool's nose stands where
+    /// the spindle stops, so the way beside the hole is not turned by FP.
+    fn beside(&self, code: i32, cycle: &Cycle, bottom: f64) -> Result<([f64; 2], f64), Stop> {
+        if code != 870 {
+            return Ok(([0.0; 2], bottom));
+        }
+        let [Some(i), Some(j), Some(k)] = cycle.beside else {
+            let message = "G87 without I, J or K";
+            let hint = "two of them lead beside the hole, where the tool goes in; the one along the \
+                        drilling axis is the height that it bores to";
+            return Err(self.fail(Code::MissingWord, message, hint));
+        };
+        let modal = &self.core.state.modal;
+        let [u, v, w] = modal.plane.axes();
+        let (words, unit) = ([i, j, k], modal.unit.mm());
+        let height = words[w] * self.core.scale[w];
+        let middle = if modal.relative { bottom + height } else { height };
+        Ok(([words[u] * unit, words[v] * unit], middle))
     }
 
     fn repeat_hole(
@@ -142,7 +209,9 @@ impl Context<'_> {
     ) -> Result<(), Stop> {
         let mut places = g.clone();
         places.clear(b"XYZ"[hole.axes[2]]);
-        if initial < hole.r {
+        // It rises before it travels: R may be higher than that of the hole before.
+        let here = self.core.place_of(self.core.position).0[hole.axes[2]];
+        if hole.is_above(hole.r, here) || hole.is_above(hole.r, initial) {
             self.along(hole, MoveKind::Jog, hole.r)?;
         }
         for _ in 0..times {
@@ -200,14 +269,16 @@ impl Context<'_> {
 
     /// G73 breaks the chip, G83 brings it out.
     fn peck(&mut self, hole: &Hole) -> Result<(), Stop> {
-        let mut depth = hole.r - hole.peck;
-        while depth > hole.bottom {
+        let mut depth = hole.below(hole.r, hole.peck);
+        while hole.is_above(depth, hole.bottom) {
             self.along(hole, MoveKind::Cut, depth)?;
             if hole.code == 830 {
                 self.along(hole, MoveKind::Jog, hole.r)?;
             }
-            self.along(hole, MoveKind::Jog, (depth + AGAIN_MM).min(hole.r))?;
-            depth -= hole.peck;
+            let again = hole.below(depth, -AGAIN_MM);
+            let again = if hole.is_above(again, hole.r) { hole.r } else { again };
+            self.along(hole, MoveKind::Jog, again)?;
+            depth = hole.below(depth, hole.peck);
         }
         self.along(hole, MoveKind::Cut, hole.bottom)
     }
@@ -258,7 +329,7 @@ impl Context<'_> {
         self.along(hole, MoveKind::Jog, hole.bottom)?;
         self.go(MoveKind::Jog, &at)?;
         self.turn_spindle(turn);
-        self.along(hole, MoveKind::Cut, hole.middle.max(hole.bottom))?;
+        self.along(hole, MoveKind::Cut, hole.higher(hole.middle, hole.bottom))?;
         self.along(hole, MoveKind::Cut, hole.bottom)?;
         self.turn_spindle(Turn::Off);
         self.go(MoveKind::Jog, &beside)?;

@@ -152,7 +152,7 @@ impl Context<'_> {
         let index = if p == 0.0 { self.core.state.modal.system } else { p as usize - 1 };
         let mut system = self.core.state.systems[index.min(8)];
         if let Some(rotation) = g.get(b'R').filter(|_| !present) {
-            system.rotation_deg = rotation;
+            system.rotation_deg = self.core.turn_of(rotation);
         }
         if present {
             // The offset at which the present place reads the values.

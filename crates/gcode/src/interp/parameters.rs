@@ -113,7 +113,7 @@ impl Core {
         let (system, index) = ((number - 5221) / 20, (number - 5221) % 20);
         let system = self.state.systems[(system as usize).min(8)];
         if index == PER_GROUP {
-            return system.rotation_deg;
+            return self.turn_of(system.rotation_deg);
         }
         of_axis(self.in_machine_units(system.offset), index)
     }
@@ -306,12 +306,12 @@ impl Context<'_> {
 
     fn set_system_parameter(&mut self, number: u32, value: f64) {
         let (system, index) = ((number - 5221) / 20, (number - 5221) % 20);
-        let unit = self.core.machine_unit();
+        let (unit, turn) = (self.core.machine_unit(), self.core.turn_of(value));
         let system = &mut self.core.state.systems[(system as usize).min(8)];
         match index {
             0..=2 => system.offset.0[index as usize] = value * unit,
             3..=5 => system.offset.0[index as usize] = value,
-            PER_GROUP => system.rotation_deg = value,
+            PER_GROUP => system.rotation_deg = turn,
             _ => {}
         }
     }

@@ -3,7 +3,7 @@
 use super::generate::SCALE;
 
 /// What they are about, and their blocks; lengths in mm of a part.
-pub const WRITTEN: [(&str, &str); 9] = [
+pub const WRITTEN: [(&str, &str); 10] = [
     (
         "arcs in three planes",
         "G2 X10 Y0 I5 J0
@@ -86,6 +86,33 @@ pub const WRITTEN: [(&str, &str); 9] = [
          G90 G0 Z10
          G18 G81 X1 Z1 Y-5 R1
          G19 G81 Y1 Z2 X-5 R1
+         G80 G17 G0 X0",
+    ),
+    (
+        "canned cycles that keep words, planes and heights, G98 and G99 in turn",
+        "G0 Z10
+         G99 G81 X1 Y1 Z-1 R2
+         X2
+         R1 Y3
+         Z-2 X4 L2
+         G98 X5
+         G83 X6 Z-3 R2 Q1
+         Q2 X7
+         G99 X8
+         G80
+         G91 G98 G73 X1 Z-3 R-2 Q1 L3
+         X1 Z-4
+         G99 G82 X1 Z-3 R-1 P0.1
+         G90 G80 G0 Z10
+         G18 G0 Y12
+         G98 G85 X1 Z1 Y-5 R1
+         X3
+         G99 Z4 L2
+         G91 G83 X1 Z1 Y-4 R-2 Q1.5 L2
+         G90 G80 G19 G0 X12
+         G98 G89 Y1 Z2 X-5 R1 P0.1
+         G99 G81 Z3 X-6 R0
+         Y4
          G80 G17 G0 X0",
     ),
     (

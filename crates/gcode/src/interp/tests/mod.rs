@@ -1,7 +1,9 @@
 //! What programs do, as data: a program and its motion, or what it tells.
 #![allow(clippy::unwrap_used)]
 
+mod cycles;
 mod motion;
+mod placed;
 mod programs;
 mod state;
 
