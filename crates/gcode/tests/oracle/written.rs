@@ -95,24 +95,28 @@ pub const WRITTEN: [(&str, &str); 10] = [
          X2
          R1 Y3
          Z-2 X4 L2
-         G98 X5
+         G0 Z10
+         G98 G81 X5 Z-2 R1
          G83 X6 Z-3 R2 Q1
          Q2 X7
          G99 X8
-         G80
+         G80 G0 Z10
          G91 G98 G73 X1 Z-3 R-2 Q1 L3
          X1 Z-4
+         G80 G0 Z4
          G99 G82 X1 Z-3 R-1 P0.1
          G90 G80 G0 Z10
          G18 G0 Y12
          G98 G85 X1 Z1 Y-5 R1
          X3
          G99 Z4 L2
+         G80 G0 Y12
          G91 G83 X1 Z1 Y-4 R-2 Q1.5 L2
          G90 G80 G19 G0 X12
          G98 G89 Y1 Z2 X-5 R1 P0.1
          G99 G81 Z3 X-6 R0
          Y4
+         R-1 Y5
          G80 G17 G0 X0",
     ),
     (
