@@ -82,12 +82,13 @@ impl Answers {
 impl Operator for Answers {
     /// The answer of the line, else of the kind, else the next in order. Boxes that the machine
     /// shows, not the program, leave the next one alone when it does not fit them; a job asks nothing else,
-    /// so that what does not fit its boxes is a mistake.
+    /// so that what does not fit its boxes is a mistake. Where the machine is is never answered by a line that
+    /// was meant for the program: only by one that says so.
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
         let by_line = self.by_line.get_mut(&line).and_then(VecDeque::pop_front);
         let by_kind = || self.by_kind.get(kind_word(question.kind)).cloned();
         let given = by_line.or_else(by_kind).or_else(|| {
-            let next = self.in_order.front();
+            let next = self.in_order.front().filter(|_| question.kind != QuestionKind::Location);
             let fits = next.is_some_and(|line| meaning(question, &line.answer).is_some());
             let asked = matches!(
                 question.kind,
@@ -129,7 +130,7 @@ pub fn kind_of(word: &str) -> Option<QuestionKind> {
     KINDS.into_iter().find(|kind| kind_word(*kind).eq_ignore_ascii_case(word.trim()))
 }
 
-const KINDS: [QuestionKind; 11] = [
+const KINDS: [QuestionKind; 12] = [
     QuestionKind::Input,
     QuestionKind::Msgbox,
     QuestionKind::Pause,
@@ -141,6 +142,7 @@ const KINDS: [QuestionKind; 11] = [
     QuestionKind::Hold,
     QuestionKind::Step,
     QuestionKind::Paused,
+    QuestionKind::Location,
 ];
 
 /// The word for a kind, as the trace writes it.
@@ -157,6 +159,7 @@ pub const fn kind_word(kind: QuestionKind) -> &'static str {
         QuestionKind::Hold => "hold",
         QuestionKind::Step => "step",
         QuestionKind::Paused => "paused",
+        QuestionKind::Location => "location",
     }
 }
 
@@ -254,6 +257,17 @@ mod tests {
         assert_eq!(answers.answer(&limit, 1), None);
         assert_eq!(answers.answer(&question(QuestionKind::Input, &[]), 2).as_deref(), Some("3.5"));
         assert_eq!(answers.answer(&limit, 3).as_deref(), Some("Continue"));
+    }
+
+    #[test]
+    fn where_the_machine_is_takes_no_answer_of_the_program() {
+        let location = question(QuestionKind::Location, &[Button::Yes, Button::No, Button::Cancel]);
+        let mut answers = Answers::read("No\nYes");
+        assert_eq!(answers.answer(&location, 0), None);
+        assert_eq!(answers.answer(&question(QuestionKind::Msgbox, &[]), 2).as_deref(), Some("No"));
+        let mut answers = Answers::read("No\nlocation=Yes");
+        assert_eq!(answers.answer(&location, 0).as_deref(), Some("Yes"));
+        assert_eq!(Answers::read("0:Yes").answer(&location, 0).as_deref(), Some("Yes"));
     }
 
     #[test]

@@ -117,8 +117,8 @@ impl Session {
         }
     }
 
-    /// After an emergency stop, or a lost link, nobody knows for sure where the machine is: the operator
-    /// has it homed, or says that its location is right. Gives how that ended when the run is not to
+    /// After an emergency stop, a lost link, or the end of Kerf while it moved, nobody knows for sure where the
+    /// machine is: the operator has it homed, or says that its location is right. Gives how that ended when the run is not to
     /// begin.
     pub(crate) fn confirm_location(
         &mut self,
@@ -175,9 +175,7 @@ impl Session {
 
     /// What is homed is no longer in doubt.
     pub(crate) fn location_is_known(&self, shelf: &mut Shelf) {
-        let doubted = unverified(shelf).without(self.homed);
-        let letters: String = doubted.iter().map(Axis::letter).collect();
-        shelf.stored.set(POSITION_LOST, Some(&*letters).filter(|it| !it.is_empty()));
+        shelf.trusts_location(self.homed);
     }
 
     /// Tells which axes are not homed, where the machine has switches for them.
@@ -270,7 +268,7 @@ fn names(machine: &Configuration, axes: AxisSet) -> String {
 }
 
 /// Axes whose location is to be confirmed before anything is cut.
-pub(crate) fn unconfirmed(shelf: &Shelf) -> AxisSet {
+pub fn unconfirmed(shelf: &Shelf) -> AxisSet {
     let letters = shelf.stored.get(CONFIRM).unwrap_or_default();
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
 }
@@ -281,6 +279,27 @@ impl Shelf {
         let letters: String = axes.iter().map(Axis::letter).collect();
         self.set_value(POSITION_LOST, Some(&letters));
         self.set_value(CONFIRM, Some(&letters));
+    }
+
+    /// These axes are where they are believed to be: they were homed.
+    pub fn trusts_location(&mut self, axes: AxisSet) {
+        let doubted = unverified(self).without(axes);
+        let letters: String = doubted.iter().map(Axis::letter).collect();
+        self.set_value(POSITION_LOST, Some(&*letters).filter(|it| !it.is_empty()));
+        confirm(self, axes);
+    }
+
+    /// The same known here, and not yet on record: whoever only looks keeps nothing.
+    pub(crate) fn learns_doubt(&mut self, axes: AxisSet) {
+        let letters: String = axes.iter().map(Axis::letter).collect();
+        self.stored.learn(POSITION_LOST, Some(&letters));
+        self.stored.learn(CONFIRM, Some(&letters));
+    }
+
+    /// Which locations are in doubt is on record.
+    pub(crate) fn keep_doubts(&mut self) {
+        self.stored.keep(POSITION_LOST);
+        self.stored.keep(CONFIRM);
     }
 }
 
@@ -304,7 +323,7 @@ fn location_question(axes: &str, homes: bool) -> Question {
     };
     let default = buttons.len() - 1;
     let title = "Location".into();
-    let kind = QuestionKind::Msgbox;
+    let kind = QuestionKind::Location;
     Question { kind, text, title, buttons, default, prefill: String::new(), icon: 48, until: None }
 }
 

@@ -7,10 +7,8 @@ use crate::journal::{
 };
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
-use crate::stopping::CONFIRM;
 use crate::switches::{self, SWITCHES};
-use kerf_program::{Axis, Settings};
-use kerf_sbp::POSITION_LOST;
+use kerf_program::Settings;
 use kerf_sim::Machine;
 
 impl Session {
@@ -27,9 +25,7 @@ impl Session {
             return Ok((Self::default(), Whereabouts::Known));
         };
         if remembered.whereabouts == Whereabouts::Moving {
-            let axes = remembered.machine.motors.axes();
-            let letters: String = axes.iter().map(Axis::letter).collect();
-            shelf.stored.learn(POSITION_LOST, Some(&letters));
+            shelf.learns_doubt(remembered.machine.motors.axes());
         }
         let mut session = Self::new(remembered.memory);
         (session.gcode, session.machine_is) = (remembered.gcode, remembered.machine);
@@ -77,9 +73,9 @@ impl Session {
         let company = Company { sink, operator, pace };
         let kept = KeptWork::of(&work)?;
         let run = RunUnderWay::new(self, &kept, &options, settings, shelf);
+        // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
+        shelf.keep_doubts();
         shelf.tape = journal.begin(&run, self, &kept.bytes)?;
-        // A location that is in doubt is so for everybody from now on.
-        shelf.stored.keep(POSITION_LOST);
         journal.each_commit_lasts(company.pace.is_real())?;
         let summary = self.go(work, options, shelf, company, None);
         self.over(&run, summary, shelf, &owner)
@@ -89,13 +85,14 @@ impl Session {
     ///
     /// # Errors
     /// As the journal cannot be written, or another process has the machine.
-    pub fn keep_place(&self, shelf: &Shelf) -> Result<(), JournalError> {
-        let Some(journal) = shelf.journal() else { return Ok(()) };
+    pub fn keep_place(&self, shelf: &mut Shelf) -> Result<(), JournalError> {
+        let Some(journal) = shelf.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
+        shelf.keep_doubts();
         journal.end_by_hand(self)
     }
 
-    /// The operator says whether the location is right, where that is in doubt since an emergency stop.
+    /// The operator says whether the location is right, where that is in doubt.
     fn confirm_on_record(
         &mut self,
         work: &Work,
@@ -109,8 +106,7 @@ impl Session {
         }
         journal.begin_by_hand(self)?;
         let summary = self.confirm_location(work, options, shelf, company);
-        shelf.stored.keep(POSITION_LOST);
-        shelf.stored.keep(CONFIRM);
+        shelf.keep_doubts();
         journal.end_by_hand(self)?;
         Ok(summary)
     }
@@ -138,7 +134,7 @@ impl Session {
         };
         if moves {
             self.location_is_known(shelf);
-            shelf.stored.keep(POSITION_LOST);
+            shelf.keep_doubts();
             journal.end_by_hand(self)?;
         }
         Ok(summary)

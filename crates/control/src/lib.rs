@@ -76,6 +76,7 @@ mod world;
 pub use by_hand::Jog;
 pub use check::{Checked, check};
 pub use desk::Desk;
+pub use errands::unconfirmed;
 pub use event::Event;
 pub use nudge::{Nudge, Outside};
 pub use pace::{Doing, Failure, Going, Pace, Script, StopAt, Wish};

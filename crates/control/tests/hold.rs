@@ -328,13 +328,13 @@ fn sbp_lim_estop_rezero() {
     assert!(asked(&events)[0].contains("Position unverified: x, y, z"), "{events:?}");
     assert!(!events.iter().any(|event| matches!(event, Event::Move(_))), "{events:?}");
     // X and Y are homed, Z is confirmed.
-    let (summary, events) = shop.run("MX,1\n", None, "Yes\nContinue");
+    let (summary, events) = shop.run("MX,1\n", None, "0:Yes\n0:Continue");
     assert_eq!((summary.status, shop.lost(), asked(&events).len()), (Status::Ok, "", 2));
     assert_eq!(shop.session.homed, AxisSet::EMPTY.with(Axis::X).with(Axis::Y));
     assert!(asked(&shop.run("MX,2\n", None, "").1).is_empty());
     // The location is right as it is.
     let mut shop = estop();
-    let (summary, events) = shop.run("MX,1\n", None, "No");
+    let (summary, events) = shop.run("MX,1\n", None, "location=No");
     assert_eq!((summary.status, shop.lost(), asked(&events).len()), (Status::Ok, "", 1));
     // It is set.
     let mut shop = estop();
@@ -354,7 +354,7 @@ fn sbp_lim_error_driver__confirmed_when_it_is_connected_again() {
     assert_eq!((summary.status, shop.lost()), (Status::Failed, "XYZ"));
     let here = shop.session.memory.position;
     assert!(here[Axis::X] > 0.0);
-    let (summary, events) = shop.run("PRINT %(1)\n", None, "Continue");
+    let (summary, events) = shop.run("PRINT %(1)\n", None, "location=Continue");
     assert_eq!((summary.status, shop.session.memory.position), (Status::Ok, here));
     assert!(asked(&events)[0].contains("Position unverified"), "{events:?}");
 }

@@ -144,7 +144,11 @@ pub fn ready(
     if connection.facts().homes {
         let stands = connection.stands();
         takes_place(&connection, session, stands, quiet);
-        AxisSet::first(connection.facts().axes).iter().for_each(|axis| session.homed.insert(axis));
+        let axes = AxisSet::first(connection.facts().axes);
+        axes.iter().for_each(|axis| session.homed.insert(axis));
+        if first.home {
+            shelf.trusts_location(axes);
+        }
     } else {
         let stands = connection.stands();
         match (left_at(name, stands, shelf), abandoned) {

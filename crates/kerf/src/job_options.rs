@@ -72,6 +72,39 @@ pub fn refuse_all(args: &RunArgs) -> Result<()> {
     Ok(())
 }
 
+/// Only jobs are cut beside themselves.
+pub fn only_of_jobs() -> Usage {
+    Usage("only a job is offset: --offset-job".into())
+}
+
+/// The choice of a job that a server cuts.
+pub fn remotely(args: &RunArgs, beside_mm: Option<f64>) -> Result<Choice> {
+    refuse_foreign(args)?;
+    let FileArgs { repeat, from_line, .. } = &args.file;
+    if *repeat > 1 {
+        bail!(Usage(
+            "--repeat is not passed on with a job: set job.repeats of the server's machine".into()
+        ));
+    }
+    let number = |words: &String| match words.trim().parse() {
+        Ok(shape) if shape > 0 => Ok(shape),
+        _ => Err(Usage(format!(
+            "--from-line {words}: of a job on a server it is the number of a shape"
+        ))),
+    };
+    let start = from_line.as_ref().map(number).transpose()?;
+    Ok(Choice { start, offset_mm: beside_mm.unwrap_or_default() })
+}
+
+/// How a server cuts a job.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Choice {
+    /// The shape with which it begins, from 1.
+    pub start: Option<u32>,
+    /// How far beside itself every path is cut, to the right of travel.
+    pub offset_mm: f64,
+}
+
 /// A job as options have it run: `--repeat` is how often it is cut, `--from-line` the shape with which it begins.
 pub fn of(args: &RunArgs, job: &mut Job, shelf: &Shelf) -> Result<()> {
     refuse_foreign(args)?;

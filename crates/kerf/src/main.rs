@@ -80,9 +80,11 @@ Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the co
 3 stopped by the operator or a limit";
 
 fn main() -> ExitCode {
-    let given = parse::with_negative_numbers(Cli::command()).get_matches();
+    let cli = parse::with_negative_numbers(Cli::command());
+    let given = cli.clone().get_matches();
     let Cli { command, edit_only } = Cli::from_arg_matches(&given).unwrap_or_else(|e| e.exit());
-    match commands::run(command.restricted(edit_only)) {
+    let fits = command.restricted(edit_only).and_then(|it| it.reaching_servers(&cli, &given));
+    match commands::run(fits) {
         Ok(exit) => exit.into(),
         Err(error) => {
             eprintln!("kerf: {error:#}");

@@ -6,7 +6,7 @@
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
 use kerf_control::journal::{Journal, JournalError, Whereabouts};
-use kerf_control::{Session, Shelf, unverified};
+use kerf_control::{Session, Shelf, unconfirmed, unverified};
 use std::path::Path;
 
 /// Whether a command goes on from the journal; one that only looks usually does not.
@@ -49,6 +49,12 @@ fn tell(journal: &Journal, shelf: &Shelf, whereabouts: Whereabouts) -> Result<()
     } else if !doubted.is_empty() {
         let letters: Vec<String> = doubted.iter().map(|axis| axis.letter().to_string()).collect();
         eprintln!("kerf: locations that are not verified: {}", letters.join(" "));
+    }
+    if !unconfirmed(shelf).is_empty() {
+        eprintln!(
+            "kerf: a new run asks first whether they are right; home the machine or zero it, or say so in --answers: \
+             location=Continue"
+        );
     }
     if let Some(cut) = cut {
         let how = match cut.controller() {

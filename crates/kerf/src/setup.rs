@@ -118,7 +118,7 @@ pub fn job_of(
 /// A job whose paths are all cut beside themselves, right of travel.
 pub fn beside(work: Work, by_mm: f64) -> Result<Work> {
     if !matches!(work, Work::Job(..)) {
-        bail!(Usage("only a job is offset: --offset-job".into()))
+        bail!(job_options::only_of_jobs())
     }
     let choice = job_file::Choice { offset_mm: by_mm, ..job_file::Choice::default() };
     Ok(choice.of(work).map_err(|why| Usage(why.to_string()))?)

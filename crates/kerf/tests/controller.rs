@@ -401,7 +401,7 @@ fn nobody_knows_where_a_grbl_stands_whose_run_was_killed() {
         let place = format!("believed to stand at {x:.3}, {y:.3}, ");
         assert_eq!(did.err().contains(&place), told, "{place} {}", did.err());
     }
-    shop.write("yes.txt", b"Continue\n");
+    shop.write("yes.txt", b"location=Continue\n");
     bench.run(&shop, "run square.sbp --answers yes.txt").exits(0);
     bench.run(&shop, "run x.sbp").exits(0);
 }

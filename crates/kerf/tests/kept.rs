@@ -157,6 +157,42 @@ fn what_a_person_does_with_the_machine_after_a_kill_is_where_it_is() {
     shop.kerf("machine pos").exits(0).says("x  0.000 homed");
 }
 
+/// Where the machine stands.
+fn x(shop: &Shop) -> String {
+    send(shop, &["&x=%(1)", "PRINT &x"]).exits(0).out()
+}
+
+#[test]
+fn a_new_run_after_a_kill_in_motion_asks_where_the_machine_is() {
+    let files =
+        [("a.sbp", "MSGBOX(\"Cut?\", YesNo)\nMX,1\n"), ("n.nc", "G20 G0 X2\n"), ("yes", "Yes\n")];
+    let shop = Shop::new(&files);
+    shop.write("no", b"No\nContinue\n");
+    shop.write("right", b"location=Continue\nYes\n");
+    killed_in_motion(&shop);
+    let stands = x(&shop);
+    // Nobody answers, and an answer that was meant for the program says nothing of the machine.
+    for args in ["run a.sbp", "run a.sbp --answers no", "run a.sbp --answers yes", "run n.nc"] {
+        let run = shop.kerf(&format!("{args} --trace t"));
+        run.exits(3).complains("not verified").complains("location=Continue");
+        assert!(!shop.read("t").contains("\"e\":\"move\""), "{args} moved");
+    }
+    assert_eq!(x(&shop), stands);
+    shop.kerf("run a.sbp --answers right").exits(0);
+    assert_eq!(x(&shop), "1\n");
+    let again = shop.kerf("run n.nc");
+    assert!(!again.exits(0).err().contains("not verified"), "it was said: {}", again.err());
+}
+
+#[test]
+fn a_zero_that_is_set_after_a_kill_says_where_the_machine_is() {
+    let shop = Shop::new(&[("a.sbp", "MX,1\n")]);
+    killed_in_motion(&shop);
+    send(&shop, &["ZT"]).exits(0);
+    shop.kerf("run a.sbp").exits(0);
+    assert_eq!(x(&shop), "1\n");
+}
+
 #[test]
 fn a_move_by_hand_that_was_killed_leaves_the_location_in_doubt() {
     let shop = two_lines();
@@ -166,7 +202,9 @@ fn a_move_by_hand_that_was_killed_leaves_the_location_in_doubt() {
     for _ in 0..2 {
         shop.kerf("machine pos").exits(0).says("x  0.000 not homed").complains("not verified");
     }
-    shop.kerf("run t.rsm").exits(0).complains("not verified");
+    let cuts = || shop.kerf("run t.rsm --trace -");
+    cuts().exits(3).complains("not verified").complains("location=Continue");
+    assert_eq!(cuts().all("move").len(), 0, "nothing moves before somebody says where it is");
     shop.kerf("machine home").exits(0);
     let pos = shop.kerf("machine pos");
     pos.says("x  0.000 homed").complains("not verified: C\n");

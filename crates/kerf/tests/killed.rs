@@ -195,7 +195,11 @@ fn ended(child: Child) -> Option<Death> {
 /// Where the machine stands.
 fn location(shop: &Shop) -> String {
     let mut send = shop.command();
-    let out = send.args(["send", "--quiet", "PRINT %(1);\" \";%(2);\" \";%(3)"]).output().unwrap();
+    let out = send
+        .args(["send", "--quiet", "&x=%(1)", "PRINT &x;\" \";%(2);\" \";%(3)"])
+        .output()
+        .unwrap();
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
     String::from_utf8(out.stdout).unwrap()
 }
 

@@ -379,6 +379,56 @@ fn sbp_ctl_api__the_command_line_goes_through_it() {
 }
 
 #[test]
+fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
+    let shop = shop();
+    shop.write("one.sbp", b"MX,1\nPRINT %(1)\n");
+    shop.write("down.sbp", b"PRINT %(3)\nMX,1\n");
+    let lines = ["draw", "--do", "line 0,0 100,0; line 100,50 0,50", "-o", "lines.rsg"];
+    Did::of(shop.command().args(lines).output().unwrap()).exits(0);
+    shop.kerf("toolpath lines.rsg -o lines.rsm").exits(0);
+    let console = Console::begin(&shop, &[]);
+    let on = |what: &str| shop.kerf(&format!("{what} --arm --quiet --server {}", console.url));
+    // FP's parameters, in the unit that a person reads, and line by line.
+    on("run one.sbp --proportion 3,1,1 --repeat 2").exits(0).says("3\n3\n");
+    on("run down.sbp --plunge -0.25 --repeat 2").exits(0).says("-0.25\n-0.5\n");
+    shop.write("steps", b"step=Quit\n");
+    assert_eq!(on("run one.sbp --step --answers steps").exits(3).out(), "");
+    // A job from another shape on, beside itself.
+    let moves = || console.ask("GET /api/state", "")["job"]["summary"]["moves"].clone();
+    on("run lines.rsm").exits(0);
+    let whole = moves();
+    on("run lines.rsm --from-line 2").exits(0);
+    assert!(moves().as_u64() < whole.as_u64(), "{} of {whole}", moves());
+    on("run lines.rsm --from-line 3").exits(1).complains("the paths 1 to 2");
+    on("run lines.rsm --offset-job 5").exits(0);
+    let bounds = console.ask("GET /api/state", "")["job"]["summary"]["bounds"].clone();
+    assert_eq!(bounds[0][1].as_f64().map(f64::round), Some(-5.0), "{bounds}");
+    // Nobody would heed the rest.
+    for (option, name) in [
+        ("--hold-at 1 --resume-at 2", "--hold-at, --resume-at are"),
+        ("--override 50@1", "--override is"),
+        ("--config sim", "--config is"),
+        ("--data elsewhere", "--data is"),
+        ("--input 3@1=1", "--input is"),
+        ("--set N=2", "--set is"),
+        ("--units mm", "--units is"),
+        ("--trace t", "--trace is"),
+        ("--allow-errors", "--allow-errors is"),
+        ("--ramps optimal", "--ramps is"),
+        ("--driver grbl:nowhere", "--driver is"),
+        ("--from-line 2", "--from-line begins a part file only here"),
+        ("--offset-job 1", "only a job is offset"),
+    ] {
+        on(&format!("run one.sbp {option}")).exits(2).complains(name);
+    }
+    on("run lines.rsm --tabs").exits(2).complains("--tabs is of part files");
+    on("run lines.rsm --repeat 2").exits(2).complains("job.repeats");
+    let send = |what: &str| shop.kerf(&format!("send {what} --server {}", console.url));
+    send("UD --start fresh").exits(2).complains("--start is not heeded");
+    send("--again").exits(2).complains("--again is not heeded");
+}
+
+#[test]
 fn sbp_ext_tr__stands_above_an_added_tool() {
     let shop = shop();
     let ini = "[R]\nName = Ruler\nCommand = echo > ran.txt\n[Q]\nName = Quick\nCommand = echo > ran.txt\n";

@@ -55,6 +55,8 @@ pub enum QuestionKind {
     Step,
     /// A job is paused: it goes on, is changed, or is given up.
     Paused,
+    /// Before a run: whether the machine is where it is believed to be.
+    Location,
 }
 
 /// A button of a question.

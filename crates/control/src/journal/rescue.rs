@@ -5,6 +5,7 @@
 use super::database::{self, Access};
 use super::rows::{self, Row, Rows, Table, key_text};
 use super::{BACKUP_FILE, JOURNAL_FILE, JournalError};
+use crate::stopping::CONFIRM;
 use kerf_program::Axis;
 use kerf_sbp::POSITION_LOST;
 use rusqlite::{Connection, OpenFlags};
@@ -35,6 +36,7 @@ pub(super) fn rescue(folder: &Path, what: &str) -> Result<Vec<String>, JournalEr
             }
         }
         let axes: String = Axis::ALL.into_iter().map(Axis::letter).collect();
+        rows.set(Table::Value, CONFIRM, Some(&axes))?;
         rows.set(Table::Value, POSITION_LOST, Some(&axes))
     });
     saved.map_err(|error| error.at(&file))?;

@@ -84,9 +84,9 @@ fn of_a_preview_what_was_before_it_is_kept() {
 fn a_nudge_is_kept() {
     let folder = tempdir().unwrap();
     run(&folder, "MX,4\nZX\nMX,1\n", "2026-11-20");
-    let (mut session, shelf) = recalled(&folder, "");
+    let (mut session, mut shelf) = recalled(&folder, "");
     session.nudge(kerf_program::Axis::X, 2.5).unwrap();
-    session.keep_place(&shelf).unwrap();
+    session.keep_place(&mut shelf).unwrap();
     let (back, _) = recalled(&folder, "");
     assert_eq!(back.memory.position[kerf_program::Axis::X], 5.0 * 25.4 + 2.5);
     assert_eq!(back.memory.frame, session.memory.frame);

@@ -31,8 +31,9 @@ mod trace;
 mod wavlength;
 
 use crate::exit::{Exit, Usage};
+use crate::remote;
 use anyhow::{Result, bail};
-use clap::Subcommand;
+use clap::{ArgMatches, Subcommand};
 
 /// What `kerf` can be told to do.
 #[derive(Subcommand)]
@@ -84,6 +85,17 @@ impl Command {
             Self::Serve(args) => Ok(Self::Serve(args.drawing_only(edit_only))),
             other => Ok(other),
         }
+    }
+
+    /// The command as it was given, unless it goes to a server that would not heed all of it.
+    pub fn reaching_servers(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
+        let reach: &[&str] = match &self {
+            Self::Run(args) if args.is_remote() => run::REACH_SERVERS,
+            Self::Send(args) if args.server().is_some() => send::REACH_SERVERS,
+            _ => return Ok(self),
+        };
+        remote::refuse_others(cli, given, reach)?;
+        Ok(self)
     }
 }
 

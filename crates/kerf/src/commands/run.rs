@@ -6,6 +6,7 @@ use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
+use crate::job_options;
 use crate::machine_file;
 use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
@@ -13,7 +14,7 @@ use crate::out;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
-use crate::remote::{Along, Ended, Remote};
+use crate::remote::{Along, Ended, How, Remote};
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
 use crate::signals::{ReadingBytes, VcdArgs};
@@ -119,8 +120,34 @@ enum PaceName {
     Real,
 }
 
+/// What of it reaches a server: the rest is refused, for nobody would heed it there.
+pub const REACH_SERVERS: &[&str] = &[
+    "server",
+    "arm",
+    "password",
+    "quiet",
+    "answers",
+    "proportion",
+    "repeat",
+    "offset",
+    "plunge",
+    "tabs",
+    "plunge_from_zero",
+    "step",
+    "from_line",
+    "offset_job",
+];
+
+impl RunCommand {
+    /// Whether a server runs it.
+    pub const fn is_remote(&self) -> bool {
+        self.server.is_some()
+    }
+}
+
 /// Has a server run a file of its part folder.
 fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
+    let how = how_remotely(file, args)?;
     let server = Remote::new(url)?;
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
@@ -134,8 +161,23 @@ fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
     let show = |found: &Diagnostic| diagnostics.show(found);
     let along =
         Along { operator: &mut operator, stopped: &stopped, print: &mut print, show: &show };
-    let ended = server.run(&file.display().to_string(), args.arm, along)?;
+    let ended = server.run(&file.display().to_string(), &how, args.arm, along)?;
     Ok(told_by_server(&ended, args.machine.quiet()))
+}
+
+/// How a server runs the file, as the options say.
+fn how_remotely(file: &Path, args: &RunCommand) -> Result<How> {
+    let (run, beside_mm) = (&args.run, args.machine.offset_job);
+    match drawings::is_drawing(file) {
+        true => job_options::remotely(run, beside_mm).map(How::Job),
+        false if beside_mm.is_some() => Err(job_options::only_of_jobs().into()),
+        false if run.file.from_line.is_some() => bail!(Usage(
+            "--from-line begins a part file only here: on a server go through it with --step, and answer the number \
+             of the line"
+                .into()
+        )),
+        false => Ok(How::Part(run.file.clone())),
+    }
 }
 
 /// Tells how a server's run ended.

@@ -53,7 +53,16 @@ pub struct SendArgs {
     run: RunArgs,
 }
 
+/// What of it reaches a server.
+pub const REACH_SERVERS: &[&str] = &["server", "password", "quiet"];
+
 impl SendArgs {
+    /// The server that carries the lines out, where one does.
+    pub fn server(&self) -> Option<String> {
+        let named = || std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
+        self.server.clone().or_else(named).filter(|_| !self.is_file())
+    }
+
     /// The file that is sent, and where to.
     fn file(&self) -> Option<(&Path, To)> {
         let [file, to] = self.lines.as_slice() else { return None };
@@ -137,8 +146,7 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     }
     args.machine.check()?;
     refuse_file(args)?;
-    let named = std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
-    if let (Some(url), false) = (args.server.clone().or(named), args.again) {
+    if let Some(url) = args.server() {
         return remotely(&url, &args.lines.join("\n"), args);
     }
     let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;

@@ -1,11 +1,13 @@
 //! A running server instead of the machine of the data folder: lines, files and values go to it over HTTP.
 
 mod ended;
+mod options;
 mod runs;
 mod values;
 
 pub use ended::Ended;
-pub use runs::Along;
+pub use options::refuse_others;
+pub use runs::{Along, How};
 
 use anyhow::{Context, Result, bail};
 use serde_json::{Value, json};

@@ -2,6 +2,8 @@
 
 use super::ended::findings;
 use super::{Ended, LOOK, Refused, Remote, number_of_run};
+use crate::args::FileArgs;
+use crate::job_options::Choice;
 use anyhow::{Result, bail};
 use kerf_control::answers::{self, Operator};
 use kerf_diag::{Diagnostic, Severity};
@@ -24,17 +26,60 @@ pub struct Along<'a> {
     pub show: &'a dyn Fn(&Diagnostic),
 }
 
+/// How a file is run.
+pub enum How {
+    /// A part file, with the parameters of FP, and line by line where that is wanted.
+    Part(FileArgs),
+    /// A job.
+    Job(Choice),
+}
+
+impl How {
+    /// Whether it is gone through line by line.
+    const fn steps(&self) -> bool {
+        matches!(self, Self::Part(FileArgs { step: true, .. }))
+    }
+
+    /// The parameters as a server takes them, with lengths of so many mm.
+    fn parameters(&self, unit_mm: f64) -> Value {
+        let Self::Part(file) = self else { return json!({}) };
+        json!({
+            "proportion": file.proportion.unwrap_or([1.0; 3]),
+            "repetitions": file.repeat,
+            "offset": file.offset.unwrap_or(0),
+            "plunge": file.plunge.unwrap_or(0.0) * unit_mm,
+            "tabs": file.tabs,
+            "plungeFromZero": file.plunge_from_zero,
+        })
+    }
+
+    /// What is chosen of a job, where anything is.
+    fn choice(&self) -> Option<Value> {
+        match self {
+            Self::Job(choice) if *choice != Choice::default() => {
+                Some(json!({ "start": choice.start, "offset": choice.offset_mm }))
+            }
+            _ => None,
+        }
+    }
+}
+
 impl Remote {
     /// Has a file of the server's part folder run, after arming the machine where that is wanted.
-    pub fn run(&self, name: &str, arm: bool, along: Along<'_>) -> Result<Ended> {
-        self.act("open", json!({ "name": name }))?;
+    pub fn run(&self, name: &str, how: &How, arm: bool, along: Along<'_>) -> Result<Ended> {
+        let unit_mm = self.state()?["units"]["mm"].as_f64().unwrap_or(1.0);
+        self.act("open", json!({ "name": name, "parameters": how.parameters(unit_mm) }))?;
+        if let Some(choice) = how.choice() {
+            self.act("choose", json!({ "choice": choice }))?;
+        }
         let (hash, found) = self.previewed(name)?;
         let show = along.show;
         let mut ended = self.driving(BESIDE, |lease, before| {
             if arm {
                 self.act("arm", json!({ "lease": lease }))?;
             }
-            let starts = self.act("run", json!({ "lease": lease, "hash": hash, "step": false }));
+            let starts =
+                self.act("run", json!({ "lease": lease, "hash": hash, "step": how.steps() }));
             if starts.as_ref().is_err_and(is_mistake) {
                 found.iter().for_each(show);
             }
