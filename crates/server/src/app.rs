@@ -202,8 +202,12 @@ impl App {
             let damaged = kerf_toolpath::read_whole(&bytes).err();
             damaged.map_or(Ok(()), |why| Err(problem(Why::Mistake, format!("{name}: {why}"))))?;
         }
-        let hash = hash_of(&bytes, &parameters, &JobChoice::default());
-        self.show(Open { name: name.into(), hash, bytes, parameters, ..Open::default() });
+        let mut open = Open { name: name.into(), bytes, parameters, ..Open::default() };
+        if kind_of(name) == FileKind::Job {
+            open = self.with_added(open)?;
+        }
+        let hash = hash_of(&open.bytes, &parameters, &open.choice);
+        self.show(Open { hash, ..open });
         Ok(())
     }
 

@@ -40,6 +40,7 @@ impl App {
         let mut open = self.job_at_rest()?;
         let (bytes, count) = with_shape(kerf_toolpath::read(&open.bytes).0, shape);
         open.unsaved.push(std::mem::replace(&mut open.bytes, bytes));
+        self.keep_added(&open);
         let choice = open.choice;
         self.cut_with(open, choice);
         Ok(format!("{count} in the job"))
@@ -84,6 +85,7 @@ impl App {
         let before = open.unsaved.pop();
         let text = "no shape was added since the job was saved";
         open.bytes = before.ok_or_else(|| problem(Why::State, text))?;
+        self.keep_added(&open);
         let choice = open.choice;
         self.cut_with(open, choice);
         Ok(())

@@ -155,6 +155,7 @@ impl App {
         self.files_changed();
         open.bytes = text.into_bytes().into();
         open.unsaved.clear();
+        self.keep_added(&open);
         self.cut_with(open, choice);
         Ok(())
     }

@@ -16,6 +16,7 @@
 //!   ([`files`]).
 
 mod acts;
+mod added;
 mod app;
 mod configure;
 mod desk;
@@ -93,6 +94,7 @@ impl Server {
         let (app, machine) =
             machine_and_app(options, builders, format!("http://{address}"), closing)?;
         app.keep_drafts();
+        app.tell_added();
         handconsole::begin(&app);
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));

@@ -207,3 +207,72 @@ fn points_outlive_the_server() {
     drop((hand, server));
     assert!(!dir.path().join("data/digitized.draft").exists());
 }
+
+/// Adds a place to drill to a job of one line, ends the server without saving it, and begins another.
+fn added_and_ended() -> (Shop, Hand) {
+    let shop = kept(tempfile::tempdir().unwrap());
+    shop.write("job.rsm", rsm("line 0,0 100,0").as_bytes());
+    let mut hand = Hand::of(&shop);
+    hand.open_file("job.rsm");
+    hand.keys("U70EE");
+    hand.shows("Digitize: 2D Point", "Cur=1 of 1");
+    hand.keys("U8E");
+    hand.shows("Shape saved", "2 in the job");
+    assert_eq!(job_in(&shop, "job.rsm").paths.len(), 1, "the file waits until the job is saved");
+    assert!(
+        shop.dir.path().join("data/added.draft").exists(),
+        "before anybody hears that it is saved"
+    );
+    let Shop { server, dir } = shop;
+    drop((hand, server));
+    let shop = kept(dir);
+    let mut hand = Hand::of(&shop);
+    hand.until("a word about it", |page| {
+        page.shown["messages"].to_string().contains("job.rsm: shapes were digitized into it")
+    });
+    (shop, hand)
+}
+
+#[test]
+fn a_shape_that_was_added_to_a_job_outlives_the_server() {
+    let (shop, mut hand) = added_and_ended();
+    hand.open_file("job.rsm");
+    assert_eq!(
+        (&hand.shown["opened"]["added"], &hand.shown["opened"]["lines"]),
+        (&json!(1), &json!(2))
+    );
+    assert_eq!(hand.act(json!({ "do": "close" })).as_deref(), Some("state"));
+    assert_eq!(hand.act(json!({ "do": "saveJob" })), None);
+    assert_eq!(job_in(&shop, "job.rsm").paths.len(), 2);
+    assert!(!shop.dir.path().join("data/added.draft").exists());
+    assert_eq!(hand.act(json!({ "do": "close" })), None);
+}
+
+#[test]
+fn a_shape_that_is_taken_back_after_the_server_began_anew_is_gone() {
+    let (shop, mut hand) = added_and_ended();
+    hand.open_file("job.rsm");
+    assert_eq!(hand.act(json!({ "do": "takeShapeBack" })), None);
+    assert!(!shop.dir.path().join("data/added.draft").exists());
+    assert_eq!(hand.act(json!({ "do": "close" })), None);
+    hand.open_file("job.rsm");
+    assert_eq!(
+        (&hand.shown["opened"]["added"], &hand.shown["opened"]["lines"]),
+        (&json!(0), &json!(1))
+    );
+}
+
+#[test]
+fn a_shape_that_was_added_to_a_job_that_is_another_now_lies_beside_it() {
+    let (shop, mut hand) = added_and_ended();
+    let other = rsm("line 0,0 100,0; line 0,5 100,5; line 0,9 100,9");
+    shop.write("job.rsm", other.as_bytes());
+    hand.open_file("job.rsm");
+    assert_eq!(
+        (&hand.shown["opened"]["added"], &hand.shown["opened"]["lines"]),
+        (&json!(0), &json!(3))
+    );
+    assert_eq!(job_in(&shop, "job-digitized.rsm").paths.len(), 2);
+    assert!(hand.shown["messages"].to_string().contains("job-digitized.rsm"));
+    assert!(!shop.dir.path().join("data/added.draft").exists());
+}

@@ -78,6 +78,14 @@ fn a_laser_that_pierces_takes_no_ramp_and_says_so() {
 }
 
 #[test]
+fn a_plasma_torch_takes_no_ramp_and_says_so() {
+    let run = JobRun::new(plate())
+        .sheet(Sheet::flat(-20.0))
+        .with(|machine| machine.plasma.use_sequence = true);
+    assert_eq!(told(run), straight("the plasma torch starts above the sheet"));
+}
+
+#[test]
 fn a_ramp_too_flat_for_its_path_is_told_with_the_angle_it_gets() {
     // 10 mm down on 2,000 times 10 mm are 0.02865 degrees.
     let flat = Plunge::Ramp { angle_deg: 0.02 };
