@@ -9,6 +9,7 @@ use kerf_diag::Diagnostic;
 use kerf_machine::profile::PROFILES;
 use kerf_machine::{Configuration, Value, contradictions, file, table};
 use kerf_program::Settings;
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -59,12 +60,25 @@ impl MachineFile {
         self.0.display().to_string()
     }
 
+    /// Nobody else changes the files of its folder for as long as this is held: two who change a setting each at the same
+    /// moment both do. Where the system has no such locks there is none.
+    #[must_use]
+    pub fn alone(&self) -> Option<File> {
+        let folder = self.0.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let folder = folder.unwrap_or(Path::new("."));
+        // One that cannot be made is told where the file is written.
+        drop(RealDisk.make_folder(folder));
+        let folder = File::open(folder).ok()?;
+        folder.lock().ok().map(|()| folder)
+    }
+
     /// Puts another machine in its place. What was there is kept beside it, under the name that is given, unless it
     /// is a machine that comes with Kerf.
     ///
     /// # Errors
     /// As it cannot be written, or read.
     pub fn replace(&self, text: &str) -> Result<Option<PathBuf>, MachineFileError> {
+        let _alone = self.alone();
         let before = self.text()?.filter(|before| before != text);
         let own = before.filter(|before| PROFILES.iter().all(|ready| ready.text != before));
         self.read(text)?;
@@ -126,6 +140,7 @@ impl MachineFile {
         began: &Settings,
         settings: &Settings,
     ) -> Result<Option<String>, MachineFileError> {
+        let _alone = self.alone();
         let text = self.text()?;
         let (began, ended) = (of_settings(began), of_settings(settings));
         if table::changed(&began, &ended).next().is_none() {
@@ -159,6 +174,7 @@ impl MachineFile {
         setting: &'static table::Setting,
         machine: &Configuration,
     ) -> Result<(), MachineFileError> {
+        let _alone = self.alone();
         let before = self.text()?.unwrap_or_default();
         let mut wanted = self.read(&before)?;
         // What the machine has was checked when it was set.
@@ -172,6 +188,7 @@ impl MachineFile {
     /// # Errors
     /// As it cannot be written, or the settings do not go together.
     pub fn keep_all(&self, machine: &Configuration) -> Result<usize, MachineFileError> {
+        let _alone = self.alone();
         let before = self.text()?.unwrap_or_default();
         let changed: Vec<_> = table::changed(&self.read(&before)?, machine).collect();
         self.put(&before, &changed, machine)?;

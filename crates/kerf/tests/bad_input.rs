@@ -96,7 +96,7 @@ fn options_that_are_wrong() {
         ("trace a.sbp --offset 4d", "give 3d or 2d"),
         ("trace a.sbp --answers none.txt", "cannot read none.txt"),
         ("trace a.sbp --config none.toml", "cannot read none.toml"),
-        ("trace a.sbp --config bad.toml", "axes must be 1 to 6"),
+        ("trace a.sbp --config bad.toml", "axes must be 3 to 6"),
         ("run a.sbp --machine router", "no machine 'router'"),
         ("preview a.sbp -o a.gif", ".svg, .png or .html"),
         ("preview a.sbp", "--output"),

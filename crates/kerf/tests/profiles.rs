@@ -32,6 +32,45 @@ fn another_machine_leaves_the_one_before_beside_it() {
 }
 
 #[test]
+fn every_machine_that_comes_with_kerf_finds_its_home() {
+    for profile in kerf_machine::profile::PROFILES {
+        let shop = Shop::new(&[]);
+        shop.kerf(&format!("machine use {}", profile.name)).exits(0);
+        // Twice: from where it was switched on, and from home.
+        for _ in 0..2 {
+            shop.kerf("machine home").exits(0);
+        }
+        shop.kerf("machine pos").exits(0).says("x  0.000 homed").says("z  0.000 homed");
+    }
+}
+
+#[test]
+fn settings_that_are_changed_at_the_same_moment_are_all_changed() {
+    let keys =
+        ["end_s", "air_tool_s", "bottom_s", "router_start_s"].map(|it| format!("delays.{it}"));
+    let shop = Shop::new(&[]);
+    for round in 1..6 {
+        let value = format!("{}", f64::from(round) / 8.0);
+        let set = |key: &String| shop.command().args(["machine", "set", key, &value]).spawn();
+        let begun: Vec<_> = keys.iter().map(set).collect();
+        begun.into_iter().for_each(|set| assert!(set.unwrap().wait().unwrap().success()));
+        for key in &keys {
+            assert_eq!(shop.kerf(&format!("machine get {key}")).out().trim(), value, "{key}");
+        }
+    }
+}
+
+#[test]
+fn settings_that_are_saved_can_be_loaded() {
+    let shop = Shop::new(&[]);
+    shop.kerf("machine set axes 2").exits(2).complains("axes must be 3 to 6, not 2");
+    shop.kerf("machine set axes 3").exits(0);
+    for line in ["US,saved", "UR,saved"] {
+        shop.kerf(&format!("send {line}")).exits(0);
+    }
+}
+
+#[test]
 fn every_machine_that_comes_with_kerf_makes_tool_paths_and_runs_them() {
     let shop = Shop::new(&[]);
     let line = ["draw", "--do", "line 0,0 100,0", "-o", "t1.rsg"];

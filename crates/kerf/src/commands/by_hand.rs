@@ -225,6 +225,7 @@ fn keep(
     value: Value,
 ) -> Result<Exit> {
     let kept = which.to_change()?;
+    let _alone = kept.alone();
     let text = kept.text()?.unwrap_or_default();
     let mut wanted = machine.clone();
     setting.set(&mut wanted, &value).map_err(|refused| Usage(refused.to_string()))?;

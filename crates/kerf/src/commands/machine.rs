@@ -201,6 +201,7 @@ fn set(which: &Which, setting: &'static Setting, value: &Value) -> Result<()> {
         bail!(Usage(format!("{} is set by `kerf machine password`", protect::KEY)));
     }
     let kept = which.to_change()?;
+    let _alone = kept.alone();
     let mut configuration = which.machine()?;
     setting.set(&mut configuration, value).map_err(|refused| Usage(refused.to_string()))?;
     if let Some(crossed) = contradictions(&configuration).first() {

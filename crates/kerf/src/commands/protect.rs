@@ -40,6 +40,7 @@ pub fn of_option(given: Option<&str>) -> Option<String> {
 /// Sets a new password, which is asked for twice, or takes it away.
 pub fn change(kept: &MachineFile, off: bool) -> Result<()> {
     let hash = if off { "none".to_owned() } else { new_hash()? };
+    let _alone = kept.alone();
     let text = kept.text()?.unwrap_or_default();
     let mut wanted = kept.read(&text)?;
     let Some(setting) = table::setting(KEY) else { bail!("no setting {KEY}") };

@@ -40,6 +40,7 @@ const CHECKS: &[Check] = &[
     speeds::height,
     speeds::homing,
     pendant::keys,
+    tools::home_input,
     tools::shared_input,
     tools::jigs,
     tools::start_sequences,

@@ -50,6 +50,7 @@ fn pro_zpos_order() {
 
 #[test]
 fn pro_io_ina1() {
+    refused("homing.b.fitted = true", "1:homing.b.fitted is true, but no input is");
     refused("homing.w.fitted = true\nplasma.use = true", "2:input A1 (WHOME) is the W home switch");
     refused("plasma.use = true\njob.external_start = true", "(plasma.use) and the external start");
     accepted("plasma.use = true");

@@ -5,8 +5,20 @@ use crate::Configuration;
 use crate::settings::axes::W;
 use crate::settings::intensity::LEVELS;
 use crate::settings::laser::LaserType;
+use kerf_program::Axis;
 
 type Found = Vec<Contradiction>;
+
+/// The card has home switches of X, Y, Z and W: a search for another one would go on until the axis is at its end.
+pub(super) fn home_input(c: &Configuration, found: &mut Found) {
+    if c.homing.of(Axis::B).fitted {
+        found.push(Contradiction::new(
+            &["homing.b.fitted"],
+            "homing.b.fitted is true, but no input is a home switch of B",
+            "There are inputs for X, Y, Z and W: set it to false, and set the zero of B by hand.",
+        ));
+    }
+}
 
 /// Bit 1 of input port A is the W home switch, Too-Close of a plasma, or the external start.
 pub(super) fn shared_input(c: &Configuration, found: &mut Found) {

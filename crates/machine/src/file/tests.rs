@@ -70,7 +70,7 @@ fn every_setting_takes_its_default_and_refuses_a_date() {
 fn every_mistake_is_told_with_its_line() {
     check("\nunit = 3", 2, "there is no setting unit");
     check("units = \"cm\"", 1, "units must be in or mm, not \"cm\"");
-    check("axes = 7", 1, "axes must be 1 to 6, not 7");
+    check("axes = 7", 1, "axes must be 3 to 6, not 7");
     check("[speeds.cut]\nxy = 0", 2, "speeds.cut.xy must be greater than 0, not 0");
     check("speeds.cut = { xy = 0 }", 1, "speeds.cut.xy must be greater than 0");
     check("[ramps]\ncut_rate_mm = inf", 2, "ramps.cut_rate_mm must be greater than 0, not inf");

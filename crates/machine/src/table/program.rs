@@ -38,7 +38,7 @@ const GENERAL: &[Setting] = &[
         },
         words: |c| c.program.linear_unit.words(),
     },
-    row!(c, "axes", c.program.axis_count, None, Range(1.0, 6.0), "How many axes there are."),
+    row!(c, "axes", c.program.axis_count, None, Range(3.0, 6.0), "How many axes there are."),
     row!(
         c,
         "rotary",
