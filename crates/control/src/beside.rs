@@ -95,15 +95,32 @@ impl<I: Interpreter> Runner<'_, I> {
     /// A stop input while the machine is stopped already: nothing moves or turns before it is released.
     fn stopped_again(&mut self, n: u8) -> Result<(), Over> {
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
-        let spindles = self.kept.spindles.clone();
         self.stop_spindles();
-        // They come on again with those that were stopped before.
-        for number in spindles {
-            if !self.kept.spindles.contains(&number) {
-                self.kept.spindles.push(number);
+        self.world.tell_log();
+        self.until_released(&message, true)
+    }
+
+    /// Stands until a moment, and heeds every stop meanwhile.
+    pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), Over> {
+        while self.world.now() < until_s {
+            let now_s = self.world.now();
+            let halt = self.world.machine.first_halt_at_rest(until_s, &[]);
+            let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
+            let wish = self.ask_pace(now_s, end_s, None);
+            if self.pace.failure().is_some() {
+                return Err(self.link_is_lost());
+            }
+            if let Some((t_s, Wish::Input { number, on })) = wish {
+                self.press(number, on, t_s);
+                continue;
+            }
+            self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
+            match (wish, halt) {
+                (Some((_, wish)), _) => self.stands(wish)?,
+                (None, Some(halt)) => drop(self.ended_by(halt.cause)?),
+                (None, None) => {}
             }
         }
-        self.world.tell_log();
-        self.until_released(&message)
+        Ok(())
     }
 }

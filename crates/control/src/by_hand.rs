@@ -59,27 +59,47 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.world.machine.draws() {
             return false;
         }
+        if let Some(driven) = self.forbidden() {
+            self.tell_driven(&driven, end);
+            return false;
+        }
         self.world.moved_by_hand();
         let settings = keypad_settings(self.world.machine.settings(), jog.speed);
         let made = Mover::new(here, &settings).line(self.last_move, &line);
-        let driven = made.map(|made| self.drive(made, &settings, switches));
+        let driven = made.map_or(Driven::There, |made| self.drive(made, &settings, switches));
+        self.tell_driven(&driven, end);
+        self.mover.set_position(self.world.machine.position());
+        matches!(driven, Driven::Edge(_))
+    }
+
+    /// Tells why a movement ended; a stop input stops what turns as well.
+    fn tell_driven(&mut self, driven: &Driven, end: Option<String>) {
         let said = match driven {
-            None | Some(Driven::There) => end,
-            Some(Driven::Limit(n)) => Some(format!("stopped by limit input {n}")),
-            Some(Driven::StopInput(n)) => Some(format!("stopped by stop input {n}")),
-            Some(Driven::Wish(wish)) => {
-                self.heed_later(self.world.now(), wish);
+            Driven::There => end,
+            Driven::Limit(n) => Some(format!("stopped by limit input {n}")),
+            Driven::StopInput(n) => {
+                self.world.stop_turning();
+                self.world.tell_log();
+                Some(format!("stopped by stop input {n}"))
+            }
+            Driven::Wish(wish) => {
+                self.heed_later(self.world.now(), *wish);
                 None
             }
-            Some(Driven::Stalled) => Some("a motor has stalled".to_owned()),
-            Some(Driven::LinkLost) => Some("not connected".to_owned()),
-            Some(Driven::Edge(_) | Driven::EmergencyStop) => None,
+            Driven::Stalled => Some("a motor has stalled".to_owned()),
+            Driven::LinkLost => Some("not connected".to_owned()),
+            Driven::EmergencyStop => Some("emergency stop".to_owned()),
+            Driven::Edge(_) => None,
         };
         if let Some(text) = said {
             self.world.tell(&Event::Message { text: text.into(), t: self.world.now() });
         }
-        self.mover.set_position(self.world.machine.position());
-        matches!(driven, Some(Driven::Edge(_)))
+    }
+
+    /// What forbids a movement by hand before it begins.
+    pub(crate) fn forbidden(&self) -> Option<Driven> {
+        let stop = self.world.machine.stop_input().map(Driven::StopInput);
+        stop.or_else(|| self.is_pressed().then_some(Driven::EmergencyStop))
     }
 
     /// The end of a way, or the first bound on it; and what is said at the bound.
@@ -107,12 +127,15 @@ impl<I: Interpreter> Runner<'_, I> {
         switches: &[Watched],
     ) -> Driven {
         self.world.shelf.tape.moves(true, self.world.placed());
-        let t0_s = self.world.machine.begin_motion();
-        self.world.tell_log();
+        let watched = self.watched_by_hand(switches);
+        if let Some(driven) = self.warn_by_hand(&watched) {
+            self.stand();
+            return driven;
+        }
+        let t0_s = self.world.now();
         let mut planner = planner(settings);
         planner.push(made);
         let mut driven = None;
-        let watched = self.watched_by_hand(switches);
         while let Some(mut plan) = planner.finish() {
             self.pace.follows();
             self.world.machine.foresee(&plan, t0_s);
@@ -141,10 +164,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 break;
             }
         }
-        self.pace.stands();
-        self.world.machine.rest();
-        self.world.tell_log();
-        self.world.shelf.tape.moves(false, self.world.placed());
+        self.stand();
         driven.unwrap_or(Driven::There)
     }
 
@@ -180,15 +200,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 None => break halt?,
             }
         };
-        let why = match halt.cause {
-            HaltCause::Watch(n) if n + 1 < watched.len() => Driven::Edge(Axes::default()),
-            HaltCause::Watch(_) => Driven::EmergencyStop,
-            HaltCause::Limit(n) => Driven::Limit(n),
-            HaltCause::Stop(n) => Driven::StopInput(n),
-            HaltCause::LinkLost => Driven::LinkLost,
-            HaltCause::Stall => Driven::Stalled,
-        };
-        Some((halt.t_s, why, halt.ramped))
+        Some((halt.t_s, Driven::by(halt.cause, watched.len()), halt.ramped))
     }
 
     /// What ends a motion by hand for good.
@@ -237,8 +249,20 @@ pub(crate) enum Driven {
 }
 
 impl Driven {
+    /// What an input ended; the last of so many that are watched is the emergency stop, the others are sought.
+    pub(crate) const fn by(cause: HaltCause, watched: usize) -> Self {
+        match cause {
+            HaltCause::Watch(n) if n + 1 < watched => Self::Edge(Axes([0.0; AXES])),
+            HaltCause::Watch(_) => Self::EmergencyStop,
+            HaltCause::Limit(n) => Self::Limit(n),
+            HaltCause::Stop(n) => Self::StopInput(n),
+            HaltCause::LinkLost => Self::LinkLost,
+            HaltCause::Stall => Self::Stalled,
+        }
+    }
+
     /// With the place at which it happened.
-    const fn at(self, place: Axes) -> Self {
+    pub(crate) const fn at(self, place: Axes) -> Self {
         match self {
             Self::Edge(_) => Self::Edge(place),
             other => other,

@@ -1,5 +1,6 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
+use crate::homing::Found;
 use crate::runner::{Over, Runner};
 use crate::session::{Company, RunOptions, Session, Summary, end_event, summary, unverified};
 use crate::shelf::Shelf;
@@ -49,8 +50,11 @@ impl Session {
         let mut runner = Runner::new(hand, world, pace, options.limits, 0);
         let over = match errand {
             Errand::FindHome(axes) => {
-                let found = runner.asked(asks).and_then(|()| runner.find_home(axes, self.homed));
-                found.map_or_else(|over| runner.told(over), |homed| self.are_homed(homed))
+                let over = match runner.asked(asks) {
+                    Ok(()) => self.learn_homes(runner.find_home(axes, self.homed)),
+                    Err(over) => over,
+                };
+                runner.told(over)
             }
             _ => runner.run(),
         };
@@ -63,9 +67,10 @@ impl Session {
         summary
     }
 
-    fn are_homed(&mut self, axes: AxisSet) -> Over {
-        axes.iter().for_each(|axis| self.homed.insert(axis));
-        Over { status: Status::Ok, diagnostic: None }
+    /// Which axes are homed now, however homing ended.
+    fn learn_homes(&mut self, found: Found) -> Over {
+        self.homed = self.homed.without(found.lost).union(found.done);
+        found.over.unwrap_or(Over { status: Status::Ok, diagnostic: None })
     }
 
     /// What comes before a run: homing, where the machine is set so, or where the operator wants it.
@@ -232,20 +237,19 @@ impl Runner<'_, Hand> {
 
     /// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
     /// home; of one that was not they stay where they were on the table.
-    fn find_home(&mut self, axes: AxisSet, before: AxisSet) -> Result<AxisSet, Over> {
-        let (homed, shift) = self.home(axes)?;
+    fn find_home(&mut self, axes: AxisSet, before: AxisSet) -> Found {
+        let found = self.home(axes);
         let mut frame = *self.world.machine.frame();
-        let mut set = AxisSet::EMPTY;
-        for axis in homed.iter().map(|it| it.axis) {
-            if !before.contains(axis) && !set.contains(axis) {
-                frame.working_zero[axis] -= shift[axis];
-            }
-            frame.base_zero[axis] = 0.0;
-            set.insert(axis);
+        for axis in found.zeroed.without(before).iter() {
+            frame.working_zero[axis] -= found.shift[axis];
+            frame.base_zero[axis] -= found.shift[axis];
         }
-        let location = Command::Location { frame, working: set, base: set };
-        self.world.perform(location);
-        Ok(set)
+        found.done.iter().for_each(|axis| frame.base_zero[axis] = 0.0);
+        if found.over.is_none() || !found.zeroed.is_empty() {
+            let (working, base) = (found.done, found.done);
+            self.world.perform(Command::Location { frame, working, base });
+        }
+        found
     }
 
     fn told(&mut self, over: Over) -> Over {

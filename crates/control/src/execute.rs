@@ -23,7 +23,7 @@ pub(crate) enum Halted {
 
 /// What changes a plan on the way.
 #[derive(Clone, Copy, Debug)]
-enum Turn {
+pub(crate) enum Turn {
     /// An input stops motion.
     Input(Halt),
     /// The operator wants something.
@@ -35,24 +35,17 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn begin(&mut self) -> Result<(), Halted> {
         self.take_up()?;
         let waiting = std::mem::take(&mut self.stack.waiting);
-        self.check(&waiting).map_err(Halted::Over)?;
-        if waiting.is_empty() {
+        let may = self.check(&waiting);
+        self.stack.waiting = waiting;
+        may.map_err(Halted::Over)?;
+        if self.stack.waiting.is_empty() {
             return Ok(());
         }
-        let t0_s = self.set_off();
+        let t0_s = self.set_off()?;
+        let waiting = std::mem::take(&mut self.stack.waiting);
         let planner = planner(self.world.machine.settings());
         self.stack.running = Some(Running { planner, waiting, t0_s });
         Ok(())
-    }
-
-    /// The warning comes first; gives the moment at which motion starts.
-    fn set_off(&mut self) -> f64 {
-        let before_s = self.world.now();
-        self.world.shelf.tape.moves(true, self.world.placed());
-        let t0_s = self.world.machine.begin_motion();
-        self.world.tally.waited(t0_s - before_s);
-        self.world.tell_log();
-        t0_s
     }
 
     /// Makes what is planned for good of the stack that moves; all of it when it is complete.
@@ -120,7 +113,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn set_off_again(&mut self) -> Result<(), Halted> {
         if self.stack.running.is_some() {
             self.may_move(self.last_move).map_err(Halted::Over)?;
-            let t0_s = self.set_off();
+            let t0_s = self.set_off()?;
             self.go_on_at(|_| t0_s);
         }
         Ok(())
@@ -194,7 +187,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Whether the power went while the machine was about to do what the operator wants.
-    fn overtakes(&mut self, turn: Turn) -> bool {
+    pub(crate) fn overtakes(&mut self, turn: Turn) -> bool {
         let Turn::Operator(wish) = turn else { return false };
         let overtaken = self.is_overtaken();
         if overtaken {
@@ -304,7 +297,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// What follows when motion was stopped, unless it goes on.
-    fn answer_halt(
+    pub(crate) fn answer_halt(
         &mut self,
         why: Turn,
         number: Option<u64>,
@@ -329,6 +322,9 @@ impl<I: Interpreter> Runner<'_, I> {
         };
         self.world.tell(&Event::Stop { by, n, t: self.world.now() });
         match halt.cause {
+            HaltCause::Watch(index) if self.is_emergency(index) => {
+                Err(Halted::Over(self.emergency()))
+            }
             HaltCause::Watch(index) => {
                 Err(Halted::Watch { index, at: kerf_program::Halted { motion: number, ..*at } })
             }

@@ -13,6 +13,7 @@ use crate::Event;
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::runner::{Over, Runner};
+use crate::stopping::MOST_REFUSALS;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{
@@ -28,6 +29,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.on(Stopped::Stop, settings, "");
         self.on(Stopped::Stands, settings, "");
         self.heeded()?;
+        self.stopped_meanwhile()?;
         let (resumed, nudged) = self.until_resumed(&hold_question());
         self.kept.nudged = nudged;
         if resumed.is_err() {
@@ -40,6 +42,19 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.shelf.tape.goes_on();
         self.on(Stopped::Continue, settings, "");
         self.heeded()
+    }
+
+    /// A stop input that came while the machine slowed down stops what turns as well.
+    fn stopped_meanwhile(&mut self) -> Result<(), Over> {
+        match self.world.machine.stop_input() {
+            Some(n) if self.cuts_power(n) => Err(self.power_is_cut()),
+            Some(_) if self.world.machine.turns() => {
+                self.stop_spindles();
+                self.world.tell_log();
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Goes back to a place, from wherever the operator moved the machine: over it at a height, or
@@ -59,11 +74,14 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Does what the operator says until the run goes on, or is given up. With it goes the sum of all
     /// nudges.
     pub(crate) fn until_resumed(&mut self, question: &Question) -> (Result<(), Over>, Axes) {
-        let mut nudged = Axes::default();
+        let (mut nudged, mut refused) = (Axes::default(), 0);
         loop {
             match self.ask(question, self.last_move) {
                 Err(over) => return (Err(over), nudged),
-                Ok(Answer::Button(Button::Resume)) => return (Ok(()), nudged),
+                Ok(Answer::Button(Button::Resume)) if !self.is_forbidden() => {
+                    return (Ok(()), nudged);
+                }
+                Ok(Answer::Button(Button::Resume)) if refused < MOST_REFUSALS => refused += 1,
                 Ok(Answer::Text(words)) => {
                     if let Some(nudge) = Nudge::read(&words) {
                         nudged = nudged.plus(self.nudge(nudge));

@@ -5,7 +5,7 @@ use crate::Event;
 use crate::by_hand::Driven;
 use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_machine::homing::{self, Axle, Homed, Rig, Sought, Which};
+use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
 use kerf_machine::sequence::planner_settings;
 use kerf_motion::Mover;
@@ -13,30 +13,37 @@ use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, S
 use kerf_sim::{Machine, Watched};
 
 impl<I: Interpreter> Runner<'_, I> {
-    /// Homes axes that have a switch, and tells how far the last home was off. With them goes by how much
-    /// the zero of each axis has moved.
-    pub(crate) fn home(&mut self, axes: AxisSet) -> Result<(Vec<Homed>, Axes), Over> {
+    /// Homes axes that have a switch, and tells how far the last home was off.
+    pub(crate) fn home(&mut self, axes: AxisSet) -> Found {
         let machine = self.world.machine_is.clone();
         let settings = planner_settings(&machine);
+        let now_s = self.world.now();
+        self.world.machine.advance(now_s);
         let mut rig =
-            OnMachine { runner: self, settings, axis: Axis::X, over: None, shift: Axes::default() };
-        let found = homing::home(&machine, &mut rig, axes);
-        let (over, shift) = (rig.over.take(), rig.shift);
+            OnMachine { runner: self, settings, axis: None, over: None, found: Found::default() };
+        let mut homed = Vec::new();
+        let ended = homing::home(&machine, &mut rig, axes, &mut homed);
+        let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
         self.world.machine.move_alone(None);
         self.mover.set_position(self.world.machine.position());
-        match (over, found) {
-            (Some(over), _) => Err(over),
-            (None, Ok(homed)) => {
-                self.tell_homed(&homed);
-                Ok((homed, shift))
-            }
-            (None, Err(missing)) => {
-                let place = Place::line(self.world.file(At::default()), 0);
-                let hint = "nothing moves on; look at the switch and at the length of the axis";
-                let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
-                Err(Over { status: Status::Failed, diagnostic: Some(Box::new(why)) })
-            }
+        match &ended {
+            Ok(()) => found.done = found.zeroed,
+            // A switch that does not come is not where it was believed to be.
+            Err(_) if over.is_none() => at.iter().for_each(|axis| found.lost.insert(*axis)),
+            // Its motors may stand differently.
+            Err(_) => found.lost = found.zeroed.without(found.done),
         }
+        found.over = over.or_else(|| ended.err().map(|missing| self.misses_switch(&missing)));
+        homed.retain(|it| found.done.contains(it.axis));
+        self.tell_homed(&homed);
+        found
+    }
+
+    fn misses_switch(&self, missing: &NotFound) -> Over {
+        let place = Place::line(self.world.file(At::default()), 0);
+        let hint = "nothing moves on; look at the switch and at the length of the axis";
+        let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
+        Over { status: Status::Failed, diagnostic: Some(Box::new(why)) }
     }
 
     fn tell_homed(&mut self, homed: &[Homed]) {
@@ -48,27 +55,48 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
+/// What homing came to.
+#[derive(Debug, Default)]
+pub(crate) struct Found {
+    /// Axes that are homed.
+    pub done: AxisSet,
+    /// Axes whose home nobody knows any more.
+    pub lost: AxisSet,
+    /// Axes whose zero has moved.
+    pub zeroed: AxisSet,
+    /// By how much.
+    pub shift: Axes,
+    /// Why it did not come to its end.
+    pub over: Option<Over>,
+}
+
 /// The machine as the homing procedure moves it.
 struct OnMachine<'a, 'b, I> {
     runner: &'a mut Runner<'b, I>,
     settings: Settings,
-    axis: Axis,
+    /// The axis that is being homed.
+    axis: Option<Axis>,
     /// Why nothing moves any more.
     over: Option<Over>,
-    /// By how much zero has moved.
-    shift: Axes,
+    found: Found,
 }
 
 impl<I: Interpreter> Rig for OnMachine<'_, '_, I> {
     fn axle(&mut self, axis: Axis) -> &mut dyn Axle {
-        self.axis = axis;
+        // Those before it are done.
+        self.found.done = self.found.zeroed;
+        self.axis = Some(axis);
         self
     }
 }
 
 impl<I: Interpreter> OnMachine<'_, '_, I> {
+    fn axis(&self) -> Axis {
+        self.axis.unwrap_or(Axis::X)
+    }
+
     fn place(&self) -> f64 {
-        self.runner.world.machine.position()[self.axis]
+        self.runner.world.machine.position()[self.axis()]
     }
 
     fn machine(&mut self) -> &mut Machine {
@@ -80,7 +108,11 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         if self.over.is_some() {
             return None;
         }
-        let (axis, from) = (self.axis, self.runner.world.machine.position());
+        if let Some(driven) = self.runner.forbidden() {
+            self.over = Some(self.runner.interrupted(&driven));
+            return None;
+        }
+        let (axis, from) = (self.axis(), self.runner.world.machine.position());
         self.machine().move_alone(match which {
             Which::All => None,
             Which::One(motor) => Some((axis, motor)),
@@ -114,7 +146,7 @@ impl Switch for Input {
 
 impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
     fn switch(&self, which: Which) -> bool {
-        self.runner.world.machine.home_switch(self.axis, which)
+        self.runner.world.machine.home_switch(self.axis(), which)
     }
 
     fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought {
@@ -132,8 +164,9 @@ impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
 
     fn zero(&mut self, _: Which) {
         if self.over.is_none() {
-            let axis = self.axis;
-            self.shift[axis] += self.place();
+            let axis = self.axis();
+            self.found.shift[axis] += self.place();
+            self.found.zeroed.insert(axis);
             self.machine().zero(axis);
         }
     }

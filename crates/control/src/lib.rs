@@ -67,9 +67,11 @@ mod tally;
 mod text;
 mod trail;
 pub mod transfer;
+mod turning;
 pub mod vcd;
 mod virtual_tools;
 mod waiting;
+mod warning;
 mod work;
 mod world;
 

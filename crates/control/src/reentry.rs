@@ -190,9 +190,10 @@ impl<I: Interpreter> Runner<'_, I> {
         self.heeded()?;
         let (ready, nudged) = self.whether_ready(&was_on);
         ready?;
-        self.switch_on(&was_on);
         let before = self.nudged.unwrap_or_default();
-        self.approach(to.plus(nudged));
+        self.switch_on(&was_on);
+        let meanwhile = self.nudged.unwrap_or_default().minus(before);
+        self.approach(to.plus(nudged).plus(meanwhile));
         let on_the_way = self.nudged.unwrap_or_default().minus(before);
         self.go(MoveKind::Cut, to.plus(nudged).plus(on_the_way));
         self.heeded()?;

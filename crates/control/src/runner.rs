@@ -426,7 +426,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         if self.joins(&sourced.command) {
             if self.stack.is_empty() {
-                if let Some(over) = self.spindle_refused(&sourced) {
+                if let Err(over) = self.may_turn(&sourced) {
                     return Flow::Over(over);
                 }
                 self.world.perform(sourced.command);
@@ -541,7 +541,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             ramped: w.ramped,
             level_from_s: w.level_after_s.map(|after_s| begin_s + after_s),
         });
-        watched.collect()
+        watched.chain(self.watched_for_all()).collect()
     }
 }
 

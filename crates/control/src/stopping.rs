@@ -5,12 +5,12 @@
 //! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
 
 use crate::runner::{Over, Runner};
+use crate::turning::Turning;
 use crate::{Event, Failure, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};
 use kerf_program::{
-    Answer, At, Axes, Axis, Button, Independent, Interpreter, OutputReason, Question, QuestionKind,
-    Status,
+    Answer, At, Axes, Axis, Button, Interpreter, OutputReason, Question, QuestionKind, Status,
 };
 use kerf_sbp::SPINDLE_STATUS;
 
@@ -22,7 +22,7 @@ pub(crate) const CONFIRM: &str = "ConfirmLocation";
 const POWER_S: f64 = 5.0;
 
 /// A script of answers that says nothing but Resume does not hold a run for ever.
-const MOST_REFUSALS: u32 = 1000;
+pub(crate) const MOST_REFUSALS: u32 = 1000;
 
 /// A place that is come back to, and what was on there.
 #[derive(Clone, Debug, Default)]
@@ -35,10 +35,8 @@ pub(crate) struct Kept {
     lifted_mm: f64,
     /// How far the workpiece was nudged since.
     pub nudged: Axes,
-    /// Spindles that turned.
-    pub spindles: Vec<u8>,
-    /// Axes that moved by themselves.
-    alone: Vec<(Axis, Independent)>,
+    /// What turned.
+    pub turned: Turning,
 }
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -98,10 +96,16 @@ impl<I: Interpreter> Runner<'_, I> {
         self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
     }
 
+    /// What turns stops, and comes on again with what was stopped before.
     pub(crate) fn stop_spindles(&mut self) {
-        self.kept.alone = self.world.machine.moving_alone();
-        self.kept.spindles = self.world.machine.stop_spindles();
-        self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
+        self.world.stop_turning();
+        self.keep_turning();
+    }
+
+    /// What a stop input stopped meanwhile comes on again when the run goes on.
+    pub(crate) fn keep_turning(&mut self) {
+        let Turning { spindles, alone } = std::mem::take(&mut self.world.stopped);
+        self.kept.turned.add(spindles, alone);
     }
 
     /// The motors keep the axes for a moment, then nothing does.
@@ -123,19 +127,21 @@ impl<I: Interpreter> Runner<'_, I> {
     /// comes on again, then over the place at the height to which the tool was lifted, or higher, and
     /// down. What was planned follows the workpiece.
     fn come_back(&mut self) {
-        let Kept { stood, ahead, lifted_mm, nudged, spindles, alone } =
-            std::mem::take(&mut self.kept);
+        let Kept { stood, ahead, lifted_mm, nudged, turned } = std::mem::take(&mut self.kept);
         let moved = self.world.machine.position() != stood.plus(nudged);
         self.world.machine.resumed();
         if moved {
-            self.world.machine.begin_motion();
+            let until_s = self.world.machine.warn();
+            self.world.tell_log();
+            self.ends = self.stand_heeding(until_s).err();
         }
         self.world.tell_log();
         self.world.tell(&Event::Resume { t: self.world.now() });
-        self.spindles_on(&spindles, alone);
         // What somebody nudges when it is stopped on the way back moves what is ahead too.
         let before = self.nudged.unwrap_or_default();
+        self.turn_again(turned);
         if moved {
+            let nudged = nudged.plus(self.nudged.unwrap_or_default().minus(before));
             self.go_back_to(stood.plus(nudged), lifted_mm + nudged[Axis::Z]);
         }
         let on_the_way = self.nudged.unwrap_or_default().minus(before);
@@ -145,11 +151,11 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Spindles turn again, and have the time that the machine gives them to come to speed.
-    fn spindles_on(&mut self, spindles: &[u8], alone: Vec<(Axis, Independent)>) {
+    fn turn_again(&mut self, Turning { spindles, alone }: Turning) {
         for (axis, motion) in alone {
             self.world.machine.independent(axis, motion);
         }
-        for number in spindles {
+        for number in &spindles {
             self.world.machine.output(*number, true, OutputReason::Mode);
         }
         if !spindles.is_empty() {
@@ -158,15 +164,30 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
+    /// A question of the program is answered. Where a stop input stopped what turned meanwhile, that comes on
+    /// again when the input is released and somebody says so.
+    pub(crate) fn goes_on_after_question(&mut self) -> Result<(), Over> {
+        if self.world.stopped.is_empty() {
+            return Ok(());
+        }
+        self.keep_turning();
+        if let Some(n) = self.world.machine.stop_input() {
+            let message = self.stop_input_message(format!("stopped by stop input {n}"));
+            self.until_released(&message, false)?;
+        }
+        let turned = std::mem::take(&mut self.kept.turned);
+        self.turn_again(turned);
+        self.heeded()
+    }
+
     /// Waits as long as the machine gives a spindle to come to speed.
     pub(crate) fn come_to_speed(&mut self) {
         self.world.tell_log();
         let seconds = self.world.machine_is.delays.router_start_s;
-        if seconds > 0.0 && !self.world.machine.draws() {
+        if seconds > 0.0 && !self.world.machine.draws() && self.ends.is_none() {
             let t = self.world.now();
             self.world.tell(&Event::Wait { seconds, t });
-            self.pass(t, t + seconds, None).into_iter().for_each(|wish| self.postpone(wish));
-            self.stand_until(t + seconds);
+            self.ends = self.stand_heeding(t + seconds).err();
         }
     }
 
@@ -176,7 +197,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let settings = StopSettings::OPENSBP;
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
         self.on(Stopped::StopInput, settings, &message);
-        if let Err(over) = self.until_released(&message) {
+        if let Err(over) = self.until_released(&message, true) {
             self.on(Stopped::Abort, settings, "");
             self.world.shelf.tape.given_up(self.world.placed());
             return Err(over);
@@ -188,23 +209,31 @@ impl<I: Interpreter> Runner<'_, I> {
         self.heeded()
     }
 
-    pub(crate) fn until_released(&mut self, message: &str) -> Result<(), Over> {
-        let question = blocked_question(message, &self.kept.spindles);
+    /// Asks until the input is released and somebody says so.
+    pub(crate) fn until_released(&mut self, message: &str, rises: bool) -> Result<(), Over> {
+        let question = blocked_question(message, &self.kept.turned.spindles, rises);
         for _ in 0..MOST_REFUSALS {
             match self.ask(&question, self.last_move)? {
                 Answer::Button(Button::Resume) => {}
                 Answer::Text(_) => continue,
                 Answer::Button(_) => break,
             }
-            let Some(active) = self.world.machine.stop_input() else { return Ok(()) };
-            let t = self.world.now();
-            let text =
-                format!("stop input {active} is active: nothing moves before it is released");
-            self.world.tell(&Event::Message { text: text.into(), t });
-            self.pass(t, t + RELEASE_S, None).into_iter().for_each(|wish| self.postpone(wish));
-            self.stand_until(t + RELEASE_S);
+            if !self.is_forbidden() {
+                return Ok(());
+            }
         }
         Err(self.over(Status::Stopped, Code::InputStop, self.last_move, message.to_owned()))
+    }
+
+    /// Whether a stop input forbids what the operator wants; he is told, and asked again in a moment.
+    pub(crate) fn is_forbidden(&mut self) -> bool {
+        let Some(active) = self.world.machine.stop_input() else { return false };
+        let t = self.world.now();
+        let text = format!("stop input {active} is active: nothing moves before it is released");
+        self.world.tell(&Event::Message { text: text.into(), t });
+        self.pass(t, t + RELEASE_S, None).into_iter().for_each(|wish| self.postpone(wish));
+        self.stand_until(t + RELEASE_S);
+        true
     }
 
     /// A limit stopped the machine, or a move would leave the table: the operator says whether it goes
@@ -232,6 +261,18 @@ impl<I: Interpreter> Runner<'_, I> {
         let hint = "home the machine, or set its locations, before anything is cut";
         over.diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
         over
+    }
+
+    /// The emergency stop that jobs have: a part file ends there, with everything off.
+    pub(crate) fn emergency(&mut self) -> Over {
+        // Whoever pressed it wants nothing to move.
+        let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
+        let why = "emergency stop";
+        self.on(Stopped::EmergencyStop, settings, why);
+        self.stop_spindles();
+        self.on(Stopped::Stands, settings, why);
+        self.on(Stopped::Abort, settings, why);
+        self.over(Status::Stopped, Code::InputStop, self.last_move, why.to_owned())
     }
 
     /// A motor has stalled: nobody knows how many steps are lost.
@@ -297,16 +338,17 @@ fn limit_question(text: String) -> Question {
     }
 }
 
-fn blocked_question(why: &str, spindles: &[u8]) -> Question {
+fn blocked_question(why: &str, spindles: &[u8], rises: bool) -> Question {
     let on: Vec<String> = spindles.iter().map(u8::to_string).collect();
     let again = match on.as_slice() {
         [] => String::new(),
         [one] => format!(", output {one} comes on again"),
         all => format!(", outputs {} come on again", all.join(" and ")),
     };
+    let what = if rises { "the tool rises" } else { "the program waits no longer" };
     Question {
         kind: QuestionKind::Hold,
-        text: format!("{why}. When it is released, Resume: the tool rises{again}, and goes on"),
+        text: format!("{why}. When it is released, Resume: {what}{again}, and goes on"),
         title: "Stopped".into(),
         buttons: vec![Button::Resume, Button::Quit],
         default: 1,

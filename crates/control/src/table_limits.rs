@@ -4,12 +4,18 @@
 use crate::runner::{Over, Runner};
 use crate::session::LimitPolicy;
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::lines::{Input, Output};
 use kerf_motion::{Move, Queue};
 use kerf_program::{At, Command, Interpreter, Sourced, Status};
-use kerf_sim::Violation;
+use kerf_sim::{Violation, Watched};
 
 /// What is told when the interlock forbids motion or a spindle.
 const ENCLOSURE_OPEN: &str = "enclosure open";
+
+/// Whether an output turns a spindle: those of part files, or that of jobs.
+const fn turns(output: u8) -> bool {
+    matches!(output, 1 | 2) || output == Output::Router.number()
+}
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Nothing moves that would leave the table, or while a stop input is active.
@@ -32,6 +38,13 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn may_move(&mut self, at: At) -> Result<(), Over> {
         if !self.world.machine.is_connected() {
             return Err(self.not_connected(at));
+        }
+        if self.is_pressed() && !self.interpreter.takes_stops() {
+            let message = "emergency stop".to_owned();
+            let over = self.over(Status::Stopped, Code::InputStop, at, message);
+            let hint = "release it: nothing moves and nothing turns before";
+            let diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
+            return Err(Over { diagnostic, ..over });
         }
         let Some(input) = self.world.machine.stop_input() else { return Ok(()) };
         if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
@@ -95,11 +108,29 @@ impl<I: Interpreter> Runner<'_, I> {
         )
     }
 
-    /// Ends the run when a spindle would start in an open enclosure.
-    pub(crate) fn spindle_refused(&self, sourced: &Sourced) -> Option<Over> {
-        let starts = matches!(sourced.command, Command::Output { number: 1 | 2, on: true });
-        let open = starts && self.world.machine.open_enclosure().is_some();
-        let message = ENCLOSURE_OPEN.into();
-        open.then(|| self.over(Status::Stopped, Code::InputStop, sourced.at, message))
+    /// No spindle starts where nothing may move: in an open enclosure, while a stop is pressed.
+    pub(crate) fn may_turn(&mut self, sourced: &Sourced) -> Result<(), Over> {
+        let starts =
+            matches!(sourced.command, Command::Output { number, on: true } if turns(number));
+        let stopped = self.world.machine.stop_input().is_some() || self.is_pressed();
+        if starts && stopped { self.may_move(sourced.at) } else { Ok(()) }
+    }
+
+    /// What stops part files beside what they wait for: the emergency stop of jobs, which see to it themselves.
+    pub(crate) fn watched_for_all(&self) -> Option<Watched> {
+        let (input, on) = (Input::EmergencyStop.number(), self.world.machine_is.estop.active);
+        let watched = Watched { input, on, ramped: true, level_from_s: None };
+        (!self.interpreter.takes_stops()).then_some(watched)
+    }
+
+    /// Whether that is the one that came.
+    pub(crate) fn is_emergency(&self, watch: usize) -> bool {
+        watch >= self.interpreter.watches().len()
+    }
+
+    /// Whether the emergency stop of jobs is pressed.
+    pub(crate) fn is_pressed(&self) -> bool {
+        let (machine, active) = (&self.world.machine, self.world.machine_is.estop.active);
+        !machine.draws() && machine.input(Input::EmergencyStop.number()) == active
     }
 }

@@ -22,10 +22,7 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn pass_until(&mut self, until_s: f64) -> Flow {
         self.wake();
         let watches = self.watched(self.world.now());
-        let halt = self.world.machine.first_halt(until_s, &watches);
-        // Nothing moves: a limit has nothing to stop.
-        let halt =
-            halt.filter(|halt| !matches!(halt.cause, HaltCause::Limit(_) | HaltCause::Stall));
+        let halt = self.world.machine.first_halt_at_rest(until_s, &watches);
         let end_s = halt.map_or(until_s, |halt| halt.t_s);
         let wish = self.ask_pace(self.world.now(), end_s, None);
         if self.pace.failure().is_some() {
@@ -58,6 +55,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// An input changed while time passed and nothing moved.
     fn input_halts(&mut self, cause: HaltCause) -> Flow {
         match cause {
+            HaltCause::Watch(index) if self.is_emergency(index) => Flow::Over(self.emergency()),
             HaltCause::Watch(index) => {
                 self.drop_outputs(self.world.now(), index);
                 self.world.tell_log();
@@ -259,10 +257,35 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.shelf.tape.given_up(self.world.placed());
             return Err(Over { status: Status::Stopped, diagnostic: None });
         };
-        self.stand_until(resumed_s);
+        if let Err(over) = self.stand_held(resumed_s) {
+            self.on(Stopped::Abort, settings, "");
+            self.world.shelf.tape.given_up(self.world.placed());
+            return Err(over);
+        }
         self.world.shelf.tape.goes_on();
         self.on(Stopped::Continue, settings, "");
         self.heeded()
+    }
+
+    /// The machine is held until a moment. A stop input that comes meanwhile stops what turns, and has to be released.
+    fn stand_held(&mut self, until_s: f64) -> Result<(), Over> {
+        let halt = self.world.machine.first_halt_at_rest(until_s, &[]);
+        let stop = halt.and_then(|halt| match halt.cause {
+            HaltCause::Stop(n) => Some((halt.t_s, n)),
+            _ => None,
+        });
+        let Some((t_s, n)) = stop else {
+            self.stand_until(until_s);
+            return Ok(());
+        };
+        self.stand_until(t_s);
+        if self.cuts_power(n) {
+            return Err(self.power_is_cut());
+        }
+        self.stop_spindles();
+        self.stand_until(until_s);
+        let message = self.stop_input_message(format!("stopped by stop input {n}"));
+        self.until_released(&message, false)
     }
 
     /// Answers the question that is open: an input does, or the operator.
@@ -298,7 +321,7 @@ impl<I: Interpreter> Runner<'_, I> {
         match self.answer_of_operator(at) {
             Ok(answer) => {
                 self.world.answer = answer;
-                Flow::On
+                self.goes_on_after_question().map_or_else(Flow::Over, |()| Flow::On)
             }
             Err(why) => Flow::Over(self.unanswered(at, why)),
         }
@@ -332,7 +355,9 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// A question of the machine, not of the program.
     pub(crate) fn ask(&mut self, question: &Question, at: At) -> Result<Answer, Over> {
-        self.world.ask_now(question, at).map_err(|why| self.unanswered(at, why))
+        let answer = self.world.ask_now(question, at);
+        self.keep_turning();
+        answer.map_err(|why| self.unanswered(at, why))
     }
 
     fn unanswered(&self, at: At, why: Unanswered) -> Over {

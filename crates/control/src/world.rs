@@ -10,6 +10,7 @@ use crate::heights::{self, Carried};
 use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
 use crate::sink::Made;
+use crate::turning::Turning;
 use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::Configuration;
@@ -78,6 +79,8 @@ pub(crate) struct World<'a> {
     laser_hz: Option<f64>,
     /// The spindle was switched in this run.
     spindle_switched: bool,
+    /// What a stop input stopped while somebody was asked.
+    pub stopped: Turning,
 }
 
 impl<'a> World<'a> {
@@ -110,6 +113,7 @@ impl<'a> World<'a> {
             heights: Carried::default(),
             laser_hz: None,
             spindle_switched: false,
+            stopped: Turning::default(),
         }
     }
 
@@ -496,6 +500,7 @@ impl<'a> World<'a> {
             let Press { number: input, on } = press;
             self.machine.press(kerf_sim::Change { input, on, at_s: self.now() });
             self.tell_log();
+            self.heed_switch();
             let ok = Button::OK.word();
             let waits = question.until.is_some_and(|(n, on)| self.machine.input(n) == on);
             let said = if waits { Some(ok) } else { self.said_by_key(question, input) };

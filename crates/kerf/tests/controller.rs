@@ -244,6 +244,26 @@ fn an_input_of_a_grbl_interrupts_the_program() {
 }
 
 #[test]
+fn a_door_that_opens_stops_a_run_on_a_grbl() {
+    let program = "SO,1,1\nMS,1,1\nMX,5\nEND\n";
+    let (shop, bench) = (Shop::new(&[("door.sbp", program)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run door.sbp");
+    bench.until(|fake| fake.position().0[0] > 30.0);
+    bench.look(|fake| fake.pins("D"));
+    let opened = bench.x_mm();
+    Did::of(child.wait_with_output().unwrap()).exits(3);
+    let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
+    assert!(stood > opened && stood < opened + 25.4, "{opened} {stood}");
+    assert_eq!(bench.look(|fake| fake.spindle()), None);
+    // Open before the start, it forbids motion and the spindle.
+    let bench = Bench::new(&[]);
+    bench.look(|fake| fake.pins("D"));
+    bench.run(&shop, "run door.sbp").exits(3);
+    assert!(bench.x_mm().abs() < 0.01);
+    assert!(!bench.look(|fake| fake.lines.clone()).iter().any(|line| line.starts_with("M3")));
+}
+
+#[test]
 fn a_job_runs_on_a_grbl() {
     let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/figures/line.rsg");
     let (shop, bench) = (Shop::new(&[]), Bench::new(&[]));

@@ -84,23 +84,24 @@ const ORDER: [Axis; 6] = [Axis::Z, Axis::A, Axis::X, Axis::Y, Axis::B, Axis::C];
 /// How much further than its length an axis is searched.
 const MARGIN: f64 = 1.1;
 
-/// Homes axes of a machine. Axes without a switch keep the zero they have.
+/// Homes axes of a machine, and tells what was found one after the other. Axes without a switch keep the zero
+/// they have.
 ///
 /// # Errors
 /// [`NotFound`] with the first axis whose switch did not come; it is not homed, nor are those that
-/// would have followed.
+/// would have followed. Those before it are.
 pub fn home(
     machine: &Configuration,
     rig: &mut dyn Rig,
     axes: AxisSet,
-) -> Result<Vec<Homed>, NotFound> {
-    let mut homed = Vec::new();
+    homed: &mut Vec<Homed>,
+) -> Result<(), NotFound> {
     for axis in ORDER {
         if axes.contains(axis) && machine.homing.of(axis).fitted {
-            home_axis(machine, rig.axle(axis), axis, &mut homed)?;
+            home_axis(machine, rig.axle(axis), axis, homed)?;
         }
     }
-    Ok(homed)
+    Ok(())
 }
 
 fn home_axis(

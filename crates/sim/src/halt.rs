@@ -43,6 +43,20 @@ pub enum HaltCause {
     Stall,
 }
 
+/// What stops a machine beside stops and what is watched.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Heeds {
+    /// Limits.
+    pub limits: bool,
+    /// Motors that stall.
+    pub stalls: bool,
+}
+
+impl Heeds {
+    /// Nothing moves: a limit has nothing to stop, and no motor stalls.
+    pub const AT_REST: Self = Self { limits: false, stalls: false };
+}
+
 /// The first change of the script, not later than a time, or the first state that is looked at from
 /// a moment on, that stops motion. The inputs are left as they are.
 pub(crate) fn first(
@@ -50,10 +64,10 @@ pub(crate) fn first(
     until_s: f64,
     modes: &IoModes,
     watches: &[Watched],
-    limits: bool,
+    heeds: Heeds,
 ) -> Option<Halt> {
     let level = first_level(inputs, until_s, modes, watches);
-    let change = first_change(inputs, until_s, modes, watches, limits);
+    let change = first_change(inputs, until_s, modes, watches, heeds);
     match (level, change) {
         (Some(level), Some(change)) if change.t_s <= level.t_s => Some(change),
         (level, change) => level.or(change),
@@ -81,7 +95,7 @@ fn first_change(
     until_s: f64,
     modes: &IoModes,
     watches: &[Watched],
-    limits: bool,
+    heeds: Heeds,
 ) -> Option<Halt> {
     let mut inputs = inputs.clone();
     while let Some(change) = inputs.step(until_s, modes) {
@@ -89,8 +103,8 @@ fn first_change(
         let cause = match inputs::duty(change.input, modes) {
             Duty::Stop if triggered => Some(HaltCause::Stop(change.input)),
             Duty::Cable if triggered => Some(HaltCause::LinkLost),
-            Duty::Stall if triggered => Some(HaltCause::Stall),
-            Duty::Limit if triggered && limits => Some(HaltCause::Limit(change.input)),
+            Duty::Stall if triggered && heeds.stalls => Some(HaltCause::Stall),
+            Duty::Limit if triggered && heeds.limits => Some(HaltCause::Limit(change.input)),
             _ => watching(change.input, change.on, modes, watches).map(HaltCause::Watch),
         };
         if let Some(cause) = cause {
@@ -118,15 +132,17 @@ mod tests {
     use crate::Change;
     use kerf_program::Settings;
 
+    const ALL: Heeds = Heeds { limits: true, stalls: true };
+
     fn check(input: u8, on: bool, mode: u8, watched: bool, expected: Option<HaltCause>) {
         let mut modes = Settings::default().io;
         modes.inputs[usize::from(input) - 1] = mode;
         let inputs = Inputs::new(vec![Change { input, at_s: 1.0, on }]);
         let watch = Watched { input, on, ramped: true, level_from_s: None };
         let watches = if watched { vec![watch] } else { Vec::new() };
-        let halt = first(&inputs, 5.0, &modes, &watches, true);
+        let halt = first(&inputs, 5.0, &modes, &watches, ALL);
         assert_eq!(halt.map(|h| h.cause), expected, "input {input} to {on}, mode {mode}");
-        assert_eq!(first(&inputs, 0.9, &modes, &watches, true), None);
+        assert_eq!(first(&inputs, 0.9, &modes, &watches, ALL), None);
     }
 
     #[test]
@@ -148,9 +164,9 @@ mod tests {
         let mut modes = Settings::default().io;
         modes.inputs[1] = 1;
         let inputs = Inputs::new(vec![Change { input: 2, at_s: 1.0, on: true }]);
-        assert!(first(&inputs, 5.0, &modes, &[], true).is_some());
-        assert!(first(&inputs, 5.0, &modes, &[], false).is_none());
+        assert!(first(&inputs, 5.0, &modes, &[], ALL).is_some());
+        assert!(first(&inputs, 5.0, &modes, &[], Heeds { limits: false, ..ALL }).is_none());
         modes.limits_active = false;
-        assert!(first(&inputs, 5.0, &modes, &[], true).is_none());
+        assert!(first(&inputs, 5.0, &modes, &[], ALL).is_none());
     }
 }

@@ -176,6 +176,13 @@ impl Inputs {
         }
     }
 
+    /// An input that nobody has moved and no script speaks of is in this state.
+    pub(crate) fn rests(&mut self, number: u8, on: bool) {
+        if let Some(contact) = index(number).and_then(|i| self.contact.get_mut(i)) {
+            contact.get_or_insert(on);
+        }
+    }
+
     /// From here on the sensors of the head will tell this, and nothing that was foreseen before.
     pub(crate) fn foresee(&mut self, changes: Vec<Change>) {
         self.foreseen = changes.into();
@@ -210,6 +217,11 @@ pub(crate) fn signal(number: u8, closed: bool, modes: &IoModes) -> bool {
 /// Whether a contact in this state triggers the input.
 pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
     closed != normally_closed(number, modes)
+}
+
+/// The contact of an input that a controller reports as active, however it is wired.
+pub fn contact(number: u8, active: bool, modes: &IoModes) -> bool {
+    active != normally_closed(number, modes)
 }
 
 /// What an input does to motion.

@@ -323,16 +323,23 @@ impl Machine {
         self.heat(self.clock_s);
     }
 
-    /// Motion is about to start: the warning comes first. Returns when motion starts, seconds.
+    /// Motion is about to start: the motors have power, the light warns. Returns when motion may start, seconds.
+    pub fn warn(&mut self) -> f64 {
+        if self.draws() {
+            return self.clock_s;
+        }
+        self.power_motors(true);
+        if self.light {
+            return self.clock_s;
+        }
+        self.set_light(true);
+        self.clock_s + self.settings.warning_s.max(0.0)
+    }
+
+    /// The same, and the warning passes.
     pub fn begin_motion(&mut self) -> f64 {
-        if !self.draws() {
-            self.power_motors(true);
-        }
-        if !self.light && !self.draws() {
-            self.set_light(true);
-            let wait_s = self.settings.warning_s.max(0.0);
-            self.advance(self.clock_s + wait_s);
-        }
+        let until_s = self.warn();
+        self.advance(until_s);
         self.clock_s
     }
 

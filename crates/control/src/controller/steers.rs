@@ -5,6 +5,8 @@ use super::lacks::out_of_reach;
 use super::{Connection, Shared};
 use crate::pace::{Doing, Failure, Going, Pace, Wish};
 use kerf_motion::Move;
+use kerf_program::settings::IoModes;
+use kerf_sim::contact;
 use std::cell::RefMut;
 use std::time::{Duration, Instant};
 
@@ -27,19 +29,27 @@ pub struct Steers<'a> {
     looked: Instant,
     /// When it began to stand at a moment of machine time: an input on the way does not begin it anew.
     stood: Option<(f64, Instant)>,
+    /// How the inputs are wired.
+    io: IoModes,
 }
 
 impl<'a> Steers<'a> {
     /// The run on a controller; the operator stops it through a pace that does not wait.
     pub fn new(shared: Shared, operator: &'a mut dyn Pace) -> Self {
         let (kept, failure, looked) = (None, None, Instant::now());
-        Self { shared, operator, kept, braked: false, failure, looked, stood: None }
+        let io = IoModes::default();
+        Self { shared, operator, kept, braked: false, failure, looked, stood: None, io }
     }
 
     /// What the operator wants by a moment.
     fn wish(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
         let kept = self.kept.take().map(|(at_s, wish)| (at_s.max(from_s), wish));
         kept.or_else(|| self.operator.pass(from_s, to_s))
+    }
+
+    /// A pin that the controller reports: active is what its own wiring makes of it, the machine counts in contacts.
+    fn moved(&self, (number, active): (u8, bool)) -> Wish {
+        Wish::Input { number, on: contact(number, active, &self.io) }
     }
 
     /// What was handed over is made. What the operator wants meanwhile is heard afterwards.
@@ -75,8 +85,8 @@ impl<'a> Steers<'a> {
             if self.failure.is_some() {
                 return None;
             }
-            if let Some((number, on)) = input {
-                return Some((reached_s.min(until_s), Wish::Input { number, on }));
+            if let Some(input) = input {
+                return Some((reached_s.min(until_s), self.moved(input)));
             }
             if reached_s >= until_s || leads(going, until_s) {
                 return None;
@@ -102,9 +112,9 @@ impl<'a> Steers<'a> {
             if self.failure.is_some() {
                 return None;
             }
-            if let Some((number, on)) = input {
+            if let Some(input) = input {
                 self.kept = wish;
-                return Some((now_s.min(until_s), Wish::Input { number, on }));
+                return Some((now_s.min(until_s), self.moved(input)));
             }
             if now_s >= until_s {
                 return wish;
@@ -164,6 +174,7 @@ impl Pace for Steers<'_> {
         if doing.machine.draws() {
             return self.operator.pass(from_s, to_s);
         }
+        self.io = doing.machine.settings().io;
         let Some(going) = doing.going else { return self.pass(from_s, to_s) };
         if self.braked || self.failure.is_some() {
             return None;

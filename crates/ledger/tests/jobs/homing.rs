@@ -157,7 +157,8 @@ fn a_switch_that_does_not_come_is_told_and_nothing_follows() {
         (trace.refused(), trace.summary.status),
         ("x home not found".into(), Status::Failed)
     );
-    assert_eq!(order(&trace), "");
+    assert_eq!(order(&trace), "z", "what was found before is homed");
+    assert_eq!(trace.session.homed, axes("z"));
     assert_eq!(trace.edges(), [""; 0]);
 }
 

@@ -14,6 +14,7 @@ mod group;
 mod height;
 mod height_kept;
 mod homing;
+mod interlock;
 mod job;
 mod knife;
 mod laser;

@@ -2,7 +2,7 @@
 
 use super::Hand;
 use super::ways::Leg;
-use crate::sequence::Word;
+use crate::sequence::{Word, stop_input};
 use crate::state::{Effect, Event, RELEASE_S, State};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::{
@@ -15,14 +15,20 @@ impl Hand {
     pub(super) fn halt(&mut self, event: Event, halted: &Halted) {
         self.position = halted.stands;
         self.given = false;
+        if self.rest.is_some() {
+            // On its way up it was stopped again: it stays where it stands.
+            self.legs.clear();
+        }
         let Some(mut stands) = self.state.on(event, self.stop_settings()) else { return };
         if let Some(next) = stands.state.on(Event::Stands, self.stop_settings()) {
             stands = next;
         }
         self.state = stands.state;
-        let mut rest = std::mem::take(&mut self.legs);
-        rest.push_front(halted.stands.into());
-        self.rest = Some(rest);
+        if self.rest.is_none() {
+            let mut rest = std::mem::take(&mut self.legs);
+            rest.push_front(halted.stands.into());
+            self.rest = Some(rest);
+        }
         let (top, mut up) = (self.machine.zpos.top_mm, halted.stands);
         if stands.effects.contains(&Effect::Raise) && up[Axis::Z] < top {
             up[Axis::Z] = top;
@@ -62,16 +68,14 @@ impl Hand {
     /// The state in which it goes on; nothing while a stop input is active.
     fn goes_on_in(&self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Option<State> {
         let settings = self.stop_settings();
+        if stop_input(&self.settings.io, host) {
+            let text = "release the stop input".into();
+            self.give(Command::Message { text }, out);
+            self.give(Command::Wait { seconds: RELEASE_S }, out);
+            return None;
+        }
         match self.state {
             State::Limited => Some(self.state.on(Event::Override, settings)?.state),
-            State::Blocked
-                if self.settings.io.stops(self.blocked_by, host.input(self.blocked_by)) =>
-            {
-                let text = "release the stop input".into();
-                self.give(Command::Message { text }, out);
-                self.give(Command::Wait { seconds: RELEASE_S }, out);
-                None
-            }
             State::Blocked => {
                 let released = self.state.on(Event::Released, settings)?;
                 Some(released.state.on(Event::Continue, settings)?.state)

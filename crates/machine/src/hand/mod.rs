@@ -40,8 +40,6 @@ pub struct Hand {
     begun: bool,
     state: State,
     motions: u64,
-    /// The stop input that blocks it.
-    blocked_by: u8,
     /// Why it is not moving.
     why: Arc<str>,
     /// What is said when it is done.
@@ -72,7 +70,6 @@ impl Hand {
             begun: false,
             state: State::Running,
             motions: 0,
-            blocked_by: 0,
             why: Arc::default(),
             note: None,
             over: None,
@@ -205,10 +202,7 @@ impl Interpreter for Hand {
     fn stopped(&mut self, by: StoppedBy, halted: &Halted) {
         let (event, why) = match by {
             StoppedBy::Operator | StoppedBy::PowerCut => (Event::Stop, String::new()),
-            StoppedBy::Input(n) => {
-                self.blocked_by = n;
-                (Event::StopInput, format!("stopped by stop input {n}"))
-            }
+            StoppedBy::Input(n) => (Event::StopInput, format!("stopped by stop input {n}")),
             StoppedBy::Limit(n) => (Event::Limit, format!("stopped by limit input {n}")),
         };
         self.why = why.into();

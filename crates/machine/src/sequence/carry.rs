@@ -1,8 +1,10 @@
 //! Carrying out small steps: which commands each gives, and when it is over.
 
+use super::forbidden::Forbids;
 use super::place::Along;
 use super::small::Small;
 use super::start::PATIENCE_S;
+use super::words::Word;
 use super::{SAME_MM, Sequence, bit};
 use crate::lines::{Input, Output};
 use crate::settings::axes::Z2;
@@ -55,9 +57,9 @@ impl Sequence {
         match small {
             Small::Switch(output, on) => self.switch(*output, *on, out),
             Small::Wait(seconds) => return self.wait(*seconds, out),
-            Small::Await(awaited) => return self.wait(awaited.timeout_s, out),
-            Small::AwaitJig => return self.wait(PATIENCE_S, out),
-            Small::Release => return self.wait(RELEASE_S, out),
+            Small::Await(awaited) => return self.look_for(awaited.timeout_s, out),
+            Small::AwaitJig => return self.look_for(PATIENCE_S, out),
+            Small::Release => return self.look_for(RELEASE_S, out),
             Small::Beam(beam) => self.give(Command::Beam(beam.clone()), out),
             Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
             Small::Height(law) => return self.control_height(law.clone(), out),
@@ -72,7 +74,9 @@ impl Sequence {
             Small::RaiseTo(z) => {
                 return *z > self.position[Axis::Z] && self.rapid(Axis::Z, *z, out);
             }
-            Small::Plunge(z) | Small::Lower(z) | Small::Feel(z) => return self.plunge(*z, out),
+            Small::Plunge(z) | Small::Lower(z) => return self.plunge(*z, out),
+            // There already, it is looked at all the same whether the sheet is.
+            Small::Feel(z) => return self.plunge(*z, out) || self.look_for(0.0, out),
             Small::AboveFelt(up) => return self.plunge(self.felt_mm + up, out),
             Small::AboveSensed(up) => return self.plunge(self.begun_mm + up, out),
             Small::Turn(degrees) => return self.rapid(Axis::C, *degrees, out),
@@ -175,6 +179,12 @@ impl Sequence {
         waits
     }
 
+    /// Time passes until an input comes. Without any time it is looked at once.
+    fn look_for(&self, seconds: f64, out: &mut Vec<Sourced>) -> bool {
+        self.give(Command::Wait { seconds: seconds.max(0.0) }, out);
+        true
+    }
+
     fn enter(&mut self, state: State, out: &mut Vec<Sourced>) {
         self.state = state;
         let why = if state == State::Running { "".into() } else { self.why.clone() };
@@ -257,16 +267,17 @@ impl Sequence {
                     Answer::Text(words) => words,
                     Answer::Button(button) => button.word().to_owned(),
                 };
-                let pressed =
-                    host.input(Input::EmergencyStop.number()) == self.machine.estop.active;
-                match self.state {
-                    State::Emergency => self.answered_in_emergency(&words, pressed),
-                    State::Blocked => {
-                        let (n, io) = (self.blocked_by, &self.settings.io);
-                        let active = io.stops(n, host.input(n));
-                        self.answered_when_blocked(&words, active);
+                let forbids = self.forbids(host);
+                match (self.state, forbids) {
+                    (State::Emergency, _) => {
+                        let pressed = forbids == Some(Forbids::EmergencyStop);
+                        self.answered_in_emergency(&words, pressed);
                     }
-                    State::Limited => self.answered_at_limit(&words),
+                    (State::Blocked, _) => self.answered_when_blocked(&words, forbids.is_some()),
+                    (_, Some(forbids)) if Word::read(&words).is_some_and(Word::moves) => {
+                        self.refuse(forbids);
+                    }
+                    (State::Limited, _) => self.answered_at_limit(&words),
                     _ => self.answered(&words),
                 }
                 Step::Ran

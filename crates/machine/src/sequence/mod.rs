@@ -22,6 +22,7 @@ mod begin;
 mod bounds;
 mod carry;
 mod entry;
+mod forbidden;
 mod height;
 mod limited;
 mod path;
@@ -37,6 +38,7 @@ mod words;
 
 pub use begin::{lies, settings as planner_settings};
 pub(crate) use carry::rapid_mm_s;
+pub(crate) use forbidden::stop_input;
 pub(crate) use path::CHORDS;
 pub use words::Word;
 
@@ -77,8 +79,6 @@ pub struct Sequence {
     state: State,
     /// Why it is not running.
     why: Arc<str>,
-    /// The stop input that blocks the machine.
-    blocked_by: u8,
     stage: Stage,
     here: Here,
     /// Heights of the path at hand.
@@ -137,7 +137,6 @@ impl Sequence {
             raise: machine.pause.raise,
             state: State::Idle,
             why: Arc::default(),
-            blocked_by: 0,
             stage: Stage::Begin,
             here: Here { nth: job.start.saturating_sub(1), ..Here::default() },
             depths: Depths::Along(heights.surface_mm),

@@ -250,6 +250,7 @@ impl Sequence {
         self.state = next.state;
         self.why = Arc::default();
         self.steps = [Small::Enter(self.state), Small::Switch(Output::JobRunning, true)].into();
+        self.steps.extend(self.jig_on());
         self.refresh_depths();
         let effects = next.effects.into_iter().flat_map(|effect| self.effect(effect));
         self.steps.extend(effects.collect::<Vec<_>>());

@@ -62,7 +62,6 @@ impl Interpreter for Sequence {
         match by {
             StoppedBy::Operator => self.halt(Event::Stop, "", halted),
             StoppedBy::Input(number) => {
-                self.blocked_by = number;
                 self.halt(Event::StopInput, &format!("stop input {number}"), halted);
             }
             StoppedBy::Limit(number) => {

@@ -71,8 +71,14 @@ impl Sequence {
     pub(super) fn start_now(&mut self) {
         self.stage = Stage::Approach;
         self.steps.extend([Small::Enter(State::Running), Small::Switch(Output::JobRunning, true)]);
-        self.steps.extend(self.jig.map(|jig| Small::Switch(jig.output(), true)));
+        self.steps.extend(self.jig_on());
         self.steps.extend(self.approach(false));
+    }
+
+    /// The output of the jig that is being cut.
+    pub(super) fn jig_on(&self) -> Option<Small> {
+        let jig = self.jig.filter(|_| self.stage != Stage::Waiting)?;
+        Some(Small::Switch(jig.output(), true))
     }
 
     /// The side of the divider on which a shape lies wholly.

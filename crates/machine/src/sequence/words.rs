@@ -33,6 +33,19 @@ pub enum Word {
 const PER_MIN: f64 = 60.0;
 
 impl Word {
+    /// Whether something moves or comes on when it is obeyed.
+    pub(super) const fn moves(self) -> bool {
+        match self {
+            Self::Continue | Self::Shape(_) | Self::Next | Self::Previous | Self::Move(..) => true,
+            Self::Abort
+            | Self::CutSpeed(_)
+            | Self::PlungeSpeed(_)
+            | Self::AdjustBottom(_)
+            | Self::AdjustHeight(_)
+            | Self::Raise(_) => false,
+        }
+    }
+
     /// Reads an order: `continue`, `abort`, `cut 3000` and `plunge 600` (mm/min), `zbottom -0.5`,
     /// `height 0.38` and `height x -0.1` (mm), `raise yes`, `move y 200`; before the start `next`, `previous` or the number of a shape.
     pub fn read(text: &str) -> Option<Self> {

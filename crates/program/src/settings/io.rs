@@ -44,6 +44,14 @@ impl Default for IoModes {
 }
 
 impl IoModes {
+    /// The inputs that stop motion and forbid it.
+    pub fn stop_inputs(&self) -> impl Iterator<Item = u8> + use<> {
+        let modes = self.inputs;
+        let by_mode = (1..=SWITCHES as u8)
+            .filter(move |n| *n == 4 || matches!(modes[usize::from(*n) - 1], 3 | 4));
+        by_mode.chain(self.interlock)
+    }
+
     /// Whether an input that reads this stops motion and forbids it: the emergency stop when it is
     /// pressed, the enclosure when it is open, stop inputs by their modes.
     pub fn stops(&self, number: u8, reads: bool) -> bool {

@@ -38,7 +38,9 @@ impl Owner {
         let mut may = false;
         self.hub.changing(|now| {
             may = now.machine.armed && now.machine.state == State::Idle;
-            self.link.begin();
+            if may {
+                self.link.begin();
+            }
             let machine = Machine { state: State::Running, why: None, ..now.machine.clone() };
             if may { vec![Change::Machine { machine }] } else { Vec::new() }
         });

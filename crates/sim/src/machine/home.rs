@@ -24,6 +24,8 @@ impl Machine {
         self.bounds =
             Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| bounded.contains(axis)));
         self.put_home_switches();
+        // Nobody presses the emergency stop, whatever its level.
+        self.inputs.rests(Input::EmergencyStop.number(), !machine.estop.active);
         self
     }
 

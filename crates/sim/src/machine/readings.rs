@@ -1,7 +1,7 @@
 //! Inputs: what they read, when they change, and which of them stop motion.
 
 use super::Machine;
-use crate::halt::{self, Halt, Watched};
+use crate::halt::{self, Halt, Heeds, Watched};
 use crate::inputs::{CABLE, Change};
 use kerf_program::Settings;
 
@@ -51,7 +51,15 @@ impl Machine {
         if self.draws() {
             return None;
         }
-        halt::first(&self.inputs, until_s, &self.settings.io, watches, !self.overridden)
+        let heeds = Heeds { limits: !self.overridden, stalls: true };
+        halt::first(&self.inputs, until_s, &self.settings.io, watches, heeds)
+    }
+
+    /// The same while nothing moves.
+    pub fn first_halt_at_rest(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
+        let watched =
+            || halt::first(&self.inputs, until_s, &self.settings.io, watches, Heeds::AT_REST);
+        (!self.draws()).then(watched).flatten()
     }
 
     /// A stop input that forbids motion now.

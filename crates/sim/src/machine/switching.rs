@@ -94,6 +94,11 @@ impl Machine {
         turned
     }
 
+    /// Whether a spindle turns, or an axis moves by itself.
+    pub fn turns(&self) -> bool {
+        !self.spinning().is_empty() || SPINDLES.into_iter().any(|n| self.outputs.is_on(n))
+    }
+
     /// Every output goes off.
     pub fn outputs_off(&mut self) {
         self.set_light(false);

@@ -1,0 +1,54 @@
+//! What turns or moves by itself, and stops with a stop input.
+
+use crate::world::World;
+use kerf_program::{Axis, Independent};
+use kerf_sbp::SPINDLE_STATUS;
+
+/// Spindles that turned and axes that moved by themselves, until they may again.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Turning {
+    /// Outputs of spindles.
+    pub spindles: Vec<u8>,
+    /// Axes with their motion.
+    pub alone: Vec<(Axis, Independent)>,
+}
+
+impl Turning {
+    /// Whether nothing turned.
+    pub const fn is_empty(&self) -> bool {
+        self.spindles.is_empty() && self.alone.is_empty()
+    }
+
+    /// These too, each once.
+    pub fn add(&mut self, spindles: Vec<u8>, alone: Vec<(Axis, Independent)>) {
+        for number in spindles {
+            if !self.spindles.contains(&number) {
+                self.spindles.push(number);
+            }
+        }
+        for (axis, motion) in alone {
+            if self.alone.iter().all(|(other, _)| *other != axis) {
+                self.alone.push((axis, motion));
+            }
+        }
+    }
+}
+
+impl World<'_> {
+    /// What turns and moves by itself stops, and is kept.
+    pub fn stop_turning(&mut self) {
+        let alone = self.machine.moving_alone();
+        let spindles = self.machine.stop_spindles();
+        self.stopped.add(spindles, alone);
+        self.shelf.set_value(SPINDLE_STATUS, Some("0"));
+    }
+
+    /// A switch was moved while somebody is asked: what turns stops when it is a stop.
+    pub fn heed_switch(&mut self) {
+        let turns = self.machine.stop_input().is_some() && self.machine.turns();
+        if turns {
+            self.stop_turning();
+            self.tell_log();
+        }
+    }
+}
