@@ -141,7 +141,7 @@ impl<I: Interpreter> Runner<'_, I> {
         // Cut short before the answer, it is asked when this is gone through again: what is answered on
         // the tape was asked where the run was taken up after that.
         let tape = &self.world.shelf.tape;
-        let unanswered = self.world.silent && (!tape.plays() || tape.is_reentered());
+        let unanswered = self.world.silent && (!tape.plays() || tape.is_cut_short_here());
         let (ready, nudged) = match unanswered {
             true => (Ok(()), Axes::default()),
             false => self.until_resumed(&ready_question(was_on)),

@@ -334,6 +334,14 @@ impl Tape {
         self.next_reentry().is_some_and(|reentry| reentry.told <= self.told || !others())
     }
 
+    /// Whether the run was cut short and taken up again before the world told anything more.
+    pub(crate) fn is_cut_short_here(&self) -> bool {
+        let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
+        let next =
+            next.and_then(|step| serde_json::from_value::<Reentered>(step.told.clone()).ok());
+        next.is_some_and(|reentry| reentry.told <= self.told)
+    }
+
     /// The next time at which the run was taken up, when as many moves were made by then as are now.
     fn next_reentry(&self) -> Option<Reentered> {
         let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
