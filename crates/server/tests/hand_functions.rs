@@ -152,7 +152,7 @@ fn pro_console_f10() {
     hand.keys("U10E");
     hand.shows("Save job", "Job saved");
     let saved = file();
-    assert_eq!((saved.origin, saved.start), (Point2::new(300.0, 200.0), 5));
+    assert_eq!((saved.origin, saved.start), (Some(Point2::new(300.0, 200.0)), 5));
     assert_eq!(saved.paths, before.paths, "neither moved nor offset");
     hand.act(json!({ "do": "close" }));
     hand.open_file("job.rsm");
