@@ -7,7 +7,15 @@ use crate::gathered::{AXIS_WORDS, Fault, Gathered, PLACE_WORDS, letter_of, lette
 use crate::tree::Span;
 use kerf_diag::Code;
 
+/// How far a calculated number may lie beside a whole one that is meant.
+const WHOLE: f64 = 1e-4;
+
 impl Gathered {
+    /// The number of a tool.
+    pub(crate) fn tool(&self, letter: u8) -> Option<u32> {
+        self.get(letter).map(|number| number.round() as u32)
+    }
+
     /// Whether the axis words belong to a code that is no motion.
     pub(crate) fn axes_taken(&self) -> bool {
         matches!(self.g[ONCE], Some(100 | 280 | 300 | 520 | 920))
@@ -66,6 +74,13 @@ impl Gathered {
             if self.get(letter).is_some_and(|v| v < 0.0) && !h_unset {
                 let message = format!("{} may not be negative", letter as char);
                 fault(Fault::new(Code::OutOfRange, span, message).hint("write 0 or more"));
+            }
+        }
+        for letter in [b'T', b'H'] {
+            if self.get(letter).is_some_and(|v| (v - v.round()).abs() > WHOLE) {
+                let message = format!("{} is the number of a tool, a whole one", letter as char);
+                let hint = format!("is a point too many, as in {0}1.5 for {0}15?", letter as char);
+                fault(Fault::new(Code::OutOfRange, span, message).hint(hint));
             }
         }
         if self.axes_taken()

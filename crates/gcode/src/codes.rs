@@ -83,6 +83,9 @@ pub const fn g_elsewhere(code: i32) -> Option<&'static str> {
             "G10 L2 P0 R30 turns the coordinate system in force by 30 degrees, R0 turns it back"
         }
         500 | 510 | 501 | 511 => "the proportions of FP scale and mirror a file",
+        650 | 660 | 661 | 670 => {
+            "a subroutine is called by O<name> call [1] [2], its values are #1, #2"
+        }
         150 | 160 => "@ and ^ are polar places: @10 ^45 is 10 from zero at 45 degrees",
         _ => return None,
     })

@@ -51,8 +51,8 @@ impl Context<'_> {
         self.unit(g)?;
         self.take_feed(g)?;
         self.take_speed(g);
-        if let Some(tool) = g.get(b'T') {
-            self.core.state.selected = tool as u32;
+        if let Some(tool) = g.tool(b'T') {
+            self.core.state.selected = tool;
         }
         if self.core.options.path_only {
             self.keep_modes(g)?;

@@ -43,7 +43,7 @@ impl Context<'_> {
     }
 
     fn length_of(&mut self, g: &Gathered) -> Axes {
-        let number = g.get(b'H').map_or(self.core.state.tool, |h| h as u32);
+        let number = g.tool(b'H').unwrap_or(self.core.state.tool);
         if number == 0 {
             return Axes::default();
         }

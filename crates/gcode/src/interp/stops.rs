@@ -16,7 +16,7 @@ impl Context<'_> {
             }
             Some(6) => self.change_tool(),
             Some(_) => {
-                self.core.state.tool = g.or_zero(b'Q') as u32;
+                self.core.state.tool = g.tool(b'Q').unwrap_or_default();
                 Ok(())
             }
             None => Ok(()),
@@ -35,7 +35,7 @@ impl Context<'_> {
         core.position = core.tool_position();
         core.beside = None;
         self.turn_spindle(Turn::Off);
-        let tool = g.get(b'T').map_or(self.core.state.selected, |tool| tool as u32);
+        let tool = g.tool(b'T').unwrap_or(self.core.state.selected);
         if tool != self.core.state.tool {
             self.emit(Command::ToolChange { begin: true });
         }

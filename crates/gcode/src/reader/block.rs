@@ -123,8 +123,16 @@ impl Reader<'_> {
             } else {
                 "this character begins no word".into()
             };
-            let fault = self.fault_from(start, Code::BadBlock, message);
-            return Err(fault.hint("a block is made of letters with numbers, as in G1 X10.5"));
+            let decimal = letter == b','
+                && start > 0
+                && self.compact.byte(start - 1).is_ascii_digit()
+                && self.peek_at(1).is_ascii_digit();
+            let hint = if decimal {
+                "decimals stand behind a point: write 1.5 for 1,5"
+            } else {
+                "a block is made of letters with numbers, as in G1 X10.5"
+            };
+            return Err(self.fault_from(start, Code::BadBlock, message).hint(hint));
         }
         if letter == b'O' {
             let message = "an O-word stands alone on its line";
@@ -151,6 +159,13 @@ impl Reader<'_> {
         let exponent = self.peek() == b'E' && self.peek_at(1 + sign).is_ascii_digit();
         if !(is_number && exponent && b"XYZABCIJKRFS".contains(&letter)) {
             return Ok(());
+        }
+        let place = self.compact.span(self.at, self.at + 1).start;
+        if place > self.compact.span(self.at - 1, self.at).end {
+            self.at += 2 + sign;
+            let message = "E behind a blank is neither an exponent nor a word of a cut";
+            let hint = "printers have E for their plastic; Kerf does not run their files";
+            return Err(self.fault_from(start, Code::BadBlock, message).hint(hint));
         }
         self.at += 2 + sign;
         let fault = self.fault_from(start, Code::BadBlock, "a number with an exponent");

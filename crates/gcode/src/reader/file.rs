@@ -27,6 +27,10 @@ pub(super) struct File {
     /// Lines that look like OpenSBP.
     foreign: usize,
     compact: Compact,
+    /// A line that is no blank and no comment was read.
+    began: bool,
+    /// The line of the `%` that ended the program: what stands behind it is never reached.
+    ended: Option<u32>,
 }
 
 impl File {
@@ -44,6 +48,8 @@ impl File {
             untold: 0,
             foreign: 0,
             compact: Compact::default(),
+            began: false,
+            ended: None,
         }
     }
 
@@ -53,7 +59,10 @@ impl File {
         let (mut start, mut plain) = (0, PlainMove::default());
         while start < bytes.len() {
             let (node, next) = match moves::end(bytes, start, &mut plain) {
-                Some(end) => (Node::Move, after_line_end(bytes, end)),
+                Some(end) => {
+                    self.began = true;
+                    (Node::Move, after_line_end(bytes, end))
+                }
                 None => {
                     let (end, next) = line_end(bytes, start);
                     (self.line(&text[start..end]), next)
@@ -79,7 +88,10 @@ impl File {
         let mut compact = std::mem::take(&mut self.compact);
         let node = match compact.take(text) {
             Ok(()) if compact.bytes.is_empty() && compact.comments.is_empty() => Node::Blank,
-            Ok(()) => self.block(&mut compact, text),
+            Ok(()) => {
+                self.began |= !compact.bytes.is_empty();
+                self.block(&mut compact, text)
+            }
             Err(fault) => {
                 self.fault(fault);
                 Node::Bad
@@ -89,7 +101,11 @@ impl File {
         node
     }
 
+    /// The first one begins the program, when nothing stands before it; any other ends it.
     fn percent(&mut self, text: &str) -> Node {
+        if std::mem::replace(&mut self.began, true) && self.ended.is_none() {
+            self.ended = Some(self.number());
+        }
         let rest = text.trim().trim_start_matches('%').trim();
         let named = rest.is_empty()
             || rest.starts_with(['(', ';'])
@@ -127,8 +143,15 @@ impl File {
             column: start,
             length: end.saturating_sub(start),
         };
+        let (hint, severity) = match self.ended.filter(|end| *end < self.number()) {
+            Some(end) => {
+                let hint = format!("never reached: it stands behind the % of line {end}");
+                (hint, Severity::Warning)
+            }
+            None => (fault.hint, severity),
+        };
         let diagnostic = Diagnostic::new(fault.code, place, fault.message);
-        self.diagnostics.push(diagnostic.hint(fault.hint).severity(severity));
+        self.diagnostics.push(diagnostic.hint(hint).severity(severity));
     }
 
     /// Counts a line that looks like OpenSBP.

@@ -115,6 +115,41 @@ fn faults_have_place_and_code() {
 }
 
 #[test]
+fn the_number_of_a_tool_is_whole() {
+    finds("T1.5 M6", &["R009 1:1+7 T is the number of a tool, a whole one"]);
+    finds("G43 H2.5", &["R009 1:1+8 H is the number of a tool"]);
+    finds("T[3 / 1] M6⏎T3. M6⏎G41.1 D2.5", &[]);
+}
+
+#[test]
+fn what_stands_behind_the_last_percent_is_no_reason_not_to_run() {
+    let text = "(head)⏎%⏎G0 X1⏎%⏎G0 X9⏎this is no code";
+    finds(text, &["G005 6:1+1 T without a number"]);
+    let ended = program(text);
+    assert!(!ended.has_errors());
+    assert_eq!(ended.diagnostics[0].hint, "never reached: it stands behind the % of line 4");
+    assert!(program("%⏎G0 X1⏎this is no code⏎%").has_errors());
+    assert!(program("G0 X1⏎%⏎this is no code").diagnostics.iter().all(|d| !d.is_error()));
+}
+
+#[test]
+fn a_hint_says_what_was_probably_meant() {
+    for (text, hint) in [
+        ("G0 X1,5", "write 1.5 for 1,5"),
+        ("G0 X1,", "a block is made of letters"),
+        ("G1 X10 E5", "printers have E"),
+        ("G1 X10E5", "write 0.00001 for 1e-5"),
+        ("G68 X0 Y0 R30", "G10 L2 P0 R30 turns"),
+        ("G51 X2", "proportions of FP"),
+        ("G16", "@10 ^45"),
+        ("G65 P100", "O<name> call"),
+    ] {
+        let found = program(text).diagnostics;
+        assert!(found[0].hint.contains(hint), "{text}: {found:?}");
+    }
+}
+
+#[test]
 fn codes_that_may_stand_together() {
     for text in
         ["G17 G20 G90 G94 G54 G64 P0.01", "M7 M8", "G53 G0 X0", "G80 G0 X1", "M3 S100 M8 T1"]

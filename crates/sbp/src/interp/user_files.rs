@@ -94,7 +94,7 @@ impl Context<'_> {
         loop {
             let slot = self.core.files.get_mut(usize::from(number) - 1);
             let Some(file) = slot.and_then(Option::as_mut) else {
-                return Err(self.not_open(number));
+                return Err(self.not_open(number, "reading"));
             };
             if !file.fields.is_empty() {
                 return Ok(file.fields.remove(0));
@@ -136,7 +136,7 @@ impl Context<'_> {
         purpose: &str,
         fits: impl Fn(FileMode) -> bool,
     ) -> Result<UserFile, Stop> {
-        let Some(file) = self.user_file(number) else { return Err(self.not_open(number)) };
+        let Some(file) = self.user_file(number) else { return Err(self.not_open(number, purpose)) };
         if fits(file.mode) {
             return Ok(file.clone());
         }
@@ -149,9 +149,10 @@ impl Context<'_> {
         self.core.files.get(usize::from(number).checked_sub(1)?)?.as_ref()
     }
 
-    fn not_open(&self, number: u8) -> Stop {
+    fn not_open(&self, number: u8, purpose: &str) -> Stop {
         let message = format!("file #{number} is not open");
-        let hint = format!("OPEN \"name\" FOR INPUT AS #{number}");
+        let way = if purpose == "reading" { "INPUT" } else { "OUTPUT" };
+        let hint = format!("write OPEN \"name\" FOR {way} AS #{number} before it");
         self.fail_at(self.span, Code::FileNotOpen, message, hint)
     }
 

@@ -194,6 +194,10 @@ impl Line<'_, '_> {
         let shown: String = found.chars().take(20).collect();
         let hint = match found.as_bytes().first() {
             Some(b'0'..=b'9' | b'.' | b'&' | b'%' | b'-') => "values are separated by commas",
+            Some(b';' | b'#' | b'/' | b'(') => "a comment begins with an apostrophe",
+            _ if found.get(..4).is_some_and(|word| word.eq_ignore_ascii_case("ELSE")) => {
+                "there is no ELSE: write another IF for the other case, or GOTO past it"
+            }
             _ => "",
         };
         Err(self.fault(Code::Syntax, span, format!("'{shown}' does not belong here"), hint))
@@ -254,6 +258,17 @@ mod tests {
         finds("MX,1 MY,2", &["S013 1:6+2 a second command"]);
         finds("MD,10,90 MX,1", &["S013 1:10+2 a second command"]);
         finds("M2,&a,1 GOTO X", &["S013 1:9+6 a second command"]);
+        finds(
+            "MX,1 ; up",
+            &["S004 1:6+4 '; up' does not belong here [a comment begins with an apostrophe]"],
+        );
+        finds(
+            "IF 1=1 THEN MX,1 ELSE JX,2",
+            &[
+                "S004 1:18+7 'ELSE JX' does not belong here [there is no ELSE: write another IF",
+                "S009 1:26+1",
+            ],
+        );
         finds("M2 3 4", &["S004 1:6+1 '4' does not belong here [values are separated by commas]"]);
     }
 }

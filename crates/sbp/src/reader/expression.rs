@@ -242,7 +242,15 @@ impl Line<'_, '_> {
             return self.fault(Code::BadExpression, span, "a value is expected", "");
         };
         let span = Span { start: span.start, end: span.start + found.len_utf8() as u32 };
-        self.fault(Code::BadExpression, span, format!("a value is expected, not {found}"), "")
+        let hint = match found {
+            '[' => {
+                "values stand in ( ); in G-code a condition stands in an O-word: O1 if [#1 EQ 1]"
+            }
+            '/' => "a comment begins with an apostrophe",
+            '*' => "a power is written 2 ^ 3",
+            _ => "",
+        };
+        self.fault(Code::BadExpression, span, format!("a value is expected, not {found}"), hint)
     }
 
     /// What stands up to the closing parenthesis; the opening one is behind us.
@@ -445,6 +453,9 @@ mod tests {
     fn mistakes_are_pointed_at() {
         for (text, finding) in [
             ("MX,3*", "S007 1:5+1 a value is missing after *"),
+            ("MX,1 // up", "S007 1:7+1 a value is expected, not / [a comment begins"),
+            ("MX,2**3", "S007 1:6+1 a value is expected, not * [a power is written 2 ^ 3]"),
+            ("IF [#1 EQ 1] GOTO X", "S007 1:4+1 a value is expected, not [ [values stand in ( )"),
             ("MX,(1+2", "S006 1:4+4 a ) is missing"),
             ("MX,%(1", "S006 1:4+3 a ) is missing"),
             ("MX,%1", "S007 1:4+1 ( expected after %"),

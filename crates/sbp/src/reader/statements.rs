@@ -288,7 +288,7 @@ impl Line<'_, '_> {
         let span = Span { start: start as u32, end: stop };
         let word = self.slice(start, stop as usize).to_uppercase();
         let message = format!("unknown command or missing separator: {word}");
-        let rest = self.slice(start + 2, self.end).trim_end();
+        let rest = self.slice(start + 2, self.end).trim_start_matches(';').trim();
         let hint = format!("write {},{rest}", spec.letters);
         Some(self.fault(Code::UnknownCommand, span, message, hint))
     }
@@ -330,6 +330,7 @@ mod tests {
             ),
             ("XM,1", "S002 1:1+2 unknown command XM [did you mean MX?]"),
             ("M23, 4.2", "S002 1:1+3 unknown command or missing separator: M23 [write M2,3, 4.2]"),
+            ("MX;1", "S002 1:1+4 unknown command or missing separator: MX;1 [write MX,1]"),
             ("MX-5", "S002 1:1+4 unknown command or missing separator: MX-5 [write MX,-5]"),
             ("JZ&up", "S002 1:1+5 unknown command or missing separator: JZ&UP [write JZ,&up]"),
             ("REMARK,1", "S002 1:1+6 unknown command REMARK"),

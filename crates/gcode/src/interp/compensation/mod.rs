@@ -116,7 +116,7 @@ impl Context<'_> {
             };
             return Ok(d * self.core.state.modal.unit.mm() / 2.0);
         }
-        let number = g.get(b'D').map_or(self.core.state.tool, |d| d as u32);
+        let number = g.tool(b'D').unwrap_or(self.core.state.tool);
         if number == 0 {
             return Ok(0.0);
         }

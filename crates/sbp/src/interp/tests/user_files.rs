@@ -130,6 +130,10 @@ fn a_file_is_read_or_written_as_it_was_opened() {
     let ran = run_files("OPEN \"a\" FOR INPUT AS #1 ⏎ WRITE #1, 2", &[("a", "1")]);
     ran.fails_at(2, "not open for writing");
     run("INPUT #4, &x").fails_at(1, "file #4 is not open");
+    for (line, way) in [("INPUT #4, &x", "FOR INPUT AS #4"), ("WRITE #4; 1", "FOR OUTPUT AS #4")] {
+        let hint = run(line).error.map(|e| e.hint).unwrap_or_default();
+        assert!(hint.contains(way), "{line}: {hint}");
+    }
 }
 
 #[test]
