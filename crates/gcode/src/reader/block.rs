@@ -84,7 +84,7 @@ impl File {
     fn doubt(&mut self, compact: &Compact) {
         if let Some(at) = compact.gap {
             let span = Span { start: at, end: at + 1 };
-            let message = "a number goes on behind a blank";
+            let message = "a number goes on behind a blank or a comment";
             let hint = "blanks mean nothing in G-code; is a letter missing here?";
             self.fault(Fault::new(Code::BlankInNumber, span, message).hint(hint));
         }

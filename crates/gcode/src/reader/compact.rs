@@ -14,7 +14,7 @@ pub(super) struct Compact {
     places: Vec<u32>,
     /// The comments, in order.
     pub(super) comments: Vec<Comment>,
-    /// Where a number goes on behind blanks.
+    /// Where a number goes on behind blanks or a comment.
     pub(super) gap: Option<u32>,
     /// Where a comment holds an opening parenthesis.
     pub(super) nested: Option<u32>,
@@ -51,8 +51,8 @@ impl Compact {
 
     fn keep(&mut self, byte: u8, at: usize, bytes: &[u8]) {
         let in_number = |b: &u8| b.is_ascii_digit() || *b == b'.';
-        let behind_blank = at.checked_sub(1).is_some_and(|i| is_blank(bytes[i]));
-        if behind_blank && in_number(&byte) && self.bytes.last().is_some_and(in_number) {
+        let behind_gap = at.checked_sub(1).is_some_and(|i| is_blank(bytes[i]) || bytes[i] == b')');
+        if behind_gap && in_number(&byte) && self.bytes.last().is_some_and(in_number) {
             self.gap.get_or_insert(at as u32);
         }
         self.bytes.push(byte.to_ascii_uppercase());

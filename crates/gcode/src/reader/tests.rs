@@ -115,6 +115,12 @@ fn faults_have_place_and_code() {
 }
 
 #[test]
+fn a_number_that_goes_on_behind_a_comment_is_told() {
+    finds("G0 X1(one)2", &["G022 1:11+1 a number goes on behind a blank or a comment"]);
+    finds("G0 X(one)12(two) Y3", &[]);
+}
+
+#[test]
 fn the_number_of_a_tool_is_whole() {
     finds("T1.5 M6", &["R009 1:1+7 T is the number of a tool, a whole one"]);
     finds("G43 H2.5", &["R009 1:1+8 H is the number of a tool"]);
