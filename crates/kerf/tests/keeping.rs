@@ -165,6 +165,15 @@ fn numbers_below_zero_are_calculated_alike() {
 }
 
 #[test]
+fn a_loop_is_counted_as_the_nearest_whole_number() {
+    check(
+        "G21 G90 F600\n#1 = 4\nG0 X0\nO1 repeat [#1]\nG1 X[#5420 + 1]\nO1 endrepeat\n\
+         O2 repeat [#1 - 1.6]\nG1 Y[#5421 + 1]\nO2 endrepeat\n\
+         O3 repeat [[#1 + 1] / 2]\nG1 X[#5420 - 2]\nO3 endrepeat\nO4 repeat [3]\nG1 Z[#5422 - 1]\nO4 endrepeat\nM2\n",
+    );
+}
+
+#[test]
 fn a_mode_that_hangs_on_the_way_taken_is_not_kept() {
     let branch = |last: &str| {
         format!(

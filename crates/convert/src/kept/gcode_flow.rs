@@ -55,8 +55,7 @@ impl Keeper<'_> {
             }
             Keyword::Repeat => {
                 let label = self.begin_loop(line, &name, flow)?;
-                let count = self.words(line).value(first(flow))?;
-                self.line(&format!("&turns_{label} = {count}"));
+                self.count(line, flow, &label)?;
                 self.line(&format!("AGAIN_{label}:"));
                 self.line(&format!("IF &turns_{label} < 1 THEN GOTO DONE_{label}"));
                 self.line(&format!("&turns_{label} = &turns_{label} - 1"));
@@ -93,6 +92,22 @@ impl Keeper<'_> {
             }
             _ => Err(Unkept::new(line, "this O-word")),
         }
+    }
+
+    /// How often a loop turns: a count is rounded to the nearest whole number, halves to the even one.
+    fn count(&mut self, line: u32, flow: &Flow, label: &str) -> Result<(), Unkept> {
+        let turns = format!("&turns_{label}");
+        let count = self.words(line).value(first(flow))?;
+        if matches!(first(flow), Expr::Number(n) if n.fract() == 0.0) {
+            self.line(&format!("{turns} = {count}"));
+            return Ok(());
+        }
+        self.line(&format!("&count = {count}"));
+        self.line(&format!("{turns} = INT(&count + 0.5)"));
+        self.line(&format!(
+            "IF {turns} - &count = 0.5 AND {turns} / 2 <> INT({turns} / 2) THEN {turns} = {turns} - 1"
+        ));
+        Ok(())
     }
 
     /// A label that stands only once: jumps go to the first of two.

@@ -75,7 +75,7 @@ impl Context<'_> {
     }
 
     fn repeat(&mut self, program: &Program, flow: &Flow) -> Result<(), Stop> {
-        let times = self.value(program, flow)?.max(0.0) as u64;
+        let times = self.value(program, flow)?.round_ties_even().max(0.0) as u64;
         if times == 0 {
             self.go_on_at(flow.target);
         } else if let Some(call) = self.core.calls.last_mut() {

@@ -3,6 +3,21 @@
 use super::*;
 
 #[test]
+fn a_loop_is_counted_as_the_nearest_whole_number() {
+    // 0.3 / 0.1 lies a hair below 3; halves go to the even number, as with LinuxCNC.
+    let turns = |count: &str, expected: f64| {
+        let ran = run(&format!("G21⏎O1 repeat [{count}]⏎G91 G0 X1⏎O1 endrepeat"));
+        assert_eq!(ran.session.position[Axis::X], expected, "{count}");
+    };
+    turns("0.3 / 0.1", 3.0);
+    turns("2.4", 2.0);
+    turns("2.7", 3.0);
+    turns("2.5", 2.0);
+    turns("1.5", 2.0);
+    turns("0 - 1", 0.0);
+}
+
+#[test]
 fn expressions_are_calculated() {
     for (text, value) in [
         ("1+2*3", "7.000000"),
