@@ -79,6 +79,8 @@ pub struct Grbl {
     planned_on: u32,
     /// When it was told to stop.
     stopped_s: f64,
+    /// When something came from it last.
+    heard_s: f64,
     /// It has said since its reset that it is there.
     greets: bool,
     taken: Ticket,
@@ -100,6 +102,10 @@ const GREETING_S: f64 = 1.0;
 
 /// A controller that stands answers a line within this, seconds: writing a setting takes longest.
 const ANSWER_S: f64 = 2.0;
+
+/// A controller that was told to stop and is not heard for so long is reset, seconds: its line back may be
+/// broken, and a hold alone leaves its spindle on.
+const DEAF_S: f64 = 2.0;
 
 /// A report that comes so long after a signal is not older than it, seconds.
 const STALE_S: f64 = 0.3;
@@ -125,6 +131,7 @@ impl Grbl {
             on: 0,
             planned_on: 0,
             stopped_s: 0.0,
+            heard_s: f64::NEG_INFINITY,
             greets: false,
             taken: 0,
             done: 0,
@@ -443,6 +450,9 @@ impl Driver for Grbl {
 
 impl Wired for Grbl {
     fn hear(&mut self, bytes: &[u8], now_s: f64) {
+        if !bytes.is_empty() {
+            self.heard_s = now_s;
+        }
         for byte in bytes {
             match byte {
                 b'\r' => {}
@@ -461,6 +471,10 @@ impl Wired for Grbl {
         let asks = matches!(self.phase, Phase::Silent | Phase::Asked);
         if asks && self.facts.is_none() && now_s - self.asked_s > GREETING_S {
             self.ask_all(now_s);
+        }
+        let silent_s = now_s - self.stopped_s.max(self.heard_s);
+        if self.phase == Phase::Stopping && silent_s > DEAF_S {
+            self.reset();
         }
         let mut used: usize = self.pending.iter().map(|line| line.text.len() + 1).sum();
         while let Some(line) = self.queue.front() {

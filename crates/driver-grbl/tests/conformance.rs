@@ -16,6 +16,8 @@ struct Wire {
     ahead_s: f64,
     /// The line is cut.
     cut: bool,
+    /// The wire back is broken: the controller hears and is not heard.
+    deaf: bool,
     /// Every so many bytes of the controller one is spoiled.
     spoils_every: Option<usize>,
     told: usize,
@@ -24,7 +26,8 @@ struct Wire {
 impl Wire {
     fn new(fake: Fake) -> Self {
         let (grbl, ahead_s) = (Grbl::new(), 5.0);
-        let mut wire = Self { grbl, fake, ahead_s, cut: false, spoils_every: None, told: 0 };
+        let mut wire =
+            Self { grbl, fake, ahead_s, cut: false, deaf: false, spoils_every: None, told: 0 };
         for tick in 0..500 {
             wire.carry(-5.0 + 0.01 * f64::from(tick));
         }
@@ -45,7 +48,9 @@ impl Wire {
                 *byte ^= 0x11;
             }
         }
-        self.grbl.hear(&bytes, now_s);
+        if !self.deaf {
+            self.grbl.hear(&bytes, now_s);
+        }
     }
 }
 
@@ -199,6 +204,22 @@ fn garbled_reports_are_counted_and_a_cut_line_is_lost() {
         told.extend(link.poll(now_s));
     }
     assert_eq!(told, [Told::State(LinkState::Lost)]);
+}
+
+#[test]
+fn a_controller_that_is_not_heard_any_more_is_switched_off_all_the_same() {
+    let mut link = Link::new(Wire::new(Fake::default()));
+    link.order(Order::Spindle { rpm: 1000.0 });
+    link.order(Order::Output { line: 1, on: true });
+    link.order(to(400.0, 0.0));
+    let lost_s = run(&mut link, 0.0, |link, now_s| link.driver().deaf = now_s > 1.0);
+    assert_eq!(link.state(), LinkState::Lost);
+    for tick in 0..100 {
+        link.driver().carry(lost_s + 0.1 * f64::from(tick));
+    }
+    let fake = &link.driver().fake;
+    assert_eq!(fake.spindle(), None, "it was held, and its spindle turns");
+    assert!(fake.position().0[0] < 200.0, "it moved on: {:?}", fake.position());
 }
 
 #[test]
