@@ -317,8 +317,8 @@ fn location_question(axes: &str, homes: bool) -> Question {
     let text = format!("Position unverified: {axes}.");
     let (text, buttons) = match homes {
         true => {
-            let text = format!("{text} Home now? No: the location is right as it is.");
-            (text, vec![Button::Yes, Button::No, Button::Cancel])
+            let text = format!("{text} Home now? Continue, if the location is right as it is.");
+            (text, vec![Button::Yes, Button::Continue, Button::Cancel])
         }
         false => {
             let text = format!("{text} Continue, if the location is right; else zero it first.");

@@ -3,7 +3,8 @@
 use crate::Work;
 use crate::errands::unconfirmed;
 use crate::journal::{
-    CutShort, Journal, JournalError, KeptWork, Owner, Placed, RunUnderWay, Tape, Whereabouts,
+    CutShort, Journal, JournalError, KeptWork, Owner, Placed, Remembered, RunUnderWay, Tape,
+    Whereabouts,
 };
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
@@ -24,16 +25,55 @@ impl Session {
         let Some(remembered) = journal.remembered()? else {
             return Ok((Self::default(), Whereabouts::Known));
         };
+        let whereabouts = remembered.whereabouts;
+        let mut session = Self::new(remembered.memory.clone());
+        session.machine_is = remembered.machine.clone();
+        session.stands_as(remembered, shelf);
+        Ok((session, whereabouts))
+    }
+
+    /// The machine stands as it is on record.
+    fn stands_as(&mut self, remembered: Remembered, shelf: &mut Shelf) {
         if remembered.whereabouts == Whereabouts::Moving {
             shelf.learns_doubt(remembered.machine.motors.axes());
         }
-        let mut session = Self::new(remembered.memory);
-        (session.gcode, session.machine_is) = (remembered.gcode, remembered.machine);
-        session.homed = remembered.homed;
-        let machine = Machine::default().equipped(&session.machine_is, session.homed);
+        let (position, frame) = (remembered.memory.position, remembered.memory.frame);
+        match &mut self.memory.before_preview {
+            Some(before) => (before.position, before.frame) = (position, frame),
+            None => (self.memory.position, self.memory.frame) = (position, frame),
+        }
+        (self.gcode, self.homed) = (remembered.gcode, remembered.homed);
+        let machine = Machine::default().equipped(&self.machine_is, self.homed);
         let switches = switches::read(shelf.stored.get(SWITCHES).unwrap_or_default());
-        session.machine = Some(machine.with_truth(&remembered.truth).with_switches(&switches));
-        Ok((session, remembered.whereabouts))
+        self.machine = Some(machine.with_truth(&remembered.truth).with_switches(&switches));
+    }
+
+    /// Takes over where another process has left the machine since this one knew it; whether one has. While it still
+    /// runs nothing is known yet.
+    ///
+    /// # Errors
+    /// As the journal cannot be read.
+    pub fn catch_up(&mut self, shelf: &mut Shelf) -> Result<bool, JournalError> {
+        let Some(journal) = shelf.journal().cloned() else { return Ok(false) };
+        if !journal.another_had_it()? {
+            return Ok(false);
+        }
+        match journal.own() {
+            Ok(_owner) => self.take_over(&journal, shelf),
+            Err(JournalError::Owned { .. }) => Ok(false),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// The same for the one who has the machine.
+    fn take_over(&mut self, journal: &Journal, shelf: &mut Shelf) -> Result<bool, JournalError> {
+        if !journal.another_had_it()? {
+            return Ok(false);
+        }
+        let Some(remembered) = journal.remembered()? else { return Ok(false) };
+        shelf.stored.renew()?;
+        self.stands_as(remembered, shelf);
+        Ok(true)
     }
 
     /// Runs a program or a job on record. What it changes of the settings stays, unless others hold for this run
@@ -57,6 +97,10 @@ impl Session {
         journal.move_settings()?;
         if settings.is_none() {
             journal.refresh(self)?;
+        }
+        // A controller says itself where it stands.
+        if options.controller.is_none() {
+            self.take_over(&journal, shelf)?;
         }
         options.lines_at_once = options.lines_for(&*company.sink);
         let Company { sink, operator, pace } = company;
@@ -153,6 +197,7 @@ impl Session {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = shelf.journal().cloned().ok_or_else(nothing)?;
         let owner = journal.own()?;
+        self.take_over(&journal, shelf)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
         let (work, tape) = journal.take_up(cut, stands)?;
         let run = &cut.run;

@@ -48,6 +48,14 @@ impl Stored {
         Ok(Self { values, journal: Some(journal), trouble: None })
     }
 
+    /// Knows the values as they are in the journal now.
+    pub(crate) fn renew(&mut self) -> Result<(), JournalError> {
+        if let Some(journal) = &self.journal {
+            self.values = journal.values()?.into_iter().collect();
+        }
+        Ok(())
+    }
+
     /// The same values in memory only, for a preview.
     #[must_use]
     pub fn copy(&self) -> Self {

@@ -334,7 +334,7 @@ fn sbp_lim_estop_rezero() {
     assert!(asked(&shop.run("MX,2\n", None, "").1).is_empty());
     // The location is right as it is.
     let mut shop = estop();
-    let (summary, events) = shop.run("MX,1\n", None, "location=No");
+    let (summary, events) = shop.run("MX,1\n", None, "location=Continue");
     assert_eq!((summary.status, shop.lost(), asked(&events).len()), (Status::Ok, "", 1));
     // It is set.
     let mut shop = estop();

@@ -205,6 +205,10 @@ fn a_move_by_hand_that_was_killed_leaves_the_location_in_doubt() {
     let cuts = || shop.kerf("run t.rsm --trace -");
     cuts().exits(3).complains("not verified").complains("location=Continue");
     assert_eq!(cuts().all("move").len(), 0, "nothing moves before somebody says where it is");
+    // What is told to be said is taken, also of axes that could be homed.
+    shop.write("right", b"location=Continue\n");
+    shop.kerf("run t.rsm --answers right").exits(0);
+    kill(&shop, "machine move --real to 900,900,-5");
     shop.kerf("machine home").exits(0);
     let pos = shop.kerf("machine pos");
     pos.says("x  0.000 homed").complains("not verified: C\n");

@@ -392,7 +392,8 @@ fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
     on("run one.sbp --proportion 3,1,1 --repeat 2").exits(0).says("3\n3\n");
     on("run down.sbp --plunge -0.25 --repeat 2").exits(0).says("-0.25\n-0.5\n");
     shop.write("steps", b"step=Quit\n");
-    assert_eq!(on("run one.sbp --step --answers steps").exits(3).out(), "");
+    assert_eq!(on("run one.sbp --step --answers steps").exits(3).out(), "? MX,1 → Quit\n");
+    assert_eq!(on("run one.sbp --step").exits(0).out(), "? MX,1 → Run (default)\n1\n");
     // A job from another shape on, beside itself.
     let moves = || console.ask("GET /api/state", "")["job"]["summary"]["moves"].clone();
     on("run lines.rsm").exits(0);
@@ -426,6 +427,50 @@ fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
     let send = |what: &str| shop.kerf(&format!("send {what} --server {}", console.url));
     send("UD --start fresh").exits(2).complains("--start is not heeded");
     send("--again").exits(2).complains("--again is not heeded");
+}
+
+/// Where the server believes the machine to stand, X in inches.
+fn served_x(console: &Console) -> f64 {
+    let at = console.ask("GET /api/state", "")["motion"]["at"]["working"][0].clone();
+    at.as_f64().unwrap() / 25.4
+}
+
+#[cfg(unix)]
+fn until(what: &str, holds: impl Fn() -> bool) {
+    let begun = std::time::Instant::now();
+    while !holds() {
+        assert!(begun.elapsed().as_secs() < 20, "{what}");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn what_another_kerf_does_beside_a_server_is_where_the_machine_stands() {
+    let shop = shop();
+    let console = Console::begin(&shop, &[]);
+    let state = || console.ask("GET /api/state", "");
+    console.carry_out("MX,1");
+    until("the server's own move", || (served_x(&console) - 1.0).abs() < 1e-9);
+    until("idle", || state()["machine"]["state"] == "idle");
+    shop.kerf("send MX,4").exits(0);
+    until("the other's move", || (served_x(&console) - 4.0).abs() < 1e-9);
+    assert_eq!(state()["machine"]["armed"], false, "whoever armed it looks first");
+    // From there it goes on, also at once.
+    shop.kerf("send MX,5").exits(0);
+    console.carry_out("MY,2");
+    until("the move along Y", || {
+        state()["motion"]["at"]["working"][1].as_f64().is_some_and(|y| (y - 50.8).abs() < 1e-6)
+    });
+    until("idle", || state()["machine"]["state"] == "idle");
+    shop.write("x.sbp", b"PRINT %(1);\" \";%(2)\n");
+    shop.kerf("run x.sbp --quiet").exits(0).says("5 2\n");
+    // One that is killed in motion leaves it in doubt here, too.
+    let mut other = shop.command().args(["send", "--pace", "real", "MX,500"]).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    other.kill().unwrap();
+    other.wait().unwrap();
+    until("the doubt", || state()["machine"]["why"].to_string().contains("not verified"));
 }
 
 #[test]

@@ -39,6 +39,7 @@ pub(crate) use kept_work::KeptWork;
 pub use live::Live;
 pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;
+use remembered::Standing;
 pub use remembered::{Remembered, Whereabouts};
 pub(crate) use tape::{Kind, Tape, Turn};
 pub use under_way::{CutShort, RunUnderWay};
@@ -66,11 +67,22 @@ pub struct Journal {
     folder: Arc<Path>,
     /// What `machine.toml` said when it was looked at last.
     known: Arc<Mutex<settings::Known>>,
+    /// What it said of the machine when that was read last, or left by this process.
+    seen: Arc<Mutex<Option<Standing>>>,
 }
 
 /// The right to move the machine; ends with the value, or with the process.
 #[derive(Debug)]
-pub struct Owner(#[allow(dead_code)] File);
+pub struct Owner {
+    journal: Journal,
+    _lock: File,
+}
+
+impl Drop for Owner {
+    fn drop(&mut self) {
+        self.journal.has_seen();
+    }
+}
 
 impl Journal {
     /// Opens the journal of a data folder, makes one where there is none, and rescues what can be
@@ -107,7 +119,7 @@ impl Journal {
             .and_then(|connection| rows::check(&connection).map(|()| connection))
             .map_err(|error| error.at(&file))?;
         let (database, known) = (Arc::new(Mutex::new(connection)), Arc::default());
-        Ok(Self { database, folder: folder.into(), known })
+        Ok(Self { database, folder: folder.into(), known, seen: Arc::default() })
     }
 
     /// Takes the machine; nobody else may move it meanwhile.
@@ -119,7 +131,7 @@ impl Journal {
         let file = File::options().create(true).append(true).open(&path);
         let file = file.map_err(|error| JournalError::of_disk(&path, &error))?;
         match file.try_lock() {
-            Ok(()) => Ok(Owner(file)),
+            Ok(()) => Ok(Owner { journal: self.clone(), _lock: file }),
             Err(std::fs::TryLockError::WouldBlock) => {
                 Err(JournalError::Owned { folder: self.folder.to_path_buf() })
             }

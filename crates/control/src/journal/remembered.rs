@@ -8,7 +8,7 @@ use super::{Journal, JournalError, Placed, json, rows};
 use crate::{Session, settings_text};
 use kerf_machine::Configuration;
 use kerf_program::{Axis, AxisSet, Settings};
-use std::sync::Arc;
+use std::sync::{Arc, MutexGuard, PoisonError};
 
 /// Where settings were kept before they had a file of their own.
 const SETTINGS: &str = "settings";
@@ -16,6 +16,9 @@ const PLACE: &str = "place";
 const GCODE: &str = "gcode";
 const HOMED: &str = "homed";
 const TRUTH: &str = "truth";
+
+/// The texts of what is on record of where the machine stands: place, G-code, progress, homed axes, truth.
+pub(super) type Standing = [Option<String>; 5];
 
 /// What the machine remembers.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,10 +52,9 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read, or a setting in it is no longer allowed.
     pub fn remembered(&self) -> Result<Option<Remembered>, JournalError> {
-        let [place, gcode, reached, homed, truth] = self.read(|rows| {
-            let fact = |key| rows.text(Table::Fact, key);
-            Ok([fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?, fact(HOMED)?, fact(TRUTH)?])
-        })?;
+        let standing = self.standing()?;
+        let [place, gcode, reached, homed, truth] = standing.clone();
+        *self.seen() = Some(standing);
         let (machine, told) = self.machine()?;
         let old = if told { None } else { self.old_settings()? };
         if place.is_none() && old.is_none() && !told {
@@ -73,6 +75,31 @@ impl Journal {
         let homed = homed.chars().filter_map(Axis::from_letter);
         let homed = homed.fold(AxisSet::EMPTY, AxisSet::with);
         Ok(Some(Remembered { memory, machine, gcode, whereabouts, homed, truth }))
+    }
+
+    /// What is on record of where the machine stands.
+    fn standing(&self) -> Result<Standing, JournalError> {
+        self.read(|rows| {
+            let fact = |key| rows.text(Table::Fact, key);
+            Ok([fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?, fact(HOMED)?, fact(TRUTH)?])
+        })
+    }
+
+    /// Whether another process has had the machine since this one knew where it stands.
+    pub(crate) fn another_had_it(&self) -> Result<bool, JournalError> {
+        let standing = self.standing()?;
+        Ok(self.seen().as_ref().is_some_and(|seen| *seen != standing))
+    }
+
+    /// This process leaves the machine as it is on record now. Where that cannot be read, nobody else has changed it.
+    pub(super) fn has_seen(&self) {
+        if let Ok(standing) = self.standing() {
+            *self.seen() = Some(standing);
+        }
+    }
+
+    fn seen(&self) -> MutexGuard<'_, Option<Standing>> {
+        self.seen.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Keeps what the machine remembers.

@@ -128,24 +128,31 @@ impl Remote {
             let asked = &now["asked"];
             if !asked.is_null() && answered != asked["number"].as_u64() {
                 answered = asked["number"].as_u64();
-                self.answer(asked, operator)?;
+                if let Some(told) = self.answer(asked, operator)? {
+                    print(&told);
+                }
             }
             sleep(LOOK);
         }
     }
 
-    /// Answers an open question; without an operator as nobody would.
-    fn answer(&self, asked: &Value, operator: &mut dyn Operator) -> Result<()> {
-        let Some(question) = question(asked) else { return Ok(()) };
+    /// Answers an open question; without an operator as nobody would. Gives what is shown of that.
+    fn answer(&self, asked: &Value, operator: &mut dyn Operator) -> Result<Option<String>> {
+        let Some(question) = question(asked) else { return Ok(None) };
         let file = asked["file"].as_str().unwrap_or_default();
         let line = asked["line"].as_u64().unwrap_or_default() as u32;
         let answer = operator.answer_in(&question, file, line);
+        let by = if answer.is_some() { "" } else { " (default)" };
         let answer =
             answer.unwrap_or_else(|| answers::words(&answers::unattended_answer(&question)));
         let number = &asked["number"];
         let told = self.act("answer", json!({ "question": number, "answer": answer }));
         // Somebody at a page may have been first.
-        if self.state()?["asked"]["number"] == *number { told } else { Ok(()) }
+        match (told, self.state()?["asked"]["number"] == *number) {
+            (Err(why), true) => Err(why),
+            (Err(_), false) => Ok(None),
+            (Ok(()), _) => Ok(Some(format!("? {} → {answer}{by}", question.text))),
+        }
     }
 }
 

@@ -33,6 +33,25 @@ impl Owner {
         None
     }
 
+    /// Another Kerf may have had the machine: it stands elsewhere, and whoever armed it here looks first.
+    pub(super) fn catch_up(&mut self) {
+        let Workshop { session, shelf, kept, .. } = &mut self.workshop;
+        let caught = if *kept { session.catch_up(shelf) } else { Ok(false) };
+        match caught {
+            Ok(false) => {}
+            Ok(true) => {
+                self.hub.say(Tone::Warning, "another Kerf has run the machine: it is disarmed");
+                self.hub.changing(|now| {
+                    let machine = Machine { armed: false, ..now.machine.clone() };
+                    vec![Change::Machine { machine }]
+                });
+                self.begin();
+            }
+            // What cannot be read is told when something is to move.
+            Err(_) => {}
+        }
+    }
+
     /// Whether the machine is armed and idle; from now on it is busy.
     fn may_run(&self) -> bool {
         let mut may = false;

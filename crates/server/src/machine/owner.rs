@@ -149,7 +149,10 @@ impl Owner {
                 Ok(order) => order,
                 Err(RecvTimeoutError::Timeout) => match self.passed_in() {
                     Some(line) => Order::Command { line, opened: false },
-                    None => continue,
+                    None => {
+                        self.catch_up();
+                        continue;
+                    }
                 },
                 Err(RecvTimeoutError::Disconnected) => break,
             };
@@ -371,6 +374,7 @@ impl Owner {
     }
 
     fn nudge(&mut self, axis: Axis, distance: f64) {
+        self.catch_up();
         let Workshop { session, shelf, kept, .. } = &mut self.workshop;
         let why = match session.nudge(axis, distance) {
             Err(outside) => Some(outside.to_string()),
