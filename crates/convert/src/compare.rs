@@ -66,7 +66,7 @@ pub fn same_motion<'a>(
         compared.map_err(|what| Difference { at, line: pair.second.last, what })?;
     }
     let last = At { file: 0, line: first.last };
-    match pair.next() {
+    match pair.more() {
         None => Ok(()),
         Some((_, motion)) => {
             let what = format!("one more motion to {}", place(motion.to()));
@@ -173,6 +173,18 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
         let next = self.second.next();
         self.raised |= std::mem::take(&mut self.second.changed);
         next.map(|(_, from, motion)| (from, motion))
+    }
+
+    /// What the second does more than the first. That it comes down again from where a change of tools
+    /// has lifted it is no more.
+    fn more(&mut self) -> Option<(Axes, Motion)> {
+        loop {
+            let (began, motion) = self.next()?;
+            let comes_back = self.raised && self.near(motion.to(), self.here);
+            if !comes_back {
+                return Some((began, motion));
+            }
+        }
     }
 
     /// The arc that the next motions are chords of.

@@ -44,15 +44,19 @@ impl SbpPrinter<'_> {
 
     /// Nothing moves: the present place is called otherwise.
     pub(super) fn locate(&mut self, frame: Frame, working: AxisSet) {
-        let before = std::mem::replace(&mut self.places.frame, frame);
+        let before = self.places.frame;
         let moved = working
             .iter()
             .filter(|a| frame.working_zero[*a] != before.working_zero[*a])
             .fold(AxisSet::EMPTY, AxisSet::with);
+        if !moved.is_empty() {
+            // The height that it goes down to is one of the zero before.
+            self.lower();
+        }
+        self.places.frame = frame;
         if moved.is_empty() {
             return;
         }
-        self.lower();
         let values = self.places.values(self.places.position);
         let mut named: [Option<String>; AXES] = Default::default();
         for axis in moved.iter() {
