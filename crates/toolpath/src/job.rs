@@ -150,7 +150,7 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
     let around = Surroundings::of(drawing, &contours);
     let twins = twice::twins(drawing);
     twice::told(&twins, warnings);
-    overlap::crossing(drawing, warnings);
+    overlap::crossing(drawing, &twins, warnings);
     let (mut block, offsetter) = (Vec::new(), Offsetter::default());
     for (n, shape) in drawing.shapes.iter().enumerate() {
         let settings = drawing.settings(shape.group);

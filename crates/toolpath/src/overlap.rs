@@ -43,12 +43,13 @@ pub(crate) fn check(
     }
 }
 
-/// Warns of closed shapes that cross each other, both of them cut.
-pub(crate) fn crossing(drawing: &Drawing, warnings: &mut Vec<Warning>) {
+/// Warns of closed shapes that cross each other, both of them cut. What is drawn again is told as
+/// that, and looked at once: a heap of copies has pairs without number.
+pub(crate) fn crossing(drawing: &Drawing, twins: &[Option<usize>], warnings: &mut Vec<Warning>) {
     let part = |n: &usize| {
         let shape = &drawing.shapes[*n];
         let settings = drawing.settings(shape.group);
-        shape.is_closed() && settings.on && !settings.traversal
+        twins[*n].is_none() && shape.is_closed() && settings.on && !settings.traversal
     };
     let parts: Vec<usize> = (0..drawing.shapes.len()).filter(part).collect();
     let boxes: Vec<_> = parts.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
