@@ -7,6 +7,7 @@ mod support;
 use kerf_drawing::{Editor, script};
 use kerf_machine::Configuration;
 use serde_json::{Value, json};
+use std::time::Instant;
 use support::{Page, Shop, Wanted, at, rsm, start};
 
 /// Five lines above each other.
@@ -249,6 +250,22 @@ fn pro_job_step_start__over_http() {
     assert_eq!(path(&page), 0, "nothing is cut yet");
     assert_eq!(shop.post("/api/job/start", start, &[]).status, 200);
     finished(&mut page);
+}
+
+#[test]
+fn a_job_takes_its_time_after_homing() {
+    let shop = shop(FIVE, |machine| {
+        machine.homing.at_job_start = kerf_program::AxisSet::first(3);
+    });
+    let mut page = shop.driver();
+    page.open_file("job.rsm");
+    assert_eq!(page.run(), None);
+    page.until("homed", |page| page.shown["messages"].to_string().contains("y homed"));
+    let begun = Instant::now();
+    finished(&mut page);
+    let took_s = begun.elapsed().as_secs_f64();
+    let job_s = page.shown["job"]["summary"]["seconds"].as_f64().unwrap() / 8.0;
+    assert!(took_s > 0.9 * job_s, "{took_s} of {job_s} s: it was made in a hurry");
 }
 
 #[test]

@@ -72,12 +72,21 @@ pub struct Clock {
     /// Machine time that has passed. A run that is told something in the middle of a move asks again
     /// from its beginning.
     passed_s: f64,
+    /// Machine time at the last look: it begins anew with every run, that of the homing before a job included.
+    clock_s: f64,
 }
 
 impl Clock {
     /// A clock that begins with the run.
     pub const fn new(shared: Shared, rate: f64) -> Self {
-        Self { shared, rate, seen: None, passed_s: 0.0 }
+        Self { shared, rate, seen: None, passed_s: 0.0, clock_s: 0.0 }
+    }
+
+    /// Another run begins where machine time does.
+    fn look_at(&mut self, clock_s: f64) {
+        if clock_s < std::mem::replace(&mut self.clock_s, clock_s) {
+            (self.seen, self.passed_s) = (None, 0.0);
+        }
     }
 
     /// Machine time now, when it was `from_s` at the last look or later.
@@ -104,6 +113,7 @@ impl Pace for Clock {
     }
 
     fn watch(&mut self, from_s: f64, to_s: f64, doing: &Doing<'_>) -> Option<(f64, Wish)> {
+        self.look_at(doing.machine.clock_s());
         let from_s = from_s.max(self.passed_s);
         let to_s = to_s.max(from_s);
         self.stay_behind(from_s);

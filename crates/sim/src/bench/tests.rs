@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
 
 use super::*;
-use kerf_machine::homing::{home, soft_bounds};
+use kerf_machine::homing::{self, Homed, NotFound, soft_bounds};
 use kerf_machine::profile::profile;
 use kerf_machine::settings::motors::FreeMotor;
 use kerf_program::AxisSet;
@@ -22,6 +22,11 @@ fn ends(machine: &Configuration, axis: Axis) -> Vec<f64> {
 
 fn thousandth(v: f64) -> f64 {
     (v * 1000.0).round() / 1000.0
+}
+
+fn home(machine: &Configuration, bench: &mut Bench, axes: AxisSet) -> Result<Vec<Homed>, NotFound> {
+    let mut homed = Vec::new();
+    homing::home(machine, bench, axes, &mut homed).map(|()| homed)
 }
 
 fn homed(machine: &Configuration, axis: Axis) -> Bench {
