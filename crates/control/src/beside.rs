@@ -117,7 +117,9 @@ impl<I: Interpreter> Runner<'_, I> {
             self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
             match (wish, halt) {
                 (Some((_, wish)), _) => self.stands(wish)?,
-                (None, Some(halt)) => drop(self.ended_by(halt.cause)?),
+                (None, Some(halt)) => {
+                    self.ended_by(halt.cause)?;
+                }
                 (None, None) => {}
             }
         }
