@@ -6,6 +6,7 @@ use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
 use kerf_diag::Code;
+use kerf_machine::lines::Input;
 use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
 use kerf_sim::{Halt, HaltCause};
@@ -312,6 +313,9 @@ impl<I: Interpreter> Runner<'_, I> {
             Turn::Input(halt) => halt,
         };
         let (by, n) = match halt.cause {
+            HaltCause::Watch(index) if self.is_emergency(index) => {
+                ("stop", Input::EmergencyStop.number())
+            }
             HaltCause::Watch(index) => {
                 ("watch", self.watched(0.0).get(index).map_or(0, |w| w.input))
             }

@@ -272,7 +272,11 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stop_spindles();
         self.on(Stopped::Stands, settings, why);
         self.on(Stopped::Abort, settings, why);
-        self.over(Status::Stopped, Code::InputStop, self.last_move, why.to_owned())
+        self.world.shelf.tape.given_up(self.world.placed());
+        let mut over = self.over(Status::Stopped, Code::InputStop, self.last_move, why.to_owned());
+        let hint = "release it; the location is known, and the run can be taken up";
+        over.diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
+        over
     }
 
     /// A motor has stalled: nobody knows how many steps are lost.

@@ -10,6 +10,7 @@ use kerf_control::{
     run_text,
 };
 use kerf_machine::Configuration;
+use kerf_machine::lines::Input;
 use kerf_machine::settings::estop::EmergencyStop;
 use kerf_program::{Axis, AxisSet};
 use kerf_sbp::{POSITION_LOST, Status};
@@ -357,4 +358,46 @@ fn sbp_lim_error_driver__confirmed_when_it_is_connected_again() {
     let (summary, events) = shop.run("PRINT %(1)\n", None, "location=Continue");
     assert_eq!((summary.status, shop.session.memory.position), (Status::Ok, here));
     assert!(asked(&events)[0].contains("Position unverified"), "{events:?}");
+}
+
+/// The outputs that are on at the end, and how far X has come, inches.
+fn left_on(shop: &Shop, events: &[Event]) -> (Vec<u8>, f64) {
+    let mut on = Vec::new();
+    for event in events {
+        if let Event::Output { n, on: is_on, .. } = event {
+            on.retain(|other| other != n);
+            on.extend(is_on.then_some(*n));
+        }
+    }
+    (on, shop.session.memory.position[Axis::X] / 25.4)
+}
+
+#[test]
+fn the_emergency_stop_ends_a_part_file_wherever_it_is() {
+    let pressed = |at_s| Some(Change { input: Input::EmergencyStop.number(), at_s, on: true });
+    let moving = "SO,1,1\nSO,3,1\nMX,10\nMX,0\n";
+    for (what, program, at_s, [low, high]) in [
+        ("a cut", moving, 1.0, [0.5, 2.5]),
+        ("a jog", "SO,1,1\nSO,3,1\nJX,10\n", 1.0, [0.5, 6.5]),
+        ("a pause", "SO,1,1\nSO,3,1\nMX,1\nPAUSE 9\nMX,10\n", 5.0, [1.0, 1.0]),
+        ("before the first move", moving, 0.0, [0.0, 0.0]),
+    ] {
+        let mut shop = Shop::new(Configuration::default());
+        let (summary, events) = shop.run(program, pressed(at_s), "");
+        assert_eq!(summary.status, Status::Stopped, "{what}");
+        let why = summary.error.unwrap();
+        assert!(why.message.contains("emergency stop"), "{what}: {}", why.message);
+        let (on, x) = left_on(&shop, &events);
+        assert!(on.is_empty(), "{what}: {on:?} are on");
+        assert!(x >= low && x <= high, "{what}: it came to {x}");
+        assert_eq!(shop.lost(), "", "{what}: it ramped down, and lost no step");
+        // Nobody presses it any more.
+        assert_eq!(shop.run("MX,0\n", None, "").0.status, Status::Ok, "{what}");
+    }
+    // A line that is typed, and an input that a broken wire presses.
+    let mut wired = Configuration::default();
+    wired.estop.active = false;
+    let mut shop = Shop::new(wired);
+    let released = Some(Change { input: Input::EmergencyStop.number(), at_s: 1.0, on: false });
+    assert_eq!(shop.run("MX,10\n", released, "").0.status, Status::Stopped);
 }

@@ -412,7 +412,8 @@ fn nobody_knows_where_a_grbl_stands_whose_run_was_killed() {
     bench.until(|fake| fake.position().0[1] > 5.0);
     assert!(bench.look(|fake| fake.spindle()).is_some());
     // A run elsewhere makes nothing of it known.
-    shop.kerf("run x.sbp").exits(0);
+    shop.kerf("run x.sbp").exits(3);
+    shop.kerf("send MX,1").exits(0);
     for told in [true, false] {
         let did = bench.run(&shop, "run square.sbp");
         did.exits(3).says("Position unverified: x, y, z");
