@@ -29,6 +29,9 @@ impl<I: Interpreter> Runner<'_, I> {
         while self.ends.is_none() {
             // Whoever stopped it on the way may have nudged the workpiece.
             let to = to.plus(self.nudged.unwrap_or_default().minus(nudged));
+            if self.is_open_for_take_up() {
+                return self.world.machine.put(to);
+            }
             self.mover.set_position(self.world.machine.position());
             let line = Line { kind, to, feed: Feed::Axis };
             let Some(made) = self.mover.line(self.last_move, &line) else { return };
@@ -102,7 +105,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Stands until a moment, and heeds every stop meanwhile.
     pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), Over> {
-        while self.world.now() < until_s {
+        while self.world.now() < until_s && !self.is_open_for_take_up() {
             let now_s = self.world.now();
             let halt = self.world.machine.first_halt_at_rest(until_s, &[]);
             let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));

@@ -13,12 +13,23 @@ use crate::Event;
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::runner::{Over, Runner};
-use crate::stopping::MOST_REFUSALS;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{
     Answer, Axes, Axis, AxisSet, Button, Interpreter, MoveKind, Question, QuestionKind, Status,
 };
+
+/// A script of answers that says nothing but Resume does not hold a run for ever.
+const MOST_REFUSALS: u32 = 1000;
+
+/// What the operator says of a run that is stopped.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Said {
+    Resume,
+    Quit,
+    /// A nudge or a jog, when it is one.
+    Words(String),
+}
 
 impl<I: Interpreter> Runner<'_, I> {
     /// The operator stopped the machine, which stands; unless the run goes on.
@@ -74,15 +85,15 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Does what the operator says until the run goes on, or is given up. With it goes the sum of all
     /// nudges.
     pub(crate) fn until_resumed(&mut self, question: &Question) -> (Result<(), Over>, Axes) {
-        let (mut nudged, mut refused) = (Axes::default(), 0);
+        let mut nudged = Axes::default();
         loop {
-            match self.ask(question, self.last_move) {
+            match self.ask_whoever_stopped(question) {
                 Err(over) => return (Err(over), nudged),
-                Ok(Answer::Button(Button::Resume)) if !self.is_forbidden() => {
-                    return (Ok(()), nudged);
+                Ok(Said::Resume) => return (Ok(()), nudged),
+                Ok(Said::Quit) => {
+                    return (Err(Over { status: Status::Stopped, diagnostic: None }), nudged);
                 }
-                Ok(Answer::Button(Button::Resume)) if refused < MOST_REFUSALS => refused += 1,
-                Ok(Answer::Text(words)) => {
+                Ok(Said::Words(words)) => {
                     if let Some(nudge) = Nudge::read(&words) {
                         nudged = nudged.plus(self.nudge(nudge));
                         if let Err(over) = self.heeded() {
@@ -92,11 +103,25 @@ impl<I: Interpreter> Runner<'_, I> {
                         self.jog(jog);
                     }
                 }
-                Ok(Answer::Button(_)) => {
-                    return (Err(Over { status: Status::Stopped, diagnostic: None }), nudged);
-                }
             }
         }
+    }
+
+    /// Asks what follows on a stop: nothing goes on as long as a stop input is active. Where the power went
+    /// before the answer, it is asked when the machine goes back, whether all is ready.
+    pub(crate) fn ask_whoever_stopped(&mut self, question: &Question) -> Result<Said, Over> {
+        for _ in 0..MOST_REFUSALS {
+            if self.is_open_for_take_up() {
+                return Ok(Said::Resume);
+            }
+            match self.ask(question, self.last_move)? {
+                Answer::Text(words) => return Ok(Said::Words(words)),
+                Answer::Button(Button::Resume) if self.is_forbidden() => {}
+                Answer::Button(Button::Resume) => return Ok(Said::Resume),
+                Answer::Button(_) => break,
+            }
+        }
+        Ok(Said::Quit)
     }
 
     /// Nudges as the operator says it, in his units. Tells how far, machine frame; nowhere when

@@ -199,7 +199,8 @@ impl Session {
         let owner = journal.own()?;
         self.take_over(&journal, shelf)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
-        let (work, tape) = journal.take_up(cut, stands)?;
+        let switches = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
+        let (work, tape) = journal.take_up(cut, stands, switches)?;
         let run = &cut.run;
         // Whoever homed the machine since knows its homes.
         *self = Self { homed: self.homed, ..cut.session() };

@@ -20,7 +20,7 @@ use kerf_motion::Move;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
 };
-use kerf_sim::WasOn;
+use kerf_sim::{Change, WasOn};
 use std::sync::Arc;
 
 /// Of a move that was as good as made this much counts as made: the rest has a length.
@@ -99,6 +99,10 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.shelf.tape.reenter(stands)
         });
         self.skip(told.within);
+        let at_s = self.world.now();
+        for (input, on) in told.moved {
+            self.world.machine.press(Change { input, at_s, on });
+        }
         if self.interpreter.takes_stops() {
             let halted = self.hand_over(told.place.position);
             return Err(halted.unwrap_or_else(Halted::Over));
@@ -138,22 +142,23 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Nothing goes back and nothing turns before the operator says so. With it goes how far he has nudged
     /// the workpiece.
     fn whether_ready(&mut self, was_on: &WasOn) -> (Result<(), Over>, Axes) {
-        // Cut short before the answer, it is asked when this is gone through again: what is answered on
-        // the tape was asked where the run was taken up after that.
-        let tape = &self.world.shelf.tape;
-        let unanswered = self.world.silent && (!tape.plays() || tape.is_cut_short_here());
-        let (ready, nudged) = match unanswered {
-            true => (Ok(()), Axes::default()),
-            false => self.until_resumed(&ready_question(was_on)),
-        };
+        let (ready, nudged) = self.until_resumed(&ready_question(was_on));
         match ready {
-            Ok(()) => self.world.shelf.tape.goes_on(),
+            Ok(()) => self.world.shelf.tape.goes_back(),
             Err(_) => {
                 self.shift(nudged);
                 self.world.shelf.tape.given_up(self.world.placed());
             }
         }
         (ready, nudged)
+    }
+
+    /// Whether the power went here, where the machine was stopped, or goes back after a stop: the rest of that
+    /// is settled by the question whether all is ready, when the next move is about to be made.
+    pub(crate) fn is_open_for_take_up(&self) -> bool {
+        let tape = &self.world.shelf.tape;
+        let cut_short = self.reentry.is_some() && (!tape.plays() || tape.is_reentered());
+        self.world.silent && cut_short && !tape.reenters_within()
     }
 
     /// Leaves out what was made of the first move that waits.

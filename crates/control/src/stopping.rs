@@ -4,9 +4,10 @@
 //! Jobs and moves by hand know what they do when they are stopped, and ask the same table; the run of a
 //! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
 
+use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
-use crate::{Event, Failure, flag};
+use crate::{Event, Failure, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};
 use kerf_program::{
@@ -20,9 +21,6 @@ pub(crate) const CONFIRM: &str = "ConfirmLocation";
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
 /// (command reference, alpha tools).
 const POWER_S: f64 = 5.0;
-
-/// A script of answers that says nothing but Resume does not hold a run for ever.
-pub(crate) const MOST_REFUSALS: u32 = 1000;
 
 /// A place that is come back to, and what was on there.
 #[derive(Clone, Debug, Default)]
@@ -196,6 +194,7 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn blocked(&mut self, n: u8) -> Result<(), Over> {
         let settings = StopSettings::OPENSBP;
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
+        self.world.shelf.tape.stops_at_input();
         self.on(Stopped::StopInput, settings, &message);
         if let Err(over) = self.until_released(&message, true) {
             self.on(Stopped::Abort, settings, "");
@@ -212,14 +211,12 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Asks until the input is released and somebody says so.
     pub(crate) fn until_released(&mut self, message: &str, rises: bool) -> Result<(), Over> {
         let question = blocked_question(message, &self.kept.turned.spindles, rises);
-        for _ in 0..MOST_REFUSALS {
-            match self.ask(&question, self.last_move)? {
-                Answer::Button(Button::Resume) => {}
-                Answer::Text(_) => continue,
-                Answer::Button(_) => break,
-            }
-            if !self.is_forbidden() {
-                return Ok(());
+        loop {
+            match self.ask_whoever_stopped(&question)? {
+                Said::Resume => return Ok(()),
+                // Nothing is moved by hand before the input is released.
+                Said::Words(_) => {}
+                Said::Quit => break,
             }
         }
         Err(self.over(Status::Stopped, Code::InputStop, self.last_move, message.to_owned()))
@@ -231,7 +228,10 @@ impl<I: Interpreter> Runner<'_, I> {
         let t = self.world.now();
         let text = format!("stop input {active} is active: nothing moves before it is released");
         self.world.tell(&Event::Message { text: text.into(), t });
-        self.pass(t, t + RELEASE_S, None).into_iter().for_each(|wish| self.postpone(wish));
+        match self.pass(t, t + RELEASE_S, None) {
+            Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
+            wish => wish.into_iter().for_each(|wish| self.postpone(wish)),
+        }
         self.stand_until(t + RELEASE_S);
         true
     }
@@ -268,6 +268,7 @@ impl<I: Interpreter> Runner<'_, I> {
         // Whoever pressed it wants nothing to move.
         let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
         let why = "emergency stop";
+        self.world.shelf.tape.stops_at_input();
         self.on(Stopped::EmergencyStop, settings, why);
         self.stop_spindles();
         self.on(Stopped::Stands, settings, why);

@@ -4,8 +4,11 @@
 /// The value that holds them: `3:1 5:0`.
 pub(crate) const SWITCHES: &str = "SimulatedSwitches";
 
+/// Switches that somebody moved, and whether each was left closed.
+pub(crate) type Switches = Vec<(u8, bool)>;
+
 /// Reads them; what is no switch is left out.
-pub(crate) fn read(text: &str) -> Vec<(u8, bool)> {
+pub(crate) fn read(text: &str) -> Switches {
     let one = |word: &str| {
         let (number, on) = word.split_once(':')?;
         Some((number.parse().ok()?, on == "1"))

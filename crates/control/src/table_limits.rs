@@ -36,6 +36,9 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Nothing moves without a controller, or while a stop input is active. A run that has not moved
     /// yet does not begin; another waits until the input is released.
     pub(crate) fn may_move(&mut self, at: At) -> Result<(), Over> {
+        if self.is_open_for_take_up() {
+            return Ok(());
+        }
         if !self.world.machine.is_connected() {
             return Err(self.not_connected(at));
         }

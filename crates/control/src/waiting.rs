@@ -133,8 +133,10 @@ impl<I: Interpreter> Runner<'_, I> {
             Turn::Open(call) => {
                 let wish = self.watch_writing(from_s, to_s, going);
                 self.world.shelf.tape.heard(Kind::Wish, call, wish.as_ref());
-                if matches!(wish, Some((_, Wish::Stop | Wish::Hold))) {
-                    self.world.shelf.tape.stops();
+                match wish {
+                    Some((_, Wish::Stop | Wish::Hold)) => self.world.shelf.tape.stops(),
+                    Some((_, Wish::Input { .. })) => self.world.shelf.tape.presses(),
+                    _ => {}
                 }
                 wish
             }
@@ -250,8 +252,12 @@ impl<I: Interpreter> Runner<'_, I> {
         let t = self.world.now();
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
-        let pace = &mut self.pace;
-        let resumed = self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t));
+        let resumed = if self.is_open_for_take_up() {
+            Some(t)
+        } else {
+            let pace = &mut self.pace;
+            self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t))
+        };
         let Some(resumed_s) = resumed else {
             self.on(Stopped::Abort, settings, "");
             self.world.shelf.tape.given_up(self.world.placed());
@@ -355,6 +361,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// A question of the machine, not of the program.
     pub(crate) fn ask(&mut self, question: &Question, at: At) -> Result<Answer, Over> {
+        self.wake();
         let answer = self.world.ask_now(question, at);
         self.keep_turning();
         answer.map_err(|why| self.unanswered(at, why))

@@ -13,6 +13,9 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn set_off(&mut self) -> Result<f64, Halted> {
         loop {
             self.world.shelf.tape.moves(true, self.world.placed());
+            if self.is_open_for_take_up() {
+                return Ok(self.world.now());
+            }
             let watched = self.watched(self.world.now());
             let Some(turn) = self.warn(&watched) else { return Ok(self.world.now()) };
             if self.overtakes(turn) {

@@ -3,20 +3,21 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 
-use kerf_control::answers::Answers;
+use kerf_control::answers::{Answers, Operator};
 use kerf_control::event::{MoveEvent, Place};
 use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Event, Pace, Press, RunOptions, Session, Shelf, Started, StopAt, Wish, Work,
+    Company, Event, Pace, Press, RunOptions, Script, Session, Shelf, Started, StopAt, Wish, Work,
 };
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::profile::profile;
+use kerf_part::Program;
 use kerf_program::job::{Job, JobShape};
-use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
+use kerf_program::{Axes, Axis, Dynamics, MoveKind, Question, QuestionKind, Settings};
 use kerf_sbp::Status;
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use tempfile::{TempDir, tempdir};
 
@@ -30,13 +31,49 @@ struct PowerCut(f64);
 impl Pace for PowerCut {
     fn pass(&mut self, _: f64, to_s: f64) -> Option<(f64, Wish)> {
         if to_s >= self.0 {
-            std::panic::resume_unwind(Box::new("the power fails"));
+            resume_unwind(Box::new("the power fails"));
         }
         None
     }
 
     fn is_real(&self) -> bool {
         true
+    }
+}
+
+/// The operator holds the machine at a machine time, and the power fails before it goes on.
+struct PowerCutHeld(f64);
+
+impl Pace for PowerCutHeld {
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+        let held = (to_s > from_s && to_s >= self.0).then_some((self.0.max(from_s), Wish::Hold));
+        if held.is_some() {
+            self.0 = f64::INFINITY;
+        }
+        held
+    }
+
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn resumes(&mut self, _: f64) -> Option<f64> {
+        resume_unwind(Box::new("the power fails"))
+    }
+}
+
+/// The power fails when the operator has said all of it to whoever stopped.
+struct PowerCutBehind<'a>(&'a [&'a str]);
+
+impl Operator for PowerCutBehind<'_> {
+    fn answer(&mut self, question: &Question, _: u32) -> Option<String> {
+        if question.kind != QuestionKind::Hold {
+            return None;
+        }
+        let (word, rest) =
+            self.0.split_first().unwrap_or_else(|| resume_unwind(Box::new("the power fails")));
+        self.0 = rest;
+        Some((*word).into())
     }
 }
 
@@ -49,20 +86,24 @@ fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
 
 /// Runs the part file on record; nothing when the power fails.
 fn run(folder: &TempDir, pace: &mut dyn Pace, answers: &str) -> (Vec<Event>, Option<Status>) {
-    run_work(folder, kerf_part::read("a.sbp".into(), PART.as_bytes()), pace, answers)
+    run_work(folder, part(), pace, &mut Answers::read(answers))
+}
+
+fn part() -> Program {
+    kerf_part::read("a.sbp".into(), PART.as_bytes())
 }
 
 fn run_work(
     folder: &TempDir,
     work: impl Into<Work>,
     pace: &mut dyn Pace,
-    answers: &str,
+    operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let mut shelf = shelf(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
-    let (mut events, mut operator) = (Vec::new(), Answers::read(answers));
-    let company = Company { sink: &mut events, operator: &mut operator, pace };
+    let mut events = Vec::new();
+    let company = Company { sink: &mut events, operator, pace };
     // Logs are written at its end, also when it was given up.
     let started = Started { time: "14:03:05".into(), date: "2026-11-21".into() };
     let options = RunOptions { started: Some(started), ..RunOptions::default() };
@@ -73,14 +114,24 @@ fn run_work(
 }
 
 fn resume(folder: &TempDir, answers: &str) -> (Vec<Event>, Status) {
+    let (events, status) = resume_with(folder, &mut (), &mut Answers::read(answers));
+    (events, status.unwrap())
+}
+
+fn resume_with(
+    folder: &TempDir,
+    pace: &mut dyn Pace,
+    operator: &mut dyn Operator,
+) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let cut = journal.cut_short().unwrap().expect("a run to take up");
     let mut shelf = shelf(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
-    let (mut events, mut operator) = (Vec::new(), Answers::read(answers));
-    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
-    let summary = session.resume(&cut, &mut shelf, company).unwrap();
-    (events, summary.status)
+    let mut events = Vec::new();
+    let company = Company { sink: &mut events, operator, pace };
+    let went =
+        catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut shelf, company).unwrap()));
+    (events, went.ok().map(|summary| summary.status))
 }
 
 fn motion(event: &Event) -> Option<&MoveEvent> {
@@ -108,7 +159,7 @@ fn near(a: &Place, b: &Place) -> bool {
 
 /// What follows the point at which the run was taken up.
 fn behind(events: &[Event]) -> &[Event] {
-    let at = events.iter().position(|e| matches!(e, Event::Resume { .. })).expect("a resume");
+    let at = events.iter().rposition(|e| matches!(e, Event::Resume { .. })).expect("a resume");
     &events[at..]
 }
 
@@ -201,7 +252,7 @@ fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
     let job = Job { name: "a.rsm".into(), shapes, ..Job::default() };
     let folder = tempdir().unwrap();
     let work = Work::Job(Arc::new(job), Arc::new(machine));
-    let (_, status) = run_work(&folder, work, &mut PowerCut(at_s), "");
+    let (_, status) = run_work(&folder, work, &mut PowerCut(at_s), &mut ());
     assert_eq!(status, None, "the power failed");
     let (rest, status) = resume(&folder, "");
     assert_eq!(status, Status::Ok);
@@ -282,4 +333,107 @@ fn settings_with_an_axis_whose_jerk_is_free_can_be_read_again() {
     settings.dynamics = Some(Dynamics { jerk_mm_s3: Some(jerk), ..usual });
     let text = serde_json::to_string(&settings).unwrap();
     assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);
+}
+
+/// What was asked.
+fn asked(events: &[Event]) -> Vec<&str> {
+    events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Ask(question) => Some(&*question.text),
+            _ => None,
+        })
+        .collect()
+}
+
+/// When the operator is asked whether all is ready.
+const READY: &str =
+    "Output 1 comes on, the tool goes back to where the cut ended. Is everything ready?";
+
+/// Before, when a stop input is active.
+const RELEASE: &str =
+    "stopped by stop input 4. When it is released, Resume: the tool rises, and goes on";
+
+/// The power fails while somebody is asked what follows on a stop: he is asked once, before the tool goes back.
+#[test]
+fn a_question_that_was_open_is_settled_when_the_tool_goes_back() {
+    let whole = uninterrupted();
+    for line in [5, 6, 7] {
+        let at_s = middle(&whole, line);
+        // The stop input opens its circuit.
+        let pressed = Wish::Input { number: 4, on: false };
+        let stops: [&mut dyn Pace; 4] = [
+            &mut StopAt(at_s),
+            &mut Script::new(vec![(at_s, Wish::Stop)], Vec::new()),
+            &mut Script::new(vec![(at_s, pressed)], Vec::new()),
+            &mut PowerCutHeld(at_s),
+        ];
+        for (n, pace) in stops.into_iter().enumerate() {
+            let folder = tempdir().unwrap();
+            let (_, status) = run_work(&folder, part(), pace, &mut PowerCutBehind(&[]));
+            assert_eq!(status, None, "the power failed");
+            // And again when he is asked whether all is ready.
+            let (_, status) = resume_with(&folder, &mut (), &mut PowerCutBehind(&[]));
+            assert_eq!(status, None, "the power failed");
+            let released = format!("{line}:switch 4 1\nhold=Resume");
+            let answers = if n == 2 { &released } else { "hold=Resume" };
+            let (rest, status) = resume(&folder, answers);
+            assert_eq!(status, Status::Ok, "line {line}, stop {n}: {rest:#?}");
+            let pressed: &[&str] = if n == 2 { &[RELEASE] } else { &[] };
+            assert_eq!(asked(&rest), [pressed, &[READY]].concat(), "line {line}, stop {n}");
+            same_rest(&whole, &rest, line);
+        }
+    }
+}
+
+/// What stopped it is not what it meets again when it is taken up.
+#[test]
+fn a_run_that_was_given_up_at_a_stop_input_goes_on_where_it_stood() {
+    let whole = uninterrupted();
+    for line in [5, 6, 7] {
+        let folder = tempdir().unwrap();
+        let pressed = Wish::Input { number: 4, on: false };
+        let mut pace = Script::new(vec![(middle(&whole, line), pressed)], Vec::new());
+        let (_, status) = run(&folder, &mut pace, "hold=Quit");
+        assert_eq!(status, Some(Status::Stopped), "line {line}");
+        // Whoever is asked is asked behind the line before. He is not ready yet.
+        let before = line - 1;
+        let released = format!("{before}:switch 4 1\n{before}:Resume\n{before}:Quit");
+        let (rest, status) = resume(&folder, &released);
+        assert_eq!(status, Status::Stopped, "line {line}: {rest:#?}");
+        assert_eq!(asked(&rest), [RELEASE, READY], "line {line}");
+        let (rest, status) = resume(&folder, "hold=Resume");
+        assert_eq!(status, Status::Ok, "line {line}: {rest:#?}");
+        assert_eq!(asked(&rest), [READY], "line {line}");
+        same_rest(&whole, &rest, line);
+    }
+}
+
+/// Who nudged the workpiece before the power failed finds it nudged, also when it fails again before the tool is
+/// back.
+#[test]
+fn a_nudge_before_the_power_failed_is_on_record() {
+    let whole = uninterrupted();
+    let (folder, line) = (tempdir().unwrap(), 6);
+    let mut stop = StopAt(middle(&whole, line));
+    let nudge = &mut PowerCutBehind(&["nudge y .25"]);
+    assert_eq!(run_work(&folder, part(), &mut stop, nudge).1, None, "the power failed");
+    let nudge = &mut PowerCutBehind(&["nudge y .5"]);
+    assert_eq!(resume_with(&folder, &mut (), nudge).1, None, "the power failed");
+    let (rest, status) = resume(&folder, "hold=Resume");
+    assert_eq!(status, Status::Ok);
+    assert_eq!(asked(&rest), [READY]);
+    same_rest(&whole, &rest, line);
+    // What is shown stays; the machine is elsewhere.
+    let unmoved = tempdir().unwrap();
+    run(&unmoved, &mut (), "");
+    let by = stands(&folder).minus(stands(&unmoved));
+    assert!((by[Axis::Y] - 0.75 * 25.4).abs() < 1e-9, "{by:?}");
+}
+
+/// Where the machine stands.
+fn stands(folder: &TempDir) -> Axes {
+    let (journal, _) = Journal::open(folder.path()).unwrap();
+    let (session, _) = Session::recall(&journal, &mut shelf(&journal, folder)).unwrap();
+    session.memory.position
 }

@@ -14,6 +14,7 @@
 //! asked at every move and hardly ever have an answer only when they had ([`Tape::hear_rarely`]).
 
 use super::progress::{Progress, Reached};
+use crate::switches::Switches;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
@@ -69,7 +70,7 @@ pub(crate) enum Turn<T> {
 }
 
 /// Where a run was taken up.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Reentered {
     /// Where the machine stood.
     pub place: super::Placed,
@@ -78,6 +79,12 @@ pub(crate) struct Reentered {
     /// How many steps were told before.
     #[serde(default)]
     told: u64,
+    /// Switches that somebody has moved since the run was cut short.
+    #[serde(default)]
+    pub moved: Switches,
+    /// How all switches were left.
+    #[serde(default)]
+    left: Switches,
 }
 
 /// What the world tells one run.
@@ -95,6 +102,12 @@ pub(crate) struct Tape {
     wish: Option<i64>,
     /// Moves made when it was stopped last, and how much of the next.
     stood: Option<(u64, f64)>,
+    /// The same of a run that is taken up, until all is ready.
+    back: Option<(i64, (u64, f64))>,
+    /// The step with which the operator moved a switch last.
+    pressed: Option<i64>,
+    /// How switches are now, when the run is taken up; and how they were when this was looked at last.
+    switches: [Switches; 2],
     /// Where the run is.
     reached: Reached,
     writing: Option<Progress>,
@@ -119,8 +132,18 @@ impl Tape {
         contents: BTreeMap<String, Vec<u8>>,
         reached: &Reached,
         progress: Progress,
+        [now, before]: [Switches; 2],
     ) -> Self {
+        let last = steps.iter().rev().find(|step| step.kind == Kind::Reentry);
+        let last = last.and_then(|step| Reentered::deserialize(&step.told).ok());
+        let before = match last {
+            // They are as the run left them, or somebody since.
+            _ if reached.stopped => Switches::new(),
+            Some(last) => last.left,
+            None => before,
+        };
         let mut tape = Self {
+            switches: [now, before],
             made_before: reached.made,
             within_before: reached.within,
             contents,
@@ -239,9 +262,28 @@ impl Tape {
         self.wish = self.wish.or(last);
     }
 
+    /// The step that was added last moves a switch.
+    pub(crate) fn presses(&mut self) {
+        self.pressed = self.writing.as_ref().and_then(Progress::last_step);
+    }
+
+    /// An input stops the run; where a switch was moved for it in the last step, with that step.
+    pub(crate) fn stops_at_input(&mut self) {
+        let last = self.writing.as_ref().and_then(Progress::last_step);
+        let Some(last) = last.filter(|_| !self.silent) else { return };
+        let stop = if self.pressed == Some(last) { last } else { last + 1 };
+        self.wish = self.wish.or(Some(stop));
+    }
+
     /// The run goes on after a stop.
     pub(crate) const fn goes_on(&mut self) {
         (self.wish, self.stood) = (None, None);
+    }
+
+    /// All is ready: the run that is taken up goes on.
+    pub(crate) const fn goes_back(&mut self) {
+        self.back = None;
+        self.goes_on();
     }
 
     /// Whether the power went before the wish that was told last was done, when this was gone through before.
@@ -334,14 +376,6 @@ impl Tape {
         self.next_reentry().is_some_and(|reentry| reentry.told <= self.told || !others())
     }
 
-    /// Whether the run was cut short and taken up again before the world told anything more.
-    pub(crate) fn is_cut_short_here(&self) -> bool {
-        let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
-        let next =
-            next.and_then(|step| serde_json::from_value::<Reentered>(step.told.clone()).ok());
-        next.is_some_and(|reentry| reentry.told <= self.told)
-    }
-
     /// The next time at which the run was taken up, when as many moves were made by then as are now.
     fn next_reentry(&self) -> Option<Reentered> {
         let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
@@ -362,10 +396,13 @@ impl Tape {
     /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
     pub(crate) fn reenter(&mut self, place: super::Placed) -> Reentered {
         let within = self.within_before;
-        let told = Reentered { place, within, told: self.told };
-        self.stood = Some((self.reached.made, within));
-        self.add(Kind::Reentry, self.reached.made, &told);
-        self.stops();
+        let [left, before] = std::mem::take(&mut self.switches);
+        let moved = left.iter().filter(|switch| !before.contains(switch)).copied().collect();
+        let told = Reentered { place, within, told: self.told, moved, left };
+        let made = self.reached.made;
+        self.add(Kind::Reentry, made, &told);
+        let last = self.writing.as_ref().and_then(Progress::last_step);
+        self.back = last.map(|last| (last, (made, within)));
         self.reached.place = place;
         self.write();
         told
@@ -408,12 +445,16 @@ impl Tape {
     /// The operator stopped the run and gives it up: it can be taken up as if he had not.
     pub(crate) fn given_up(&mut self, place: super::Placed) {
         let Some(progress) = &mut self.writing else { return };
-        if let Some(wish) = self.wish {
+        let (wish, stood) = match self.back {
+            Some((reentry, stood)) => (Some(reentry), Some(stood)),
+            None => (self.wish, self.stood),
+        };
+        if let Some(wish) = wish {
             progress.drop_steps(wish);
         }
         let reached = &mut self.reached;
         (reached.stopped, reached.moving, reached.place) = (true, false, place);
-        (reached.made, reached.within) = self.stood.unwrap_or((reached.made, 0.0));
+        (reached.made, reached.within) = stood.unwrap_or((reached.made, 0.0));
         self.write();
         // What is told from here on belongs to giving up, and is not played when it is taken up.
         self.writing = None;
@@ -477,7 +518,8 @@ mod tests {
         for (steps, fits) in [(Vec::new(), true), (vec![step], false)] {
             let progress = Progress::new(journal.clone(), Some(2));
             let reached = Reached::default();
-            let mut tape = Tape::playing(steps, BTreeMap::new(), &reached, progress);
+            let mut tape =
+                Tape::playing(steps, BTreeMap::new(), &reached, progress, Default::default());
             tape.ends();
             assert_eq!(tape.unfit().is_none(), fits);
         }

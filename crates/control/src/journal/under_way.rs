@@ -9,7 +9,7 @@ use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::files::Folders;
 use crate::machine_file::MACHINE_FILE;
-use crate::switches::{self, SWITCHES};
+use crate::switches::{self, SWITCHES, Switches};
 use crate::{RunOptions, Session, Shell, Summary, Work};
 use kerf_program::{Settings, Status};
 use kerf_sim::Machine;
@@ -117,10 +117,13 @@ impl CutShort {
         session.gcode = self.run.session.gcode.clone();
         let machine = kerf_machine::file::read(&Arc::from(MACHINE_FILE), &self.run.machine);
         session.machine_is = Arc::new(machine.unwrap_or_default());
-        let switches = self.run.values.get(SWITCHES).map(|text| switches::read(text));
-        let machine = Machine::default().with_switches(&switches.unwrap_or_default());
-        session.machine = Some(machine);
+        session.machine = Some(Machine::default().with_switches(&self.switches()));
         session
+    }
+
+    /// Switches of the simulated machine as they were left when the run began.
+    fn switches(&self) -> Switches {
+        self.run.values.get(SWITCHES).map(|text| switches::read(text)).unwrap_or_default()
     }
 }
 
@@ -226,11 +229,12 @@ impl Journal {
     }
 
     /// What a run carried out that was cut short, and the tape of what the world told it. The machine is at
-    /// this place now; how far the run is, is told by its own progress again.
+    /// this place now, its switches are so; how far the run is, is told by its own progress again.
     pub(crate) fn take_up(
         &self,
         cut: &CutShort,
         place: Placed,
+        switches: Switches,
     ) -> Result<(Work, Tape), JournalError> {
         let run = &cut.run;
         if let Some(name) = cut.controller() {
@@ -258,7 +262,8 @@ impl Journal {
             rows.set(Table::Fact, REACHED, None)
         })?;
         let progress = Progress::new(self.clone(), Some(last + 1));
-        Ok((work, Tape::playing(steps, contents, &cut.reached, progress)))
+        let switches = [switches, cut.switches()];
+        Ok((work, Tape::playing(steps, contents, &cut.reached, progress, switches)))
     }
 }
 
