@@ -55,6 +55,9 @@ impl<I: Interpreter> Runner<'_, I> {
 
     fn on_the_way(&mut self, driven: Driven) -> Result<After, Over> {
         let runs = self.state == State::Running;
+        if runs {
+            self.world.shelf.tape.stood(1.0);
+        }
         let (by, n) = match driven {
             Driven::There | Driven::Edge(_) => return Ok(After::Ended),
             Driven::Wish(Wish::End) => {
@@ -65,7 +68,12 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.pace.heard();
                 ("operator", 0)
             }
-            Driven::EmergencyStop => return Err(self.interrupted(&driven)),
+            Driven::EmergencyStop => {
+                let over = self.interrupted(&driven);
+                self.world.shelf.tape.stops_at_input();
+                self.world.shelf.tape.given_up(self.world.placed());
+                return Err(over);
+            }
             Driven::Limit(n) => ("limit", n),
             Driven::StopInput(n) => ("stop", n),
             Driven::LinkLost => ("link", 0),
@@ -118,6 +126,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 continue;
             }
             self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
+            self.world.shelf.tape.stood(1.0);
             match (wish, halt) {
                 (Some((_, wish)), _) => self.stands(wish)?,
                 (None, Some(halt)) => {

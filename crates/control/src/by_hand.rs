@@ -144,8 +144,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 let until = plan.moves().len();
                 // No share of it is one of a move of the program, which is taken up at its own.
                 let going = Going { plan: &plan, index, t0_s, until, part: 0.0 };
-                let stops = driven.is_some();
-                let until = self.driven_until(&watched, going, stops);
+                let until = self.driven_until(&watched, going, driven);
                 let Some((t_s, why, ramped)) = until else {
                     self.make_one(&plan, index, t0_s);
                     index += 1;
@@ -177,13 +176,14 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Lets time pass to the end of a move, unless something stops the machine before. What stops already
-    /// is not stopped again.
+    /// is not stopped again; what the operator wants meanwhile comes next.
     fn driven_until(
         &mut self,
         watched: &[Watched],
         going: Going<'_>,
-        stops: bool,
+        driven: Option<Driven>,
     ) -> Option<(f64, Driven, bool)> {
+        let stops = driven.is_some();
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
         let halt = loop {
             // A switch that is moved meanwhile may stop the machine.
@@ -193,7 +193,14 @@ impl<I: Interpreter> Runner<'_, I> {
                 Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
                 Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
                 Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
-                Some(_) => {}
+                Some((t_s, wish)) => {
+                    // A stop may be told until the machine stands.
+                    let again = wish == Wish::Stop && driven == Some(Driven::Wish(wish));
+                    if !again && matches!(wish, Wish::Stop | Wish::Hold) {
+                        self.postpone((t_s, wish));
+                    }
+                    return None;
+                }
                 None if self.pace.failure().is_some() && !stops => {
                     break link_lost(self.world.now());
                 }

@@ -118,6 +118,8 @@ impl<I: Interpreter> Runner<'_, I> {
                 Answer::Text(words) => return Ok(Said::Words(words)),
                 Answer::Button(Button::Resume) if self.is_forbidden() => {}
                 Answer::Button(Button::Resume) => return Ok(Said::Resume),
+                // The power went before the run was given up.
+                Answer::Button(_) if self.is_open_for_take_up() => return Ok(Said::Resume),
                 Answer::Button(_) => break,
             }
         }

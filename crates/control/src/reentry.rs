@@ -35,7 +35,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    fn hear_world(&mut self) {
+    pub(crate) fn hear_world(&mut self) {
         if self.world.silent && !self.world.shelf.tape.plays() {
             self.world.silent = false;
             self.world.shelf.goes_live();

@@ -245,6 +245,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             // What moves cannot be dropped: it comes to rest behind the last move that was read.
             drop(self.flush());
         }
+        // A run that is taken up and has nothing to make says so.
+        self.hear_world();
         self.trail.goes_on(self.interpreter.call_stack());
         let last = self.last_commands(over.status);
         if let Some(diagnostic) = &over.diagnostic {

@@ -51,6 +51,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         let Some(input) = self.world.machine.stop_input() else { return Ok(()) };
         if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
+            self.world.shelf.tape.stood(1.0);
             return self.blocked(input);
         }
         let active = format!("stop input {input} is active: stop circuit open, nothing may move");

@@ -431,6 +431,31 @@ fn a_nudge_before_the_power_failed_is_on_record() {
     assert!((by[Axis::Y] - 0.75 * 25.4).abs() < 1e-9, "{by:?}");
 }
 
+/// Who stops it on the way back and gives it up has lost nothing of the cut.
+#[test]
+fn a_run_that_was_given_up_on_the_way_back_goes_on_where_it_stood() {
+    let whole = uninterrupted();
+    let cut_short = |line| {
+        let folder = tempdir().unwrap();
+        run(&folder, &mut PowerCut(middle(&whole, line)), "");
+        folder
+    };
+    for line in [5, 6, 7] {
+        let (back, _) = resume(&cut_short(line), "");
+        let down = back.iter().filter_map(motion).find(|made| made.kind == MoveKind::Cut).unwrap();
+        let folder = cut_short(line);
+        let mut stop = StopAt(0.5 * (down.t0 + down.t1));
+        let (begun, status) =
+            resume_with(&folder, &mut stop, &mut PowerCutBehind(&["Resume", "Quit"]));
+        assert_eq!(status, Some(Status::Stopped));
+        assert!(!begun.iter().any(|event| matches!(event, Event::Resume { .. })), "too late");
+        let (rest, status) = resume(&folder, "");
+        assert_eq!(status, Status::Ok);
+        let [rest, back] = [rest, back].map(|events| same_rest(&whole, &events, line).from);
+        assert!(near(&rest, &back), "line {line}: {rest:?}");
+    }
+}
+
 /// Where the machine stands.
 fn stands(folder: &TempDir) -> Axes {
     let (journal, _) = Journal::open(folder.path()).unwrap();

@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// Sets the dice of what was thought of later apart.
 const VARIES: u64 = 0x5eed_0002;
 
+/// The same of what was thought of after that.
+const GIVES_UP: u64 = 0x5eed_0003;
+
 /// What is run.
 #[derive(Clone, Debug)]
 pub enum What {
@@ -39,6 +42,9 @@ pub struct Case {
     pub sheet: Option<Sheet>,
     /// What the wall clock says when it starts.
     pub started: Started,
+    /// Which of the questions after a stop are answered with Quit, counted from the first; then it is taken up
+    /// again.
+    pub gives_up: Vec<u32>,
 }
 
 impl Case {
@@ -63,9 +69,12 @@ impl Case {
             pushed: Vec::new(),
             sheet: None,
             started: Started::default(),
+            gives_up: Vec::new(),
         };
         case.happen(&mut dice);
         case.vary(&mut Dice::new(seed ^ VARIES));
+        let mut dice = Dice::new(seed ^ GIVES_UP);
+        case.gives_up = (0..8).filter(|_| dice.happens(15)).collect();
         case
     }
 
@@ -269,6 +278,7 @@ impl fmt::Display for Case {
         writeln!(f, "{:?} limits {}", self.settings.ramp_model, self.settings.limits.check)?;
         let (inputs, wishes) = (&self.inputs, &self.wishes);
         writeln!(f, "inputs {inputs:?}\nwishes {wishes:?}\nkills {:?}", self.kills)?;
-        writeln!(f, "pushed {:?}\nsheet {:?}", self.pushed, self.sheet)
+        writeln!(f, "gives up {:?}\npushed {:?}", self.gives_up, self.pushed)?;
+        writeln!(f, "sheet {:?}", self.sheet)
     }
 }

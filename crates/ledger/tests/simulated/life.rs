@@ -105,20 +105,37 @@ const LIFE_BY_HAND: u64 = 3;
 /// So often.
 const PATIENCE: u32 = 60;
 
-/// Answers everything so that the run goes on.
-struct Helpful<'a>(&'a Doom, u32);
+/// Answers everything so that the run goes on, or can be taken up.
+struct Helpful<'a> {
+    doom: &'a Doom,
+    asked: u32,
+    /// How many more times he is asked after a stop before he gives up, for each time that he does.
+    gives_up: &'a RefCell<Vec<u32>>,
+    gave_up: bool,
+}
+
+impl Helpful<'_> {
+    fn gives_up(&mut self) -> bool {
+        let mut left = self.gives_up.borrow_mut();
+        let now = left.contains(&0);
+        *left = left.iter().filter_map(|n| n.checked_sub(1)).collect();
+        self.gave_up |= now;
+        now
+    }
+}
 
 impl Operator for Helpful<'_> {
     fn answer(&mut self, question: &Question, _line: u32) -> Option<String> {
-        self.0.tick();
-        self.1 += 1;
+        self.doom.tick();
+        self.asked += 1;
         let word = match question.kind {
             QuestionKind::Input => "2",
             QuestionKind::Msgbox => "Yes",
             QuestionKind::Limit => return None,
+            QuestionKind::Hold if self.gives_up() => "Quit",
             QuestionKind::Hold => "Resume",
             // What does not go away by itself.
-            QuestionKind::Paused if self.1 > PATIENCE => "abort",
+            QuestionKind::Paused if self.asked > PATIENCE => "abort",
             QuestionKind::Paused => "continue",
             _ => "OK",
         };
@@ -132,6 +149,7 @@ struct Life<'a> {
     folder: TempDir,
     doom: Doom,
     wishes: RefCell<Vec<(f64, Wish)>>,
+    gives_up: RefCell<Vec<u32>>,
     takes_s: f64,
 }
 
@@ -146,6 +164,8 @@ struct Process {
     took_up: bool,
     /// The operator's patience ended.
     gave_up: bool,
+    /// He gave up, and the run can be taken up.
+    put_off: bool,
     /// Where it died, when that was in the middle of a cut.
     under_way: Vec<Axes>,
     /// Something was cut in the plane.
@@ -160,7 +180,8 @@ impl<'a> Life<'a> {
         let mut wishes: Vec<_> =
             case.wishes.iter().map(|(share, wish)| (share * takes_s, *wish)).collect();
         wishes.sort_by(|a, b| b.0.total_cmp(&a.0));
-        Self { case, folder, doom: Doom::default(), wishes: RefCell::new(wishes), takes_s }
+        let (doom, wishes) = (Doom::default(), RefCell::new(wishes));
+        Self { case, folder, doom, wishes, gives_up: RefCell::default(), takes_s }
     }
 
     /// A process: begins the case, or takes it up; `None` when there is nothing left to do.
@@ -168,10 +189,10 @@ impl<'a> Life<'a> {
         let data = self.folder.path().join("data");
         let (journal, told) = Journal::open(&data).unwrap();
         assert!(told.is_empty(), "the journal was damaged: {told:?}");
-        if !journal.history().unwrap().is_empty() {
+        let cut = journal.cut_short().unwrap();
+        if cut.is_none() && !journal.history().unwrap().is_empty() {
             return None;
         }
-        let cut = journal.cut_short().unwrap();
         let folders = Folders::new(self.folder.path().into(), Vec::new(), Vec::new());
         let stored = Stored::of(journal.clone()).unwrap();
         let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, data);
@@ -192,7 +213,8 @@ impl<'a> Life<'a> {
         let mut watch =
             Watch { doom: &self.doom, allowed: self.case.allowed(), seen: Seen::default() };
         let mut person = Person::new(&self.doom, &self.wishes);
-        let mut helpful = Helpful(&self.doom, 0);
+        let (doom, gives_up) = (&self.doom, &self.gives_up);
+        let mut helpful = Helpful { doom, asked: 0, gives_up, gave_up: false };
         let ran = catch_unwind(AssertUnwindSafe(|| {
             let company = Company { sink: &mut watch, operator: &mut helpful, pace: &mut person };
             match &cut {
@@ -214,10 +236,21 @@ impl<'a> Life<'a> {
         };
         talk(&watch.seen);
         let to = session.memory.position;
-        let gave_up = helpful.1 > PATIENCE;
+        let gave_up = helpful.asked > PATIENCE;
         let took_up = cut.is_some();
+        let put_off = helpful.gave_up && journal.cut_short().unwrap().is_some();
+        if summary.is_some() {
+            let last = watch.seen.events.last();
+            assert!(matches!(last, Some(Event::End(_))), "nobody was told that it ended");
+        }
+        if summary.as_ref().is_some_and(|it| it.status == Status::Stopped) && !put_off {
+            let told = |event: &Event| matches!(event, Event::Ask(_) | Event::Diag(_));
+            let told = watch.seen.events.iter().any(told);
+            assert!(told || !took_up, "it was taken up and stopped, and nobody was told");
+        }
         let Person { under_way, cut, .. } = person;
-        Some(Process { seen: watch.seen, summary, from, to, took_up, gave_up, under_way, cut })
+        let seen = watch.seen;
+        Some(Process { seen, summary, from, to, took_up, gave_up, put_off, under_way, cut })
     }
 
     /// Now and then the process dies while somebody moves the tool: it is near where it stood, and not homed.
@@ -327,6 +360,7 @@ pub fn events(case: &Case) -> Vec<Event> {
 
 fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     let life = Life::new(case, takes_s);
+    life.gives_up.replace(case.gives_up.clone());
     let all = whole.seen.events.len() as f64;
     let mut lived = Lived { kills: 0, resumes: 0, compared: false };
     let mut done: Vec<Piece> = Vec::new();
@@ -356,6 +390,9 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         lost = lost.or_else(|| follow_on(&mut done, &next, &path).err());
         levels.add(&process.seen);
         faults += process.seen.faults;
+        if process.put_off {
+            continue;
+        }
         if let Some(summary) = process.summary {
             (why, gave_up) = (summary.error, process.gave_up);
             break Some(summary.status);
