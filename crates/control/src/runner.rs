@@ -126,18 +126,18 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     /// Runs the program to its end.
     pub fn run(&mut self) -> Over {
         let typed = self.world.typed_files > 0;
+        let may_begin = if typed { Ok(()) } else { self.may_begin() };
         if typed {
             self.world.machine.begin_lines();
-        } else {
+        } else if may_begin.is_ok() {
             self.world.machine.begin_file();
         }
         self.world.tell_log();
         self.on(Stopped::Start, StopSettings::OPENSBP, "");
         self.on(Stopped::Ready, StopSettings::OPENSBP, "");
-        let over = loop {
-            if let Some(over) = self.turn() {
-                break over;
-            }
+        let over = match may_begin {
+            Ok(()) => self.turns(),
+            Err(over) => self.ended(over),
         };
         // Typed lines are no file, unless they ran one.
         if typed && self.world.files_known() <= self.world.typed_files {
@@ -154,6 +154,14 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         let interpreter = &self.interpreter;
         self.world.tell_standing(stopped, &Vec::new, &|| interpreter.variables());
         over
+    }
+
+    fn turns(&mut self) -> Over {
+        loop {
+            if let Some(over) = self.turn() {
+                return over;
+            }
+        }
     }
 
     /// Some lines, and what they ask for.

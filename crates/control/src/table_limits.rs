@@ -54,9 +54,22 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.shelf.tape.stood(1.0);
             return self.blocked(input);
         }
+        Err(self.forbids(input, at))
+    }
+
+    /// A file whose outputs come on when it starts does not start while a stop input is active.
+    pub(crate) fn may_begin(&mut self) -> Result<(), Over> {
+        self.world.machine.begin_lines();
+        let machine = &self.world.machine;
+        let switches = machine.switches_on_at_start() && !self.interpreter.takes_stops();
+        let input = self.world.machine.stop_input().filter(|_| switches);
+        input.map_or(Ok(()), |input| Err(self.forbids(input, At::default())))
+    }
+
+    fn forbids(&self, input: u8, at: At) -> Over {
         let active = format!("stop input {input} is active: stop circuit open, nothing may move");
         let message = self.stop_input_message(active);
-        Err(self.over(Status::Stopped, Code::InputStop, at, message))
+        self.over(Status::Stopped, Code::InputStop, at, message)
     }
 
     /// What is told of a stop input; an open enclosure says so itself.

@@ -34,6 +34,8 @@ struct Run {
     says: Vec<&'static str>,
     spin_up_s: f64,
     warning_s: f64,
+    /// The spindle's output follows the file (VO).
+    by_mode: bool,
 }
 
 struct Ran {
@@ -62,6 +64,9 @@ impl Run {
         let mut session = Session::default();
         session.memory.settings.use_linear_unit(LinearUnit::Inch);
         session.memory.settings.warning_s = self.warning_s;
+        if self.by_mode {
+            session.memory.settings.io.outputs[0] = 3;
+        }
         let mut machine = (*session.machine_is).clone();
         machine.delays.router_start_s = self.spin_up_s;
         session.machine_is = machine.into();
@@ -134,6 +139,19 @@ fn no_spindle_starts_while_the_stop_circuit_is_open() {
     let ran = pressed.says(&["Resume"; 99]).of("MX,1\nPAUSE 5\nSO,1,1\nMX,2\n");
     assert_eq!((ran.summary.status, ran.x_in()), (Status::Ok, 2.0));
     assert!(ran.spindle()[0].0 >= 30.0, "{:?}", ran.spindle());
+}
+
+/// An output that comes on with the file does not while a stop input is active: the file does not start.
+#[test]
+fn nothing_comes_on_with_a_file_while_the_stop_circuit_is_open() {
+    let program = "PAUSE 3\nMX,1\n";
+    let open = Run { by_mode: true, ..Run::default() }.input(4, 0.0, false).input(4, 1.0, true);
+    let ran = open.of(program);
+    assert_eq!((ran.spindle(), ran.summary.status), (vec![], Status::Stopped));
+    assert_eq!((ran.summary.seconds, ran.x_in()), (0.0, 0.0));
+    assert!(ran.summary.error.unwrap().message.contains("stop input 4 is active"));
+    let ran = Run { by_mode: true, ..Run::default() }.of(program);
+    assert_eq!((ran.summary.status, ran.spindle()[0]), (Status::Ok, (0.0, true)));
 }
 
 #[test]

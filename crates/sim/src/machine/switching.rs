@@ -51,6 +51,11 @@ impl Machine {
         self.by_mode(Occasion::Start, OutputReason::Mode);
     }
 
+    /// Whether an output comes on when a part file starts.
+    pub fn switches_on_at_start(&self) -> bool {
+        !self.draws() && switched(&self.settings.io, Occasion::Start).any(|(_, on)| on)
+    }
+
     /// Lines that somebody typed begin.
     pub fn begin_lines(&mut self) {
         self.advance(self.clock_s);
