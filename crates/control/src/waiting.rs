@@ -1,5 +1,6 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
+use crate::answers;
 use crate::by_hand::Jog;
 use crate::journal::{Kind, Placed, Turn};
 use crate::pendant::KEY;
@@ -7,6 +8,7 @@ use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
 use crate::{Doing, Event, Going, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::sequence::Word;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::Move;
 use kerf_program::{
@@ -324,7 +326,13 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             return flow;
         }
-        match self.answer_of_operator(at) {
+        let before = self.world.shelf.tape.next_step();
+        let answer = self.answer_of_operator(at);
+        if asked == Some(QuestionKind::Paused) && gives_up(&answer) && !self.world.silent {
+            // As if the power had gone while he was asked.
+            self.world.shelf.tape.given_up_before(before, self.world.placed());
+        }
+        match answer {
             Ok(answer) => {
                 self.world.answer = answer;
                 self.goes_on_after_question().map_or_else(Flow::Over, |()| Flow::On)
@@ -381,5 +389,14 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The line that asks; it runs again when the answer is there.
     pub(crate) fn asking_line(&self) -> At {
         self.interpreter.call_stack().last().copied().unwrap_or_default()
+    }
+}
+
+/// Whether the operator gives up a job that waits.
+fn gives_up(answer: &Result<Option<Answer>, Unanswered>) -> bool {
+    match answer {
+        Ok(Some(answer)) => Word::read(&answers::words(answer)) == Some(Word::Abort),
+        Ok(None) | Err(Unanswered::NoButton(_)) => false,
+        Err(Unanswered::Stopped) => true,
     }
 }

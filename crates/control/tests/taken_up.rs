@@ -12,6 +12,7 @@ use kerf_control::{
     Company, Event, Pace, Press, RunOptions, Script, Session, Shelf, Started, StopAt, Wish, Work,
 };
 use kerf_geom::{Point2, Polyarc};
+use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
 use kerf_part::Program;
 use kerf_program::job::{Job, JobShape};
@@ -244,15 +245,43 @@ fn the_way_back_is_safe() {
     assert_eq!(steps, ["up to 1.0", ready, "output true", "down to -0.2"]);
 }
 
-/// What the operator is asked when a job is taken up that was cut short at a time, and what comes on then.
-fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
-    let machine = profile("sim").unwrap().configuration().unwrap();
+/// A line through the sheet, on the simulated machine.
+fn job(machine: impl FnOnce(&mut Configuration)) -> Work {
+    let mut configuration = profile("sim").unwrap().configuration().unwrap();
+    machine(&mut configuration);
     let path = [(0.0, 0.0), (100.0, 0.0)].map(|(x, y)| Point2::new(x, y));
     let shapes = [JobShape::through(1, Polyarc::lines(path, false))].into();
     let job = Job { name: "a.rsm".into(), shapes, ..Job::default() };
+    Work::Job(Arc::new(job), Arc::new(configuration))
+}
+
+/// A job that is given up in a pause goes on from there; one that was not begun is over.
+#[test]
+fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
+    let given_up = |at_s, machine: fn(&mut Configuration)| {
+        let folder = tempdir().unwrap();
+        let mut answers = Answers::read("paused=abort");
+        let (_, status) = run_work(&folder, job(machine), &mut StopAt(at_s), &mut answers);
+        assert_eq!(status, Some(Status::Stopped));
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        (folder, journal.cut_short().unwrap())
+    };
+    let (folder, cut) = given_up(5.4, |_| ());
+    assert!(cut.is_some_and(|cut| cut.stopped()));
+    let (rest, status) = resume(&folder, "hold=Resume\npaused=Resume");
+    assert_eq!(status, Status::Ok, "{rest:#?}");
+    let cuts = rest.iter().filter_map(motion).filter(|it| it.from.x < it.to.x && it.to.z < -15.0);
+    let along: Vec<_> = cuts.map(|made| (made.from.x, made.to.x)).collect();
+    let (from, to) = (along[0].0, along[along.len() - 1].1);
+    assert!(from > 5.0 && from < 95.0 && (to - 100.0).abs() < 1e-9, "{along:?}");
+    let (_, cut) = given_up(5.4, |machine| machine.misc.double_start = true);
+    assert!(cut.is_none(), "it has not begun");
+}
+
+/// What the operator is asked when a job is taken up that was cut short at a time, and what comes on then.
+fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
     let folder = tempdir().unwrap();
-    let work = Work::Job(Arc::new(job), Arc::new(machine));
-    let (_, status) = run_work(&folder, work, &mut PowerCut(at_s), &mut ());
+    let (_, status) = run_work(&folder, job(|_| ()), &mut PowerCut(at_s), &mut ());
     assert_eq!(status, None, "the power failed");
     let (rest, status) = resume(&folder, "");
     assert_eq!(status, Status::Ok);

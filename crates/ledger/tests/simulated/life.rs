@@ -136,6 +136,8 @@ impl Operator for Helpful<'_> {
             QuestionKind::Hold => "Resume",
             // What does not go away by itself.
             QuestionKind::Paused if self.asked > PATIENCE => "abort",
+            // One that is given up before it begins is over.
+            QuestionKind::Paused if question.prefill.is_empty() && self.gives_up() => "abort",
             QuestionKind::Paused => "continue",
             _ => "OK",
         };

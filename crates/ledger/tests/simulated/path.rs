@@ -3,7 +3,7 @@
 use crate::alike::{self, Point};
 use kerf_control::Made;
 use kerf_geom::Arc2;
-use kerf_program::{Axes, Axis, MoveKind};
+use kerf_program::{Axes, MoveKind};
 use std::f64::consts::TAU;
 
 /// Places closer than this are the same, mm.
@@ -34,7 +34,10 @@ impl Piece {
         let (from, to) = (it.from.first3(), it.to.first3());
         let level = it.kind == MoveKind::Cut;
         let arc = it.arc();
-        let flat = arc.is_some() || apart(from, to, Axis::X) || apart(from, to, Axis::Y);
+        let along = (to[0] - from[0]).hypot(to[1] - from[1]);
+        // A way down that was stopped in a smoothed corner begins beside its line.
+        let plunges = along < NEAR && (to[2] - from[2]).abs() > 10.0 * along;
+        let flat = arc.is_some() || (along > SAME && !plunges);
         let down_mm = from[2] - to[2];
         (level && flat).then_some(Self { from, to, arc, line: it.at.line, down_mm })
     }
@@ -147,10 +150,6 @@ impl Piece {
 
 fn turned(arc: Arc2, share: f64) -> Arc2 {
     Arc2 { sweep_rad: arc.sweep_rad * share, ..arc }
-}
-
-fn apart(from: [f64; 3], to: [f64; 3], axis: Axis) -> bool {
-    (from[axis.index()] - to[axis.index()]).abs() > SAME
 }
 
 fn same(a: [f64; 3], b: [f64; 3]) -> bool {
