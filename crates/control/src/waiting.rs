@@ -326,11 +326,10 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             return flow;
         }
-        let before = self.world.shelf.tape.next_step();
         let answer = self.answer_of_operator(at);
         if asked == Some(QuestionKind::Paused) && gives_up(&answer) && !self.world.silent {
             // As if the power had gone while he was asked.
-            self.world.shelf.tape.given_up_before(before, self.world.placed());
+            self.world.shelf.tape.given_up_by_answer(self.world.placed());
         }
         match answer {
             Ok(answer) => {

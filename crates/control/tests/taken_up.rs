@@ -258,23 +258,27 @@ fn job(machine: impl FnOnce(&mut Configuration)) -> Work {
 /// A job that is given up in a pause goes on from there; one that was not begun is over.
 #[test]
 fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
-    let given_up = |at_s, machine: fn(&mut Configuration)| {
+    let given_up = |answers, machine: fn(&mut Configuration)| {
         let folder = tempdir().unwrap();
-        let mut answers = Answers::read("paused=abort");
-        let (_, status) = run_work(&folder, job(machine), &mut StopAt(at_s), &mut answers);
+        let mut answers = Answers::read(answers);
+        let (_, status) = run_work(&folder, job(machine), &mut StopAt(5.4), &mut answers);
         assert_eq!(status, Some(Status::Stopped));
         let (journal, _) = Journal::open(folder.path()).unwrap();
         (folder, journal.cut_short().unwrap())
     };
-    let (folder, cut) = given_up(5.4, |_| ());
-    assert!(cut.is_some_and(|cut| cut.stopped()));
-    let (rest, status) = resume(&folder, "hold=Resume\npaused=Resume");
-    assert_eq!(status, Status::Ok, "{rest:#?}");
-    let cuts = rest.iter().filter_map(motion).filter(|it| it.from.x < it.to.x && it.to.z < -15.0);
-    let along: Vec<_> = cuts.map(|made| (made.from.x, made.to.x)).collect();
-    let (from, to) = (along[0].0, along[along.len() - 1].1);
-    assert!(from > 5.0 && from < 95.0 && (to - 100.0).abs() < 1e-9, "{along:?}");
-    let (_, cut) = given_up(5.4, |machine| machine.misc.double_start = true);
+    // Also when he has moved the tool before.
+    for answers in ["paused=abort", "jog 0,30,0,0,0,0 1\njog 5,30,0,0,0,0 1\nabort"] {
+        let (folder, cut) = given_up(answers, |_| ());
+        assert!(cut.is_some_and(|cut| cut.stopped()));
+        let (rest, status) = resume(&folder, "hold=Resume\npaused=Resume");
+        assert_eq!(status, Status::Ok, "{rest:#?}");
+        let cuts = rest.iter().filter_map(motion);
+        let cuts = cuts.filter(|made| made.from.x < made.to.x && made.to.z < -15.0);
+        let along: Vec<_> = cuts.map(|made| (made.from.x, made.to.x)).collect();
+        let (from, to) = (along[0].0, along[along.len() - 1].1);
+        assert!(from > 5.0 && from < 95.0 && (to - 100.0).abs() < 1e-9, "{along:?}");
+    }
+    let (_, cut) = given_up("paused=abort", |machine| machine.misc.double_start = true);
     assert!(cut.is_none(), "it has not begun");
 }
 

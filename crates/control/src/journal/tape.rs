@@ -460,17 +460,13 @@ impl Tape {
         self.writing = None;
     }
 
-    /// The number of the step that is told next.
-    pub(crate) fn next_step(&self) -> Option<i64> {
-        self.writing.as_ref().and_then(Progress::last_step).map(|last| last + 1)
-    }
-
-    /// The operator gives a job up that waits: it can be taken up as if he had not been asked. One that has not
-    /// moved yet is over.
-    pub(crate) fn given_up_before(&mut self, step: Option<i64>, place: super::Placed) {
+    /// The operator gives a job up that waits: it can be taken up as if he had not answered, which is the last
+    /// that was told. One that has not moved yet is over.
+    pub(crate) fn given_up_by_answer(&mut self, place: super::Placed) {
         let made = self.reached.made;
         if made > 0 {
-            (self.back, self.wish, self.stood) = (None, step, Some((made, 0.0)));
+            self.wish = self.writing.as_ref().and_then(Progress::last_step);
+            (self.back, self.stood) = (None, Some((made, 0.0)));
             self.given_up(place);
         }
     }
