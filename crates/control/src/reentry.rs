@@ -155,10 +155,8 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Whether the power went here, where the machine was stopped, or goes back after a stop: the rest of that
     /// is settled by the question whether all is ready, when the next move is about to be made.
-    pub(crate) fn is_open_for_take_up(&self) -> bool {
-        let tape = &self.world.shelf.tape;
-        let cut_short = self.reentry.is_some() && (!tape.plays() || tape.is_reentered());
-        self.world.silent && cut_short && !tape.reenters_within()
+    pub(crate) fn is_open_for_take_up(&mut self) -> bool {
+        self.reentry.is_some() && self.world.shelf.tape.is_open()
     }
 
     /// Leaves out what was made of the first move that waits.

@@ -326,17 +326,38 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             return flow;
         }
-        let answer = self.answer_of_operator(at);
-        if asked == Some(QuestionKind::Paused) && gives_up(&answer) && !self.world.silent {
-            // As if the power had gone while he was asked.
-            self.world.shelf.tape.given_up_by_answer(self.world.placed());
-        }
+        let answer = match asked {
+            Some(QuestionKind::Paused) => self.answer_to_pause(at),
+            _ => self.answer_of_operator(at),
+        };
         match answer {
             Ok(answer) => {
                 self.world.answer = answer;
                 self.goes_on_after_question().map_or_else(Flow::Over, |()| Flow::On)
             }
             Err(why) => Flow::Over(self.unanswered(at, why)),
+        }
+    }
+
+    /// What the operator tells a job that waits. One that he gives up can be taken up as if he had not answered,
+    /// unless it has not moved yet.
+    fn answer_to_pause(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
+        loop {
+            let question = self.world.question.clone();
+            let answer = self.answer_of_operator(at);
+            if !gives_up(&answer) || !self.world.shelf.tape.has_moved() {
+                return answer;
+            }
+            if !self.world.silent {
+                let stands = self.stands_at();
+                self.world.shelf.tape.given_up_by_answer(stands);
+                // Nothing is brought back only to be given up.
+                let is_back = self.reentry.is_none();
+                return if is_back { answer } else { Err(Unanswered::Stopped) };
+            }
+            // The power went before it was given up.
+            self.world.question = question;
+            self.wake();
         }
     }
 

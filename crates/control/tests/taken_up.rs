@@ -9,7 +9,8 @@ use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Event, Pace, Press, RunOptions, Script, Session, Shelf, Started, StopAt, Wish, Work,
+    Company, Event, Pace, Press, RunOptions, Script, Session, Shelf, Sink, Started, StopAt, Wish,
+    Work,
 };
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::Configuration;
@@ -66,6 +67,18 @@ impl Pace for PowerCutHeld {
 /// The power fails when the operator has said all of it to whoever stopped.
 struct PowerCutBehind<'a>(&'a [&'a str]);
 
+/// The program is answered; the power fails when whoever stopped it is asked.
+struct PowerCutSaid(&'static str);
+
+impl Operator for PowerCutSaid {
+    fn answer(&mut self, question: &Question, _: u32) -> Option<String> {
+        if question.kind == QuestionKind::Hold {
+            resume_unwind(Box::new("the power fails"));
+        }
+        Some(self.0.into())
+    }
+}
+
 impl Operator for PowerCutBehind<'_> {
     fn answer(&mut self, question: &Question, _: u32) -> Option<String> {
         if question.kind != QuestionKind::Hold {
@@ -75,6 +88,19 @@ impl Operator for PowerCutBehind<'_> {
             self.0.split_first().unwrap_or_else(|| resume_unwind(Box::new("the power fails")));
         self.0 = rest;
         Some((*word).into())
+    }
+}
+
+/// The power fails when it is told that the operator has answered.
+struct PowerCutTold(&'static str);
+
+impl Sink for PowerCutTold {
+    fn event(&mut self, event: &Event) {
+        if let Event::Ask(asked) = event
+            && asked.answer == self.0
+        {
+            resume_unwind(Box::new("the power fails"));
+        }
     }
 }
 
@@ -100,18 +126,22 @@ fn run_work(
     pace: &mut dyn Pace,
     operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
+    let mut events = Vec::new();
+    let status = run_in(folder, work, Company { sink: &mut events, operator, pace });
+    (events, status)
+}
+
+fn run_in(folder: &TempDir, work: impl Into<Work>, company: Company<'_>) -> Option<Status> {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let mut shelf = shelf(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
-    let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator, pace };
     // Logs are written at its end, also when it was given up.
     let started = Started { time: "14:03:05".into(), date: "2026-11-21".into() };
     let options = RunOptions { started: Some(started), ..RunOptions::default() };
     let went = catch_unwind(AssertUnwindSafe(|| {
         session.run_on_record(work, options, None, &mut shelf, company).unwrap()
     }));
-    (events, went.ok().map(|summary| summary.status))
+    went.ok().map(|summary| summary.status)
 }
 
 fn resume(folder: &TempDir, answers: &str) -> (Vec<Event>, Status) {
@@ -282,6 +312,21 @@ fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
     assert!(cut.is_none(), "it has not begun");
 }
 
+/// The power fails when he has said so and the job is not given up yet: he is asked again.
+#[test]
+fn a_job_that_was_about_to_be_given_up_asks_again() {
+    let folder = tempdir().unwrap();
+    let operator = &mut Answers::read("paused=abort");
+    let company = Company { sink: &mut PowerCutTold("abort"), operator, pace: &mut StopAt(5.4) };
+    assert_eq!(run_in(&folder, job(|_| ()), company), None, "the power failed");
+    let (said, status) = resume(&folder, "paused=abort");
+    assert_eq!((asked(&said).len(), status), (1, Status::Stopped), "{said:#?}");
+    let (rest, status) = resume(&folder, "hold=Resume\npaused=Resume");
+    assert_eq!(status, Status::Ok, "{rest:#?}");
+    let to = rest.iter().filter_map(motion).map(|made| made.to.x);
+    assert!(to.fold(0.0, f64::max) > 99.9, "the rest is cut");
+}
+
 /// What the operator is asked when a job is taken up that was cut short at a time, and what comes on then.
 fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
     let folder = tempdir().unwrap();
@@ -417,6 +462,28 @@ fn a_question_that_was_open_is_settled_when_the_tool_goes_back() {
             same_rest(&whole, &rest, line);
         }
     }
+}
+
+/// The program asks something before the tool goes back, and the power fails once more.
+#[test]
+fn a_question_of_the_program_behind_one_that_was_open_is_asked_once() {
+    const ASKS: &str = "SA\nMX,1\nPAUSE 5\nINPUT \"How far\" &far\nMX,&far\nMX,3\n";
+    let (folder, asks) = (tempdir().unwrap(), kerf_part::read("a.sbp".into(), ASKS.as_bytes()));
+    let (whole, _) = run_work(&tempdir().unwrap(), asks, &mut (), &mut Answers::read("2"));
+    let waits = |event: &Event| match event {
+        Event::Wait { t, .. } => Some(t + 1.0),
+        _ => None,
+    };
+    let mut stop = StopAt(whole.iter().find_map(waits).unwrap());
+    let asks = kerf_part::read("a.sbp".into(), ASKS.as_bytes());
+    assert_eq!(run_work(&folder, asks, &mut stop, &mut PowerCutBehind(&[])).1, None);
+    let (begun, status) = resume_with(&folder, &mut (), &mut PowerCutSaid("2"));
+    assert_eq!((asked(&begun).len(), status), (1, None), "{begun:#?}");
+    let (rest, status) = resume(&folder, "hold=Resume");
+    assert_eq!(status, Status::Ok, "{rest:#?}");
+    assert!(asked(&rest)[0].ends_with("Is everything ready?"), "{rest:#?}");
+    let along: Vec<_> = behind(&rest).iter().filter_map(motion).map(|made| made.to.x).collect();
+    assert_eq!(along[along.len() - 2..], [2.0, 3.0]);
 }
 
 /// What stopped it is not what it meets again when it is taken up.

@@ -13,6 +13,11 @@
 //! Each kind of question is counted. Most are on the tape whenever they were asked; those that are
 //! asked at every move and hardly ever have an answer only when they had ([`Tape::hear_rarely`]).
 
+mod reached;
+mod reentries;
+
+pub(crate) use reentries::Reentered;
+
 use super::progress::{Progress, Reached};
 use crate::switches::Switches;
 use serde::de::DeserializeOwned;
@@ -47,6 +52,9 @@ pub(crate) enum Kind {
     Overtaken,
     /// The run was taken up here: the number is that of the moves made.
     Reentry,
+    /// The power went here, where the machine was stopped: the number is that of the times the run was taken up
+    /// before.
+    Left,
 }
 
 /// One thing that the world told.
@@ -69,24 +77,6 @@ pub(crate) enum Turn<T> {
     Open(u64),
 }
 
-/// Where a run was taken up.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Reentered {
-    /// Where the machine stood.
-    pub place: super::Placed,
-    /// How much of the move at hand had been made.
-    pub within: f64,
-    /// How many steps were told before.
-    #[serde(default)]
-    told: u64,
-    /// Switches that somebody has moved since the run was cut short.
-    #[serde(default)]
-    pub moved: Switches,
-    /// How all switches were left.
-    #[serde(default)]
-    left: Switches,
-}
-
 /// What the world tells one run.
 #[derive(Debug, Default)]
 pub(crate) struct Tape {
@@ -106,6 +96,10 @@ pub(crate) struct Tape {
     back: Option<(i64, (u64, f64))>,
     /// The step with which the operator moved a switch last.
     pressed: Option<i64>,
+    /// How often the run was taken up.
+    reentries: u64,
+    /// What followed on a stop when the power went is left to whoever takes the run up, until he does.
+    open: bool,
     /// How switches are now, when the run is taken up; and how they were when this was looked at last.
     switches: [Switches; 2],
     /// Where the run is.
@@ -165,12 +159,6 @@ impl Tape {
     /// Everything has happened that happened before but a part of the next move.
     pub(crate) fn is_within(&self) -> bool {
         self.silent && self.within_before > 0.0
-    }
-
-    /// Whether the run is taken up in the middle of the next move: where it was before, or now.
-    pub(crate) fn reenters_within(&self) -> bool {
-        let told = self.next_reentry().filter(|_| self.is_reentered());
-        told.map_or(self.is_within(), |told| told.within > 0.0)
     }
 
     /// From here on the world is heard; the machine stands there.
@@ -367,150 +355,7 @@ impl Tape {
     }
 
     fn count(&mut self, kind: Kind) {
-        self.told += u64::from(kind != Kind::Reentry);
-    }
-
-    /// Whether the run was taken up here before, and cut short again.
-    pub(crate) fn is_reentered(&self) -> bool {
-        let others = || self.played.iter().any(|(k, s)| *k != Kind::Reentry && !s.is_empty());
-        self.next_reentry().is_some_and(|reentry| reentry.told <= self.told || !others())
-    }
-
-    /// The next time at which the run was taken up, when as many moves were made by then as are now.
-    fn next_reentry(&self) -> Option<Reentered> {
-        let next = self.played.get(&Kind::Reentry).and_then(VecDeque::front);
-        let next = next.filter(|step| step.call == self.reached.made)?;
-        serde_json::from_value(next.told.clone()).ok()
-    }
-
-    /// Where the run was taken up when it had come so far, if it was.
-    pub(crate) fn reentered(&mut self) -> Option<Reentered> {
-        if !self.is_reentered() {
-            return None;
-        }
-        // Given up meanwhile, it is where it was.
-        self.stood = Some((self.made_before, self.within_before));
-        self.pop(Kind::Reentry)
-    }
-
-    /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
-    pub(crate) fn reenter(&mut self, place: super::Placed) -> Reentered {
-        let within = self.within_before;
-        let [left, before] = std::mem::take(&mut self.switches);
-        let moved = left.iter().filter(|switch| !before.contains(switch)).copied().collect();
-        let told = Reentered { place, within, told: self.told, moved, left };
-        let made = self.reached.made;
-        self.add(Kind::Reentry, made, &told);
-        let last = self.writing.as_ref().and_then(Progress::last_step);
-        self.back = last.map(|last| (last, (made, within)));
-        self.reached.place = place;
-        self.write();
-        told
-    }
-}
-
-/// How far the run is.
-impl Tape {
-    /// A move was made; the machine is there.
-    pub(crate) fn made(&mut self, file: &str, line: u32, place: super::Placed) {
-        if self.writing.is_none() {
-            return;
-        }
-        let reached = &mut self.reached;
-        (reached.made, reached.within) = (reached.made + 1, 0.0);
-        (reached.line, reached.place) = (line, place);
-        if reached.file != file {
-            file.clone_into(&mut reached.file);
-        }
-        if !self.silent
-            && let Some(progress) = &mut self.writing
-        {
-            progress.pass(&self.reached);
-        }
-    }
-
-    /// So much of the move under way is made; the machine is there.
-    pub(crate) fn makes(&mut self, share: f64, place: super::Placed) {
-        (self.reached.within, self.reached.place) = (share, place);
-        self.write();
-    }
-
-    /// The machine was stopped; of the move made last so much is made.
-    pub(crate) fn stood(&mut self, share: f64) {
-        let partly = share > 0.0 && share < 1.0;
-        let made = self.reached.made;
-        self.stood = Some(if partly { (made.saturating_sub(1), share) } else { (made, 0.0) });
-    }
-
-    /// The operator stopped the run and gives it up: it can be taken up as if he had not.
-    pub(crate) fn given_up(&mut self, place: super::Placed) {
-        let Some(progress) = &mut self.writing else { return };
-        let (wish, stood) = match self.back {
-            Some((reentry, stood)) => (Some(reentry), Some(stood)),
-            None => (self.wish, self.stood),
-        };
-        if let Some(wish) = wish {
-            progress.drop_steps(wish);
-        }
-        let reached = &mut self.reached;
-        (reached.stopped, reached.moving, reached.place) = (true, false, place);
-        (reached.made, reached.within) = stood.unwrap_or((reached.made, 0.0));
-        self.write();
-        // What is told from here on belongs to giving up, and is not played when it is taken up.
-        self.writing = None;
-    }
-
-    /// The operator gives a job up that waits: it can be taken up as if he had not answered, which is the last
-    /// that was told. One that has not moved yet is over.
-    pub(crate) fn given_up_by_answer(&mut self, place: super::Placed) {
-        let made = self.reached.made;
-        if made > 0 {
-            self.wish = self.writing.as_ref().and_then(Progress::last_step);
-            (self.back, self.stood) = (None, Some((made, 0.0)));
-            self.given_up(place);
-        }
-    }
-
-    /// How far a run is that was given up.
-    pub(super) fn left_at(&self) -> Option<&Reached> {
-        self.reached.stopped.then_some(&self.reached)
-    }
-
-    /// The machine sets off from a place, or stands there.
-    pub(crate) fn moves(&mut self, moving: bool, place: super::Placed) {
-        (self.reached.moving, self.reached.place) = (moving, place);
-        if self.silent {
-            return;
-        }
-        match &mut self.writing {
-            Some(progress) if moving => progress.set_off(&self.reached),
-            Some(progress) => progress.pass(&self.reached),
-            None => {}
-        }
-    }
-
-    /// Where the run stands: its flags.
-    pub(crate) const fn stands(&mut self, status: u8) {
-        self.reached.live.status = status;
-    }
-
-    /// Which inputs and outputs are on.
-    pub(crate) const fn switches(&mut self, inputs: u16, outputs: u16) {
-        (self.reached.live.inputs, self.reached.live.outputs) = (inputs, outputs);
-    }
-
-    /// Everything up to here has to be in the file.
-    pub(crate) fn write(&mut self) {
-        if !self.silent
-            && let Some(progress) = &mut self.writing
-        {
-            progress.write(&self.reached);
-        }
-    }
-
-    /// Why nothing can be written, when that was not told yet.
-    pub(crate) fn new_trouble(&mut self) -> Option<String> {
-        self.writing.as_mut()?.new_trouble()
+        self.told += u64::from(!matches!(kind, Kind::Reentry | Kind::Left));
     }
 }
 

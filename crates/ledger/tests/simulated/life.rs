@@ -2,7 +2,7 @@
 
 use crate::case::{Case, What};
 use crate::levels::Levels;
-use crate::path::{Piece, difference, follow_on, laid};
+use crate::path::{Done, laid};
 use crate::programs::SUB;
 use crate::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
@@ -365,12 +365,12 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     life.gives_up.replace(case.gives_up.clone());
     let all = whole.seen.events.len() as f64;
     let mut lived = Lived { kills: 0, resumes: 0, compared: false };
-    let mut done: Vec<Piece> = Vec::new();
+    let mut done = Done::nothing();
     let mut kills = case.kills.iter().zip(&case.pushed);
     let mut pushed = Axes::default();
     let compared = |seen: &Seen| laid(&seen.pieces, case.keeps_heights(), |line| case.slopes(line));
     let path = compared(&whole.seen);
-    let (mut lost, mut why, mut gave_up) = (None, None, false);
+    let (mut why, mut gave_up) = (None, false);
     let mut under_way: Vec<Axes> = Vec::new();
     let (mut levels, mut faults) = (Levels::default(), whole.seen.faults);
     let status = loop {
@@ -389,7 +389,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         if process.cut {
             under_way = process.under_way;
         }
-        lost = lost.or_else(|| follow_on(&mut done, &next, &path).err());
+        done.follow_on(&next, &path);
         levels.add(&process.seen);
         faults += process.seen.faults;
         if process.put_off {
@@ -405,8 +405,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         // An operator whose patience ends gives up where a fault comes again and again: not at the same place
         // when it began anew in between.
         let to_the_end = whole.status() != Status::Stopped;
-        let lost = lost.filter(|_| to_the_end);
-        let different = lost.or_else(|| difference(&path, &done, to_the_end));
+        let different = done.differs(&path, to_the_end);
         assert!(different.is_none(), "the path differs: {}", different.unwrap_or_default());
         lived.compared = true;
     }

@@ -12,6 +12,9 @@ const SAME: f64 = 1e-6;
 /// A smoothed path is left so far beside its line, mm.
 const NEAR: f64 = 0.03;
 
+/// So many ways that a cut may have gone are followed.
+const MOST_WAYS: usize = 32;
+
 /// Arcs are compared by chords that lie so far beside them, mm.
 const CHORD: f64 = 1e-3;
 
@@ -231,20 +234,45 @@ pub fn laid(pieces: &[Piece], heights: bool, slopes: impl Fn(u32) -> bool) -> Ve
     pieces.iter().map(lay).collect()
 }
 
-/// Adds what the next process cut to what those before it did. Of the move under way a process that dies
-/// tells nothing: it was made up to where the next one begins, along the path, or is made again. Where ways
-/// lie side by side, which of these it was is what follows the path.
-pub fn follow_on(done: &mut Vec<Piece>, next: &[Piece], path: &[Piece]) -> Result<(), String> {
-    let Some(first) = next.first() else { return Ok(()) };
-    let ways = ways_on(done, first, path).into_iter().map(|mut way| {
-        way.extend(next);
-        way
-    });
-    let ways: Vec<_> = ways.collect();
-    let along = ways.iter().find(|way| difference(way, path, false).is_none());
-    let found = along.or(ways.first()).cloned();
-    *done = found.ok_or_else(|| format!("{:?} is not where the path goes on", first.from))?;
-    Ok(())
+/// What was cut by processes that followed on each other: all that it may have been, for of the move under way
+/// a process that dies tells nothing.
+pub struct Done {
+    ways: Vec<Vec<Piece>>,
+    /// Where it left the path.
+    lost: Option<String>,
+}
+
+impl Done {
+    pub fn nothing() -> Self {
+        Self { ways: vec![Vec::new()], lost: None }
+    }
+
+    /// Adds what the next process cut. The move under way was made up to where this one begins, along the path,
+    /// or is made again. Where ways lie side by side, which of these it was is what follows the path; where both
+    /// do, what comes after tells.
+    pub fn follow_on(&mut self, next: &[Piece], path: &[Piece]) {
+        let Some(first) = next.first() else { return };
+        let mut ways: Vec<Vec<Piece>> =
+            self.ways.iter().flat_map(|done| ways_on(done, first, path)).collect();
+        ways.iter_mut().for_each(|way| way.extend(next));
+        if ways.is_empty() {
+            let lost = format!("{:?} is not where the path goes on", first.from);
+            self.lost.get_or_insert(lost);
+            return;
+        }
+        let (along, mut beside): (Vec<_>, Vec<_>) =
+            ways.into_iter().partition(|way| difference(way, path, false).is_none());
+        beside.truncate(1);
+        self.ways = if along.is_empty() { beside } else { along };
+        self.ways.truncate(MOST_WAYS);
+    }
+
+    /// Where it differs from a path: to the end, or as far as both go.
+    pub fn differs(&self, path: &[Piece], to_the_end: bool) -> Option<String> {
+        let lost = self.lost.clone().filter(|_| to_the_end);
+        let difference = |way: &Vec<Piece>| difference(path, way, to_the_end);
+        lost.or_else(|| self.ways.iter().map(difference).min()?)
+    }
 }
 
 /// What may have been done when the next process begins with a piece.
@@ -253,9 +281,8 @@ fn ways_on(done: &[Piece], first: &Piece, path: &[Piece]) -> Vec<Vec<Piece>> {
     let mut ways = Vec::new();
     let with = |before: &[Piece], piece: Piece| [before, &[piece]].concat();
     if let Some((last, before)) = done.split_last() {
-        if near(last.to, at) || begun_again(done, first).is_some() {
-            ways.push(done.to_vec());
-        }
+        // It goes on there, or a move up from the work led there, of which nothing is known.
+        ways.push(done.to_vec());
         if near(last.from, at) {
             ways.push(before.to_vec());
         }
@@ -280,7 +307,7 @@ fn untold(done: &[Piece], path: &[Piece], at: [f64; 3]) -> Option<Piece> {
 }
 
 /// Where two paths differ: to their ends, or as far as both go.
-pub fn difference(a: &[Piece], b: &[Piece], to_the_end: bool) -> Option<String> {
+fn difference(a: &[Piece], b: &[Piece], to_the_end: bool) -> Option<String> {
     let (a, b) = (once(a), once(b));
     let ((places, on), (others, other_on)) = (track(&a), track(&b));
     let common = alike::compare(&places, &others, NEAR);

@@ -1,0 +1,111 @@
+//! How far a run is, and where it was given up.
+
+use super::Tape;
+use crate::journal::Placed;
+use crate::journal::progress::{Progress, Reached};
+
+impl Tape {
+    /// A move was made; the machine is there.
+    pub(crate) fn made(&mut self, file: &str, line: u32, place: Placed) {
+        if self.writing.is_none() {
+            return;
+        }
+        let reached = &mut self.reached;
+        (reached.made, reached.within) = (reached.made + 1, 0.0);
+        (reached.line, reached.place) = (line, place);
+        if reached.file != file {
+            file.clone_into(&mut reached.file);
+        }
+        if !self.silent
+            && let Some(progress) = &mut self.writing
+        {
+            progress.pass(&self.reached);
+        }
+    }
+
+    /// So much of the move under way is made; the machine is there.
+    pub(crate) fn makes(&mut self, share: f64, place: Placed) {
+        (self.reached.within, self.reached.place) = (share, place);
+        self.write();
+    }
+
+    /// The machine was stopped; of the move made last so much is made.
+    pub(crate) fn stood(&mut self, share: f64) {
+        let partly = share > 0.0 && share < 1.0;
+        let made = self.reached.made;
+        self.stood = Some(if partly { (made.saturating_sub(1), share) } else { (made, 0.0) });
+    }
+
+    /// The operator stopped the run and gives it up: it can be taken up as if he had not.
+    pub(crate) fn given_up(&mut self, place: Placed) {
+        let Some(progress) = &mut self.writing else { return };
+        let (wish, stood) = match self.back {
+            Some((reentry, stood)) => (Some(reentry), Some(stood)),
+            None => (self.wish, self.stood),
+        };
+        if let Some(wish) = wish {
+            progress.drop_steps(wish);
+        }
+        let reached = &mut self.reached;
+        (reached.stopped, reached.moving, reached.place) = (true, false, place);
+        (reached.made, reached.within) = stood.unwrap_or((reached.made, 0.0));
+        self.write();
+        // What is told from here on belongs to giving up, and is not played when it is taken up.
+        self.writing = None;
+    }
+
+    /// The operator gives a job up that waits: it can be taken up as if he had not answered, which is the last
+    /// that was told.
+    pub(crate) fn given_up_by_answer(&mut self, place: Placed) {
+        self.wish = self.writing.as_ref().and_then(Progress::last_step);
+        (self.back, self.stood) = (None, Some((self.reached.made, 0.0)));
+        self.given_up(place);
+    }
+
+    /// Whether a move was made.
+    pub(crate) const fn has_moved(&self) -> bool {
+        self.reached.made > 0
+    }
+
+    /// How far a run is that was given up.
+    pub(in crate::journal) fn left_at(&self) -> Option<&Reached> {
+        self.reached.stopped.then_some(&self.reached)
+    }
+
+    /// The machine sets off from a place, or stands there.
+    pub(crate) fn moves(&mut self, moving: bool, place: Placed) {
+        (self.reached.moving, self.reached.place) = (moving, place);
+        if self.silent {
+            return;
+        }
+        match &mut self.writing {
+            Some(progress) if moving => progress.set_off(&self.reached),
+            Some(progress) => progress.pass(&self.reached),
+            None => {}
+        }
+    }
+
+    /// Where the run stands: its flags.
+    pub(crate) const fn stands(&mut self, status: u8) {
+        self.reached.live.status = status;
+    }
+
+    /// Which inputs and outputs are on.
+    pub(crate) const fn switches(&mut self, inputs: u16, outputs: u16) {
+        (self.reached.live.inputs, self.reached.live.outputs) = (inputs, outputs);
+    }
+
+    /// Everything up to here has to be in the file.
+    pub(crate) fn write(&mut self) {
+        if !self.silent
+            && let Some(progress) = &mut self.writing
+        {
+            progress.write(&self.reached);
+        }
+    }
+
+    /// Why nothing can be written, when that was not told yet.
+    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+        self.writing.as_mut()?.new_trouble()
+    }
+}
