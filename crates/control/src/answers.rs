@@ -3,7 +3,8 @@
 //! A script has one answer a line. `OK`, `3, 4` answer the questions in order; `12:OK` answers the
 //! question of line 12; `pause=OK` answers every question of a kind. A button is named by its word in
 //! any case; `"Cancel"` in quotes is text, not the button. Blank lines are empty answers; lines that
-//! begin with `#` are notes.
+//! begin with `#` are notes. A box that comes back for as long as nothing leads on gets the answer of
+//! its kind a thousand times; then it is as if nobody were there.
 
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
@@ -48,7 +49,12 @@ pub struct Answers {
     by_kind: BTreeMap<&'static str, Line>,
     /// The line that answered last.
     last: Option<usize>,
+    /// The box that came back last, by its text and the line that asks, and how often it did.
+    again: (String, u32, u32),
 }
+
+/// So often a script answers a box that comes back in the same way: what it says does not lead on.
+const MOST_TIMES: u32 = 1000;
 
 /// A line of a script.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +71,18 @@ impl Answers {
             answers.add(index + 1, line.trim());
         }
         answers
+    }
+
+    /// The answer to all questions of a kind.
+    fn for_kind(&mut self, question: &Question, asks: u32) -> Option<Line> {
+        let line = self.by_kind.get(kind_word(question.kind))?.clone();
+        if matches!(question.kind, QuestionKind::Paused | QuestionKind::Keypad) {
+            let (text, at, times) = &mut self.again;
+            let same = *text == question.text && *at == asks;
+            (*text, *at, *times) = (question.text.clone(), asks, if same { *times + 1 } else { 1 });
+            return (*times <= MOST_TIMES).then_some(line);
+        }
+        Some(line)
     }
 
     fn add(&mut self, number: usize, text: &str) {
@@ -86,8 +104,7 @@ impl Operator for Answers {
     /// was meant for the program: only by one that says so.
     fn answer(&mut self, question: &Question, line: u32) -> Option<String> {
         let by_line = self.by_line.get_mut(&line).and_then(VecDeque::pop_front);
-        let by_kind = || self.by_kind.get(kind_word(question.kind)).cloned();
-        let given = by_line.or_else(by_kind).or_else(|| {
+        let given = by_line.or_else(|| self.for_kind(question, line)).or_else(|| {
             let next = self.in_order.front().filter(|_| question.kind != QuestionKind::Location);
             let fits = next.is_some_and(|line| meaning(question, &line.answer).is_some());
             let asked = matches!(
@@ -248,6 +265,19 @@ mod tests {
         assert_eq!(answers.answer(&input, 12).as_deref(), Some("first"));
         assert_eq!(answers.answer(&input, 1).as_deref(), Some("second"));
         assert_eq!(answers.answer(&input, 1), None);
+    }
+
+    #[test]
+    fn what_does_not_lead_on_is_not_said_for_ever() {
+        let mut answers = Answers::read("paused=resume\nmsgbox=OK");
+        let paused = question(QuestionKind::Paused, &[Button::Resume, Button::Quit]);
+        let pressed = Question { text: "Paused: stop input 4".into(), ..paused.clone() };
+        let msgbox = question(QuestionKind::Msgbox, &[Button::OK]);
+        let mut times = |question: &Question| {
+            (0..5000).take_while(|_| answers.answer(question, 3).is_some()).count()
+        };
+        assert_eq!([times(&paused), times(&pressed), times(&msgbox)], [1000, 1000, 5000]);
+        assert_eq!(times(&paused), 1000, "it is another one after another");
     }
 
     #[test]
