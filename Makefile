@@ -29,8 +29,8 @@ check: prepare console-check ## formatting, lints and the project's own rules
 	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
 	$(CARGO) xtask check
 
-soak: prepare ## RUNS (100000) random runs in the simulation, then the process is killed KILLS (1000) times
-	KERF_SIM_RUNS=$${RUNS:-100000} KERF_SIM_SEED=$${SEED:-1} \
+soak: prepare ## RUNS (1000000) random runs in the simulation, then the process is killed KILLS (1000) times
+	KERF_SIM_RUNS=$${RUNS:-1000000} KERF_SIM_SEED=$${SEED:-1} \
 	  $(CARGO) test --release --locked --package kerf-ledger --test simulated whole_runs -- --nocapture
 	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
 	  $(CARGO) test --locked --package kerf --test killed -- --nocapture

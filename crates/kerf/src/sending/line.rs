@@ -2,9 +2,9 @@
 
 use super::Shown;
 use anyhow::Result;
+use kerf_control::files::{Disk, RealDisk};
 use kerf_control::transfer::{Receiver, Sender, State};
 use kerf_serial::Port;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -51,27 +51,12 @@ pub struct Folder<'a> {
 impl Folder<'_> {
     /// Keeps a file: whole, or not at all.
     fn keep(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, String> {
-        let told = |error: std::io::Error| format!("{name} cannot be kept: {error}");
-        let mut file = tempfile::NamedTempFile::new_in(self.path).map_err(told)?;
-        std::io::Write::write_all(&mut file, bytes).map_err(told)?;
-        file.as_file().sync_all().map_err(told)?;
         let path = self.path.join(name);
-        file.persist(&path).map_err(|error| told(error.error))?;
-        readable(&path);
+        let kept = RealDisk.write(&path, bytes);
+        kept.map_err(|error| format!("{name} cannot be kept: {error}"))?;
         (self.kept)();
         Ok(path)
     }
-}
-
-/// Others may read it, as they may read files that are made in any other way.
-fn readable(path: &Path) {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        drop(fs::set_permissions(path, fs::Permissions::from_mode(0o644)));
-    }
-    #[cfg(not(unix))]
-    let _ = (path, fs::metadata(path));
 }
 
 /// Receives one file; gives how it ended, and its name.
