@@ -19,9 +19,28 @@ use kerf_sim::{Change, HaltCause};
 /// How often it is written down how far a move has come, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
 
+/// What a run waits for.
+#[derive(Clone, Copy)]
+enum Waits {
+    /// So much time: a stop makes it longer.
+    Time,
+    /// A moment at which an input changes, whatever happens before.
+    Input,
+}
+
+impl Waits {
+    /// Until when it waits when it was stopped for so long.
+    fn after_stop(self, until_s: f64, stopped_s: f64) -> f64 {
+        match self {
+            Self::Time => until_s + stopped_s,
+            Self::Input => until_s,
+        }
+    }
+}
+
 impl<I: Interpreter> Runner<'_, I> {
     /// Lets time pass until a moment, unless something stops the program before.
-    pub(crate) fn pass_until(&mut self, until_s: f64) -> Flow {
+    fn pass_until(&mut self, until_s: f64, waits: Waits) -> Flow {
         self.wake();
         let watches = self.watched(self.world.now());
         let halt = self.world.machine.first_halt_at_rest(until_s, &watches);
@@ -32,25 +51,26 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         if let Some((t_s, Wish::Input { number, on })) = wish {
             self.press(number, on, t_s);
-            return self.pass_until(until_s);
+            return self.pass_until(until_s, waits);
         }
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         self.world.shelf.tape.stood(1.0);
-        match (wish, halt) {
+        let flow = match (wish, halt) {
             (Some((_, wish)), _) if self.is_taken(wish) => {
                 self.taken(StoppedBy::Operator, &self.stood())
             }
-            (Some((_, wish)), _) if self.is_passed_over(wish) => self.pass_until(until_s),
-            (Some((_, wish)), _) => match self.stands(wish) {
-                Ok(()) => self.pass_until(until_s + self.world.now() - stood_s),
-                Err(over) => Flow::Over(over),
-            },
-            (None, Some(halt)) => match self.input_halts(halt.cause) {
-                Flow::On => self.pass_until(until_s + self.world.now() - stood_s),
-                flow => flow,
-            },
-            (None, None) => Flow::On,
+            (Some((_, wish)), _) if self.is_passed_over(wish) => Flow::On,
+            (Some((_, wish)), _) => self.stands(wish).map_or_else(Flow::Over, |()| Flow::On),
+            (None, Some(halt)) => self.input_halts(halt.cause),
+            (None, None) => return Flow::On,
+        };
+        match flow {
+            Flow::On => {
+                let until_s = waits.after_stop(until_s, self.world.now() - stood_s);
+                self.pass_until(until_s, waits)
+            }
+            flow => flow,
         }
     }
 
@@ -103,7 +123,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let t = self.world.now();
         self.tell_standing(flag::PAUSED);
         self.world.tell(&Event::Wait { seconds, t });
-        self.pass_until(t + seconds.max(0.0))
+        self.pass_until(t + seconds.max(0.0), Waits::Time)
     }
 
     /// What the operator wants before a moment; what was postponed comes first.
@@ -311,7 +331,7 @@ impl<I: Interpreter> Runner<'_, I> {
             _ => self.world.machine.when_input(n, on),
         });
         if let Some(moment) = moment {
-            let (begin_s, flow) = (self.world.now(), self.pass_until(moment));
+            let (begin_s, flow) = (self.world.now(), self.pass_until(moment, Waits::Input));
             if matches!(flow, Flow::On) {
                 let seconds = self.world.now() - begin_s;
                 self.world.tell(&Event::Wait { seconds, t: begin_s });
@@ -320,7 +340,7 @@ impl<I: Interpreter> Runner<'_, I> {
             return flow;
         }
         if let Some(moment) = asked.and_then(|kind| self.world.next_key_s(kind)) {
-            let flow = self.pass_until(moment);
+            let flow = self.pass_until(moment, Waits::Input);
             if matches!(flow, Flow::On) {
                 self.use_pendant(at);
             }

@@ -320,3 +320,12 @@ fn a_stop_while_it_warns_before_the_way_back_holds_the_tool() {
     let between = ran.moves().iter().filter(|(from, to)| *from < 12.0 && *to > 7.0).count();
     assert_eq!(between, 0, "{:?}", ran.moves());
 }
+
+#[test]
+fn a_hold_does_not_delay_what_an_input_is_waited_for() {
+    for (resumed_s, goes_on_s) in [(4.0, 5.0), (7.0, 7.0)] {
+        let run = Run { resumes: vec![resumed_s], ..Run::default() }.wish(2.0, Wish::Hold);
+        let ran = run.input(1, 5.0, true).of("PAUSE UNTIL 1,1\nMX,1\n");
+        assert_eq!((ran.summary.status, ran.moves()[0].0), (Status::Ok, goes_on_s));
+    }
+}
