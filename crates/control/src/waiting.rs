@@ -216,12 +216,10 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The operator may want something of a program that computes and does not move.
     pub(crate) fn heed_operator(&mut self) -> Flow {
         let now = self.world.now();
-        let Some((_, wish)) = self.ask_pace(now, now, None) else { return Flow::On };
         if self.stack.running.is_some() {
-            // What moves heeds it on the way. A program that only computes would not get there.
-            self.wishes.push_front((now, wish));
-            return if matches!(wish, Wish::Stop | Wish::End) { self.flush() } else { Flow::On };
+            return self.heed_while_moving();
         }
+        let Some((_, wish)) = self.ask_pace(now, now, None) else { return Flow::On };
         if self.is_taken(wish) {
             return self.taken(StoppedBy::Operator, &self.stood());
         }
@@ -230,6 +228,17 @@ impl<I: Interpreter> Runner<'_, I> {
             return Flow::On;
         }
         self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
+    }
+
+    /// What moves heeds a wish on the way. A program that only computes would not get there, and must not keep
+    /// another from being heard.
+    fn heed_while_moving(&mut self) -> Flow {
+        let now = self.world.now();
+        if let Some(wish) = self.pass(now, now, None) {
+            self.postpone(wish);
+        }
+        let stops = |wish: &Wish| !matches!(wish, Wish::Feed(_));
+        if self.wishes.iter().any(|(_, wish)| stops(wish)) { self.flush() } else { Flow::On }
     }
 
     /// What follows on a wish when the machine stands.

@@ -5,7 +5,7 @@
 
 use kerf_control::answers::Operator;
 use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Summary, Wish};
+use kerf_control::{Company, Event, Pace, RunOptions, Script, Session, Shelf, Summary, Wish};
 use kerf_machine::lines::Input;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};
@@ -328,4 +328,31 @@ fn a_hold_does_not_delay_what_an_input_is_waited_for() {
         let ran = run.input(1, 5.0, true).of("PAUSE UNTIL 1,1\nMX,1\n");
         assert_eq!((ran.summary.status, ran.moves()[0].0), (Status::Ok, goes_on_s));
     }
+}
+
+/// Tells a feed and later a stop to a program that only computes, while what it gave before waits to move.
+struct Busy(u32);
+
+impl Pace for Busy {
+    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+        self.0 += u32::from(from_s == to_s);
+        assert!(self.0 < 1000, "it is never stopped");
+        match self.0 {
+            _ if from_s < to_s => None,
+            20 => Some((to_s, Wish::Feed(0.5))),
+            100.. => Some((to_s, Wish::Stop)),
+            _ => None,
+        }
+    }
+}
+
+#[test]
+fn a_feed_does_not_keep_a_stop_from_a_program_that_only_computes() {
+    let moves = (0..17_000).map(|n| format!("M2,{},{}\n", n % 7, n % 5));
+    let program = moves.chain(["A:\nGOTO A\n".to_owned()]).collect::<String>();
+    let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
+    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let company = Company { sink: &mut (), operator: &mut (), pace: &mut Busy(0) };
+    let ran = Session::default().run(program, RunOptions::default(), &mut shelf, company);
+    assert_eq!(ran.status, Status::Stopped);
 }
