@@ -289,6 +289,8 @@ impl<I: Interpreter> Runner<'_, I> {
             let pace = &mut self.pace;
             self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t))
         };
+        // The power went before the run was given up.
+        let resumed = resumed.or_else(|| self.is_open_for_take_up().then_some(t));
         let Some(resumed_s) = resumed else {
             self.on(Stopped::Abort, settings, "");
             self.world.shelf.tape.given_up(self.world.placed());

@@ -104,6 +104,17 @@ impl Sink for PowerCutTold {
     }
 }
 
+/// The power fails when it is told that the machine is in this state.
+struct PowerCutIn(&'static str);
+
+impl Sink for PowerCutIn {
+    fn event(&mut self, event: &Event) {
+        if matches!(event, Event::State { state, .. } if **state == *self.0) {
+            resume_unwind(Box::new("the power fails"));
+        }
+    }
+}
+
 fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
     let disk = MemoryDisk::new([("a.sbp", PART.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
@@ -554,6 +565,19 @@ fn a_run_that_was_given_up_on_the_way_back_goes_on_where_it_stood() {
         let [rest, back] = [rest, back].map(|events| same_rest(&whole, &events, line).from);
         assert!(near(&rest, &back), "line {line}: {rest:?}");
     }
+}
+
+/// The power fails when a held run is given up, and that is not on record yet.
+#[test]
+fn a_held_run_that_was_about_to_be_given_up_goes_on() {
+    let whole = uninterrupted();
+    let (folder, at_s) = (tempdir().unwrap(), middle(&whole, 5));
+    let pace = &mut Script::new(vec![(at_s, Wish::Hold)], Vec::new());
+    let company = Company { sink: &mut PowerCutIn("idle"), operator: &mut (), pace };
+    assert_eq!(run_in(&folder, part(), company), None, "the power failed");
+    let (rest, status) = resume(&folder, "hold=Resume");
+    assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "{rest:#?}");
+    same_rest(&whole, &rest, 5);
 }
 
 /// Where the machine stands.
