@@ -9,6 +9,7 @@ use crate::by_hand::Driven;
 use crate::pace::Wish;
 use crate::runner::{Over, Runner};
 use kerf_diag::Code;
+use kerf_machine::lines::Input;
 use kerf_machine::state::State;
 use kerf_program::{Axes, Feed, Interpreter, Line, MoveKind, Status};
 use kerf_sim::HaltCause;
@@ -70,7 +71,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             Driven::EmergencyStop => {
                 let over = self.interrupted(&driven);
-                self.world.shelf.tape.stops_at_input();
+                self.world.shelf.tape.stops_at_input(Input::EmergencyStop.number());
                 self.world.shelf.tape.given_up(self.world.placed());
                 return Err(over);
             }

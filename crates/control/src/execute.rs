@@ -226,9 +226,19 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// Lets time pass while the machine ramps down; what the operator wants meanwhile comes next.
+    /// Lets time pass while the machine ramps down; what the operator wants meanwhile comes next. A switch that is
+    /// moved is so at once.
     fn pass_on(&mut self, turn: &Turn, end_s: f64, going: Going<'_>) {
-        let wish = self.pass(self.world.now(), end_s, Some(going));
+        let mut from_s = self.world.now();
+        let wish = loop {
+            match self.pass(from_s, end_s, Some(going)) {
+                Some((t_s, Wish::Input { number, on })) => {
+                    self.press(number, on, t_s);
+                    from_s = t_s;
+                }
+                wish => break wish,
+            }
+        };
         // A stop may be told until the machine stands.
         let again =
             |wish: &(f64, Wish)| wish.1 == Wish::Stop && matches!(turn, Turn::Operator(Wish::Stop));

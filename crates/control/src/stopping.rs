@@ -9,6 +9,7 @@ use crate::runner::{Over, Runner};
 use crate::turning::Turning;
 use crate::{Event, Failure, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::lines::Input;
 use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};
 use kerf_program::{
     Answer, At, Axes, Axis, Button, Interpreter, OutputReason, Question, QuestionKind, Status,
@@ -194,7 +195,7 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn blocked(&mut self, n: u8) -> Result<(), Over> {
         let settings = StopSettings::OPENSBP;
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
-        self.world.shelf.tape.stops_at_input();
+        self.world.shelf.tape.stops_at_input(n);
         self.on(Stopped::StopInput, settings, &message);
         if let Err(over) = self.until_released(&message, true) {
             self.on(Stopped::Abort, settings, "");
@@ -268,7 +269,7 @@ impl<I: Interpreter> Runner<'_, I> {
         // Whoever pressed it wants nothing to move.
         let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
         let why = "emergency stop";
-        self.world.shelf.tape.stops_at_input();
+        self.world.shelf.tape.stops_at_input(Input::EmergencyStop.number());
         self.on(Stopped::EmergencyStop, settings, why);
         self.stop_spindles();
         self.on(Stopped::Stands, settings, why);

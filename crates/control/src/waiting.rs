@@ -157,7 +157,9 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.world.shelf.tape.heard(Kind::Wish, call, wish.as_ref());
                 match wish {
                     Some((_, Wish::Stop | Wish::Hold)) => self.world.shelf.tape.stops(),
-                    Some((_, Wish::Input { .. })) => self.world.shelf.tape.presses(),
+                    Some((_, Wish::Input { number, .. })) => {
+                        self.world.shelf.tape.presses(number);
+                    }
                     _ => {}
                 }
                 wish

@@ -14,6 +14,7 @@ use kerf_control::{
 };
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::Configuration;
+use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
 use kerf_part::Program;
 use kerf_program::job::{Job, JobShape};
@@ -578,6 +579,38 @@ fn a_held_run_that_was_about_to_be_given_up_goes_on() {
     let (rest, status) = resume(&folder, "hold=Resume");
     assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "{rest:#?}");
     same_rest(&whole, &rest, 5);
+}
+
+/// Somebody moves a switch while nothing runs.
+fn press(folder: &TempDir, number: u8, on: bool) {
+    let (journal, _) = Journal::open(folder.path()).unwrap();
+    let mut shelf = shelf(&journal, folder);
+    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    session.press(Press { number, on }, &mut shelf);
+}
+
+/// Whoever moves another switch while the machine slows down for a stop input is not told of that again.
+#[test]
+fn a_switch_that_is_moved_behind_a_stop_input_does_not_hide_it() {
+    const RAMPED: &str = "VN,,,,,,,3\nSA\nMX,1\nMX,9\nMX,12\n";
+    let work = || kerf_part::read("a.sbp".into(), RAMPED.as_bytes());
+    let (whole, _) = run_work(&tempdir().unwrap(), work(), &mut (), &mut ());
+    let (folder, at_s) = (tempdir().unwrap(), middle(&whole, 4));
+    let input = |number, after_s, on| (at_s + after_s, Wish::Input { number, on });
+    let mut pace = Script::new(vec![input(5, 0.0, true), input(1, 0.02, true)], Vec::new());
+    let (begun, status) = run_work(&folder, work(), &mut pace, &mut Answers::read("hold=Quit"));
+    assert_eq!(status, Some(Status::Stopped));
+    let stops = |event: &Event| match event {
+        Event::Stop { n, .. } => Some(*n),
+        _ => None,
+    };
+    assert_eq!(begun.iter().filter_map(stops).collect::<Vec<_>>(), [5], "{begun:#?}");
+    let cut = begun.iter().filter_map(motion).rfind(|made| made.kind == MoveKind::Cut).unwrap();
+    press(&folder, 5, false);
+    let (rest, status) = resume(&folder, "hold=Resume");
+    assert_eq!((asked(&rest).len(), status), (1, Status::Ok), "{rest:#?}");
+    let first = behind(&rest).iter().find_map(motion).unwrap();
+    assert!(near(&first.from, &cut.to), "{first:?} {cut:?}");
 }
 
 /// Where the machine stands.

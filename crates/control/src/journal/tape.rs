@@ -94,8 +94,8 @@ pub(crate) struct Tape {
     stood: Option<(u64, f64)>,
     /// The same of a run that is taken up, until all is ready.
     back: Option<(i64, (u64, f64))>,
-    /// The step with which the operator moved a switch last.
-    pressed: Option<i64>,
+    /// The switches that the operator moved since the run went on last, each with the step.
+    pressed: Vec<(u8, i64)>,
     /// How often the run was taken up.
     reentries: u64,
     /// What followed on a stop when the power went is left to whoever takes the run up, until he does.
@@ -250,26 +250,29 @@ impl Tape {
         self.wish = self.wish.or(last);
     }
 
-    /// The step that was added last moves a switch.
-    pub(crate) fn presses(&mut self) {
-        self.pressed = self.writing.as_ref().and_then(Progress::last_step);
+    /// The step that was added last moves the switch of an input.
+    pub(crate) fn presses(&mut self, input: u8) {
+        let last = self.writing.as_ref().and_then(Progress::last_step);
+        self.pressed.extend(last.map(|last| (input, last)));
     }
 
-    /// An input stops the run; where a switch was moved for it in the last step, with that step.
-    pub(crate) fn stops_at_input(&mut self) {
+    /// An input stops the run; where its switch was moved for that, with the step in which it was moved last.
+    pub(crate) fn stops_at_input(&mut self, input: u8) {
         let last = self.writing.as_ref().and_then(Progress::last_step);
         let Some(last) = last.filter(|_| !self.silent) else { return };
-        let stop = if self.pressed == Some(last) { last } else { last + 1 };
+        let pressed = self.pressed.iter().rfind(|(number, _)| *number == input);
+        let stop = pressed.map_or(last + 1, |(_, step)| *step);
         self.wish = self.wish.or(Some(stop));
     }
 
     /// The run goes on after a stop.
-    pub(crate) const fn goes_on(&mut self) {
+    pub(crate) fn goes_on(&mut self) {
         (self.wish, self.stood) = (None, None);
+        self.pressed.clear();
     }
 
     /// All is ready: the run that is taken up goes on.
-    pub(crate) const fn goes_back(&mut self) {
+    pub(crate) fn goes_back(&mut self) {
         self.back = None;
         self.goes_on();
     }
