@@ -9,7 +9,6 @@ use crate::by_hand::Driven;
 use crate::pace::Wish;
 use crate::runner::{Over, Runner};
 use kerf_diag::Code;
-use kerf_machine::lines::Input;
 use kerf_machine::state::State;
 use kerf_program::{Axes, Feed, Interpreter, Line, MoveKind, Status};
 use kerf_sim::HaltCause;
@@ -38,6 +37,7 @@ impl<I: Interpreter> Runner<'_, I> {
             let Some(made) = self.mover.line(self.last_move, &line) else { return };
             let settings = self.world.machine.settings().clone();
             let driven = match self.world.machine.stop_input() {
+                _ if self.is_ended_by_press() => Driven::EmergencyStop,
                 Some(n) => Driven::StopInput(n),
                 None => self.drive(made, &settings, &[]),
             };
@@ -69,12 +69,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.pace.heard();
                 ("operator", 0)
             }
-            Driven::EmergencyStop => {
-                let over = self.interrupted(&driven);
-                self.world.shelf.tape.stops_at_input(Input::EmergencyStop.number());
-                self.world.shelf.tape.given_up(self.world.placed());
-                return Err(over);
-            }
+            Driven::EmergencyStop => return Err(self.emergency()),
             Driven::Limit(n) => ("limit", n),
             Driven::StopInput(n) => ("stop", n),
             Driven::LinkLost => ("link", 0),
@@ -100,6 +95,7 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Stop(n) if self.cuts_power(n) => Err(self.power_is_cut()),
             HaltCause::Stop(n) => self.blocked(n).map(|()| After::On),
             HaltCause::LinkLost => Err(self.link_is_lost()),
+            HaltCause::Watch(_) => Err(self.emergency()),
             _ => Err(self.has_stalled()),
         }
     }
@@ -116,7 +112,8 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), Over> {
         while self.world.now() < until_s && !self.is_open_for_take_up() {
             let now_s = self.world.now();
-            let halt = self.world.machine.first_halt_at_rest(until_s, &[]);
+            let watched = self.watched_at_rest();
+            let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice());
             let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
             let wish = self.ask_pace(now_s, end_s, None);
             if self.pace.failure().is_some() {

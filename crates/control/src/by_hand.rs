@@ -72,7 +72,7 @@ impl<I: Interpreter> Runner<'_, I> {
         matches!(driven, Driven::Edge(_))
     }
 
-    /// Tells why a movement ended; a stop input stops what turns as well.
+    /// Tells why a movement ended; a stop stops what turns as well.
     fn tell_driven(&mut self, driven: &Driven, end: Option<String>) {
         let said = match driven {
             Driven::There => end,
@@ -88,7 +88,11 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             Driven::Stalled => Some("a motor has stalled".to_owned()),
             Driven::LinkLost => Some("not connected".to_owned()),
-            Driven::EmergencyStop => Some("emergency stop".to_owned()),
+            Driven::EmergencyStop => {
+                self.world.stop_turning();
+                self.world.tell_log();
+                Some("emergency stop".to_owned())
+            }
             Driven::Edge(_) => None,
         };
         if let Some(text) = said {
@@ -99,7 +103,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// What forbids a movement by hand before it begins.
     pub(crate) fn forbidden(&self) -> Option<Driven> {
         let stop = self.world.machine.stop_input().map(Driven::StopInput);
-        stop.or_else(|| self.is_pressed().then_some(Driven::EmergencyStop))
+        stop.or_else(|| self.world.is_pressed().then_some(Driven::EmergencyStop))
     }
 
     /// The end of a way, or the first bound on it; and what is said at the bound.

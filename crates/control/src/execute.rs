@@ -337,7 +337,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell(&Event::Stop { by, n, t: self.world.now() });
         match halt.cause {
             HaltCause::Watch(index) if self.is_emergency(index) => {
-                Err(Halted::Over(self.emergency()))
+                self.heed_press().map_err(Halted::Over)
             }
             HaltCause::Watch(index) => {
                 Err(Halted::Watch { index, at: kerf_program::Halted { motion: number, ..*at } })

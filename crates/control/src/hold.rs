@@ -37,6 +37,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let settings = StopSettings::OPENSBP;
         self.pace.heard();
         self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
+        self.heed_emergency()?;
         self.on(Stopped::Stop, settings, "");
         self.on(Stopped::Stands, settings, "");
         self.heeded()?;
@@ -56,7 +57,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// A stop input that came while the machine slowed down stops what turns as well.
-    fn stopped_meanwhile(&mut self) -> Result<(), Over> {
+    pub(crate) fn stopped_meanwhile(&mut self) -> Result<(), Over> {
         match self.world.machine.stop_input() {
             Some(n) if self.cuts_power(n) => Err(self.power_is_cut()),
             Some(_) if self.world.machine.turns() => {
@@ -114,7 +115,10 @@ impl<I: Interpreter> Runner<'_, I> {
             if self.is_open_for_take_up() {
                 return Ok(Said::Resume);
             }
-            match self.ask(question, self.last_move)? {
+            self.heed_emergency()?;
+            let answer = self.ask(question, self.last_move)?;
+            self.heed_emergency()?;
+            match answer {
                 Answer::Text(words) => return Ok(Said::Words(words)),
                 Answer::Button(Button::Resume) if self.is_forbidden() => {}
                 Answer::Button(Button::Resume) => return Ok(Said::Resume),

@@ -138,7 +138,9 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell(&Event::Resume { t: self.world.now() });
         // What somebody nudges when it is stopped on the way back moves what is ahead too.
         let before = self.nudged.unwrap_or_default();
-        self.turn_again(turned);
+        if self.ends.is_none() {
+            self.turn_again(turned);
+        }
         if moved {
             let nudged = nudged.plus(self.nudged.unwrap_or_default().minus(before));
             self.go_back_to(stood.plus(nudged), lifted_mm + nudged[Axis::Z]);
@@ -166,17 +168,37 @@ impl<I: Interpreter> Runner<'_, I> {
     /// A question of the program is answered. Where a stop input stopped what turned meanwhile, that comes on
     /// again when the input is released and somebody says so.
     pub(crate) fn goes_on_after_question(&mut self) -> Result<(), Over> {
+        self.heed_emergency()?;
         if self.world.stopped.is_empty() {
             return Ok(());
         }
         self.keep_turning();
-        if let Some(n) = self.world.machine.stop_input() {
-            let message = self.stop_input_message(format!("stopped by stop input {n}"));
-            self.until_released(&message, false)?;
+        if self.world.is_pressed() && self.interpreter.takes_stops() {
+            // A job says itself what comes on again.
+            self.kept.turned = Turning::default();
         }
+        self.released_after_question()?;
         let turned = std::mem::take(&mut self.kept.turned);
         self.turn_again(turned);
         self.heeded()
+    }
+
+    /// A stop input that was pressed while somebody was asked has to be released before anything goes on. Who gives
+    /// the run up instead can take it up.
+    fn released_after_question(&mut self) -> Result<(), Over> {
+        let Some(n) = self.world.machine.stop_input() else { return Ok(()) };
+        if self.cuts_power(n) {
+            return Err(self.power_is_cut());
+        }
+        let message = self.stop_input_message(format!("stopped by stop input {n}"));
+        self.world.shelf.tape.stood(1.0);
+        self.world.shelf.tape.stops_at_input(n);
+        if let Err(over) = self.until_released(&message, false) {
+            self.world.shelf.tape.given_up(self.world.placed());
+            return Err(over);
+        }
+        self.world.shelf.tape.goes_on();
+        Ok(())
     }
 
     /// Waits as long as the machine gives a spindle to come to speed.
@@ -243,6 +265,8 @@ impl<I: Interpreter> Runner<'_, I> {
         self.on(Stopped::Limit, StopSettings::OPENSBP, &message);
         let answer = self.ask(&limit_question(message.clone()), at);
         if matches!(answer, Ok(Answer::Button(Button::Continue))) {
+            self.heed_emergency()?;
+            self.released_after_question()?;
             self.on(Stopped::Override, StopSettings::OPENSBP, "");
             return self.heeded();
         }
@@ -262,6 +286,17 @@ impl<I: Interpreter> Runner<'_, I> {
         let hint = "home the machine, or set its locations, before anything is cut";
         over.diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
         over
+    }
+
+    /// The emergency stop ends a part file as soon as it is pressed; where the power went then, it is what it
+    /// is when the tool goes back.
+    pub(crate) fn heed_emergency(&mut self) -> Result<(), Over> {
+        if self.is_ended_by_press() { self.heed_press() } else { Ok(()) }
+    }
+
+    /// The same where it is known to be pressed, or was for a moment.
+    pub(crate) fn heed_press(&mut self) -> Result<(), Over> {
+        if self.is_open_for_take_up() { Ok(()) } else { Err(self.emergency()) }
     }
 
     /// The emergency stop that jobs have: a part file ends there, with everything off.

@@ -42,12 +42,8 @@ impl<I: Interpreter> Runner<'_, I> {
         if !self.world.machine.is_connected() {
             return Err(self.not_connected(at));
         }
-        if self.is_pressed() && !self.interpreter.takes_stops() {
-            let message = "emergency stop".to_owned();
-            let over = self.over(Status::Stopped, Code::InputStop, at, message);
-            let hint = "release it: nothing moves and nothing turns before";
-            let diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
-            return Err(Over { diagnostic, ..over });
+        if self.is_ended_by_press() {
+            return Err(self.ended_by_press(at));
         }
         let Some(input) = self.world.machine.stop_input() else { return Ok(()) };
         if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
@@ -57,12 +53,30 @@ impl<I: Interpreter> Runner<'_, I> {
         Err(self.forbids(input, at))
     }
 
-    /// A file whose outputs come on when it starts does not start while a stop input is active.
+    /// The emergency stop is pressed where something is about to move or to turn: a run that has not moved yet
+    /// does not begin.
+    fn ended_by_press(&mut self, at: At) -> Over {
+        if self.world.tally.moves > 0 {
+            self.world.shelf.tape.stood(1.0);
+            return self.emergency();
+        }
+        let message = "emergency stop".to_owned();
+        let over = self.over(Status::Stopped, Code::InputStop, at, message);
+        let hint = "release it: nothing moves and nothing turns before";
+        let diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
+        Over { diagnostic, ..over }
+    }
+
+    /// A file whose outputs come on when it starts does not start while a stop is active.
     pub(crate) fn may_begin(&mut self) -> Result<(), Over> {
         self.world.machine.begin_lines();
-        let machine = &self.world.machine;
-        let switches = machine.switches_on_at_start() && !self.interpreter.takes_stops();
-        let input = self.world.machine.stop_input().filter(|_| switches);
+        if !self.world.machine.switches_on_at_start() || self.interpreter.takes_stops() {
+            return Ok(());
+        }
+        if self.is_ended_by_press() {
+            return Err(self.ended_by_press(At::default()));
+        }
+        let input = self.world.machine.stop_input();
         input.map_or(Ok(()), |input| Err(self.forbids(input, At::default())))
     }
 
@@ -129,7 +143,7 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn may_turn(&mut self, sourced: &Sourced) -> Result<(), Over> {
         let starts =
             matches!(sourced.command, Command::Output { number, on: true } if turns(number));
-        let stopped = self.world.machine.stop_input().is_some() || self.is_pressed();
+        let stopped = self.world.machine.stop_input().is_some() || self.world.is_pressed();
         if starts && stopped { self.may_move(sourced.at) } else { Ok(()) }
     }
 
@@ -140,14 +154,19 @@ impl<I: Interpreter> Runner<'_, I> {
         (!self.interpreter.takes_stops()).then_some(watched)
     }
 
+    /// The same while the machine stands: whether it is pressed from now on.
+    pub(crate) fn watched_at_rest(&self) -> Option<Watched> {
+        let level_from_s = Some(self.world.now());
+        self.watched_for_all().map(|watched| Watched { level_from_s, ..watched })
+    }
+
     /// Whether that is the one that came.
     pub(crate) fn is_emergency(&self, watch: usize) -> bool {
         watch >= self.interpreter.watches().len()
     }
 
-    /// Whether the emergency stop of jobs is pressed.
-    pub(crate) fn is_pressed(&self) -> bool {
-        let (machine, active) = (&self.world.machine, self.world.machine_is.estop.active);
-        !machine.draws() && machine.input(Input::EmergencyStop.number()) == active
+    /// Whether the emergency stop of jobs is pressed while a part file runs.
+    pub(crate) fn is_ended_by_press(&self) -> bool {
+        self.world.is_pressed() && !self.interpreter.takes_stops()
     }
 }

@@ -1,6 +1,7 @@
 //! What turns or moves by itself, and stops with a stop input.
 
 use crate::world::World;
+use kerf_machine::lines::Input;
 use kerf_program::{Axis, Independent};
 use kerf_sbp::SPINDLE_STATUS;
 
@@ -43,10 +44,16 @@ impl World<'_> {
         self.shelf.set_value(SPINDLE_STATUS, Some("0"));
     }
 
+    /// Whether the emergency stop of jobs is pressed.
+    pub fn is_pressed(&self) -> bool {
+        let active = self.machine_is.estop.active;
+        !self.machine.draws() && self.machine.input(Input::EmergencyStop.number()) == active
+    }
+
     /// A switch was moved while somebody is asked: what turns stops when it is a stop.
     pub fn heed_switch(&mut self) {
-        let turns = self.machine.stop_input().is_some() && self.machine.turns();
-        if turns {
+        let stops = self.machine.stop_input().is_some() || self.is_pressed();
+        if stops && self.machine.turns() {
             self.stop_turning();
             self.tell_log();
         }

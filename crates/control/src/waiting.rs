@@ -77,7 +77,9 @@ impl<I: Interpreter> Runner<'_, I> {
     /// An input changed while time passed and nothing moved.
     fn input_halts(&mut self, cause: HaltCause) -> Flow {
         match cause {
-            HaltCause::Watch(index) if self.is_emergency(index) => Flow::Over(self.emergency()),
+            HaltCause::Watch(index) if self.is_emergency(index) => {
+                self.heed_press().map_or_else(Flow::Over, |()| Flow::On)
+            }
             HaltCause::Watch(index) => {
                 self.drop_outputs(self.world.now(), index);
                 self.world.tell_log();
@@ -280,8 +282,10 @@ impl<I: Interpreter> Runner<'_, I> {
     fn pause(&mut self) -> Result<(), Over> {
         // The tool stays where it is.
         let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
+        self.heed_emergency()?;
         self.on(Stopped::Stop, settings, "");
         self.on(Stopped::Stands, settings, "");
+        self.stopped_meanwhile()?;
         let t = self.world.now();
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
@@ -308,18 +312,15 @@ impl<I: Interpreter> Runner<'_, I> {
         self.heeded()
     }
 
-    /// The machine is held until a moment. A stop input that comes meanwhile stops what turns, and has to be released.
+    /// The machine is held until a moment. A stop input that came or comes meanwhile stops what turns, and has to be
+    /// released; the emergency stop ends the run.
     fn stand_held(&mut self, until_s: f64) -> Result<(), Over> {
-        let halt = self.world.machine.first_halt_at_rest(until_s, &[]);
-        let stop = halt.and_then(|halt| match halt.cause {
-            HaltCause::Stop(n) => Some((halt.t_s, n)),
-            _ => None,
-        });
-        let Some((t_s, n)) = stop else {
+        let Some((t_s, cause)) = self.stops_held(until_s) else {
             self.stand_until(until_s);
             return Ok(());
         };
         self.stand_until(t_s);
+        let HaltCause::Stop(n) = cause else { return self.heed_press() };
         if self.cuts_power(n) {
             return Err(self.power_is_cut());
         }
@@ -327,6 +328,18 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand_until(until_s);
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
         self.until_released(&message, false)
+    }
+
+    /// The first stop of a machine that is held until a moment, and when it came.
+    fn stops_held(&self, until_s: f64) -> Option<(f64, HaltCause)> {
+        let active = self.world.machine.stop_input();
+        let active = active.map(|n| (self.world.now(), HaltCause::Stop(n)));
+        active.or_else(|| {
+            let watched = self.watched_at_rest();
+            let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice())?;
+            matches!(halt.cause, HaltCause::Stop(_) | HaltCause::Watch(_))
+                .then_some((halt.t_s, halt.cause))
+        })
     }
 
     /// Answers the question that is open: an input does, or the operator.

@@ -321,6 +321,119 @@ fn a_stop_while_it_warns_before_the_way_back_holds_the_tool() {
     assert_eq!(between, 0, "{:?}", ran.moves());
 }
 
+/// The emergency stop of jobs.
+fn emergency() -> u8 {
+    Input::EmergencyStop.number()
+}
+
+/// It ended the run at that time: nothing turned or moved from then on.
+fn ended_by_press(ran: &Ran, at_s: f64) {
+    let error = ran.summary.error.as_ref().map(|error| &*error.message);
+    assert_eq!((ran.summary.status, error), (Status::Stopped, Some("emergency stop")));
+    assert!(!ran.turns_at(at_s), "{at_s}: {:?}", ran.spindle());
+    assert!(ran.spindle().iter().all(|(t, on)| !on || *t < at_s), "{:?}", ran.spindle());
+    assert!(ran.moves().iter().all(|(from, _)| *from < at_s), "{:?}", ran.moves());
+    assert!(ran.summary.seconds <= at_s + 0.1, "{}", ran.summary.seconds);
+}
+
+#[test]
+fn nothing_comes_on_with_a_file_while_the_emergency_stop_is_pressed() {
+    let pressed = Run { by_mode: true, ..Run::default() }.input(emergency(), 0.0, true);
+    let ran = pressed.of("PAUSE 3\nMX,1\n");
+    ended_by_press(&ran, 0.0);
+    assert_eq!(ran.spindle(), vec![]);
+}
+
+#[test]
+fn the_emergency_stop_is_heeded_while_the_machine_is_held() {
+    // While it slows down, and while it stands.
+    for at_s in [2.1, 5.0] {
+        let run = Run { resumes: vec![10.0], ..Run::default() }.wish(2.0, Wish::Hold);
+        let ran = run.input(emergency(), at_s, true).of("SO,1,1\nMX,10\n");
+        ended_by_press(&ran, at_s.max(2.2));
+    }
+}
+
+#[test]
+fn the_emergency_stop_is_heeded_while_the_machine_slows_down_for_another_stop() {
+    let run = Run::default().wish(2.0, Wish::Stop).input(emergency(), 2.1, true);
+    let ran = run.says(&["Resume"; 6]).of("MZ,-.5\nSO,1,1\nMX,10\n");
+    ended_by_press(&ran, 2.2);
+}
+
+#[test]
+fn the_emergency_stop_is_heeded_on_the_way_back_and_before_it() {
+    let press = "switch 19 1";
+    let resumes = || Run { spin_up_s: 10.0, ..Run::default() }.says(&["Resume"; 60]);
+    let stopped = || resumes().input(4, 2.0, false).input(4, 3.0, true);
+    // While the spindle comes to speed, and on the way down.
+    for at_s in [8.0, 14.0] {
+        let ran = stopped().input(emergency(), at_s, true).of("MZ,-.5\nSO,1,1\nMX,10\n");
+        ended_by_press(&ran, at_s + 0.1);
+    }
+    // While it warns before the way back nothing has come on yet.
+    let warned = || Run { warning_s: 3.0, ..Run::default() }.says(&[PRESS, RELEASE, "Resume"]);
+    let warned = || warned().wish(5.0, Wish::Stop);
+    let ran = warned().of("SO,1,1\nMX,10\n");
+    let goes_on = |event: &Event| match event {
+        Event::State { state, t, .. } if &**state == "running" => Some(*t),
+        _ => None,
+    };
+    let at_s = ran.events.iter().find_map(goes_on).unwrap() + 1.0;
+    let ran = warned().input(emergency(), at_s, true).of("SO,1,1\nMX,10\n");
+    ended_by_press(&ran, at_s);
+    assert_eq!(ran.story().iter().filter(|it| *it == "spindle 1").count(), 1, "{:?}", ran.story());
+    // While somebody is asked what follows on a stop, and while the program asks.
+    let asked = Run::default().wish(2.0, Wish::Stop).says(&[press, "Resume", "Quit"]);
+    let ran = asked.of("SO,1,1\nMX,10\n");
+    ended_by_press(&ran, 2.7);
+    let ran = Run::default().says(&[press, "OK"]).of("SO,1,1\nMX,1\nPAUSE\nPAUSE 5\nMX,5\n");
+    ended_by_press(&ran, 0.7);
+}
+
+#[test]
+fn a_stop_input_is_heeded_while_the_machine_slows_down_to_be_held() {
+    let pressed = [(4, 2.1, false), (4, 9.0, true)];
+    let scripted = pressed.iter().fold(Run::default(), |run, (n, t, on)| run.input(*n, *t, *on));
+    let moved = pressed.iter().take(1).fold(Run::default(), |run, (number, t, on)| {
+        run.wish(*t, Wish::Input { number: *number, on: *on })
+    });
+    for (run, says) in [(scripted, vec!["Resume"; 9]), (moved, vec![RELEASE, "Resume"])] {
+        let run = Run { resumes: vec![10.0], ..run }.wish(2.0, Wish::Hold);
+        let ran = run.says(&says).of("SO,1,1\nMX,10\n");
+        assert_eq!((ran.summary.status, ran.x_in()), (Status::Ok, 10.0), "{:?}", ran.story());
+        assert!(!ran.turns_at(2.2) && !ran.turns_at(9.9), "{:?}", ran.spindle());
+        let again = ran.moves().iter().map(|it| it.0).find(|t| *t > 2.2).unwrap();
+        assert!(again >= 10.0 && ran.turns_at(again), "{:?} {:?}", ran.spindle(), ran.moves());
+        assert!(ran.story().contains(&"Resume".into()), "somebody says so: {:?}", ran.story());
+    }
+}
+
+#[test]
+fn a_switch_that_is_moved_while_the_machine_slows_down_is_moved_then() {
+    let run = Run::default().wish(2.0, Wish::Stop);
+    let run = run.wish(2.1, Wish::Input { number: 4, on: false });
+    let ran = run.says(&["Resume", RELEASE, "Resume", "Resume"]).of("SO,1,1\nMX,10\n");
+    let story = ran.story();
+    let stopped: Vec<&str> = story.iter().map(String::as_str).collect();
+    assert_eq!(stopped[..4], ["spindle 1", "move", "input 4 1", "spindle 0"], "{story:?}");
+    assert_eq!((ran.summary.status, ran.x_in()), (Status::Ok, 10.0));
+}
+
+/// Nothing comes on behind a limit while a stop input is active.
+#[test]
+fn a_stop_that_is_pressed_while_a_limit_is_asked_about_lets_nothing_come_on() {
+    let run = Run::default().input(2, 2.0, true);
+    let ran = run.says(&[PRESS, "Continue", "Resume", RELEASE, "Resume"]);
+    let ran = ran.of("VN,,,,,1\nSO,1,1\nMX,5\n");
+    let story = ran.story();
+    let released = story.iter().position(|it| it == "input 4 0").unwrap();
+    let on = story.iter().rposition(|it| it == "spindle 1").unwrap();
+    assert!(on > released, "{story:?}");
+    assert_eq!(story.iter().filter(|it| *it == "spindle 1").count(), 2, "{story:?}");
+    assert_eq!((ran.summary.status, ran.x_in()), (Status::Ok, 5.0));
+}
+
 #[test]
 fn a_hold_does_not_delay_what_an_input_is_waited_for() {
     for (resumed_s, goes_on_s) in [(4.0, 5.0), (7.0, 7.0)] {
