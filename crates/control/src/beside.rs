@@ -101,7 +101,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// A stop input while the machine is stopped already: nothing moves or turns before it is released.
-    fn stopped_again(&mut self, n: u8) -> Result<(), Over> {
+    pub(crate) fn stopped_again(&mut self, n: u8) -> Result<(), Over> {
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
         self.stop_spindles();
         self.world.tell_log();

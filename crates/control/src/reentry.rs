@@ -187,8 +187,9 @@ impl<I: Interpreter> Runner<'_, I> {
         let ahead = self.mover.position();
         let to = self.world.machine.position();
         let was_on = self.world.machine.restart(from);
-        self.world.machine.begin_motion();
         self.tell_taken_up();
+        self.may_go_back()?;
+        self.world.machine.begin_motion();
         self.lift();
         self.heeded()?;
         let (ready, nudged) = self.whether_ready(&was_on);
@@ -205,6 +206,20 @@ impl<I: Interpreter> Runner<'_, I> {
         self.shift(nudged);
         self.world.tell(&Event::Resume { t: self.world.now() });
         Ok(())
+    }
+
+    /// Nothing moves before every stop is released.
+    fn may_go_back(&mut self) -> Result<(), Over> {
+        self.heed_emergency()?;
+        let released = match self.world.machine.stop_input() {
+            Some(n) if self.cuts_power(n) => Err(self.power_is_cut()),
+            Some(n) => self.stopped_again(n),
+            None => Ok(()),
+        };
+        if released.is_err() {
+            self.world.shelf.tape.given_up(self.world.placed());
+        }
+        released
     }
 
     /// Outputs come on again, and have the time that the machine gives a spindle to come to speed.

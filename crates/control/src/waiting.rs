@@ -372,11 +372,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             return flow;
         }
-        let answer = match asked {
-            Some(QuestionKind::Paused) => self.answer_to_pause(at),
-            _ => self.answer_of_operator(at),
-        };
-        match answer {
+        match self.answer_or_give_up(at) {
             Ok(answer) => {
                 self.world.answer = answer;
                 self.goes_on_after_question().map_or_else(Flow::Over, |()| Flow::On)
@@ -385,13 +381,14 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What the operator tells a job that waits. One that he gives up can be taken up as if he had not answered,
-    /// unless it has not moved yet.
-    fn answer_to_pause(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
+    /// What the operator answers to the question that is open. A run that he gives up instead can be taken up as if
+    /// he had not answered, unless it has not moved yet.
+    fn answer_or_give_up(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
         loop {
             let question = self.world.question.clone();
             let answer = self.answer_of_operator(at);
-            if !gives_up(&answer) || !self.world.shelf.tape.has_moved() {
+            let pauses = question.as_ref().is_some_and(|it| it.kind == QuestionKind::Paused);
+            if !gives_up(&answer, pauses) || !self.world.shelf.tape.has_moved() {
                 return answer;
             }
             if !self.world.silent {
@@ -458,11 +455,11 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
-/// Whether the operator gives up a job that waits.
-fn gives_up(answer: &Result<Option<Answer>, Unanswered>) -> bool {
+/// Whether the operator gives up a run that waits: a job in a pause by what he tells it.
+fn gives_up(answer: &Result<Option<Answer>, Unanswered>, pauses: bool) -> bool {
     match answer {
-        Ok(Some(answer)) => Word::read(&answers::words(answer)) == Some(Word::Abort),
-        Ok(None) | Err(Unanswered::NoButton(_)) => false,
+        Ok(Some(answer)) if pauses => Word::read(&answers::words(answer)) == Some(Word::Abort),
+        Ok(_) | Err(Unanswered::NoButton(_)) => false,
         Err(Unanswered::Stopped) => true,
     }
 }

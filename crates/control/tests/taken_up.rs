@@ -116,6 +116,19 @@ impl Sink for PowerCutIn {
     }
 }
 
+/// Whoever stops the run instead of answering.
+struct GivesUp;
+
+impl Operator for GivesUp {
+    fn answer(&mut self, _: &Question, _: u32) -> Option<String> {
+        None
+    }
+
+    fn gives_up(&self) -> bool {
+        true
+    }
+}
+
 fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
     let disk = MemoryDisk::new([("a.sbp", PART.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
@@ -589,6 +602,45 @@ fn press(folder: &TempDir, number: u8, on: bool) {
     session.press(Press { number, on }, &mut shelf);
 }
 
+/// Nothing moves and nothing comes on before the emergency stop is released, and nothing of the cut is lost.
+#[test]
+fn a_run_is_not_taken_up_while_the_emergency_stop_is_pressed() {
+    let whole = uninterrupted();
+    let emergency = Input::EmergencyStop.number();
+    for line in [5, 6, 7] {
+        let folder = tempdir().unwrap();
+        let pressed = Wish::Input { number: emergency, on: true };
+        let mut pace = Script::new(vec![(middle(&whole, line), pressed)], Vec::new());
+        let (begun, status) = run(&folder, &mut pace, "");
+        assert_eq!(status, Some(Status::Stopped));
+        let stood = begun.iter().filter_map(motion).next_back().unwrap().to;
+        let (said, status) = resume(&folder, "hold=Resume");
+        assert_eq!((asked(&said), status), (vec![], Status::Stopped), "line {line}: {said:#?}");
+        let comes_on = |event: &Event| matches!(event, Event::Output { on: true, .. });
+        assert!(!said.iter().any(|event| comes_on(event) || motion(event).is_some()), "{said:#?}");
+        press(&folder, emergency, false);
+        let (rest, status) = resume(&folder, "hold=Resume");
+        assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "line {line}");
+        let first = same_rest(&whole, &rest, line);
+        assert!(near(&first.from, &stood), "line {line}: {first:?}");
+    }
+}
+
+/// The tool does not go down before it is asked whether all is ready.
+#[test]
+fn a_run_that_is_taken_up_at_a_stop_input_only_rises_when_that_is_released() {
+    let whole = uninterrupted();
+    let folder = tempdir().unwrap();
+    run(&folder, &mut PowerCut(middle(&whole, 6)), "");
+    press(&folder, 4, false);
+    let (rest, status) = resume(&folder, "5:switch 4 1\nhold=Resume");
+    assert_eq!((asked(&rest), status), (vec![RELEASE, READY], Status::Ok));
+    let ready = rest.iter().rposition(|event| matches!(event, Event::Ask(_))).unwrap();
+    let kinds: Vec<_> = rest[..ready].iter().filter_map(motion).map(|made| made.kind).collect();
+    assert_eq!(kinds, [MoveKind::Jog], "it only rises");
+    same_rest(&whole, &rest, 6);
+}
+
 /// Whoever moves another switch while the machine slows down for a stop input is not told of that again.
 #[test]
 fn a_switch_that_is_moved_behind_a_stop_input_does_not_hide_it() {
@@ -611,6 +663,26 @@ fn a_switch_that_is_moved_behind_a_stop_input_does_not_hide_it() {
     assert_eq!((asked(&rest).len(), status), (1, Status::Ok), "{rest:#?}");
     let first = behind(&rest).iter().find_map(motion).unwrap();
     assert!(near(&first.from, &cut.to), "{first:?} {cut:?}");
+}
+
+/// Whoever gives a run up while it asks him something, or behind that at a stop input, can take it up there.
+#[test]
+fn a_run_that_was_given_up_at_a_question_is_taken_up() {
+    const STILL: &str = "MX,1\nPAUSE\nMX,5\n";
+    const TURNS: &str = "SO,1,1\nMX,1\nPAUSE\nMX,5\n";
+    let pressed = &mut Answers::read("3:switch 4 0\n3:OK\nhold=Quit");
+    let runs: [(&str, &mut dyn Operator); 2] = [(STILL, &mut GivesUp), (TURNS, pressed)];
+    for (text, operator) in runs {
+        let (folder, work) = (tempdir().unwrap(), kerf_part::read("a.sbp".into(), text.as_bytes()));
+        assert_eq!(run_work(&folder, work, &mut (), operator).1, Some(Status::Stopped), "{text}");
+        press(&folder, 4, true);
+        let (rest, status) = resume(&folder, "pause=OK\nhold=Resume");
+        assert_eq!(status, Status::Ok, "{text}: {rest:#?}");
+        let to: Vec<f64> = rest.iter().filter_map(motion).map(|made| made.to.x).collect();
+        assert_eq!(to.last(), Some(&5.0), "{text}");
+        let turns = rest.iter().any(|it| matches!(it, Event::Output { n: 1, on: true, .. }));
+        assert_eq!(turns, text == TURNS, "{text}: {rest:#?}");
+    }
 }
 
 /// Where the machine stands.
