@@ -291,7 +291,13 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The emergency stop ends a part file as soon as it is pressed; where the power went then, it is what it
     /// is when the tool goes back.
     pub(crate) fn heed_emergency(&mut self) -> Result<(), Over> {
-        if self.is_ended_by_press() { self.heed_press() } else { Ok(()) }
+        match self.world.machine.stop_input() {
+            Some(n) if self.cuts_power(n) && !self.is_open_for_take_up() => {
+                Err(self.power_is_cut())
+            }
+            _ if self.is_ended_by_press() => self.heed_press(),
+            _ => Ok(()),
+        }
     }
 
     /// The same where it is known to be pressed, or was for a moment.

@@ -46,6 +46,9 @@ impl<I: Interpreter> Runner<'_, I> {
             return Err(self.ended_by_press(at));
         }
         let Some(input) = self.world.machine.stop_input() else { return Ok(()) };
+        if self.world.tally.moves > 0 && self.cuts_power(input) {
+            return Err(self.power_is_cut());
+        }
         if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
             self.world.shelf.tape.stood(1.0);
             return self.blocked(input);

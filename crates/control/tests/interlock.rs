@@ -34,6 +34,8 @@ struct Run {
     says: Vec<&'static str>,
     spin_up_s: f64,
     warning_s: f64,
+    /// Input 4 cuts the power of the motors.
+    cuts_power: bool,
     /// The spindle's output follows the file (VO).
     by_mode: bool,
 }
@@ -69,6 +71,7 @@ impl Run {
         }
         let mut machine = (*session.machine_is).clone();
         machine.delays.router_start_s = self.spin_up_s;
+        machine.estop.cuts_power = self.cuts_power;
         session.machine_is = machine.into();
         let mut shelf = Shelf::in_memory(MemoryDisk::default());
         let mut events = Vec::new();
@@ -440,6 +443,30 @@ fn a_hold_does_not_delay_what_an_input_is_waited_for() {
         let run = Run { resumes: vec![resumed_s], ..Run::default() }.wish(2.0, Wish::Hold);
         let ran = run.input(1, 5.0, true).of("PAUSE UNTIL 1,1\nMX,1\n");
         assert_eq!((ran.summary.status, ran.moves()[0].0), (Status::Ok, goes_on_s));
+    }
+}
+
+/// Whoever is asked meanwhile is asked no more: motors without power may stand anywhere.
+#[test]
+fn an_emergency_stop_that_cuts_the_power_while_somebody_is_asked_ends_the_run() {
+    let cut = || Run { cuts_power: true, ..Run::default() };
+    let says = [PRESS, "OK", RELEASE, "Resume", "Resume"];
+    let stopped = [PRESS, "Resume", RELEASE, "Resume"];
+    let limited = [PRESS, "Continue", RELEASE, "Resume"];
+    let runs = [
+        cut().says(&says).of("MX,1\nPAUSE\nMX,5\n"),
+        cut().says(&says).of("SO,1,1\nMX,1\nPAUSE\nMX,5\n"),
+        cut().wish(2.0, Wish::Stop).says(&stopped).of("SO,1,1\nMX,5\n"),
+        cut().input(2, 2.0, true).says(&limited).of("VN,,,,,1\nSO,1,1\nMX,5\n"),
+    ];
+    for ran in runs {
+        let error = ran.summary.error.as_ref().map(|error| &*error.message);
+        assert_eq!((ran.summary.status, error), (Status::Stopped, Some("emergency stop")));
+        let off = ran.events.iter().any(|event| matches!(event, Event::Motors { on: false, .. }));
+        assert!(off, "{:?}", ran.story());
+        let pressed = ran.story().iter().position(|it| it == "input 4 1").unwrap();
+        let after = &ran.story()[pressed..];
+        assert!(!after.iter().any(|it| it == "move" || it == "spindle 1"), "{after:?}");
     }
 }
 
