@@ -84,7 +84,7 @@ fn main() -> ExitCode {
     let given = cli.clone().get_matches();
     let Cli { command, edit_only } = Cli::from_arg_matches(&given).unwrap_or_else(|e| e.exit());
     let fits = command.restricted(edit_only).and_then(|it| it.reaching_servers(&cli, &given));
-    match commands::run(fits) {
+    match stop::outlive_full_files().and_then(|()| commands::run(fits)) {
         Ok(exit) => exit.into(),
         Err(error) => {
             eprintln!("kerf: {error:#}");

@@ -1,5 +1,6 @@
-//! What asks Kerf to stop: Ctrl-C, and where there are signals SIGTERM and SIGHUP (`kill`, the end of a login, a
-//! terminal that was closed). Whatever moves is stopped and switched off before the process ends.
+//! What asks Kerf to stop: Ctrl-C, and where there are signals SIGTERM, SIGHUP, SIGQUIT and SIGXCPU (`kill`, the end
+//! of a login, a terminal that was closed, Ctrl-\, a limit on the time of a process). Whatever moves is stopped and
+//! switched off before the process ends.
 
 use anyhow::{Context, Result};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -51,9 +52,16 @@ impl Stop {
     }
 }
 
+/// A file that may not grow any more (`ulimit -f`) is a write that fails, and no end of the process.
+pub fn outlive_full_files() -> Result<()> {
+    #[cfg(unix)]
+    signals::outlive_full_files().context("cannot listen to signals")?;
+    Ok(())
+}
+
 #[cfg(unix)]
 mod signals {
-    use signal_hook::consts::{SIGHUP, SIGTERM};
+    use signal_hook::consts::{SIGHUP, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
     use signal_hook::flag::register;
     use std::fs;
     use std::io;
@@ -63,11 +71,18 @@ mod signals {
     /// Sets the flag at the signals that end a process. What was started to outlive its terminal (`nohup`)
     /// goes on without one.
     pub fn listen(leaves: &Arc<AtomicBool>) -> io::Result<()> {
-        register(SIGTERM, leaves.clone())?;
+        for signal in [SIGTERM, SIGQUIT, SIGXCPU] {
+            register(signal, leaves.clone())?;
+        }
         if !is_ignored(SIGHUP) {
             register(SIGHUP, leaves.clone())?;
         }
         Ok(())
+    }
+
+    /// A handler that does nothing, in place of the end of the process.
+    pub fn outlive_full_files() -> io::Result<()> {
+        register(SIGXFSZ, Arc::default()).map(drop)
     }
 
     /// Whether whoever started the process had it ignore a signal. Only Linux tells; elsewhere the machine

@@ -365,7 +365,7 @@ fn runs_on_the_simulated_machine_do_not_move_what_a_grbl_without_homing_is_belie
 #[test]
 fn a_process_that_is_to_end_stops_its_controller_first() {
     shop::hear_hangups();
-    for signal in [Signal::SIGTERM, Signal::SIGHUP] {
+    for signal in [Signal::SIGTERM, Signal::SIGHUP, Signal::SIGQUIT] {
         let files =
             [("square.sbp", SQUARE), ("yes.txt", "hold=Resume\n"), ("back.sbp", "J2,0,0\n")];
         let (shop, bench) = (Shop::new(&files), Bench::new(&[]));
