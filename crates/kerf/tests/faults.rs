@@ -124,6 +124,30 @@ fn a_folder_that_cannot_be_made_is_told() {
     shop.kerf("run a.sbp --data a.sbp/data").exits(1).complains("data folder cannot be written");
 }
 
+/// A journal that lost its bytes, or is gone, with its copy beside it: nothing of it is lost in silence.
+#[test]
+fn an_empty_journal_is_told_and_rescued() {
+    for (gone, what) in [(false, "it is empty"), (true, "it is gone")] {
+        let shop = shop();
+        shop.kerf("run a.sbp --quiet").exits(0);
+        for ending in ["", "-wal", "-shm"] {
+            let _ = fs::remove_file(shop.file(&format!("data/journal.db{ending}")));
+        }
+        if !gone {
+            shop.write("data/journal.db", b"");
+        }
+        shop.kerf("registry get Status").exits(1).complains("damaged").complains(what);
+        let first = shop.kerf("run x.sbp --quiet");
+        first
+            .exits(3)
+            .complains("the journal was damaged")
+            .complains(what)
+            .complains("not verified");
+        assert_eq!(shop.file("data/journal.damaged-1.db").exists(), !gone);
+        assert_eq!(x(&shop), "7", "{what}");
+    }
+}
+
 #[test]
 fn a_damaged_page_is_told_and_rescued() {
     let shop = shop();

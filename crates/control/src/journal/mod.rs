@@ -107,13 +107,17 @@ impl Journal {
     /// # Errors
     /// Whatever keeps it from being read.
     pub fn look(folder: &Path) -> Result<Option<Self>, JournalError> {
-        if !folder.join(JOURNAL_FILE).is_file() {
-            return Ok(None);
+        let file = std::fs::metadata(folder.join(JOURNAL_FILE));
+        match file.is_ok_and(|file| file.len() > 0) || rescue::lost(folder).is_some() {
+            true => Self::open_sound(folder, Access::Look).map(Some),
+            false => Ok(None),
         }
-        Self::open_sound(folder, Access::Look).map(Some)
     }
 
     fn open_sound(folder: &Path, access: Access) -> Result<Self, JournalError> {
+        if let Some(lost) = rescue::lost(folder) {
+            return Err(lost);
+        }
         let file = folder.join(JOURNAL_FILE);
         let connection = database::open(&file, access)
             .and_then(|connection| rows::check(&connection).map(|()| connection))

@@ -11,21 +11,37 @@ use kerf_sbp::POSITION_LOST;
 use rusqlite::{Connection, OpenFlags};
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Rows by the text of their key.
 type Found = BTreeMap<String, Row>;
+
+/// A journal whose bytes are gone, although there was one: it has a copy.
+pub(super) fn lost(folder: &Path) -> Option<JournalError> {
+    let path = folder.join(JOURNAL_FILE);
+    let what = match fs::metadata(&path) {
+        Ok(file) if file.len() == 0 => "it is empty",
+        Err(error) if error.kind() == ErrorKind::NotFound => "it is gone",
+        _ => return None,
+    };
+    let copied = folder.join(BACKUP_FILE).is_file();
+    copied.then(|| JournalError::Damaged { path, what: what.into() })
+}
 
 /// Puts a sound file in the place of a damaged one and tells what was done.
 pub(super) fn rescue(folder: &Path, what: &str) -> Result<Vec<String>, JournalError> {
     let file = folder.join(JOURNAL_FILE);
     let aside = unused(folder);
     let moved = |error: std::io::Error| JournalError::of_disk(&file, &error);
-    move_with_log(&file, &aside).map_err(moved)?;
+    let there = file.exists();
+    if there {
+        move_with_log(&file, &aside).map_err(moved)?;
+    }
     let (damaged, backup) = (reader(&aside), reader(&folder.join(BACKUP_FILE)));
     let mut fresh = database::open(&file, Access::Write).map_err(|error| error.at(&file))?;
-    let mut told =
-        vec![format!("the journal was damaged ({what}); it is kept as {}", aside.display())];
+    let kept = if there { format!("; it is kept as {}", aside.display()) } else { String::new() };
+    let mut told = vec![format!("the journal was damaged ({what}){kept}")];
     let saved = rows::together(&mut fresh, |rows| {
         for table in Table::ALL {
             let (here, copied) =
