@@ -83,7 +83,8 @@ impl Sink for Talk {
     }
 }
 
-fn asked(ask: &AskEvent) -> String {
+/// A question with its answer.
+pub fn asked(ask: &AskEvent) -> String {
     let by = if ask.scripted { "" } else { " (default)" };
     format!("? {} → {}{by}", ask.text, ask.answer)
 }

@@ -26,6 +26,14 @@ fn refused(data: &Path, arguments: &[&str], part: &str) {
     assert!(message.contains(part), "{arguments:?}: {message}");
 }
 
+/// A command that was understood and could not be done.
+fn fails(data: &Path, arguments: &[&str], part: &str) {
+    let output = kerf(data, arguments);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}: {message}");
+    assert!(message.contains(part), "{arguments:?}: {message}");
+}
+
 #[test]
 fn pro_misc_config_save() {
     let folder = tempfile::tempdir().unwrap();
@@ -196,7 +204,14 @@ fn homing_tells_each_step() {
     assert!(told(folder.path(), &["pos"]).starts_with("x  0.000 homed\ny  0.000 not homed\n"));
     assert!(told(folder.path(), &["home", "x"]).ends_with("x 0 steps\n"), "as it was left");
     let without = tempfile::tempdir().unwrap();
-    assert_eq!(told(without.path(), &["home", "x"]), "", "no switch, no search");
+    for (axes, why) in [("x", "axis x has no home switch"), ("", "name axes by their letters")] {
+        let output = kerf(without.path(), &["home", axes]);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && message.contains(why), "{message}");
+        assert!(output.stdout.is_empty(), "no switch, no search");
+    }
+    fails(without.path(), &["home"], "no axis of this machine has a home switch");
+    fails(folder.path(), &["home", "xw"], "axis w has no home switch");
 }
 
 #[test]
@@ -223,6 +238,43 @@ fn moves_by_hand_go_on_where_the_last_ended() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1));
     assert!(message.contains("Out of bounds: x would reach 9300.000"), "{message}");
+}
+
+#[test]
+fn homing_that_fails_says_what_failed_and_what_to_look_at() {
+    let folder = sim();
+    let look = "; nothing moves on; look at the switch and at the length of the axis";
+    told(folder.path(), &["set", "sim.switch_at", "[\"none\", -3, 3]"]);
+    fails(folder.path(), &["home", "x"], &format!("x home not found{look}"));
+    told(folder.path(), &["set", "sim.switch_at", "[-3, -3, 3]"]);
+    told(folder.path(), &["set", "sim.hysteresis", "9e9"]);
+    fails(folder.path(), &["home", "z"], &format!("z home not found: its switch stays on{look}"));
+    let two = sim();
+    told(two.path(), &["use", "router-96x48"]);
+    told(two.path(), &["set", "homing.separate_x", "true"]);
+    fails(two.path(), &["home", "x"], &format!("x home not found with motor W alone{look}"));
+}
+
+#[test]
+fn a_cut_by_hand_that_is_stopped_says_why() {
+    let folder = tempfile::tempdir().unwrap();
+    told(folder.path(), &["use", "plasma"]);
+    let output = kerf(folder.path(), &["move", "cut-to", "100,0", "--cut"]);
+    let out = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(3), "{out}");
+    assert!(out.contains("? Paused: surface not found → Quit (default)\n"), "{out}");
+}
+
+#[test]
+fn moves_by_hand_go_one_way() {
+    let folder = sim();
+    for (way, why) in [("x+x-", "x is named twice"), ("x+x+", "x is named twice"), ("", "as x+")] {
+        refused(folder.path(), &["move", "hold", way], why);
+    }
+    refused(folder.path(), &["origin", "1,2,3"], "give X,Y or here");
+    refused(folder.path(), &["move", "cut-to", "1,2,3"], "give X,Y");
+    refused(folder.path(), &["move", "home", ""], "name axes by their letters");
+    assert!(told(folder.path(), &["pos"]).starts_with("x  0.000 not homed\n"));
 }
 
 #[test]

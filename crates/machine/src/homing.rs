@@ -15,6 +15,7 @@
 use crate::Configuration;
 use crate::settings::axes::Z2;
 use crate::settings::homing::{HomeEnd, HomeSwitch};
+use crate::settings::motors::Motor;
 use kerf_program::{Axis, AxisSet};
 
 /// Which motors of an axis move, and whose switches are looked at.
@@ -72,10 +73,24 @@ pub struct Homed {
 
 /// A switch that did not come.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{axis} home not found")]
+#[error("{axis} home not found{}", self.which())]
 pub struct NotFound {
     /// The axis, as people call it.
     pub axis: &'static str,
+    /// The motor that moved alone, where it did.
+    pub motor: Option<Motor>,
+    /// The switch did not turn off.
+    pub stays_on: bool,
+}
+
+impl NotFound {
+    /// Behind the name of the axis: what of it failed.
+    fn which(&self) -> String {
+        let motor =
+            self.motor.map(|motor| format!(" with motor {} alone", motor.word().to_uppercase()));
+        let stays_on = if self.stays_on { ": its switch stays on" } else { "" };
+        motor.unwrap_or_default() + stays_on
+    }
 }
 
 /// The order in which axes are homed: the tool first leaves the work.
@@ -111,7 +126,7 @@ fn home_axis(
     homed: &mut Vec<Homed>,
 ) -> Result<(), NotFound> {
     let search = Search::new(machine, axis);
-    let motors = machine.motors.of_axis(axis).len();
+    let motors = search.motors.len();
     let mut rounds = vec![Which::All];
     if search.separate && motors > 1 {
         rounds.extend((0..motors).map(Which::One));
@@ -129,6 +144,7 @@ fn home_axis(
 /// What is needed to find the home of an axis.
 struct Search {
     name: &'static str,
+    motors: Vec<Motor>,
     switch: HomeSwitch,
     /// The direction of the switch.
     toward: f64,
@@ -152,6 +168,7 @@ impl Search {
         let second_head = axis == Z2 && machine.motors.z2.is_some();
         Self {
             name: machine.motors.axis_name(axis),
+            motors: machine.motors.of_axis(axis),
             switch,
             toward: if switch.end == HomeEnd::High { 1.0 } else { -1.0 },
             most: length * MARGIN,
@@ -184,7 +201,12 @@ impl Search {
         speed: f64,
         until: bool,
     ) -> Result<f64, NotFound> {
-        axle.seek(which, speed, until, self.most).edge.ok_or(NotFound { axis: self.name })
+        let motor = match which {
+            Which::All => None,
+            Which::One(n) => self.motors.get(n).copied(),
+        };
+        let missing = NotFound { axis: self.name, motor, stays_on: !until };
+        axle.seek(which, speed, until, self.most).edge.ok_or(missing)
     }
 }
 

@@ -4,6 +4,7 @@ use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
+use crate::report::asked;
 use crate::{out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
@@ -152,7 +153,8 @@ impl Shop {
         let options = RunOptions::default();
         let summary = self.session.run_on_record(work, options, settings, shelf, company)?;
         if let Some(error) = summary.error {
-            eprintln!("kerf: {}", error.message);
+            let mend = if error.hint.is_empty() { "" } else { "; " };
+            eprintln!("kerf: {}{mend}{}", error.message, error.hint);
         }
         Ok(summary.status.into())
     }
@@ -165,7 +167,7 @@ impl Shop {
 /// Homes axes; all that have a switch when not told which.
 pub fn home(which: &Which, letters: Option<&str>) -> Result<Exit> {
     let mut shop = Shop::open(which, false)?;
-    let axes = axes_named(&shop.machine, letters, AxisSet::first(AXES))?;
+    let axes = axes_with_switch(&shop.machine, letters)?;
     shop.errand(Errand::FindHome(axes), Vec::new())
 }
 
@@ -183,7 +185,9 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
             Errand::To { place: numbers(place)?, relative: *relative, flat: *flat }
         }
         Way::CutTo { place, cut } => {
-            let [Some(x), Some(y), ..] = numbers(place)? else { bail!(Usage("give X,Y".into())) };
+            let [Some(x), Some(y), None, None, None, None] = numbers(place)? else {
+                bail!(Usage("give X,Y".into()))
+            };
             if *cut {
                 let job = cut_move(&shop.machine, shop.session.memory.position, [x, y]);
                 let machine = shop.machine.clone();
@@ -257,7 +261,7 @@ pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
             [position[Axis::X], position[Axis::Y]]
         }
         Some(place) => {
-            let [Some(x), Some(y), ..] = numbers(place)? else {
+            let [Some(x), Some(y), None, None, None, None] = numbers(place)? else {
                 bail!(Usage("give X,Y or here".into()))
             };
             [x, y]
@@ -311,7 +315,7 @@ pub fn pos(which: &Which) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
-/// Prints motions, homed axes and messages.
+/// Prints motions, homed axes, messages and questions.
 struct Steps {
     machine: Arc<Configuration>,
     /// The switch that changed during the motion at hand.
@@ -345,14 +349,35 @@ impl Sink for Steps {
             }
             Event::Homed { axis, steps, .. } => out::print(&format!("{axis} {steps} steps\n")),
             Event::Message { text, .. } => out::print(&format!("{text}\n")),
+            Event::Ask(ask) => out::print(&format!("{}\n", asked(ask))),
             _ => {}
         }
+    }
+}
+
+/// Axes that can be homed: those that are named, else all that have a switch.
+fn axes_with_switch(c: &Configuration, letters: Option<&str>) -> Result<AxisSet> {
+    let fitted = |axis: &Axis| c.homing.of(*axis).fitted;
+    let all = Axis::ALL.into_iter().filter(fitted).fold(AxisSet::EMPTY, AxisSet::with);
+    let axes = axes_named(c, letters, all)?;
+    if axes.is_empty() {
+        bail!("no axis of this machine has a home switch: nothing was homed (homing.x.fitted)");
+    }
+    match axes.iter().find(|axis| !all.contains(*axis)) {
+        None => Ok(axes),
+        Some(axis) => bail!(
+            "axis {0} has no home switch: nothing was homed (homing.{0}.fitted)",
+            c.motors.axis_name(axis)
+        ),
     }
 }
 
 /// Axes by their letters.
 pub fn axes_named(c: &Configuration, letters: Option<&str>, all: AxisSet) -> Result<AxisSet> {
     let Some(letters) = letters else { return Ok(all) };
+    if letters.is_empty() {
+        bail!(Usage("name axes by their letters, as xy".into()));
+    }
     letters.chars().try_fold(AxisSet::EMPTY, |set, letter| Ok(set.with(named(c, letter)?)))
 }
 
@@ -379,13 +404,18 @@ fn numbers(text: &str) -> Result<[Option<f64>; AXES]> {
 fn ways(c: &Configuration, text: &str) -> Result<[i8; AXES]> {
     let mut all = [0; AXES];
     let letters: Vec<char> = text.chars().filter(|c| *c != ',').collect();
+    let wrong = || Usage("an axis and + or -, as x+".into());
     for pair in letters.chunks(2) {
-        let &[letter, sign] = pair else { bail!(Usage("an axis and + or -, as x+".into())) };
-        all[named(c, letter)?.index()] = match sign {
+        let &[letter, sign] = pair else { bail!(wrong()) };
+        let way = &mut all[named(c, letter)?.index()];
+        if *way != 0 {
+            bail!(Usage(format!("{letter} is named twice: an axis goes one way")));
+        }
+        *way = match sign {
             '+' => 1,
             '-' => -1,
-            _ => bail!(Usage("an axis and + or -, as x+".into())),
+            _ => bail!(wrong()),
         };
     }
-    Ok(all)
+    if letters.is_empty() { Err(wrong().into()) } else { Ok(all) }
 }
