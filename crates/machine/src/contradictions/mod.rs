@@ -35,6 +35,7 @@ const CHECKS: &[Check] = &[
     motors::pulses,
     ranges::limits,
     ranges::heights,
+    ranges::homes,
     ranges::ports,
     speeds::cutting,
     speeds::height,

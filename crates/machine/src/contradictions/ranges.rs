@@ -41,6 +41,29 @@ pub(super) fn heights(c: &Configuration, found: &mut Found) {
     }
 }
 
+const OFF: [&str; 6] = [
+    "homing.x.off",
+    "homing.y.off",
+    "homing.z.off",
+    "homing.a.off",
+    "homing.b.off",
+    "homing.w.off",
+];
+
+/// Home lies within the travel of its axis, of axes that have a switch.
+pub(super) fn homes(c: &Configuration, found: &mut Found) {
+    for (axis, key) in Axis::ALL.into_iter().zip(OFF) {
+        let (switch, length) = (c.homing.of(axis), c.axes.length[axis]);
+        if switch.fitted && c.axes.limit_movement && length > 0.0 && switch.off > length {
+            let name = axis.letter();
+            let message =
+                format!("{key} ({}) is more than the travel of {name} ({length})", switch.off);
+            let hint = "Home lies so far from the switch, and axis.length is all the axis has.";
+            found.push(Contradiction::new(&[key, "axis.length"], message, hint));
+        }
+    }
+}
+
 /// Hand console, file sending and height readings do not share a port ("Communication").
 pub(super) fn ports(c: &Configuration, found: &mut Found) {
     let ports = [

@@ -49,6 +49,17 @@ fn pro_zpos_order() {
 }
 
 #[test]
+fn home_lies_within_the_travel() {
+    let x = "axis.length = [2000, 1000, 100]\nhoming.x.fitted = true\n";
+    refused(
+        &format!("{x}homing.x.off = 5000"),
+        "3:homing.x.off (5000) is more than the travel of X (2000)",
+    );
+    accepted(&format!("{x}homing.x.off = 2000"));
+    accepted("axis.length = [2000, 1000, 100]\nhoming.x.off = 5000");
+}
+
+#[test]
 fn pro_io_ina1() {
     refused("homing.b.fitted = true", "1:homing.b.fitted is true, but no input is");
     refused("homing.w.fitted = true\nplasma.use = true", "2:input A1 (WHOME) is the W home switch");
