@@ -29,6 +29,7 @@ mod date;
 mod drawings;
 mod estimate;
 mod exit;
+mod heeded;
 mod job_options;
 mod machine_file;
 mod memory;
@@ -83,7 +84,7 @@ fn main() -> ExitCode {
     let cli = parse::with_negative_numbers(Cli::command());
     let given = cli.clone().get_matches();
     let Cli { command, edit_only } = Cli::from_arg_matches(&given).unwrap_or_else(|e| e.exit());
-    let fits = command.restricted(edit_only).and_then(|it| it.reaching_servers(&cli, &given));
+    let fits = command.restricted(edit_only).and_then(|it| it.heeding(&cli, &given));
     match stop::outlive_full_files().and_then(|()| commands::run(fits)) {
         Ok(exit) => exit.into(),
         Err(error) => {

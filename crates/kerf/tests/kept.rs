@@ -401,3 +401,23 @@ fn sbp_out_off_exit() {
     send(&shop, &["UD"]).exits(0).says("outputs on: none");
     assert_eq!(shop.kerf("registry get OutPutSwitches").out(), "0\n");
 }
+
+/// Whatever is not heeded is refused, and the run can still be taken up.
+#[test]
+fn options_of_another_run_are_refused_where_one_is_taken_up() {
+    let shop = Shop::new(&[("a.sbp", "MX,5\nMX,9\n")]);
+    shop.kerf("run a.sbp --hold-at 3").exits(3);
+    for (option, names) in [
+        ("--input 3@1=1", "--input is not heeded when a run is taken up"),
+        ("--units mm --set N=2", "--units, --set are not heeded"),
+        ("--from-line 2", "--from-line is"),
+        ("--config sim", "--config is"),
+        ("--offset-job 2", "--offset-job is"),
+        ("--script s", "--script is"),
+    ] {
+        shop.kerf(&format!("run --resume {option}")).exits(2).complains(names);
+    }
+    let heeded = "--trace t --picture p.svg --vcd v --readings r --pace fast --start kept --quiet";
+    shop.kerf(&format!("run --resume {heeded} --override 50@4")).exits(0);
+    assert_eq!(prints(&shop, "%(1)"), "9");
+}

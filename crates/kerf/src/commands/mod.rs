@@ -31,7 +31,6 @@ mod trace;
 mod wavlength;
 
 use crate::exit::{Exit, Usage};
-use crate::remote;
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Subcommand};
 
@@ -87,14 +86,16 @@ impl Command {
         }
     }
 
-    /// The command as it was given, unless it goes to a server that would not heed all of it.
-    pub fn reaching_servers(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
-        let reach: &[&str] = match &self {
-            Self::Run(args) if args.is_remote() => run::REACH_SERVERS,
-            Self::Send(args) if args.server().is_some() => send::REACH_SERVERS,
-            _ => return Ok(self),
+    /// The command as it was given, unless not all of it would be heeded.
+    pub fn heeding(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
+        let heeded = match &self {
+            Self::Run(args) => args.heeded(),
+            Self::Send(args) => args.heeded(),
+            _ => None,
         };
-        remote::refuse_others(cli, given, reach)?;
+        if let Some(heeded) = heeded {
+            heeded.refuse_others(cli, given)?;
+        }
         Ok(self)
     }
 }

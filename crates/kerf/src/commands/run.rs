@@ -6,6 +6,7 @@ use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
+use crate::heeded::Heeded;
 use crate::job_options;
 use crate::machine_file;
 use crate::memory;
@@ -14,7 +15,7 @@ use crate::out;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
-use crate::remote::{Along, Ended, How, Remote};
+use crate::remote::{Along, Ended, How, OWN_MACHINE, Remote};
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
 use crate::signals::{ReadingBytes, VcdArgs};
@@ -121,27 +122,61 @@ enum PaceName {
 }
 
 /// What of it reaches a server: the rest is refused, for nobody would heed it there.
-pub const REACH_SERVERS: &[&str] = &[
-    "server",
-    "arm",
-    "password",
-    "quiet",
-    "answers",
-    "proportion",
-    "repeat",
-    "offset",
-    "plunge",
-    "tabs",
-    "plunge_from_zero",
-    "step",
-    "from_line",
-    "offset_job",
-];
+const REACHES_SERVERS: Heeded = Heeded {
+    options: &[
+        "server",
+        "arm",
+        "password",
+        "quiet",
+        "answers",
+        "proportion",
+        "repeat",
+        "offset",
+        "plunge",
+        "tabs",
+        "plunge_from_zero",
+        "step",
+        "from_line",
+        "offset_job",
+    ],
+    instead: OWN_MACHINE,
+};
+
+/// What is heeded of it when a run is taken up; on a controller nothing is taken up, which is told by itself.
+const TAKES_UP: Heeded = Heeded {
+    options: &[
+        "resume",
+        "data",
+        "start",
+        "machine",
+        "driver",
+        "home",
+        "unlock",
+        "password",
+        "answers",
+        "quiet",
+        "pace",
+        "picture",
+        "trace",
+        "readings",
+        "vcd",
+        "stop_at",
+        "hold_at",
+        "resume_at",
+        "feed",
+    ],
+    instead: "when a run is taken up: it goes on with the options, folders, inputs and settings with which it was \
+              begun. Leave it out",
+};
 
 impl RunCommand {
-    /// Whether a server runs it.
-    pub const fn is_remote(&self) -> bool {
-        self.server.is_some()
+    /// The options that are heeded, where not all are.
+    pub const fn heeded(&self) -> Option<Heeded> {
+        match (self.server.is_some(), self.resume) {
+            (true, _) => Some(REACHES_SERVERS),
+            (_, true) => Some(TAKES_UP),
+            _ => None,
+        }
     }
 }
 

@@ -4,7 +4,8 @@ use super::protect;
 use super::run::{MachineArgs, on_machine, told_by_server};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
-use crate::remote::Remote;
+use crate::heeded::Heeded;
+use crate::remote::{OWN_MACHINE, Remote};
 use crate::report::Talk;
 use crate::sending::{Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
@@ -54,13 +55,19 @@ pub struct SendArgs {
 }
 
 /// What of it reaches a server.
-pub const REACH_SERVERS: &[&str] = &["server", "password", "quiet"];
+const REACHES_SERVERS: Heeded =
+    Heeded { options: &["server", "password", "quiet"], instead: OWN_MACHINE };
 
 impl SendArgs {
     /// The server that carries the lines out, where one does.
     pub fn server(&self) -> Option<String> {
         let named = || std::env::var("KERF_URL").ok().filter(|url| !url.is_empty());
         self.server.clone().or_else(named).filter(|_| !self.is_file())
+    }
+
+    /// The options that are heeded, where not all are.
+    pub fn heeded(&self) -> Option<Heeded> {
+        self.server().map(|_| REACHES_SERVERS)
     }
 
     /// The file that is sent, and where to.

@@ -1,12 +1,10 @@
 //! A running server instead of the machine of the data folder: lines, files and values go to it over HTTP.
 
 mod ended;
-mod options;
 mod runs;
 mod values;
 
 pub use ended::Ended;
-pub use options::refuse_others;
 pub use runs::{Along, How};
 
 use anyhow::{Context, Result, bail};
@@ -18,6 +16,10 @@ use std::time::Duration;
 
 /// How often it is looked whether the machine is done.
 const LOOK: Duration = Duration::from_millis(50);
+
+/// Why a server does not heed an option, and what to do instead.
+pub const OWN_MACHINE: &str = "by a server, which has its own machine, folders and settings: leave it out, set the \
+    machine at the server (kerf machine set, its console), or run it here without --server";
 
 /// What to do where a page has the machine.
 const BESIDE: &str = "the lines were not sent. A line that may be carried out beside a page that drives is \

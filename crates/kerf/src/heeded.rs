@@ -1,0 +1,36 @@
+//! What of the command line is heeded: where a command does not do all of what it may be told, the rest is refused
+//! by name.
+
+use crate::exit::Usage;
+use anyhow::{Result, bail};
+use clap::ArgMatches;
+use clap::parser::ValueSource;
+
+/// What is heeded of the options of a command, and why nothing else is.
+pub struct Heeded {
+    /// Names of the options, as their fields are called.
+    pub options: &'static [&'static str],
+    /// Who does not heed the others, and what to do instead; stands behind `--input is not heeded `.
+    pub instead: &'static str,
+}
+
+impl Heeded {
+    /// Refuses the options of a command that were given and are not among these.
+    pub fn refuse_others(&self, cli: &clap::Command, given: &ArgMatches) -> Result<()> {
+        let Some((name, given)) = given.subcommand() else { return Ok(()) };
+        let command = cli.find_subcommand(name);
+        let known = command.into_iter().flat_map(clap::Command::get_arguments);
+        let typed = known.filter(|arg| {
+            let id = arg.get_id().as_str();
+            let source = given.try_contains_id(id).ok().and_then(|_| given.value_source(id));
+            source == Some(ValueSource::CommandLine) && !self.options.contains(&id)
+        });
+        let names: Vec<_> =
+            typed.filter_map(|arg| arg.get_long()).map(|it| format!("--{it}")).collect();
+        if names.is_empty() {
+            return Ok(());
+        }
+        let (names, are) = (names.join(", "), if names.len() > 1 { "are" } else { "is" });
+        bail!(Usage(format!("{names} {are} not heeded {}", self.instead)))
+    }
+}
