@@ -278,6 +278,12 @@ pub fn unconfirmed(shelf: &Shelf) -> AxisSet {
 }
 
 impl Shelf {
+    /// The machine is a fresh simulated one, not that of the data folder: what is in doubt of either does not
+    /// concern the other.
+    pub fn has_fresh_machine(&mut self) {
+        self.stored.keep_apart(&[POSITION_LOST, CONFIRM]);
+    }
+
     /// Whoever cuts next is asked whether these axes are where they are believed to be.
     pub fn doubts_location(&mut self, axes: AxisSet) {
         let letters: String = axes.iter().map(Axis::letter).collect();

@@ -29,6 +29,8 @@ pub struct Stored {
     values: BTreeMap<String, String>,
     /// `None` keeps them in memory only.
     journal: Option<Journal>,
+    /// Keys whose values are known here only.
+    apart: &'static [&'static str],
     /// Why a value could not be kept.
     trouble: Option<String>,
 }
@@ -36,7 +38,7 @@ pub struct Stored {
 impl Stored {
     /// Values that end with the process.
     pub const fn in_memory(values: BTreeMap<String, String>) -> Self {
-        Self { values, journal: None, trouble: None }
+        Self { values, journal: None, apart: &[], trouble: None }
     }
 
     /// The values of a journal.
@@ -45,15 +47,28 @@ impl Stored {
     /// As it cannot be read.
     pub fn of(journal: Journal) -> Result<Self, JournalError> {
         let values = journal.values()?.into_iter().collect();
-        Ok(Self { values, journal: Some(journal), trouble: None })
+        Ok(Self { values, journal: Some(journal), apart: &[], trouble: None })
     }
 
     /// Knows the values as they are in the journal now.
     pub(crate) fn renew(&mut self) -> Result<(), JournalError> {
         if let Some(journal) = &self.journal {
-            self.values = journal.values()?.into_iter().collect();
+            let (values, apart) = (journal.values()?, self.apart);
+            self.values.retain(|key, _| apart.contains(&key.as_str()));
+            let kept = values.into_iter().filter(|(key, _)| !apart.contains(&key.as_str()));
+            self.values.extend(kept);
         }
         Ok(())
+    }
+
+    /// These keys have no value at first, and whatever they get is known here only.
+    pub(crate) fn keep_apart(&mut self, keys: &'static [&'static str]) {
+        self.apart = keys;
+        self.values.retain(|key, _| !keys.contains(&key.as_str()));
+    }
+
+    fn is_apart(&self, key: &str) -> bool {
+        self.apart.contains(&key)
     }
 
     /// The same values in memory only, for a preview.
@@ -74,7 +89,8 @@ impl Stored {
 
     /// What somebody else made of a value, if anybody did.
     pub(crate) fn news(&self, key: &str) -> Option<Option<String>> {
-        let now = self.journal.as_ref()?.value(key).ok()?;
+        let journal = self.journal.as_ref().filter(|_| !self.is_apart(key))?;
+        let now = journal.value(key).ok()?;
         (now.as_deref() != self.get(key)).then_some(now)
     }
 
@@ -96,7 +112,8 @@ impl Stored {
 
     /// Puts the value of a key into the journal.
     pub(crate) fn keep(&mut self, key: &str) {
-        let kept = self.journal.as_ref().map(|journal| journal.set_value(key, self.get(key)));
+        let journal = self.journal.as_ref().filter(|_| !self.is_apart(key));
+        let kept = journal.map(|journal| journal.set_value(key, self.get(key)));
         if let Some(Err(error)) = kept {
             self.trouble = Some(error.to_string());
         }

@@ -402,6 +402,25 @@ fn sbp_out_off_exit() {
     assert_eq!(shop.kerf("registry get OutPutSwitches").out(), "0\n");
 }
 
+/// A fresh machine is another one: what happens to it says nothing of the one of the data folder.
+#[test]
+fn what_is_in_doubt_of_a_fresh_machine_stays_with_it() {
+    let shop = Shop::new(&[("a.sbp", "MX,5\n"), ("yes", "location=Continue\n")]);
+    send(&shop, &["MX,1"]).exits(0);
+    for event in ["stall@1=1", "cable@1=0"] {
+        shop.kerf(&format!("run a.sbp --start fresh --input {event}"));
+        shop.kerf("run a.sbp --start fresh").exits(0);
+        let kept = shop.kerf("run a.sbp").exits(0).err();
+        assert!(!kept.contains("not verified"), "{event}: {kept}");
+        send(&shop, &["MX,1"]).exits(0);
+    }
+    shop.kerf("run a.sbp --input stall@1=1").exits(1);
+    send(&shop, &["MX,1"]).exits(0).complains("not verified");
+    shop.kerf("run a.sbp --start fresh").exits(0);
+    shop.kerf("run a.sbp").exits(3).complains("not verified");
+    shop.kerf("run a.sbp --answers yes").exits(0);
+}
+
 /// Whatever is not heeded is refused, and the run can still be taken up.
 #[test]
 fn options_of_another_run_are_refused_where_one_is_taken_up() {

@@ -348,6 +348,9 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         controller::begins(name, &shared, &mut shelf);
         controller = Some(shared);
     }
+    if !kept && args.driver.is_none() {
+        shelf.has_fresh_machine();
+    }
     let machine = VcdArgs::machine(&work, &session);
     let show = Show {
         name: work.name(),
