@@ -225,7 +225,11 @@ impl<I: Interpreter> Runner<'_, I> {
             _ => return Over { status: Status::Stopped, diagnostic: None },
         };
         let place = Place::line(self.world.file(At::default()), 0);
-        let diagnostic = Some(Box::new(Diagnostic::new(Code::InputStop, place, why)));
+        let mut told = Diagnostic::new(Code::InputStop, place, why);
+        if matches!(driven, Driven::StopInput(_) | Driven::EmergencyStop) {
+            told = told.hint("release it: nothing moves before");
+        }
+        let diagnostic = Some(Box::new(told));
         let limit = matches!(driven, Driven::Limit(_));
         Over { status: if limit { Status::Limit } else { Status::Stopped }, diagnostic }
     }

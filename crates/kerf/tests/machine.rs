@@ -166,6 +166,29 @@ fn pro_io_diag_read() {
     assert!(io(folder.path(), &["list"]).contains("input  A2  xhome             1 "));
 }
 
+/// An input that is set by hand is that of the machine that runs.
+#[test]
+fn nothing_moves_while_the_emergency_stop_is_set() {
+    let folder = sim();
+    let data = folder.path();
+    std::fs::write(data.join("a.sbp"), "MX,1\n").unwrap();
+    let part = data.join("a.sbp");
+    let run = || command(data, "run", &[part.to_str().unwrap(), "--quiet"]);
+    assert_eq!(io(data, &["set", "in.estop", "1"]), "input port A = 0x40\n");
+    for output in [run(), kerf(data, &["move", "to", "10,10"]), kerf(data, &["home", "x"])] {
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(3), "{message}");
+        assert!(message.contains("emergency stop"), "{message}");
+    }
+    assert!(told(data, &["pos"]).starts_with("x  0.000 not homed\ny  0.000 "));
+    assert_eq!(io(data, &["get", "in.estop"]), "1\n");
+    io(data, &["set", "in.estop", "0"]);
+    assert_eq!(run().status.code(), Some(0));
+    // Home switches are where they are, whatever was set.
+    io(data, &["set", "in.xhome", "0"]);
+    assert!(told(data, &["home", "x"]).ends_with(" steps\n"));
+}
+
 #[test]
 fn pro_io_pci_o_elec__help() {
     let folder = tempfile::tempdir().unwrap();

@@ -7,7 +7,7 @@ use crate::{memory, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
 use kerf_control::journal::Journal;
-use kerf_control::{Event, Sink};
+use kerf_control::{Event, Press, Sink};
 use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::motors::Motor;
@@ -120,16 +120,26 @@ impl IoArgs {
     }
 
     fn ports(&self) -> Result<Ports> {
-        let kept = self.journal(true)?.map(|journal| journal.value(KEY)).transpose()?.flatten();
-        Ok(kept.as_deref().and_then(Ports::read).unwrap_or_default())
+        let Some(journal) = self.journal(true)? else { return Ok(Ports::default()) };
+        let mut ports = journal.value(KEY)?.as_deref().and_then(Ports::read).unwrap_or_default();
+        for (number, on) in journal.switches()? {
+            let moved = |bit: &&Bit| switch(bit).is_some_and(|it| it == number);
+            if let Some(bit) = INPUT_BITS.iter().find(moved) {
+                ports.set_input(bit, on);
+            }
+        }
+        Ok(ports)
     }
 
     /// Changes the ports, unless a run owns the machine.
-    fn change<T>(&self, change: impl FnOnce(&mut Ports) -> Result<T>) -> Result<(Ports, T)> {
+    fn change<T>(
+        &self,
+        change: impl FnOnce(&mut Ports, Option<&Journal>) -> Result<T>,
+    ) -> Result<(Ports, T)> {
         let journal = self.journal(false)?;
         let _owner = journal.as_ref().map(Journal::own).transpose()?;
         let mut ports = self.ports()?;
-        let answer = change(&mut ports)?;
+        let answer = change(&mut ports, journal.as_ref())?;
         if let Some(journal) = &journal {
             journal.set_value(KEY, Some(&ports.write()))?;
         }
@@ -147,6 +157,11 @@ fn known(name: &str) -> Result<(bool, &'static Bit)> {
             bail!(Usage(format!("no bit is called {name}; {hint}")))
         }
     }
+}
+
+/// The number of the switch of an input, where it has one.
+fn switch(bit: &Bit) -> Option<u8> {
+    Input::of_name(bit.name).map(Input::number)
 }
 
 fn list(ports: &Ports, machine: &Configuration) {
@@ -169,10 +184,14 @@ fn list(ports: &Ports, machine: &Configuration) {
 
 fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs) -> Result<()> {
     let (is_output, bit) = known(name)?;
-    let (ports, ()) = args.change(|ports| {
+    let (ports, ()) = args.change(|ports, journal| {
         match is_output {
             true => ports.set_output(bit, on, false)?,
             false => ports.set_input(bit, on),
+        }
+        // Whatever runs next finds the switch where it was left.
+        if let (false, Some(number)) = (is_output, switch(bit)) {
+            journal.map_or(Ok(()), |journal| journal.move_switch(Press { number, on }))?;
         }
         Ok(())
     })?;
@@ -210,7 +229,7 @@ fn step(args: &IoArgs, name: &str, forward: bool) -> Result<()> {
     let Some(motor) = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name)) else {
         bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
     };
-    let (ports, bytes) = args.change(|ports| Ok(ports.step(motor, forward, false)?))?;
+    let (ports, bytes) = args.change(|ports, _| Ok(ports.step(motor, forward, false)?))?;
     let machine = setup::machine(args.config.as_deref(), &args.folder())?;
     let way = machine.motors.axis_of(motor).map(|axis| {
         let by = 1.0 / machine.program.resolution.steps_per_unit[axis];
