@@ -42,7 +42,8 @@ impl Person {
     fn shows(&self, question: &Question) -> Option<String> {
         let (program, folder) = self.editor.as_ref().filter(|_| self.keyboard.is_some())?;
         let edits = question.kind == QuestionKind::Editor;
-        let closed = edits.then(|| edit(program, folder, &question.text))?;
+        let closed =
+            edits.then(|| self.stop.lending_terminal(|| edit(program, folder, &question.text)))?;
         if let Err(error) = closed {
             eprintln!("kerf: cannot start {program}: {error}");
         }
@@ -186,7 +187,9 @@ pub struct RealPace {
 impl RealPace {
     /// Listens to Ctrl-C and signals from now on.
     pub fn new(clock: Clock, script: Script) -> Result<Self> {
-        Ok(Self { clock, script, stop: Stop::listen()?, seen: None })
+        let stop = Stop::listen()?;
+        stop.instead_of_suspending()?;
+        Ok(Self { clock, script, stop, seen: None })
     }
 
     /// Whether Kerf was asked to stop.

@@ -11,6 +11,8 @@ use std::sync::{Arc, OnceLock};
 pub struct Stop {
     /// Ctrl-C, which nobody has heard yet.
     pressed: Arc<AtomicBool>,
+    /// Another program has the terminal: the process may be suspended with it.
+    lends: Arc<AtomicBool>,
     /// The process is to end: nobody answers any more.
     leaves: Arc<AtomicBool>,
     /// A run has heard that.
@@ -31,6 +33,25 @@ impl Stop {
         #[cfg(unix)]
         signals::listen(&stop.leaves).context("cannot listen to signals")?;
         Ok(stop)
+    }
+
+    /// What moves a machine is not suspended (Ctrl-Z), for nobody would watch over the machine then: it is stopped
+    /// as by Ctrl-C.
+    pub fn instead_of_suspending(&self) -> Result<()> {
+        #[cfg(unix)]
+        signals::instead_of_suspending(&self.pressed, &self.lends)
+            .context("cannot listen to signals")?;
+        Ok(())
+    }
+
+    /// Does something while another program has the terminal, and the keys with it: Ctrl-Z suspends both, and
+    /// what was pressed there is no stop of what runs.
+    pub fn lending_terminal<T>(&self, does: impl FnOnce() -> T) -> T {
+        self.lends.store(true, Ordering::Relaxed);
+        let done = does();
+        self.lends.store(false, Ordering::Relaxed);
+        self.pressed.store(false, Ordering::Relaxed);
+        done
     }
 
     /// Whether what runs is to stop.
@@ -61,8 +82,8 @@ pub fn outlive_full_files() -> Result<()> {
 
 #[cfg(unix)]
 mod signals {
-    use signal_hook::consts::{SIGHUP, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
-    use signal_hook::flag::register;
+    use signal_hook::consts::{SIGHUP, SIGQUIT, SIGTERM, SIGTSTP, SIGXCPU, SIGXFSZ};
+    use signal_hook::flag::{register, register_conditional_default};
     use std::fs;
     use std::io;
     use std::sync::Arc;
@@ -78,6 +99,16 @@ mod signals {
             register(SIGHUP, leaves.clone())?;
         }
         Ok(())
+    }
+
+    /// Sets the flag where a terminal asks a process to suspend itself, and suspends it only where the other
+    /// flag is set.
+    pub fn instead_of_suspending(
+        pressed: &Arc<AtomicBool>,
+        suspends: &Arc<AtomicBool>,
+    ) -> io::Result<()> {
+        register_conditional_default(SIGTSTP, suspends.clone())?;
+        register(SIGTSTP, pressed.clone()).map(drop)
     }
 
     /// A handler that does nothing, in place of the end of the process.

@@ -385,6 +385,30 @@ fn a_process_that_is_to_end_stops_its_controller_first() {
     }
 }
 
+/// A process that is suspended hears nothing, and its controller would go on with what it has.
+#[test]
+fn a_run_on_a_controller_is_stopped_and_not_suspended() {
+    let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::new(&[]));
+    let mut child = bench.start(&shop, "run square.sbp");
+    bench.until(|fake| fake.position().0[0] > 30.0);
+    send(Signal::SIGTSTP, &child);
+    let ended = (0..400).any(|_| {
+        sleep(Duration::from_millis(50));
+        child.try_wait().unwrap().is_some()
+    });
+    if !ended {
+        child.kill().unwrap();
+    }
+    assert!(ended, "it hears what asks it to suspend itself");
+    Did::of(child.wait_with_output().unwrap())
+        .exits(3)
+        .says("Stopped. Resume, Quit")
+        .says("STOPPED");
+    let [x, _, z, ..] = bench.look(|fake| fake.position()).0;
+    assert!(x > 30.0 && x < 70.0 && z > 1.0, "{x} {z}");
+    assert_eq!(bench.look(|fake| fake.spindle()), None);
+}
+
 #[test]
 fn a_run_that_is_to_outlive_its_terminal_does() {
     let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::new(&[]));

@@ -45,6 +45,12 @@ fn sbp_cmd_un__fe_starts_the_program_at_a_terminal() {
     while !shop.file("opened").is_file() {
         sleep(Duration::from_millis(20));
     }
+    // Ctrl-Z in the editor suspends both, and `fg` has both go on.
+    let id = nix::unistd::Pid::from_raw(running.id() as i32);
+    for signal in [nix::sys::signal::SIGTSTP, nix::sys::signal::SIGCONT] {
+        nix::sys::signal::kill(id, signal).unwrap();
+        sleep(Duration::from_millis(200));
+    }
     keys.write_all(b"saved\n").unwrap();
     let did = running.wait_with_output().unwrap();
     assert!(did.status.success(), "{}", String::from_utf8_lossy(&did.stderr));
