@@ -209,6 +209,21 @@ fn a_device_is_paired_by_the_code_and_has_its_role_until_it_is_revoked() {
 }
 
 #[test]
+fn a_page_that_is_not_heard_any_more_is_told_nothing() {
+    let shop = shop(1.0, &[]);
+    let (mut page, mut other) = (shop.page(), shop.page());
+    page.garble();
+    other.until("it has gone", |other| other.shown["clients"].as_array().unwrap().len() == 1);
+    let begin = std::time::Instant::now();
+    while page.read() {
+        assert!(
+            begin.elapsed().as_secs() < 5,
+            "its STOP would not be heard, and it would not know"
+        );
+    }
+}
+
+#[test]
 fn one_drives_at_a_time_and_every_command_names_the_turn() {
     let shop = shop(50.0, &[("a.sbp", "MX,1")]);
     let (mut a, mut b) = (shop.page(), shop.page());

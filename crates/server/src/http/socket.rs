@@ -43,13 +43,16 @@ async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
     let (write, read) = socket.split();
     let (replies, outgoing) = unbounded_channel();
     let (slow, waiting) = unbounded_channel();
-    let writing = tokio::spawn(writer(app.clone(), who.clone(), caller.clone(), write, outgoing));
+    let mut writing =
+        tokio::spawn(writer(app.clone(), who.clone(), caller.clone(), write, outgoing));
     let working = tokio::spawn(worker(app.clone(), who.clone(), waiting, replies.clone()));
     let page = Page { app: app.clone(), who: who.clone(), replies, slow };
     tokio::select! {
         () = page.listen(read) => {}
-        _ = writing => {}
+        _ = &mut writing => {}
     }
+    // The connection ends with its page: who is not heard any more is told nothing, and sees so.
+    writing.abort();
     working.abort();
     app.pages.remove(who.client);
     app.unlocked.remove(who.client);

@@ -342,6 +342,12 @@ impl Page {
         self.last
     }
 
+    /// Sends what no browser does: a message that is longer than any that is taken.
+    pub fn garble(&mut self) {
+        let length = (16_u64 << 20).to_be_bytes();
+        self.socket.get_mut().write_all(&[&[0x81, 0xff], &length[..], b"mask"].concat()).unwrap();
+    }
+
     /// Sends an act and waits for its reply: the sort of problem, or nothing.
     #[track_caller]
     pub fn act(&mut self, act: Value) -> Option<String> {
