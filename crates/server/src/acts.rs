@@ -373,12 +373,23 @@ impl App {
             let text = format!("answer one of {}", asked.buttons.join(", "));
             return Err(problem(Why::Mistake, text));
         }
-        self.link.want(|wanted| wanted.answer = Some((question, answer)));
-        Ok(())
+        self.give(question, answer)
+    }
+
+    /// Gives the open question an answer: the first counts.
+    fn give(&self, question: u32, words: String) -> Result<(), Problem> {
+        let counts = self.link.want(|wanted| wanted.give(question, words));
+        let late = || problem(Why::Late, "somebody else has answered this question");
+        counts.then_some(()).ok_or_else(late)
     }
 
     /// Gives the machine something to do, when it has nothing to do.
     pub fn order(&self, order: Order, state: State) -> Result<(), Problem> {
+        self.order_held(order, state, None)
+    }
+
+    /// The same, for as long as a key is held.
+    fn order_held(&self, order: Order, state: State, held: Option<Held>) -> Result<(), Problem> {
         let mut busy = false;
         self.hub.changing(|now| {
             busy = now.machine.state != State::Idle;
@@ -386,7 +397,7 @@ impl App {
                 return Vec::new();
             }
             // From here on a stop counts.
-            self.link.begin();
+            self.link.begin(held);
             let machine = Machine { state, why: None, ..now.machine.clone() };
             vec![Change::Machine { machine }]
         });
@@ -489,19 +500,14 @@ impl App {
         if !self.pages.may_start(who.client, seq) {
             return Err(problem(Why::Late, "this jog is over already"));
         }
-        let held = Held::pressed(who.client, seq);
-        let busy = self.link.want(|wanted| match &wanted.jog {
-            Some(_) => true,
-            None => wanted.jog.replace(held).is_some(),
-        });
-        if busy {
+        if self.link.lock().jog.is_some() {
             return Err(problem(Why::State, "another jog is not over yet"));
         }
-        let begun = match self.question_for_hands() {
-            Some(question) => self.jog_in_question(question, &order),
-            None => self.order(order, State::Jogging),
-        };
-        begun.inspect_err(|_| self.link.lock().jog = None)
+        let held = Held::pressed(who.client, seq);
+        match self.question_for_hands() {
+            Some(question) => self.jog_in_question(question, held, &order),
+            None => self.order_held(order, State::Jogging, Some(held)),
+        }
     }
 
     /// The question that lets the tool be moved while it is open: the keypad, or the one after a stop.
@@ -513,13 +519,23 @@ impl App {
         })
     }
 
-    fn jog_in_question(&self, question: u32, order: &Order) -> Result<(), Problem> {
-        let Order::Jog { direction, distance, speed } = order else { return Ok(()) };
+    /// A jog is an answer to the question; afterwards it is asked again.
+    fn jog_in_question(&self, question: u32, held: Held, order: &Order) -> Result<(), Problem> {
+        let Order::Jog { direction, distance, speed } = order else {
+            return Err(problem(Why::State, "the machine is busy"));
+        };
         let base = Axes(self.hub.read(|now| now.motion.at.base));
         let far = reach(&lock(&self.left).session.memory.settings, base, *direction, *distance);
         let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: speed.abs() };
-        self.link.want(|wanted| wanted.answer = Some((question, jog.to_string())));
-        Ok(())
+        let counts = self.link.want(|wanted| {
+            let counts = wanted.jog.is_none() && wanted.give(question, jog.to_string());
+            if counts {
+                wanted.jog = Some(held);
+            }
+            counts
+        });
+        let late = || problem(Why::Late, "this question is not open any more");
+        counts.then_some(()).ok_or_else(late)
     }
 
     pub fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {

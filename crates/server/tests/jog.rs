@@ -240,6 +240,25 @@ fn a_stop_during_a_jog_in_a_question_ends_the_job() {
     assert_eq!(page.shown["job"]["ended"], "stopped");
 }
 
+#[test]
+fn the_first_answer_counts_also_during_a_jog() {
+    let (shop, mut page, number) = keypad("SK\nINPUT how &n\nMX,&n\n");
+    let (mut first, mut second) = (shop.page(), shop.page());
+    let answer =
+        |number: u64, words: &str| json!({ "do": "answer", "question": number, "answer": words });
+    let begin = start(&page, 1);
+    assert_eq!(page.act(begin), None);
+    page.until_state("jogging");
+    assert_eq!(first.act(answer(number, "OK")), None);
+    assert_eq!(second.act(answer(number, "OK")).as_deref(), Some("late"));
+    let number = page.asked("input");
+    first.send(answer(number, "3"));
+    let late = first.send(answer(number, "1"));
+    assert_eq!(first.reply(late).as_deref(), Some("late"));
+    page.until_state("idle");
+    assert!((page.x() - 76.2).abs() < 1e-6, "{}", page.x());
+}
+
 fn key(page: &Page, number: u8, on: bool) -> Value {
     json!({ "do": "input", "lease": page.lease, "number": number, "on": on })
 }

@@ -58,7 +58,7 @@ impl Owner {
         self.hub.changing(|now| {
             may = now.machine.armed && now.machine.state == State::Idle;
             if may {
-                self.link.begin();
+                self.link.begin(None);
             }
             let machine = Machine { state: State::Running, why: None, ..now.machine.clone() };
             if may { vec![Change::Machine { machine }] } else { Vec::new() }

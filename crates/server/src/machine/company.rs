@@ -201,6 +201,7 @@ impl Pages {
         let mut wanted = self.shared.link.lock();
         loop {
             if wanted.gives_up() {
+                wanted.close();
                 self.stopped = true;
                 return None;
             }
@@ -210,10 +211,12 @@ impl Pages {
                 self.pressed = true;
                 return Some(press.to_string());
             }
-            if let Some((number, words)) = wanted.answer.take()
-                && number == self.asked
+            if let Some(words) = wanted.given()
                 && answers::meaning(question, &words).is_some()
             {
+                if Jog::read(&words).is_none() {
+                    wanted.close();
+                }
                 return Some(words);
             }
             wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
@@ -230,9 +233,12 @@ impl Operator for Pages {
         // A question that is asked again after a jog, or after a switch was moved, is the same.
         let pressed = std::mem::take(&mut self.pressed);
         self.asked += u32::from(!std::mem::take(&mut self.jogged) && !pressed);
+        let mut wanted = self.shared.link.lock();
+        wanted.ask(self.asked);
         if !pressed {
-            self.shared.link.lock().jog = None;
+            wanted.jog = None;
         }
+        drop(wanted);
         self.shared.state(if stands(question) { State::Stopped } else { State::Asking });
         let file = self.shared.parts.name_of(file);
         let edits = question.kind == QuestionKind::Editor;

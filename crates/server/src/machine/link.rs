@@ -32,8 +32,10 @@ pub struct Wanted {
     pub resume: bool,
     /// A new feed override.
     pub feed: Option<f32>,
-    /// The answer to a question, with its number.
-    pub answer: Option<(u32, String)>,
+    /// The number of the question that is open: nobody has answered it yet, but for a jog.
+    question: Option<u32>,
+    /// Its answer.
+    answer: Option<String>,
     /// The jog that is made.
     pub jog: Option<Held>,
     /// Switches that are moved.
@@ -82,6 +84,32 @@ impl Wanted {
             return Some(Wish::Hold);
         }
         self.pressed().or_else(|| self.feed.take().map(Wish::Feed))
+    }
+
+    /// A question is open from now on; one that is asked again is the same.
+    pub fn ask(&mut self, question: u32) {
+        if self.question.replace(question) != Some(question) {
+            self.answer = None;
+        }
+    }
+
+    /// Answers a question. Whether that counts: it is open, and nobody was faster.
+    pub fn give(&mut self, question: u32, words: String) -> bool {
+        let counts = self.question == Some(question) && self.answer.is_none();
+        if counts {
+            self.answer = Some(words);
+        }
+        counts
+    }
+
+    /// The answer to the open question.
+    pub const fn given(&mut self) -> Option<String> {
+        self.answer.take()
+    }
+
+    /// Nobody can answer any more, nor move the tool meanwhile.
+    pub fn close(&mut self) {
+        (self.question, self.answer, self.jog) = (None, None, None);
     }
 
     /// A switch that is moved.
@@ -134,10 +162,10 @@ impl Link {
         waited.map_or_else(|poisoned| poisoned.into_inner().0, |(wanted, _)| wanted)
     }
 
-    /// A run begins: what was wanted of the one before is forgotten.
-    pub fn begin(&self) {
+    /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten.
+    pub fn begin(&self, jog: Option<Held>) {
         let mut wanted = self.lock();
-        let (jog, leaves) = (wanted.jog.take(), wanted.leaves);
+        let leaves = wanted.leaves;
         *wanted = Wanted { jog, leaves, stop: leaves, ..Wanted::default() };
     }
 

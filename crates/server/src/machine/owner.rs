@@ -271,6 +271,7 @@ impl Owner {
         let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
         let summary = runs(&mut self.workshop, company);
         self.asked = pages.asked();
+        self.link.lock().close();
         board.borrow_mut().ends();
         summary
     }
@@ -349,9 +350,7 @@ impl Owner {
 
     /// Moves for as long as somebody holds a key.
     fn held(&mut self, work: Work) -> Result<Summary, JournalError> {
-        let driven = self.drive(work, self.options(), Planned::default());
-        self.link.lock().jog = None;
-        driven
+        self.drive(work, self.options(), Planned::default())
     }
 
     /// Does an errand, and tells how it ended. Whoever waits for that knows it before anybody sees that the
