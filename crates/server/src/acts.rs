@@ -187,7 +187,7 @@ impl App {
             Act::JogStart { seq, direction, distance, speed_share: speed, .. } => {
                 let order = Order::Jog { direction, distance, speed };
                 if !makes_sense(&order) {
-                    let text = "a jog has a direction, and perhaps a distance";
+                    let text = "a jog has a direction, a share of the speed above 0, and perhaps a distance";
                     return Err(problem(Why::Malformed, text));
                 }
                 self.jog(who, seq, order)?;
@@ -526,7 +526,7 @@ impl App {
         };
         let base = Axes(self.hub.read(|now| now.motion.at.base));
         let far = reach(&lock(&self.left).session.memory.settings, base, *direction, *distance);
-        let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: speed.abs() };
+        let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: *speed };
         let counts = self.link.want(|wanted| {
             let counts = wanted.jog.is_none() && wanted.give(question, jog.to_string());
             if counts {
@@ -567,6 +567,9 @@ fn driven_by(Lease { device, .. }: &Lease) -> Problem {
 fn makes_sense(order: &Order) -> bool {
     let Order::Jog { direction, distance, speed } = order else { return false };
     let goes = direction.iter().any(|way| *way != 0.0);
-    let bounded = direction.iter().chain([speed]).all(|share| share.abs() <= 1.0);
-    goes && bounded && distance.is_none_or(|mm| mm > 0.0 && mm.is_finite())
+    let bounded = direction.iter().all(|share| share.abs() <= 1.0);
+    goes && bounded
+        && *speed > 0.0
+        && *speed <= 1.0
+        && distance.is_none_or(|mm| mm > 0.0 && mm.is_finite())
 }

@@ -154,6 +154,8 @@ fn directions_and_speeds_that_make_no_sense_are_refused() {
         ([2.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 1.0),
         ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], json!(-1.0), 1.0),
         ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 9.0),
+        ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 0.0),
+        ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, -0.5),
     ] {
         let act = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
             "direction": direction, "distance": distance, "speedShare": speed });
