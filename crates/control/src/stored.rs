@@ -1,10 +1,11 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
 //! keep under a key.
 
-use crate::journal::{Journal, JournalError};
+use crate::journal::{Journal, JournalError, Live};
 use std::collections::BTreeMap;
 
-/// Refuses a key or a value that other programs could not read: they see a line each, `key=value`.
+/// Refuses a key or a value that other programs could not read: they see a line each, `key=value`; and keys of
+/// which the machine tells the value.
 ///
 /// # Errors
 /// What is wrong, for the user.
@@ -15,6 +16,7 @@ pub fn check_value(key: &str, value: Option<&str>) -> Result<(), String> {
         _ if breaks(key) || key.contains('=') => {
             Err(format!("{key:?} is no key: it takes no line break and no ="))
         }
+        _ if Live::tells(key) => Err(format!("the machine tells {key}, nobody sets it")),
         Some(value) if breaks(value) => Err(format!(
             "a value is one line, and that of {key} has a line break or another control character"
         )),

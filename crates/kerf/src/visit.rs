@@ -3,6 +3,7 @@
 
 use crate::clock;
 use anyhow::Result;
+use kerf_control::journal::Live;
 use kerf_control::system_log::{Opening, SystemLog};
 use kerf_control::{Session, Shelf, command_passing};
 
@@ -34,6 +35,7 @@ impl Visit {
         if let Some(journal) = shelf.journal() {
             journal.take_in()?;
             command_passing::forget(journal)?;
+            journal.tell_rest(&session.look(Live::at_rest))?;
         }
         Ok(())
     }
@@ -51,8 +53,10 @@ impl Visit {
         }
     }
 
-    /// Kerf closes.
+    /// Kerf closes, and leaves nothing on.
     pub fn ends(&self, session: &Session, shelf: &mut Shelf) {
+        // Where the disk refuses, that was told when the run ended.
+        drop(shelf.journal().map(|journal| journal.tell_rest(&Live::default())));
         shelf.close_system_log(&session.memory.settings, self.closing);
     }
 }

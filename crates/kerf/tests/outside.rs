@@ -329,6 +329,59 @@ fn sbp_ctl_reg_paths() {
 }
 
 #[test]
+fn sbp_ctl_reg_paths__of_a_server() {
+    let shop = shop();
+    let console = Console::begin(&shop, &[]);
+    let get = |key: &str| shop.kerf(&format!("registry get {key} --server {}", console.url));
+    for key in ["uAppPath", "uUsrPath"] {
+        let told = get(key).exits(0).out();
+        let folder = std::path::Path::new(told.trim_end());
+        assert!(folder.is_absolute() && folder.is_dir(), "{key} {told}");
+    }
+    assert_eq!(get("SpindleStatus").exits(0).out(), "0\n");
+}
+
+/// Waits until the file that other programs watch has these lines.
+fn until_told(shop: &Shop, lines: &[&str]) {
+    let file = shop.file("data").join("registry.txt");
+    until(&lines.join(" "), || {
+        let text = std::fs::read_to_string(&file).unwrap_or_default();
+        lines.iter().all(|line| text.lines().any(|told| told == *line))
+    });
+}
+
+#[test]
+fn what_others_watch_is_true_of_a_machine_that_stands_and_after_a_kill() {
+    let shop = shop();
+    shop.write("wait.sbp", b"SO,2,1\nMSGBOX(Wait)\n");
+    let mut console = Console::begin(&shop, &[]);
+    console.carry_out("SO,3,1");
+    until_told(&shop, &["Status=0", "OutPutSwitches=4"]);
+    until("the same by HTTP", || console.ask("GET /api/registry/OutPutSwitches", "") == 4);
+    console.carry_out("FP,wait.sbp");
+    until_told(&shop, &["Status=9", "OutPutSwitches=6"]);
+    console.child.kill().unwrap();
+    console.child.wait().unwrap();
+    let console = Console::begin(&shop, &[]);
+    until_told(&shop, &["Status=0", "OutPutSwitches=0"]);
+    drop(console);
+}
+
+#[test]
+fn nobody_sets_what_the_machine_tells() {
+    let shop = shop();
+    shop.kerf("registry set ShopBot/UserData/Status 7")
+        .exits(2)
+        .complains("the machine tells Status");
+    std::fs::write(shop.file("data").join("registry.in"), "Status=3\n=5\nuValue=8\n").unwrap();
+    shop.kerf("send MX,1 --quiet").exits(0);
+    assert_eq!(shop.kerf("registry get uValue").exits(0).out(), "8\n");
+    let text = std::fs::read_to_string(shop.file("data").join("registry.txt")).unwrap();
+    assert_eq!(text.matches("Status=").count(), 1, "{text}");
+    assert!(text.lines().all(|line| !line.starts_with('=')), "{text}");
+}
+
+#[test]
 fn sbp_flow_exit_shopbot__may_end_the_server() {
     let shop = shop();
     shop.write("x.sbp", b"SO,3,1\nMX,1\nEXIT SHOPBOT\nMX,5\n");

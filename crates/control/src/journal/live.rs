@@ -3,15 +3,17 @@
 
 use super::progress::{PROGRESS, Reached};
 use super::rows::Table;
-use super::{Journal, JournalError, OWNER_FILE};
+use super::{Journal, JournalError, OWNER_FILE, mirror};
 use crate::flag;
+use kerf_program::settings::LINES;
+use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, TryLockError};
 
 /// Inputs or outputs that a byte of the registry tells; those beyond are in another.
 const IN_A_BYTE: u32 = 8;
 
-/// What other programs see. All zero while nothing runs.
+/// What other programs see. All zero where no Kerf is at the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Live {
     /// The sum of [`flag`]s.
@@ -23,6 +25,21 @@ pub struct Live {
 }
 
 impl Live {
+    /// Of a machine that stands.
+    pub fn at_rest(machine: &Machine) -> Self {
+        let sum = |is_on: &dyn Fn(u8) -> bool| {
+            (1..=LINES as u8).filter(|number| is_on(*number)).fold(0, |sum, n| sum | 1 << (n - 1))
+        };
+        let inputs = sum(&|number| machine.input(number));
+        let outputs = sum(&|number| machine.outputs().is_on(number));
+        Self { status: 0, inputs, outputs }
+    }
+
+    /// Whether the machine tells the value of a key, so that nobody sets it.
+    pub(crate) fn tells(key: &str) -> bool {
+        Self::default().values().iter().any(|(name, _)| *name == key)
+    }
+
     /// Keys and values as the registry has them.
     pub fn values(&self) -> [(&'static str, u16); 5] {
         let [low, high] = [|bits: u16| bits & 0xff, |bits: u16| bits >> IN_A_BYTE];
@@ -50,12 +67,29 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read.
     pub fn live(&self) -> Result<Live, JournalError> {
+        self.running().map(Option::unwrap_or_default)
+    }
+
+    /// The same; nothing when nobody runs the machine.
+    ///
+    /// # Errors
+    /// As the file cannot be read.
+    pub fn running(&self) -> Result<Option<Live>, JournalError> {
         if !self.is_owned() {
-            return Ok(Live::default());
+            return Ok(None);
         }
         let reached = self.read(|rows| rows.text(Table::Fact, PROGRESS))?;
         let reached: Option<Reached> = self.parsed(PROGRESS, reached)?;
-        Ok(reached.as_ref().map(Reached::live).unwrap_or_default())
+        Ok(Some(reached.as_ref().map(Reached::live).unwrap_or_default()))
+    }
+
+    /// Tells other programs how a machine stands that nobody runs: a Kerf that was killed has left what was true
+    /// then.
+    ///
+    /// # Errors
+    /// As their file cannot be written.
+    pub fn tell_rest(&self, rest: &Live) -> Result<(), JournalError> {
+        if self.is_owned() { Ok(()) } else { mirror::publish(self, rest) }
     }
 
     /// Whether a process runs the machine.

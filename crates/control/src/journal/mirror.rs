@@ -6,6 +6,7 @@
 
 use super::live::Live;
 use super::{Journal, JournalError};
+use crate::stored::check_value;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -23,16 +24,20 @@ const MOST_BYTES: u64 = 1 << 20;
 pub(super) fn publish(journal: &Journal, live: &Live) -> Result<(), JournalError> {
     let mut text: String =
         live.values().iter().map(|(key, value)| format!("{key}={value}\n")).collect();
-    for (key, value) in journal.values()? {
+    for (key, value) in journal.values()?.into_iter().filter(|(key, _)| !Live::tells(key)) {
         text += &format!("{key}={}\n", value.replace('\n', "\\n"));
     }
     let (new, there) = (journal.folder().join("registry.new"), journal.folder().join(MIRROR_FILE));
+    // Who watches it is told of changes only.
+    if fs::read_to_string(&there).is_ok_and(|before| before == text) {
+        return Ok(());
+    }
     let written = fs::write(&new, text).and_then(|()| fs::rename(&new, &there));
     written.map_err(|error| JournalError::of_disk(&there, &error))
 }
 
 impl Journal {
-    /// Takes over the values that other programs wrote into their file.
+    /// Takes over the values that other programs wrote into their file; what is none is left out.
     ///
     /// # Errors
     /// As the journal cannot be written; then the file stays.
@@ -44,7 +49,10 @@ impl Journal {
         };
         for (key, value) in text.lines().filter_map(|line| line.split_once('=')) {
             let key = key.rsplit(['/', '\\']).next().unwrap_or(key).trim();
-            self.set_value(key, Some(value.trim()).filter(|value| !value.is_empty()))?;
+            let value = Some(value.trim()).filter(|value| !value.is_empty());
+            if check_value(key, value).is_ok() {
+                self.set_value(key, value)?;
+            }
         }
         fs::remove_file(&file).map_err(|error| JournalError::of_disk(&file, &error))
     }

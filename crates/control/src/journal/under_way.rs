@@ -210,7 +210,7 @@ impl Journal {
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
-        mirror::publish(self, &Live::default())?;
+        mirror::publish(self, &session.look(Live::at_rest))?;
         kept
     }
 

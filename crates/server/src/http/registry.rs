@@ -3,9 +3,10 @@
 use super::guard::Caller;
 use super::rest::demand;
 use super::{Refused, aside};
-use crate::app::{App, problem};
+use crate::app::{App, lock, problem};
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
+use kerf_control::journal::Live;
 use kerf_control::stored::check_value;
 use kerf_wire::{NamedValue, Problem, Role, Why};
 use std::sync::Arc;
@@ -50,10 +51,27 @@ pub async fn set(
 
 fn values(app: &App) -> Result<Vec<NamedValue>, Problem> {
     let Some(journal) = app.journal() else { return Ok(Vec::new()) };
-    let live = journal.live().map_err(server)?;
+    let rest = || lock(&app.left).session.look(Live::at_rest);
+    let live = journal.running().map_err(server)?.unwrap_or_else(rest);
     let live = live.values().map(|(name, value)| (name.to_owned(), value.to_string()));
     let kept = journal.values().map_err(server)?;
-    Ok(crate::told::named(live.into_iter().chain(kept)))
+    let mut unset = unset(app).to_vec();
+    unset.retain(|(key, _)| !kept.iter().any(|(name, _)| name == key));
+    Ok(crate::told::named(live.into_iter().chain(unset).chain(kept)))
+}
+
+/// Keys that have a value also where nothing has set them yet.
+fn unset(app: &App) -> [(String, String); 3] {
+    let whole = |folder: &std::path::Path| {
+        folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).display().to_string()
+    };
+    let folder = lock(&app.left).folder.clone();
+    let told = [
+        ("SpindleStatus", "0".into()),
+        ("uAppPath", whole(&app.options.data)),
+        ("uUsrPath", whole(&folder)),
+    ];
+    told.map(|(key, value)| (key.to_owned(), value))
 }
 
 fn server(error: kerf_control::journal::JournalError) -> Problem {

@@ -9,7 +9,7 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
-use kerf_control::journal::JournalError;
+use kerf_control::journal::{JournalError, Live};
 use kerf_control::{Company, Press, RunOptions, Summary, Work, unverified};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad};
@@ -142,6 +142,7 @@ impl Owner {
     pub fn work(mut self, orders: &Receiver<Order>) {
         loop {
             if self.link.lock().leaves {
+                self.tell_others(&Live::default());
                 let Workshop { session, shelf, .. } = &mut self.workshop;
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
@@ -309,6 +310,7 @@ impl Owner {
     pub(super) fn rest(&mut self, state: State, why: Option<String>) {
         self.tell_shelf();
         self.leave();
+        self.tell_others(&self.workshop.session.look(Live::at_rest));
         let (settings, frame, position) = {
             let memory = &self.workshop.session.memory;
             (&memory.settings, &memory.frame, memory.position)
@@ -386,6 +388,13 @@ impl Owner {
         if let Some(why) = why {
             self.hub.say(Tone::Error, why);
         }
+    }
+
+    /// Tells other programs how the machine stands.
+    fn tell_others(&self, rest: &Live) {
+        let Workshop { shelf, kept, .. } = &self.workshop;
+        // Where the disk refuses, that was told when the run ended; pages know better all the same.
+        drop(shelf.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
     }
 
     /// Leaves a copy of the session for previews.
