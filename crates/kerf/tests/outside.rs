@@ -431,6 +431,35 @@ fn sbp_ctl_api__the_command_line_goes_through_it() {
     assert_eq!(console.ask("GET /api/state", "")["job"]["ended"], "stopped");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_script_whose_server_was_started_anew_does_not_wait_for_ever() {
+    use nix::sys::signal::{Signal, kill};
+    let shop = shop();
+    shop.write("wait.sbp", b"MX,1\nPAUSE 500\n");
+    let mut console = Console::begin(&shop, &[]);
+    let address = console.url.strip_prefix("http://").unwrap().to_owned();
+    let mut command = shop.command();
+    command.args(["run", "wait.sbp", "--arm", "--server", &console.url]);
+    let mut running = command.stderr(std::process::Stdio::piped()).spawn().unwrap();
+    until("the run", || console.ask("GET /api/state", "")["job"]["run"] == 1);
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    // It looks away while that happens, as one does that waits for an answer at a terminal.
+    let id = nix::unistd::Pid::from_raw(running.id() as i32);
+    kill(id, Signal::SIGSTOP).unwrap();
+    console.child.kill().unwrap();
+    console.child.wait().unwrap();
+    let anew = Console::begin(&shop, &["--listen", &address]);
+    kill(id, Signal::SIGCONT).unwrap();
+    let mut over = None;
+    until("its end", || {
+        over = over.or(running.try_wait().unwrap());
+        over.is_some()
+    });
+    assert_eq!(over.unwrap().code(), Some(1));
+    drop(anew);
+}
+
 #[test]
 fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
     let shop = shop();
@@ -489,7 +518,7 @@ fn served_x(console: &Console) -> f64 {
 }
 
 #[cfg(unix)]
-fn until(what: &str, holds: impl Fn() -> bool) {
+fn until(what: &str, mut holds: impl FnMut() -> bool) {
     let begun = std::time::Instant::now();
     while !holds() {
         assert!(begun.elapsed().as_secs() < 20, "{what}");

@@ -78,10 +78,13 @@ impl Remote {
     }
 
     fn until_over(&self, before: u64) -> Result<Ended> {
+        let mut last = before;
         loop {
-            if let Some(ended) = Ended::of(&self.state()?, before) {
+            let now = self.state()?;
+            if let Some(ended) = Ended::of(&now, before) {
                 return Ok(ended);
             }
+            last = still_the_same(&now, last)?;
             sleep(LOOK);
         }
     }
@@ -120,6 +123,15 @@ impl Remote {
         }
         Ok(body.to_owned())
     }
+}
+
+/// The number of the run that a state tells of; refuses one before the last: the server that knew that has ended.
+fn still_the_same(state: &Value, last: u64) -> Result<u64> {
+    let number = number_of_run(state);
+    if number < last {
+        bail!("the server was started anew meanwhile: the run is over, and can be taken up there");
+    }
+    Ok(number)
 }
 
 /// The number of the run that a state tells of.

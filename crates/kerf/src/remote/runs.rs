@@ -1,7 +1,7 @@
 //! A part file that a running server runs, with whoever sits here.
 
 use super::ended::findings;
-use super::{Ended, LOOK, Refused, Remote, number_of_run};
+use super::{Ended, LOOK, Refused, Remote, number_of_run, still_the_same};
 use crate::args::FileArgs;
 use crate::job_options::Choice;
 use anyhow::{Result, bail};
@@ -114,6 +114,7 @@ impl Remote {
     fn goes_along(&self, before: &Value, along: Along<'_>) -> Result<Ended> {
         let Along { operator, stopped, print, .. } = along;
         let (mut printed, mut answered, mut stops) = (lines(before), None, false);
+        let mut last = number_of_run(before);
         loop {
             let now = self.state()?;
             let told = lines(&now);
@@ -122,6 +123,7 @@ impl Remote {
             if let Some(ended) = Ended::of(&now, number_of_run(before)) {
                 return Ok(ended);
             }
+            last = still_the_same(&now, last)?;
             if stopped() && !std::mem::replace(&mut stops, true) {
                 self.act("stop", json!({}))?;
             }

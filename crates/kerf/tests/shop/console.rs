@@ -12,8 +12,10 @@ impl Console {
     pub fn begin(shop: &Shop, options: &[&str]) -> Self {
         use std::io::{BufRead, BufReader};
         let mut command = shop.command();
-        command.args(["serve", "--listen", "127.0.0.1:0", "--rate", "50"]);
-        command.args(options);
+        command.args(["serve", "--rate", "50"]).args(options);
+        if !options.contains(&"--listen") {
+            command.args(["--listen", "127.0.0.1:0"]);
+        }
         let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
