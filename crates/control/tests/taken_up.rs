@@ -352,6 +352,23 @@ fn a_job_that_was_about_to_be_given_up_asks_again() {
     assert!(to.fold(0.0, f64::max) > 99.9, "the rest is cut");
 }
 
+/// A script that says nothing but Resume while a stop is active does not hold a job for ever; it can be taken up.
+#[test]
+fn a_job_that_is_told_to_go_on_again_and_again_while_a_stop_is_active_is_given_up() {
+    for (number, on) in [(4, false), (Input::EmergencyStop.number(), true)] {
+        let folder = tempdir().unwrap();
+        let mut pace = Script::new(vec![(5.4, Wish::Input { number, on })], Vec::new());
+        let mut says = Answers::read("paused=Resume");
+        let (_, status) = run_work(&folder, job(|_| ()), &mut pace, &mut says);
+        assert_eq!(status, Some(Status::Stopped), "input {number}");
+        press(&folder, number, !on);
+        let (rest, status) = resume(&folder, "hold=Resume\npaused=Resume");
+        assert_eq!(status, Status::Ok, "input {number}: {rest:#?}");
+        let to = rest.iter().filter_map(motion).map(|made| made.to.x);
+        assert!(to.fold(0.0, f64::max) > 99.9, "the rest is cut");
+    }
+}
+
 /// What the operator is asked when a job is taken up that was cut short at a time, and what comes on then.
 fn asked_and_switched(at_s: f64) -> (String, Vec<String>) {
     let folder = tempdir().unwrap();
