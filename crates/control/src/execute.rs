@@ -261,7 +261,8 @@ impl<I: Interpreter> Runner<'_, I> {
             let event = self.move_event(span.made, begin_s, end_s);
             self.world.tell(&event);
         }
-        self.world.tell_made(&Made { plan, span: &span, t0_s });
+        let alone = self.world.machine.alone();
+        self.world.tell_made(&Made { plan, span: &span, t0_s, alone });
         let frame = self.world.machine.frame();
         self.world.tally.made(span.made, end_s - begin_s, frame);
         self.world.machine.make(t0_s, plan, &span);

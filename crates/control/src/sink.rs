@@ -2,6 +2,7 @@
 
 use crate::{Event, Standing};
 use kerf_motion::{Plan, Span};
+use kerf_program::Axis;
 
 /// A move that is made, with the plan that says how.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +13,8 @@ pub struct Made<'a> {
     pub span: &'a Span<'a>,
     /// When the plan begins, seconds of machine time.
     pub t0_s: f64,
+    /// The motor that makes it while the others of its axis stand, by its place among them; `None` for all.
+    pub alone: Option<(Axis, usize)>,
 }
 
 /// Takes the events of a run, in order of machine time.

@@ -14,6 +14,8 @@ const SLICE_S: f64 = 0.001;
 const NEAR: f64 = 64.0;
 /// How exactly the time of a step is sought, seconds: far below the clock of any board.
 const EXACT_S: f64 = 1e-9;
+/// Steps by which a place differs from what was made when the axis was not moved there: less is rounding.
+const JUMP: f64 = 1.0;
 /// Halvings in search of a time.
 const HALVINGS: u32 = 40;
 
@@ -48,6 +50,16 @@ impl Stepper {
     /// Steps made by each motor.
     pub const fn made(&self) -> [i64; AXES] {
         self.made
+    }
+
+    /// The axes stand there. One that is elsewhere than its steps have brought it is counted anew, as when it was
+    /// found to be at its home: no motor moved for that. Tells which axes.
+    pub fn stands(&mut self, at: Axes) -> Vec<usize> {
+        let steps = at.zip(self.per_unit, |p, n| p * n).0;
+        let jumped = |axis: &usize| (steps[*axis] - self.made[*axis] as f64).abs() > JUMP;
+        let anew: Vec<usize> = (0..AXES).filter(jumped).collect();
+        anew.iter().for_each(|axis| self.made[*axis] = steps[*axis].round() as i64);
+        anew
     }
 
     /// The steps of a motion from one time to another, in order of time. `place` tells where the

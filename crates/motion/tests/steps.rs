@@ -135,3 +135,13 @@ proptest! {
         check(plan.duration_s(), |t_s| plan.at(t_s).position);
     }
 }
+
+#[test]
+fn an_axis_that_is_found_to_be_elsewhere_is_counted_anew_without_a_step() {
+    let mut stepper = Stepper::new(PER_UNIT, Axes::default());
+    let place = |x: f64| Axes::xyz(x, 0.0, 0.0);
+    assert_eq!(stepper.follow(0.0, 1.0, |t_s| place(10.0 * t_s)).len(), 400);
+    assert_eq!(stepper.stands(place(10.0 + 0.4 / 40.0)), Vec::<usize>::new(), "rounding");
+    assert_eq!((stepper.stands(place(0.0)), stepper.made()[0]), (vec![0], 0));
+    assert_eq!(stepper.follow(1.0, 2.0, |t_s| place(t_s - 1.0)).len(), 40);
+}

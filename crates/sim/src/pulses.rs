@@ -43,6 +43,8 @@ pub struct Edge {
 pub struct Pulses {
     /// Which axis drives each motor.
     axes: [Option<Axis>; MOTORS],
+    /// The motor that moves while the others of its axis stand.
+    alone: Option<Motor>,
     /// Direction output for a positive move.
     forward: [bool; MOTORS],
     /// Direction outputs now; unknown before the first step.
@@ -64,6 +66,7 @@ impl Pulses {
         });
         Self {
             axes,
+            alone: None,
             forward,
             now: [None; MOTORS],
             free_ns: [0; MOTORS],
@@ -73,10 +76,16 @@ impl Pulses {
         }
     }
 
-    /// The edges that a step of an axis makes: of every motor of the axis, at the same time.
+    /// From here on only this motor of its axis moves; `None` for all.
+    pub const fn move_alone(&mut self, motor: Option<Motor>) {
+        self.alone = motor;
+    }
+
+    /// The edges that a step of an axis makes: of every motor of the axis that moves, at the same time.
     pub fn edges(&mut self, step: &Step) -> Vec<Edge> {
-        let driven =
-            |motor: &Motor| self.axes[motor.index()].is_some_and(|axis| axis.index() == step.axis);
+        let of = |motor: Motor| self.axes[motor.index()].filter(|axis| axis.index() == step.axis);
+        let alone = self.alone.filter(|motor| of(*motor).is_some());
+        let driven = |motor: &Motor| of(*motor).is_some() && alone.is_none_or(|it| it == *motor);
         let motors: Vec<Motor> = Motor::ALL.into_iter().filter(driven).collect();
         motors.into_iter().flat_map(|motor| self.edges_of(motor, step)).collect()
     }

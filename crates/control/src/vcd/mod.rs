@@ -8,6 +8,7 @@ use kerf_machine::Configuration;
 use kerf_machine::lines::Output;
 use kerf_machine::settings::laser::Laser;
 use kerf_motion::{Step, Stepper};
+use kerf_program::Axis;
 use kerf_sim::pulses::{Line, Pulses};
 use kerf_sim::vcd::Vcd;
 use signals::Signals;
@@ -129,10 +130,18 @@ impl<W: Write> Sink for VcdSink<W> {
         // What happens during a move is told after it.
         self.flush(from_s);
         let per_unit = self.machine.program.resolution.steps_per_unit;
-        let new = || Stepper::new(per_unit, span.made.from);
+        let place = |t_s: f64| made.plan.at(t_s - t0_s).position;
+        let new = || Stepper::new(per_unit, place(from_s));
+        let of_axis = |axis: Axis| self.machine.motors.of_axis(axis);
+        let alone = made.alone.and_then(|(axis, n)| of_axis(axis).get(n).copied());
+        self.pulses.move_alone(alone);
         let stepper = self.stepper.get_or_insert_with(new);
+        let anew = stepper.stands(place(from_s));
         let mut counts = stepper.made();
-        let steps = stepper.follow(from_s, to_s, |t_s| made.plan.at(t_s - t0_s).position);
+        for axis in anew {
+            self.vcd.at(from_s, self.signals.positions[axis], counts[axis] as f64);
+        }
+        let steps = stepper.follow(from_s, to_s, place);
         for step in steps {
             counts[step.axis] += if step.forward { 1 } else { -1 };
             self.step(&step, counts[step.axis]);

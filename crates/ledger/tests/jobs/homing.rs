@@ -104,6 +104,53 @@ fn pro_homing_auto_job() {
 }
 
 #[test]
+fn pro_homing_auto_job__before_it_waits() {
+    let twice = at_start("", "z").with(|machine| machine.misc.double_start = true);
+    let trace = twice.say("start").run();
+    let place = |wanted: &dyn Fn(&Event) -> bool| trace.events.iter().position(wanted).unwrap();
+    let homed = place(&|event| matches!(event, Event::Homed { axis, .. } if *axis == "z"));
+    let waits = place(
+        &|event| matches!(event, Event::State { state, .. } if state.to_string() == "waiting"),
+    );
+    assert!(homed < waits, "{:?}", trace.states());
+    assert_eq!(order(&trace), "z");
+}
+
+#[test]
+fn pro_homing_pair__steps_of_one_motor_alone() {
+    let run = || {
+        home("x").with(|machine| {
+            machine.motors.x2 = Some(kerf_machine::settings::motors::FreeMotor::Q);
+            machine.homing.separate_x = true;
+            machine.simulated.switch_at[4] = Some(-119.6);
+        })
+    };
+    let moves = run().run().moves();
+    assert_eq!(moves.len(), 12, "four legs together, four of each alone");
+    let begins = |leg: usize| moves[leg].split('-').next().and_then(|t| t.parse::<f64>().ok());
+    let [first_ms, second_ms] = [4, 8].map(|leg| (begins(leg).expect("a time") * 1e3) as u64);
+    let signals = run().signals();
+    let stepped = |motor: &str| {
+        let mut rounds = [false; 3];
+        for (t_ms, level) in signals.changes(&format!("{motor}step")) {
+            let round = usize::from(t_ms > first_ms) + usize::from(t_ms > second_ms);
+            rounds[round] |= level == "1";
+        }
+        rounds
+    };
+    assert_eq!((stepped("x"), stepped("q")), ([true, true, false], [true, false, true]));
+}
+
+#[test]
+fn a_home_that_was_found_makes_no_steps_of_its_own() {
+    let signals = at_start("x", "").signals();
+    let made = signals.changes("xstep").into_iter().filter(|(_, level)| level == "1").count();
+    // To the switch and beyond, back, once more, to the new home; 100 mm there and back.
+    let mm = 121.25 + 2.5 + 1.252 + 3.002 + 200.0;
+    assert!((made as f64 - mm * 250.0).abs() < 10.0, "{made} steps for {mm} mm");
+}
+
+#[test]
 fn pro_misc_autohome() {
     let both = at_start("xyz", "z").run();
     assert_eq!(order(&both), "zxy");

@@ -68,6 +68,11 @@ impl Machine {
         self.carriages.move_alone(motor);
     }
 
+    /// The motor of an axis that moves while the others stand; `None` for all.
+    pub const fn alone(&self) -> Option<(Axis, usize)> {
+        self.carriages.alone()
+    }
+
     /// The axis is at zero where it stands.
     pub fn zero(&mut self, axis: Axis) {
         self.carriages.zeroed(axis, self.position[axis]);
