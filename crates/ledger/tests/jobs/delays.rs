@@ -187,6 +187,18 @@ fn pro_speeds_plunge_3d() {
     });
     // 13 mm at 20 mm/s.
     shows(deep, &["2.800-3.490 z-23"]);
+    // 40 mm down in 10 mm across, at 50 mm/s of Z and not at 100 mm/s of the way.
+    let steep = JobRun::new(job([line(1, (0.0, 0.0), (10.0, 0.0))])).job(|job| {
+        let mut shapes = job.shapes.to_vec();
+        shapes[0].depth = Depth::ThreeD;
+        shapes[0].z_mm = [-0.0, -40.0].into();
+        job.shapes = shapes.into();
+    });
+    let moves = steep.with(|machine| machine.zpos.bottom_mm = -100.0).run().moves();
+    // 0.1 s to 50 mm/s with 500 mm/s², 0.7 s at it, 0.1 s to rest.
+    let falls = moves.iter().find(|made| made.ends_with("x10 z-60")).expect("the cut");
+    let times: Vec<f64> = falls.split(['-', ' ']).take(2).map(|t| t.parse().unwrap()).collect();
+    assert!((times[1] - times[0] - 0.9).abs() < 2e-3, "{falls}");
 }
 
 #[test]

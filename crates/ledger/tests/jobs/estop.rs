@@ -193,6 +193,28 @@ fn a_job_that_a_stop_input_stopped_waits_until_it_is_released() {
 }
 
 #[test]
+fn pro_estop_outputs__every_bit_of_both_ports() {
+    let tools = |job: &mut kerf_program::job::Job| {
+        let mut shapes = job.shapes.to_vec();
+        (shapes[0].tool, shapes[0].cut) = (3, 2);
+        job.shapes = shapes.into();
+    };
+    let jig = |machine: &mut kerf_machine::Configuration| {
+        (machine.job.two_jigs, machine.job.divider_mm) = (true, 500.0);
+    };
+    let run = JobRun::new(t1()).job(tools).with(jig).input(Input::Jig1, 0.0, true);
+    let signals = run.input(Input::EmergencyStop, 5.34, true).signals();
+    let by = |port: &str, t_ms: u64| {
+        let before = signals.changes(port).into_iter().rev().find(|(t, _)| *t <= t_ms);
+        before.map(|(t, byte)| format!("{t} {byte}")).expect("a byte")
+    };
+    // Jig 1 was on; of port B the cut bit goes first, then tool 3, the router and Job Running with the jig.
+    assert_eq!([by("port_c", 5339), by("port_c", 9999)], ["0 b00000001", "5440 b00000000"]);
+    assert_eq!(by("port_b", 5339), "3840 b11011000");
+    assert_eq!([by("port_b", 5439), by("port_b", 9999)], ["5340 b11010000", "5440 b00000000"]);
+}
+
+#[test]
 fn pro_estop_outputs__intensity_in_the_same_tick() {
     let run = JobRun::new(t1()).with(|machine| {
         machine.intensity.output = true;

@@ -52,6 +52,10 @@ fn pro_height_prop_x() {
     let trace = over(Sheet::flat(-20.0)).run();
     let (_, z, _) = *readings(&trace).last().expect("readings");
     assert!((z + 20.0 - 150.0 * 0.038).abs() < 0.04, "a gap of {}", z + 20.0);
+    let setting = kerf_machine::table::setting("height.x_set_point").expect("the setting");
+    let mut machine = kerf_machine::Configuration::default();
+    let mut set = |value| setting.set(&mut machine, &kerf_machine::Value::Number(value));
+    assert!(set(255.0).is_ok() && set(256.0).is_err());
 }
 
 #[test]

@@ -212,6 +212,12 @@ fn pro_job_jig_outputs() {
     assert!(latch, "the output switches the start switch off");
     let edges: Vec<_> = trace.edges().into_iter().filter(|edge| edge.contains("jig1")).collect();
     assert_eq!(edges.len(), 2, "{edges:?}");
+    // It stays on until jig 1 is done, which is when its cut is and the tool is up.
+    let at = |name: &str| trace.edges().into_iter().rev().find(|edge| edge.ends_with(name));
+    let at_s = |name: &str| -> f64 {
+        at(name).and_then(|edge| edge.split(' ').next()?.parse().ok()).expect("a time")
+    };
+    assert!(at_s("jig1-") >= at_s("tool1-"), "{:?}", trace.edges());
 }
 
 #[test]
@@ -229,6 +235,13 @@ fn pro_job_jig_cycle() {
     // At the end it waits at the finish position, until nobody comes for an hour.
     assert_eq!(trace.summary.status, Status::Stopped);
     assert_eq!(trace.rests()[..2], [0.0, 0.0]);
+    // The job runs all the while, until key Stop.
+    let stopped = jigs().input(Input::Jig1, 1.0, true).stop(500.0).run();
+    let (moves, edges) = (stopped.moves(), stopped.edges());
+    let last_s: f64 = moves[moves.len() - 1].split(['-', ' ']).nth(1).unwrap().parse().unwrap();
+    assert!(last_s < 100.0 && moves[moves.len() - 1].ends_with(" x0"), "{moves:?}");
+    let running: Vec<_> = edges.iter().filter(|edge| edge.contains("job_running")).collect();
+    assert_eq!(running, ["0.000 job_running+", "500.000 job_running-"]);
 }
 
 #[test]

@@ -57,6 +57,19 @@ const T5: [&str; 14] = [
     "6.380 job_running-",
 ];
 
+/// The same without the pierce sequence.
+const PLAIN: [&str; 9] = [
+    "0.000 job_running+",
+    "0.300 router+",
+    "2.300 tool1+",
+    "2.840 cut1+",
+    "2.840 hz 5000",
+    "4.940 cut1-",
+    "5.490 tool1-",
+    "5.490 router-",
+    "6.190 job_running-",
+];
+
 #[test]
 fn pro_timing_pierce() {
     let trace = t5().run();
@@ -70,8 +83,10 @@ fn pro_timing_pierce() {
 fn pro_laser_pierce_use() {
     assert_eq!(t5().run().edges(), T5);
     let plain = t5().with(|machine| machine.laser.pierce.use_sequence = false).run();
-    assert!(!plain.edges().iter().any(|edge| edge.contains("tool2") || edge.contains("hz 500")
-        && !edge.contains("5000")));
+    // The order of every job, with its bottom delay of 1 s.
+    assert_eq!(plain.edges(), PLAIN);
+    let moves = ["0.000-0.300 z-10", "2.300-2.840 z-20", "3.840-4.940 x100"];
+    assert_eq!(plain.moves()[..3], moves);
 }
 
 #[test]
@@ -166,6 +181,15 @@ fn pro_laser_engrave_bit() {
     });
     let trace = engraved.run();
     assert!(!trace.edges().iter().any(|edge| edge.contains("tool2")), "{:?}", trace.edges());
+    let on = trace.edges().into_iter().find(|edge| edge.ends_with("cut2+"));
+    let begins = trace.moves().into_iter().find(|made| made.ends_with(" x100"));
+    let at_s = |told: Option<String>| -> f64 {
+        told.and_then(|told| told.split([' ', '-']).next()?.parse().ok()).expect("a time")
+    };
+    let (on_s, begins_s) = (at_s(on), at_s(begins));
+    assert!((begins_s - on_s - 1.0).abs() < 2e-3, "the bottom delay: {on_s} to {begins_s}");
+    let dark = |(t, value, byte): &(f64, u8, u8)| *t > begins_s || (*value, *byte) == (0, 0);
+    assert!(trace.intensities().iter().all(dark), "{:?}", trace.intensities());
     assert!(trace.intensities().iter().any(|(_, value, _)| *value == 76), "cruise at 60 %");
     let pierced = t5().with(|machine| machine.laser.engrave_cut = Some(2)).run();
     assert_eq!(pierced.edges(), T5);
@@ -235,6 +259,7 @@ fn pro_intensity_byte() {
     let bytes = shining(100.0).run().intensities();
     assert!(bytes.iter().all(|(_, value, byte)| *byte == 2 * value));
     assert!(bytes.iter().any(|(_, value, byte)| (*value, *byte) == (127, 254)));
+    assert!(shining(60.0).run().intensities().iter().any(|(.., byte)| *byte == 0x4c));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Area `pause`: stopping in the middle of a job, what may be done then, and coming back.
 
-use kerf_ledger::jobs::{JobRun, JobTrace, t1, t2};
+use kerf_ledger::jobs::{JobRun, JobTrace, drawn, t1, t2};
 use kerf_machine::lines::Input;
 use kerf_program::Status;
 
@@ -45,6 +45,26 @@ fn pro_pause_stopinput() {
 #[test]
 fn pro_pause_decel() {
     assert!(stopped("").moves().contains(&"4.840-5.440 x50".into()));
+}
+
+#[test]
+fn pro_pause_decel__on_an_arc_without_losing_a_step() {
+    let circle = || JobRun::new(drawn("circle 150,150 100"));
+    for at_s in [5.2, 5.9, 7.1] {
+        let trace = circle().stop(at_s).say("abort").run();
+        let [x, y, _] = trace.rests();
+        let radius = (x - 150.0).hypot(y - 150.0);
+        assert!((radius - 100.0).abs() < 1e-3, "{at_s}: {x},{y} is {radius} from the centre");
+        // Where the steps brought it, 250 a millimetre.
+        let signals = circle().stop(at_s).say("abort").signals();
+        for (name, told) in [("x_pos", x), ("y_pos", y)] {
+            let (_, bits) = signals.changes(name).pop().expect("steps");
+            let steps = i64::from_str_radix(&bits[1..], 2).expect("a number") as f64;
+            assert!((steps / 250.0 - told).abs() <= 0.004, "{at_s}: {steps} steps and {told}");
+        }
+        let whole = circle().stop(at_s).say("resume").run();
+        assert_eq!(whole.rests(), circle().run().rests());
+    }
 }
 
 #[test]

@@ -147,9 +147,23 @@ fn pro_io_vcd() {
 fn pro_timing_inputs() {
     let signals = JobRun::new(t1()).input(Input::EndBottomDelay, 4.0, true).signals();
     assert_eq!(signals.changes("end_bottom_delay"), [(4000, "1".to_owned())]);
-    let (_, deepest) = signals.changes("z_pos").into_iter().max_by_key(|(_, it)| it.len()).unwrap();
-    assert!(deepest.starts_with('b'));
-    assert_eq!(signals.changes("x_pos").last().unwrap().1, "b0");
+    let places = |name: &str| {
+        signals.changes(name).into_iter().map(|(t_ms, bits)| {
+            let steps = u32::from_str_radix(&bits[1..], 2).expect("a whole number of steps") as i32;
+            (t_ms, steps)
+        })
+    };
+    // 250 steps a millimetre: at -30 when the cut output goes on, at 100 at the end of the cut. The last step is
+    // made a little before the axis comes to rest.
+    let near = |place: Option<(u64, i32)>, t_ms: u64| {
+        let (t, steps) = place.expect("a place");
+        assert!((t_ms - 4..=t_ms).contains(&t), "{t} for {t_ms}");
+        steps
+    };
+    assert_eq!(near(places("z_pos").min_by_key(|(_, steps)| *steps), 3840), -30 * 250);
+    assert_eq!(near(places("x_pos").max_by_key(|(_, steps)| *steps), 5940), 100 * 250);
+    assert_eq!(near(places("x_pos").last(), 7890), 0);
+    assert_eq!(signals.changes("y_pos"), []);
 }
 
 #[test]

@@ -121,6 +121,12 @@ fn pro_homing_speeds__above_the_axis() {
 }
 
 #[test]
+fn pro_homing_offdist__not_negative() {
+    accepted("homing.x.off = 0");
+    refused("homing.x.off = -0.1", "homing.x.off must be 0 or greater");
+}
+
+#[test]
 fn pro_speeds_cut() {
     accepted("smoothing.cut_speed_mm_s = 200");
     accepted("smoothing.cut_speed_mm_s = \"12000 mm/min\"");
