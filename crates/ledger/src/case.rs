@@ -20,7 +20,8 @@ const MAIN_GCODE: &str = "main.nc";
 pub struct Case {
     name: &'static str,
     program: String,
-    before: Vec<String>,
+    /// What ran before, and when the operator stopped it, seconds.
+    before: Vec<(String, f64)>,
     files: Vec<(String, String)>,
     answers: Vec<String>,
     options: RunOptions,
@@ -60,8 +61,14 @@ pub fn at<const N: usize>(location: [f64; N], program: &str) -> Run {
 impl Case {
     /// Another program ran before on the same machine.
     #[must_use]
-    pub fn after(mut self, program: &str) -> Self {
-        self.before.push(lines(program));
+    pub fn after(self, program: &str) -> Self {
+        self.after_stop(program, f64::INFINITY)
+    }
+
+    /// Another program ran before, which the operator stopped at a machine time, seconds.
+    #[must_use]
+    pub fn after_stop(mut self, program: &str, seconds: f64) -> Self {
+        self.before.push((lines(program), seconds));
         self
     }
 
@@ -167,8 +174,8 @@ impl Case {
         files.push((self.name.to_owned(), self.program.clone()));
         let files = files.iter().map(|(name, text)| (name.as_str(), text.as_bytes()));
         let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
-        for program in std::mem::take(&mut self.before) {
-            self.one(&program, RunOptions::default(), &mut shelf, f64::INFINITY);
+        for (program, stop_at_s) in std::mem::take(&mut self.before) {
+            self.one(&program, RunOptions::default(), &mut shelf, stop_at_s);
         }
         let memory = &self.session.memory;
         let start = memory.settings.to_user(memory.frame.working(memory.position)).0;

@@ -179,8 +179,11 @@ fn sbp_lim_stop_quit() {
     let nested = sbp("VS,4 ⏎ FP,b.sbp ⏎ MY,1").file("b.sbp", "MX,10").stopped_at(1.0).run();
     nested.status("stopped");
     assert_eq!(nested.events("move").count(), 2, "the cut and the lift: {nested}");
-    let speed = |program: &str| sbp("PRINT %(71)").after(program).run().prints(&["2"]).seconds();
-    assert_eq!(speed("VS,4 ⏎ MX,10"), 0.0);
+    // Quit brings the settings back as the end of the file does.
+    let speed = || sbp("PRINT %(71)");
+    speed().after("VS,4 ⏎ MX,10").run().prints(&["2"]);
+    speed().after_stop("VS,4 ⏎ PRINT %(71) ⏎ MX,10", 1.0).run().prints(&["2"]);
+    speed().after_stop("VS,4 ⏎ SV ⏎ MX,10", 1.0).run().prints(&["4"]);
 }
 
 /// VN with a mode for output 3, its 17th value.
@@ -229,12 +232,19 @@ fn sbp_lim_sf_base() {
     let limited = "VA,0,,,,,5 ⏎ VL,0,10 ⏎ SF,1 ⏎";
     run(&format!("{limited} MX,4")).ends_at([4.0]);
     run(&format!("{limited} MX,6")).stands_at([0.0]).status("limit");
+    // A file that is run relative to where the tool is.
+    let offset =
+        |within: &str| sbp("M2,4,0 ⏎ VL,0,5 ⏎ SF,1 ⏎ FP,in.sbp,,,,,2").file("in.sbp", within).run();
+    offset("MX,.5").ends_at([4.5]);
+    offset("MX,2").stands_at([4.0]).status("limit");
 }
 
 #[test]
 fn sbp_lim_sf_temp() {
     sbp("VL,0,10 ⏎ MX,12").after("SF,1 ⏎ SV").run().stands_at([0.0]);
     sbp("VL,0,10 ⏎ MX,12").after("SF,1").run().ends_at([12.0]);
+    let on = sbp("VL,0,10 ⏎ MX,12").after("SF,1 ⏎ SV");
+    on.after("VL,0,10 ⏎ SF,0 ⏎ MX,12 ⏎ MX,0").run().stands_at([0.0]).status("limit");
 }
 
 #[test]

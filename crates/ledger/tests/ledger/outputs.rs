@@ -28,8 +28,9 @@ fn sbp_out_so4_m4() {
 
 #[test]
 fn sbp_out_so4_manual() {
-    let run = run("SO,4,1");
-    assert!(run.events("diag").any(|d| d["severity"] == "warning"), "{run}");
+    let run = run("SO,4,1 ⏎ PRINT %(104) ⏎ SO,4,-4 ⏎ SO,4,1 ⏎ PRINT %(104)");
+    run.says("output 4 is automatic").prints(&["0", "1"]);
+    assert!(run.events("diag").all(|d| d["severity"] == "warning"), "{run}");
 }
 
 #[test]
