@@ -103,6 +103,12 @@ fn pro_job_repeats() {
     let trace = JobRun::new(t2()).with(|machine| machine.job.repeats = 3).run();
     assert_eq!(cut(&trace), [1, 2, 1, 2, 1, 2]);
     assert_eq!(messages(&trace), ["2 of 3", "3 of 3"]);
+    // The finish move is made once, at the end.
+    assert_eq!(ends(&trace).iter().filter(|end| *end == "y0").count(), 3, "{:?}", ends(&trace));
+    let setting = kerf_machine::table::setting("job.repeats").expect("the setting");
+    let mut machine = kerf_machine::Configuration::default();
+    assert_eq!(machine.job.repeats, 1);
+    assert!(setting.set(&mut machine, &kerf_machine::Value::Number(0.0)).is_err());
     let edges = trace.edges();
     assert_eq!(edges.iter().filter(|edge| edge.contains("router")).count(), 2);
     assert_eq!(trace.rests(), [0.0, 0.0, -10.0]);
@@ -148,6 +154,12 @@ fn pro_job_ext_door() {
     let run = || JobRun::new(t1()).with(|machine| machine.job.external_start = true);
     let closed = run().input(Input::WHome, 60.0, true).run();
     assert_eq!(closed.edges()[..2], ["60.000 job_running+", "60.300 router+"]);
+    assert_eq!(messages(&closed), ["close the door"], "while it waits");
+    let is_closed = run().input(Input::WHome, 0.0, true).run();
+    assert_eq!(
+        (is_closed.edges()[0].as_str(), messages(&is_closed).len()),
+        ("0.000 job_running+", 0)
+    );
     let open = run().run();
     assert!(open.moves().is_empty() && open.summary.status == Status::Stopped);
 }

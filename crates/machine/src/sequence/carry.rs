@@ -27,6 +27,13 @@ impl Sequence {
         if small == Small::GiveUp {
             return self.give_up();
         }
+        if let Small::SayUnless(input, text) = small {
+            if !host.input(input.number()) {
+                self.give(Command::Message { text: text.into() }, out);
+            }
+            self.pop();
+            return Step::Ran;
+        }
         if self.given {
             if host.settle().is_pending() {
                 return Step::Waiting;
@@ -88,7 +95,7 @@ impl Sequence {
             Small::Enter(state) => self.enter(*state, out),
             Small::Mark => self.halt_at_mark(out),
             Small::Say(text) => self.give(Command::Message { text: text.clone() }, out),
-            Small::Ask | Small::GiveUp => {}
+            Small::Ask | Small::GiveUp | Small::SayUnless(..) => {}
         }
         false
     }

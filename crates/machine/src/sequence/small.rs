@@ -70,6 +70,8 @@ pub(crate) enum Small {
     Enter(crate::State),
     /// A word to the operator.
     Say(Arc<str>),
+    /// A word to the operator while an input is not on.
+    SayUnless(Input, &'static str),
 }
 
 impl Small {

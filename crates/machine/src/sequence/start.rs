@@ -52,8 +52,9 @@ impl Sequence {
         let mut steps = Vec::new();
         if self.machine.job.external_start {
             let (input, timeout_s) = (Input::WHome, PATIENCE_S);
-            let missing = Some("close the door");
-            steps.push(Small::Await(Awaited { input, timeout_s, missing }));
+            let missing = "close the door";
+            steps.push(Small::SayUnless(input, missing));
+            steps.push(Small::Await(Awaited { input, timeout_s, missing: Some(missing) }));
         }
         if self.machine.misc.double_start {
             steps.push(Small::Ask);
