@@ -283,6 +283,14 @@ fn pro_intensity_reference() {
         job.shapes = shapes.into();
     });
     assert_eq!(slow.run().intensities().iter().map(|(_, value, _)| *value).max(), Some(127));
+    // Along Y 80 mm/s are the whole of it, and along X 80 of 100.
+    let along = |x: f64, y: f64| {
+        let run = shining(100.0).job(|it| *it = job([line(1, (0.0, 0.0), (x, y))]));
+        let run = run.with(|machine| machine.program.smoothing.y_factor = 0.8).run();
+        let most = run.intensities().iter().map(|(_, value, _)| *value).max();
+        (run.cutting_speeds()[0], most)
+    };
+    assert_eq!([along(0.0, 100.0), along(100.0, 0.0)], [(80.0, Some(127)), (100.0, Some(127))]);
 }
 
 #[test]

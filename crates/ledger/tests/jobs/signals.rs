@@ -162,7 +162,7 @@ fn pro_timing_inputs() {
     };
     assert_eq!(near(places("z_pos").min_by_key(|(_, steps)| *steps), 3840), -30 * 250);
     assert_eq!(near(places("x_pos").max_by_key(|(_, steps)| *steps), 5940), 100 * 250);
-    assert_eq!(near(places("x_pos").last(), 7890), 0);
+    assert_eq!(near(places("x_pos").next_back(), 7890), 0);
     assert_eq!(signals.changes("y_pos"), []);
 }
 
