@@ -215,6 +215,24 @@ fn pro_io_io_power() {
 #[test]
 fn pro_io_io_apply() {
     notes("io", &["spindle on Router/Shutter, coolant on Tool 1", "laser on/off on Cut 1"]);
+    let about = |name: &str| crate::profile::profile(name).unwrap().about();
+    assert!(about("router-96x48").contains("spindle on Router/Shutter, coolant on Tool 1"));
+    assert!(about("laser-pwm").contains("shutter is on Router/Shutter, the beam on Cut 1"));
+}
+
+#[test]
+fn pro_io_inb2__unassigned() {
+    let about = |place: u8| {
+        let mut bits = INPUT_BITS.iter().filter(|bit| bit.port == Port::B && bit.place == place);
+        bits.next().unwrap().about
+    };
+    assert_eq!(about(2), "unassigned");
+}
+
+#[test]
+fn pro_io_inb37__unused() {
+    let unused = INPUT_BITS.iter().filter(|bit| bit.port == Port::B && bit.about == "unused");
+    assert_eq!(unused.map(|bit| bit.place).collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
 }
 
 #[test]
