@@ -73,6 +73,7 @@ fn seen(folder: &TempDir, program: &str, typed: bool, stop_s: f64) -> Vec<(Strin
         inputs: vec![
             Change { input: 1, at_s: 0.0, on: true },
             Change { input: 3, at_s: 0.0, on: true },
+            Change { input: 12, at_s: 0.0, on: true },
         ],
         ..RunOptions::default()
     };
@@ -155,7 +156,7 @@ fn sbp_ctl_reg_inputs() {
     let folder = tempfile::tempdir().unwrap();
     let seen = seen(&folder, "MX,1\nMSGBOX(Now)\n", false, f64::INFINITY);
     let values = seen.last().unwrap().1.values();
-    assert_eq!((values[1], values[2]), (("InputSwitches", 5), ("InputSwitchesUpper", 0)));
+    assert_eq!((values[1], values[2]), (("InputSwitches", 5), ("InputSwitchesUpper", 8)));
 }
 
 #[test]

@@ -363,3 +363,21 @@ fn variables_are_changed_and_added_by_their_lines() {
     let variables = values["variables"].to_string();
     assert!(variables.contains(r#""value":"3""#) && variables.contains("four"), "{variables}");
 }
+
+#[test]
+fn sbp_ctl_api__positions_ten_times_a_second() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    // 2 in/s: two seconds and its ramps.
+    let typed = json!({ "do": "command", "lease": page.lease, "line": "MX,4" });
+    assert_eq!(page.act(typed), None);
+    let places = std::cell::RefCell::new(Vec::new());
+    page.until("the end of the move", |page| {
+        let x = page.x();
+        places.borrow_mut().push(x);
+        (x - 101.6).abs() < 1e-6
+    });
+    let mut places = places.into_inner();
+    places.dedup();
+    assert!(places.is_sorted() && places.len() > 20, "{} places in 2 s", places.len());
+}
