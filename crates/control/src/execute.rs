@@ -243,7 +243,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let again =
             |wish: &(f64, Wish)| wish.1 == Wish::Stop && matches!(turn, Turn::Operator(Wish::Stop));
         if let Some(wish) = wish.filter(|wish| !again(wish)) {
-            self.postpone(wish);
+            self.put_off(wish);
         }
     }
 

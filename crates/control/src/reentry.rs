@@ -163,7 +163,8 @@ impl<I: Interpreter> Runner<'_, I> {
     fn skip(&mut self, share: f64) {
         let waiting = &mut self.stack.waiting;
         let Some(first) = (share > 0.0).then(|| waiting.pop_front()).flatten() else { return };
-        let (_, rest) = first.split(share.min(LAST_SHARE));
+        let (made, rest) = first.split(share.min(LAST_SHARE));
+        self.world.tally.made(&made, 0.0, self.world.machine.frame());
         waiting.push_front(rest);
         self.world.machine.put(rest.from);
     }

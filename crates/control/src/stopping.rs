@@ -253,7 +253,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell(&Event::Message { text: text.into(), t });
         match self.pass(t, t + RELEASE_S, None) {
             Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-            wish => wish.into_iter().for_each(|wish| self.postpone(wish)),
+            wish => wish.into_iter().for_each(|wish| self.put_off(wish)),
         }
         self.stand_until(t + RELEASE_S);
         true

@@ -135,10 +135,15 @@ impl<I: Interpreter> Runner<'_, I> {
         to_s: f64,
         going: Option<Going<'_>>,
     ) -> Option<(f64, Wish)> {
-        if let Some((t_s, wish)) = self.wishes.pop_front() {
-            return Some((t_s.clamp(from_s, to_s.max(from_s)), wish));
+        let Some((t_s, wish)) = self.wishes.pop_front() else {
+            return self.pass(from_s, to_s, going);
+        };
+        let heard = self.hear_wish(|_, _| Some((t_s.clamp(from_s, to_s.max(from_s)), wish)));
+        if heard.is_none() {
+            // Not yet, where this has happened before.
+            self.wishes.push_front((t_s, wish));
         }
-        self.pass(from_s, to_s, going)
+        heard
     }
 
     /// Lets machine time pass; what was made before it is on record.
@@ -151,11 +156,25 @@ impl<I: Interpreter> Runner<'_, I> {
         if to_s > from_s && self.pace.is_real() {
             self.world.shelf.tape.write();
         }
+        self.hear_wish(|run, is_kept| {
+            if is_kept {
+                run.watch_writing(from_s, to_s, going)
+            } else {
+                run.watch(from_s, to_s, going)
+            }
+        })
+    }
+
+    /// What the operator wants: what the tape tells, else the world; that is kept where there is a tape.
+    fn hear_wish(
+        &mut self,
+        world: impl FnOnce(&mut Self, bool) -> Option<(f64, Wish)>,
+    ) -> Option<(f64, Wish)> {
         let wish = match self.world.shelf.tape.turn(Kind::Wish) {
             Turn::Told(told) => told,
-            Turn::Live => self.watch(from_s, to_s, going),
+            Turn::Live => world(self, false),
             Turn::Open(call) => {
-                let wish = self.watch_writing(from_s, to_s, going);
+                let wish = world(self, true);
                 self.world.shelf.tape.heard(Kind::Wish, call, wish.as_ref());
                 match wish {
                     Some((_, Wish::Stop | Wish::Hold)) => self.world.shelf.tape.stops(),
@@ -208,6 +227,12 @@ impl<I: Interpreter> Runner<'_, I> {
             }
         }
         None
+    }
+
+    /// Keeps a wish of which nothing comes now: it counts as told when it is fulfilled.
+    pub(crate) fn put_off(&mut self, wish: (f64, Wish)) {
+        self.world.shelf.tape.unhear_wish();
+        self.postpone(wish);
     }
 
     /// Keeps a wish that cannot be fulfilled now.
@@ -388,19 +413,24 @@ impl<I: Interpreter> Runner<'_, I> {
             let question = self.world.question.clone();
             let answer = self.answer_of_operator(at);
             let pauses = question.as_ref().is_some_and(|it| it.kind == QuestionKind::Paused);
-            if !gives_up(&answer, pauses) || !self.world.shelf.tape.has_moved() {
+            if !gives_up(&answer, pauses) {
                 return answer;
             }
-            if !self.world.silent {
-                let stands = self.stands_at();
-                self.world.shelf.tape.given_up_by_answer(stands);
-                // Nothing is brought back only to be given up.
-                let is_back = self.reentry.is_none();
-                return if is_back { answer } else { Err(Unanswered::Stopped) };
+            if self.world.shelf.tape.is_last_told() {
+                // The power went before the run was given up.
+                self.world.shelf.tape.take_back_answer();
+                self.world.question = question;
+                self.wake();
+                continue;
             }
-            // The power went before it was given up.
-            self.world.question = question;
-            self.wake();
+            if self.world.silent || !self.world.shelf.tape.has_moved() {
+                return answer;
+            }
+            let stands = self.stands_at();
+            self.world.shelf.tape.given_up_by_answer(stands);
+            // Nothing is brought back only to be given up.
+            let is_back = self.reentry.is_none();
+            return if is_back { answer } else { Err(Unanswered::Stopped) };
         }
     }
 

@@ -506,6 +506,45 @@ fn a_question_that_was_open_is_settled_when_the_tool_goes_back() {
     }
 }
 
+/// A stop that is told while the machine slows down for a hold comes after it; who gives the run up then takes it up
+/// where it stood.
+#[test]
+fn a_run_that_was_given_up_at_a_stop_in_the_ramp_of_a_hold_goes_on_where_it_stood() {
+    let whole = uninterrupted();
+    for line in [5, 6, 7] {
+        let (folder, at_s) = (tempdir().unwrap(), middle(&whole, line));
+        let wishes = vec![(at_s, Wish::Hold), (at_s + 0.02, Wish::Stop)];
+        let mut pace = Script::new(wishes, vec![at_s + 2.0]);
+        let (begun, status) = run(&folder, &mut pace, "hold=Quit");
+        assert_eq!(status, Some(Status::Stopped), "line {line}");
+        let held = |event: &Event| matches!(event, Event::Hold { .. });
+        assert!(begun.iter().any(held), "line {line}: {begun:#?}");
+        assert!(asked(&begun).last().unwrap().starts_with("Stopped."), "line {line}");
+        let (rest, status) = resume(&folder, "hold=Resume");
+        assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "line {line}");
+        same_rest(&whole, &rest, line);
+    }
+}
+
+/// What was cut before the power failed is counted: only the way back down is more than without it.
+#[test]
+fn the_whole_cut_is_counted() {
+    let whole = uninterrupted();
+    let cut = |events: &[Event]| match events.last() {
+        Some(Event::End(end)) => end.cut,
+        _ => panic!("no end"),
+    };
+    for line in [5, 6, 7] {
+        let folder = tempdir().unwrap();
+        run(&folder, &mut PowerCut(middle(&whole, line)), "");
+        let (rest, _) = resume(&folder, "");
+        let down = rest.iter().filter_map(motion).find(|made| made.kind == MoveKind::Cut).unwrap();
+        let back = down.from.z - down.to.z;
+        let more = cut(&rest) - cut(&whole);
+        assert!((more - back).abs() < 1e-6, "line {line}: {more} more, {back} down again");
+    }
+}
+
 /// The program asks something before the tool goes back, and the power fails once more.
 #[test]
 fn a_question_of_the_program_behind_one_that_was_open_is_asked_once() {

@@ -5,7 +5,6 @@ use super::progress::{PROGRESS, Reached};
 use super::rows::Table;
 use super::{Journal, JournalError, OWNER_FILE, mirror};
 use crate::flag;
-use kerf_program::settings::LINES;
 use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, TryLockError};
@@ -28,7 +27,9 @@ impl Live {
     /// Of a machine that stands.
     pub fn at_rest(machine: &Machine) -> Self {
         let sum = |is_on: &dyn Fn(u8) -> bool| {
-            (1..=LINES as u8).filter(|number| is_on(*number)).fold(0, |sum, n| sum | 1 << (n - 1))
+            (1..=u16::BITS as u8)
+                .filter(|number| is_on(*number))
+                .fold(0, |sum, n| sum | 1 << (n - 1))
         };
         let inputs = sum(&|number| machine.input(number));
         let outputs = sum(&|number| machine.outputs().is_on(number));

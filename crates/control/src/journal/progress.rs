@@ -95,6 +95,14 @@ impl Progress {
         self.trouble = dropped.err().or_else(|| self.trouble.take());
     }
 
+    /// Forgets the last step: it is told again.
+    pub(crate) fn take_back(&mut self) {
+        if let Some(last) = self.last_step() {
+            self.drop_steps(last);
+            self.next_step = Some(last);
+        }
+    }
+
     /// Adds a file that a step speaks of; tells its name.
     pub(crate) fn add_content(&mut self, bytes: &[u8]) -> String {
         let hash = super::contents::hash(bytes);

@@ -88,6 +88,8 @@ pub(crate) struct Tape {
     made_before: u64,
     /// How much of the next one was.
     within_before: f64,
+    /// The step with which the operator wanted something last.
+    last_wish: Option<i64>,
     /// The step with which the operator stopped the run, until it goes on.
     wish: Option<i64>,
     /// Moves made when it was stopped last, and how much of the next.
@@ -241,7 +243,35 @@ impl Tape {
     pub(crate) fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
         if let Some(told) = told {
             self.add(kind, call, told);
+            let last = self.writing.as_ref().and_then(Progress::last_step);
+            self.last_wish = last.filter(|_| kind == Kind::Wish);
         }
+    }
+
+    /// Nothing comes of the wish that was heard last: it is heard once more.
+    pub(crate) fn unhear_wish(&mut self) {
+        let Some(progress) = self.writing.as_mut().filter(|_| !self.silent) else { return };
+        let last = progress.last_step();
+        if self.last_wish.is_none() || self.last_wish != last {
+            return;
+        }
+        progress.take_back();
+        self.told -= 1;
+        self.last_wish = None;
+        self.wish = self.wish.filter(|_| self.wish != last);
+    }
+
+    /// Whether nothing came of what was told last: the power went.
+    pub(crate) fn is_last_told(&self) -> bool {
+        self.silent && !self.plays() && !self.is_within()
+    }
+
+    /// Nothing came of the last answer, which is the last that was told: he is asked again.
+    pub(crate) fn take_back_answer(&mut self) {
+        let Some(progress) = &mut self.writing else { return };
+        progress.take_back();
+        self.told -= 1;
+        self.calls.entry(Kind::Answer).and_modify(|calls| *calls -= 1);
     }
 
     /// The step that was added last stops the run.

@@ -67,7 +67,7 @@ impl Tape {
         let next = next.filter(|step| step.call == self.reentries);
         if next.is_some_and(|step| <(u64, u64)>::deserialize(&step.told).ok() == Some(here)) {
             self.open = self.pop::<(u64, u64)>(Kind::Left).is_some();
-        } else if !self.plays() && !self.is_within() {
+        } else if self.is_last_told() {
             self.open = true;
             self.add(Kind::Left, self.reentries, &here);
         }
