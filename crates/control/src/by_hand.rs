@@ -195,7 +195,7 @@ impl<I: Interpreter> Runner<'_, I> {
             let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
             match self.pass(self.world.now(), until_s, Some(going)) {
                 Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-                Some(wish @ (_, Wish::Feed(_))) => self.put_off(wish),
+                Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
                 Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
                 Some((t_s, wish)) => {
                     // A stop may be told until the machine stands.

@@ -229,7 +229,8 @@ impl<I: Interpreter> Runner<'_, I> {
         None
     }
 
-    /// Keeps a wish of which nothing comes now: it counts as told when it is fulfilled.
+    /// Keeps a wish of which nothing comes now, as if it had not been told: it is when it is fulfilled. Whoever asks
+    /// once more because of it postpones it instead.
     pub(crate) fn put_off(&mut self, wish: (f64, Wish)) {
         self.world.shelf.tape.unhear_wish();
         self.postpone(wish);

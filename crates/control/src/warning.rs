@@ -48,7 +48,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             match wish {
                 Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-                Some(wish @ (_, Wish::Feed(_))) => self.put_off(wish),
+                Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
                 Some((t_s, wish)) => {
                     self.stand_until(t_s);
                     return Some(Turn::Operator(wish));
