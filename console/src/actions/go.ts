@@ -64,6 +64,11 @@ export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands
 export const openTools = sheetAction({ kind: "tools" }, "Virtual tools", []);
 export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
 export const openPorts = sheetAction({ kind: "ports" }, "Ports of the card: diagnostics", []);
+/** Inputs and outputs of the open file beside its motion. */
+export const openTiming: Action = {
+  ...sheetAction({ kind: "timing" }, "Timing chart", []),
+  refused: ({ shown }) => (shown.snapshot?.opened ? undefined : "Open a file first."),
+};
 export const openPalette = sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]);
 
 const themeActions = themes.map(
@@ -103,6 +108,7 @@ export const goActions: readonly Action[] = [
   openInputs,
   openPorts,
   openTools,
+  openTiming,
   openPalette,
   ...themeActions,
   ...faceActions,

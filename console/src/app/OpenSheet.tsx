@@ -1,6 +1,7 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
+import { TimingSheet } from "../timing/TimingSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
 import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
@@ -40,6 +41,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <InputsSheet onClose={close} />;
     case "ports":
       return <PortsSheet onClose={close} />;
+    case "timing":
+      return <TimingSheet onClose={close} />;
     case "confirm":
       return <ConfirmSheet action={sheet.action} onClose={close} />;
   }

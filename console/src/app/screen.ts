@@ -19,6 +19,7 @@ export type Sheet =
   | { readonly kind: "inputs" }
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
+  | { readonly kind: "timing" }
   | { readonly kind: "confirm"; readonly action: string }
   | { readonly kind: "palette" };
 

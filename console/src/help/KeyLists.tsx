@@ -1,5 +1,6 @@
 import { actions } from "../actions/registry";
 import { KeypadHelp } from "../keypad/KeypadHelp";
+import { keyHelp } from "../timing/keys";
 
 /** The keys of the console and of the keypad. */
 export function KeyLists() {
@@ -22,6 +23,15 @@ export function KeyLists() {
       </dl>
       <h3>At the keypad</h3>
       <KeypadHelp look="help-list" />
+      <h3>On the timing chart</h3>
+      <dl className="help-list">
+        {keyHelp.map(({ keys, means }) => (
+          <div key={keys}>
+            <dt>{keys}</dt>
+            <dd>{means}</dd>
+          </div>
+        ))}
+      </dl>
     </>
   );
 }

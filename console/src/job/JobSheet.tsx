@@ -1,4 +1,5 @@
 import { type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
+import { openTiming } from "../actions/go";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
 import { paintDigitized } from "../digitize/paint";
@@ -11,6 +12,7 @@ import { sheetOn } from "../draw/paint/pen";
 import { paintTable } from "../draw/paint/table";
 import type { TableItem } from "../draw/table";
 import { fitted, panned, toDrawing, type Window, zoomedAbout } from "../draw/window";
+import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
 import { chooseStart } from "./actions";
@@ -89,6 +91,9 @@ export function JobSheet({ plan, standing }: JobSheetProps) {
         <Button size="small" onPress={() => setWindow(fitted(all, size, margin))}>
           Show all
         </Button>
+        <ActionButton action={openTiming} size="small">
+          Timing
+        </ActionButton>
         <Legend plan={plan} />
         <HoverWords plan={plan} number={hover} />
       </div>

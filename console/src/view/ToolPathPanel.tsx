@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ToggleButton } from "react-aria-components";
+import { openTiming } from "../actions/go";
 import { clearPreview } from "../actions/machine";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
@@ -80,6 +81,9 @@ export function ToolPathPanel() {
           <Button size="small" onPress={() => bounds && look(aspect, bounds, size)}>
             Fit
           </Button>
+          <ActionButton action={openTiming} size="small">
+            Timing
+          </ActionButton>
           {previews && (
             <ActionButton action={clearPreview} size="small">
               Clear

@@ -1000,6 +1000,27 @@ unit: string,
 /** What it reads. */
 value: string, };
 
+/** Inputs and outputs of a run on the simulated machine, beside its motion. */
+export type Timing = {
+/** Where it ends, seconds of machine time. */
+seconds: number,
+/** Whether it holds all of the run: a chart with too many edges ends before. */
+whole: boolean,
+/** Its lines, from above. */
+lines: Array<TimingLine>, };
+
+/** What a line of a timing chart shows. */
+export type TimingKind = "axis" | "value" | "output" | "input";
+
+/** A line of a timing chart. */
+export type TimingLine = {
+/** What it shows. */
+kind: TimingKind,
+/** Its name. */
+name: string,
+/** Moments, seconds, and the value there. Between those of an axis or a value it changes evenly; a bit is 0 before the first and keeps what it is to the next. */
+points: Array<[number, number]>, };
+
 /** What comes over the socket to the page: one JSON text a message. */
 export type ToPage = { "tell": "snapshot",
 /** Who the page is. */

@@ -65,6 +65,7 @@ pub mod system_log;
 mod table_limits;
 mod tally;
 mod text;
+pub mod timing;
 mod trail;
 pub mod transfer;
 mod turning;

@@ -1,6 +1,5 @@
 //! Values of options.
 
-use kerf_machine::lines::Input;
 use kerf_program::GoTo;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
@@ -103,35 +102,12 @@ pub fn sheet(text: &str) -> Result<Sheet, String> {
 
 /// `N@T=0` or `N@T=1`, N a number or a name.
 pub fn input(text: &str) -> Result<Change, String> {
-    let parts = text.split_once('@').and_then(|(n, rest)| Some((n, rest.split_once('=')?)));
-    let Some((input, (at, state))) = parts else {
-        return Err("give NUMBER@SECONDS=STATE, as 3@2.5=1".into());
-    };
-    let input = input_number(input);
-    let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
-    let on = match state.trim() {
-        "0" => Some(false),
-        "1" => Some(true),
-        _ => None,
-    };
-    match (input, at_s, on) {
-        (Err(why), ..) => Err(why),
-        (_, None, _) => Err("the time is a number of seconds, 0 or more".into()),
-        (.., None) => Err("the state is 0 or 1".into()),
-        (Ok(input), Some(at_s), Some(on)) => Ok(Change { input, at_s, on }),
-    }
+    text.parse()
 }
 
 /// An input, by its number or its name.
 pub fn input_number(text: &str) -> Result<u8, String> {
-    let number = text.trim().parse().ok().filter(|n| (1..=12).contains(n));
-    let named = || match text.trim() {
-        "cable" => Some(kerf_sim::CABLE),
-        "stall" => Some(kerf_sim::STALL),
-        name => Input::named(name).map(Input::number),
-    };
-    let unknown = || "inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into();
-    number.or_else(named).ok_or_else(unknown)
+    kerf_sim::input_number(text)
 }
 
 /// `AXIS@T=BY`, in units of the axis.

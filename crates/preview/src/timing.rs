@@ -30,10 +30,14 @@ const CLOSE: f64 = 9.0;
 /// What a track shows.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Course {
-    /// On or off, from these moments on; off before the first.
-    Switch(Vec<(f64, bool)>),
+    /// Where an axis is, mm; it goes evenly between these moments.
+    Place(Vec<(f64, f64)>),
     /// A value that changes evenly between these moments.
     Value(Vec<(f64, f64)>),
+    /// An output: on or off, from these moments on; off before the first.
+    Output(Vec<(f64, bool)>),
+    /// An input, likewise.
+    Input(Vec<(f64, bool)>),
 }
 
 /// One line of a diagram.
@@ -125,23 +129,31 @@ impl Over {
 }
 
 impl Track {
+    /// Its name, with the unit of its values where it has one.
+    pub fn label(&self) -> String {
+        match self.course {
+            Course::Place(_) => format!("{}, mm", self.name),
+            _ => self.name.clone(),
+        }
+    }
+
     const fn height(&self) -> f64 {
         match self.course {
-            Course::Switch(_) => LOW,
-            Course::Value(_) => HIGH,
+            Course::Output(_) | Course::Input(_) => LOW,
+            Course::Place(_) | Course::Value(_) => HIGH,
         }
     }
 
     fn draw(&self, layer: &mut Layer, over: &Over, y: f64) {
         let (top, bottom) = (y + 4.0, y + self.height() - 1.5);
         let at = Point2::new(over.panel.x - 2.0, bottom - 1.0);
-        layer.marks.push(words(at, Anchor::End, self.name.clone()));
+        layer.marks.push(words(at, Anchor::End, self.label()));
         let moments = match &self.course {
-            Course::Switch(changes) => {
+            Course::Output(changes) | Course::Input(changes) => {
                 layer.path(steps(changes, over, top, bottom), Paint::line(INK, 0.35));
                 changes.iter().map(|(t_s, _)| (*t_s, format!("{t_s:.3}"))).collect()
             }
-            Course::Value(points) => {
+            Course::Place(points) | Course::Value(points) => {
                 let heights = Heights::of(points, top, bottom);
                 layer.path(slopes(points, over, &heights), Paint::line(INK, 0.35));
                 heights.corners(points)
@@ -246,19 +258,19 @@ mod tests {
     fn a_value_that_rests_is_told_once() {
         let rests = [0.3, 1.0, 1.7, 2.8].map(|t_s| (t_s, -10.0));
         let points = [&[(0.0, 0.0)], &rests[..], &[(3.8, -30.0), (5.0, -30.0)]].concat();
-        let tracks = vec![Track { name: "z, mm".into(), course: Course::Value(points) }];
+        let tracks = vec![Track { name: "z".into(), course: Course::Place(points) }];
         let svg = Timing { title: "Rest".into(), end_s: 8.0, tracks }.svg();
         assert_eq!(svg.matches(">-10<").count(), 1, "{svg}");
     }
 
     #[test]
     fn a_diagram_names_its_lines_and_the_moments_of_their_edges() {
-        let switch = Course::Switch(vec![(0.3, true), (7.19, false)]);
-        let height = Course::Value(vec![(0.0, 0.0), (0.3, -10.0), (2.8, -10.0), (3.84, -30.0)]);
+        let switch = Course::Output(vec![(0.3, true), (7.19, false)]);
+        let height = Course::Place(vec![(0.0, 0.0), (0.3, -10.0), (2.8, -10.0), (3.84, -30.0)]);
         let track = |name: &str, course| Track { name: name.into(), course };
-        let tracks = vec![track("z, mm", height), track("router", switch)];
+        let tracks = vec![track("z", height), track("router", switch)];
         let svg = Timing { title: "JOB-T1".into(), end_s: 7.89, tracks }.svg();
-        for text in ["JOB-T1", "router", "0.300", "7.190", "-10"] {
+        for text in ["JOB-T1", "z, mm", "router", "0.300", "7.190", "-10"] {
             assert!(svg.contains(text), "{text}");
         }
     }

@@ -13,6 +13,8 @@ use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
+use kerf_sim::Change as InputChange;
+use kerf_wire::preview::Timing;
 use kerf_wire::{Change, FileKind, FileParameters, JobChoice, Opened, PreviewState, Problem, Why};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
@@ -310,6 +312,29 @@ impl App {
             Err(why) => Err(why),
         };
         self.previewed(&open, state);
+    }
+
+    /// The timing chart of the open file, with changes of the inputs; without any it is made once.
+    pub fn timing(
+        &self,
+        key: &str,
+        preview: &Preview,
+        inputs: Vec<InputChange>,
+    ) -> Result<Arc<Timing>, Problem> {
+        let gone = || problem(Why::File, "another file was opened meanwhile");
+        let open =
+            Some(lock(&self.open).clone()).filter(|open| open.key == key).ok_or_else(gone)?;
+        let plain = inputs.is_empty();
+        if let Some(timing) = preview.timing.get().filter(|_| plain) {
+            return Ok(timing.clone());
+        }
+        let session = lock(&self.left).session.clone();
+        let shelf = self.preview_shelf();
+        let mut shelf = shelf.map_err(|error| problem(Why::File, error.to_string()))?;
+        let (work, parameters) = (self.work(&open)?, shop::parameters(&open.parameters));
+        let made = preview::timing(work, parameters, inputs, session, &mut shelf, &open.given_up);
+        let made = Arc::new(made.ok_or_else(gone)?);
+        Ok(if plain { preview.timing.get_or_init(|| made).clone() } else { made })
     }
 
     /// What survives, where anything does.

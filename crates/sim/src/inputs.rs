@@ -1,8 +1,10 @@
 //! The input switches, the lines of the ports, and the script that moves them.
 
+use kerf_machine::lines::Input;
 use kerf_program::settings::{IoModes, LINES};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
+use std::str::FromStr;
 
 /// An input changes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -13,6 +15,42 @@ pub struct Change {
     pub at_s: f64,
     /// Its state from then on.
     pub on: bool,
+}
+
+/// `NUMBER@SECONDS=STATE`, as `3@2.5=1`, or a name instead of the number; the error says what to give.
+impl FromStr for Change {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('@').and_then(|(n, rest)| Some((n, rest.split_once('=')?)));
+        let Some((input, (at, state))) = parts else {
+            return Err("give NUMBER@SECONDS=STATE, as 3@2.5=1".into());
+        };
+        let input = input_number(input)?;
+        let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
+        let at_s = at_s.ok_or("the time is a number of seconds, 0 or more")?;
+        let on = match state.trim() {
+            "0" => false,
+            "1" => true,
+            _ => return Err("the state is 0 or 1".into()),
+        };
+        Ok(Self { input, at_s, on })
+    }
+}
+
+/// An input, by its number or its name.
+///
+/// # Errors
+/// What inputs are called, when this is none.
+pub fn input_number(text: &str) -> Result<u8, String> {
+    let number = text.trim().parse().ok().filter(|n| (1..=12).contains(n));
+    let named = || match text.trim() {
+        "cable" => Some(CABLE),
+        "stall" => Some(STALL),
+        name => Input::named(name).map(Input::number),
+    };
+    let unknown = || "inputs are numbered 1 to 12, or named, as arc, estop, cable or stall".into();
+    number.or_else(named).ok_or_else(unknown)
 }
 
 /// What an input does to motion (command reference, VN).

@@ -40,7 +40,7 @@ pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};
 pub use hand::Push;
-pub use inputs::{CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty};
+pub use inputs::{CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number};
 pub use limits::Violation;
 pub use log::{Happening, Log, What};
 pub use machine::{Machine, WasOn};

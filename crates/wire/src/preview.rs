@@ -13,6 +13,8 @@
 //! ```
 //!
 //! The first vertex of a piece is the last of the one before.
+//!
+//! `GET /api/preview/KEY/timing` gives a [`Timing`].
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -83,4 +85,46 @@ pub struct ToolPathInfo {
     pub seconds: f64,
     /// Its first move.
     pub first_move: u32,
+}
+
+/// Most points of a line of a timing chart, and most edges of all of them.
+pub const TIMING_POINTS: usize = 20_000;
+
+/// Inputs and outputs of a run on the simulated machine, beside its motion.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Timing {
+    /// Where it ends, seconds of machine time.
+    pub seconds: f64,
+    /// Whether it holds all of the run: a chart with too many edges ends before.
+    pub whole: bool,
+    /// Its lines, from above.
+    pub lines: Vec<TimingLine>,
+}
+
+/// A line of a timing chart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct TimingLine {
+    /// What it shows.
+    pub kind: TimingKind,
+    /// Its name.
+    pub name: String,
+    /// Moments, seconds, and the value there. Between those of an axis or a value it changes evenly; a bit
+    /// is 0 before the first and keeps what it is to the next.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// What a line of a timing chart shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub enum TimingKind {
+    /// Where an axis is, mm: from the working zero for a program, from the machine's for a job.
+    Axis,
+    /// A value: intensity, pulses a second.
+    Value,
+    /// An output.
+    Output,
+    /// An input.
+    Input,
 }

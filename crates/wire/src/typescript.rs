@@ -1,6 +1,6 @@
 //! The types as TypeScript.
 
-use crate::preview::PreviewInfo;
+use crate::preview::{PreviewInfo, Timing};
 use crate::{
     Checked, CommandEntry, Completion, FileInfo, Hint, Hover, JobView, Lamp, OperationEntry,
     PortBit, Request, SettingArea, ShapeList, ToPage, ToolPaths, Values,
@@ -37,6 +37,7 @@ pub fn typescript() -> String {
     declared.visit::<ToPage>();
     declared.visit::<Request>();
     declared.visit::<PreviewInfo>();
+    declared.visit::<Timing>();
     declared.visit::<ShapeList>();
     declared.visit::<ToolPaths>();
     declared.visit::<JobView>();

@@ -4,11 +4,13 @@ use super::{Refused, aside};
 use crate::app::{App, lock, problem};
 use crate::preview::Preview;
 use axum::Json;
-use axum::extract::{Path, State};
+use axum::extract::{Path, Query, State};
 use axum::http::header;
 use axum::response::IntoResponse;
-use kerf_wire::preview::PreviewInfo;
+use kerf_sim::Change;
+use kerf_wire::preview::{PreviewInfo, Timing};
 use kerf_wire::{Problem, Why};
+use serde::Deserialize;
 use std::sync::Arc;
 
 fn find(app: &App, key: &str) -> Result<Arc<Preview>, Problem> {
@@ -41,4 +43,25 @@ pub async fn piece(
         (header::CACHE_CONTROL, "private, max-age=3600, immutable"),
     ];
     Ok((headers, bytes.await?))
+}
+
+/// What a timing chart is asked with.
+#[derive(Deserialize)]
+pub struct Asked {
+    /// Changes of the simulated machine's inputs, `3@2.5=1,arc@4=1`.
+    #[serde(default)]
+    inputs: String,
+}
+
+/// The timing chart of the open file; a long one takes a while the first time.
+pub async fn timing(
+    State(app): State<Arc<App>>,
+    Path(key): Path<String>,
+    Query(Asked { inputs }): Query<Asked>,
+) -> Result<Json<Arc<Timing>>, Refused> {
+    let preview = find(&app, &key)?;
+    let changes = inputs.split([',', ' ']).filter(|text| !text.is_empty()).map(str::parse);
+    let changes: Result<Vec<Change>, String> = changes.collect();
+    let changes = changes.map_err(|why| problem(Why::Mistake, why))?;
+    Ok(Json(aside(move || app.timing(&key, &preview, changes)).await?))
 }

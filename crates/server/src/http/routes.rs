@@ -8,7 +8,7 @@ use axum::extract::DefaultBodyLimit;
 use axum::middleware::from_fn_with_state;
 use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_control::MOST_BYTES;
-use kerf_wire::preview::PreviewInfo;
+use kerf_wire::preview::{PreviewInfo, Timing};
 use kerf_wire::{
     Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
     OperationEntry, PortBit, Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
@@ -43,6 +43,7 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/files/{*name}", upload),
         ("/api/media/{*name}", get(media::sound)),
         ("/api/preview/{key}", get(preview::info)),
+        ("/api/preview/{key}/timing", get(preview::timing)),
         ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
         ("/api/job", get(rest::job)),
         ("/api/job/start", post(rest::start)),
@@ -121,6 +122,12 @@ fn routes() -> Vec<Route> {
             answer: None,
         },
         looks("/api/preview/{key}", "The preview of the open file", Some(schema::<PreviewInfo>)),
+        looks(
+            "/api/preview/{key}/timing",
+            "Inputs and outputs of the open file beside its motion, from a run on the simulated machine: \
+             ?inputs=3@2.5=1 moves an input",
+            Some(schema::<Timing>),
+        ),
         looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
         looks("/api/job", "The paths of the open job, and how it is cut", Some(schema::<JobView>)),
         Route {

@@ -4,24 +4,28 @@
 //!  program ── Session::run, as a preview ──► Collector ──► Path ──► coarser ──► coarser …
 //!                                                            └─ piece ─► bytes over HTTP
 //! ```
+//!
+//! The timing chart is another run of the same kind, made when somebody asks for it.
 
 mod collect;
 mod path;
+mod timing;
 
 pub use path::Path;
+pub use timing::timing;
 
 use crate::machine::Planned;
 use collect::Collector;
-use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Summary, Wish, Work};
+use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Sink, Summary, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
 use kerf_wire::Finding;
-use kerf_wire::preview::{Detail, PreviewInfo, ToolPathInfo};
+use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 /// Segments that a page can turn smoothly.
 const FEW: usize = 40_000;
@@ -48,6 +52,8 @@ pub struct Preview {
     pub machine: Option<Arc<Configuration>>,
     /// Other program files that it called, as they were.
     pub called: Called,
+    /// The timing chart without inputs, as soon as somebody asked for it.
+    pub timing: OnceLock<Arc<Timing>>,
 }
 
 impl Preview {
@@ -81,7 +87,7 @@ impl Pace for Until<'_> {
 pub fn make(
     work: Work,
     parameters: FileParameters,
-    mut session: Session,
+    session: Session,
     shelf: &mut Shelf,
     given_up: &AtomicBool,
 ) -> Option<Preview> {
@@ -90,21 +96,36 @@ pub fn make(
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
     let mut sink = Collector::new(session.memory.position.first3());
-    let mut options = RunOptions::default();
-    options.program.preview = true;
-    options.program.file = parameters;
-    options.program.max_lines = MOST_LINES;
-    let company = Company { sink: &mut sink, operator: &mut (), pace: &mut Until(given_up) };
-    let summary = session.run(work, options, shelf, company);
-    if given_up.load(Ordering::Relaxed) {
-        return None;
-    }
+    let summary = silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
     if !is_job {
         sink.ends.clear();
     }
     let called = shelf.take_called();
     Some(Preview { failed, machine, called, ..finish(sink, &summary, start) })
+}
+
+/// How a preview runs.
+fn options(parameters: FileParameters) -> RunOptions {
+    let mut options = RunOptions::default();
+    options.program.preview = true;
+    options.program.file = parameters;
+    options.program.max_lines = MOST_LINES;
+    options
+}
+
+/// Runs on a copy of a session, answers as they are by default; nothing when it was given up.
+fn silently(
+    work: Work,
+    options: RunOptions,
+    mut session: Session,
+    shelf: &mut Shelf,
+    given_up: &AtomicBool,
+    sink: &mut dyn Sink,
+) -> Option<Summary> {
+    let company = Company { sink, operator: &mut (), pace: &mut Until(given_up) };
+    let summary = session.run(work, options, shelf, company);
+    (!given_up.load(Ordering::Relaxed)).then_some(summary)
 }
 
 /// A job that waits for no door, no jig and no second Start: its preview shows what is cut. With it comes the
@@ -129,6 +150,7 @@ fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Previ
         start,
         machine: None,
         called: Called::new(),
+        timing: OnceLock::new(),
     }
 }
 

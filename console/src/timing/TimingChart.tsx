@@ -1,0 +1,159 @@
+import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
+import { useSnapshot } from "../app/context";
+import { Button } from "../ui/Button";
+import { useSize } from "../view/useSize";
+import type { Timing } from "../wire/messages";
+import { all, closer, earlier, further, later, moveOfKey } from "./keys";
+import { momentOf, panned, pixelOf, type Span, ticksOf, whole, zoomed } from "./span";
+import { TimingRow } from "./TimingRow";
+import { useDrag } from "./useDrag";
+
+/** The chart: lines under one another, time along them. */
+export function TimingChart({ timing }: { timing: Timing }) {
+  const end = timing.seconds;
+  const [span, setSpan] = useState(() => whole(end));
+  const [at, setAt] = useState<number | null>(null);
+  const plot = useRef<HTMLDivElement>(null);
+  const { width } = useSize(plot);
+  const units = useSnapshot("units") ?? { mm: 1, linear: "mm" };
+  const ticks = useMemo(() => ticksOf(span, width), [span, width]);
+  const chart = useWheel(plot, (at, detail, sideways) =>
+    setSpan((now) =>
+      sideways === 0
+        ? zoomed(now, momentOf(now, at, width), detail, end)
+        : panned(now, sideways / Math.max(width, 1), end),
+    ),
+  );
+  const drag = useDrag({
+    plot,
+    onPan: (pixels) => setSpan((now) => panned(now, -pixels / Math.max(width, 1), end)),
+    onZoom: (x, factor) => setSpan((now) => zoomed(now, momentOf(now, x, width), factor, end)),
+    onAt: (x) => setAt(x === null ? null : momentOf(span, x, width)),
+  });
+  const hear = (event: KeyboardEvent) => {
+    const move = event.ctrlKey || event.altKey || event.metaKey ? undefined : moveOfKey(event.key);
+    if (!move) return;
+    event.preventDefault();
+    event.stopPropagation();
+    setSpan((now) => move(now, end));
+  };
+  const rest = { span, ticks: ticks.at, width, at, units };
+  return (
+    <>
+      <TimingBar span={span} end={end} at={at} onSpan={setSpan} />
+      {/* biome-ignore lint/a11y/useSemanticElements: a group of drawn lines that hears keys */}
+      <div
+        ref={chart}
+        className="timing-chart"
+        role="group"
+        aria-label="Timing chart"
+        // biome-ignore lint/a11y/noNoninteractiveTabindex: its keys are heard while it has the focus
+        tabIndex={0}
+        data-first
+        data-from={span.from}
+        data-to={span.to}
+        onKeyDown={hear}
+        {...drag}
+      >
+        {timing.lines.map((line) => (
+          <TimingRow key={`${line.kind} ${line.name}`} line={line} {...rest} />
+        ))}
+        <div className="timing-row timing-foot">
+          <span className="timing-name">s</span>
+          <div ref={plot} className="timing-plot">
+            <TimeAxis span={span} ticks={ticks} width={width} />
+          </div>
+        </div>
+      </div>
+      {!timing.whole && (
+        <p className="timing-note">
+          The chart ends here: the file switches more often than a chart holds.
+        </p>
+      )}
+    </>
+  );
+}
+
+interface TimingBarProps {
+  span: Span;
+  end: number;
+  at: number | null;
+  onSpan: (change: (span: Span) => Span) => void;
+}
+
+const buttons = [
+  { words: "◀", name: "Earlier", move: earlier },
+  { words: "▶", name: "Later", move: later },
+  { words: "+", name: "More detail", move: closer },
+  { words: "−", name: "Less detail", move: further },
+  { words: "All", name: "All of it", move: all },
+] as const;
+
+/** What moves the time, and which stretch is shown. */
+function TimingBar({ span, end, at, onSpan }: TimingBarProps) {
+  return (
+    <div className="timing-bar" role="toolbar" aria-label="Time">
+      {buttons.map(({ words, name, move }) => (
+        <Button
+          key={name}
+          size="small"
+          aria-label={name}
+          onPress={() => onSpan((now) => move(now, end))}
+        >
+          {words}
+        </Button>
+      ))}
+      <output className="timing-span">
+        {at === null ? `${seconds(span.from)} … ${seconds(span.to)}` : `at ${seconds(at)}`}
+      </output>
+    </div>
+  );
+}
+
+const seconds = (at: number): string => `${at.toFixed(3)} s`;
+
+interface TimeAxisProps {
+  span: Span;
+  ticks: { at: readonly number[]; decimals: number };
+  width: number;
+}
+
+function TimeAxis({ span, ticks, width }: TimeAxisProps) {
+  return (
+    <svg width={width} height={22} aria-hidden="true">
+      {ticks.at.map((at) => {
+        const x = pixelOf(span, at, width);
+        const anchor = x < 20 ? "start" : x > width - 20 ? "end" : "middle";
+        return (
+          <text key={at} x={x} y={15} textAnchor={anchor}>
+            {at.toFixed(ticks.decimals)}
+          </text>
+        );
+      })}
+    </svg>
+  );
+}
+
+/** The wheel: more or less detail about the pointer, sideways or with Shift earlier and later. */
+function useWheel(
+  plot: { current: HTMLElement | null },
+  turn: (x: number, detail: number, sideways: number) => void,
+) {
+  const chart = useRef<HTMLDivElement>(null);
+  const latest = useRef(turn);
+  latest.current = turn;
+  useEffect(() => {
+    const box = chart.current;
+    const hear = (event: WheelEvent) => {
+      event.preventDefault();
+      const left = plot.current?.getBoundingClientRect().left ?? 0;
+      const across = event.shiftKey ? event.deltaX + event.deltaY : event.deltaX;
+      const sideways = event.shiftKey || Math.abs(across) > Math.abs(event.deltaY) ? across : 0;
+      latest.current(event.clientX - left, Math.exp(-event.deltaY / 500), sideways);
+    };
+    // The sheet must not scroll meanwhile.
+    box?.addEventListener("wheel", hear, { passive: false });
+    return () => box?.removeEventListener("wheel", hear);
+  }, [plot]);
+  return chart;
+}

@@ -1,0 +1,105 @@
+import type { TimingLine } from "../wire/messages";
+import { bitWords, coursePath, isBit, labelled, rangeOf, valueAt } from "./course";
+import { pixelOf, type Span } from "./span";
+
+/** Heights of a row with a value and of one with a bit, pixels. */
+const [tall, low] = [68, 40];
+
+/** Room of the moment beside an edge, pixels. */
+const labelRoom = 46;
+
+interface TimingRowProps {
+  line: TimingLine;
+  span: Span;
+  ticks: readonly number[];
+  width: number;
+  /** The moment under the pointer. */
+  at: number | null;
+  units: { mm: number; linear: string };
+}
+
+/** One line of the chart with its name. */
+export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProps) {
+  const bit = isBit(line);
+  const height = bit ? low : tall;
+  const range = rangeOf(line.points);
+  const box = { width, top: 16, bottom: height - 5 };
+  const path = coursePath(line, range, span, box);
+  const read = readOf(line, units);
+  const words = bit
+    ? bitWords(line, span)
+    : `${nameOf(line)} from ${read(range[0])} to ${read(range[1])}`;
+  return (
+    <div className="timing-row" data-line={line.name}>
+      <span className="timing-name">
+        <b title={line.name}>{nameOf(line)}</b>
+        <small>{at === null ? about(line, units) : read(valueAt(line, at))}</small>
+      </span>
+      <div className="timing-plot">
+        <svg width={width} height={height} role="img" aria-label={words}>
+          {ticks.map((tick) => (
+            <Upright key={tick} x={pixelOf(span, tick, width)} height={height} look="grid" />
+          ))}
+          {bit && <path className={`timing-fill-${line.kind}`} d={`${path}V${box.bottom}H0Z`} />}
+          <path className={`timing-line timing-${line.kind}`} d={path} />
+          {bit &&
+            labelled(line, span, width, labelRoom).map(({ x, at, before }) => (
+              <text
+                key={at}
+                x={before ? x - 2 : x + 2}
+                y={11}
+                textAnchor={before ? "end" : "start"}
+              >
+                {at.toFixed(3)}
+              </text>
+            ))}
+          {!bit && range[1] > range[0] && <Range width={width} words={range.map(read)} box={box} />}
+          {at !== null && <Upright x={pixelOf(span, at, width)} height={height} look="cursor" />}
+        </svg>
+      </div>
+    </div>
+  );
+}
+
+function Upright({ x, height, look }: { x: number; height: number; look: "grid" | "cursor" }) {
+  return <line className={`timing-${look}`} x1={x} x2={x} y1={0} y2={height} />;
+}
+
+/** The greatest value above, the least below. */
+function Range({
+  width,
+  words,
+  box,
+}: {
+  width: number;
+  words: readonly string[];
+  box: { top: number; bottom: number };
+}) {
+  return (
+    <>
+      <text className="timing-range" x={width - 3} y={box.top - 5} textAnchor="end">
+        {words[1]}
+      </text>
+      <text className="timing-range" x={width - 3} y={box.bottom - 3} textAnchor="end">
+        {words[0]}
+      </text>
+    </>
+  );
+}
+
+const nameOf = ({ kind, name }: TimingLine): string =>
+  kind === "axis" ? name.toUpperCase() : name;
+
+const about = ({ kind, name }: TimingLine, { linear }: TimingRowProps["units"]): string => {
+  if (kind === "axis") return linear;
+  return kind === "value" || name.startsWith(kind) ? "" : kind;
+};
+
+/** How its values are written. */
+function readOf({ kind }: TimingLine, { mm, linear }: TimingRowProps["units"]) {
+  return (value: number): string => {
+    if (kind === "axis") return `${(value / mm).toFixed(mm === 1 ? 2 : 3)} ${linear}`;
+    if (kind === "value") return String(Math.round(value * 1000) / 1000);
+    return value > 0 ? "on" : "off";
+  };
+}

@@ -1,0 +1,115 @@
+import { describe, expect, it } from "vitest";
+import type { TimingLine } from "../wire/messages";
+import { bitWords, coursePath, labelled, valueAt } from "./course";
+import { moveOfKey } from "./keys";
+import { momentOf, panned, pixelOf, ticksOf, whole, zoomed } from "./span";
+
+const router: TimingLine = {
+  kind: "output",
+  name: "router",
+  points: [
+    [2, 1],
+    [6, 0],
+  ],
+};
+const z: TimingLine = {
+  kind: "axis",
+  name: "z",
+  points: [
+    [1, 0],
+    [3, -20],
+    [5, -20],
+  ],
+};
+const box = { width: 100, top: 10, bottom: 30 };
+
+describe("the span", () => {
+  it("zooms about a moment, which stays where it is", () => {
+    const span = zoomed(whole(10), 4, 2, 10);
+    expect(span).toEqual({ from: 2, to: 7 });
+    expect(pixelOf(span, 4, 100)).toBe(40);
+    expect(momentOf(span, 40, 100)).toBe(4);
+  });
+
+  it("never leaves the run", () => {
+    expect(zoomed({ from: 2, to: 7 }, 4, 0.01, 10)).toEqual({ from: 0, to: 10 });
+    expect(panned({ from: 2, to: 7 }, 9, 10)).toEqual({ from: 5, to: 10 });
+    expect(panned({ from: 2, to: 7 }, -9, 10)).toEqual({ from: 0, to: 5 });
+    const closest = zoomed(whole(10), 10, 1e9, 10);
+    expect(closest.to - closest.from).toBeCloseTo(0.001, 9);
+  });
+
+  it("has keys", () => {
+    const press = (key: string) => moveOfKey(key)?.({ from: 2, to: 6 }, 10);
+    expect(press("ArrowRight")).toEqual({ from: 3, to: 7 });
+    expect(press("End")).toEqual({ from: 6, to: 10 });
+    expect(press("Home")).toEqual({ from: 0, to: 4 });
+    expect(press("0")).toEqual({ from: 0, to: 10 });
+    expect(press("k")).toBeUndefined();
+  });
+
+  it("is marked at round moments that have room", () => {
+    expect(ticksOf(whole(10), 720)).toEqual({
+      at: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10],
+      decimals: 0,
+    });
+    expect(ticksOf({ from: 0.31, to: 0.61 }, 216)).toMatchObject({ decimals: 1 });
+    expect(ticksOf(whole(0), 500).at.length).toBeGreaterThan(1);
+    expect(ticksOf(whole(3600), 300).at.length).toBeLessThan(6);
+  });
+});
+
+describe("a line", () => {
+  it("of a bit goes up and down at its edges", () => {
+    const path = coursePath(router, [0, 1], whole(10), box);
+    expect(path).toBe("M0.0 30.0L20.0 30.0L20.0 10.0L60.0 10.0L60.0 30.0L100.0 30.0");
+    const within = coursePath(router, [0, 1], { from: 3, to: 5 }, box);
+    const begins = coursePath(
+      {
+        ...router,
+        points: [
+          [0, 1],
+          [10, 0],
+        ],
+      },
+      [0, 1],
+      whole(10),
+      box,
+    );
+    expect(begins, "edges at both ends").toBe(
+      "M0.0 30.0L0.0 30.0L0.0 10.0L100.0 10.0L100.0 30.0L100.0 30.0",
+    );
+    expect(within, "on from before the span until behind it").toBe("M0.0 10.0L100.0 10.0");
+  });
+
+  it("of an axis rests before its first point and behind its last", () => {
+    const path = coursePath(z, [-20, 0], whole(10), box);
+    expect(path).toBe("M0.0 10.0L10.0 10.0L30.0 30.0L50.0 30.0L100.0 30.0");
+  });
+
+  it("of very many points keeps their peaks and not their number", () => {
+    const points = Array.from({ length: 20_000 }, (_, n): [number, number] => [
+      n / 2000,
+      n === 12_345 ? 50 : n % 2,
+    ]);
+    const path = coursePath({ kind: "value", points }, [0, 50], whole(10), box);
+    expect(path.split("L").length).toBeLessThan(450);
+    expect(path).toContain(" 10.0");
+  });
+
+  it("has a value at every moment", () => {
+    expect([1.9, 2, 5.9, 6].map((at) => valueAt(router, at))).toEqual([0, 1, 1, 0]);
+    expect([0, 1, 2, 4, 9].map((at) => valueAt(z, at))).toEqual([0, 0, -10, -20, -20]);
+    expect(valueAt({ kind: "axis", points: [] }, 1)).toBe(0);
+  });
+
+  it("tells its edges in words, and beside them where there is room", () => {
+    expect(bitWords(router, whole(10))).toBe("router: on 2.000 s, off 6.000 s");
+    expect(bitWords(router, { from: 3, to: 5 })).toBe("router is on all the time");
+    expect(labelled(router, whole(10), 400, 46).map(({ at }) => at)).toEqual([2, 6]);
+    expect(
+      labelled(router, whole(10), 100, 46).map(({ at }) => at),
+      "one hides the other",
+    ).toEqual([2]);
+  });
+});

@@ -1,0 +1,151 @@
+/** The lines of a chart as paths of pixels, and what they are at a moment. */
+
+import type { TimingLine } from "../wire/messages";
+import { pixelOf, type Span } from "./span";
+
+export type Point = readonly [at: number, value: number];
+
+/** Where a line is drawn: pixels of its row. */
+export interface Box {
+  readonly width: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+export const isBit = ({ kind }: Pick<TimingLine, "kind">): boolean =>
+  kind === "output" || kind === "input";
+
+/** How many points are at a moment or before. */
+function before(points: readonly Point[], at: number): number {
+  let [low, high] = [0, points.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((points[middle]?.[0] ?? 0) <= at) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** What a line is at a moment. */
+export function valueAt(line: Pick<TimingLine, "kind" | "points">, at: number): number {
+  const { points } = line;
+  const next = before(points, at);
+  const [a, b] = [points[next - 1], points[next]];
+  if (isBit(line)) return a?.[1] ?? 0;
+  if (!a) return b?.[1] ?? 0;
+  if (!b || b[0] <= a[0]) return a[1];
+  return a[1] + ((b[1] - a[1]) * (at - a[0])) / (b[0] - a[0]);
+}
+
+/** How far before its beginning an edge still belongs to a span: one at zero is at its very beginning. */
+const slack = 1e-9;
+
+/** The edges of a bit that are shown. */
+export const edgesIn = ({ points }: Pick<TimingLine, "points">, span: Span): readonly Point[] =>
+  points.slice(before(points, span.from - slack), before(points, span.to));
+
+/** The points that are shown, and one beyond each end of the span. */
+function shown(points: readonly Point[], span: Span): readonly Point[] {
+  return points.slice(Math.max(before(points, span.from) - 1, 0), before(points, span.to) + 1);
+}
+
+/** Of the points on one pixel only the first, the least, the greatest and the last. */
+function thinned(points: readonly (readonly [x: number, y: number])[]) {
+  const out: (readonly [number, number])[] = [];
+  for (let n = 0; n < points.length; ) {
+    const start = n;
+    const column = Math.floor(points[n]?.[0] ?? 0);
+    while (n < points.length && Math.floor(points[n]?.[0] ?? 0) === column) n += 1;
+    const here = points.slice(start, n);
+    if (here.length <= 4) out.push(...here);
+    else {
+      const ys = here.map(([, y]) => y);
+      const x = here[0]?.[0] ?? 0;
+      out.push([x, ys[0] ?? 0], [x, Math.min(...ys)], [x, Math.max(...ys)], [x, ys.at(-1) ?? 0]);
+    }
+  }
+  return out;
+}
+
+const pathOf = (points: readonly (readonly [number, number])[]): string =>
+  points.map(([x, y], n) => `${n === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
+
+/** Least and greatest value of a line. */
+export function rangeOf(points: readonly Point[]): readonly [number, number] {
+  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const [, value] of points) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  return low <= high ? [low, high] : [0, 0];
+}
+
+/** A bit: up while it is on. */
+function bitPath({ points }: Pick<TimingLine, "points">, span: Span, box: Box): string {
+  const y = (on: number) => (on > 0 ? box.top : box.bottom);
+  const corners: [number, number][] = [
+    [0, y(points[before(points, span.from - slack) - 1]?.[1] ?? 0)],
+  ];
+  for (const [at, on] of edgesIn({ points }, span)) {
+    const x = pixelOf(span, at, box.width);
+    corners.push([x, corners.at(-1)?.[1] ?? 0], [x, y(on)]);
+  }
+  corners.push([box.width, corners.at(-1)?.[1] ?? 0]);
+  return pathOf(thinned(corners));
+}
+
+/** The line as a path of an SVG; a value fills its row from its least to its greatest. */
+export function coursePath(
+  line: Pick<TimingLine, "kind" | "points">,
+  range: readonly [number, number],
+  span: Span,
+  box: Box,
+): string {
+  if (isBit(line)) return bitPath(line, span, box);
+  const [low, high] = range;
+  const tall = Math.max(high - low, 1e-9);
+  const corners = shown(line.points, span).map(([at, value]): [number, number] => [
+    pixelOf(span, at, box.width),
+    box.bottom - ((value - low) / tall) * (box.bottom - box.top),
+  ]);
+  // Before its first point and behind its last it stays.
+  const [first, last] = [corners[0], corners.at(-1)];
+  if (!first || !last) return "";
+  const ends: [number, number][] = [[Math.max(last[0], box.width), last[1]]];
+  return pathOf(thinned([[Math.min(first[0], 0), first[1]], ...corners, ...ends]));
+}
+
+/** A moment beside its edge; before it where there is no room behind. */
+export interface Label {
+  readonly at: number;
+  readonly x: number;
+  readonly before: boolean;
+}
+
+/** The moments of edges that have that many pixels of room. */
+export function labelled(line: TimingLine, span: Span, width: number, room: number) {
+  const labels: Label[] = [];
+  let free = 0;
+  for (const [at] of edgesIn(line, span)) {
+    const x = pixelOf(span, at, width);
+    const before = x + room > width;
+    const [from, to] = before ? [x - room, x] : [x, x + room];
+    if (from < free) continue;
+    labels.push({ at, x, before });
+    free = to;
+  }
+  return labels;
+}
+
+/** Edges that are told in words; whoever wants more looks at a shorter stretch. */
+const mostTold = 12;
+
+/** A bit in words. */
+export function bitWords(line: TimingLine, span: Span): string {
+  const edges = edgesIn(line, span);
+  if (edges.length === 0) {
+    return `${line.name} is ${valueAt(line, span.from) > 0 ? "on" : "off"} all the time`;
+  }
+  const told = edges
+    .slice(0, mostTold)
+    .map(([at, on]) => `${on > 0 ? "on" : "off"} ${at.toFixed(3)} s`);
+  const more = edges.length > mostTold ? ` and ${edges.length - mostTold} more` : "";
+  return `${line.name}: ${told.join(", ")}${more}`;
+}

@@ -1,0 +1,41 @@
+/** The keys of the timing chart. */
+
+import { panned, type Span, whole, zoomed } from "./span";
+
+/** What a key does to the stretch that is shown; `end` is that of the run. */
+type Move = (span: Span, end: number) => Span;
+
+const about = (factor: number): Move => {
+  return (span, end) => zoomed(span, (span.from + span.to) / 2, factor, end);
+};
+
+export const closer = about(1.5);
+export const further = about(1 / 1.5);
+export const earlier: Move = (span, end) => panned(span, -0.25, end);
+export const later: Move = (span, end) => panned(span, 0.25, end);
+export const all: Move = (_, end) => whole(end);
+
+const moves: Readonly<Record<string, Move>> = {
+  "+": closer,
+  "=": closer,
+  "-": further,
+  ArrowLeft: earlier,
+  ArrowRight: later,
+  PageUp: (span, end) => panned(span, -1, end),
+  PageDown: (span, end) => panned(span, 1, end),
+  Home: ({ from, to }) => ({ from: 0, to: to - from }),
+  End: ({ from, to }, end) => ({ from: end - (to - from), to: end }),
+  "0": all,
+};
+
+/** What this key means, if it means anything. */
+export const moveOfKey = (key: string): Move | undefined => moves[key];
+
+/** The keys as the help lists them. */
+export const keyHelp: readonly { keys: string; means: string }[] = [
+  { keys: "+ −", means: "More or less detail" },
+  { keys: "← →", means: "Earlier, later" },
+  { keys: "Page Up, Page Down", means: "A whole width earlier, later" },
+  { keys: "Home, End", means: "The beginning, the end" },
+  { keys: "0", means: "All of it" },
+];
