@@ -206,7 +206,7 @@ impl Watch<'_> {
         let it = made.span.made;
         let way: f64 = it.to.minus(it.from).first3().iter().map(|v| v * v).sum();
         // Round a bend the way in and the way along may both be at their highest.
-        let share = match (it.arc(), it.length_mm > way.sqrt() + 1e-6) {
+        let share = match (it.arc(), it.length_mm > way.sqrt() + 1e-9) {
             (Some(_), _) => SQRT_2,
             // What a stop leaves of a smooth curve is a curve of its own, bent a little more at its end.
             (None, true) => 1.05 * SQRT_2,
