@@ -1,6 +1,7 @@
 import { actions } from "../actions/registry";
-import { KeypadHelp } from "../keypad/KeypadHelp";
-import { keyHelp } from "../timing/keys";
+import { keyHelp as keypadKeys } from "../keypad/keys";
+import { keyHelp as timingKeys } from "../timing/keys";
+import { KeyHelp } from "../ui/KeyHelp";
 
 /** The keys of the console and of the keypad. */
 export function KeyLists() {
@@ -22,16 +23,9 @@ export function KeyLists() {
           ))}
       </dl>
       <h3>At the keypad</h3>
-      <KeypadHelp look="help-list" />
+      <KeyHelp keys={keypadKeys} look="help-list" />
       <h3>On the timing chart</h3>
-      <dl className="help-list">
-        {keyHelp.map(({ keys, means }) => (
-          <div key={keys}>
-            <dt>{keys}</dt>
-            <dd>{means}</dd>
-          </div>
-        ))}
-      </dl>
+      <KeyHelp keys={timingKeys} look="help-list" />
     </>
   );
 }

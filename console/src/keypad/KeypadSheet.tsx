@@ -5,12 +5,12 @@ import { useDisplay } from "../app/display";
 import { evaluate } from "../app/expression";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
+import { KeyHelp } from "../ui/KeyHelp";
 import { Sheet } from "../ui/Sheet";
 import type { Speeds } from "../wire/messages";
 import { JogButtons } from "./JogButtons";
-import { KeypadHelp } from "./KeypadHelp";
 import "./keypad.css";
-import { type Direction, directions, type Way, wayOfKey } from "./keys";
+import { type Direction, directions, keyHelp, type Way, wayOfKey } from "./keys";
 import { Pendant } from "./Pendant";
 import { Recorded } from "./Recorded";
 import { recorded } from "./record";
@@ -112,7 +112,7 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
           />
         )}
         <Recorded places={places} onChange={setPlaces} onKeep={keep} />
-        <KeypadHelp />
+        <KeyHelp keys={keyHelp} look="keypad-help" />
       </div>
     </Sheet>
   );
