@@ -5,13 +5,17 @@
 //!  NFP,CUT,,,,,,14:03:05,2026-11-21,,sim,kerf-0.1.0,,,,,,,~1234567
 //!  /parts/a.sbp,CUT,00:00:05,14:03:10,2026-11-21,,sim,kerf-0.1.0,,,,,,,~2345678
 //!  /parts/b.sbp,CUT,00:00:02,14:04:00,2026-11-21,error in line 3,sim,kerf-0.1.0,,,,,,,~4567890
+//!  uCommand,CUT,00:00:00,14:04:30,2026-11-21,one command of two letters expected …,sim,…
 //!  NORMAL,Total Time,00:12:30,14:15:35,2026-11-21,,sim,kerf-0.1.0,,,,,,,~3456789
 //! ```
 //!
-//! The item behind the date is empty but where a part file ended in an error. The last item is a check
+//! The item behind the date is empty but where a part file ended in an error, or a command that other
+//! software passed in was refused. The last item is a check
 //! number of the line before it, so that a line that was changed is noticed.
 
+use crate::command_passing::COMMAND;
 use crate::part_log::{Started, clock};
+use crate::session::Session;
 use crate::shelf::Shelf;
 use kerf_program::{HostError, Settings};
 use std::time::Instant;
@@ -136,6 +140,16 @@ impl Shelf {
         if let Err(error) = self.add_to_data(SYSTEM_LOG, &line) {
             self.stored.tell_trouble(format!("{SYSTEM_LOG}: {error}"));
         }
+    }
+}
+
+impl Session {
+    /// A command that other software passed in was not carried out, and why: an item of one line.
+    pub fn log_refused_command(&self, shelf: &mut Shelf, why: &str) {
+        let mode = mode_word(self.memory.before_preview.is_some());
+        let words: Vec<_> = why.split([',', ' ', '\n', '\r']).filter(|it| !it.is_empty()).collect();
+        let head = format!("{COMMAND},{mode},{}", clock(0.0));
+        shelf.log_with(&self.memory.settings, &head, &words.join(" "));
     }
 }
 

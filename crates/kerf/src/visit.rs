@@ -40,17 +40,22 @@ impl Visit {
         Ok(())
     }
 
-    /// A command that was passed in since; one that cannot be used is told and left.
-    pub fn command(&self, shelf: &Shelf) -> Result<Option<String>> {
+    /// A command that was passed in since; one that cannot be used is told, logged and left.
+    pub fn command(&self, session: &Session, shelf: &mut Shelf) -> Result<Option<String>> {
         let Some(journal) = shelf.journal() else { return Ok(None) };
         journal.take_in()?;
         match command_passing::take(journal)? {
             Some(Err(why)) => {
-                eprintln!("kerf: {}: {why}", command_passing::COMMAND);
+                tell_refused(&why, session, shelf);
                 Ok(None)
             }
             command => Ok(command.and_then(Result::ok)),
         }
+    }
+
+    /// A command that was passed in is not carried out.
+    pub fn refuses(command: &str, why: &str, session: &Session, shelf: &mut Shelf) {
+        tell_refused(&format!("{command} was not carried out: {why}"), session, shelf);
     }
 
     /// Kerf closes, and leaves nothing on.
@@ -59,4 +64,9 @@ impl Visit {
         drop(shelf.journal().map(|journal| journal.tell_rest(&Live::default())));
         shelf.close_system_log(&session.memory.settings, self.closing);
     }
+}
+
+fn tell_refused(why: &str, session: &Session, shelf: &mut Shelf) {
+    eprintln!("kerf: {}: {why}", command_passing::COMMAND);
+    session.log_refused_command(shelf, why);
 }

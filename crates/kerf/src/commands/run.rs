@@ -322,8 +322,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         let (summary, unkept) = over(session.resume(&cut, &mut shelf, company))?;
         Ok((summary, &session, unkept))
     })?;
-    visit.ends(&session, &mut shelf);
-    Ok(exit)
+    closes(exit, &visit, (&mut session, &mut shelf), args, run)
 }
 
 /// Runs a job on the machine and keeps what stays.
@@ -363,7 +362,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
-    let mut exit = attended(args, run, show, answers, controller.clone(), |company| {
+    let exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
         let (summary, unkept) = over(match kept {
             true => session.run_on_record(work, options, replaced, shelf, company),
@@ -374,13 +373,34 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
         controller::leaves(name, &shared, &mut shelf);
     }
-    if kept {
-        let stop = Stop::listen()?;
-        while let Some(command) = visit.command(&shelf)?.filter(|_| !stop.leaves()) {
-            exit = passed_in(command, &mut session, &mut shelf, args, run)?;
-        }
-        visit.ends(&session, &mut shelf);
+    match kept {
+        true => closes(exit, &visit, (&mut session, &mut shelf), args, run),
+        false => Ok(exit),
     }
+}
+
+/// Carries out what other software passed in while the file ran, and closes.
+fn closes(
+    mut exit: Exit,
+    visit: &Visit,
+    (session, shelf): (&mut Session, &mut Shelf),
+    args: &MachineArgs,
+    run: &RunArgs,
+) -> Result<Exit> {
+    let stop = Stop::listen()?;
+    while let Some(command) = visit.command(session, shelf)? {
+        let why_not = match &args.driver {
+            _ if stop.leaves() => Some("Kerf ends"),
+            _ if exit != Exit::Good => Some("what ran before did not come to its end"),
+            Some(_) => Some("on a controller nothing is carried out behind the file"),
+            None => None,
+        };
+        match why_not {
+            Some(why) => Visit::refuses(&command, why, session, shelf),
+            None => exit = passed_in(command, session, shelf, args, run)?,
+        }
+    }
+    visit.ends(session, shelf);
     Ok(exit)
 }
 

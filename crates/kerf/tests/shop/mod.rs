@@ -149,3 +149,11 @@ impl Did {
         serde_json::from_str(&self.out()).expect("JSON")
     }
 }
+
+pub fn until(what: &str, mut holds: impl FnMut() -> bool) {
+    let begun = std::time::Instant::now();
+    while !holds() {
+        assert!(begun.elapsed().as_secs() < 20, "{what}");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+}

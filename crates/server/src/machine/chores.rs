@@ -29,6 +29,8 @@ impl Owner {
             Ok(Some(Err(why))) => why,
             Err(error) => error.to_string(),
         };
+        let Workshop { session, shelf, .. } = &mut self.workshop;
+        session.log_refused_command(shelf, &told);
         self.hub.say(Tone::Warning, format!("{}: {told}", command_passing::COMMAND));
         None
     }
