@@ -127,7 +127,7 @@ it("the keypad of a part file, with what it says, is open everywhere; a jog is s
   await begins("idle");
 });
 
-it("a nudge after a stop: both see the question, and the job goes on shifted", async () => {
+it("sbp_lim_stop_key: a stop offers Resume, Quit, nudge and keypad on both pages, and a nudged job goes on shifted", async () => {
   await script(workshop, "open", { name: "long.sbp" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   await page.getByRole("button", { name: "Start" }).click();
@@ -135,7 +135,10 @@ it("a nudge after a stop: both see the question, and the job goes on shifted", a
   await other.getByRole("button", { name: "STOP", exact: true }).click();
   await begins("stopped");
   await everywhere(async (one) => {
-    await one.getByRole("button", { name: "Nudge…" }).waitFor();
+    const stopped = one.getByRole("dialog", { name: "Stopped" });
+    for (const name of ["Resume", "Quit", "Nudge…", "Move the tool…"]) {
+      await stopped.getByRole("button", { name, exact: true }).waitFor();
+    }
   });
   const before = (await stateOf(workshop)).motion.at;
   await page.getByRole("button", { name: "Nudge…" }).click();

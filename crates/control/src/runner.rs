@@ -436,26 +436,27 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         if self.joins(&sourced.command) {
             if self.stack.is_empty() {
-                if let Err(over) = self.may_turn(&sourced) {
-                    return Flow::Over(over);
-                }
-                self.world.perform(sourced.command);
-                self.mover.set_position(self.world.machine.position());
-            } else {
-                self.stack.mark(sourced);
+                return self.perform(sourced.command, sourced.at);
             }
+            self.stack.mark(sourced);
             return Flow::On;
         }
         match (self.flush_before(|by| sourced.command.shift(by)), sourced.command) {
             (Flow::On, Command::Wait { seconds }) => self.wait(seconds),
-            (Flow::On, command) => {
-                self.world.perform(command);
-                // A preview begins and ends elsewhere than the last move.
-                self.mover.set_position(self.world.machine.position());
-                Flow::On
-            }
+            (Flow::On, command) => self.perform(command, sourced.at),
             (flow, _) => flow,
         }
+    }
+
+    /// Carries out a command at rest, where it may be.
+    fn perform(&mut self, command: Command, at: At) -> Flow {
+        if let Err(over) = self.may_turn(&command, at) {
+            return Flow::Over(over);
+        }
+        self.world.perform(command);
+        // A preview begins and ends elsewhere than the last move.
+        self.mover.set_position(self.world.machine.position());
+        Flow::On
     }
 
     /// Whether a move of Z alone begins where the torch has brought it.

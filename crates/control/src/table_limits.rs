@@ -6,7 +6,7 @@ use crate::session::LimitPolicy;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::lines::{Input, Output};
 use kerf_motion::{Move, Queue};
-use kerf_program::{At, Command, Interpreter, Sourced, Status};
+use kerf_program::{At, Command, Independent, Interpreter, Status, Turn};
 use kerf_sim::{Violation, Watched};
 
 /// What is told when the interlock forbids motion or a spindle.
@@ -142,12 +142,18 @@ impl<I: Interpreter> Runner<'_, I> {
         )
     }
 
-    /// No spindle starts where nothing may move: in an open enclosure, while a stop is pressed.
-    pub(crate) fn may_turn(&mut self, sourced: &Sourced) -> Result<(), Over> {
-        let starts =
-            matches!(sourced.command, Command::Output { number, on: true } if turns(number));
+    /// No spindle and no axis of its own (MI) starts where nothing may move: in an open enclosure, while a stop is
+    /// pressed.
+    pub(crate) fn may_turn(&mut self, command: &Command, at: At) -> Result<(), Over> {
+        let starts = match command {
+            Command::Output { number, on } => *on && turns(*number),
+            Command::Independent { motion, .. } => *motion != Independent::Off,
+            Command::SpindleTurn { turn, .. } => *turn != Turn::Off,
+            Command::Pwm { percent, .. } => *percent > 0.0,
+            _ => false,
+        };
         let stopped = self.world.machine.stop_input().is_some() || self.world.is_pressed();
-        if starts && stopped { self.may_move(sourced.at) } else { Ok(()) }
+        if starts && stopped { self.may_move(at) } else { Ok(()) }
     }
 
     /// What stops part files beside what they wait for: the emergency stop of jobs, which see to it themselves.

@@ -144,6 +144,24 @@ fn no_spindle_starts_while_the_stop_circuit_is_open() {
     assert!(ran.spindle()[0].0 >= 30.0, "{:?}", ran.spindle());
 }
 
+/// Nor does an axis that turns beside the others.
+#[test]
+fn nothing_moves_by_itself_while_the_stop_circuit_is_open() {
+    let by_itself =
+        |ran: &Ran| ran.events.iter().any(|event| matches!(event, Event::Independent { .. }));
+    for pressed in [4, kerf_machine::lines::Input::EmergencyStop.number()] {
+        let run = || Run::default().input(pressed, 0.0, pressed != 4);
+        let ran = run().of("VD,,5\nMI,B,1,10\nPAUSE 3\n");
+        assert_eq!((by_itself(&ran), ran.summary.status), (false, Status::Stopped), "{pressed}");
+        let released = Run::default().input(pressed, 0.0, pressed == 4);
+        let ran = released.of("VD,,5\nMI,B,1,10\nPAUSE 3\nMI,B,1,0\n");
+        assert_eq!((by_itself(&ran), ran.summary.status), (true, Status::Ok), "{pressed}");
+        // To stop it is no start.
+        let ran = run().of("VD,,5\nMI,B,1,0\n");
+        assert_eq!(ran.summary.status, Status::Ok, "{pressed}");
+    }
+}
+
 /// An output that comes on with the file does not while a stop input is active: the file does not start.
 #[test]
 fn nothing_comes_on_with_a_file_while_the_stop_circuit_is_open() {
