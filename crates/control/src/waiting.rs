@@ -40,18 +40,31 @@ impl Waits {
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Lets time pass until a moment, unless something stops the program before.
-    fn pass_until(&mut self, until_s: f64, waits: Waits) -> Flow {
+    fn pass_until(&mut self, mut until_s: f64, waits: Waits) -> Flow {
+        loop {
+            match self.pass_some(until_s) {
+                None => return Flow::On,
+                Some((stood_s, Flow::On)) => {
+                    until_s = waits.after_stop(until_s, self.world.now() - stood_s);
+                }
+                Some((_, flow)) => return flow,
+            }
+        }
+    }
+
+    /// The same until something happens: when that was, and what follows on it. Nothing when the moment has come.
+    fn pass_some(&mut self, until_s: f64) -> Option<(f64, Flow)> {
         self.wake();
         let watches = self.watched(self.world.now());
         let halt = self.world.machine.first_halt_at_rest(until_s, &watches);
         let end_s = halt.map_or(until_s, |halt| halt.t_s);
         let wish = self.ask_pace(self.world.now(), end_s, None);
         if self.pace.failure().is_some() {
-            return Flow::Over(self.link_is_lost());
+            return Some((self.world.now(), Flow::Over(self.link_is_lost())));
         }
         if let Some((t_s, Wish::Input { number, on })) = wish {
             self.press(number, on, t_s);
-            return self.pass_until(until_s, waits);
+            return Some((self.world.now(), Flow::On));
         }
         self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
@@ -63,15 +76,9 @@ impl<I: Interpreter> Runner<'_, I> {
             (Some((_, wish)), _) if self.is_passed_over(wish) => Flow::On,
             (Some((_, wish)), _) => self.stands(wish).map_or_else(Flow::Over, |()| Flow::On),
             (None, Some(halt)) => self.input_halts(halt.cause),
-            (None, None) => return Flow::On,
+            (None, None) => return None,
         };
-        match flow {
-            Flow::On => {
-                let until_s = waits.after_stop(until_s, self.world.now() - stood_s);
-                self.pass_until(until_s, waits)
-            }
-            flow => flow,
-        }
+        Some((stood_s, flow))
     }
 
     /// An input changed while time passed and nothing moved.

@@ -98,28 +98,29 @@ pub fn speeds(settings: &Settings) -> Speeds {
     Speeds { cut_mm_s: list(&settings.speeds.cut), jog_mm_s: list(&settings.speeds.jog), rpm: 0.0 }
 }
 
-/// Inputs and outputs as they are, after others.
-pub fn io(machine: &Machine, before: &Io) -> Io {
+/// Inputs and outputs as they are at a moment of what the machine does, after others.
+pub fn io(machine: &Machine, t_s: f64, before: &Io) -> Io {
+    let reads = machine.inputs_at(t_s);
     let output = |number| {
         let (on, label) = (machine.outputs().is_on(number), String::new());
         Lamp { number, on, label, duty: Duty::Standard }
     };
     Io {
-        inputs: (1..=LAMPS as u8).map(|number| input(machine, number)).collect(),
+        inputs: (1..=LAMPS as u8).map(|number| input(machine, &reads, number)).collect(),
         outputs: (1..=LAMPS as u8).map(output).collect(),
-        ports: ports(machine, &before.ports),
+        ports: ports(machine, &reads, &before.ports),
     }
 }
 
-/// An input as it is, whichever of the lines it is.
-pub fn input(machine: &Machine, number: u8) -> Lamp {
+/// An input with what it reads, whichever of the lines it is.
+pub fn input(machine: &Machine, reads: impl Fn(u8) -> bool, number: u8) -> Lamp {
     let duty = match kerf_sim::duty(number, &machine.settings().io) {
         kerf_sim::Duty::Free => Duty::Standard,
         kerf_sim::Duty::Limit => Duty::Limit,
         kerf_sim::Duty::Stop | kerf_sim::Duty::Cable | kerf_sim::Duty::Stall => Duty::Stop,
     };
     let label = kerf_machine::lines::Input::of_number(number).map_or("", |line| line.name());
-    Lamp { number, on: machine.input(number), label: label.into(), duty }
+    Lamp { number, on: reads(number), label: label.into(), duty }
 }
 
 /// Values with their names.

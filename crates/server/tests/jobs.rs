@@ -320,6 +320,29 @@ fn pro_io_diag_read__in_the_state_of_pages() {
     assert_eq!(bits.as_array().unwrap().len(), 40);
 }
 
+/// A switch that is moved shows at once: in the middle of a move, and while somebody is asked.
+#[test]
+fn lamps_of_inputs_do_not_wait_for_the_end_of_a_move() {
+    let shop = support::shop(1.0, &[("a.sbp", "VS,1\nMX,20\nPAUSE\nMX,21\n")]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    let press = |page: &mut Page, on: bool| {
+        let press = json!({ "do": "input", "lease": page.lease, "number": 3, "on": on });
+        assert_eq!(page.act(press), None);
+        page.until("the lamp", |page| page.shown["io"]["inputs"][2]["on"] == on);
+    };
+    page.until("motion", |page| page.x() > 5.0);
+    press(&mut page, true);
+    press(&mut page, false);
+    assert!(page.x() < 200.0, "in the middle of the move");
+    page.send(json!({ "do": "stop" }));
+    page.until_state("stopped");
+    press(&mut page, true);
+    press(&mut page, false);
+    assert_eq!(page.shown["machine"]["state"], "stopped");
+}
+
 #[test]
 fn lamps_of_the_card_follow_a_job() {
     let shop = shop("line 0,0 100,0; line 100,50 0,50", |_| {});

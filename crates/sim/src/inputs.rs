@@ -155,10 +155,16 @@ impl Inputs {
         index(number).is_some_and(|i| signal(number, self.closed(i, modes), modes))
     }
 
+    /// As they will be at a moment.
+    pub(crate) fn at(&self, t_s: f64, modes: &IoModes) -> Self {
+        let mut inputs = self.clone();
+        while inputs.step(t_s, modes).is_some() {}
+        inputs
+    }
+
     /// The first moment, not before one that is given, at which an input reads a state.
     pub(crate) fn when(&self, number: u8, on: bool, from_s: f64, modes: &IoModes) -> Option<f64> {
-        let mut inputs = self.clone();
-        while inputs.step(from_s, modes).is_some() {}
+        let mut inputs = self.at(from_s, modes);
         let mut t_s = from_s;
         while inputs.reads(number, modes) != on {
             t_s = inputs.step(f64::INFINITY, modes)?.at_s;

@@ -122,7 +122,7 @@ pub async fn ports(State(app): State<Arc<App>>) -> Json<Vec<PortBit>> {
 pub async fn inputs(State(app): State<Arc<App>>) -> Json<Vec<Lamp>> {
     let session = lock(&app.left).session.clone();
     let lamps = |machine: &kerf_sim::Machine| -> Vec<Lamp> {
-        (1..=LINES as u8).map(|number| told::input(machine, number)).collect()
+        (1..=LINES as u8).map(|number| told::input(machine, |n| machine.input(n), number)).collect()
     };
     let mut lamps = session.look(lamps);
     for lamp in &mut lamps {

@@ -125,7 +125,7 @@ impl Board {
 
     /// Where the machine is at a moment, and what else can be seen of it.
     pub fn see(&mut self, doing: &Doing<'_>, t_s: f64) {
-        self.look_at(doing.machine);
+        self.look_at(doing.machine, t_s);
         self.pause.take_if(|pause| pause.until <= t_s);
         if let Some(going) = &doing.going {
             ports::moving(&mut self.io.ports, going.at(t_s).velocity, &self.machine);
@@ -157,7 +157,7 @@ impl Board {
         ports::stand(&mut self.io.ports);
     }
 
-    fn look_at(&mut self, machine: &Machine) {
+    fn look_at(&mut self, machine: &Machine, t_s: f64) {
         let settings = machine.settings();
         let rpm = self.speeds.rpm;
         let speeds = Speeds { rpm, ..told::speeds(settings) };
@@ -166,7 +166,15 @@ impl Board {
             self.units = told::units(settings);
         }
         self.speeds = speeds;
-        self.io = told::io(machine, &self.io);
+        self.io = told::io(machine, t_s, &self.io);
+    }
+
+    /// An input reads something else. Nobody looks at a machine that stands and asks.
+    pub fn reads(&mut self, number: u8, on: bool) {
+        if let Some(lamp) = self.io.inputs.iter_mut().find(|lamp| lamp.number == number) {
+            lamp.on = on;
+        }
+        ports::reads(&mut self.io.ports, number, on);
     }
 
     /// How far the job is and how long it takes from here, by its plan.

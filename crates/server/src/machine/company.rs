@@ -317,6 +317,7 @@ impl Sink for Teller {
             _ => board.goes_on(),
         }
         match event {
+            Event::Input { n, on, .. } => board.reads(*n, *on),
             Event::Print { text, .. } => board.print(text),
             Event::Message { text, .. } => board.comment(text),
             Event::Wait { seconds, t } => board.pause(*t, *seconds),

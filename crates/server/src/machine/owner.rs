@@ -322,7 +322,8 @@ impl Owner {
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
-            let io = self.workshop.session.look(|machine| told::io(machine, &now.io));
+            let io =
+                self.workshop.session.look(|machine| told::io(machine, machine.clock_s(), &now.io));
             vec![
                 Change::Io { io },
                 Change::Motion { motion },

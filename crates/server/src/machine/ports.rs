@@ -21,11 +21,11 @@ const fn put(byte: &mut u8, bit: &Bit, on: bool) {
     *byte = if on { *byte | bit.mask() } else { *byte & !bit.mask() };
 }
 
-/// The ports of a machine that stands. Directions stay as they were before.
-pub fn ports(machine: &Machine, before: &Ports) -> Ports {
+/// The ports of a machine that stands, with what its inputs read. Directions stay as they were before.
+pub fn ports(machine: &Machine, reads: impl Fn(u8) -> bool, before: &Ports) -> Ports {
     let mut ports = Ports::default();
     for bit in INPUT_BITS {
-        let on = Input::of_name(bit.name).is_some_and(|line| machine.input(line.number()));
+        let on = Input::of_name(bit.name).is_some_and(|line| reads(line.number()));
         put(&mut ports.inputs[index(bit.port)], bit, on);
     }
     for bit in OUTPUT_BITS {
@@ -38,6 +38,14 @@ pub fn ports(machine: &Machine, before: &Ports) -> Ports {
         put(&mut ports.outputs[at], direction, before.outputs[at] & direction.mask() != 0);
     }
     ports
+}
+
+/// An input reads something else.
+pub fn reads(ports: &mut Ports, number: u8, on: bool) {
+    let is_it = |bit: &&Bit| Input::of_name(bit.name).is_some_and(|line| line.number() == number);
+    if let Some(bit) = INPUT_BITS.iter().find(is_it) {
+        put(&mut ports.inputs[index(bit.port)], bit, on);
+    }
 }
 
 /// The same while the axes move: a motor that steps, and which way.

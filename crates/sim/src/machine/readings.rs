@@ -11,6 +11,12 @@ impl Machine {
         self.inputs.reads(number, &self.settings.io)
     }
 
+    /// What programs read from inputs at a moment of the motion under way: the clock stands at its beginning.
+    pub fn inputs_at(&self, t_s: f64) -> impl Fn(u8) -> bool {
+        let inputs = self.inputs.at(t_s, &self.settings.io);
+        move |number| inputs.reads(number, &self.settings.io)
+    }
+
     /// Somebody moves the switch of an input, now or at a moment of the motion under way; it stays
     /// there, also for the next run.
     pub fn press(&mut self, change: Change) {
