@@ -2,7 +2,7 @@
 
 use crate::dice::Dice;
 use crate::watch::Allowed;
-use crate::{jobs, programs};
+use crate::{FIRST_WIDER, jobs, programs};
 use kerf_control::{RunOptions, Started, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
@@ -17,6 +17,9 @@ const VARIES: u64 = 0x5eed_0002;
 
 /// The same of what was thought of after that.
 const GIVES_UP: u64 = 0x5eed_0003;
+
+/// The same of what came last.
+const WIDER: u64 = 0x5eed_0004;
 
 /// What is run.
 #[derive(Clone, Debug)]
@@ -73,6 +76,7 @@ impl Case {
         };
         case.happen(&mut dice);
         case.vary(&mut Dice::new(seed ^ VARIES));
+        case.widen(&mut Dice::new(seed ^ WIDER));
         let mut dice = Dice::new(seed ^ GIVES_UP);
         case.gives_up = (0..8).filter(|_| dice.happens(15)).collect();
         case
@@ -84,6 +88,16 @@ impl Case {
             machine.height.invert = dice.happens(30);
         }
         self.started = wall_clock(dice);
+    }
+
+    /// Half of the part files have lines of the second generation.
+    fn widen(&mut self, dice: &mut Dice) {
+        if let What::Part { name, text } = &mut self.what
+            && self.seed >= FIRST_WIDER
+            && dice.happens(50)
+        {
+            *text = programs::wider(text, *name == "a.nc", dice);
+        }
     }
 
     /// What happens to it.

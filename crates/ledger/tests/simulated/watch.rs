@@ -6,7 +6,7 @@ use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis};
 use std::cell::Cell;
 use std::collections::BTreeSet;
-use std::f64::consts::SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 /// Looks at the plan of a move, beside its ends.
 const LOOKS: u32 = 5;
@@ -100,6 +100,8 @@ pub struct Seen {
     intensity: u8,
     /// A stop input ended it.
     stopped: bool,
+    /// Commands are only drawn.
+    draws: bool,
     /// How often the machine stopped by itself because something is wrong with the cut.
     pub faults: u32,
 }
@@ -145,6 +147,7 @@ impl Sink for Watch<'_> {
                 seen.faults += u32::from(fault);
                 seen.entered(state);
             }
+            Event::Start { mode, .. } | Event::Mode { mode, .. } => seen.draws = *mode == "preview",
             Event::Stop { by: "stop", .. } if !self.allowed.job => {
                 seen.stopped = true;
             }
@@ -166,6 +169,9 @@ impl Sink for Watch<'_> {
     }
 
     fn made(&mut self, made: &Made<'_>) {
+        if self.seen.draws {
+            return;
+        }
         let it = made.span.made;
         let joins = |at: Axes| {
             let apart = at.minus(it.from);
@@ -204,12 +210,12 @@ impl Watch<'_> {
             return;
         }
         let it = made.span.made;
-        let way: f64 = it.to.minus(it.from).first3().iter().map(|v| v * v).sum();
-        // Round a bend the way in and the way along may both be at their highest.
-        let share = match (it.arc(), it.length_mm > way.sqrt() + 1e-9) {
+        let curved = it.derivative(0.0) != it.derivative(1.0);
+        let share = match (it.arc(), curved) {
+            // Round a bend the way in and the way along may both be at their highest.
             (Some(_), _) => SQRT_2,
-            // What a stop leaves of a smooth curve is a curve of its own, bent a little more at its end.
-            (None, true) => 1.05 * SQRT_2,
+            // On a smoothed curve the way along may have all of it in a direction in between.
+            (None, true) => 1.0 + FRAC_1_SQRT_2,
             (None, false) => 1.0,
         };
         // A stop is found on another grid than the plan, and may brake a little harder.
