@@ -9,9 +9,9 @@
 
 use crate::{Session, Shelf};
 use kerf_diag::Diagnostic;
-use kerf_program::Status;
 use kerf_program::settings::Mode;
-use kerf_sbp::{FileParameters, Options, format_number};
+use kerf_program::{FileCall, Status};
+use kerf_sbp::{Options, format_number};
 use serde::{Deserialize, Serialize};
 
 /// When a run starts, as a person reads it: the clock belongs to the caller.
@@ -29,8 +29,8 @@ pub(crate) struct PartLog {
     started: Started,
     /// The machine only drew when it began.
     drew: bool,
-    /// Of a file that is run by a typed line nobody tells them.
-    parameters: Option<FileParameters>,
+    /// How the operator started it; a file that a typed line runs is called by that.
+    call: Option<FileCall>,
 }
 
 impl PartLog {
@@ -39,25 +39,26 @@ impl PartLog {
         let settings = &session.memory.settings;
         let wanted = settings.display.part_log && !options.preview;
         let drew = settings.mode == Mode::Preview;
-        let parameters = (!options.typed).then_some(options.file);
-        Some(Self { started: started.filter(|_| wanted)?, drew, parameters })
+        let call = (!options.typed).then(|| options.file.call());
+        Some(Self { started: started.filter(|_| wanted)?, drew, call })
     }
 
     /// The two lines of a run of a file that took so many seconds of machine time and ended early
-    /// at a line, or did not. `draws`: in preview.
+    /// at a line, or did not. `draws`: in preview; `call`: how a typed line called it.
     pub fn entry(
         &self,
         file: &str,
         draws: bool,
         seconds: f64,
+        call: Option<FileCall>,
         ended: Option<(u32, &str)>,
     ) -> String {
-        let Self { started: Started { time, date }, drew, parameters } = self;
-        let mode = if draws || *drew { "PREVIEW" } else { "MOVE" };
+        let Started { time, date } = &self.started;
+        let mode = if draws || self.drew { "PREVIEW" } else { "MOVE" };
         let elapsed = clock(seconds);
-        let parameters = parameters.map_or(",,,,".into(), |p| {
-            let [x, y, z] = p.proportion.map(format_number);
-            format!("{x},{y},{z},{},{}", p.offset, p.repetitions)
+        let parameters = self.call.or(call).map_or(",,,,".into(), |call| {
+            let [x, y, z] = call.proportion.map(format_number);
+            format!("{x},{y},{z},{},{}", call.offset, call.repetitions)
         });
         let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
         let end = match ended {

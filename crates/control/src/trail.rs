@@ -73,10 +73,12 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Writes the log of the part file, if there is one.
     pub(crate) fn write_log(&mut self, log: &PartLog, over: &Over) {
-        let Some(file) = self.interpreter.file_name(self.trail.depth as u32) else { return };
-        let error = over.diagnostic.as_deref();
+        let depth = self.trail.depth as u32;
+        let Some(file) = self.interpreter.file_name(depth) else { return };
+        let (call, error) = (self.interpreter.file_call(depth), over.diagnostic.as_deref());
         let ended = part_log::why(over.status, error).map(|why| (self.ended_at(&file, error), why));
-        let entry = log.entry(&file, self.world.machine.draws(), self.world.now(), ended);
+        let (draws, seconds) = (self.world.machine.draws(), self.world.now());
+        let entry = log.entry(&file, draws, seconds, call, ended);
         if let Err(error) = self.world.shelf.add_to_log(&file, &entry) {
             let message = format!("the log of {file} cannot be written: {error}");
             let diagnostic = Diagnostic::new(Code::FileError, Place::line(file, 1), message);

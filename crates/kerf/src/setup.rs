@@ -23,6 +23,7 @@ use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
+use kerf_toolpath::Shaping;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -53,8 +54,7 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
         let name = file.display().to_string().into();
         job_options::refuse_foreign(args)?;
         let machine = machine_of(&args.place, preview)?;
-        let smoothing = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
-        let job = drawings::job(file, smoothing)?;
+        let job = drawings::job(file, shaping(&machine, args))?;
         let work = job_file::work(&job, name, machine);
         drawing = Some(job.drawing);
         work
@@ -65,6 +65,13 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     job.visit.opening.file = true;
     job.drawing = drawing;
     Ok(job)
+}
+
+/// What is done to the shapes of a drawing before paths are made of them: as the machine is set, with what the
+/// command line says of smoothing.
+pub fn shaping(machine: &Configuration, args: &RunArgs) -> Shaping {
+    let factor = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
+    Shaping { factor, filter_mm: machine.options.filter_mm }
 }
 
 /// Prepares the run of a program or a job.

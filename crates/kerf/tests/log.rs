@@ -35,6 +35,10 @@ fn sbp_log_part() {
         "COMPLETED",
     ];
     assert_eq!(log(&shop, "parts/a.log"), expected);
+    // So does a file that a typed line runs.
+    shop.kerf("send FP,a.sbp,2,.5,1,2,1 --data d --parts parts").exits(0);
+    let typed = log(&shop, "parts/a.log").split_off(4);
+    assert!(typed[0].ends_with(",2,0.5,1,1,2") && typed.len() == 2, "{typed:?}");
 }
 
 #[test]

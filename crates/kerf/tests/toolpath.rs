@@ -1,6 +1,6 @@
 //! `kerf toolpath` as a user has it: its report, its warnings, its pictures.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
 
 mod shop;
 
@@ -90,6 +90,34 @@ fn smoothing_is_for_every_model_of_motion_when_paths_are_made() {
 }
 
 /// The words of a picture's key about a script's groups.
+/// Vertices that are too near to each other are left out of paths, whether a job file is made or the drawing is run.
+#[test]
+fn pro_options_filter__at_the_command_line() {
+    let shop = drawn("line 0,0 0.01,0 10,0");
+    let drawing = shop.read("job.rsg");
+    let ends = || {
+        let trace = shop.kerf("run job.rsg --trace - --quiet --data d --start kept").exits(0).out();
+        let events = trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+        let cuts = events.filter(|event| event["e"] == "move" && event["kind"] == "cut");
+        let level = cuts.filter(|cut| cut["t1"].as_f64() > cut["t0"].as_f64());
+        let x: Vec<f64> = level.map(|cut| cut["to"]["x"].as_f64().unwrap()).collect();
+        (x.contains(&0.01), x.last() == Some(&10.0))
+    };
+    shop.kerf("machine use sim --data d").exits(0);
+    shop.kerf("machine set options.filter_mm 0 --data d").exits(0);
+    assert_eq!(ends(), (true, true));
+    shop.kerf("machine set options.filter_mm 0.02 --data d").exits(0);
+    assert_eq!(ends(), (false, true));
+    let vertices = |args: &str| {
+        shop.kerf(&format!("toolpath job.rsg -o {args} --data d --start kept")).exits(0);
+        shop.kerf("run f.rsm --trace - --quiet --config sim").out().contains("\"x\":0.01")
+    };
+    assert!(!vertices("f.rsm"));
+    shop.kerf("machine set options.filter_mm 0 --data d").exits(0);
+    assert!(vertices("f.rsm"));
+    assert_eq!(shop.read("job.rsg"), drawing, "the drawing stays");
+}
+
 fn key_of(script: &str) -> Vec<String> {
     let shop = drawn(script);
     shop.kerf("toolpath job.rsg -o job.svg").exits(0);

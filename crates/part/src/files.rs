@@ -33,6 +33,11 @@ impl Files {
         self.sbp.get(file as usize).copied().unwrap_or(file)
     }
 
+    /// The number in OpenSBP of a file that it knows.
+    pub(crate) fn to_sbp(&self, file: u32) -> Option<u32> {
+        self.sbp.iter().position(|here| *here == file).map(|there| there as u32)
+    }
+
     /// The places of commands that OpenSBP gave, as numbers here.
     pub(crate) fn translate_sbp(&self, given: &mut [Sourced]) {
         let same = self.sbp.iter().zip(0..).all(|(here, there)| *here == there);

@@ -6,7 +6,7 @@ use crate::guest::Guest;
 use crate::library::Library;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::settings::Mode;
-use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Status, Step, Watch};
+use kerf_program::{At, Axes, FileCall, Frame, Host, Settings, Sourced, Status, Step, Watch};
 use kerf_sbp::{GcodeDone, GcodeDue, Variables};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -368,6 +368,10 @@ impl kerf_program::Interpreter for Interpreter {
 
     fn file_name(&self, file: u32) -> Option<Arc<str>> {
         self.files.name(file)
+    }
+
+    fn file_call(&self, file: u32) -> Option<FileCall> {
+        self.sbp.file_call(self.files.to_sbp(file)?)
     }
 
     fn call_stack(&self) -> Vec<At> {

@@ -93,6 +93,17 @@ pub enum StoppedBy {
     PowerCut,
 }
 
+/// How a part file is called (FP).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FileCall {
+    /// Proportions X, Y, Z.
+    pub proportion: [f64; 3],
+    /// 0 none, 1 the present X, Y, Z is the temporary zero, 2 only X and Y.
+    pub offset: u8,
+    /// How often the file runs.
+    pub repetitions: u32,
+}
+
 /// A program being run.
 pub trait Interpreter: Send {
     /// Executes one line. Commands are appended to `out`.
@@ -150,6 +161,11 @@ pub trait Interpreter: Send {
 
     /// Name of a file of [`At`]; `None` when so many files were not read.
     fn file_name(&self, file: u32) -> Option<Arc<str>>;
+
+    /// How such a file was called the last time; nothing where no program calls files.
+    fn file_call(&self, _file: u32) -> Option<FileCall> {
+        None
+    }
 
     /// The open files and the line that runs next in each, outermost first.
     fn call_stack(&self) -> Vec<At>;

@@ -43,7 +43,7 @@ pub use host::{
     Host, HostError, Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, ShellCall, SourceFile,
     ToolCall, no_such_tool,
 };
-pub use interpreter::{Halted, Interpreter, Status, Step, StoppedBy, Watch};
+pub use interpreter::{FileCall, Halted, Interpreter, Status, Step, StoppedBy, Watch};
 pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};
 pub use settings::Settings;
 pub use smoothing::{FACTOR_MM, RampModel, Smoothing};

@@ -12,7 +12,7 @@ use kerf_gcode::{Writer, Writing};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
 use kerf_sbp::{Printing, SbpPrinter};
-use kerf_toolpath::{Damaged, Heights, Job, Warning};
+use kerf_toolpath::{Damaged, Heights, Job, Shaping, Warning};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -131,10 +131,10 @@ fn group_by_layer(file: &Path, read: &mut Imported) {
     }
 }
 
-/// The job in a file: the one of an RSM, or the one that is made of a drawing with a smoothing factor. What
-/// is noticed is told.
-pub fn job(file: &Path, smoothing: f64) -> Result<Job> {
-    let (job, warnings) = job_with_warnings(file, smoothing, None)?;
+/// The job in a file: the one of an RSM, or the one that is made of a drawing, shaped like that. What is
+/// noticed is told.
+pub fn job(file: &Path, shaping: Shaping) -> Result<Job> {
+    let (job, warnings) = job_with_warnings(file, shaping, None)?;
     for warning in &warnings {
         eprintln!("{}: warning: {warning}", file.display());
     }
@@ -144,11 +144,12 @@ pub fn job(file: &Path, smoothing: f64) -> Result<Job> {
 /// The same, with what was noticed while the tool paths were made; programs are followed in a unit.
 pub fn job_with_warnings(
     file: &Path,
-    smoothing: f64,
+    shaping: Shaping,
     units: Option<LinearUnit>,
 ) -> Result<(Job, Vec<Warning>)> {
     if extension(file) == "rsm" {
-        let (job, findings) = job_file::read(&bytes(file)?, smoothing).map_err(of_file(file))?;
+        let (job, findings) =
+            job_file::read(&bytes(file)?, shaping.factor).map_err(of_file(file))?;
         tell_all(file, &findings);
         if job.paths.is_empty() {
             nothing_read(file, &findings)?;
@@ -156,7 +157,7 @@ pub fn job_with_warnings(
         return Ok((job, Vec::new()));
     }
     let reading = Reading { units, ..Reading::default() };
-    Ok(kerf_toolpath::smoothed_job(&open(&[file], &reading)?, smoothing)?)
+    Ok(kerf_toolpath::shaped_job(&open(&[file], &reading)?, shaping)?)
 }
 
 /// A job that cannot be cut as it is, with the name of its file.

@@ -2,7 +2,7 @@
 
 use crate::case::{Case, What};
 use crate::levels::Levels;
-use crate::path::{Done, laid};
+use crate::path::{Done, is_flat, laid};
 use crate::programs::SUB;
 use crate::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
@@ -79,8 +79,7 @@ impl Pace for Person<'_> {
 /// Whether something is cut in the plane.
 fn cuts_flat(going: &Going<'_>) -> bool {
     going.made().is_some_and(|made| {
-        let way = made.to.minus(made.from);
-        let flat = way[Axis::X].hypot(way[Axis::Y]) > 1e-6 || made.arc().is_some();
+        let flat = is_flat(made.from.first3(), made.to.first3(), made.arc().is_some());
         made.kind == MoveKind::Cut && flat
     })
 }

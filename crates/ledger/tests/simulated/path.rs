@@ -18,6 +18,13 @@ const MOST_WAYS: usize = 32;
 /// Arcs are compared by chords that lie so far beside them, mm.
 const CHORD: f64 = 1e-3;
 
+/// Whether a way is one in the plane. One down that was stopped in a smoothed corner begins beside its line.
+pub fn is_flat(from: [f64; 3], to: [f64; 3], turns: bool) -> bool {
+    let along = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let plunges = along < NEAR && (to[2] - from[2]).abs() > 10.0 * along;
+    turns || (along > SAME && !plunges)
+}
+
 /// A cut in the plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece {
@@ -37,12 +44,14 @@ impl Piece {
         let (from, to) = (it.from.first3(), it.to.first3());
         let level = it.kind == MoveKind::Cut;
         let arc = it.arc();
-        let along = (to[0] - from[0]).hypot(to[1] - from[1]);
-        // A way down that was stopped in a smoothed corner begins beside its line.
-        let plunges = along < NEAR && (to[2] - from[2]).abs() > 10.0 * along;
-        let flat = arc.is_some() || (along > SAME && !plunges);
         let down_mm = from[2] - to[2];
-        (level && flat).then_some(Self { from, to, arc, line: it.at.line, down_mm })
+        (level && is_flat(from, to, arc.is_some())).then_some(Self {
+            from,
+            to,
+            arc,
+            line: it.at.line,
+            down_mm,
+        })
     }
 
     /// The two as one, when the second goes on where the first ends in the same way.

@@ -102,6 +102,8 @@ pub struct Seen {
     stopped: bool,
     /// Commands are only drawn.
     draws: bool,
+    /// Letters of axes that moved by themselves.
+    alone: BTreeSet<char>,
     /// How often the machine stopped by itself because something is wrong with the cut.
     pub faults: u32,
 }
@@ -147,6 +149,9 @@ impl Sink for Watch<'_> {
                 seen.faults += u32::from(fault);
                 seen.entered(state);
             }
+            Event::Independent { axis, .. } => {
+                seen.alone.insert(*axis);
+            }
             Event::Start { mode, .. } | Event::Mode { mode, .. } => seen.draws = *mode == "preview",
             Event::Stop { by: "stop", .. } if !self.allowed.job => {
                 seen.stopped = true;
@@ -177,7 +182,8 @@ impl Sink for Watch<'_> {
             let apart = at.minus(it.from);
             let axes = Axis::ALL.into_iter().filter(|axis| {
                 // What an axis does beside the plan.
-                !(self.allowed.z_wanders && *axis == Axis::Z)
+                let wanders = self.allowed.z_wanders && *axis == Axis::Z;
+                !(wanders || self.seen.alone.contains(&axis.letter()))
             });
             axes.map(|axis| apart[axis].abs()).fold(0.0, f64::max) < self.allowed.jump_mm
         };

@@ -7,8 +7,9 @@ use crate::tree::Span;
 use crate::{Program, Value};
 use kerf_cut::Tabber;
 use kerf_diag::Place;
-use kerf_program::{AXES, Answer, At, Axes, Axis, AxisSet, Frame, GoTo, Settings};
+use kerf_program::{AXES, Answer, At, Axes, Axis, AxisSet, FileCall, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The state: what is saved, cloned and restored.
@@ -23,6 +24,9 @@ pub struct Core {
     pub(crate) links: Vec<Arc<[u32]>>,
     /// Open files, outermost first.
     pub(crate) levels: Vec<Level>,
+    /// How files were called, each the last time.
+    #[serde(default)]
+    pub(crate) calls: BTreeMap<u32, FileCall>,
     /// The operator let the line that is next run, of a file that is stepped through.
     #[serde(default)]
     pub(crate) granted: bool,
@@ -171,6 +175,7 @@ impl Core {
             programs: Vec::new(),
             links: Vec::new(),
             levels: Vec::new(),
+            calls: BTreeMap::new(),
             granted: false,
             started: false,
             kept: settings.clone(),

@@ -1,7 +1,7 @@
 //! OpenSBP as one of the languages that a machine's owner can run.
 
 use super::Interpreter;
-use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Step, Watch};
+use kerf_program::{At, Axes, FileCall, Frame, Host, Settings, Sourced, Step, Watch};
 use std::sync::Arc;
 
 impl kerf_program::Interpreter for Interpreter {
@@ -39,6 +39,10 @@ impl kerf_program::Interpreter for Interpreter {
 
     fn file_name(&self, file: u32) -> Option<Arc<str>> {
         self.program(file).map(|p| p.name.clone())
+    }
+
+    fn file_call(&self, file: u32) -> Option<FileCall> {
+        Self::file_call(self, file)
     }
 
     fn call_stack(&self) -> Vec<At> {

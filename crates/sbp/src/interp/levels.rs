@@ -105,6 +105,7 @@ impl Context<'_> {
         };
         let start_z = self.plunge_start(&parameters);
         let file = self.core.load(program);
+        self.core.calls.insert(file, parameters.call());
         let mut level = Level {
             file,
             next: 0,

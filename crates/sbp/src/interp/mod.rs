@@ -59,7 +59,7 @@ pub use variables::Variables;
 
 use crate::tree::Span;
 use crate::{Program, Value};
-use kerf_program::{At, Axes, Frame, Host, Settings, Sourced};
+use kerf_program::{At, Axes, FileCall, Frame, Host, Settings, Sourced};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -170,6 +170,11 @@ impl Interpreter {
     /// Name of a file of [`At`].
     pub fn file_name(&self, file: u32) -> Arc<str> {
         self.core.programs.get(file as usize).map_or_else(|| Arc::from(""), |p| p.name.clone())
+    }
+
+    /// How a file of [`At`] was called the last time.
+    pub fn file_call(&self, file: u32) -> Option<FileCall> {
+        self.core.calls.get(&file).copied()
     }
 
     /// The program of a file of [`At`].

@@ -1,7 +1,7 @@
 //! What a run starts from and what stays after it.
 
 use super::Variables;
-use kerf_program::{Axes, AxisSet, Frame, GoTo, Settings};
+use kerf_program::{Axes, AxisSet, FileCall, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -78,6 +78,14 @@ pub struct FileParameters {
     /// Where it begins, the first time; at its first line when nothing is given.
     #[serde(default)]
     pub from: Option<GoTo>,
+}
+
+impl FileParameters {
+    /// What the log of the file tells of them.
+    pub const fn call(&self) -> FileCall {
+        let Self { proportion, offset, repetitions, .. } = *self;
+        FileCall { proportion, offset, repetitions }
+    }
 }
 
 impl Default for FileParameters {

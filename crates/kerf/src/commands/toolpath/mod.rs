@@ -108,9 +108,8 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
         let zpos = machine.zpos;
         Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm }
     })?;
-    let smoothing = args.run.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
-    let (job, mut warnings) =
-        drawings::job_with_warnings(&args.drawing, smoothing, args.run.units)?;
+    let shaping = setup::shaping(&machine, &args.run);
+    let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, shaping, args.run.units)?;
     let job = args.placed(job)?;
     let [x, y] = if kind == Kind::Program { [0.0; 2] } else { machine.job.origin_mm };
     let origin = job.origin.unwrap_or(Point2::new(x, y));
