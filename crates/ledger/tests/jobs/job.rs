@@ -186,6 +186,10 @@ fn jigs() -> JobRun {
 fn pro_job_jig_divider() {
     let both = jigs().input(Input::Jig1, 1.0, true).input(Input::Jig2, 2.0, true).run();
     assert_eq!(cut(&both), [1, 2]);
+    // The divider is a place of the machine, not of the drawing: 200 mm further shape 3 lies beyond it.
+    let further = jigs().job(|job| job.origin = Some(Point2::new(200.0, 0.0)));
+    let further = further.input(Input::Jig1, 1.0, true).input(Input::Jig2, 2.0, true).run();
+    assert_eq!((cut(&further), messages(&further)), (vec![1, 2, 3], vec![]));
 }
 
 #[test]

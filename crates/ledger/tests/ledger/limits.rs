@@ -159,7 +159,7 @@ fn sbp_val_vn_in4() {
 #[test]
 fn sbp_lim_stop_nc() {
     let run = sbp("MX,10").input(4, 0.0, false).run();
-    run.status("stopped").stands_at([0.0]).says("stop input 4");
+    run.status("stopped").stands_at([0.0]).says("stop input 4").says("stop circuit open");
 }
 
 #[test]

@@ -41,6 +41,7 @@ fn sbp_out_so4_mode() {
     assert_eq!(switched.len(), 2, "{run}");
     assert_eq!((&switched[0]["on"], &switched[0]["t"]), (&true.into(), &motion["t0"]), "{run}");
     assert_eq!((&switched[1]["on"], &switched[1]["t"]), (&false.into(), &motion["t1"]), "{run}");
+    sbp("SW,0 ⏎ MX,5 ⏎ PRINT %(109)").run().prints(&["-1"]);
 }
 
 #[test]
@@ -63,16 +64,20 @@ fn sbp_out_warn_file() {
     let plain = starts("SW,0 ⏎ MX,1 ⏎ MX,2");
     assert!((once[1] - once[0] - (plain[1] - plain[0])).abs() < 1e-6, "{once:?} {plain:?}");
     // After the operator was asked it comes again.
-    let again = starts("SW,2 ⏎ MX,1 ⏎ PAUSE ⏎ MX,2");
-    let plain = starts("SW,0 ⏎ MX,1 ⏎ PAUSE ⏎ MX,2");
-    assert!((again[1] - plain[1] - 4.0).abs() < 1e-6, "{again:?} {plain:?}");
+    for asks in ["PAUSE", "MSGBOX(hi)", "INPUT \"how far\" &a"] {
+        let again = starts(&format!("SW,2 ⏎ MX,1 ⏎ {asks} ⏎ MX,2"));
+        let plain = starts(&format!("SW,0 ⏎ MX,1 ⏎ {asks} ⏎ MX,2"));
+        assert!((again[1] - plain[1] - 4.0).abs() < 1e-6, "{asks}: {again:?} {plain:?}");
+    }
 }
 
 #[test]
 fn sbp_ext_tr() {
     let run = sbp("TR,12000,1").run();
     let spindle = run.events("spindle").next().expect("a spindle event");
-    assert_eq!(spindle["rpm"], 12000.0, "{run}");
+    assert!(spindle["rpm"] == 12000.0 && spindle["n"] == 1, "{run}");
+    let second = sbp("TR,9000,2").run();
+    assert_eq!(second.events("spindle").next().expect("a spindle event")["n"], 2, "{second}");
 }
 
 #[test]
