@@ -1,13 +1,16 @@
 //! What pages ask for: who may, when, and what is done.
 
 use crate::app::{App, Open, lock, problem};
-use crate::machine::link::Held;
+use crate::asker::Asker;
+use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::preview::Preview;
 use crate::shop;
 use kerf_control::{Jog, answers};
 use kerf_program::{Axes, Axis};
-use kerf_wire::{Act, Change, Lease, Machine, Overrides, Problem, Role, StartUp, State, Who, Why};
+use kerf_wire::{
+    Act, Change, Lease, Machine, Overrides, Problem, Role, Snapshot, StartUp, State, Who, Why,
+};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
@@ -137,7 +140,8 @@ impl App {
     ///
     /// # Errors
     /// Why not.
-    pub fn act(self: &Arc<Self>, who: &Who, act: Act) -> Done {
+    pub fn act(self: &Arc<Self>, asker: &Asker, act: Act) -> Done {
+        let who = &asker.who;
         if self.options.drawing_only && !is_of_drawings(&act) {
             return Err(problem(Why::State, DRAWING_ONLY));
         }
@@ -151,13 +155,15 @@ impl App {
         }
         match act {
             Act::Ping => {}
-            Act::Stop => self.stop(),
-            Act::Hold => self.link.want(|wanted| wanted.hold = true),
+            Act::Stop => self.link.stop(),
+            Act::Hold => self.link.hold(),
             Act::Disarm => self.disarm("disarmed at a page"),
-            Act::Resume { .. } => self.resume()?,
-            Act::Answer { question, answer } => self.answer(question, answer)?,
+            Act::Resume { .. } => self.resume(asker)?,
+            Act::Answer { question, answer } => self.answer(None, question, answer)?,
             Act::TakeLease { force } => self.take_lease(who, force)?,
-            Act::GiveLease { .. } => self.drop_lease("nobody drives"),
+            Act::GiveLease { .. } => {
+                self.drop_lease(|lease| lease.client == who.client, "nobody drives");
+            }
             Act::Arm { .. } => self.arm()?,
             Act::Open { name, parameters } => {
                 self.nothing_unsaved()?;
@@ -181,21 +187,21 @@ impl App {
                 self.nothing_unsaved()?;
                 self.close_file();
             }
-            Act::Run { hash, step, .. } => self.run(who, &hash, step)?,
-            Act::TakeUp { .. } => self.take_up()?,
-            Act::Command { line, .. } => self.command(who, line)?,
+            Act::Run { hash, step, .. } => self.run(asker, &hash, step)?,
+            Act::TakeUp { .. } => self.take_up(asker)?,
+            Act::Command { line, .. } => self.command(asker, line)?,
             Act::JogStart { seq, direction, distance, speed_share: speed, .. } => {
                 let order = Order::Jog { direction, distance, speed };
                 if !makes_sense(&order) {
                     let text = "a jog has a direction, a share of the speed above 0, and perhaps a distance";
                     return Err(problem(Why::Malformed, text));
                 }
-                self.jog(who, seq, order)?;
+                self.jog(asker, seq, order)?;
             }
             Act::JogRenew { seq, .. } => self.renew(who, seq)?,
             Act::JogStop { seq } => self.jog_stop(who, seq),
-            Act::Key { seq, key, .. } => self.press_key(who, seq, key)?,
-            Act::Nudge { axis, distance, .. } => self.nudge(axis, distance)?,
+            Act::Key { seq, key, .. } => self.press_key(asker, seq, key)?,
+            Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
@@ -212,8 +218,7 @@ impl App {
     /// # Errors
     /// Somebody else drives, or nobody, or the machine is disarmed.
     pub fn drives(&self, who: &Who) -> Result<u32, Problem> {
-        let lease = self.hub.read(|now| now.lease.as_ref().map_or(0, |lease| lease.number));
-        self.allow(who, drive(lease)).map(|()| lease)
+        self.hub.read(|now| drives(now, who))
     }
 
     /// Whether whoever drives may change settings of the machine.
@@ -227,60 +232,29 @@ impl App {
     }
 
     fn allow(&self, who: &Who, need: Need) -> Result<(), Problem> {
-        if who.role < need.role {
-            let text =
-                format!("this needs the role {:?}, this device is {:?}", need.role, who.role);
-            return Err(problem(Why::Role, text.to_lowercase()));
-        }
-        let (lease, machine) = self.hub.read(|now| (now.lease.clone(), now.machine.clone()));
-        if let Some(number) = need.lease {
-            match lease {
-                Some(lease) if lease.number == number && lease.client == who.client => {}
-                Some(lease) if lease.client == who.client => {
-                    return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
-                }
-                Some(lease) => return Err(driven_by(&lease)),
-                None => return Err(problem(Why::Lease, "take the machine first")),
-            }
-        }
-        if need.armed && !machine.armed {
-            return Err(problem(Why::Disarmed, "the machine is disarmed: arm it first"));
-        }
-        Ok(())
+        self.hub.read(|now| allowed(now, who, need))
     }
 
     pub fn state(&self) -> State {
         self.hub.read(|now| now.machine.state)
     }
 
-    /// Stops. What stands already because of a stop is given up.
-    fn stop(&self) {
-        self.link.want(|wanted| wanted.stop = true);
-    }
-
+    /// Nothing begins any more, and what has begun is stopped.
     fn disarm(&self, why: &str) {
-        if self.state() != State::Idle {
-            self.stop();
-        }
-        self.set_armed(false, why);
-    }
-
-    fn set_armed(&self, armed: bool, why: &str) {
         self.hub.changing(|now| {
-            // The reason of an alarm is what a person has to know, whoever comes or goes.
-            let alarm = now.machine.why.clone().filter(|_| now.machine.state == State::Alarm);
-            let why = if armed { None } else { alarm.or_else(|| Some(why.to_owned())) };
-            let machine = Machine { armed, why, ..now.machine.clone() };
-            if machine == now.machine { Vec::new() } else { vec![Change::Machine { machine }] }
+            self.link.stop();
+            vec![disarmed(&now.machine, why)]
         });
     }
 
     fn arm(&self) -> Result<(), Problem> {
-        if self.state() == State::Alarm {
-            return Err(problem(Why::State, "take note of the alarm first"));
-        }
-        self.set_armed(true, "");
-        Ok(())
+        let mut alarm = false;
+        self.hub.changing(|now| {
+            alarm = now.machine.state == State::Alarm;
+            let machine = Machine { armed: true, why: None, ..now.machine.clone() };
+            if alarm { Vec::new() } else { vec![Change::Machine { machine }] }
+        });
+        if alarm { Err(problem(Why::State, "take note of the alarm first")) } else { Ok(()) }
     }
 
     fn acknowledge(&self) {
@@ -294,16 +268,17 @@ impl App {
     }
 
     fn take_lease(&self, who: &Who, force: bool) -> Result<(), Problem> {
-        let jogs = self.state() == State::Jogging;
         let mut taken = Ok(());
         self.hub.changing(|now| {
+            let jogs = now.machine.state == State::Jogging;
             match &now.lease {
                 Some(lease) if lease.client == who.client => return Vec::new(),
                 Some(lease) if !force || jogs => {
                     taken = Err(driven_by(lease));
                     return Vec::new();
                 }
-                _ => {}
+                Some(_) => self.link.forestall(),
+                None => {}
             }
             let (number, device) = (self.next_lease(), who.device.clone());
             let lease = Some(Lease { number, client: who.client, device });
@@ -327,10 +302,15 @@ impl App {
     }
 
     /// Nobody drives any more: nothing moves before somebody arms the machine again. A job goes on.
-    pub fn drop_lease(&self, why: &str) {
-        self.link.release(|_| true);
-        self.hub.change(vec![Change::Lease { lease: None }]);
-        self.set_armed(false, why);
+    fn drop_lease(&self, is_it: impl FnOnce(&Lease) -> bool, why: &str) {
+        self.hub.changing(|now| {
+            if !now.lease.as_ref().is_some_and(is_it) {
+                return Vec::new();
+            }
+            self.link.forestall();
+            self.link.release(|_| true);
+            vec![Change::Lease { lease: None }, disarmed(&now.machine, why)]
+        });
     }
 
     /// Somebody has connected or gone.
@@ -341,24 +321,24 @@ impl App {
     /// A page has gone: its jog ends, and its turn at driving.
     pub fn gone(&self, client: u32) {
         self.link.release(|held| held.client == client);
-        if self.hub.read(|now| now.lease.as_ref().is_some_and(|lease| lease.client == client)) {
-            self.drop_lease("the page that drove has gone");
-        }
+        self.drop_lease(|lease| lease.client == client, "the page that drove has gone");
     }
 
-    fn resume(&self) -> Result<(), Problem> {
+    fn resume(&self, asker: &Asker) -> Result<(), Problem> {
         match self.state() {
-            State::Held => self.link.want(|wanted| wanted.resume = true),
+            State::Held => self.want_of(asker, |wanted| wanted.resume = true)?,
             State::Stopped => {
                 let number = self.hub.read(|now| now.asked.as_ref().map(|a| a.number));
-                return number.map_or(Ok(()), |number| self.answer(number, "Resume".into()));
+                let resume = |number| self.answer(Some(asker), number, "Resume".into());
+                return number.map_or(Ok(()), resume);
             }
             _ => return Err(problem(Why::State, "nothing is held")),
         }
         Ok(())
     }
 
-    fn answer(&self, question: u32, answer: String) -> Result<(), Problem> {
+    /// Answers a question: anybody may, but for answers that stand for an act of somebody who drives.
+    fn answer(&self, driver: Option<&Asker>, question: u32, answer: String) -> Result<(), Problem> {
         let asked = self.hub.read(|now| now.asked.clone());
         let Some(asked) = asked.filter(|asked| asked.number == question) else {
             return Err(problem(Why::Late, "this question is not open any more"));
@@ -373,54 +353,24 @@ impl App {
             let text = format!("answer one of {}", asked.buttons.join(", "));
             return Err(problem(Why::Mistake, text));
         }
-        self.give(question, answer)
-    }
-
-    /// Gives the open question an answer: the first counts.
-    fn give(&self, question: u32, words: String) -> Result<(), Problem> {
-        let counts = self.link.want(|wanted| wanted.give(question, words));
+        let give = |wanted: &mut Wanted| wanted.give(question, answer);
+        let counts = match driver {
+            Some(driver) => self.want_of(driver, give)?,
+            None => self.link.want(give),
+        };
+        // The first counts.
         let late = || problem(Why::Late, "somebody else has answered this question");
         counts.then_some(()).ok_or_else(late)
     }
 
-    /// Gives the machine something to do, when it has nothing to do.
-    pub fn order(&self, order: Order, state: State) -> Result<(), Problem> {
-        self.order_held(order, state, None)
-    }
-
-    /// The same, for as long as a key is held.
-    fn order_held(&self, order: Order, state: State, held: Option<Held>) -> Result<(), Problem> {
-        let mut busy = false;
-        self.hub.changing(|now| {
-            busy = now.machine.state != State::Idle;
-            if busy {
-                return Vec::new();
-            }
-            // From here on a stop counts.
-            self.link.begin(held);
-            let machine = Machine { state, why: None, ..now.machine.clone() };
-            vec![Change::Machine { machine }]
-        });
-        if busy {
-            return Err(problem(Why::State, "the machine is busy"));
-        }
-        self.send(order)
-    }
-
-    /// Gives the machine's thread something to do, after what it does now.
-    pub fn send(&self, order: Order) -> Result<(), Problem> {
-        let sent = lock(&self.orders).send(order);
-        sent.map_err(|_| problem(Why::Server, "the machine's thread has ended; start Kerf anew"))
-    }
-
-    fn run(&self, who: &Who, hash: &str, step: bool) -> Result<(), Problem> {
+    fn run(&self, asker: &Asker, hash: &str, step: bool) -> Result<(), Problem> {
         let open = lock(&self.open).clone();
         self.has_tool_path(&open)?;
         if open.name.is_empty() || open.hash != hash {
             return Err(problem(Why::Changed, "this is not the file that is open"));
         }
         if let Some(question) = self.waits_for_start(hash) {
-            return self.answer(question, "Resume".into());
+            return self.answer(Some(asker), question, "Resume".into());
         }
         let Some(preview) = open.preview.clone() else {
             return Err(problem(Why::State, "the preview is not ready"));
@@ -434,10 +384,10 @@ impl App {
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let taken = self.takes(&work);
         let Open { name, hash, key, .. } = open;
-        let opened = self.opened(who, None).is_ok();
+        let opened = self.opened(&asker.who, None).is_ok();
         let order = Order::File { work, name, hash, planned, parameters, opened };
         *lock(&self.taken) = taken.map(|at| (key, at));
-        self.order(order, State::Running).inspect_err(|_| *lock(&self.taken) = None)
+        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = None)
     }
 
     /// What was previewed is what runs: the file, and those that it calls.
@@ -459,28 +409,28 @@ impl App {
     }
 
     /// Goes on with the run that was cut short.
-    fn take_up(&self) -> Result<(), Problem> {
+    fn take_up(&self, asker: &Asker) -> Result<(), Problem> {
         if self.hub.read(|now| now.interrupted.is_none()) {
             return Err(problem(Why::State, "no run was cut short"));
         }
-        self.order(Order::TakeUp, State::Running)
+        self.order_of(asker, Order::TakeUp)
     }
 
-    fn command(&self, who: &Who, line: String) -> Result<(), Problem> {
+    fn command(&self, asker: &Asker, line: String) -> Result<(), Problem> {
         if let Some(mistake) = typed(&line).diagnostics.iter().find(|found| found.is_error()) {
             let hint = &mistake.hint;
             let hint = if hint.is_empty() { String::new() } else { format!(" ({hint})") };
             return Err(problem(Why::Mistake, format!("{}{hint}", mistake.message)));
         }
-        let opened = self.opened(who, None).is_ok();
-        self.order(Order::Command { line, opened }, State::Running)
+        let opened = self.opened(&asker.who, None).is_ok();
+        self.order_of(asker, Order::Command { line, opened })
     }
 
-    fn nudge(&self, axis: char, distance: f64) -> Result<(), Problem> {
+    fn nudge(&self, asker: &Asker, axis: char, distance: f64) -> Result<(), Problem> {
         let Some(axis) = Axis::from_letter(axis).filter(|_| distance.is_finite()) else {
             return Err(problem(Why::Malformed, "an axis and a distance are needed"));
         };
-        self.order(Order::Nudge(axis, distance), State::Running)
+        self.order_of(asker, Order::Nudge(axis, distance))
     }
 
     fn override_feed(&self, feed_percent: f64) -> Result<(), Problem> {
@@ -496,7 +446,8 @@ impl App {
     }
 
     /// Begins a jog, unless its own stop came before.
-    pub fn jog(&self, who: &Who, seq: u32, order: Order) -> Result<(), Problem> {
+    pub fn jog(&self, asker: &Asker, seq: u32, order: Order) -> Result<(), Problem> {
+        let who = &asker.who;
         if !self.pages.may_start(who.client, seq) {
             return Err(problem(Why::Late, "this jog is over already"));
         }
@@ -505,8 +456,8 @@ impl App {
         }
         let held = Held::pressed(who.client, seq);
         match self.question_for_hands() {
-            Some(question) => self.jog_in_question(question, held, &order),
-            None => self.order_held(order, State::Jogging, Some(held)),
+            Some(question) => self.jog_in_question(asker, question, held, &order),
+            None => self.order_held(asker, order, held),
         }
     }
 
@@ -520,20 +471,26 @@ impl App {
     }
 
     /// A jog is an answer to the question; afterwards it is asked again.
-    fn jog_in_question(&self, question: u32, held: Held, order: &Order) -> Result<(), Problem> {
+    fn jog_in_question(
+        &self,
+        asker: &Asker,
+        question: u32,
+        held: Held,
+        order: &Order,
+    ) -> Result<(), Problem> {
         let Order::Jog { direction, distance, speed } = order else {
             return Err(problem(Why::State, "the machine is busy"));
         };
         let base = Axes(self.hub.read(|now| now.motion.at.base));
         let far = reach(&lock(&self.left).session.memory.settings, base, *direction, *distance);
         let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: *speed };
-        let counts = self.link.want(|wanted| {
+        let counts = self.want_of(asker, |wanted| {
             let counts = wanted.jog.is_none() && wanted.give(question, jog.to_string());
             if counts {
                 wanted.jog = Some(held);
             }
             counts
-        });
+        })?;
         let late = || problem(Why::Late, "this question is not open any more");
         counts.then_some(()).ok_or_else(late)
     }
@@ -551,6 +508,47 @@ impl App {
         self.pages.jog_over(who.client, seq);
         self.link.release(|held| held.client == who.client && held.seq == seq);
     }
+}
+
+/// Whether somebody may do what takes so much.
+///
+/// # Errors
+/// Why not.
+fn allowed(now: &Snapshot, who: &Who, need: Need) -> Result<(), Problem> {
+    if who.role < need.role {
+        let text = format!("this needs the role {:?}, this device is {:?}", need.role, who.role);
+        return Err(problem(Why::Role, text.to_lowercase()));
+    }
+    if let Some(number) = need.lease {
+        match &now.lease {
+            Some(lease) if lease.number == number && lease.client == who.client => {}
+            Some(lease) if lease.client == who.client => {
+                return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
+            }
+            Some(lease) => return Err(driven_by(lease)),
+            None => return Err(problem(Why::Lease, "take the machine first")),
+        }
+    }
+    if need.armed && !now.machine.armed {
+        return Err(problem(Why::Disarmed, "the machine is disarmed: arm it first"));
+    }
+    Ok(())
+}
+
+/// Whether somebody drives the machine, which is armed; the number of the lease.
+///
+/// # Errors
+/// As [`App::drives`].
+pub fn drives(now: &Snapshot, who: &Who) -> Result<u32, Problem> {
+    let lease = now.lease.as_ref().map_or(0, |lease| lease.number);
+    allowed(now, who, drive(lease)).map(|()| lease)
+}
+
+/// The machine is disarmed from now on. The reason of an alarm is what a person has to know, whoever comes or goes.
+fn disarmed(machine: &Machine, why: &str) -> Change {
+    let alarm = machine.why.clone().filter(|_| machine.state == State::Alarm);
+    let why = alarm.or_else(|| Some(why.to_owned()));
+    Change::Machine { machine: Machine { armed: false, why, ..machine.clone() } }
 }
 
 /// Who has the machine, and how it is had from there.

@@ -8,7 +8,7 @@ use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
 use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::AXES;
-use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, State, Why, ZHeights};
+use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Why, ZHeights};
 use std::sync::mpsc::Sender;
 
 /// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
@@ -102,7 +102,7 @@ impl App {
         let mut wanted = lock(&self.left).session.configuration();
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
-        self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
+        self.order(Order::Configure(setting, Box::new(wanted)))
     }
 
     /// Changes settings until Kerf ends, all of them or none; somebody is told when they hold.
@@ -120,7 +120,7 @@ impl App {
         }
         check(&wanted)?;
         let order = Order::Hold { wanted: Box::new(wanted), tells: tells.clone() };
-        self.order(order, State::Running)
+        self.order(order)
     }
 
     /// The joining distance used last is the one offered next, also after a restart. Where the machine is
@@ -132,7 +132,7 @@ impl App {
         }
         let Some(setting) = table::setting("options.join_mm") else { return };
         if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
-            drop(self.order(Order::Configure(setting, Box::new(wanted)), State::Running));
+            drop(self.order(Order::Configure(setting, Box::new(wanted))));
         }
     }
 }

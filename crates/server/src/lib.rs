@@ -18,6 +18,7 @@
 mod acts;
 mod added;
 mod app;
+mod asker;
 mod configure;
 mod desk;
 mod digitized;
@@ -115,7 +116,7 @@ impl Server {
 
     /// Stops the machine, as the button does.
     pub fn stop_machine(&self) {
-        self.app.link.want(|wanted| wanted.stop = true);
+        self.app.link.stop();
     }
 
     /// Whether the machine moves.
@@ -140,7 +141,7 @@ impl Server {
                 Err(RecvTimeoutError::Disconnected) => thread::sleep(LOOK),
             }
         }
-        self.app.link.want(|wanted| (wanted.stop, wanted.leaves) = (true, true));
+        self.app.link.leave();
         let machine = self.machine.lock().unwrap_or_else(PoisonError::into_inner).take();
         // A machine whose thread has failed moves no more.
         machine.map(JoinHandle::join);

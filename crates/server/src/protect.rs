@@ -5,7 +5,7 @@ use crate::configure::PASSWORD;
 use crate::machine::Order;
 use kerf_control::password;
 use kerf_machine::{Value, table};
-use kerf_wire::{Problem, State, Who, Why};
+use kerf_wire::{Problem, Who, Why};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -59,7 +59,7 @@ impl App {
             .set(&mut wanted, &value)
             .map_err(|error| problem(Why::Mistake, error.to_string()))?;
         self.unlocked.clear();
-        self.order(Order::Configure(setting, Box::new(wanted)), State::Running)
+        self.order(Order::Configure(setting, Box::new(wanted)))
     }
 
     /// Takes the password: whoever gave it may change settings for a while.

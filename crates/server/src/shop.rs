@@ -59,7 +59,7 @@ impl App {
         if !path.is_dir() {
             return Err(problem(Why::File, format!("{name} is no folder")));
         }
-        self.order(Order::Folder { path, mask }, State::Running)
+        self.order(Order::Folder { path, mask })
     }
 
     /// Puts a line at the end of the recorder's list.
@@ -95,7 +95,7 @@ impl App {
             return Err(problem(Why::Disarmed, text));
         }
         let press = Press { number, on };
-        if self.state() == State::Idle && self.order(Order::Press(press), State::Running).is_ok() {
+        if self.state() == State::Idle && self.order(Order::Press(press)).is_ok() {
             return Ok(());
         }
         self.link.want(|wanted| wanted.presses.push_back(press));

@@ -462,3 +462,20 @@ fn where_only_drawings_are_worked_on_nothing_of_the_machine_is_to_be_had() {
     );
     assert_eq!(page.act(json!({ "do": "draw", "op": { "op": "program", "name": "a.sbp" } })), None);
 }
+
+#[test]
+fn a_stop_before_the_beginning_of_a_move_keeps_the_machine_still() {
+    let shop = shop(50.0, &[]);
+    let mut page = shop.driver();
+    let command = |line: &str| json!({ "do": "command", "lease": page.lease, "line": line });
+    // The move waits behind something that takes a while to read, and is refused.
+    let slow = command(&("MX,1\n".repeat(60_000) + "QQ,1"));
+    let quick = command("MX,1");
+    let (first, second) = (page.send(slow), page.send(quick));
+    assert_eq!(page.act(json!({ "do": "stop" })), None, "done at once");
+    assert_eq!(page.reply(first).as_deref(), Some("mistake"));
+    assert_eq!(page.reply(second).as_deref(), Some("state"));
+    assert_eq!(page.shown["machine"]["state"], "idle");
+    page.command("MY,1");
+    assert_eq!(page.x(), 0.0, "what was stopped stays so");
+}

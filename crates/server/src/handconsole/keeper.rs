@@ -4,9 +4,10 @@ use super::Happening;
 use super::left::Left;
 use super::view::Facts;
 use crate::app::App;
+use crate::asker::Asker;
 use crate::told;
 use kerf_handconsole::{Console, Key, Wish};
-use kerf_wire::{Change, HandConsole, Problem, State, Who, Why};
+use kerf_wire::{Change, HandConsole, Problem, State, Why};
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Weak};
@@ -22,12 +23,12 @@ pub struct Keeper {
     happens: Sender<Happening>,
     console: Console,
     /// Wishes of a key that wait until the machine has done those before them.
-    waiting: VecDeque<(Who, u32, Wish)>,
+    waiting: VecDeque<(Asker, u32, Wish)>,
     /// The outcome of a wish is still to be told.
     doing: bool,
     /// It will be in a moment: keys wait for it.
     settling: bool,
-    keys: VecDeque<(Who, u32, Key)>,
+    keys: VecDeque<(Asker, u32, Key)>,
     facts: Facts,
     /// Points were being digitized at the last look.
     digitizes: bool,
@@ -62,54 +63,54 @@ impl Keeper {
             let Some(app) = self.app.upgrade() else { return };
             self.take_up(&app);
             match happened {
-                Some(Happening::Key { who, seq, key: Key::Stop }) => {
-                    self.press(&app, &who, seq, Key::Stop);
+                Some(Happening::Key { asker, seq, key: Key::Stop }) => {
+                    self.press(&app, &asker, seq, Key::Stop);
                 }
-                Some(Happening::Key { who, seq, key }) => self.keys.push_back((who, seq, key)),
+                Some(Happening::Key { asker, seq, key }) => self.keys.push_back((asker, seq, key)),
                 Some(Happening::Told(outcome)) => self.told(outcome),
                 None => {}
             }
             self.go_on(&app);
             while !self.settling
-                && let Some((who, seq, key)) = self.keys.pop_front()
+                && let Some((asker, seq, key)) = self.keys.pop_front()
             {
-                self.press(&app, &who, seq, key);
+                self.press(&app, &asker, seq, key);
             }
             self.show(&app);
         }
     }
 
-    fn press(&mut self, app: &Arc<App>, who: &Who, seq: u32, key: Key) {
+    fn press(&mut self, app: &Arc<App>, asker: &Asker, seq: u32, key: Key) {
         let view = self.facts.view(app, true);
         let mut wishes = self.console.press(key, &view).into_iter();
         let Some(first) = wishes.next() else { return };
-        self.waiting = wishes.map(|wish| (who.clone(), seq, wish)).collect();
+        self.waiting = wishes.map(|wish| (asker.clone(), seq, wish)).collect();
         // The key before was let go, and the tool slows down: it moves anew as soon as it stands.
         if matches!(first, Wish::Jog(_)) && app.state() == State::Jogging {
-            self.waiting.push_front((who.clone(), seq, first));
+            self.waiting.push_front((asker.clone(), seq, first));
         } else {
-            self.grant(app, who, seq, first);
+            self.grant(app, asker, seq, first);
         }
     }
 
     /// Grants what waits, as far as the machine is ready for it.
     fn go_on(&mut self, app: &Arc<App>) {
         while app.state() == State::Idle && !self.doing {
-            let Some((who, seq, wish)) = self.waiting.pop_front() else { return };
-            self.grant(app, &who, seq, wish);
+            let Some((asker, seq, wish)) = self.waiting.pop_front() else { return };
+            self.grant(app, &asker, seq, wish);
         }
         if app.state() == State::Alarm {
             self.waiting.clear();
         }
     }
 
-    fn grant(&mut self, app: &Arc<App>, who: &Who, seq: u32, wish: Wish) {
+    fn grant(&mut self, app: &Arc<App>, asker: &Asker, seq: u32, wish: Wish) {
         let wish = match wish {
             Wish::Open(job) => Wish::Open(self.facts.named(&job)),
             wish => wish,
         };
         let (lasts, settles) = (wish.lasts(), wish.settles());
-        match app.grant(who, seq, wish, &self.happens) {
+        match app.grant(asker, seq, wish, &self.happens) {
             Ok(()) => (self.doing, self.settling) = (lasts || settles, settles),
             Err(problem) => {
                 self.waiting.clear();

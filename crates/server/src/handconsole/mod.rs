@@ -17,8 +17,9 @@ mod view;
 mod wishes;
 
 use crate::app::{App, problem};
+use crate::asker::Asker;
 use kerf_handconsole::Key;
-use kerf_wire::{Problem, Who, Why};
+use kerf_wire::{Problem, Why};
 use std::sync::Arc;
 use std::sync::mpsc::channel;
 use std::thread;
@@ -29,7 +30,7 @@ pub enum Happening {
     /// A key is pressed.
     Key {
         /// By whom.
-        who: Who,
+        asker: Asker,
         /// Number of the jog, should it move the tool.
         seq: u32,
         /// Which.
@@ -60,13 +61,13 @@ impl App {
     ///
     /// # Errors
     /// There is no such key.
-    pub fn press_key(&self, who: &Who, seq: u32, key: char) -> Result<(), Problem> {
+    pub fn press_key(&self, asker: &Asker, seq: u32, key: char) -> Result<(), Problem> {
         let Some(key) = Key::of(key) else {
             let text =
                 "the keys are 0 to 9, - (sign), carriage return (Enter), F, S, P (Stop), U (Func)";
             return Err(problem(Why::Malformed, text));
         };
-        let happening = Happening::Key { who: who.clone(), seq, key };
+        let happening = Happening::Key { asker: asker.clone(), seq, key };
         let sent = self.hand_console.get().map(|happens| happens.send(happening));
         match sent {
             Some(Ok(())) => Ok(()),

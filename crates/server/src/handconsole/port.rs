@@ -140,7 +140,7 @@ impl Link {
             self.drawn = None;
         }
         // It fails where the thread of the console has ended, and with it the server.
-        drop(app.press_key(&self.who, self.seq, key.character()));
+        drop(app.press_key(&app.hears(&self.who), self.seq, key.character()));
     }
 
     /// Sends the screen where it is another, as soon as the line is free.

@@ -2,10 +2,11 @@
 
 use super::Happening;
 use crate::app::{App, lock, problem};
+use crate::asker::Asker;
 use crate::machine::Order;
 use kerf_handconsole::{JobWish, Wish};
 use kerf_machine::Errand;
-use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Who, Why};
+use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Why};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
@@ -16,15 +17,16 @@ impl App {
     /// Why not.
     pub fn grant(
         self: &Arc<Self>,
-        who: &Who,
+        asker: &Asker,
         seq: u32,
         wish: Wish,
         tells: &Sender<Happening>,
     ) -> Result<(), Problem> {
+        let who = &asker.who;
         let act = match wish {
             Wish::Stop => Act::Stop,
             Wish::Acknowledge => Act::Acknowledge,
-            Wish::TakeControl => return self.take_control(who),
+            Wish::TakeControl => return self.take_control(asker),
             Wish::Open(name) => Act::Open { name, parameters: FileParameters::default() },
             Wish::Resume => Act::Resume { lease: self.drives(who)? },
             Wish::Start => {
@@ -42,7 +44,7 @@ impl App {
             }
             Wish::KeepSettings => {
                 self.sets(who)?;
-                return self.order(Order::Keep(tells.clone()), State::Running);
+                return self.order(Order::Keep(tells.clone()));
             }
             Wish::Job(wish) => {
                 self.drives(who)?;
@@ -60,14 +62,14 @@ impl App {
             }
             Wish::Jog(held) => {
                 self.drives(who)?;
-                return self.jog(who, seq, self.errand(Errand::Held(held), tells));
+                return self.jog(asker, seq, self.errand(Errand::Held(held), tells));
             }
             Wish::Go(errand) => {
                 self.drives(who)?;
-                return self.order(self.errand(errand, tells), State::Running);
+                return self.order_of(asker, self.errand(errand, tells));
             }
         };
-        self.act(who, act).map(drop)
+        self.act(asker, act).map(drop)
     }
 
     /// Pages have something else in sight.
@@ -113,13 +115,13 @@ impl App {
 
     /// Drives from now on, with the machine armed. Whoever drove until now loses it only while the machine
     /// stands.
-    fn take_control(self: &Arc<Self>, who: &Who) -> Result<(), Problem> {
-        let mine = self.drives(who).is_ok();
+    fn take_control(self: &Arc<Self>, asker: &Asker) -> Result<(), Problem> {
+        let mine = self.drives(&asker.who).is_ok();
         if !mine && matches!(self.state(), State::Running | State::Jogging) {
             return Err(problem(Why::State, "the machine moves: Stop it first"));
         }
-        self.act(who, Act::TakeLease { force: true })?;
+        self.act(asker, Act::TakeLease { force: true })?;
         let lease = self.hub.read(|now| now.lease.as_ref().map_or(0, |lease| lease.number));
-        self.act(who, Act::Arm { lease }).map(drop)
+        self.act(asker, Act::Arm { lease }).map(drop)
     }
 }

@@ -26,9 +26,9 @@ pub async fn act(
     Path(name): Path<String>,
     Json(body): Json<Value>,
 ) -> Result<Json<Reply>, Refused> {
+    let asker = app.hears(&who(&caller));
     let act = read(name, body)?;
-    let who = who(&caller);
-    let notes = aside(move || app.act(&who, act)).await?;
+    let notes = aside(move || app.act(&asker, act)).await?;
     Ok(Json(Reply { id: 0, problem: None, notes }))
 }
 

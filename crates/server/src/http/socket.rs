@@ -5,6 +5,7 @@
 
 use super::guard::Caller;
 use crate::app::App;
+use crate::asker::Asker;
 use crate::hub::text;
 use axum::Extension;
 use axum::extract::State;
@@ -45,7 +46,7 @@ async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
     let (slow, waiting) = unbounded_channel();
     let mut writing =
         tokio::spawn(writer(app.clone(), who.clone(), caller.clone(), write, outgoing));
-    let working = tokio::spawn(worker(app.clone(), who.clone(), waiting, replies.clone()));
+    let working = tokio::spawn(worker(app.clone(), waiting, replies.clone()));
     let page = Page { app: app.clone(), who: who.clone(), replies, slow };
     tokio::select! {
         () = page.listen(read) => {}
@@ -65,7 +66,7 @@ struct Page {
     app: Arc<App>,
     who: Who,
     replies: UnboundedSender<Reply>,
-    slow: UnboundedSender<Request>,
+    slow: UnboundedSender<(Asker, Request)>,
 }
 
 impl Page {
@@ -81,13 +82,14 @@ impl Page {
     }
 
     fn request(&self, text: &str) {
+        let asker = self.app.hears(&self.who);
         match serde_json::from_str::<Request>(text) {
             Err(error) => {
                 let problem = Problem { why: Why::Malformed, text: error.to_string() };
                 self.reply(Reply { id: 0, problem: Some(problem), notes: Vec::new() });
             }
-            Ok(request) if is_slow(&request.act) => drop(self.slow.send(request)),
-            Ok(request) => self.reply(answer(&self.app, &self.who, request)),
+            Ok(request) if is_slow(&request.act) => drop(self.slow.send((asker, request))),
+            Ok(request) => self.reply(answer(&self.app, &asker, request)),
         }
     }
 
@@ -114,8 +116,8 @@ const fn is_slow(act: &Act) -> bool {
     )
 }
 
-fn answer(app: &Arc<App>, who: &Who, request: Request) -> Reply {
-    match app.act(who, request.act) {
+fn answer(app: &Arc<App>, asker: &Asker, request: Request) -> Reply {
+    match app.act(asker, request.act) {
         Ok(notes) => Reply { id: request.id, problem: None, notes },
         Err(problem) => Reply { id: request.id, problem: Some(problem), notes: Vec::new() },
     }
@@ -124,13 +126,12 @@ fn answer(app: &Arc<App>, who: &Who, request: Request) -> Reply {
 /// Does slow requests one after the other.
 async fn worker(
     app: Arc<App>,
-    who: Who,
-    mut requests: UnboundedReceiver<Request>,
+    mut requests: UnboundedReceiver<(Asker, Request)>,
     replies: UnboundedSender<Reply>,
 ) {
-    while let Some(request) = requests.recv().await {
-        let (app, who) = (app.clone(), who.clone());
-        let done = tokio::task::spawn_blocking(move || answer(&app, &who, request)).await;
+    while let Some((asker, request)) = requests.recv().await {
+        let app = app.clone();
+        let done = tokio::task::spawn_blocking(move || answer(&app, &asker, request)).await;
         if let Ok(reply) = done {
             drop(replies.send(reply));
         }

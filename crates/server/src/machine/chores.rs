@@ -1,5 +1,6 @@
 //! What the owner of the machine does besides moving it: its files, recorder, switches, configuration.
 
+use super::link::Stops;
 use super::owner::Owner;
 use crate::handconsole::Happening;
 use crate::setup::Workshop;
@@ -16,15 +17,14 @@ impl Owner {
     /// A command that other software passed in (`uCommand`), when it may be carried out now. It is
     /// taken away in any case: one that was left would surprise whoever arms the machine.
     pub(super) fn passed_in(&mut self) -> Option<String> {
+        let arrived = self.link.stops();
         let journal = self.workshop.shelf.journal()?;
         let taken = journal.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
-            Ok(Some(Ok(line))) => match self.may_run() {
-                true => return Some(line),
-                false => {
-                    format!("{line} was passed in and not carried out: the machine is disarmed")
-                }
+            Ok(Some(Ok(line))) => match self.may_run(arrived) {
+                Ok(()) => return Some(line),
+                Err(why) => format!("{line} was passed in and not carried out: {why}"),
             },
             Ok(Some(Err(why))) => why,
             Err(error) => error.to_string(),
@@ -44,6 +44,8 @@ impl Owner {
             Ok(true) => {
                 self.hub.say(Tone::Warning, "another Kerf has run the machine: it is disarmed");
                 self.hub.changing(|now| {
+                    // What began at this very moment is stopped.
+                    self.link.stop();
                     let machine = Machine { armed: false, ..now.machine.clone() };
                     vec![Change::Machine { machine }]
                 });
@@ -54,16 +56,21 @@ impl Owner {
         }
     }
 
-    /// Whether the machine is armed and idle; from now on it is busy.
-    fn may_run(&self) -> bool {
-        let mut may = false;
+    /// Whether the machine is armed and idle, and nobody has stopped it since something arrived; from now on it is
+    /// busy. Otherwise why not.
+    fn may_run(&self, arrived: Stops) -> Result<(), &'static str> {
+        let mut may = Ok(());
         self.hub.changing(|now| {
-            may = now.machine.armed && now.machine.state == State::Idle;
-            if may {
-                self.link.begin(None);
-            }
+            may = match &now.machine {
+                Machine { armed: false, .. } => Err("the machine is disarmed"),
+                Machine { state: State::Idle, .. } if self.link.begin(Some(arrived), None) => {
+                    Ok(())
+                }
+                Machine { state: State::Idle, .. } => Err("the machine was stopped"),
+                _ => Err("the machine is busy"),
+            };
             let machine = Machine { state: State::Running, why: None, ..now.machine.clone() };
-            if may { vec![Change::Machine { machine }] } else { Vec::new() }
+            if may.is_ok() { vec![Change::Machine { machine }] } else { Vec::new() }
         });
         may
     }

@@ -162,7 +162,8 @@ impl Pace for Clock {
             }
             wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
         }
-        (wanted.hold, self.seen) = (false, None);
+        wanted.stands();
+        self.seen = None;
         drop(wanted);
         self.shared.state(State::Running);
         Some(held_s + begin.elapsed().as_secs_f64() * self.rate)
@@ -205,8 +206,7 @@ impl Pages {
                 self.stopped = true;
                 return None;
             }
-            // Who waits for an answer stands already.
-            wanted.hold = false;
+            wanted.stands();
             if let Some(press) = wanted.presses.pop_front() {
                 self.pressed = true;
                 return Some(press.to_string());

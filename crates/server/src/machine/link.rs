@@ -1,4 +1,6 @@
 //! What pages want of a machine that runs, from the threads that hear it to the one that drives.
+//!
+//! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round.
 
 use kerf_control::{Press, Wish};
 use std::collections::VecDeque;
@@ -17,17 +19,23 @@ pub struct Link {
     watched: Mutex<Vec<String>>,
 }
 
+/// How many stops had come at a moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stops(u64);
+
 /// What pages want.
 #[derive(Debug, Default)]
 pub struct Wanted {
     /// Stop; stays until it was heard.
-    pub stop: bool,
+    stop: bool,
+    /// Stops so far, those while nothing ran included.
+    stops: u64,
     /// Kerf ends: what runs is stopped, nobody answers any more, nothing else begins.
     pub leaves: bool,
     /// The run was told to stop, and ramps down.
     stopping: bool,
     /// Hold.
-    pub hold: bool,
+    hold: bool,
     /// Go on after a hold.
     pub resume: bool,
     /// A new feed override.
@@ -84,6 +92,16 @@ impl Wanted {
             return Some(Wish::Hold);
         }
         self.pressed().or_else(|| self.feed.take().map(Wish::Feed))
+    }
+
+    /// Who waits for somebody stands already.
+    pub const fn stands(&mut self) {
+        self.hold = false;
+    }
+
+    /// Nothing begins any more that was asked for until now.
+    const fn forestall(&mut self) {
+        self.stops = self.stops.wrapping_add(1);
     }
 
     /// A question is open from now on; one that is asked again is the same.
@@ -162,11 +180,54 @@ impl Link {
         waited.map_or_else(|poisoned| poisoned.into_inner().0, |(wanted, _)| wanted)
     }
 
-    /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten.
-    pub fn begin(&self, jog: Option<Held>) {
+    /// Stops what runs, and what was asked for and has not begun yet.
+    pub fn stop(&self) {
+        self.want(|wanted| {
+            wanted.stop = true;
+            wanted.forestall();
+        });
+    }
+
+    /// Holds what runs. What was asked for and has not begun yet does not begin.
+    pub fn hold(&self) {
+        self.want(|wanted| {
+            wanted.hold = true;
+            wanted.forestall();
+        });
+    }
+
+    /// Kerf ends.
+    pub fn leave(&self) {
+        self.want(|wanted| {
+            (wanted.stop, wanted.leaves) = (true, true);
+            wanted.forestall();
+        });
+    }
+
+    /// What was asked for and has not begun yet does not begin; what runs goes on.
+    pub fn forestall(&self) {
+        self.want(Wanted::forestall);
+    }
+
+    /// How many stops have come.
+    pub fn stops(&self) -> Stops {
+        Stops(self.lock().stops)
+    }
+
+    /// Wants something, unless a stop has come since a moment.
+    pub fn want_since<T>(&self, since: Stops, change: impl FnOnce(&mut Wanted) -> T) -> Option<T> {
+        self.want(|wanted| (wanted.stops == since.0).then(|| change(wanted)))
+    }
+
+    /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten. Not where a stop has come since the moment, if there is one.
+    pub fn begin(&self, since: Option<Stops>, jog: Option<Held>) -> bool {
         let mut wanted = self.lock();
-        let leaves = wanted.leaves;
-        *wanted = Wanted { jog, leaves, stop: leaves, ..Wanted::default() };
+        let Wanted { leaves, stops, .. } = *wanted;
+        let begins = since.is_none_or(|since| since.0 == stops);
+        if begins {
+            *wanted = Wanted { jog, leaves, stop: leaves, stops, ..Wanted::default() };
+        }
+        begins
     }
 
     /// The page of a jog has gone, or released the key.
@@ -176,5 +237,33 @@ impl Link {
                 held.released = true;
             }
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_arrived_before_a_stop_does_not_begin() {
+        let stops: [fn(&Link); 4] = [Link::stop, Link::hold, Link::forestall, Link::leave];
+        for stop in stops {
+            let link = Link::default();
+            let arrived = link.stops();
+            assert!(link.begin(Some(arrived), None), "nothing has come yet");
+            stop(&link);
+            assert!(!link.begin(Some(arrived), None));
+            assert_eq!(link.want_since(arrived, |_| ()), None);
+            assert!(link.begin(Some(link.stops()), None), "asked for anew");
+            assert!(!link.begin(Some(arrived), None), "the stop was not forgotten");
+        }
+    }
+
+    #[test]
+    fn a_stop_behind_the_beginning_is_heard() {
+        let link = Link::default();
+        assert!(link.begin(Some(link.stops()), None));
+        link.stop();
+        assert_eq!(link.lock().wish(), Some(Wish::Stop));
     }
 }

@@ -17,7 +17,7 @@ mod reach;
 
 pub use board::{PathEnd, Planned};
 pub use left::Left;
-pub use link::Link;
+pub use link::{Link, Stops};
 pub use owner::{Order, Owner};
 pub use ports::{bits, ports};
 pub use reach::reach;

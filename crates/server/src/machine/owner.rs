@@ -96,6 +96,27 @@ pub enum Order {
     Keep(Sender<Happening>),
 }
 
+impl Order {
+    /// Whether it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
+    pub const fn moves(&self) -> bool {
+        match self {
+            Self::File { .. }
+            | Self::TakeUp
+            | Self::Command { .. }
+            | Self::Jog { .. }
+            | Self::Hand { .. }
+            | Self::Nudge(..) => true,
+            Self::Press(_)
+            | Self::Folder { .. }
+            | Self::Record(_)
+            | Self::Watched
+            | Self::Configure(..)
+            | Self::Hold { .. }
+            | Self::Keep(_) => false,
+        }
+    }
+}
+
 /// How often it is looked whether other software passed a command in.
 const LOOK: Duration = Duration::from_millis(100);
 
@@ -135,7 +156,10 @@ impl Owner {
         if let Some(why) = &why {
             self.hub.say(Tone::Warning, why.clone());
         }
-        self.rest(State::Idle, why);
+        self.settle(|machine| {
+            let alarm = machine.why.clone().filter(|_| machine.state == State::Alarm);
+            Machine { why: alarm.or(why), ..machine.clone() }
+        });
     }
 
     /// Works until nobody gives orders any more, or Kerf ends.
@@ -170,9 +194,9 @@ impl Owner {
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
-                Order::Press(press) => self.press(press),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),
+                Order::Press(press) => self.press(press),
                 Order::Watched => {}
                 Order::Configure(setting, wanted) => self.configure(setting, *wanted),
                 Order::Hold { wanted, tells } => self.hold(*wanted, &tells),
@@ -308,6 +332,18 @@ impl Owner {
 
     /// The machine stands. An alarm disarms it.
     pub(super) fn rest(&mut self, state: State, why: Option<String>) {
+        let (alarm, link) = (state == State::Alarm, self.link.clone());
+        self.settle(|machine| {
+            if alarm {
+                link.forestall();
+            }
+            let armed = machine.armed && !alarm;
+            Machine { state, armed, why, ..machine.clone() }
+        });
+    }
+
+    /// Tells how the machine stands, and what it is from now on.
+    pub(super) fn settle(&mut self, becomes: impl FnOnce(&Machine) -> Machine) {
         self.tell_shelf();
         self.leave();
         self.tell_others(&self.workshop.session.look(Live::at_rest));
@@ -316,9 +352,8 @@ impl Owner {
             (&memory.settings, &memory.frame, memory.position)
         };
         self.hub.changing(|now| {
-            let armed = now.machine.armed && state != State::Alarm;
             let mode = told::mode(&self.workshop.session);
-            let machine = Machine { state, armed, why, mode, ..now.machine.clone() };
+            let machine = Machine { mode, ..becomes(&now.machine) };
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
