@@ -5,7 +5,7 @@ use crate::app::{App, problem};
 use crate::machine::Order;
 use kerf_control::Press;
 use kerf_program::settings::LINES;
-use kerf_wire::{FileParameters, Problem, State, Why};
+use kerf_wire::{FileParameters, Problem, Why};
 
 /// Variables that can be watched at most.
 const MOST_WATCHED: usize = 50;
@@ -83,22 +83,22 @@ impl App {
         self.send(Order::Watched)
     }
 
-    /// Moves a switch of the simulated machine, whatever it does.
+    /// Moves a switch of the simulated machine, whatever it does: what runs moves it, or the machine's thread.
     pub fn press(&self, number: u8, on: bool) -> Result<(), Problem> {
         if !(1..=LINES as u8).contains(&number) {
             return Err(problem(Why::Malformed, format!("inputs are 1 to {LINES}")));
         }
         let keypad = |asked: &kerf_wire::Asked| asked.kind == "keypad";
         let waits = |now: &kerf_wire::Snapshot| now.asked.as_ref().is_some_and(keypad);
-        if on && self.hub.read(|now| waits(now) && !now.machine.armed) {
-            let text = "the machine is disarmed: a key of the pendant would move it; arm it first";
-            return Err(problem(Why::Disarmed, text));
-        }
-        let press = Press { number, on };
-        if self.state() == State::Idle && self.order(Order::Press(press)).is_ok() {
-            return Ok(());
-        }
-        self.link.want(|wanted| wanted.presses.push_back(press));
-        Ok(())
+        self.hub.read(|now| {
+            if on && waits(now) && !now.machine.armed {
+                let text =
+                    "the machine is disarmed: a key of the pendant would move it; arm it first";
+                return Err(problem(Why::Disarmed, text));
+            }
+            self.link.want(|wanted| wanted.presses.push_back(Press { number, on }));
+            Ok(())
+        })?;
+        self.send(Order::Switches)
     }
 }

@@ -164,6 +164,29 @@ fn switches_of_the_simulated_machine_are_moved_by_hand() {
 }
 
 #[test]
+fn a_switch_that_is_moved_in_an_alarm_is_moved() {
+    let shop = shop(100.0, &[]);
+    let mut page = shop.driver();
+    // A stop circuit that is open reads on.
+    let input = |open: bool| json!({ "do": "input", "number": 4, "on": !open });
+    let lamp = |on: bool| move |page: &Page| page.shown["io"]["inputs"][3]["on"] == on;
+    assert_eq!(drive(&mut page, input(true)), None);
+    page.until("the lamp", lamp(true));
+    assert_eq!(drive(&mut page, json!({ "do": "command", "line": "MX,1" })), None);
+    page.until_state("alarm");
+    let why = page.shown["machine"]["why"].clone();
+    assert!(why.is_string(), "{why}");
+    assert_eq!(drive(&mut page, input(false)), None);
+    page.until("no lamp", lamp(false));
+    assert_eq!(page.shown["machine"]["state"], "alarm", "nobody took note of it");
+    assert_eq!(page.shown["machine"]["why"], why);
+    assert_eq!(page.act(json!({ "do": "acknowledge" })), None);
+    page.drive();
+    page.command("MX,1");
+    assert!((page.x() - 25.4).abs() < 1e-6, "{}", page.x());
+}
+
+#[test]
 fn the_configuration_is_a_form_and_a_change_names_what_is_wrong() {
     let shop = shop(100.0, &[]);
     let mut page = shop.driver();

@@ -5,8 +5,8 @@ use super::owner::Owner;
 use crate::handconsole::Happening;
 use crate::setup::Workshop;
 use crate::told;
+use kerf_control::command_passing;
 use kerf_control::journal::{CutShort, Journal, JournalError};
-use kerf_control::{Press, command_passing};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
 use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone};
@@ -75,10 +75,17 @@ impl Owner {
         may
     }
 
-    /// Moves a switch of the machine, which stands.
-    pub(super) fn press(&mut self, press: Press) {
-        self.workshop.session.press(press, &mut self.workshop.shelf);
-        self.rest(State::Idle, None);
+    /// Moves the switches of the machine, which stands, that nothing which ran has moved. Whether there were any. It
+    /// stays what it is: an alarm stands, and what has begun begins.
+    pub(super) fn move_switches(&mut self) -> bool {
+        let presses = std::mem::take(&mut self.link.lock().presses);
+        for press in &presses {
+            self.workshop.session.press(*press, &mut self.workshop.shelf);
+        }
+        if !presses.is_empty() {
+            self.settle(Machine::clone);
+        }
+        !presses.is_empty()
     }
 
     /// Chooses the part folder.
@@ -185,5 +192,82 @@ impl Owner {
             Some((name.clone(), value))
         };
         told::named(self.link.watched().iter().filter_map(value))
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::files::PartFolder;
+    use crate::hub::Hub;
+    use crate::machine::{Link, Order};
+    use kerf_control::files::{Folders, RealDisk};
+    use kerf_control::stored::Stored;
+    use kerf_control::{Press, Session, Shelf};
+    use kerf_wire::Snapshot;
+    use std::sync::Arc;
+    use std::sync::mpsc::channel;
+
+    fn owner(folder: &Path, link: &Arc<Link>) -> Owner {
+        let stored = Stored::in_memory(Default::default());
+        let folders = Folders::new(folder.to_owned(), Vec::new(), Vec::new());
+        let shelf = Shelf::new(Box::new(RealDisk), folders, stored, folder.join("data"));
+        Owner {
+            hub: Arc::new(Hub::new(Snapshot::default())),
+            link: link.clone(),
+            workshop: Workshop {
+                session: Session::default(),
+                shelf,
+                kept: false,
+                started: || None,
+            },
+            parts: PartFolder::new(folder).unwrap(),
+            left: Arc::default(),
+            rate: 1.0,
+            done: Box::new(drop),
+            closing: None,
+            asked: 0,
+            run: 0,
+        }
+    }
+
+    #[test]
+    fn switches_that_a_run_left_are_moved_when_it_is_over() {
+        let (folder, link) = (tempfile::tempdir().unwrap(), Arc::<Link>::default());
+        let owner = owner(folder.path(), &link);
+        let hub = owner.hub.clone();
+        for (number, on) in [(1, true), (2, true), (1, false)] {
+            link.want(|wanted| wanted.presses.push_back(Press { number, on }));
+        }
+        // Something else began behind them.
+        assert!(link.begin(None, None));
+        let (orders, waiting) = channel();
+        orders.send(Order::Switches).unwrap();
+        drop(orders);
+        owner.work(&waiting);
+        let on = hub.read(|now| now.io.inputs.iter().filter(|lamp| lamp.on).count());
+        let second = hub.read(|now| now.io.inputs[1].on);
+        assert_eq!((on, second), (1, true), "the last of the first counts");
+    }
+
+    #[test]
+    fn a_switch_leaves_the_machine_what_it_is() {
+        for state in [State::Alarm, State::Idle, State::Running] {
+            let (folder, link) = (tempfile::tempdir().unwrap(), Arc::<Link>::default());
+            let mut owner = owner(folder.path(), &link);
+            let was = Machine {
+                state,
+                armed: true,
+                why: Some("a limit".into()),
+                ..owner.hub.read(|now| now.machine.clone())
+            };
+            owner.hub.change(vec![Change::Machine { machine: was.clone() }]);
+            link.want(|wanted| wanted.presses.push_back(Press { number: 2, on: true }));
+            assert!(owner.move_switches());
+            assert!(owner.hub.read(|now| now.io.inputs[1].on), "{state:?}");
+            let machine = owner.hub.read(|now| now.machine.clone());
+            assert_eq!((machine.state, machine.armed, machine.why), (was.state, true, was.why));
+        }
     }
 }

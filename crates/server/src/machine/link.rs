@@ -46,7 +46,7 @@ pub struct Wanted {
     answer: Option<String>,
     /// The jog that is made.
     pub jog: Option<Held>,
-    /// Switches that are moved.
+    /// Switches that are moved: by what runs, or else before the next thing begins.
     pub presses: VecDeque<Press>,
 }
 
@@ -219,13 +219,15 @@ impl Link {
         self.want(|wanted| (wanted.stops == since.0).then(|| change(wanted)))
     }
 
-    /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten. Not where a stop has come since the moment, if there is one.
+    /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten,
+    /// but for switches that it did not move any more. Not where a stop has come since the moment, if there is one.
     pub fn begin(&self, since: Option<Stops>, jog: Option<Held>) -> bool {
         let mut wanted = self.lock();
         let Wanted { leaves, stops, .. } = *wanted;
         let begins = since.is_none_or(|since| since.0 == stops);
         if begins {
-            *wanted = Wanted { jog, leaves, stop: leaves, stops, ..Wanted::default() };
+            let presses = std::mem::take(&mut wanted.presses);
+            *wanted = Wanted { jog, leaves, stop: leaves, stops, presses, ..Wanted::default() };
         }
         begins
     }
@@ -265,5 +267,14 @@ mod tests {
         assert!(link.begin(Some(link.stops()), None));
         link.stop();
         assert_eq!(link.lock().wish(), Some(Wish::Stop));
+    }
+
+    #[test]
+    fn a_switch_that_a_run_left_is_not_lost_to_the_next() {
+        let link = Link::default();
+        let press = Press { number: 4, on: false };
+        link.want(|wanted| wanted.presses.push_back(press));
+        assert!(link.begin(None, None));
+        assert_eq!(link.lock().wish(), Some(Wish::Input { number: 4, on: false }));
     }
 }

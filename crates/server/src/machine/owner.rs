@@ -10,7 +10,7 @@ use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::journal::{JournalError, Live};
-use kerf_control::{Company, Press, RunOptions, Summary, Work, unverified};
+use kerf_control::{Company, RunOptions, Summary, Work, unverified};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad};
 use kerf_program::{AXES, Axis};
@@ -70,8 +70,8 @@ pub enum Order {
     },
     /// Shift the workpiece.
     Nudge(Axis, f64),
-    /// Move a switch of the simulated machine.
-    Press(Press),
+    /// Move the switches of the simulated machine that nothing which ran has moved.
+    Switches,
     /// Choose the part folder, and which files lists show.
     Folder {
         /// Its path.
@@ -106,7 +106,7 @@ impl Order {
             | Self::Jog { .. }
             | Self::Hand { .. }
             | Self::Nudge(..) => true,
-            Self::Press(_)
+            Self::Switches
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched
@@ -166,6 +166,7 @@ impl Owner {
     pub fn work(mut self, orders: &Receiver<Order>) {
         loop {
             if self.link.lock().leaves {
+                self.move_switches();
                 self.tell_others(&Live::default());
                 let Workshop { session, shelf, .. } = &mut self.workshop;
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
@@ -181,7 +182,9 @@ impl Owner {
                 },
                 Err(RecvTimeoutError::Disconnected) => break,
             };
+            let moved = self.move_switches();
             match order {
+                Order::Switches if !moved => continue,
                 Order::File { work, name, hash, planned, parameters, opened } => {
                     let mut options = RunOptions { opened, ..self.options() };
                     options.program.file = parameters;
@@ -196,8 +199,7 @@ impl Owner {
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),
-                Order::Press(press) => self.press(press),
-                Order::Watched => {}
+                Order::Watched | Order::Switches => {}
                 Order::Configure(setting, wanted) => self.configure(setting, *wanted),
                 Order::Hold { wanted, tells } => self.hold(*wanted, &tells),
                 Order::Keep(tells) => self.keep(&tells),
