@@ -3,6 +3,7 @@ import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
 import type { Timing } from "../wire/messages";
+import { grainWords } from "./grains";
 import { all, closer, earlier, further, later, moveOfKey } from "./keys";
 import { momentOf, panned, pixelOf, type Span, ticksOf, whole, zoomed } from "./span";
 import { TimingRow } from "./TimingRow";
@@ -37,6 +38,7 @@ export function TimingChart({ timing }: { timing: Timing }) {
     event.stopPropagation();
     setSpan((now) => move(now, end));
   };
+  const coarse = grainWords(timing.lines);
   const rest = { span, ticks: ticks.at, width, at, units };
   return (
     <>
@@ -65,6 +67,7 @@ export function TimingChart({ timing }: { timing: Timing }) {
           </div>
         </div>
       </div>
+      {coarse && <p className="timing-note">{coarse}</p>}
       {!timing.whole && (
         <p className="timing-note">
           The chart ends here: the file switches more often than a chart holds.

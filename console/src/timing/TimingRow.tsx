@@ -1,5 +1,6 @@
 import type { TimingLine } from "../wire/messages";
-import { bitWords, coursePath, isBit, labelled, rangeOf, valueAt } from "./course";
+import { bitWords, coursePath, isBit, labelled, rangeOf } from "./course";
+import { bandPath, rangeAt } from "./grains";
 import { pixelOf, type Span } from "./span";
 
 /** Heights of a row with a value and of one with a bit, pixels. */
@@ -22,7 +23,7 @@ interface TimingRowProps {
 export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProps) {
   const bit = isBit(line);
   const height = bit ? low : tall;
-  const range = rangeOf(line.points);
+  const range = rangeOf(line);
   const box = { width, top: 16, bottom: height - 5 };
   const path = coursePath(line, range, span, box);
   const read = readOf(line, units);
@@ -33,13 +34,16 @@ export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProp
     <div className="timing-row" data-line={line.name}>
       <span className="timing-name">
         <b title={line.name}>{nameOf(line)}</b>
-        <small>{at === null ? about(line, units) : read(valueAt(line, at))}</small>
+        <small>{at === null ? about(line, units) : between(rangeAt(line, at).map(read))}</small>
       </span>
       <div className="timing-plot">
         <svg width={width} height={height} role="img" aria-label={words}>
           {ticks.map((tick) => (
             <Upright key={tick} x={pixelOf(span, tick, width)} height={height} look="grid" />
           ))}
+          {line.grain > 0 && (
+            <path className={`timing-band-${line.kind}`} d={bandPath(line, range, span, box)} />
+          )}
           {bit && <path className={`timing-fill-${line.kind}`} d={`${path}V${box.bottom}H0Z`} />}
           <path className={`timing-line timing-${line.kind}`} d={path} />
           {bit &&
@@ -94,6 +98,10 @@ const about = ({ kind, name }: TimingLine, { linear }: TimingRowProps["units"]):
   if (kind === "axis") return linear;
   return kind === "value" || name.startsWith(kind) ? "" : kind;
 };
+
+/** One value where both are the same. */
+const between = ([low, high]: readonly string[]): string =>
+  low === high ? (low ?? "") : `${low} … ${high}`;
 
 /** How its values are written. */
 function readOf({ kind }: TimingLine, { mm, linear }: TimingRowProps["units"]) {

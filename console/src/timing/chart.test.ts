@@ -1,12 +1,14 @@
 import { describe, expect, it } from "vitest";
 import type { TimingLine } from "../wire/messages";
-import { bitWords, coursePath, labelled, valueAt } from "./course";
+import { bitWords, coursePath, labelled, rangeOf, valueAt } from "./course";
+import { bandPath, grainWords, rangeAt } from "./grains";
 import { moveOfKey } from "./keys";
 import { momentOf, panned, pixelOf, ticksOf, whole, zoomed } from "./span";
 
 const router: TimingLine = {
   kind: "output",
   name: "router",
+  grain: 0,
   points: [
     [2, 1],
     [6, 0],
@@ -15,10 +17,20 @@ const router: TimingLine = {
 const z: TimingLine = {
   kind: "axis",
   name: "z",
+  grain: 0,
   points: [
     [1, 0],
     [3, -20],
     [5, -20],
+  ],
+};
+const beam: TimingLine = {
+  kind: "value",
+  name: "intensity",
+  grain: 0,
+  points: [
+    [2, 64],
+    [6, 0],
   ],
 };
 const box = { width: 100, top: 10, bottom: 30 };
@@ -92,9 +104,41 @@ describe("a line", () => {
       n / 2000,
       n === 12_345 ? 50 : n % 2,
     ]);
-    const path = coursePath({ kind: "value", points }, [0, 50], whole(10), box);
+    const path = coursePath({ kind: "axis", points }, [0, 50], whole(10), box);
     expect(path.split("L").length).toBeLessThan(450);
     expect(path).toContain(" 10.0");
+  });
+
+  it("of a value holds each until the next, and is 0 before", () => {
+    const path = coursePath(beam, rangeOf(beam), whole(10), box);
+    expect(path).toBe("M0.0 30.0L20.0 30.0L20.0 10.0L60.0 10.0L60.0 30.0L100.0 30.0");
+    expect([1.9, 2, 5.9, 6, 9].map((at) => valueAt(beam, at))).toEqual([0, 64, 64, 0, 0]);
+  });
+
+  it("by grains is drawn as bands and read as a range, where it has more than a point in one", () => {
+    const coarse: TimingLine = {
+      ...beam,
+      grain: 2,
+      points: [
+        [2, 64],
+        [2.1, 0],
+        [3.9, 64],
+        [5, 0],
+      ],
+    };
+    expect(rangeAt(coarse, 3)).toEqual([0, 64]);
+    expect([1, 4.5, 5.5].map((at) => rangeAt(coarse, at))).toEqual([
+      [0, 0],
+      [64, 64],
+      [0, 0],
+    ]);
+    expect(bandPath(coarse, [0, 64], whole(10), box)).toBe("M20.0 10.0H40.0V30.0H20.0Z");
+    expect(bandPath(coarse, [0, 64], whole(1000), box), "narrower than a pixel").toBe("");
+    expect(grainWords([router, coarse])).toContain("of intensity every 2 s");
+    expect(grainWords([router])).toBeUndefined();
+    const axis: TimingLine = { ...coarse, kind: "axis" };
+    expect(rangeAt(axis, 3)).toEqual([0, 64]);
+    expect(rangeAt(axis, 4.45)[0]).toBeCloseTo(32, 9);
   });
 
   it("has a value at every moment", () => {

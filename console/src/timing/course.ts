@@ -12,6 +12,9 @@ export interface Box {
   readonly bottom: number;
 }
 
+/** Least and greatest. */
+export type Range = readonly [low: number, high: number];
+
 export const isBit = ({ kind }: Pick<TimingLine, "kind">): boolean =>
   kind === "output" || kind === "input";
 
@@ -31,7 +34,7 @@ export function valueAt(line: Pick<TimingLine, "kind" | "points">, at: number): 
   const { points } = line;
   const next = before(points, at);
   const [a, b] = [points[next - 1], points[next]];
-  if (isBit(line)) return a?.[1] ?? 0;
+  if (line.kind !== "axis") return a?.[1] ?? 0;
   if (!a) return b?.[1] ?? 0;
   if (!b || b[0] <= a[0]) return a[1];
   return a[1] + ((b[1] - a[1]) * (at - a[0])) / (b[0] - a[0]);
@@ -43,6 +46,13 @@ const slack = 1e-9;
 /** The edges of a bit that are shown. */
 export const edgesIn = ({ points }: Pick<TimingLine, "points">, span: Span): readonly Point[] =>
   points.slice(before(points, span.from - slack), before(points, span.to));
+
+/** Not by Math.min(...): a line has more values than a call takes. */
+export function spread(values: readonly number[]): Range {
+  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const value of values) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  return [low, high];
+}
 
 /** The points that are shown, and one beyond each end of the span. */
 function shown(points: readonly Point[], span: Span): readonly Point[] {
@@ -70,40 +80,46 @@ function thinned(points: readonly (readonly [x: number, y: number])[]) {
 const pathOf = (points: readonly (readonly [number, number])[]): string =>
   points.map(([x, y], n) => `${n === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`).join("");
 
-/** Least and greatest value of a line. */
-export function rangeOf(points: readonly Point[]): readonly [number, number] {
-  let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (const [, value] of points) [low, high] = [Math.min(low, value), Math.max(high, value)];
-  return low <= high ? [low, high] : [0, 0];
+/** Least and greatest value of a line; what changes in steps is 0 before the first. */
+export function rangeOf({ kind, points }: Pick<TimingLine, "kind" | "points">): Range {
+  const starts = kind === "axis" ? points[0]?.[1] : 0;
+  return spread([starts ?? 0, ...points.map(([, value]) => value)]);
 }
 
-/** A bit: up while it is on. */
-function bitPath({ points }: Pick<TimingLine, "points">, span: Span, box: Box): string {
-  const y = (on: number) => (on > 0 ? box.top : box.bottom);
-  const corners: [number, number][] = [
-    [0, y(points[before(points, span.from - slack) - 1]?.[1] ?? 0)],
-  ];
-  for (const [at, on] of edgesIn({ points }, span)) {
+/** How values are drawn: what is least at the bottom of its row, what is greatest at the top. */
+export const heightOf = ([low, high]: Range, { top, bottom }: Box) => {
+  const tall = Math.max(high - low, 1e-9);
+  return (value: number) => bottom - ((value - low) / tall) * (bottom - top);
+};
+
+/** What changes in steps: it holds until the next. */
+function stepPath(line: Steps, height: (value: number) => number, span: Span, box: Box): string {
+  const { points } = line;
+  const begins = points[before(points, span.from - slack) - 1]?.[1] ?? 0;
+  const corners: [number, number][] = [[0, height(begins)]];
+  for (const [at, value] of edgesIn({ points }, span)) {
     const x = pixelOf(span, at, box.width);
-    corners.push([x, corners.at(-1)?.[1] ?? 0], [x, y(on)]);
+    corners.push([x, corners.at(-1)?.[1] ?? 0], [x, height(value)]);
   }
   corners.push([box.width, corners.at(-1)?.[1] ?? 0]);
   return pathOf(thinned(corners));
 }
 
+type Steps = Pick<TimingLine, "points">;
+
 /** The line as a path of an SVG; a value fills its row from its least to its greatest. */
 export function coursePath(
   line: Pick<TimingLine, "kind" | "points">,
-  range: readonly [number, number],
+  range: Range,
   span: Span,
   box: Box,
 ): string {
-  if (isBit(line)) return bitPath(line, span, box);
-  const [low, high] = range;
-  const tall = Math.max(high - low, 1e-9);
+  if (isBit(line)) return stepPath(line, (on) => (on > 0 ? box.top : box.bottom), span, box);
+  const height = heightOf(range, box);
+  if (line.kind === "value") return stepPath(line, height, span, box);
   const corners = shown(line.points, span).map(([at, value]): [number, number] => [
     pixelOf(span, at, box.width),
-    box.bottom - ((value - low) / tall) * (box.bottom - box.top),
+    height(value),
   ]);
   // Before its first point and behind its last it stays.
   const [first, last] = [corners[0], corners.at(-1)];

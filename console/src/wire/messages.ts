@@ -1018,7 +1018,9 @@ export type TimingLine = {
 kind: TimingKind,
 /** Its name. */
 name: string,
-/** Moments, seconds, and the value there. Between those of an axis or a value it changes evenly; a bit is 0 before the first and keeps what it is to the next. */
+/** Where this is not 0 the line has more points than a chart holds: of each grain of so many seconds, counted from 0, only the first, the least, the greatest and the last are here. */
+grain: number,
+/** Moments, seconds, and the value there. An axis goes evenly between them; a value or a bit is 0 before the first and keeps what it is to the next. */
 points: Array<[number, number]>, };
 
 /** What comes over the socket to the page: one JSON text a message. */

@@ -4,19 +4,21 @@
 //!  Session::run ──► Lines ──► Timing   drawn by kerf timing, told to pages by the server
 //! ```
 
+mod kept;
+
 use crate::{Event, Made, Sink};
+use kept::Kept;
 use kerf_program::Axis;
 use std::collections::BTreeMap;
 
-pub use kerf_preview::timing::{Course, Timing, Track};
+pub use kerf_preview::timing::{Course, Timing, Track, corners};
 
 /// Between two looks at the plan, seconds.
 const STEP_S: f64 = 0.005;
-/// What lies this near to the line between its neighbours says nothing: in mm less than a step of any motor.
-const STRAIGHT: f64 = 1e-6;
+/// Looks at a move, at most: a longer one is looked at as often as ever while it speeds up and slows down,
+/// and less often between.
+const LOOKS: u32 = 1000;
 
-/// Moments, seconds, and the value there.
-type Points = Vec<(f64, f64)>;
 /// A bit's name, and when it changed to what.
 type Edges = (String, Vec<(f64, bool)>);
 
@@ -24,13 +26,13 @@ type Edges = (String, Vec<(f64, bool)>);
 #[derive(Debug)]
 pub struct Lines {
     /// Positions of X, Y and Z, machine frame, mm.
-    motion: [Points; 3],
+    motion: [Kept; 3],
     /// By whether it is an input, and its number.
     switches: BTreeMap<(bool, u8), Edges>,
-    intensity: Points,
-    frequency: Points,
+    intensity: Kept,
+    frequency: Kept,
     end_s: f64,
-    /// Points of a value, and edges of all switches, that it keeps.
+    /// Edges of all switches that it keeps.
     most: usize,
     edges: usize,
 }
@@ -43,14 +45,14 @@ impl Default for Lines {
 }
 
 impl Lines {
-    /// Lines that keep at most so many points of each value, its peaks among them, and so many edges of
-    /// switches: behind those there is nothing any more.
+    /// Lines that keep at most so many points of each value, by grains where there are more, and so many
+    /// edges of switches: behind those there is nothing any more.
     pub fn bounded(most: usize) -> Self {
         Self {
-            motion: Default::default(),
+            motion: std::array::from_fn(|_| Kept::slopes(most)),
             switches: BTreeMap::new(),
-            intensity: Points::new(),
-            frequency: Points::new(),
+            intensity: Kept::steps(most),
+            frequency: Kept::steps(most),
             end_s: 0.0,
             most,
             edges: 0,
@@ -63,36 +65,25 @@ impl Lines {
     }
 
     /// The diagram; lines on which nothing happens are left out.
-    pub fn timing(mut self, title: String) -> Timing {
-        if self.most < usize::MAX {
-            self.values().for_each(|(points, most)| shorten(points, most));
-        }
+    pub fn timing(self, title: String) -> Timing {
         Timing { title, end_s: self.end_s, tracks: self.tracks() }
     }
 
     fn tracks(self) -> Vec<Track> {
-        let moves = |points: &Points| points.windows(2).any(|pair| pair[0].1 != pair[1].1);
-        let places = ["x", "y", "z"].into_iter().zip(self.motion);
-        let places = places.filter(|(_, points)| moves(points));
+        let places = ["x", "y", "z"].into_iter().zip(self.motion).map(|(name, kept)| {
+            let (points, grain_s) = kept.finish();
+            Track { name: name.into(), course: Course::Place(points), grain_s }
+        });
         let values = [("intensity", self.intensity), ("pulses, Hz", self.frequency)];
-        let values = values.into_iter().filter(|(_, points)| !points.is_empty());
-        let track = |name: &str, course| Track { name: name.into(), course };
+        let values = values.into_iter().map(|(name, kept)| {
+            let (points, grain_s) = kept.finish();
+            Track { name: name.into(), course: Course::Value(points), grain_s }
+        });
         let switches = self.switches.into_iter().map(|((input, _), (name, edges))| {
             let course = if input { Course::Input(edges) } else { Course::Output(edges) };
-            Track { name, course }
+            Track { name, course, grain_s: 0.0 }
         });
-        places
-            .map(|(name, points)| track(name, Course::Place(points)))
-            .chain(values.map(|(name, points)| track(name, Course::Value(points))))
-            .chain(switches)
-            .collect()
-    }
-
-    /// Every value, and how many points it may have.
-    fn values(&mut self) -> impl Iterator<Item = (&mut Points, usize)> {
-        let others = [&mut self.intensity, &mut self.frequency];
-        let most = self.most;
-        self.motion.iter_mut().chain(others).map(move |points| (points, most))
+        places.chain(values).filter(happens).chain(switches).collect()
     }
 
     fn switch(&mut self, input: bool, n: u8, name: Option<&str>, t: f64, on: bool) {
@@ -107,6 +98,31 @@ impl Lines {
     }
 }
 
+/// The moments at which a move is looked at, from its beginning to its end.
+fn looks(from_s: f64, to_s: f64) -> impl Iterator<Item = f64> {
+    let (wide_s, quarter) = (to_s - from_s, LOOKS / 4);
+    let wanted = (wide_s / STEP_S).ceil().max(1.0);
+    let few = wanted <= f64::from(LOOKS);
+    let count = if few { wanted as u32 } else { LOOKS };
+    let ends_s = f64::from(quarter) * STEP_S;
+    let between_s = (wide_s - 2.0 * ends_s) / f64::from(LOOKS - 2 * quarter);
+    (0..=count).map(move |n| match n {
+        _ if few => from_s + wide_s * f64::from(n) / f64::from(count),
+        n if n < quarter => from_s + f64::from(n) * STEP_S,
+        n if n <= LOOKS - quarter => from_s + ends_s + f64::from(n - quarter) * between_s,
+        n => to_s - f64::from(LOOKS - n) * STEP_S,
+    })
+}
+
+/// Whether there is anything to see on a line.
+fn happens(track: &Track) -> bool {
+    match &track.course {
+        Course::Place(points) => points.windows(2).any(|pair| pair[0].1 != pair[1].1),
+        Course::Value(points) => !points.is_empty(),
+        Course::Output(edges) | Course::Input(edges) => !edges.is_empty(),
+    }
+}
+
 impl Sink for Lines {
     fn event(&mut self, event: &Event) {
         if !self.is_whole() {
@@ -115,10 +131,8 @@ impl Sink for Lines {
         match event {
             Event::Output { n, on, t, name, .. } => self.switch(false, *n, *name, *t, *on),
             Event::Input { n, on, t, name } => self.switch(true, *n, *name, *t, *on),
-            Event::Intensity { value, t, .. } => {
-                step(&mut self.intensity, *t, f64::from(*value), self.most);
-            }
-            Event::LaserHz { hz, t } => step(&mut self.frequency, *t, *hz, self.most),
+            Event::Intensity { value, t, .. } => self.intensity.add((*t, f64::from(*value))),
+            Event::LaserHz { hz, t } => self.frequency.add((*t, *hz)),
             Event::End(end) => self.end_s = end.t,
             _ => {}
         }
@@ -138,91 +152,13 @@ impl Sink for Lines {
             return;
         }
         let (from_s, to_s) = (made.span.t0_s, made.span.t1_s);
-        let looks = ((to_s - from_s) / STEP_S).ceil().max(1.0) as u32;
-        for look in 0..=looks {
-            let at_s = from_s + (to_s - from_s) * f64::from(look) / f64::from(looks);
+        for at_s in looks(from_s, to_s) {
             let position = made.plan.at(at_s).position;
             for (course, axis) in self.motion.iter_mut().zip([Axis::X, Axis::Y, Axis::Z]) {
-                add(course, (made.t0_s + at_s, position[axis]), self.most);
+                course.add((made.t0_s + at_s, position[axis]));
             }
         }
     }
-}
-
-/// A value holds until it changes.
-fn step(points: &mut Points, t: f64, value: f64, most: usize) {
-    let before = points.last().map_or(0.0, |(_, value)| *value);
-    add(points, (t, before), most);
-    add(points, (t, value), most);
-}
-
-fn add(points: &mut Points, point: (f64, f64), most: usize) {
-    points.push(point);
-    // Seldom enough that it costs little.
-    if points.len() > most.saturating_mul(2) {
-        shorten(points, most);
-    }
-}
-
-/// Leaves out what lies on lines, then what lies between peaks, until there are few enough.
-fn shorten(points: &mut Points, most: usize) {
-    *points = straightened(points);
-    while points.len() > most.max(8) {
-        *points = peaks(points);
-    }
-}
-
-/// The same course without points on the line between the one that is kept before and the next.
-fn straightened(points: &[(f64, f64)]) -> Points {
-    let mut kept = Points::new();
-    // Lines from the last point that is kept have to lie between these slopes to pass by all since.
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (n, point) in points.iter().enumerate() {
-        let Some(from) = kept.last().copied() else {
-            kept.push(*point);
-            continue;
-        };
-        let slopes = slopes(from, *point);
-        (low, high) = (low.max(slopes.0), high.min(slopes.1));
-        let Some(next) = points.get(n + 1) else {
-            kept.push(*point);
-            continue;
-        };
-        let to_next = (next.1 - from.1) / (next.0 - from.0);
-        if !(low <= to_next && to_next <= high) {
-            kept.push(*point);
-            (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
-        }
-    }
-    kept
-}
-
-/// Slopes of the lines that pass near enough by a point; none where it is at the same moment.
-fn slopes(from: (f64, f64), to: (f64, f64)) -> (f64, f64) {
-    let (wide_s, high) = (to.0 - from.0, to.1 - from.1);
-    if wide_s > 0.0 {
-        return ((high - STRAIGHT) / wide_s, (high + STRAIGHT) / wide_s);
-    }
-    if high.abs() <= STRAIGHT {
-        return (f64::NEG_INFINITY, f64::INFINITY);
-    }
-    (f64::INFINITY, f64::NEG_INFINITY)
-}
-
-/// Of four points the least and the greatest; the first and the last of all stay.
-fn peaks(points: &[(f64, f64)]) -> Points {
-    let [first, between @ .., last] = points else { return points.to_vec() };
-    let mut kept = vec![*first];
-    for four in between.chunks(4) {
-        let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
-        let (low, high) = (four.iter().min_by(by_value), four.iter().max_by(by_value));
-        let mut two: Points = low.into_iter().chain(high).copied().collect();
-        two.sort_by(|a, b| a.0.total_cmp(&b.0));
-        two.dedup();
-        kept.extend(two);
-    }
-    kept.push(*last);
-    kept
 }
 
 #[cfg(test)]
@@ -230,33 +166,15 @@ mod tests {
     use super::*;
     use kerf_program::OutputReason;
 
-    fn check(points: &[(f64, f64)], expected: &[(f64, f64)]) {
-        assert_eq!(straightened(points), expected);
-    }
-
     #[test]
-    fn what_lies_on_a_line_is_left_out() {
-        check(&[], &[]);
-        check(&[(0.0, 1.0)], &[(0.0, 1.0)]);
-        check(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0)], &[(0.0, 0.0), (2.0, 2.0)]);
-        let ramp = [(0.0, 0.0), (1.0, 5.0), (1.0, 5.0), (2.0, 5.0), (3.0, 5.0), (4.0, 0.0)];
-        check(&ramp, &[(0.0, 0.0), (1.0, 5.0), (3.0, 5.0), (4.0, 0.0)]);
-        let steps = [(0.0, 0.0), (1.0, 0.0), (1.0, 7.0), (2.0, 7.0), (2.0, 0.0)];
-        check(&steps, &steps);
-    }
-
-    #[test]
-    fn a_course_that_is_too_long_keeps_its_ends_and_its_peaks() {
-        let mut points = Points::new();
-        for n in 0..10_000 {
-            let value = if n == 7_001 { 99.0 } else { f64::from(n % 3) };
-            add(&mut points, (f64::from(n), value), 500);
-        }
-        shorten(&mut points, 500);
-        assert!((250..=500).contains(&points.len()), "{}", points.len());
-        assert_eq!((points.first(), points.last()), (Some(&(0.0, 0.0)), Some(&(9999.0, 0.0))));
-        assert!(points.contains(&(7001.0, 99.0)));
-        assert!(points.is_sorted_by_key(|(t, _)| *t));
+    fn a_long_move_is_looked_at_closely_at_its_ends_only() {
+        let short: Vec<f64> = looks(1.0, 1.018).collect();
+        assert_eq!(short, [1.0, 1.0045, 1.009, 1.0135, 1.018]);
+        let long: Vec<f64> = looks(10.0, 3e7).collect();
+        assert_eq!((long.len(), long[0], long[1000]), (1001, 10.0, 3e7));
+        assert!(long.is_sorted() && long.windows(2).all(|pair| pair[0] < pair[1]));
+        assert!((long[249] - 11.245).abs() < 1e-6 && (long[751] - (3e7 - 1.245)).abs() < 1e-6);
+        assert_eq!(looks(2.0, 2.0).collect::<Vec<_>>(), [2.0, 2.0]);
     }
 
     #[test]
@@ -268,7 +186,7 @@ mod tests {
         }
         assert!(!lines.is_whole());
         let timing = lines.timing(String::new());
-        let [Track { name, course: Course::Output(edges) }] = &timing.tracks[..] else {
+        let [Track { name, course: Course::Output(edges), .. }] = &timing.tracks[..] else {
             panic!("{timing:?}")
         };
         assert_eq!((name.as_str(), edges.len(), timing.end_s), ("output 1", 10, 10.0));

@@ -32,7 +32,7 @@ const CLOSE: f64 = 9.0;
 pub enum Course {
     /// Where an axis is, mm; it goes evenly between these moments.
     Place(Vec<(f64, f64)>),
-    /// A value that changes evenly between these moments.
+    /// A value that is 0, then this from these moments on.
     Value(Vec<(f64, f64)>),
     /// An output: on or off, from these moments on; off before the first.
     Output(Vec<(f64, bool)>),
@@ -47,6 +47,15 @@ pub struct Track {
     pub name: String,
     /// What it does.
     pub course: Course,
+    /// Where this is not 0, of each grain of so many seconds only the first, the least, the greatest and the
+    /// last point are here.
+    pub grain_s: f64,
+}
+
+/// The corners of a value that changes in steps.
+pub fn corners(steps: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let before = std::iter::once(0.0).chain(steps.iter().map(|(_, value)| *value));
+    steps.iter().zip(before).flat_map(|((t_s, to), from)| [(*t_s, from), (*t_s, *to)]).collect()
 }
 
 /// A diagram.
@@ -153,11 +162,8 @@ impl Track {
                 layer.path(steps(changes, over, top, bottom), Paint::line(INK, 0.35));
                 changes.iter().map(|(t_s, _)| (*t_s, format!("{t_s:.3}"))).collect()
             }
-            Course::Place(points) | Course::Value(points) => {
-                let heights = Heights::of(points, top, bottom);
-                layer.path(slopes(points, over, &heights), Paint::line(INK, 0.35));
-                heights.corners(points)
-            }
+            Course::Place(points) => rising(layer, points, over, [top, bottom]),
+            Course::Value(steps) => rising(layer, &corners(steps), over, [top, bottom]),
         };
         let mut last = f64::NEG_INFINITY;
         for (t_s, text) in moments {
@@ -173,6 +179,18 @@ impl Track {
             }
         }
     }
+}
+
+/// Draws a line up and down, and tells where it rests.
+fn rising(
+    layer: &mut Layer,
+    points: &[(f64, f64)],
+    over: &Over,
+    [top, bottom]: [f64; 2],
+) -> Vec<(f64, String)> {
+    let heights = Heights::of(points, top, bottom);
+    layer.path(slopes(points, over, &heights), Paint::line(INK, 0.35));
+    heights.corners(points)
 }
 
 /// Where the values of a track lie on the page.
@@ -258,7 +276,7 @@ mod tests {
     fn a_value_that_rests_is_told_once() {
         let rests = [0.3, 1.0, 1.7, 2.8].map(|t_s| (t_s, -10.0));
         let points = [&[(0.0, 0.0)], &rests[..], &[(3.8, -30.0), (5.0, -30.0)]].concat();
-        let tracks = vec![Track { name: "z".into(), course: Course::Place(points) }];
+        let tracks = vec![Track { name: "z".into(), course: Course::Place(points), grain_s: 0.0 }];
         let svg = Timing { title: "Rest".into(), end_s: 8.0, tracks }.svg();
         assert_eq!(svg.matches(">-10<").count(), 1, "{svg}");
     }
@@ -267,7 +285,7 @@ mod tests {
     fn a_diagram_names_its_lines_and_the_moments_of_their_edges() {
         let switch = Course::Output(vec![(0.3, true), (7.19, false)]);
         let height = Course::Place(vec![(0.0, 0.0), (0.3, -10.0), (2.8, -10.0), (3.84, -30.0)]);
-        let track = |name: &str, course| Track { name: name.into(), course };
+        let track = |name: &str, course| Track { name: name.into(), course, grain_s: 0.0 };
         let tracks = vec![track("z", height), track("router", switch)];
         let svg = Timing { title: "JOB-T1".into(), end_s: 7.89, tracks }.svg();
         for text in ["JOB-T1", "z, mm", "router", "0.300", "7.190", "-10"] {

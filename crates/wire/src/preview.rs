@@ -110,8 +110,11 @@ pub struct TimingLine {
     pub kind: TimingKind,
     /// Its name.
     pub name: String,
-    /// Moments, seconds, and the value there. Between those of an axis or a value it changes evenly; a bit
-    /// is 0 before the first and keeps what it is to the next.
+    /// Where this is not 0 the line has more points than a chart holds: of each grain of so many seconds,
+    /// counted from 0, only the first, the least, the greatest and the last are here.
+    pub grain: f64,
+    /// Moments, seconds, and the value there. An axis goes evenly between them; a value or a bit is 0 before
+    /// the first and keeps what it is to the next.
     pub points: Vec<[f64; 2]>,
 }
 

@@ -7,7 +7,7 @@ use crate::{out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::Company;
-use kerf_control::timing::{Course, Lines, Timing};
+use kerf_control::timing::{Course, Lines, Timing, corners};
 use std::path::PathBuf;
 
 /// Draws the timing of a job or part file: inputs and outputs under the motion
@@ -43,9 +43,8 @@ fn data(timing: &Timing) -> serde_json::Value {
                 Course::Output(edges) | Course::Input(edges) => {
                     serde_json::json!({ "edges": edges })
                 }
-                Course::Place(points) | Course::Value(points) => {
-                    serde_json::json!({ "points": points })
-                }
+                Course::Place(points) => serde_json::json!({ "points": points }),
+                Course::Value(steps) => serde_json::json!({ "points": corners(steps) }),
             };
             (track.label(), course)
         })

@@ -33,7 +33,7 @@ pub fn timing(
     Some(Timing { seconds: rounded(timing.end_s), whole, lines })
 }
 
-fn line(Track { name, course }: Track, zero: [f64; 3]) -> TimingLine {
+fn line(Track { name, course, grain_s }: Track, zero: [f64; 3]) -> TimingLine {
     let bits = |edges: Vec<(f64, bool)>| edges.into_iter().map(|(t, on)| (t, f64::from(on)));
     let (kind, points): (_, Vec<(f64, f64)>) = match course {
         Course::Place(points) => {
@@ -46,7 +46,7 @@ fn line(Track { name, course }: Track, zero: [f64; 3]) -> TimingLine {
         Course::Input(edges) => (TimingKind::Input, bits(edges).collect()),
     };
     let points = points.into_iter().map(|(t, value)| [rounded(t), rounded(value)]).collect();
-    TimingLine { kind, name, points }
+    TimingLine { kind, name, grain: grain_s, points }
 }
 
 fn rounded(value: f64) -> f64 {
