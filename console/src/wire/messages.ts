@@ -1004,8 +1004,14 @@ value: string, };
 export type Timing = {
 /** Where it ends, seconds of machine time. */
 seconds: number,
-/** Whether it holds all of the run: a chart with too many edges ends before. */
+/** Whether it holds all of a run that came to its end. */
 whole: boolean,
+/** Whether it ends before the run because that has more edges than a chart holds. */
+full: boolean,
+/** How the run ended: `ok`, `ended`, `failed`, `stopped`, `limit`. */
+status: string,
+/** Why it ended before its end. */
+finding: Finding | null,
 /** Its lines, from above. */
 lines: Array<TimingLine>, };
 

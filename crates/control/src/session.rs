@@ -18,7 +18,7 @@ use kerf_machine::{Configuration, Sequence};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::{LinearUnit, Mode};
-use kerf_program::{AXES, Axis, AxisSet, Interpreter as _, Settings};
+use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _, Settings};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sim::{Change, Inputs, Machine, Push, Sheet, Touch};
 use serde::{Deserialize, Serialize};
@@ -317,6 +317,21 @@ impl Session {
         memory.position[axis] += distance;
         memory.frame.working_zero[axis] += distance;
         Ok(())
+    }
+
+    /// The simulated machine as a run finds it.
+    pub(crate) fn found_by(&self, work: &Work, options: &RunOptions) -> Machine {
+        let (mut found, inputs) = (self.clone(), options.inputs.clone());
+        if let Work::Job(job, machine) = work {
+            let sequence = Sequence::new(job.clone(), machine.clone(), self.memory.position);
+            found.memory.settings = (**sequence.settings()).clone();
+            found.memory.frame = Frame::default();
+            return found.machine_like(machine, inputs, AxisSet::first(AXES));
+        }
+        if options.program.preview && !self.memory.settings.view.start_actual {
+            found.draw_from_zero();
+        }
+        found.machine(inputs)
     }
 
     /// The simulated machine, ready for a run.

@@ -4,13 +4,19 @@
 //!  Session::run ──► Lines ──► Timing   drawn by kerf timing, told to pages by the server
 //! ```
 
+mod begin;
 mod kept;
+mod zero;
 
+use crate::event::Partial;
 use crate::{Event, Made, Sink};
 use kept::Kept;
-use kerf_program::Axis;
 use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use zero::Zero;
 
+pub use begin::Begun;
 pub use kerf_preview::timing::{Course, Timing, Track, corners};
 
 /// Between two looks at the plan, seconds.
@@ -25,8 +31,10 @@ type Edges = (String, Vec<(f64, bool)>);
 /// What a run did, line by line.
 #[derive(Debug)]
 pub struct Lines {
-    /// Positions of X, Y and Z, machine frame, mm.
+    /// Locations of X, Y and Z, mm.
     motion: [Kept; 3],
+    /// Where they count from; the zero of the machine's frame where nobody said.
+    zero: Option<Zero>,
     /// By whether it is an input, and its number.
     switches: BTreeMap<(bool, u8), Edges>,
     intensity: Kept,
@@ -35,6 +43,8 @@ pub struct Lines {
     /// Edges of all switches that it keeps.
     most: usize,
     edges: usize,
+    /// Nobody waits for them any more.
+    given_up: Arc<AtomicBool>,
 }
 
 impl Default for Lines {
@@ -56,7 +66,15 @@ impl Lines {
             end_s: 0.0,
             most,
             edges: 0,
+            zero: None,
+            given_up: Arc::default(),
         }
+    }
+
+    /// The same lines, which look at nothing more as soon as they are given up.
+    #[must_use]
+    pub fn until(self, given_up: Arc<AtomicBool>) -> Self {
+        Self { given_up, ..self }
     }
 
     /// Whether it holds all of the run.
@@ -84,6 +102,27 @@ impl Lines {
             Track { name, course, grain_s: 0.0 }
         });
         places.chain(values).filter(happens).chain(switches).collect()
+    }
+
+    /// Locations are set: the courses go on elsewhere.
+    fn locate(&mut self, set: &Partial, t: f64) {
+        let Some(zero) = &mut self.zero else { return };
+        for (course, step) in self.motion.iter_mut().zip(zero.set(set)) {
+            step.into_iter().flatten().for_each(|value| course.add((t, value)));
+        }
+    }
+
+    fn use_units(&mut self, symbol: &str) {
+        if let Some(zero) = &mut self.zero {
+            zero.use_units(symbol);
+        }
+    }
+
+    /// The tool is at a place of the machine's frame.
+    fn goes(&mut self, t: f64, position: [f64; 3]) {
+        let zero = self.zero.as_mut();
+        let at = zero.map_or(position, |zero| zero.goes(position));
+        self.motion.iter_mut().zip(at).for_each(|(course, value)| course.add((t, value)));
     }
 
     fn switch(&mut self, input: bool, n: u8, name: Option<&str>, t: f64, on: bool) {
@@ -133,6 +172,8 @@ impl Sink for Lines {
             Event::Input { n, on, t, name } => self.switch(true, *n, *name, *t, *on),
             Event::Intensity { value, t, .. } => self.intensity.add((*t, f64::from(*value))),
             Event::LaserHz { hz, t } => self.frequency.add((*t, *hz)),
+            Event::Start { units, .. } | Event::Units { units, .. } => self.use_units(units),
+            Event::Location { set, t, .. } => self.locate(set, *t),
             Event::End(end) => self.end_s = end.t,
             _ => {}
         }
@@ -148,15 +189,11 @@ impl Sink for Lines {
     }
 
     fn made(&mut self, made: &Made<'_>) {
-        if !self.is_whole() {
+        if !self.is_whole() || self.given_up.load(Ordering::Relaxed) {
             return;
         }
-        let (from_s, to_s) = (made.span.t0_s, made.span.t1_s);
-        for at_s in looks(from_s, to_s) {
-            let position = made.plan.at(at_s).position;
-            for (course, axis) in self.motion.iter_mut().zip([Axis::X, Axis::Y, Axis::Z]) {
-                course.add((made.t0_s + at_s, position[axis]));
-            }
+        for at_s in looks(made.span.t0_s, made.span.t1_s) {
+            self.goes(made.t0_s + at_s, made.plan.at(at_s).position.first3());
         }
     }
 }

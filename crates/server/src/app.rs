@@ -7,12 +7,13 @@ use crate::hub::Hub;
 use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
-use crate::preview::{self, Called, Preview};
+use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
 use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
+use kerf_control::timing::Begun;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{Change, FileKind, FileParameters, JobChoice, Opened, PreviewState, Problem, Why};
@@ -54,6 +55,8 @@ pub struct App {
     pub changed: OnceLock<Sender<()>>,
     /// The hand console: what happens to it.
     pub hand_console: OnceLock<Sender<Happening>>,
+    /// The timing chart that is being made.
+    pub charts: Charts,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -165,6 +168,7 @@ impl App {
             hand_console: OnceLock::new(),
             open: Mutex::default(),
             taken: Mutex::default(),
+            charts: Charts::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),
@@ -247,6 +251,7 @@ impl App {
     pub fn close_file(&self) {
         let mut open = lock(&self.open);
         open.given_up.store(true, Ordering::Relaxed);
+        self.charts.give_up();
         *open = Open::default();
         self.hub.change(vec![Change::Opened { opened: None }]);
     }
@@ -265,6 +270,7 @@ impl App {
             return;
         }
         present.given_up.store(true, Ordering::Relaxed);
+        self.charts.give_up();
         *present = open.clone();
         self.hub.change(vec![Change::Opened { opened: Some(opened) }]);
         drop(present);
@@ -314,27 +320,34 @@ impl App {
         self.previewed(&open, state);
     }
 
-    /// The timing chart of the open file, with changes of the inputs; without any it is made once.
+    /// The timing chart of the open file, with changes of the inputs; without any it is kept.
     pub fn timing(
         &self,
         key: &str,
         preview: &Preview,
         inputs: Vec<InputChange>,
-    ) -> Result<Arc<Timing>, Problem> {
-        let gone = || problem(Why::File, "another file was opened meanwhile");
+        given_up: &Arc<AtomicBool>,
+    ) -> preview::Answer {
+        let other =
+            || problem(Why::File, "another file, or another chart, was asked for meanwhile");
         let open =
-            Some(lock(&self.open).clone()).filter(|open| open.key == key).ok_or_else(gone)?;
-        let plain = inputs.is_empty();
-        if let Some(timing) = preview.timing.get().filter(|_| plain) {
-            return Ok(timing.clone());
-        }
+            Some(lock(&self.open).clone()).filter(|open| open.key == key).ok_or_else(other)?;
         let session = lock(&self.left).session.clone();
+        let begun = inputs.is_empty().then(|| Begun::of(&session));
         let shelf = self.preview_shelf();
         let mut shelf = shelf.map_err(|error| problem(Why::File, error.to_string()))?;
         let (work, parameters) = (self.work(&open)?, shop::parameters(&open.parameters));
-        let made = preview::timing(work, parameters, inputs, session, &mut shelf, &open.given_up);
-        let made = Arc::new(made.ok_or_else(gone)?);
-        Ok(if plain { preview.timing.get_or_init(|| made).clone() } else { made })
+        let made = preview::timing(work, parameters, inputs, session, &mut shelf, given_up);
+        let made = Arc::new(made.ok_or_else(other)?);
+        if let Some(begun) = begun {
+            preview.keep_timing(begun, made.clone());
+        }
+        Ok(made)
+    }
+
+    /// The same without changes of the inputs, if it is known already.
+    pub fn known_timing(&self, preview: &Preview) -> Option<Arc<Timing>> {
+        preview.timing(&lock(&self.left).session)
     }
 
     /// What survives, where anything does.

@@ -15,8 +15,12 @@ fn shop(name: &str, text: &str) -> Shop {
 
 fn timing(shop: &Shop, page: &mut Page, name: &str) -> Value {
     page.open_file(name);
-    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
-    shop.get(&format!("/api/preview/{key}/timing")).json()
+    shop.get(&address(page)).json()
+}
+
+/// Where the chart of the open file is.
+fn address(page: &Page) -> String {
+    format!("/api/preview/{}/timing", page.shown["opened"]["preview"]["key"].as_str().unwrap())
 }
 
 /// The points of a line.
@@ -79,4 +83,76 @@ fn a_preview_that_is_gone_has_no_chart() {
     assert_eq!(empty["lines"].as_array().map(Vec::len), Some(0));
     let gone = shop.get("/api/preview/none/timing");
     assert!(gone.json()["text"].as_str().unwrap().contains("no such preview"));
+}
+
+#[test]
+fn a_chart_is_made_as_the_machine_is_now() {
+    let shop = shop("part.sbp", "MX,5\nEND\n");
+    let mut page = shop.driver();
+    let first = timing(&shop, &mut page, "part.sbp");
+    assert_eq!(points(&first, "axis", "x")[0], (0.0, 0.0));
+    assert_eq!(shop.get(&address(&page)).json(), first, "it is kept");
+    let before = address(&page);
+    page.command("SO,3,1");
+    page.command("MX,4");
+    assert_eq!(address(&page), before, "its preview is what it was");
+    let now = shop.get(&address(&page)).json();
+    assert_eq!(points(&now, "output", "output 3")[0], (0.0, 1.0));
+    assert_eq!(points(&now, "axis", "x")[0], (0.0, 4.0));
+    assert!(now["seconds"].as_f64() < first["seconds"].as_f64());
+}
+
+#[test]
+fn an_input_that_is_on_before_is_on_from_the_beginning() {
+    let shop = shop("part.sbp", "PAUSE 2\nEND\n");
+    let mut page = shop.driver();
+    timing(&shop, &mut page, "part.sbp");
+    let off = shop.get(&format!("{}?inputs=3@0.5=0", address(&page))).json();
+    assert_eq!(points(&off, "input", "input 3"), [(0.0, 1.0), (0.5, 0.0)]);
+}
+
+#[test]
+fn a_run_that_fails_says_where_and_why_its_chart_ends() {
+    let shop = shop("part.sbp", "&a = 0\nPAUSE 4\nMX,1/&a\nEND\n");
+    let failed = timing(&shop, &mut shop.driver(), "part.sbp");
+    assert_eq!((&failed["whole"], &failed["full"]), (&false.into(), &false.into()));
+    assert_eq!((&failed["status"], &failed["finding"]["line"]), (&"failed".into(), &3.into()));
+    assert_eq!(failed["seconds"], 4.0);
+}
+
+#[test]
+fn courses_follow_a_zero_within_the_program() {
+    let shop = shop("part.sbp", "MX,1\nZX\nMX,1\nVA,5\nMX,6\nEND\n");
+    let moved = timing(&shop, &mut shop.driver(), "part.sbp");
+    let x = points(&moved, "axis", "x");
+    let steps: Vec<_> = x.windows(2).filter(|pair| pair[0].0 == pair[1].0).collect();
+    let values = steps.iter().map(|pair| (pair[0].1, pair[1].1)).collect::<Vec<_>>();
+    assert_eq!(values, [(1.0, 0.0), (1.0, 5.0)], "{x:?}");
+    assert_eq!(x.last().map(|point| point.1), Some(6.0));
+}
+
+#[test]
+fn a_move_across_the_country_is_charted_at_once() {
+    // Without a machine that has lengths.
+    let shop = support::shop(1.0, &[("part.sbp", "MX,1e9\nEND\n")]);
+    let far = timing(&shop, &mut shop.driver(), "part.sbp");
+    let x = points(&far, "axis", "x");
+    assert!(x.len() < 1000 && x.last().unwrap().1 > 9e8, "{far}");
+}
+
+#[test]
+fn who_asks_for_another_chart_ends_the_one_that_is_being_made() {
+    let endless = "again:\nIF %(53) = 0 THEN GOTO done\nMX,1\nMX,0\nGOTO again\ndone:\nEND\n";
+    let shop = shop("part.sbp", endless);
+    let mut page = shop.driver();
+    page.open_file("part.sbp");
+    let address = address(&page);
+    std::thread::scope(|scope| {
+        let first = scope.spawn(|| shop.get(&format!("{address}?inputs=3@0=1")).json());
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        assert!(!first.is_finished());
+        assert_eq!(shop.get(&address).json()["status"], "ok");
+        let why = first.join().unwrap();
+        assert!(why["text"].as_str().unwrap().contains("another chart"), "{why}");
+    });
 }

@@ -16,6 +16,7 @@
 //!
 //! `GET /api/preview/KEY/timing` gives a [`Timing`].
 
+use crate::Finding;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -96,8 +97,14 @@ pub const TIMING_POINTS: usize = 20_000;
 pub struct Timing {
     /// Where it ends, seconds of machine time.
     pub seconds: f64,
-    /// Whether it holds all of the run: a chart with too many edges ends before.
+    /// Whether it holds all of a run that came to its end.
     pub whole: bool,
+    /// Whether it ends before the run because that has more edges than a chart holds.
+    pub full: bool,
+    /// How the run ended: `ok`, `ended`, `failed`, `stopped`, `limit`.
+    pub status: String,
+    /// Why it ended before its end.
+    pub finding: Option<Finding>,
     /// Its lines, from above.
     pub lines: Vec<TimingLine>,
 }

@@ -2,7 +2,7 @@
 
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
-use crate::preview::Preview;
+use crate::preview::{Asked, Chart, Preview};
 use axum::Json;
 use axum::extract::{Path, Query, State};
 use axum::http::header;
@@ -47,21 +47,46 @@ pub async fn piece(
 
 /// What a timing chart is asked with.
 #[derive(Deserialize)]
-pub struct Asked {
+pub struct Wanted {
     /// Changes of the simulated machine's inputs, `3@2.5=1,arc@4=1`.
     #[serde(default)]
     inputs: String,
 }
 
-/// The timing chart of the open file; a long one takes a while the first time.
+/// The timing chart of the open file; a long one takes a while the first time. Whoever goes meanwhile does
+/// not have it made to its end.
 pub async fn timing(
     State(app): State<Arc<App>>,
     Path(key): Path<String>,
-    Query(Asked { inputs }): Query<Asked>,
+    Query(Wanted { inputs }): Query<Wanted>,
 ) -> Result<Json<Arc<Timing>>, Refused> {
     let preview = find(&app, &key)?;
     let changes = inputs.split([',', ' ']).filter(|text| !text.is_empty()).map(str::parse);
     let changes: Result<Vec<Change>, String> = changes.collect();
     let changes = changes.map_err(|why| problem(Why::Mistake, why))?;
-    Ok(Json(aside(move || app.timing(&key, &preview, changes)).await?))
+    if let Some(known) = app.known_timing(&preview).filter(|_| changes.is_empty()) {
+        return Ok(Json(known));
+    }
+    let (waiting, chart) = app.charts.ask(Asked { key: key.clone(), inputs });
+    if let Some(chart) = chart {
+        tokio::spawn(chart_of(app, chart, key, preview, changes));
+    }
+    let lost = || problem(Why::Server, "this failed in the server");
+    Ok(Json(waiting.answer().await.ok_or_else(lost)??))
+}
+
+/// Makes a chart, and tells whoever waits for it.
+async fn chart_of(
+    app: Arc<App>,
+    chart: Arc<Chart>,
+    key: String,
+    preview: Arc<Preview>,
+    changes: Vec<Change>,
+) {
+    let (making, made) = (app.clone(), chart.clone());
+    let answer = aside(move || {
+        making.charts.make(&made, |given_up| making.timing(&key, &preview, changes, given_up))
+    });
+    let answer = answer.await.map_err(|Refused(why)| why);
+    app.charts.made(&chart, answer);
 }

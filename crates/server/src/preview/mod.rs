@@ -7,15 +7,19 @@
 //!
 //! The timing chart is another run of the same kind, made when somebody asks for it.
 
+mod charts;
 mod collect;
 mod path;
 mod timing;
 
+pub use charts::{Answer, Asked, Chart, Charts};
 pub use path::Path;
 pub use timing::timing;
 
+use crate::app::lock;
 use crate::machine::Planned;
 use collect::Collector;
+use kerf_control::timing::Begun;
 use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Sink, Summary, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_program::{Axis, Frame, Settings};
@@ -25,7 +29,7 @@ use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex};
 
 /// Segments that a page can turn smoothly.
 const FEW: usize = 40_000;
@@ -52,8 +56,8 @@ pub struct Preview {
     pub machine: Option<Arc<Configuration>>,
     /// Other program files that it called, as they were.
     pub called: Called,
-    /// The timing chart without inputs, as soon as somebody asked for it.
-    pub timing: OnceLock<Arc<Timing>>,
+    /// The timing chart without inputs that was made last, and what its run began with.
+    timing: Mutex<Option<(Begun, Arc<Timing>)>>,
 }
 
 impl Preview {
@@ -64,6 +68,18 @@ impl Preview {
             Some(machine) => **machine != session.configuration(),
             None => self.start != (session.memory.settings.clone(), session.memory.frame),
         }
+    }
+
+    /// The timing chart without inputs, if it was made and its run would begin with the same now.
+    pub fn timing(&self, session: &Session) -> Option<Arc<Timing>> {
+        let made = lock(&self.timing);
+        let (_, timing) = made.as_ref().filter(|(begun, _)| *begun == Begun::of(session))?;
+        Some(timing.clone())
+    }
+
+    /// Keeps the timing chart without inputs.
+    pub fn keep_timing(&self, begun: Begun, timing: Arc<Timing>) {
+        *lock(&self.timing) = Some((begun, timing));
     }
 }
 
@@ -150,7 +166,7 @@ fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Previ
         start,
         machine: None,
         called: Called::new(),
-        timing: OnceLock::new(),
+        timing: Mutex::default(),
     }
 }
 

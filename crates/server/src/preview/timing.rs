@@ -1,11 +1,13 @@
 //! The timing chart of a run, as pages draw it.
 
 use super::{options, silently, unattended};
+use crate::told;
 use kerf_control::timing::{Course, Lines, Track};
-use kerf_control::{RunOptions, Session, Shelf, Work};
-use kerf_sbp::FileParameters;
+use kerf_control::{RunOptions, Session, Shelf, Summary, Work};
+use kerf_sbp::{FileParameters, Status};
 use kerf_sim::Change;
 use kerf_wire::preview::{TIMING_POINTS, Timing, TimingKind, TimingLine};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// Finer than any page draws: a tenth of a microsecond, a tenth of a micrometre.
@@ -18,29 +20,33 @@ pub fn timing(
     inputs: Vec<Change>,
     session: Session,
     shelf: &mut Shelf,
-    given_up: &AtomicBool,
+    given_up: &Arc<AtomicBool>,
 ) -> Option<Timing> {
-    let (work, machine) = unattended(work);
-    // A job brings its own frame, and its heights are those of the machine.
-    let zero =
-        if machine.is_some() { [0.0; 3] } else { session.memory.frame.working_zero.first3() };
-    let mut lines = Lines::bounded(TIMING_POINTS);
+    let (work, _) = unattended(work);
     let options = RunOptions { inputs, ..options(parameters) };
-    silently(work, options, session, shelf, given_up, &mut lines)?;
-    let whole = lines.is_whole();
-    let timing = lines.timing(String::new());
-    let lines = timing.tracks.into_iter().map(|track| line(track, zero)).collect();
-    Some(Timing { seconds: rounded(timing.end_s), whole, lines })
+    let lines = Lines::bounded(TIMING_POINTS).until(given_up.clone());
+    let mut lines = lines.beginning(&session, &work, &options);
+    let summary = silently(work, options, session, shelf, given_up, &mut lines)?;
+    Some(charted(lines, &summary))
 }
 
-fn line(Track { name, course, grain_s }: Track, zero: [f64; 3]) -> TimingLine {
+fn charted(lines: Lines, summary: &Summary) -> Timing {
+    let full = !lines.is_whole();
+    let timing = lines.timing(String::new());
+    Timing {
+        seconds: rounded(timing.end_s),
+        whole: !full && matches!(summary.status, Status::Ok | Status::Ended),
+        full,
+        status: told::status(summary.status).into(),
+        finding: summary.error.as_deref().map(kerf_language::finding),
+        lines: timing.tracks.into_iter().map(line).collect(),
+    }
+}
+
+fn line(Track { name, course, grain_s }: Track) -> TimingLine {
     let bits = |edges: Vec<(f64, bool)>| edges.into_iter().map(|(t, on)| (t, f64::from(on)));
     let (kind, points): (_, Vec<(f64, f64)>) = match course {
-        Course::Place(points) => {
-            let from =
-                ["x", "y", "z"].iter().position(|axis| *axis == name).map_or(0.0, |n| zero[n]);
-            (TimingKind::Axis, points.into_iter().map(|(t, at)| (t, at - from)).collect())
-        }
+        Course::Place(points) => (TimingKind::Axis, points),
         Course::Value(points) => (TimingKind::Value, points),
         Course::Output(edges) => (TimingKind::Output, bits(edges).collect()),
         Course::Input(edges) => (TimingKind::Input, bits(edges).collect()),

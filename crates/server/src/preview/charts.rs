@@ -1,0 +1,147 @@
+//! The timing chart that is being made: one at a time, for everybody who asked for that one.
+
+use crate::app::lock;
+use kerf_wire::Problem;
+use kerf_wire::preview::Timing;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+use tokio::sync::watch;
+
+/// A chart, or why there is none.
+pub type Answer = Result<Arc<Timing>, Problem>;
+
+/// The chart that is being made.
+#[derive(Debug, Default)]
+pub struct Charts {
+    now: Mutex<Option<Arc<Chart>>>,
+    /// Whoever makes one holds this.
+    turn: Mutex<()>,
+}
+
+/// What was asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Asked {
+    /// The key of the preview.
+    pub key: String,
+    /// Changes of the inputs.
+    pub inputs: String,
+}
+
+/// A chart that somebody waits for.
+#[derive(Debug)]
+pub struct Chart {
+    asked: Asked,
+    given_up: Arc<AtomicBool>,
+    waiting: AtomicUsize,
+    made: watch::Sender<Option<Answer>>,
+}
+
+/// Somebody who waits for a chart: with the last of them it is given up.
+#[derive(Debug)]
+pub struct Waiting(Arc<Chart>);
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        if self.0.waiting.fetch_sub(1, Ordering::AcqRel) == 1 {
+            self.0.given_up.store(true, Ordering::Relaxed);
+        }
+    }
+}
+
+impl Waiting {
+    /// The chart, as soon as it is there.
+    pub async fn answer(&self) -> Option<Answer> {
+        let mut made = self.0.made.subscribe();
+        made.wait_for(Option::is_some).await.ok()?.clone()
+    }
+}
+
+impl Charts {
+    /// Waits for a chart. Where nobody has asked for this one it is to be made; another one that is being
+    /// made is given up.
+    pub fn ask(&self, asked: Asked) -> (Waiting, Option<Arc<Chart>>) {
+        let mut now = lock(&self.now);
+        if let Some(waiting) = now.as_ref().and_then(|chart| chart.joined(&asked)) {
+            return (waiting, None);
+        }
+        let chart = Arc::new(Chart::new(asked));
+        if let Some(before) = now.replace(chart.clone()) {
+            before.given_up.store(true, Ordering::Relaxed);
+        }
+        (Waiting(chart.clone()), Some(chart))
+    }
+
+    /// What is being made is given up.
+    pub fn give_up(&self) {
+        if let Some(chart) = lock(&self.now).take() {
+            chart.given_up.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Makes a chart when the one before is over.
+    pub fn make(&self, chart: &Chart, make: impl FnOnce(&Arc<AtomicBool>) -> Answer) -> Answer {
+        let _turn = lock(&self.turn);
+        make(&chart.given_up)
+    }
+
+    /// Tells everybody who waits for it.
+    pub fn made(&self, chart: &Arc<Chart>, answer: Answer) {
+        let mut now = lock(&self.now);
+        if now.as_ref().is_some_and(|other| Arc::ptr_eq(other, chart)) {
+            *now = None;
+        }
+        chart.made.send_replace(Some(answer));
+    }
+}
+
+impl Chart {
+    fn new(asked: Asked) -> Self {
+        let made = watch::Sender::new(None);
+        Self { asked, given_up: Arc::default(), waiting: AtomicUsize::new(1), made }
+    }
+
+    /// One more waits for this chart, if it is the one that is asked for and will be made.
+    fn joined(self: &Arc<Self>, asked: &Asked) -> Option<Waiting> {
+        let is_this = self.asked == *asked && !self.given_up.load(Ordering::Relaxed);
+        let more = |waiting: usize| (waiting > 0).then_some(waiting + 1);
+        let joins = || self.waiting.fetch_update(Ordering::AcqRel, Ordering::Acquire, more).is_ok();
+        (is_this && joins()).then(|| Waiting(self.clone()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn asked(inputs: &str) -> Asked {
+        Asked { key: "a-1".into(), inputs: inputs.into() }
+    }
+
+    fn is_given_up(chart: Option<&Arc<Chart>>) -> Option<bool> {
+        chart.map(|chart| chart.given_up.load(Ordering::Relaxed))
+    }
+
+    #[test]
+    fn who_asks_for_the_same_waits_for_the_same_and_the_last_who_goes_gives_it_up() {
+        let charts = Charts::default();
+        let (first, chart) = charts.ask(asked(""));
+        let (second, again) = charts.ask(asked(""));
+        assert!(again.is_none(), "made twice");
+        drop(first);
+        assert_eq!(is_given_up(chart.as_ref()), Some(false));
+        drop(second);
+        assert_eq!(is_given_up(chart.as_ref()), Some(true));
+        assert!(charts.ask(asked("")).1.is_some(), "nobody makes one that was given up");
+    }
+
+    #[test]
+    fn who_asks_for_another_gives_up_what_is_being_made() {
+        let charts = Charts::default();
+        let (_first, chart) = charts.ask(asked(""));
+        let (_second, other) = charts.ask(asked("3@1=1"));
+        assert_eq!(is_given_up(chart.as_ref()), Some(true));
+        assert_eq!(is_given_up(other.as_ref()), Some(false));
+        charts.give_up();
+        assert_eq!(is_given_up(other.as_ref()), Some(true));
+    }
+}
