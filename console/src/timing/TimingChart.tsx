@@ -1,19 +1,21 @@
-import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useMemo, useRef } from "react";
 import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
 import type { Timing } from "../wire/messages";
 import { grainWords } from "./grains";
-import { all, closer, earlier, further, later, moveOfKey } from "./keys";
-import { momentOf, panned, pixelOf, type Span, ticksOf, whole, zoomed } from "./span";
+import { all, closer, cursorOfKey, earlier, further, later, moveOfKey } from "./keys";
+import { momentOf, panned, pixelOf, type Span, ticksOf, zoomed } from "./span";
 import { TimingRow } from "./TimingRow";
+import { useCursor, useFocusAtFirst, useSpan } from "./useChart";
 import { useDrag } from "./useDrag";
+import { endWords, momentWords, seconds } from "./words";
 
 /** The chart: lines under one another, time along them. */
-export function TimingChart({ timing }: { timing: Timing }) {
+export function TimingChart({ timing, busy }: { timing: Timing; busy: boolean }) {
   const end = timing.seconds;
-  const [span, setSpan] = useState(() => whole(end));
-  const [at, setAt] = useState<number | null>(null);
+  const [span, setSpan] = useSpan(end);
+  const { at, told, point, step } = useCursor();
   const plot = useRef<HTMLDivElement>(null);
   const { width } = useSize(plot);
   const units = useSnapshot("units") ?? { mm: 1, linear: "mm" };
@@ -29,16 +31,20 @@ export function TimingChart({ timing }: { timing: Timing }) {
     plot,
     onPan: (pixels) => setSpan((now) => panned(now, -pixels / Math.max(width, 1), end)),
     onZoom: (x, factor) => setSpan((now) => zoomed(now, momentOf(now, x, width), factor, end)),
-    onAt: (x) => setAt(x === null ? null : momentOf(span, x, width)),
+    onAt: (x) => point(x === null ? null : momentOf(span, x, width)),
   });
   const hear = (event: KeyboardEvent) => {
-    const move = event.ctrlKey || event.altKey || event.metaKey ? undefined : moveOfKey(event.key);
-    if (!move) return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const cursor = event.shiftKey ? cursorOfKey(event.key) : undefined;
+    const move = cursor ? undefined : moveOfKey(event.key);
+    if (!cursor && !move) return;
     event.preventDefault();
     event.stopPropagation();
-    setSpan((now) => move(now, end));
+    if (cursor) step(cursor(at, span));
+    if (move) setSpan((now) => move(now, end));
   };
-  const coarse = grainWords(timing.lines);
+  useFocusAtFirst(chart);
+  const notes = [grainWords(timing.lines), endWords(timing)].filter((words) => words !== undefined);
   const rest = { span, ticks: ticks.at, width, at, units };
   return (
     <>
@@ -49,9 +55,9 @@ export function TimingChart({ timing }: { timing: Timing }) {
         className="timing-chart"
         role="group"
         aria-label="Timing chart"
+        aria-busy={busy}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: its keys are heard while it has the focus
         tabIndex={0}
-        data-first
         data-from={span.from}
         data-to={span.to}
         onKeyDown={hear}
@@ -67,12 +73,14 @@ export function TimingChart({ timing }: { timing: Timing }) {
           </div>
         </div>
       </div>
-      {coarse && <p className="timing-note">{coarse}</p>}
-      {!timing.whole && (
-        <p className="timing-note">
-          The chart ends here: the file switches more often than a chart holds.
+      <p className="timing-told hidden-text" role="status">
+        {told && at !== null ? momentWords(timing.lines, at, units) : ""}
+      </p>
+      {notes.map((words) => (
+        <p key={words} className="timing-note">
+          {words}
         </p>
-      )}
+      ))}
     </>
   );
 }
@@ -106,14 +114,12 @@ function TimingBar({ span, end, at, onSpan }: TimingBarProps) {
           {words}
         </Button>
       ))}
-      <output className="timing-span">
+      <span className="timing-span">
         {at === null ? `${seconds(span.from)} … ${seconds(span.to)}` : `at ${seconds(at)}`}
-      </output>
+      </span>
     </div>
   );
 }
-
-const seconds = (at: number): string => `${at.toFixed(3)} s`;
 
 interface TimeAxisProps {
   span: Span;

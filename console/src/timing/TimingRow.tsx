@@ -1,7 +1,8 @@
 import type { TimingLine } from "../wire/messages";
 import { bitWords, coursePath, isBit, labelled, rangeOf } from "./course";
-import { bandPath, rangeAt } from "./grains";
+import { bandPath } from "./grains";
 import { pixelOf, type Span } from "./span";
+import { nameOf, readOf, type Units, valueWords } from "./words";
 
 /** Heights of a row with a value and of one with a bit, pixels. */
 const [tall, low] = [68, 40];
@@ -16,7 +17,7 @@ interface TimingRowProps {
   width: number;
   /** The moment under the pointer. */
   at: number | null;
-  units: { mm: number; linear: string };
+  units: Units;
 }
 
 /** One line of the chart with its name. */
@@ -34,7 +35,7 @@ export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProp
     <div className="timing-row" data-line={line.name}>
       <span className="timing-name">
         <b title={line.name}>{nameOf(line)}</b>
-        <small>{at === null ? about(line, units) : between(rangeAt(line, at).map(read))}</small>
+        <small>{at === null ? about(line, units) : valueWords(line, at, units)}</small>
       </span>
       <div className="timing-plot">
         <svg width={width} height={height} role="img" aria-label={words}>
@@ -91,23 +92,7 @@ function Range({
   );
 }
 
-const nameOf = ({ kind, name }: TimingLine): string =>
-  kind === "axis" ? name.toUpperCase() : name;
-
-const about = ({ kind, name }: TimingLine, { linear }: TimingRowProps["units"]): string => {
+const about = ({ kind, name }: TimingLine, { linear }: Units): string => {
   if (kind === "axis") return linear;
   return kind === "value" || name.startsWith(kind) ? "" : kind;
 };
-
-/** One value where both are the same. */
-const between = ([low, high]: readonly string[]): string =>
-  low === high ? (low ?? "") : `${low} … ${high}`;
-
-/** How its values are written. */
-function readOf({ kind }: TimingLine, { mm, linear }: TimingRowProps["units"]) {
-  return (value: number): string => {
-    if (kind === "axis") return `${(value / mm).toFixed(mm === 1 ? 2 : 3)} ${linear}`;
-    if (kind === "value") return String(Math.round(value * 1000) / 1000);
-    return value > 0 ? "on" : "off";
-  };
-}

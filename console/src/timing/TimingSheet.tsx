@@ -3,9 +3,10 @@ import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
-import type { Opened } from "../wire/messages";
+import type { Opened, Timing } from "../wire/messages";
 import { TimingChart } from "./TimingChart";
-import { type Reading, useTiming } from "./useTiming";
+import { type Reading, timingOf, useTiming } from "./useTiming";
+import { endWords } from "./words";
 import "./timing.css";
 
 /** Inputs and outputs of the open file beside its motion, over time. */
@@ -13,8 +14,10 @@ export function TimingSheet({ onClose }: { onClose: () => void }) {
   const opened = useSnapshot("opened");
   const key = opened?.preview.state === "ready" ? opened.preview.key : undefined;
   const [inputs, setInputs] = useState("");
-  const reading = useTiming(key, inputs);
-  const words = wordsFor(opened, reading);
+  const reading = useTiming(opened?.name, key, inputs);
+  const timing = timingOf(reading);
+  const busy = reading.state === "reading";
+  const words = wordsFor(opened, reading, timing);
   const title = opened ? `Timing of ${opened.name}` : "Timing";
   return (
     <Sheet title={title} shape="wide" onClose={onClose}>
@@ -23,8 +26,8 @@ export function TimingSheet({ onClose }: { onClose: () => void }) {
           {words}
         </p>
       )}
-      {words === undefined && reading.state === "ready" && (
-        <TimingChart key={`${key} ${inputs}`} timing={reading.timing} />
+      {words === undefined && timing && (
+        <TimingChart key={opened?.name} timing={timing} busy={busy} />
       )}
       {key !== undefined && <InputsForm onInputs={setInputs} />}
     </Sheet>
@@ -56,14 +59,19 @@ function InputsForm({ onInputs }: { onInputs: (inputs: string) => void }) {
 }
 
 /** What is said where there is no chart. */
-function wordsFor(opened: Opened | null | undefined, reading: Reading): string | undefined {
+function wordsFor(
+  opened: Opened | null | undefined,
+  reading: Reading,
+  timing: Timing | undefined,
+): string | undefined {
   if (!opened) return "Choose a file to see its timing.";
   if (opened.kind === "drawing") return "A drawing has no tool path yet, and so no timing.";
   if (opened.preview.state === "failed") return opened.preview.why;
-  if (opened.preview.state === "working") return "Its preview is being made…";
   if (reading.state === "failed") return reading.why;
-  if (reading.state === "reading") return "It runs on the simulated machine…";
-  return reading.timing.lines.length === 0
-    ? "Nothing moves in this file, and nothing is switched."
-    : undefined;
+  if (timing) return timing.lines.length === 0 ? nothingWords(timing) : undefined;
+  const made = opened.preview.state === "ready";
+  return made ? "It runs on the simulated machine…" : "Its preview is being made…";
 }
+
+const nothingWords = (timing: Timing): string =>
+  endWords(timing) ?? "Nothing moves in this file, and nothing is switched.";

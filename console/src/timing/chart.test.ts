@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
-import type { TimingLine } from "../wire/messages";
+import type { Finding, Timing, TimingLine } from "../wire/messages";
 import { bitWords, coursePath, labelled, rangeOf, valueAt } from "./course";
 import { bandPath, grainWords, rangeAt } from "./grains";
-import { moveOfKey } from "./keys";
-import { momentOf, panned, pixelOf, ticksOf, whole, zoomed } from "./span";
+import { cursorOfKey, moveOfKey } from "./keys";
+import { fitted, momentOf, panned, pixelOf, ticksOf, whole, zoomed } from "./span";
+import { endWords, momentWords } from "./words";
 
 const router: TimingLine = {
   kind: "output",
@@ -58,6 +59,21 @@ describe("the span", () => {
     expect(press("Home")).toEqual({ from: 0, to: 4 });
     expect(press("0")).toEqual({ from: 0, to: 10 });
     expect(press("k")).toBeUndefined();
+  });
+
+  it("stays when the run has another end, as far as there is so much of it", () => {
+    expect(fitted(whole(10), 10, 4)).toEqual(whole(4));
+    expect(fitted({ from: 2, to: 4 }, 10, 8)).toEqual({ from: 2, to: 4 });
+    expect(fitted({ from: 6, to: 8 }, 10, 7)).toEqual({ from: 5, to: 7 });
+    expect(fitted({ from: 2, to: 9 }, 10, 4)).toEqual(whole(4));
+  });
+
+  it("has a cursor that keys move within it", () => {
+    const press = (key: string, at: number | null) => cursorOfKey(key)?.(at, { from: 2, to: 7 });
+    expect(press("ArrowRight", null)).toBe(4.5);
+    expect(press("ArrowRight", 4.5)).toBeCloseTo(4.6, 9);
+    expect(press("ArrowLeft", 2.05)).toBe(2);
+    expect(press("Home", 3)).toBeUndefined();
   });
 
   it("is marked at round moments that have room", () => {
@@ -150,10 +166,38 @@ describe("a line", () => {
   it("tells its edges in words, and beside them where there is room", () => {
     expect(bitWords(router, whole(10))).toBe("router: on 2.000 s, off 6.000 s");
     expect(bitWords(router, { from: 3, to: 5 })).toBe("router is on all the time");
+    expect(bitWords(router, { from: 3, to: 7 })).toBe("router: on at 3.000 s, off 6.000 s");
+    const before: TimingLine = { ...router, points: [[0, 1], ...router.points.slice(1)] };
+    expect(bitWords(before, whole(10))).toBe("router: on from the beginning, off 6.000 s");
     expect(labelled(router, whole(10), 400, 46).map(({ at }) => at)).toEqual([2, 6]);
     expect(
       labelled(router, whole(10), 100, 46).map(({ at }) => at),
       "one hides the other",
     ).toEqual([2]);
+  });
+});
+
+describe("the words of a chart", () => {
+  const units = { mm: 1, linear: "mm" };
+  const timing: Timing = {
+    seconds: 4,
+    whole: true,
+    full: false,
+    status: "ok",
+    finding: null,
+    lines: [z, router],
+  };
+
+  it("tell everything at a moment", () => {
+    expect(momentWords(timing.lines, 2, units)).toBe("At 2.000 s: Z -10.00 mm, router on");
+  });
+
+  it("tell why it ends before the run does", () => {
+    expect(endWords(timing)).toBeUndefined();
+    const failed = { ...timing, whole: false, status: "failed" };
+    expect(endWords(failed)).toBe("It ends at 4.000 s: it failed");
+    const finding = { message: "division by zero", line: 3 } as Finding;
+    expect(endWords({ ...failed, finding })).toBe("It ends at 4.000 s: division by zero (line 3)");
+    expect(endWords({ ...timing, whole: false, full: true })).toContain("more often");
   });
 });

@@ -153,15 +153,18 @@ export function labelled(line: TimingLine, span: Span, width: number, room: numb
 /** Edges that are told in words; whoever wants more looks at a shorter stretch. */
 const mostTold = 12;
 
-/** A bit in words. */
+/** A bit in words: what it is where the span begins, and its edges there. */
 export function bitWords(line: TimingLine, span: Span): string {
   const edges = edgesIn(line, span);
-  if (edges.length === 0) {
-    return `${line.name} is ${valueAt(line, span.from) > 0 ? "on" : "off"} all the time`;
-  }
-  const told = edges
-    .slice(0, mostTold)
-    .map(([at, on]) => `${on > 0 ? "on" : "off"} ${at.toFixed(3)} s`);
+  const on = (line.points[before(line.points, span.from - slack) - 1]?.[1] ?? 0) > 0;
+  if (edges.length === 0) return `${line.name} is ${onOff(on)} all the time`;
+  const begins = span.from > 0 ? [`${onOff(on)} at ${span.from.toFixed(3)} s`] : [];
+  const told = edges.slice(0, mostTold).map(edgeWords);
   const more = edges.length > mostTold ? ` and ${edges.length - mostTold} more` : "";
-  return `${line.name}: ${told.join(", ")}${more}`;
+  return `${line.name}: ${[...begins, ...told].join(", ")}${more}`;
 }
+
+const onOff = (on: boolean): string => (on ? "on" : "off");
+
+const edgeWords = ([at, on]: Point): string =>
+  at === 0 ? `${onOff(on > 0)} from the beginning` : `${onOff(on > 0)} ${at.toFixed(3)} s`;

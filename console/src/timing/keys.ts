@@ -28,6 +28,16 @@ const moves: Readonly<Record<string, Move>> = {
   "0": all,
 };
 
+/** Where the cursor goes with Shift and this key; from nowhere it begins in the middle. */
+export function cursorOfKey(key: string): ((at: number | null, span: Span) => number) | undefined {
+  const by = { ArrowLeft: -1, ArrowRight: 1 }[key];
+  if (by === undefined) return undefined;
+  return (at, { from, to }) => {
+    const next = (at ?? (from + to) / 2) + (at === null ? 0 : (by * (to - from)) / 50);
+    return Math.min(Math.max(next, from), to);
+  };
+}
+
 /** What this key means, if it means anything. */
 export const moveOfKey = (key: string): Move | undefined => moves[key];
 
@@ -35,6 +45,7 @@ export const moveOfKey = (key: string): Move | undefined => moves[key];
 export const keyHelp: readonly { keys: string; means: string }[] = [
   { keys: "+ −", means: "More or less detail" },
   { keys: "← →", means: "Earlier, later" },
+  { keys: "Shift with ← →", means: "What everything is, a little earlier, later" },
   { keys: "Page Up, Page Down", means: "A whole width earlier, later" },
   { keys: "Home, End", means: "The beginning, the end" },
   { keys: "0", means: "All of it" },

@@ -28,6 +28,12 @@ export function panned(span: Span, share: number, end: number): Span {
   return held({ from: span.from + by, to: span.to + by }, whole(end));
 }
 
+/** The same stretch of a run that has another end; all of it stays all of it. */
+export function fitted(span: Span, before: number, end: number): Span {
+  const isAll = span.to - span.from >= whole(before).to;
+  return isAll ? whole(end) : zoomed(span, span.from, 1, end);
+}
+
 /** The same length within all there is. */
 function held({ from, to }: Span, all: Span): Span {
   const start = clamped(from, all.from, all.to - (to - from));

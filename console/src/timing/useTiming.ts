@@ -2,28 +2,49 @@ import { useEffect, useState } from "react";
 import { getJson, Refused } from "../link/http";
 import type { Timing } from "../wire/messages";
 
-export type Reading =
-  | { readonly state: "reading" }
+/** What is known of the timing of a file; while it is made anew, what it was before. */
+export type Reading = { readonly of: string | undefined } & (
+  | { readonly state: "reading"; readonly before: Timing | undefined }
   | { readonly state: "ready"; readonly timing: Timing }
-  | { readonly state: "failed"; readonly why: string };
+  | { readonly state: "failed"; readonly why: string }
+);
 
-/** The timing of a preview as it arrives; nothing without a preview. The simulated machine's inputs change as they say. */
-export function useTiming(key: string | undefined, inputs: string): Reading {
-  const [reading, setReading] = useState<Reading>({ state: "reading" });
+/** The chart that there is to show. */
+export function timingOf(reading: Reading): Timing | undefined {
+  if (reading.state === "ready") return reading.timing;
+  return reading.state === "reading" ? reading.before : undefined;
+}
+
+const began = (of: string | undefined, now?: Reading): Reading => ({
+  of,
+  state: "reading",
+  before: now?.of === of && now ? timingOf(now) : undefined,
+});
+
+/**
+ * The timing of a file's preview as it arrives; nothing without a preview. The simulated machine's inputs
+ * change as they say.
+ */
+export function useTiming(
+  name: string | undefined,
+  key: string | undefined,
+  inputs: string,
+): Reading {
+  const [reading, setReading] = useState<Reading>(() => began(name));
   useEffect(() => {
-    setReading({ state: "reading" });
+    setReading((now) => began(name, now));
     if (key === undefined) return;
     const gone = new AbortController();
     const failed = (error: Error) => {
       const why = error instanceof Refused ? error.message : "The server does not answer.";
-      if (!gone.signal.aborted) setReading({ state: "failed", why });
+      if (!gone.signal.aborted) setReading({ of: name, state: "failed", why });
     };
     const asked = inputs === "" ? "" : `?inputs=${encodeURIComponent(inputs)}`;
     getJson<Timing>(`/api/preview/${key}/timing${asked}`, gone.signal).then(
-      (timing) => setReading({ state: "ready", timing }),
+      (timing) => setReading({ of: name, state: "ready", timing }),
       failed,
     );
     return () => gone.abort();
-  }, [key, inputs]);
-  return reading;
+  }, [name, key, inputs]);
+  return reading.of === name ? reading : began(name);
 }

@@ -132,3 +132,39 @@ it("a file without anything says so; a phone has room for it", async () => {
   if (shots) await page.screenshot({ path: join(shots, "timing-phone.png") });
   expect(workshop.mistakes).toEqual([]);
 });
+
+it("from opening on the keys of the chart are heard, and say what everything is", async () => {
+  await page.setViewportSize({ width: 1360, height: 800 });
+  await page.keyboard.press("Escape");
+  await chart().waitFor({ state: "detached" });
+  await page.getByRole("button", { name: "Timing", exact: true }).press("Enter");
+  await chart().waitFor();
+  await page.keyboard.press("Shift+ArrowRight");
+  const told = page.locator(".timing-told");
+  await expect.poll(() => told.textContent()).toMatch(/^At \d+\.\d{3} s: X .*output 3 on/);
+  const first = await told.textContent();
+  await page.keyboard.press("Shift+ArrowRight");
+  await expect.poll(() => told.textContent()).not.toBe(first);
+  const [, end = 0] = await span();
+  await page.keyboard.press("+");
+  await expect.poll(async () => (await span())[1]).toBeLessThan(end);
+  const box = await line("x").locator("svg").boundingBox();
+  await page.mouse.move((box?.x ?? 0) + 40, (box?.y ?? 0) + 10);
+  await expect.poll(() => told.textContent()).toBe("");
+});
+
+it("a run that fails says so below its chart, and a chart made anew stays where it is", async () => {
+  const bad = "&a = 0\nMX,3\nPAUSE 1\nMX,1/&a\nEND\n";
+  writeFileSync(join(workshop.parts, "bad.sbp"), bad);
+  writeFileSync(join(workshop.parts, "worse.sbp"), bad.replace("MX,3\nPAUSE 1\n", ""));
+  await opens("bad.sbp");
+  await page.getByText(/It ends at \d+\.\d{3} s: .*\(line 4\)/).waitFor();
+  await page.getByRole("button", { name: "More detail" }).click();
+  const [from, to] = await span();
+  await page.getByRole("textbox", { name: "Inputs" }).fill("3@0=1");
+  await page.keyboard.press("Enter");
+  await line("input 3").waitFor();
+  expect(await span()).toEqual([from, to]);
+  await opens("worse.sbp");
+  await page.getByText(/It ends at 0\.000 s: .*\(line 2\)/).waitFor();
+});
