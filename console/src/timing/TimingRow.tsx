@@ -1,8 +1,8 @@
 import type { TimingLine } from "../wire/messages";
-import { bitWords, coursePath, isBit, labelled, rangeOf } from "./course";
+import { bitWords, coursePath, isBit, labelled, nameOf, rangeOf } from "./course";
 import { bandPath } from "./grains";
 import { pixelOf, type Span } from "./span";
-import { nameOf, readOf, type Units, valueWords } from "./words";
+import { readOf, type Units, valueWords } from "./words";
 
 /** Heights of a row with a value and of one with a bit, pixels. */
 const [tall, low] = [68, 40];

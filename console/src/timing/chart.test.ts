@@ -151,6 +151,7 @@ describe("a line", () => {
     expect(bandPath(coarse, [0, 64], whole(10), box)).toBe("M20.0 10.0H40.0V30.0H20.0Z");
     expect(bandPath(coarse, [0, 64], whole(1000), box), "narrower than a pixel").toBe("");
     expect(grainWords([router, coarse])).toContain("of intensity every 2 s");
+    expect(grainWords([{ ...z, grain: 0.32 }])).toContain("of Z every 0.32 s");
     expect(grainWords([router])).toBeUndefined();
     const axis: TimingLine = { ...coarse, kind: "axis" };
     expect(rangeAt(axis, 3)).toEqual([0, 64]);

@@ -12,6 +12,10 @@ export interface Box {
   readonly bottom: number;
 }
 
+/** What a line is called on the chart. */
+export const nameOf = ({ kind, name }: Pick<TimingLine, "kind" | "name">): string =>
+  kind === "axis" ? name.toUpperCase() : name;
+
 /** Least and greatest. */
 export type Range = readonly [low: number, high: number];
 

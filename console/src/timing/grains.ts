@@ -4,7 +4,7 @@
  */
 
 import type { TimingLine } from "../wire/messages";
-import { type Box, edgesIn, heightOf, type Range, spread, valueAt } from "./course";
+import { type Box, edgesIn, heightOf, nameOf, type Range, spread, valueAt } from "./course";
 import { pixelOf, type Span } from "./span";
 
 type Line = Pick<TimingLine, "kind" | "points" | "grain">;
@@ -51,10 +51,10 @@ export function bandPath(line: Line, range: Range, span: Span, box: Box): string
 
 /** What is said of a chart that has such lines. */
 export function grainWords(
-  lines: readonly Pick<TimingLine, "name" | "grain">[],
+  lines: readonly Pick<TimingLine, "kind" | "name" | "grain">[],
 ): string | undefined {
   const coarse = lines.filter(({ grain }) => grain > 0);
   if (coarse.length === 0) return undefined;
-  const each = coarse.map(({ name, grain }) => `${name} every ${Number(grain.toFixed(3))} s`);
+  const each = coarse.map((line) => `${nameOf(line)} every ${Number(line.grain.toFixed(3))} s`);
   return `More happens than a chart holds: only the least and the greatest are shown of ${each.join(", ")}.`;
 }

@@ -1,6 +1,7 @@
 /** The values of a chart as they are written. */
 
 import type { Timing, TimingLine } from "../wire/messages";
+import { nameOf } from "./course";
 import { rangeAt } from "./grains";
 
 /** What lengths are shown in. */
@@ -8,9 +9,6 @@ export interface Units {
   readonly mm: number;
   readonly linear: string;
 }
-
-export const nameOf = ({ kind, name }: Pick<TimingLine, "kind" | "name">): string =>
-  kind === "axis" ? name.toUpperCase() : name;
 
 /** How values of a line are written. */
 export function readOf({ kind }: Pick<TimingLine, "kind">, { mm, linear }: Units) {
