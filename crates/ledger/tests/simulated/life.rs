@@ -165,6 +165,8 @@ struct Process {
     took_up: bool,
     /// The operator's patience ended.
     gave_up: bool,
+    /// He gave up before anything moved.
+    over_early: bool,
     /// He gave up, and the run can be taken up.
     put_off: bool,
     /// Where it died, when that was in the middle of a cut.
@@ -240,6 +242,9 @@ impl<'a> Life<'a> {
         let gave_up = helpful.asked > PATIENCE;
         let took_up = cut.is_some();
         let put_off = helpful.gave_up && journal.cut_short().unwrap().is_some();
+        // What was given up before it moved is over.
+        let begun = summary.as_ref().is_none_or(|it| it.tally.moves > 0);
+        let over_early = helpful.gave_up && !begun && !took_up;
         if summary.is_some() {
             let last = watch.seen.events.last();
             assert!(matches!(last, Some(Event::End(_))), "nobody was told that it ended");
@@ -251,7 +256,18 @@ impl<'a> Life<'a> {
         }
         let Person { under_way, cut, .. } = person;
         let seen = watch.seen;
-        Some(Process { seen, summary, from, to, took_up, gave_up, put_off, under_way, cut })
+        Some(Process {
+            seen,
+            summary,
+            from,
+            to,
+            took_up,
+            gave_up,
+            over_early,
+            put_off,
+            under_way,
+            cut,
+        })
     }
 
     /// Now and then the process dies while somebody moves the tool: it is near where it stood, and not homed.
@@ -369,7 +385,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     let mut pushed = Axes::default();
     let compared = |seen: &Seen| laid(&seen.pieces, case.keeps_heights(), |line| case.slopes(line));
     let path = compared(&whole.seen);
-    let (mut why, mut gave_up) = (None, false);
+    let (mut why, mut gave_up, mut over_early) = (None, false, false);
     let mut under_way: Vec<Axes> = Vec::new();
     let (mut levels, mut faults) = (Levels::default(), whole.seen.faults);
     let status = loop {
@@ -395,7 +411,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
             continue;
         }
         if let Some(summary) = process.summary {
-            (why, gave_up) = (summary.error, process.gave_up);
+            (why, gave_up, over_early) = (summary.error, process.gave_up, process.over_early);
             break Some(summary.status);
         }
         lived.kills += 1;
@@ -412,7 +428,7 @@ fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
         same_levels(case, whole, &levels);
     }
     // A cut that the machine cannot make ends when the operator says so.
-    let hopeless = gave_up && whole.seen.faults > 0;
+    let hopeless = gave_up && whole.seen.faults > 0 || over_early;
     if case.keeps_its_path() && whole.status() == Status::Ok && !hopeless {
         assert!(
             status.is_none_or(|status| status == Status::Ok),

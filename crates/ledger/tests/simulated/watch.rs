@@ -14,6 +14,9 @@ const LOOKS: u32 = 5;
 /// Looks at its acceleration.
 const RATES: u32 = 16;
 
+/// So much coarser than a speed is an acceleration between two looks.
+const RATE_HAIRS: f64 = 2.5;
+
 /// No run of a case tells so much.
 const MOST: usize = 20_000;
 
@@ -235,7 +238,7 @@ impl Watch<'_> {
             for axis in Axis::ALL {
                 let (is, may) = (gained[axis].abs() / step_s, share * most[axis]);
                 assert!(
-                    is <= may * (1.0 + self.allowed.hair) + 1e-3,
+                    is <= may * (1.0 + RATE_HAIRS * self.allowed.hair) + 1e-3,
                     "{axis:?}: {is} mm/s2 where {may} are allowed, {:?}",
                     made.span.made
                 );
