@@ -166,6 +166,35 @@ fn pro_io_diag_read() {
     assert!(io(folder.path(), &["list"]).contains("input  A2  xhome             1 "));
 }
 
+#[test]
+fn pro_io_levels__of_single_inputs() {
+    let folder = sim();
+    let data = folder.path();
+    told(
+        data,
+        &["set", "ports.invert_a", "[false, false, false, false, false, true, false, false]"],
+    );
+    assert_eq!(io(data, &["get", "in.bdel"]), "1\n", "an open pin");
+    assert_eq!(io(data, &["set", "in.bdel", "1"]), "input port A = 0x00\n");
+    assert_eq!(io(data, &["set", "in.bdel", "0"]), "input port A = 0x20\n");
+}
+
+#[test]
+fn pro_io_pci_i_elec__a_pin_that_is_grounded() {
+    let folder = sim();
+    let data = folder.path();
+    told(data, &["set", "ports.card", "pci"]);
+    let part = data.join("a.sbp");
+    std::fs::write(&part, "MX,1\nMX,0\n").unwrap();
+    let run = || command(data, "run", &[part.to_str().unwrap(), "--quiet"]).status.code();
+    assert_eq!((io(data, &["get", "in.estop"]).as_str(), run()), ("0\n", Some(0)), "it is open");
+    assert_eq!(io(data, &["set", "in.estop", "0"]), "input port A = 0x40\n");
+    assert!(io(data, &["list"]).contains("input  A6  estop             1 "));
+    assert_eq!(run(), Some(3));
+    assert_eq!(io(data, &["set", "in.estop", "1"]), "input port A = 0x00\n");
+    assert_eq!(run(), Some(0));
+}
+
 /// An input that is set by hand is that of the machine that runs.
 #[test]
 fn nothing_moves_while_the_emergency_stop_is_set() {

@@ -4,6 +4,7 @@
 //! Lines 1 … 12 are the switches of part files. Behind them come the ports of the card, a byte each:
 //! ports B and C for outputs, ports A and B for inputs.
 
+use crate::wiring::{Bit, Port};
 use kerf_program::settings::SWITCHES;
 
 /// Lines of one port.
@@ -12,6 +13,21 @@ pub const PORT_LINES: u8 = 8;
 /// The line of a bit of a port, the first port behind the switches being 0.
 const fn line(port: u8, bit: u8) -> u8 {
     SWITCHES as u8 + 1 + PORT_LINES * port + bit
+}
+
+/// The pin of an input that a line stands for: its port, A or B, and its place there.
+pub(crate) const fn port_bit(line: u8) -> Option<(Port, u8)> {
+    let behind = line.wrapping_sub(SWITCHES as u8 + 1);
+    match behind / PORT_LINES {
+        0 => Some((Port::A, behind % PORT_LINES)),
+        1 => Some((Port::B, behind % PORT_LINES)),
+        _ => None,
+    }
+}
+
+/// The line of a pin of an input port.
+pub const fn line_of_pin(bit: &Bit) -> u8 {
+    line(bit.port as u8, bit.place)
 }
 
 /// A list of lines with names, ports and bits.

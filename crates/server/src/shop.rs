@@ -1,7 +1,7 @@
 //! What pages ask for besides driving: how a file is run, the folder it comes from, the recorder, what is
 //! watched, switches of the simulated machine.
 
-use crate::app::{App, problem};
+use crate::app::{App, lock, problem};
 use crate::machine::Order;
 use kerf_control::Press;
 use kerf_program::settings::LINES;
@@ -83,11 +83,14 @@ impl App {
         self.send(Order::Watched)
     }
 
-    /// Moves a switch of the simulated machine, whatever it does: what runs moves it, or the machine's thread.
+    /// Moves a switch of the simulated machine, whatever it does: what runs moves it, or the machine's thread. Its
+    /// input reads this from then on, at whatever level of its pin.
     pub fn press(&self, number: u8, on: bool) -> Result<(), Problem> {
         if !(1..=LINES as u8).contains(&number) {
             return Err(problem(Why::Malformed, format!("inputs are 1 to {LINES}")));
         }
+        let pins = lock(&self.left).session.machine_is.io;
+        let press = Press { number, on: pins.line_level(number, on) };
         let keypad = |asked: &kerf_wire::Asked| asked.kind == "keypad";
         let waits = |now: &kerf_wire::Snapshot| now.asked.as_ref().is_some_and(keypad);
         self.hub.read(|now| {
@@ -96,7 +99,7 @@ impl App {
                     "the machine is disarmed: a key of the pendant would move it; arm it first";
                 return Err(problem(Why::Disarmed, text));
             }
-            self.link.want(|wanted| wanted.presses.push_back(Press { number, on }));
+            self.link.want(|wanted| wanted.presses.push_back(press));
             Ok(())
         })?;
         self.send(Order::Switches)

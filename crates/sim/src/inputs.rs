@@ -1,6 +1,7 @@
 //! The input switches, the lines of the ports, and the script that moves them.
 
 use kerf_machine::lines::Input;
+use kerf_machine::settings::io::IoMap;
 use kerf_program::settings::{IoModes, LINES};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
@@ -91,7 +92,10 @@ pub struct Inputs {
     done: usize,
     /// What the sensors of the head will tell while the machine follows its plan, in order of time.
     foreseen: VecDeque<Change>,
-    /// Contact closed or open; `None` for an input no script speaks of: it stays at rest.
+    /// How the pins of the ports are wired.
+    pins: IoMap,
+    /// Contact closed or open, of a port the level of its pin; `None` for an input no script speaks of: it
+    /// stays at rest.
     contact: [Option<bool>; ALL + 1],
     /// Switches that somebody moved by hand, and where they were left.
     by_hand: [Option<bool>; ALL + 1],
@@ -103,6 +107,7 @@ impl Default for Inputs {
             script: Vec::new(),
             done: 0,
             foreseen: VecDeque::new(),
+            pins: IoMap::default(),
             contact: [None; ALL + 1],
             by_hand: [None; ALL + 1],
         }
@@ -128,11 +133,16 @@ impl Inputs {
     /// The same, with switches where earlier inputs were left by hand; a script has its way.
     #[must_use]
     pub(crate) fn after(mut self, earlier: &Self) -> Self {
-        self.by_hand = earlier.by_hand;
+        (self.by_hand, self.pins) = (earlier.by_hand, earlier.pins);
         for (contact, by_hand) in self.contact.iter_mut().zip(self.by_hand) {
             *contact = contact.or(by_hand);
         }
         self
+    }
+
+    /// The pins of the ports are wired like this from here on: their levels stay as they are.
+    pub(crate) const fn wire(&mut self, pins: IoMap) {
+        self.pins = pins;
     }
 
     /// Switches that somebody moved by hand, and where they were left.
@@ -181,14 +191,15 @@ impl Inputs {
         (1..=LINES as u8).find(active)
     }
 
-    /// The next change that has an effect, not later than a time.
+    /// The next change that has an effect, not later than a time; of a pin, what its input reads from then on.
     pub(crate) fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
         while let Some(change) = self.next_until(until_s) {
             let Some(i) = index(change.input) else { continue };
             let before = self.closed(i, modes);
             self.contact[i] = Some(change.on);
-            if before != change.on {
-                return Some(change);
+            let on = self.closed(i, modes);
+            if before != on {
+                return Some(Change { on, ..change });
             }
         }
         None
@@ -213,27 +224,37 @@ impl Inputs {
         Some(next)
     }
 
-    /// Somebody, or the machine itself, moves a switch now.
+    /// The machine itself moves a switch now: it reads this from here on.
     pub(crate) fn put(&mut self, number: u8, on: bool) {
         if let Some(i) = index(number) {
-            self.contact[i] = Some(on);
+            self.contact[i] = Some(self.pins.line_level(number, on));
         }
     }
 
-    /// An input that nobody has moved and no script speaks of is in this state.
+    /// An input that nobody has moved and no script speaks of reads this.
     pub(crate) fn rests(&mut self, number: u8, on: bool) {
+        let level = self.pins.line_level(number, on);
         if let Some(contact) = index(number).and_then(|i| self.contact.get_mut(i)) {
-            contact.get_or_insert(on);
+            contact.get_or_insert(level);
         }
     }
 
-    /// From here on the sensors of the head will tell this, and nothing that was foreseen before.
+    /// From here on the sensors of the head will have inputs read this, and nothing that was foreseen before.
     pub(crate) fn foresee(&mut self, changes: Vec<Change>) {
-        self.foreseen = changes.into();
+        let level = |change: Change| {
+            let on = self.pins.line_level(change.input, change.on);
+            Change { on, ..change }
+        };
+        self.foreseen = changes.into_iter().map(level).collect();
     }
 
+    /// Whether a contact is closed; of a pin, what its input reads.
     fn closed(&self, i: usize, modes: &IoModes) -> bool {
-        self.contact[i].unwrap_or_else(|| normally_closed(number_of(i), modes))
+        let number = number_of(i);
+        match self.contact[i] {
+            Some(on) => self.pins.line_reads(number, on),
+            None => normally_closed(number, modes) || self.pins.open_line_reads(number),
+        }
     }
 }
 

@@ -5,10 +5,12 @@ mod signals;
 
 use crate::{Event, Made, Sink};
 use kerf_machine::Configuration;
-use kerf_machine::lines::Output;
+use kerf_machine::lines::{Output, line_of_pin};
 use kerf_machine::settings::laser::Laser;
+use kerf_machine::wiring::INPUT_BITS;
 use kerf_motion::{Step, Stepper};
-use kerf_program::Axis;
+use kerf_program::{Axis, AxisSet};
+use kerf_sim::Machine;
 use kerf_sim::pulses::{Line, Pulses};
 use kerf_sim::vcd::Vcd;
 use signals::Signals;
@@ -55,7 +57,15 @@ impl<W: Write> VcdSink<W> {
             Self { out, vcd, machine, signals, pulses, stepper: None, beam, failed: None };
         let header = sink.vcd.header();
         sink.put(&header);
+        sink.inputs_at_rest();
         sink
+    }
+
+    /// What inputs read that nobody has moved.
+    fn inputs_at_rest(&mut self) {
+        let untouched = Machine::default().equipped(&self.machine, AxisSet::EMPTY);
+        let reads = INPUT_BITS.iter().map(line_of_pin).filter(|line| untouched.input(*line));
+        reads.for_each(|line| self.signals.inputs.change(&mut self.vcd, 0.0, line, true));
     }
 
     /// The trace is over.

@@ -9,10 +9,11 @@ use clap::{Args, Subcommand, ValueEnum};
 use kerf_control::journal::Journal;
 use kerf_control::{Event, Press, Sink};
 use kerf_machine::Configuration;
-use kerf_machine::lines::{Input, Output};
+use kerf_machine::lines::{Input, Output, line_of_pin};
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
-use kerf_program::OutputReason;
+use kerf_program::{AxisSet, OutputReason};
+use kerf_sim::Machine;
 use kerf_sim::ports::Ports;
 use std::path::PathBuf;
 use std::thread;
@@ -38,7 +39,7 @@ pub struct IoArgs {
 enum Action {
     /// Lists every bit with its state
     List,
-    /// Prints the state of a bit: 0 or 1
+    /// Prints the state of a bit, 0 or 1; of an input what it reads
     Get {
         /// Its name, or port and bit: tool2, B2, in.jig1
         name: String,
@@ -47,7 +48,7 @@ enum Action {
     Set {
         /// Its name
         name: String,
-        /// 0 or 1
+        /// 0 or 1; of an input the level of its pin
         #[arg(value_parser = clap::value_parser!(u8).range(0..=1))]
         value: u8,
         #[command(flatten)]
@@ -95,8 +96,7 @@ const LOOK: Duration = Duration::from_millis(50);
 pub fn run(args: &IoArgs) -> Result<Exit> {
     match &args.action {
         Action::List => {
-            let machine = setup::machine(args.config.as_deref(), &args.folder())?;
-            list(&args.ports()?, &machine);
+            list(&args.ports()?, &args.machine()?);
         }
         Action::Get { name } => {
             let (is_output, bit) = known(name)?;
@@ -119,14 +119,25 @@ impl IoArgs {
         memory::journal(&setup::data_folder(&self.folder())?, looks)
     }
 
+    fn machine(&self) -> Result<Configuration> {
+        setup::machine(self.config.as_deref(), &self.folder())
+    }
+
+    /// The ports as they are; of inputs what they read.
     fn ports(&self) -> Result<Ports> {
-        let Some(journal) = self.journal(true)? else { return Ok(Ports::default()) };
-        let mut ports = journal.value(KEY)?.as_deref().and_then(Ports::read).unwrap_or_default();
-        for (number, on) in journal.switches()? {
-            let moved = |bit: &&Bit| switch(bit).is_some_and(|it| it == number);
-            if let Some(bit) = INPUT_BITS.iter().find(moved) {
-                ports.set_input(bit, on);
-            }
+        let journal = self.journal(true)?;
+        let (mut ports, mut moved) = (Ports::default(), Vec::new());
+        if let Some(journal) = &journal {
+            ports = journal.value(KEY)?.as_deref().and_then(Ports::read).unwrap_or_default();
+            moved = journal.switches()?;
+        }
+        let machine = self.machine()?;
+        let untouched = Machine::default().equipped(&machine, AxisSet::EMPTY);
+        for bit in INPUT_BITS {
+            let line = line_of_pin(bit);
+            let level = moved.iter().find(|(number, _)| *number == line).map(|(_, level)| *level);
+            let reads = |level: bool| machine.io.line_reads(line, level);
+            ports.set_input(bit, level.map_or_else(|| untouched.input(line), reads));
         }
         Ok(ports)
     }
@@ -159,11 +170,6 @@ fn known(name: &str) -> Result<(bool, &'static Bit)> {
     }
 }
 
-/// The number of the switch of an input, where it has one.
-fn switch(bit: &Bit) -> Option<u8> {
-    Input::of_name(bit.name).map(Input::number)
-}
-
 fn list(ports: &Ports, machine: &Configuration) {
     let mut lines = String::new();
     for (word, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)] {
@@ -184,26 +190,26 @@ fn list(ports: &Ports, machine: &Configuration) {
 
 fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs) -> Result<()> {
     let (is_output, bit) = known(name)?;
+    let machine = args.machine()?;
     let (ports, ()) = args.change(|ports, journal| {
-        match is_output {
-            true => ports.set_output(bit, on, false)?,
-            false => ports.set_input(bit, on),
+        if is_output {
+            return Ok(ports.set_output(bit, on, false)?);
         }
+        let number = line_of_pin(bit);
+        ports.set_input(bit, machine.io.line_reads(number, on));
         // Whatever runs next finds the switch where it was left.
-        if let (false, Some(number)) = (is_output, switch(bit)) {
-            journal.map_or(Ok(()), |journal| journal.move_switch(Press { number, on }))?;
-        }
+        journal.map_or(Ok(()), |journal| journal.move_switch(Press { number, on }))?;
         Ok(())
     })?;
     let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
     let side = if is_output { "output" } else { "input" };
     out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
-    traced(args, vcd, is_output, bit.name, on)
+    traced(args, vcd, is_output, bit.name, ports.is_on(is_output, bit))
 }
 
 /// The change as signals, where a file for them is named.
 fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -> Result<()> {
-    let mut signals = vcd.sink(setup::machine(args.config.as_deref(), &args.folder())?)?;
+    let mut signals = vcd.sink(args.machine()?)?;
     let changed = match is_output {
         true => Output::of_name(name).map(|line| Event::Output {
             n: line.number(),
@@ -230,7 +236,7 @@ fn step(args: &IoArgs, name: &str, forward: bool) -> Result<()> {
         bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
     };
     let (ports, bytes) = args.change(|ports, _| Ok(ports.step(motor, forward, false)?))?;
-    let machine = setup::machine(args.config.as_deref(), &args.folder())?;
+    let machine = args.machine()?;
     let way = machine.motors.axis_of(motor).map(|axis| {
         let by = 1.0 / machine.program.resolution.steps_per_unit[axis];
         format!(", {} {:+.4}", machine.motors.axis_name(axis), if forward { by } else { -by })

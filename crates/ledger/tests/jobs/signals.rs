@@ -2,6 +2,7 @@
 
 use kerf_ledger::jobs::{JobRun, Signals, job, t1, t2};
 use kerf_machine::lines::Input;
+use kerf_machine::settings::io::{Card, IoMap};
 use kerf_machine::settings::motors::FreeMotor;
 use std::sync::LazyLock;
 
@@ -238,4 +239,31 @@ fn pro_io_io_in_bdel__in_a_job() {
     // A millisecond is enough; before the cut bit at 3.84 it is nothing.
     assert!(cut(pulse(waits(), 4.64)).starts_with("4.640-"), "{}", cut(pulse(waits(), 4.64)));
     assert!(cut(pulse(pulse(waits(), 3.0), 5.0)).starts_with("5.000-"));
+}
+
+/// The emergency stop of JOB-T1 at 5 s, whose pin goes to a level.
+fn stopped_at_level(level: bool, wiring: impl Fn(&mut IoMap)) -> Vec<(u64, String)> {
+    let run = JobRun::new(t1()).with(|machine| wiring(&mut machine.io));
+    run.input(Input::EmergencyStop, 5.0, level).signals().changes("in_a")
+}
+
+#[test]
+fn pro_io_pci_i_elec__in_a_job() {
+    let stops = |level| stopped_at_level(level, |io| io.card = Card::Pci);
+    assert_eq!(stops(false)[0], (5000, "b01000000".into()), "grounded");
+    assert_eq!(stopped_at_level(true, |io| io.card = Card::Io)[0], (5000, "b01000000".into()));
+}
+
+#[test]
+fn pro_io_levels__in_a_job() {
+    let turned = |io: &mut IoMap| io.invert_a[6] = true;
+    assert_eq!(stopped_at_level(false, turned)[0], (5000, "b01000000".into()));
+    let both = |io: &mut IoMap| (io.card, io.invert_a[6]) = (Card::Pci, true);
+    assert_eq!(stopped_at_level(true, both)[0], (5000, "b01000000".into()));
+    // A door whose switch opens: nobody has closed it.
+    let door = JobRun::new(t1()).with(|machine| {
+        machine.job.external_start = true;
+        machine.io.invert_a[1] = true;
+    });
+    assert_eq!(door.signals().on("job_running"), [(0, 7890)]);
 }

@@ -21,6 +21,7 @@ impl Machine {
             self.carriages.set_astray(&known);
         }
         self.carriages.settle(self.position);
+        self.inputs.wire(machine.io);
         self.bounds =
             Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| bounded.contains(axis)));
         self.put_home_switches();
