@@ -1,5 +1,6 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
+use crate::before::Door;
 use crate::homing::Found;
 use crate::runner::{Over, Runner};
 use crate::session::{Company, RunOptions, Session, Summary, end_event, summary, unverified};
@@ -33,6 +34,8 @@ impl Session {
         let file = errand.name().into();
         let hand =
             Hand::new(errand.clone(), machine.clone(), self.memory.position, self.memory.frame);
+        let before = options.before;
+        let hand = before.unit.into_iter().fold(hand, Hand::told_in);
         let units = hand.settings().linear_unit.symbol();
         sink.event(&Event::Start { file, units, mode, dialect: "hand" });
         let settings = std::mem::replace(&mut self.memory.settings, (**hand.settings()).clone());
@@ -41,10 +44,12 @@ impl Session {
             _ => AxisSet::first(AXES),
         };
         let simulated = self.machine_like(machine, options.inputs, bounded);
-        let simulated = simulated.pushed(options.pushes).doubting(unverified(shelf));
+        let simulated = simulated.begun_at(before.ends_s).pushed(options.pushes);
+        let simulated = simulated.doubting(unverified(shelf));
         self.memory.settings = settings;
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
+        world.tally = before.tally();
         // No file begins or ends: outputs stay as they are.
         world.typed_files = 1;
         let mut runner = Runner::new(hand, world, pace, options.limits, 0);
@@ -78,7 +83,7 @@ impl Session {
     pub(crate) fn before_run(
         &mut self,
         work: &Work,
-        options: &RunOptions,
+        options: &mut RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Option<Summary> {
@@ -101,13 +106,60 @@ impl Session {
         if axes.is_empty() {
             return None;
         }
-        let errand = Errand::FindHome(axes);
-        let inputs = RunOptions { inputs: options.inputs.clone(), ..RunOptions::default() };
-        let homed = self.run_hand(errand, &machine, inputs, asks, shelf, company);
+        let Company { sink, operator, pace } = company;
+        let waits = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+        if let Some(open) = self.wait_for_door(work, options, shelf, waits) {
+            return Some(open);
+        }
+        let company = Company { sink, operator, pace };
+        let homed = self.home_before(work, axes, asks, options, shelf, company);
         self.location_is_known(shelf);
         // Whoever says No goes on without.
         let goes_on = matches!(homed.status, Status::Ok | Status::Ended);
         (!goes_on).then_some(homed)
+    }
+
+    /// Homes before a run, which goes on from there.
+    fn home_before(
+        &mut self,
+        work: &Work,
+        axes: AxisSet,
+        asks: Option<Question>,
+        options: &mut RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Summary {
+        company.sink.event(&self.begins(work, options));
+        let unit = matches!(work, Work::Part(_)).then_some(self.memory.settings.linear_unit);
+        let before = options.before.clone().told_in(unit);
+        let machine = match work {
+            Work::Job(_, machine) | Work::Hand(_, machine) => machine.clone(),
+            Work::Part(_) => Arc::new(self.configuration()),
+        };
+        let part = RunOptions { inputs: options.inputs.clone(), before, ..RunOptions::default() };
+        let homed = self.run_hand(Errand::FindHome(axes), &machine, part, asks, shelf, company);
+        options.before.went_on(&homed);
+        homed
+    }
+
+    /// Nothing moves before the door is shut, where a job waits for that.
+    fn wait_for_door(
+        &mut self,
+        work: &Work,
+        options: &mut RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Option<Summary> {
+        let Work::Job(job, machine) = work else { return None };
+        if !machine.job.external_start || options.before.door == Door::Shut {
+            return None;
+        }
+        let before = options.before.clone().seeing_to(Door::Only);
+        let part = RunOptions { inputs: options.inputs.clone(), before, ..RunOptions::default() };
+        let waited = self.run_job(job.clone(), machine, part, shelf, company, None);
+        options.before.went_on(&waited);
+        options.before.door = Door::Shut;
+        (waited.status != Status::Ok).then_some(waited)
     }
 
     /// The machine of a run that cuts: no preview, no typed line, no move by hand.
@@ -128,7 +180,7 @@ impl Session {
     pub(crate) fn confirm_location(
         &mut self,
         work: &Work,
-        options: &RunOptions,
+        options: &mut RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Option<Summary> {
@@ -141,10 +193,12 @@ impl Session {
             }
             let homes = fitted(&machine, doubted);
             let asks = Some(location_question(&names(&machine, doubted), !homes.is_empty()));
+            let waits = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
+            if let Some(open) = self.wait_for_door(work, options, shelf, waits) {
+                return Some(open);
+            }
             let company = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-            let inputs = RunOptions { inputs: options.inputs.clone(), ..RunOptions::default() };
-            let done =
-                self.run_hand(Errand::FindHome(homes), &machine, inputs, asks, shelf, company);
+            let done = self.home_before(work, homes, asks, options, shelf, company);
             match done.status {
                 Status::Ok => {
                     self.location_is_known(shelf);
@@ -193,7 +247,7 @@ impl Session {
         let missing = self.not_homed(machine);
         if !missing.is_empty() && !options.program.preview && !options.program.typed {
             let text = format!("not homed: {}", names(machine, missing));
-            sink.event(&Event::Message { text: text.into(), t: 0.0 });
+            sink.event(&Event::Message { text: text.into(), t: options.before.ends_s });
         }
     }
 

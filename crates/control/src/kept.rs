@@ -1,6 +1,7 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
 use crate::Work;
+use crate::before::Whole;
 use crate::errands::unconfirmed;
 use crate::journal::{
     CutShort, Journal, JournalError, KeptWork, Owner, Placed, Remembered, RunUnderWay, Tape,
@@ -104,13 +105,35 @@ impl Session {
         }
         options.lines_at_once = options.lines_for(&*company.sink);
         let Company { sink, operator, pace } = company;
+        let mut whole = Whole::new(sink);
+        let company = Company { sink: &mut whole, operator, pace };
+        let summary = self.begin_on_record(work, options, settings, shelf, company, &owner);
+        whole.ends();
+        summary
+    }
+
+    /// The same for the one who has the machine, and knows where it stands.
+    fn begin_on_record(
+        &mut self,
+        work: Work,
+        mut options: RunOptions,
+        settings: Option<Settings>,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+        owner: &Owner,
+    ) -> Result<Summary, JournalError> {
+        let nothing = || JournalError::Unfit("nothing is kept".into());
+        let journal = shelf.journal().cloned().ok_or_else(nothing)?;
+        let Company { sink, operator, pace } = company;
         let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-        if let Some(summary) = self.confirm_on_record(&work, &options, shelf, confirms, &journal)? {
+        if let Some(summary) =
+            self.confirm_on_record(&work, &mut options, shelf, confirms, &journal)?
+        {
             return Ok(summary);
         }
         let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
         if let Some(summary) =
-            self.before_run_on_record(&work, &options, shelf, before, &journal)?
+            self.before_run_on_record(&work, &mut options, shelf, before, &journal)?
         {
             return Ok(summary);
         }
@@ -122,7 +145,7 @@ impl Session {
         shelf.tape = journal.begin(&run, self, &kept.bytes)?;
         journal.each_commit_lasts(company.pace.is_real())?;
         let summary = self.go(work, options, shelf, company, None);
-        self.over(&run, summary, shelf, &owner)
+        self.over(&run, summary, shelf, owner)
     }
 
     /// Keeps where the machine is, after its locations were shifted.
@@ -140,7 +163,7 @@ impl Session {
     fn confirm_on_record(
         &mut self,
         work: &Work,
-        options: &RunOptions,
+        options: &mut RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
         journal: &Journal,
@@ -160,7 +183,7 @@ impl Session {
     fn before_run_on_record(
         &mut self,
         work: &Work,
-        options: &RunOptions,
+        options: &mut RunOptions,
         shelf: &mut Shelf,
         company: Company<'_>,
         journal: &Journal,

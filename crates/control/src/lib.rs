@@ -17,6 +17,7 @@
 
 pub mod answers;
 mod at_rest;
+mod before;
 mod beside;
 mod by_hand;
 mod check;
@@ -76,6 +77,7 @@ mod warning;
 mod work;
 mod world;
 
+pub use before::Before;
 pub use by_hand::Jog;
 pub use check::{Checked, check};
 pub use desk::Desk;

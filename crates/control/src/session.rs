@@ -1,6 +1,7 @@
 //! The owner of one machine: what stays between runs, and how a run starts.
 
 use crate::answers::Operator;
+use crate::before::{Before, Door, Whole};
 use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
 use crate::journal::Placed;
 use crate::nudge::{Nudge, Outside};
@@ -53,6 +54,9 @@ pub struct RunOptions {
     /// Whoever runs it may change the machine's settings, where a password protects them: it was given.
     #[serde(default)]
     pub opened: bool,
+    /// What came before the run, which goes on from there.
+    #[serde(default)]
+    pub before: Before,
     /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
     /// on it.
     pub lines_at_once: u64,
@@ -151,15 +155,30 @@ impl Session {
         let mut options = options;
         options.lines_at_once = options.lines_for(&*company.sink);
         let (work, Company { sink, operator, pace }) = (work.into(), company);
+        let mut whole = Whole::new(sink);
+        let before = Company { sink: &mut whole, operator: &mut *operator, pace: &mut *pace };
+        let company = match self.before(&work, &mut options, shelf, before) {
+            Some(summary) => Err(summary),
+            None => Ok(Company { sink: &mut whole, operator, pace }),
+        };
+        let go = |company| self.go(work, options, shelf, company, None);
+        let summary = company.map_or_else(|summary| summary, go);
+        whole.ends();
+        summary
+    }
+
+    /// Everything that comes before a run. Gives how that ended when the run is not to begin.
+    fn before(
+        &mut self,
+        work: &Work,
+        options: &mut RunOptions,
+        shelf: &mut Shelf,
+        company: Company<'_>,
+    ) -> Option<Summary> {
+        let Company { sink, operator, pace } = company;
         let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-        if let Some(summary) = self.confirm_location(&work, &options, shelf, confirms) {
-            return summary;
-        }
-        let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-        match self.before_run(&work, &options, shelf, before) {
-            Some(summary) => summary,
-            None => self.go(work, options, shelf, Company { sink, operator, pace }, None),
-        }
+        self.confirm_location(work, options, shelf, confirms)
+            .or_else(|| self.before_run(work, options, shelf, Company { sink, operator, pace }))
     }
 
     /// Runs a program or a job; one that is taken up by a machine that stands at a place.
@@ -193,7 +212,7 @@ impl Session {
         let mut options = options;
         options.program.protected = self.machine_is.options.password.is_some() && !options.opened;
         let began = options.program.protected.then(|| self.memory.settings.clone());
-        sink.event(&self.start_event(&program, &options));
+        sink.event(&self.start_event(program.name(), program.language(), &options));
         for diagnostic in &program.diagnostics {
             sink.event(&Event::Diag(Box::new(diagnostic.clone())));
         }
@@ -205,10 +224,12 @@ impl Session {
             self.draw_from_zero();
         }
         self.tell_not_homed(&self.machine_is, &options, sink);
+        let tally = options.before.tally();
         let log = PartLog::begin(self, &options.program, options.started);
         let depth = usize::from(options.program.typed);
         let machine = self
             .machine(options.inputs)
+            .begun_at(options.before.ends_s)
             .with_touches(&options.touches)
             .pushed(options.pushes)
             .doubting(unverified(shelf));
@@ -217,7 +238,7 @@ impl Session {
             gcode: std::mem::take(&mut self.gcode),
         };
         let mut world = World::new(machine, shelf, sink, operator);
-        world.previews = options.program.preview;
+        (world.previews, world.tally) = (options.program.preview, tally);
         world.silent = stands.is_some();
         world.machine_is = self.machine_is.clone();
         world.typed_files = depth;
@@ -260,7 +281,7 @@ impl Session {
 
     /// Runs a job to its end. Settings and frames of part files stay what they were; the machine is
     /// left where the job leaves it.
-    fn run_job(
+    pub(crate) fn run_job(
         &mut self,
         job: Arc<Job>,
         machine: &Arc<Configuration>,
@@ -270,17 +291,24 @@ impl Session {
         stands: Option<Placed>,
     ) -> Summary {
         let Company { sink, operator, pace } = company;
-        let preview = options.program.preview;
+        let (preview, before) = (options.program.preview, options.before.clone());
         let (name, on_record) = (job.name.clone(), options.started.is_some() && !preview);
-        let mode = if preview { "preview" } else { "move" };
-        sink.event(&Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" });
-        self.tell_not_homed(machine, &options, sink);
+        sink.event(&job_starts(&job, preview));
         let sequence = Sequence::new(job, machine.clone(), self.memory.position);
+        let sequence = match before.door {
+            Door::Only => sequence.only_waits_for_door(),
+            Door::Waits => sequence,
+            Door::Shut => sequence.behind_door(),
+        };
+        if before.door != Door::Only {
+            self.tell_not_homed(machine, &options, sink);
+        }
         let settings =
             std::mem::replace(&mut self.memory.settings, (**sequence.settings()).clone());
         let frame = std::mem::take(&mut self.memory.frame);
         let simulated = self
             .machine_like(machine, options.inputs, AxisSet::first(AXES))
+            .begun_at(before.ends_s)
             .with_sheet(options.sheet)
             .with_touches(&options.touches)
             .pushed(options.pushes)
@@ -288,7 +316,7 @@ impl Session {
         (self.memory.settings, self.memory.frame) = (settings, frame);
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
-        world.machine_is = machine.clone();
+        (world.machine_is, world.tally) = (machine.clone(), before.tally());
         let mut runner = Runner::new(sequence, world, pace, options.limits, 0);
         runner.reentry = stands;
         let over = runner.run();
@@ -364,12 +392,26 @@ impl Session {
         }
     }
 
-    fn start_event(&self, program: &Program, options: &RunOptions) -> Event {
+    /// How a run begins, for whoever looks.
+    pub(crate) fn begins(&self, work: &Work, options: &RunOptions) -> Event {
+        match work {
+            Work::Part(program) => self.start_event(program.name(), program.language(), options),
+            Work::Job(job, _) => job_starts(job, options.program.preview),
+            Work::Hand(errand, _) => Event::Start {
+                file: errand.name().into(),
+                units: "mm",
+                mode: "move",
+                dialect: "hand",
+            },
+        }
+    }
+
+    fn start_event(&self, name: &Arc<str>, language: Language, options: &RunOptions) -> Event {
         Event::Start {
-            file: program.name().clone(),
+            file: name.clone(),
             units: self.memory.settings.linear_unit.symbol(),
             mode: if options.program.preview { "preview" } else { "move" },
-            dialect: match program.language() {
+            dialect: match language {
                 Language::Gcode => options.gcode.dialect.name(),
                 _ => dialect_word(options.program.dialect),
             },
@@ -392,6 +434,11 @@ impl Session {
         sink.event(&Event::End(end_event(&summary, machine, None)));
         summary
     }
+}
+
+fn job_starts(job: &Job, preview: bool) -> Event {
+    let mode = if preview { "preview" } else { "move" };
+    Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" }
 }
 
 /// The axes whose locations are not verified.

@@ -148,6 +148,21 @@ impl Machine {
         self
     }
 
+    /// The same machine, whose run goes on from a moment: what its script of inputs did until then is told.
+    #[must_use]
+    pub fn begun_at(mut self, t_s: f64) -> Self {
+        if t_s <= 0.0 {
+            return self;
+        }
+        for spin in &mut self.spins {
+            spin.set_back(-t_s);
+        }
+        self.heater.set_back(-t_s);
+        self.inputs = self.inputs.at(t_s, &self.settings.io);
+        self.clock_s = t_s;
+        self
+    }
+
     /// The same machine, standing elsewhere while a preview is drawn.
     #[must_use]
     pub fn drawing_from(mut self, position: Axes) -> Self {

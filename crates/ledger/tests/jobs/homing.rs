@@ -2,6 +2,7 @@
 
 use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, t1};
+use kerf_machine::lines::Input;
 use kerf_machine::settings::homing::{BeforeRuns, HomeEnd};
 use kerf_machine::{Configuration, Errand, Held};
 use kerf_program::{Axis, AxisSet, Status};
@@ -101,6 +102,46 @@ fn pro_homing_auto_job() {
     assert_eq!(order(&trace), "z");
     assert_eq!(order(&at_start("", "z").after(&trace).run()), "z", "at each start");
     assert_eq!(order(&at_start("", "").run()), "");
+}
+
+/// How a run looks with homing before it: how often it begins and ends, and what its input told.
+#[test]
+fn pro_homing_auto_job__is_one_run() {
+    let pressed = |run: JobRun| run.input(Input::EndBottomDelay, 0.5, true);
+    let trace = pressed(at_start("", "z")).run();
+    let count = |wanted: &dyn Fn(&Event) -> bool| trace.events.iter().filter(|e| wanted(e)).count();
+    assert_eq!(count(&|e| matches!(e, Event::Start { dialect, .. } if *dialect == "job")), 1);
+    assert_eq!(
+        [count(&|e| matches!(e, Event::Start { .. })), count(&|e| matches!(e, Event::End(_)))],
+        [1; 2]
+    );
+    assert_eq!(
+        count(&|e| matches!(e, Event::Input { n, .. } if *n == Input::EndBottomDelay.number())),
+        1
+    );
+    let begins = |shown: &String| shown.split('-').next().and_then(|t| t.parse::<f64>().ok());
+    let times: Vec<f64> = trace.moves().iter().filter_map(begins).collect();
+    assert!(times.is_sorted(), "{times:?}");
+    let Some(Event::End(end)) = trace.events.last() else { panic!("no end") };
+    assert_eq!((end.moves as usize, end.t), (times.len(), trace.summary.seconds));
+    let alone = at_start("", "").run().summary.seconds;
+    assert!(end.t > alone + 0.5, "{} is not longer than {alone}", end.t);
+    let on = pressed(at_start("", "z")).signals().on("end_bottom_delay");
+    assert_eq!(on, [(500, u64::MAX)]);
+}
+
+#[test]
+fn pro_homing_auto_program__is_one_run() {
+    let trace = at_start("xyz", "").run();
+    let told = |e: &&Event| matches!(e, Event::Start { .. } | Event::End(_));
+    assert_eq!(trace.events.iter().filter(told).count(), 2);
+    let time = |event: &Event| match event {
+        Event::Homed { t, .. } => Some(*t),
+        Event::Output { t, .. } => Some(*t),
+        _ => None,
+    };
+    let times: Vec<f64> = trace.events.iter().filter_map(time).collect();
+    assert!(times.is_sorted() && times[0] > 1.0, "{times:?}");
 }
 
 #[test]

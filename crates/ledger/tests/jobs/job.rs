@@ -6,7 +6,7 @@ use kerf_machine::Errand;
 use kerf_machine::lines::Input;
 use kerf_machine::settings::job::Heads;
 use kerf_machine::settings::motors::FreeMotor;
-use kerf_program::{Axis, Status};
+use kerf_program::{Axis, AxisSet, Status};
 
 fn ends(trace: &JobTrace) -> Vec<String> {
     let moves = trace.moves();
@@ -162,6 +162,30 @@ fn pro_job_ext_door() {
     );
     let open = run().run();
     assert!(open.moves().is_empty() && open.summary.status == Status::Stopped);
+}
+
+#[test]
+fn pro_job_ext_door__before_homing() {
+    let run = || {
+        JobRun::new(t1()).with(|machine| {
+            machine.job.external_start = true;
+            machine.homing.at_job_start = AxisSet::EMPTY.with(Axis::Z);
+        })
+    };
+    let open = run().run();
+    assert!(
+        open.moves().is_empty() && open.summary.status == Status::Stopped,
+        "{:?}",
+        open.moves()
+    );
+    // A button: let go before the job begins.
+    let pressed = run().input(Input::WHome, 60.0, true).input(Input::WHome, 60.5, false).run();
+    assert_eq!(messages(&pressed), ["close the door"]);
+    assert!(pressed.moves()[0].starts_with("60.000-"), "{:?}", pressed.moves());
+    assert_eq!(pressed.homed(), ["z 500 steps"]);
+    let [waits, runs, _] = &pressed.states()[..] else { panic!("{:?}", pressed.states()) };
+    assert!(waits == "0.000 waiting" && runs.ends_with(" running"));
+    assert_eq!(pressed.summary.status, Status::Ok);
 }
 
 #[test]

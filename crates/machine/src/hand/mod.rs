@@ -16,6 +16,7 @@ use crate::settings::Configuration;
 use crate::state::{Event, State, StopSettings};
 use kerf_diag::{Code, Diagnostic};
 use kerf_geom::Arc2;
+use kerf_program::settings::LinearUnit;
 use kerf_program::{
     Arc as Turn, At, Axes, Axis, Command, Feed, Frame, Halted, Host, Interpreter, Line, MoveKind,
     Settings, Sourced, Status, Step, StoppedBy, Watch,
@@ -76,6 +77,13 @@ impl Hand {
         };
         hand.legs = hand.ways();
         hand
+    }
+
+    /// The same, told in another unit.
+    #[must_use]
+    pub fn told_in(mut self, unit: LinearUnit) -> Self {
+        Arc::make_mut(&mut self.settings).use_linear_unit(unit);
+        self
     }
 
     /// It lasts as long as a key is held.

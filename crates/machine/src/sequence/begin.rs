@@ -3,6 +3,7 @@
 use super::Sequence;
 use super::place::{Along, Here, Stage, passes};
 use super::small::Small;
+use super::start::Door;
 use crate::homing::turns_endlessly;
 use crate::lines::Output;
 use crate::settings::Configuration;
@@ -60,6 +61,7 @@ impl Sequence {
     pub(super) fn advance(&mut self, out: &mut Vec<Sourced>) -> Step {
         match self.stage {
             Stage::Begin => return self.begin(out),
+            Stage::Waiting if self.door == Door::Only => return self.end(Status::Ok),
             Stage::Waiting => self.start_now(),
             Stage::Approach => {
                 self.stage = Stage::Shapes;
@@ -89,9 +91,11 @@ impl Sequence {
         self.state =
             self.state.on(Event::Start, self.stop_settings()).map_or(self.state, |n| n.state);
         self.stage = Stage::Waiting;
-        self.tell_heights(out);
-        self.tell_straddling(out);
-        self.tell_entries(out);
+        if self.door != Door::Only {
+            self.tell_heights(out);
+            self.tell_straddling(out);
+            self.tell_entries(out);
+        }
         self.steps = self.before_start().into();
         Step::Ran
     }

@@ -52,7 +52,7 @@ use kerf_program::{Axes, Axis, Frame, Halted, HeightLaw, Settings, Status};
 use path::Followed;
 use place::{Here, Stage};
 use small::Small;
-use start::Jig;
+use start::{Door, Jig};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -65,6 +65,8 @@ pub struct Sequence {
     job: Arc<Job>,
     /// The job that was given, where the one at hand is a part of it.
     whole: Arc<Job>,
+    /// What there is to do about the door.
+    door: Door,
     /// The jig being cut, or cut last.
     jig: Option<Jig>,
     machine: Arc<Configuration>,
@@ -160,6 +162,7 @@ impl Sequence {
             over: None,
             whole: job.clone(),
             jig: None,
+            door: Door::Waits,
             job,
             machine,
         }

@@ -46,15 +46,44 @@ impl Jig {
     }
 }
 
+/// What there is to do about the door.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Door {
+    /// The job waits until it is shut.
+    Waits,
+    /// Nothing but that.
+    Only,
+    /// It was waited for.
+    Shut,
+}
+
 impl Sequence {
+    /// Only waits until the door is shut: something has to be done then, before the job.
+    #[must_use]
+    pub const fn only_waits_for_door(mut self) -> Self {
+        self.door = Door::Only;
+        self
+    }
+
+    /// The job once the door was waited for.
+    #[must_use]
+    pub const fn behind_door(mut self) -> Self {
+        self.door = Door::Shut;
+        self
+    }
+
     /// What has to come before the job begins; often nothing.
     pub(super) fn before_start(&self) -> Vec<Small> {
         let mut steps = Vec::new();
-        if self.machine.job.external_start {
+        if self.machine.job.external_start && self.door != Door::Shut {
             let (input, timeout_s) = (Input::WHome, PATIENCE_S);
             let missing = "close the door";
             steps.push(Small::SayUnless(input, missing));
             steps.push(Small::Await(Awaited { input, timeout_s, missing: Some(missing) }));
+        }
+        if self.door == Door::Only {
+            steps.insert(0, Small::Enter(State::Waiting));
+            return steps;
         }
         if self.machine.misc.double_start {
             steps.push(Small::Ask);

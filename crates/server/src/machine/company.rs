@@ -72,7 +72,7 @@ pub struct Clock {
     /// Machine time that has passed. A run that is told something in the middle of a move asks again
     /// from its beginning.
     passed_s: f64,
-    /// Machine time at the last look: it begins anew with every run, that of the homing before a job included.
+    /// Machine time at the last look: it begins anew with every run; what comes before a run is a part of it.
     clock_s: f64,
 }
 

@@ -41,7 +41,8 @@ impl Machine {
     /// The same machine, pushed by hand at these times.
     #[must_use]
     pub fn pushed(mut self, script: Vec<Push>) -> Self {
-        self.hand.follow(script);
+        let to_come = script.into_iter().filter(|push| push.at_s >= self.clock_s).collect();
+        self.hand.follow(to_come);
         self
     }
 
