@@ -177,6 +177,9 @@ impl Sequence {
             Command::Arc(arc) => Some(arc.to[Axis::C]),
             _ => None,
         }));
+        if let Some(Small::Turn(degrees)) = self.turn_back(shape) {
+            self.position[Axis::C] = degrees;
+        }
         turns
     }
 }

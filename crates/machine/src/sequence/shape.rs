@@ -99,6 +99,20 @@ impl Sequence {
         Some(Small::Turn(nearest_turn(self.position[Axis::C], degrees)))
     }
 
+    /// Behind a closed path a knife makes the last turn too: it stands as it began. Where its axis ends before
+    /// that, it stays.
+    pub(super) fn turn_back(&self, shape: &JobShape) -> Option<Small> {
+        let begins = Spot::start_of(shape);
+        let turn = self.turn_before_plunge(shape, &begins).filter(|_| shape.path.closed)?;
+        let reach = self.reach(Axis::C);
+        let reached = |[low, high]: [f64; 2], degrees| (low..=high).contains(&degrees);
+        let there = |turn: &Small| match (turn, reach) {
+            (Small::Turn(degrees), Some(reach)) => reached(reach, *degrees),
+            _ => true,
+        };
+        Some(turn).filter(there)
+    }
+
     fn bottom_delay(&self, shape: &JobShape) -> Vec<Small> {
         let delays = &self.machine.delays;
         let mut steps = Vec::from_iter(self.beam_at_bottom(shape));
@@ -127,6 +141,7 @@ impl Sequence {
         let mut steps = Vec::new();
         if !shape.traversal && !more {
             steps.push(self.up());
+            steps.extend(self.turn_back(shape));
             steps.extend(self.tools_off());
         }
         steps.push(Small::Clear);
