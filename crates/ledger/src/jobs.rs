@@ -150,6 +150,13 @@ impl JobRun {
         self
     }
 
+    /// What the operator wants at a time.
+    #[must_use]
+    pub fn wish(mut self, at_s: f64, wish: Wish) -> Self {
+        self.wishes.push((at_s, wish));
+        self
+    }
+
     /// What the operator says, one order a line.
     #[must_use]
     pub fn say(mut self, answers: &str) -> Self {

@@ -139,9 +139,10 @@ impl Machine {
     }
 }
 
-/// When the discretized speed of a move changes, seconds of the plan, and to what.
+/// When the discretized speed of a move changes, seconds of the plan, and to what: the whole of it is the speed that
+/// is asked for, as the operator overrides it.
 fn index_changes(plan: &Plan, span: &Span<'_>) -> Vec<(f64, u8)> {
-    let full_mm_s = span.made.speed_mm_s;
+    let full_mm_s = span.made.top_mm_s();
     let index = |t_s: f64| IntensityLaw::index(plan.at(t_s).path_speed_mm_s, full_mm_s);
     let first = (span.t0_s, IntensityLaw::index(span.v_entry, full_mm_s));
     let mut changes = vec![first];
