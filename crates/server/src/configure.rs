@@ -41,6 +41,7 @@ fn entry(setting: &Setting, configuration: &Configuration) -> SettingEntry {
     let (least, most) = match setting.bounds {
         Bounds::NotNegative => (Some(0.0), None),
         Bounds::Range(least, most) => (Some(least), Some(most)),
+        Bounds::RangeOrNone(_, most) => (Some(0.0), Some(most)),
         Bounds::OneOf(values) => (values.first().copied(), values.last().copied()),
         Bounds::Any | Bounds::Positive | Bounds::PositiveOrInfinite => (None, None),
     };

@@ -41,6 +41,18 @@ fn refuses(key: &str, values: &[f64]) {
     }
 }
 
+/// 0 says that there is none.
+fn takes_none(key: &str, one: f64) {
+    let setting = table::setting(key).expect("the setting");
+    let mut machine = Configuration::default();
+    for (value, shown) in [(one, Value::Number(one)), (0.0, Value::none())] {
+        setting.set(&mut machine, &Value::Number(value)).expect("a tool or none");
+        assert_eq!(setting.get(&machine), shown, "{key} = {value}");
+    }
+    let refused = setting.set(&mut machine, &Value::Number(4.0)).expect_err("no tool 4");
+    assert!(refused.to_string().contains("1 to 3, or 0 for none, not 4"), "{refused}");
+}
+
 const T5: [&str; 14] = [
     "0.000 job_running+",
     "0.300 router+",
@@ -104,6 +116,7 @@ fn pro_laser_pierce_height() {
 
 #[test]
 fn pro_laser_pierce_gasbit() {
+    takes_none("laser.pierce.gas_tool", 2.0);
     let none = t5().with(|machine| machine.laser.pierce.gas_tool = None).run();
     assert!(none.edges().contains(&"2.590 cut1+".into()), "{:?}", none.edges());
     assert!(!none.edges().iter().any(|edge| edge.contains("tool2")));
@@ -146,6 +159,7 @@ fn pro_laser_cut_freq() {
 
 #[test]
 fn pro_laser_cut_gasbit() {
+    takes_none("laser.gas.tool", 2.0);
     assert_eq!(t5().run().edges()[7], T5[7]);
     let none = t5().with(|machine| machine.laser.gas.tool = None).run();
     assert!(none.edges().contains(&"3.880 cut1+".into()), "{:?}", none.edges());
@@ -175,6 +189,7 @@ fn pro_laser_override() {
 
 #[test]
 fn pro_laser_engrave_bit() {
+    takes_none("laser.engrave_cut", 2.0);
     let engraved = t5().with(|machine| machine.laser.engrave_cut = Some(2)).job(|job| {
         let mut shapes = job.shapes.to_vec();
         shapes[0].cut = 2;

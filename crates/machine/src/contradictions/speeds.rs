@@ -2,6 +2,7 @@
 
 use super::Contradiction;
 use crate::Configuration;
+use crate::settings::height::HeightControl;
 use kerf_program::Axis;
 use kerf_program::settings::AxisUnit;
 
@@ -57,16 +58,20 @@ pub(super) fn cutting(c: &Configuration, found: &mut Found) {
     }
 }
 
-/// Height control ("Automatic Height Control"), where it is on.
+/// Height control ("Automatic Height Control"). What nobody has set binds only where it is on: a slow Z is no
+/// mistake of a machine without it.
 pub(super) fn height(c: &Configuration, found: &mut Found) {
-    if !c.height.on {
-        return;
-    }
-    let (dynamics, axis) = (c.program.axis_dynamics(), Axis::Z);
+    let (dynamics, axis, fresh) = (c.program.axis_dynamics(), Axis::Z, HeightControl::default());
     let (key, value) = ("height.speed_mm_s", c.height.speed_mm_s);
-    Share { key, value, axis, most: dynamics.speed_mm_s[axis], unit: "mm/s" }.check(SPEED, found);
+    let most = dynamics.speed_mm_s[axis];
+    if c.height.on || value != fresh.speed_mm_s {
+        Share { key, value, axis, most, unit: "mm/s" }.check(SPEED, found);
+    }
     let (key, value) = ("height.accel_mm_s2", c.height.accel_mm_s2);
-    Share { key, value, axis, most: dynamics.accel_mm_s2[axis], unit: "mm/s²" }.check(ACCEL, found);
+    let most = dynamics.accel_mm_s2[axis];
+    if c.height.on || value != fresh.accel_mm_s2 {
+        Share { key, value, axis, most, unit: "mm/s²" }.check(ACCEL, found);
+    }
 }
 
 const HOMING: [[&str; 2]; 6] = [

@@ -148,13 +148,19 @@ fn pro_speeds_plunge_max() {
 #[test]
 fn pro_height_maxspeed__above_the_axis() {
     accepted("height.on = true\nheight.speed_mm_s = 50");
-    refused("height.on = true\nheight.speed_mm_s = 51", "height.speed_mm_s is 51 mm/s");
+    for on in [true, false] {
+        let file = format!("height.on = {on}\nheight.speed_mm_s = 51");
+        refused(&file, "height.speed_mm_s is 51 mm/s");
+    }
 }
 
 #[test]
 fn pro_height_maxacc__above_the_axis() {
     accepted("height.on = true\nheight.accel_mm_s2 = 500");
-    refused("height.on = true\nheight.accel_mm_s2 = 501", "height.accel_mm_s2 is 501 mm/s²");
+    for on in [true, false] {
+        let file = format!("height.on = {on}\nheight.accel_mm_s2 = 501");
+        refused(&file, "height.accel_mm_s2 is 501 mm/s²");
+    }
 }
 
 #[test]

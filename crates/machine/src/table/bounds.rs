@@ -98,6 +98,8 @@ pub enum Bounds {
     NotNegative,
     /// From the first to the second.
     Range(f64, f64),
+    /// The same, and 0 for none.
+    RangeOrNone(f64, f64),
     /// One of these.
     OneOf(&'static [f64]),
     /// Like [`Bounds::Positive`], and without end too.
@@ -114,12 +116,19 @@ impl Bounds {
         }
     }
 
+    /// What a value means: 0 may say that there is none.
+    pub(super) fn meant(self, value: Value) -> Value {
+        let none = matches!(self, Self::RangeOrNone(..)) && value == Value::Number(0.0);
+        if none { Value::none() } else { value }
+    }
+
     fn holds(self, number: f64) -> bool {
         match self {
             Self::Any => number.is_finite(),
             Self::Positive => number.is_finite() && number > 0.0,
             Self::NotNegative => number.is_finite() && number >= 0.0,
             Self::Range(low, high) => (low..=high).contains(&number),
+            Self::RangeOrNone(low, high) => number == 0.0 || (low..=high).contains(&number),
             Self::OneOf(values) => values.contains(&number),
             Self::PositiveOrInfinite => number > 0.0,
         }
@@ -133,6 +142,7 @@ impl std::fmt::Display for Bounds {
             Self::Positive => f.write_str("greater than 0"),
             Self::NotNegative => f.write_str("0 or greater"),
             Self::Range(low, high) => write!(f, "{low} to {high}"),
+            Self::RangeOrNone(low, high) => write!(f, "{low} to {high}, or 0 for none"),
             Self::OneOf(values) => {
                 let words: Vec<String> = values.iter().map(f64::to_string).collect();
                 write!(f, "one of {}", words.join(", "))

@@ -140,7 +140,7 @@ impl Setting {
         let mut changed = configuration.clone();
         let fits = self.unit.plain(value).and_then(|plain| {
             self.bounds.check(&plain)?;
-            (self.put)(&mut changed, &plain)
+            (self.put)(&mut changed, &self.bounds.meant(plain))
         });
         match fits {
             Ok(()) => *configuration = changed,

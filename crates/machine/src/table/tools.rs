@@ -1,6 +1,6 @@
 //! The tool and the cutting sequence: delays, pause, intensity, height control, plasma, laser.
 
-use super::Bounds::{Any, NotNegative, Positive, Range};
+use super::Bounds::{Any, NotNegative, Positive, Range, RangeOrNone};
 use super::plain::Plain;
 use super::{Area, Setting, row};
 use crate::value::Value;
@@ -283,7 +283,7 @@ const LASER: &[Setting] = &[
         "laser.engrave_cut",
         c.laser.engrave_cut,
         None,
-        Range(1.0, 3.0),
+        RangeOrNone(1.0, 3.0),
         "Cut output that marks engraving groups, which are not pierced."
     ),
     row!(
@@ -308,7 +308,7 @@ const LASER: &[Setting] = &[
         "laser.pierce.gas_tool",
         c.laser.pierce.gas_tool,
         None,
-        Range(1.0, 3.0),
+        RangeOrNone(1.0, 3.0),
         "Tool output of the pierce gas."
     ),
     row!(
@@ -341,7 +341,7 @@ const LASER: &[Setting] = &[
         "laser.gas.tool",
         c.laser.gas.tool,
         None,
-        Range(1.0, 3.0),
+        RangeOrNone(1.0, 3.0),
         "Tool output of the cut gas."
     ),
     row!(c, "laser.gas.wait_ms", c.laser.gas.wait_ms, Ms, WAIT_MS, "Wait for the cut gas."),
