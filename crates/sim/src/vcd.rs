@@ -3,6 +3,7 @@
 //! Changes may be told a little out of order: they are kept until [`Vcd::flush`] says that nothing
 //! earlier can come. Times are nanoseconds.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// The kinds of signals.
@@ -27,6 +28,8 @@ struct Signal {
     name: String,
     kind: Kind,
     value: f64,
+    /// The byte of which it is a bit, and which.
+    part_of: Option<(usize, u8)>,
 }
 
 /// A trace being written.
@@ -37,6 +40,8 @@ pub struct Vcd {
     pending: Vec<(u64, usize, f64)>,
     /// The time written last.
     written_ns: Option<u64>,
+    /// Bytes whose bits have changed at the time at hand, and what they read now.
+    bytes: BTreeMap<usize, u8>,
 }
 
 /// Nanoseconds in a second.
@@ -46,8 +51,18 @@ impl Vcd {
     /// Adds a signal that reads 0 until it changes. Signals of one scope are added one after the
     /// other.
     pub fn signal(&mut self, scope: &'static str, name: impl Into<String>, kind: Kind) -> Id {
-        self.signals.push(Signal { scope, name: name.into(), kind, value: 0.0 });
+        let name = name.into();
+        self.signals.push(Signal { scope, name, kind, value: 0.0, part_of: None });
         Id(self.signals.len() - 1)
+    }
+
+    /// Adds a byte that is made of wires, bit 0 first: it changes with them, and once where several of them
+    /// change at a time.
+    pub fn byte_of(&mut self, scope: &'static str, name: impl Into<String>, wires: &[Id]) {
+        let byte = self.signal(scope, name, Kind::Byte);
+        for (place, wire) in wires.iter().enumerate() {
+            self.signals[wire.0].part_of = Some((byte.0, 1 << place));
+        }
     }
 
     /// What a signal reads before its first change.
@@ -94,10 +109,25 @@ impl Vcd {
         let rest = self.pending.split_off(split);
         let due = std::mem::replace(&mut self.pending, rest);
         let mut out = String::new();
+        let mut now_ns = None;
         for (t_ns, i, value) in due {
+            if now_ns.replace(t_ns) != Some(t_ns) {
+                self.write_bytes(&mut out);
+            }
             self.change(t_ns, i, value, &mut out);
         }
+        self.write_bytes(&mut out);
         out
+    }
+
+    /// Everything at one time is told: the bytes follow their bits.
+    fn write_bytes(&mut self, out: &mut String) {
+        for (i, value) in std::mem::take(&mut self.bytes) {
+            let value = f64::from(value);
+            if std::mem::replace(&mut self.signals[i].value, value) != value {
+                self.signals[i].write(value, i, out);
+            }
+        }
     }
 
     fn change(&mut self, t_ns: u64, i: usize, value: f64, out: &mut String) {
@@ -110,6 +140,11 @@ impl Vcd {
             let _ = writeln!(out, "#{t_ns}");
         }
         self.signals[i].write(value, i, out);
+        if let Some((byte, mask)) = self.signals[i].part_of {
+            let before = self.signals[byte].value as u8;
+            let now = self.bytes.entry(byte).or_insert(before);
+            *now = if value == 0.0 { *now & !mask } else { *now | mask };
+        }
     }
 }
 
@@ -176,6 +211,19 @@ mod tests {
         let all = format!("b{} #", "1".repeat(32));
         assert_eq!(vcd.flush(3.5e-6), format!("#1000\n{all}\nb00000100 \"\n#2000\n1!\n"));
         assert_eq!(vcd.flush(f64::INFINITY), "#4000\n0!\n");
+    }
+
+    #[test]
+    fn a_byte_follows_its_bits_once_a_time() {
+        let mut vcd = Vcd::default();
+        let bits = ["a", "b"].map(|name| vcd.signal("out", name, Kind::Wire));
+        vcd.byte_of("out", "byte", &bits);
+        vcd.header();
+        vcd.at_ns(1, bits[0], 1.0);
+        vcd.at_ns(2, bits[0], 0.0);
+        vcd.at_ns(1, bits[1], 1.0);
+        let told = "#1\n1!\n1\"\nb00000011 #\n#2\n0!\nb00000010 #\n";
+        assert_eq!(vcd.flush(f64::INFINITY), told);
     }
 
     #[test]

@@ -105,7 +105,7 @@ impl<W: Write> VcdSink<W> {
 
 impl<W: Write> Sink for VcdSink<W> {
     fn event(&mut self, event: &Event) {
-        let (vcd, signals) = (&mut self.vcd, &mut self.signals);
+        let (vcd, signals) = (&mut self.vcd, &self.signals);
         match event {
             Event::Output { n, on, t, .. } => {
                 signals.outputs.change(vcd, *t, *n, *on);

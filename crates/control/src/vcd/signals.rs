@@ -16,24 +16,20 @@ const FIRST_LINE: usize = SWITCHES + 1;
 pub(super) struct Lines {
     switches: Vec<Id>,
     bits: Vec<Id>,
-    bytes: Vec<(Id, u8)>,
 }
 
 impl Lines {
     fn new(vcd: &mut Vcd, letters: &str, ports: [(&'static str, &[Bit]); 2]) -> Self {
-        let (mut bits, mut bytes) = (Vec::new(), Vec::new());
-        for (scope, of_port) in ports {
-            bits.extend(wires(vcd, scope, of_port));
-            bytes.push((vcd.signal(scope, scope, Kind::Byte), 0));
-        }
+        let bits = ports.into_iter().flat_map(|(name, of_port)| port(vcd, name, name, of_port));
+        let bits = bits.collect();
         let scope = if letters == "in" { "switches_in" } else { "switches_out" };
         let name = |n: usize| format!("{letters}{n}");
         let switches = (1..=SWITCHES).map(|n| vcd.signal(scope, name(n), Kind::Wire)).collect();
-        Self { switches, bits, bytes }
+        Self { switches, bits }
     }
 
-    /// A line changes: its bit, and the byte of its port.
-    pub fn change(&mut self, vcd: &mut Vcd, t_s: f64, number: u8, on: bool) {
+    /// A line changes: its bit, and with it the byte of its port.
+    pub fn change(&self, vcd: &mut Vcd, t_s: f64, number: u8, on: bool) {
         let number = usize::from(number);
         if let Some(switch) = self.switches.get(number.wrapping_sub(1)) {
             vcd.at(t_s, *switch, f64::from(on));
@@ -41,10 +37,6 @@ impl Lines {
         let i = number.wrapping_sub(FIRST_LINE);
         if let Some(bit) = self.bits.get(i) {
             vcd.at(t_s, *bit, f64::from(on));
-            let (byte, value) = &mut self.bytes[i / PORT_BITS];
-            let mask = 1 << (i % PORT_BITS);
-            *value = if on { *value | mask } else { *value & !mask };
-            vcd.at(t_s, *byte, f64::from(*value));
         }
     }
 }
@@ -67,7 +59,7 @@ pub(super) struct Signals {
 
 impl Signals {
     pub fn new(vcd: &mut Vcd) -> Self {
-        let a = wires(vcd, "out_a", &OUTPUT_BITS[..PORT_BITS]);
+        let a = port(vcd, "out_a", "port_a", &OUTPUT_BITS[..PORT_BITS]);
         let ports = [
             ("port_b", &OUTPUT_BITS[PORT_BITS..2 * PORT_BITS]),
             ("port_c", &OUTPUT_BITS[2 * PORT_BITS..]),
@@ -99,6 +91,9 @@ impl Signals {
     }
 }
 
-fn wires(vcd: &mut Vcd, scope: &'static str, bits: &[Bit]) -> Vec<Id> {
-    bits.iter().map(|bit| vcd.signal(scope, bit.name, Kind::Wire)).collect()
+/// The wires of a port, and its byte.
+fn port(vcd: &mut Vcd, scope: &'static str, byte: &'static str, bits: &[Bit]) -> Vec<Id> {
+    let wires: Vec<Id> = bits.iter().map(|bit| vcd.signal(scope, bit.name, Kind::Wire)).collect();
+    vcd.byte_of(scope, byte, &wires);
+    wires
 }

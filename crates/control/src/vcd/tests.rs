@@ -69,6 +69,14 @@ fn pro_io_outa_qr() {
     let trace = traced(sim(|m| m.motors.x2 = Some(FreeMotor::Q)), "MX,1\n", Vec::new());
     assert_eq!(rises(&trace, "xstep"), rises(&trace, "qstep"));
     assert_eq!(rises(&trace, "qstep").len(), 250);
+    // Both motors step forwards from the first step on: port A and the high nibble of port C change together.
+    let (a, c) = (changes(&trace, "port_a"), changes(&trace, "port_c"));
+    let levels = |bytes: &[(u64, String)]| bytes.iter().map(|it| it.1.clone()).collect::<Vec<_>>();
+    let times = |bytes: &[(u64, String)]| bytes.iter().map(|it| it.0).collect::<Vec<_>>();
+    assert_eq!((a.len(), times(&a)), (500, times(&c)));
+    assert_eq!(levels(&a)[..3], ["b00000011", "b00000001", "b00000011"]);
+    assert_eq!(levels(&c)[..3], ["b00110000", "b00010000", "b00110000"]);
+    assert!(changes(&traced(sim(|_| ()), "MX,1\n", Vec::new()), "port_c").is_empty());
     assert!(rises(&traced(sim(|_| ()), "MX,1\n", Vec::new()), "qstep").is_empty());
 }
 
@@ -77,6 +85,10 @@ fn pro_io_outa() {
     // A diagonal steps both motors in the same tick.
     let trace = traced(sim(|_| ()), "M2,1,1\n", Vec::new());
     assert_eq!(rises(&trace, "xstep"), rises(&trace, "ystep"));
+    let bytes = changes(&trace, "port_a");
+    let levels: Vec<&str> = bytes.iter().map(|it| it.1.as_str()).collect();
+    assert_eq!(levels[..3], ["b00001111", "b00000101", "b00001111"]);
+    assert_eq!(bytes.len(), 500, "a change where the steps of both rise, and where they fall");
 }
 
 #[test]
