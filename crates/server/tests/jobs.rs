@@ -6,6 +6,7 @@ mod support;
 
 use kerf_drawing::{Editor, script};
 use kerf_machine::Configuration;
+use kerf_machine::settings::io::Card;
 use serde_json::{Value, json};
 use std::time::Instant;
 use support::{Page, Shop, Wanted, at, rsm, start};
@@ -318,6 +319,18 @@ fn pro_io_diag_read__in_the_state_of_pages() {
     let told = (&xhome["port"], &xhome["place"], &xhome["output"]);
     assert_eq!(told, (&json!("A"), &json!(2), &json!(false)));
     assert_eq!(bits.as_array().unwrap().len(), 40);
+}
+
+/// On a page a switch is put so that its input reads what is shown, at whatever level of its pin.
+#[test]
+fn pro_io_pci_i_elec__a_switch_of_pages() {
+    let shop = shop("line 0,0 1,0", |machine| machine.io.card = Card::Pci);
+    let mut page = shop.driver();
+    for (on, byte) in [(true, 4), (false, 0)] {
+        let press = json!({ "do": "input", "lease": page.lease, "number": 15, "on": on });
+        assert_eq!(page.act(press), None);
+        page.until("port A", |page| ports(page)["inputs"] == json!([byte, 0]));
+    }
 }
 
 /// A switch that is moved shows at once: in the middle of a move, and while somebody is asked.
