@@ -3,6 +3,7 @@
 use kerf_machine::{Configuration, Errand};
 use kerf_part::Program;
 use kerf_program::job::Job;
+use kerf_program::{Axes, Axis};
 use std::sync::Arc;
 
 /// Something to run.
@@ -33,6 +34,18 @@ impl Work {
             Self::Job(job, _) => job.shapes.iter().map(|s| s.number as usize).max().unwrap_or(0),
             Self::Hand(..) => 0,
         }
+    }
+}
+
+impl Work {
+    /// Where it takes its job origin when it begins while the tool is at a position: X and Y from home, mm; there,
+    /// if the machine is set so. A job that is homed in X and Y first takes none that is worth keeping.
+    pub fn takes_origin(&self, position: Axes) -> Option<[f64; 2]> {
+        let Self::Job(_, machine) = self else { return None };
+        let homes = machine.homing.at_job_start;
+        let moved = [Axis::X, Axis::Y].iter().any(|axis| homes.contains(*axis));
+        let takes = machine.job.change_origin_at_start && !moved;
+        takes.then(|| [position[Axis::X], position[Axis::Y]])
     }
 }
 

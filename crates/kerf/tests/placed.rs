@@ -40,6 +40,23 @@ fn pro_job_origin_cmp() {
     shop.kerf("machine origin there").exits(2);
 }
 
+/// Who lets jobs begin where the tool is finds the origin there afterwards.
+#[test]
+fn pro_job_origin_start_yes__at_the_command_line() {
+    let shop = shop("line 0,0 10,0");
+    shop.kerf("toolpath job.rsg").exits(0);
+    let origin_behind = |starts_there: &str, options: &str| {
+        shop.kerf(&format!("machine set job.change_origin_at_start {starts_there}")).exits(0);
+        shop.kerf("machine origin 300,200").exits(0);
+        shop.kerf("machine move to -250,-140,").exits(0);
+        shop.kerf(&format!("run job.rsm {options}")).exits(0);
+        shop.kerf("machine origin").exits(0).out()
+    };
+    assert_eq!(origin_behind("true", "--start kept"), "job.origin_mm = [50, 60]\n");
+    assert_eq!(origin_behind("false", "--start kept"), "job.origin_mm = [300, 200]\n");
+    assert_eq!(origin_behind("true", "--start fresh"), "job.origin_mm = [300, 200]\n");
+}
+
 #[test]
 fn pro_job_origin_saved() {
     let shop = shop("line 0,0 10,0");

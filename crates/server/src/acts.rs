@@ -382,7 +382,7 @@ impl App {
         let (work, planned) = (Box::new(self.work(&open)?), preview.planned.clone());
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
-        let taken = self.takes(&work);
+        let taken = work.takes_origin(lock(&self.left).session.memory.position);
         let Open { name, hash, key, .. } = open;
         let opened = self.opened(&asker.who, None).is_ok();
         let order = Order::File { work, name, hash, planned, parameters, opened };

@@ -42,17 +42,6 @@ impl App {
         self.choose_anew(|choice| JobChoice { start: Some(path), ..choice })
     }
 
-    /// Where a job that is about to begin takes its origin, X and Y from home, mm: where the tool is, if the machine
-    /// is set so. One that is homed in X and Y first takes none that is worth keeping.
-    pub fn takes(&self, work: &Work) -> Option<[f64; 2]> {
-        let Work::Job(_, machine) = work else { return None };
-        let homes = machine.homing.at_job_start;
-        let moved = [Axis::X, Axis::Y].iter().any(|axis| homes.contains(*axis));
-        let position = lock(&self.left).session.memory.position;
-        let takes = machine.job.change_origin_at_start && !moved;
-        takes.then(|| [position[Axis::X], position[Axis::Y]])
-    }
-
     /// A job is over that took its origin where the tool was: there it lies from now on.
     pub fn keep_taken(self: &Arc<Self>) {
         let Some((key, at)) = lock(&self.taken).take() else { return };

@@ -218,7 +218,7 @@ pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> 
         (Some(by), Value::Number(before)) => before + by,
         _ => shop.session.memory.position[Axis::Z],
     };
-    keep(which, &shop.machine, setting, Value::Number(tidy(z)))
+    keep(which, &shop.machine, setting, Value::Number(out::tidy(z)))
 }
 
 /// Changes a setting in the file of the machine, and tells it.
@@ -239,11 +239,6 @@ fn keep(
     kept.write(&file::edit(&text, setting, &wanted))?;
     out::print(&format!("{} = {}\n", setting.key, setting.get(&wanted)));
     Ok(Exit::Good)
-}
-
-/// To a millionth.
-fn tidy(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6 + 0.0
 }
 
 /// Prints the job origin, or sets it: to where the tool is, or to a place from home.
@@ -267,7 +262,7 @@ pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
             [x, y]
         }
     };
-    let value = Value::List(at.map(|v| Value::Number(tidy(v))).into());
+    let value = Value::List(at.map(|v| Value::Number(out::tidy(v))).into());
     keep(which, &shop.machine, setting, value)
 }
 

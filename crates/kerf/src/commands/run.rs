@@ -30,7 +30,7 @@ use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
 use kerf_control::{Company, Pace, Session, Shelf, Sink, Summary, Work, command_passing};
 use kerf_diag::Diagnostic;
-use kerf_machine::{Configuration, sequence};
+use kerf_machine::{Configuration, sequence, table};
 use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::FileParameters;
@@ -362,14 +362,21 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if kept {
         visit.begins(&session, &mut shelf)?;
     }
+    let takes = work.takes_origin(session.memory.position);
+    let takes = takes.filter(|_| kept && args.driver.is_none() && run.place.config.is_none());
+    let mut moved = false;
     let exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
         let (summary, unkept) = over(match kept {
             true => session.run_on_record(work, options, replaced, shelf, company),
             false => Ok(session.run(work, options, shelf, company)),
         })?;
+        moved = summary.tally.moves > 0;
         Ok((summary, &session, unkept))
     })?;
+    if let Some(at) = takes.filter(|_| moved) {
+        keep_origin(at, &session, &run.place)?;
+    }
     if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
         controller::leaves(name, &shared, &mut shelf);
     }
@@ -377,6 +384,14 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         true => closes(exit, &visit, (&mut session, &mut shelf), args, run),
         false => Ok(exit),
     }
+}
+
+/// The job origin of the machine is there from now on.
+fn keep_origin(at: [f64; 2], session: &Session, place: &PlaceArgs) -> Result<()> {
+    let Some(setting) = table::setting("job.origin_mm") else { bail!("no setting job.origin_mm") };
+    let mut machine = session.configuration();
+    machine.job.origin_mm = at.map(out::tidy);
+    Ok(machine_file::of_data(&place.data)?.keep_one(setting, &machine)?)
 }
 
 /// Carries out what other software passed in while the file ran, and closes.
