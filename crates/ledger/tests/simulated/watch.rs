@@ -14,9 +14,9 @@ const LOOKS: u32 = 5;
 /// Looks at its acceleration.
 const RATES: u32 = 16;
 
-/// So much coarser than a speed is an acceleration: on a smoothed path the plan finds it on a grid, within a
-/// hundredth.
-const RATE_HAIRS: f64 = 5.0;
+/// So much coarser than a speed is an acceleration: on a smoothed path the plan finds it on a grid, within two
+/// hundredths.
+const RATE_HAIRS: f64 = 10.0;
 
 /// No run of a case tells so much.
 const MOST: usize = 20_000;
