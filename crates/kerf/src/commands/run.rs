@@ -1,7 +1,8 @@
 //! `kerf run`: a part file on a machine.
 
+mod behind;
+
 use crate::args::{PlaceArgs, RunArgs};
-use crate::clock;
 use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
 use crate::drawings;
@@ -23,17 +24,17 @@ use crate::sources::FileLines;
 use crate::stop::Stop;
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
+use behind::closes;
 use clap::{Args, ValueEnum};
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Mirror, Shared, Steers};
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Pace, Session, Shelf, Sink, Summary, Work, command_passing};
+use kerf_control::{Company, Pace, Session, Shelf, Sink, Summary, Work};
 use kerf_diag::Diagnostic;
 use kerf_machine::{Configuration, sequence, table};
 use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
-use kerf_sbp::FileParameters;
 use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
@@ -392,61 +393,6 @@ fn keep_origin(at: [f64; 2], session: &Session, place: &PlaceArgs) -> Result<()>
     let mut machine = session.configuration();
     machine.job.origin_mm = at.map(out::tidy);
     Ok(machine_file::of_data(&place.data)?.keep_one(setting, &machine)?)
-}
-
-/// Carries out what other software passed in while the file ran, and closes.
-fn closes(
-    mut exit: Exit,
-    visit: &Visit,
-    (session, shelf): (&mut Session, &mut Shelf),
-    args: &MachineArgs,
-    run: &RunArgs,
-) -> Result<Exit> {
-    let stop = Stop::listen()?;
-    while let Some(command) = visit.command(session, shelf)? {
-        let why_not = match &args.driver {
-            _ if stop.leaves() => Some("Kerf ends"),
-            _ if exit != Exit::Good => Some("what ran before did not come to its end"),
-            Some(_) => Some("on a controller nothing is carried out behind the file"),
-            None => None,
-        };
-        match why_not {
-            Some(why) => Visit::refuses(&command, why, session, shelf),
-            None => exit = passed_in(command, session, shelf, args, run)?,
-        }
-    }
-    visit.ends(session, shelf);
-    Ok(exit)
-}
-
-/// Carries out a command that other software passed in while the file ran.
-fn passed_in(
-    command: String,
-    session: &mut Session,
-    shelf: &mut Shelf,
-    args: &MachineArgs,
-    run: &RunArgs,
-) -> Result<Exit> {
-    let work = Work::from(kerf_sbp::read_typed(command_passing::NAME.into(), &command));
-    let mut options = setup::run_options(run, &session.memory.settings, false);
-    (options.program.typed, options.program.file) = (true, FileParameters::default());
-    options.started = Some(clock::started());
-    options.opened = protect::given(&session.machine_is, args.password.as_deref())?;
-    let machine = session.configuration();
-    let show = Show {
-        name: command_passing::NAME.into(),
-        lines: 1,
-        talk: Talk::all(),
-        source: FileLines::of(&work),
-        machine,
-        editor: editor(shelf),
-    };
-    let vcd = VcdArgs::default();
-    let again = MachineArgs { trace: None, picture: None, readings: None, vcd, ..args.clone() };
-    attended(&again, run, show, setup::answers(run)?, None, |company| {
-        let (summary, unkept) = over(session.run_on_record(work, options, None, shelf, company))?;
-        Ok((summary, session, unkept))
-    })
 }
 
 /// What is shown of a run.
