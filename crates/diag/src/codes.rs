@@ -57,7 +57,7 @@ codes! {
     BadExpression "S007" Error "the expression cannot be read"
         "An operator or a value is missing, or a character does not belong into an expression.";
     UnknownFunction "S008" Error "unknown function"
-        "Known functions: SQR ABS INT FIX SGN EXP LOG SIN COS TAN ATN RND. Angles are radians.";
+        "Known functions: SQR ABS INT FIX SGN EXP LOG SIN COS TAN ATN RND, and as extensions ASIN ACOS ATAN SQRT ROUND FLOOR CEIL PI. Angles are radians.";
     TooManyParameters "S009" Error "too many parameters"
         "The command takes fewer values than the line gives. Trailing empty fields are allowed, values are not.";
     MissingParameter "S010" Error "a required value is missing"

@@ -296,19 +296,15 @@ impl Context<'_> {
             Some(expr) => self.eval_number(expr)?,
             None => 1.0,
         };
-        if function == Function::Sqr && n < 0.0 {
-            let message = format!("no square root of {}", Value::Number(n).display());
-            return Err(self.fail_at(
-                span,
-                Code::BadArithmetic,
-                message,
-                "the value must be 0 or greater",
-            ));
+        if let Some((message, hint)) = outside(function, n) {
+            return Err(self.fail_at(span, Code::BadArithmetic, message, hint));
         }
         let result = match function {
-            Function::Sqr => n.sqrt(),
+            Function::Sqr | Function::Sqrt => n.sqrt(),
             Function::Abs => n.abs(),
-            Function::Int => n.floor(),
+            Function::Int | Function::Floor => n.floor(),
+            Function::Ceil => n.ceil(),
+            Function::Round => n.round(),
             Function::Fix => n.trunc(),
             Function::Sgn if n == 0.0 => 0.0,
             Function::Sgn => n.signum(),
@@ -317,10 +313,28 @@ impl Context<'_> {
             Function::Sin => n.sin(),
             Function::Cos => n.cos(),
             Function::Tan => n.tan(),
-            Function::Atn => n.atan(),
+            Function::Atn | Function::Atan => n.atan(),
+            Function::Asin => n.asin(),
+            Function::Acos => n.acos(),
+            Function::Pi => std::f64::consts::PI,
             Function::Rnd => next_random(&mut self.core.random),
         };
         self.finite(result, span)
+    }
+}
+
+/// The message and the hint where a function has no result for a value.
+fn outside(function: Function, n: f64) -> Option<(String, &'static str)> {
+    let value = Value::Number(n).display();
+    match function {
+        Function::Sqr | Function::Sqrt if n < 0.0 => {
+            Some((format!("no square root of {value}"), "the value must be 0 or greater"))
+        }
+        Function::Asin | Function::Acos if n.abs() > 1.0 => {
+            let name = function.name();
+            Some((format!("{name} has no result for {value}"), "the value must be from -1 to 1"))
+        }
+        _ => None,
     }
 }
 

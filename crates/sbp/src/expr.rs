@@ -236,6 +236,14 @@ functions! {
     Cos "COS" "Cosine of an angle in radians.";
     Tan "TAN" "Tangent of an angle in radians.";
     Atn "ATN" "Angle in radians whose tangent is the value.";
+    Asin "ASIN" "Angle in radians whose sine is the value. An extension.";
+    Acos "ACOS" "Angle in radians whose cosine is the value. An extension.";
+    Atan "ATAN" "The same as ATN. An extension.";
+    Sqrt "SQRT" "The same as SQR. An extension.";
+    Round "ROUND" "Nearest whole number, halves away from 0. An extension.";
+    Floor "FLOOR" "The same as INT. An extension.";
+    Ceil "CEIL" "Smallest whole number not below the value. An extension.";
+    Pi "PI" "The ratio of a circle's circumference to its diameter; it takes no value. An extension.";
     Rnd "RND" "A random number from 0 up to 1; the same sequence in every run.";
 }
 

@@ -365,6 +365,8 @@ pub enum Statement {
         value: Assigned,
         span: Span,
     },
+    /// `&a` alone on its line, which does nothing.
+    Mention(Span),
     /// `&a[1].x = …` (FabMo).
     AssignMember {
         path: PathId,

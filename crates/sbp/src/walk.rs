@@ -114,6 +114,14 @@ impl Expressions {
         self.any(expr, &|node| matches!(node, ExprNode::Word(_)))
     }
 
+    /// True when a variable, system variable or function stands in it.
+    pub(crate) fn has_values(&self, expr: &Expr) -> bool {
+        use ExprNode::{Call, Member, Persistent, System, Variable};
+        self.any(expr, &|node| {
+            matches!(node, Variable(_) | Persistent(_) | System(_) | Call(..) | Member(_))
+        })
+    }
+
     /// Calls `f` with an expression and every expression inside it.
     pub(crate) fn each<'a>(&'a self, expr: &'a Expr, f: &mut impl FnMut(&'a Expr)) {
         f(expr);

@@ -55,6 +55,7 @@ impl Words<'_> {
             ExprNode::Text(_) | ExprNode::Word(_) => return self.unkept("text"),
             ExprNode::Persistent(_) => return self.unkept("a value that survives ($)"),
             ExprNode::Unary(UnaryOp::Not, _) => return self.unkept("NOT as a number"),
+            ExprNode::Call(Function::Pi, None) => std::f64::consts::PI.to_string(),
             ExprNode::Call(function, None) => return self.unkept(function.name()),
             ExprNode::Member(_) => return self.unkept("a value within a value"),
         })
@@ -62,16 +63,22 @@ impl Words<'_> {
 
     fn call(self, function: Function, x: &str) -> Result<String, Unkept> {
         Ok(match function {
-            Function::Sqr => format!("SQRT[{x}]"),
+            Function::Sqr | Function::Sqrt => format!("SQRT[{x}]"),
             Function::Abs => format!("ABS[{x}]"),
-            Function::Int => format!("FIX[{x}]"),
+            Function::Int | Function::Floor => format!("FIX[{x}]"),
+            Function::Ceil => format!("FUP[{x}]"),
+            Function::Round => format!("ROUND[{x}]"),
             Function::Exp => format!("EXP[{x}]"),
             Function::Log => format!("LN[{x}]"),
             Function::Sin => format!("SIN[{x} * {DEGREES}]"),
             Function::Cos => format!("COS[{x} * {DEGREES}]"),
             Function::Tan => format!("TAN[{x} * {DEGREES}]"),
-            Function::Atn => format!("[ATAN[{x}]/[1] / {DEGREES}]"),
-            Function::Fix | Function::Sgn | Function::Rnd => return self.unkept(function.name()),
+            Function::Atn | Function::Atan => format!("[ATAN[{x}]/[1] / {DEGREES}]"),
+            Function::Asin => format!("[ASIN[{x}] / {DEGREES}]"),
+            Function::Acos => format!("[ACOS[{x}] / {DEGREES}]"),
+            Function::Fix | Function::Sgn | Function::Rnd | Function::Pi => {
+                return self.unkept(function.name());
+            }
         })
     }
 

@@ -48,6 +48,9 @@ fn sbp_gcode_ambig() {
     let stop = gcode("G1 X1 F60 ⏎ M0").run();
     assert_eq!(stop.events("motors").count(), 0, "{stop}");
     stop.asks(&["program stop (M0)"]);
+    let spindle = gcode("G20 G1 X1 F60 ⏎ M3 S9000;on ⏎ M5; off ⏎ G1 X2").run();
+    assert_eq!(spindle.events("turn").count(), 2, "a comment of a G-code file: {spindle}");
+    spindle.ends_at([2.0]);
 }
 
 #[test]

@@ -79,6 +79,9 @@ fn sbp_lang_sep_space() {
 #[test]
 fn sbp_lang_sep_missing() {
     run("M23, 4.2").fails(1, "S002").visits::<3>(&[]);
+    for line in ["M3;1,2,3", "M4;1", "M2;3;4", "M5;", "M6:1,2", "J2.5", "MX;1", "C9;"] {
+        run(&format!("{line} ⏎ MX,1")).fails(1, "S002").visits::<3>(&[]);
+    }
 }
 
 #[test]
@@ -171,9 +174,28 @@ fn sbp_lang_expr_funcs() {
         ("COS(0)", "1"),
         ("TAN(0)", "0"),
         ("ATN(1)", "0.7853982"),
+        ("ACOS(0)*2/PI", "1"),
+        ("ASIN(1)*2/PI", "1"),
+        ("ATAN(0)+SQRT(9)", "3"),
+        ("ROUND(-2.5)", "-3"),
+        ("FLOOR(-1.5)", "-2"),
+        ("CEIL(-1.5)", "-1"),
     ]);
     run("&r=RND ⏎ IF &r < 0 THEN MX,9 ⏎ IF &r < 1 THEN MX,1").ends_at([1.0]);
     run("MX,NONSENSE(1)").fails(1, "S008").says("NONSENSE");
+    run("&x=.5 ⏎ &a=2*ARCCOS(&x) ⏎ MX,1").fails(2, "S008").says("ARCCOS").visits::<3>(&[]);
+    run("&a=5*x ⏎ MX,1")
+        .fails(1, "S007")
+        .says("the word x stands in a calculation")
+        .visits::<3>(&[]);
+    run("&a=ACOS(2) ⏎ MX,1").fails(1, "R004");
+}
+
+#[test]
+fn lines_of_real_files_that_say_nothing_new_run() {
+    run("&ZSAFE_TEMP ⏎ $kept ⏎ MX,1").ends_at([1.0]).warns(1, "W003").warns(2, "W003");
+    run("CR,1,2,T,1,4,-.1,1,0,0,0 ⏎ MX,5").ends_at([5.0]);
+    sbp("FP,b.sbp,1,1,1,0 ⏎ MY,2").file("b.sbp", "MX,1").run().ends_at([1.0, 2.0]);
 }
 
 #[test]

@@ -55,6 +55,7 @@ impl<'a> Code<'a> {
             }
             Statement::Custom { number, .. } => self.push_custom(self.slice(number.span), out),
             Statement::Gcode(text) => out.push_str(text),
+            Statement::Mention(span) => out.push_str(self.slice(*span)),
             _ => self.push_keyword(out),
         }
     }

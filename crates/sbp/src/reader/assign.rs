@@ -2,9 +2,9 @@
 
 use super::line::{Failed, Line, Read, is_name};
 use crate::Dialect;
-use crate::expr::{BinaryOp, Expr, ExprNode};
+use crate::expr::{BinaryOp, Expr, ExprNode, Function};
 use crate::tree::{Assigned, Span, Statement};
-use kerf_diag::Code;
+use kerf_diag::{Code, Diagnostic};
 
 impl Line<'_, '_> {
     pub(super) fn assignment(&mut self, persistent: bool) -> Read<Statement> {
@@ -17,6 +17,9 @@ impl Line<'_, '_> {
         self.skip_blanks();
         let only_if_undefined = self.peek() == b':' && self.byte(self.at + 1) == b'=';
         self.at += usize::from(only_if_undefined);
+        if end > start + 1 && self.at_end() {
+            return Ok(self.mention(start));
+        }
         if end == start + 1 || self.peek() != b'=' {
             return Err(self.bad_name(start, end));
         }
@@ -25,6 +28,14 @@ impl Line<'_, '_> {
         let value = self.assigned()?;
         let span = Span { start: start as u32, end: end as u32 };
         Ok(Statement::Assign { name, persistent, only_if_undefined, value, span })
+    }
+
+    /// A variable alone on its line: files that run on machines have it, and nothing happens there.
+    fn mention(&mut self, start: usize) -> Statement {
+        let span = self.span_from(start);
+        let message = "a variable alone on its line does nothing";
+        self.warn(Code::DoubtfulSpelling, span, message, "an assignment is written &name = value");
+        Statement::Mention(span)
     }
 
     /// What stands before `=` is no variable's name.
@@ -57,14 +68,14 @@ impl Line<'_, '_> {
             self.expression()?;
         }
         let mark = self.mark();
-        if let Ok(expr) = self.whole_expression(span)
-            && !(self.words && self.is_text(&expr))
-        {
-            self.at = self.end;
-            return Ok(Assigned::Expr(self.spelled_out(expr)));
-        }
-        if self.foreign {
-            return Err(Failed);
+        match self.whole_expression(span) {
+            Ok(expr) if !(self.words && self.is_text(&expr)) => {
+                self.at = self.end;
+                return Ok(Assigned::Expr(self.spelled_out(expr)));
+            }
+            Ok(expr) => self.refuse_words(&expr)?,
+            Err(failed) if self.foreign || self.calls(mark) => return Err(failed),
+            Err(_) => {}
         }
         self.forget(mark);
         self.at = self.end;
@@ -75,6 +86,48 @@ impl Line<'_, '_> {
             self.warn(Code::DoubtfulSpelling, span, message, hint);
         }
         Ok(Assigned::Text(text.into()))
+    }
+
+    /// Whether reading failed at an unknown function that was surely meant to be one: its parenthesis follows at once and
+    /// holds no words.
+    fn calls(&self, mark: usize) -> bool {
+        let unknown = |found: &&Diagnostic| found.code == Code::UnknownFunction;
+        let Some(found) = self.file.diagnostics[mark..].iter().find(unknown) else { return false };
+        let behind = found.place.column as usize - 1 + found.place.length as usize;
+        let text: String = self.slice(0, self.end).chars().skip(behind).collect();
+        let Some(inside) = text.strip_prefix('(') else { return false };
+        let inside = inside.rsplit_once(')').map_or(inside, |(inside, _)| inside);
+        inside.split(|c: char| !(c.is_alphanumeric() || "_&$".contains(c))).all(is_computed)
+    }
+
+    /// Refuses a bare word within arithmetic that cannot be text: it is multiplied, or calculated with a value.
+    fn refuse_words(&mut self, expr: &Expr) -> Read<()> {
+        let Some(word) = self.word_in_arithmetic(expr) else { return Ok(()) };
+        let text = self.slice(word.start as usize, word.end as usize);
+        let message = format!("the word {text} stands in a calculation");
+        let hint = format!("write &{text} for the variable, or put text in quotes");
+        Err(self.fault(Code::BadExpression, word, message, hint))
+    }
+
+    /// The place of such a word.
+    fn word_in_arithmetic(&self, expr: &Expr) -> Option<Span> {
+        let ExprNode::Binary(op, a, b) = expr.node else { return None };
+        let operands = &self.file.expressions;
+        let (a, b) = (&operands[a], &operands[b]);
+        let named = |expr: &Expr| match expr.node {
+            ExprNode::Word(text) => !operands[text].contains([' ', '.']),
+            _ => false,
+        };
+        let calculated = |expr: &Expr| match op {
+            BinaryOp::Multiply | BinaryOp::Power => !operands.has_words(expr),
+            _ => op.precedence() > BinaryOp::Join.precedence() && operands.has_values(expr),
+        };
+        for (word, other) in [(a, b), (b, a)] {
+            if named(word) && calculated(other) {
+                return Some(word.span);
+            }
+        }
+        self.word_in_arithmetic(a).or_else(|| self.word_in_arithmetic(b))
     }
 
     /// True for bare words that are no part of a join or a comparison with something else.
@@ -107,6 +160,12 @@ impl Line<'_, '_> {
         let node = self.join(BinaryOp::Join, variable, nothing);
         Expr { node, span: expr.span }
     }
+}
+
+/// Whether a part of an argument is a number, a variable or a function.
+fn is_computed(part: &str) -> bool {
+    let number = !part.bytes().any(|b| b.is_ascii_alphabetic());
+    number || part.starts_with(['&', '$']) || Function::from_name(part).is_some()
 }
 
 /// True for text that was probably meant to be computed.
@@ -166,6 +225,51 @@ mod tests {
     }
 
     #[test]
+    fn an_unknown_function_is_no_text() {
+        for (text, finding) in [
+            ("&a=ARCCOS(&x)", "S008 1:4+6 unknown function ARCCOS [did you mean ACOS?]"),
+            ("&a=2*RUOND(&x)", "S008 1:6+5 unknown function RUOND [did you mean ROUND?]"),
+            ("&a=MAX(1,2)", "S008 1:4+3 unknown function MAX"),
+            ("$a=FROB(SIN(&x))", "S008 1:4+4 unknown function FROB"),
+            ("&a=PI(2)", "S008 1:4+2 unknown function PI"),
+        ] {
+            finds(text, &[finding]);
+        }
+        for (text, tree) in [
+            ("&a = Panel(left)", "&A = 'Panel(left)'"),
+            ("&a = Bit (1/4)", "&A = 'Bit (1/4)'"),
+            ("&a = ACOS(.5)*2", "&A = (ACOS[0.5] * 2)"),
+            ("&a = SIN(90*PI/180)", "&A = SIN[((90 * PI[]) / 180)]"),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
+    fn a_bare_word_in_a_calculation_is_no_text() {
+        for (text, finding) in [
+            (
+                "&a=5*x",
+                "S007 1:6+1 the word x stands in a calculation [write &x for the variable, or",
+            ),
+            ("&a=depth*2", "S007 1:4+5 the word depth"),
+            ("&a=&b-depth", "S007 1:7+5 the word depth"),
+            ("&a=(&b+1)/n", "S007 1:11+1 the word n"),
+            ("&a=1+SIN(1)+q", "S007 1:13+1 the word q"),
+        ] {
+            finds(text, &[finding]);
+        }
+        for (text, tree) in [
+            ("&a = Tom * Jerry", "&A = 'Tom * Jerry'"),
+            ("&a = 2-ply", "&A = '2-ply'"),
+            ("&a = w/o tabs", "&A = 'w/o tabs'"),
+            ("&a = A & &n", "&A = ('A' & &N)"),
+        ] {
+            check(text, tree);
+        }
+    }
+
+    #[test]
     fn names_are_letters_digits_and_underscores() {
         for (text, finding) in [
             ("&a\\b=1", "S011 1:3+1 character not allowed in a variable name: '\\'"),
@@ -178,6 +282,8 @@ mod tests {
                 "S011 1:6+1 character not allowed in a variable name: '[' [arrays and objects",
             ),
             ("&a 5", "S004 1:1+2 = expected behind a variable"),
+            ("&ZSAFE_TEMP", "W003 1:1+11 a variable alone on its line does nothing [an assignment"),
+            ("$a  'kept", "W003 1:1+2 a variable alone"),
         ] {
             finds(text, &[finding]);
         }

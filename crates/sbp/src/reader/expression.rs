@@ -311,15 +311,17 @@ impl Line<'_, '_> {
         let function = Function::from_name(word);
         self.skip_blanks();
         if self.peek() == b'(' {
-            let Some(function) = function else { return Err(self.unknown_function(start)) };
+            let Some(function) = function.filter(|function| *function != Function::Pi) else {
+                return Err(self.unknown_function(start));
+            };
             self.at += 1;
             let argument = self.parenthesised(start, adjacent)?;
             let argument = Some(self.file.expressions.add(argument));
             let node = ExprNode::Call(function, argument);
             return Ok(Expr { node, span: self.span_from(start) });
         }
-        if function == Some(Function::Rnd) {
-            let node = ExprNode::Call(Function::Rnd, None);
+        if let Some(constant @ (Function::Rnd | Function::Pi)) = function {
+            let node = ExprNode::Call(constant, None);
             return Ok(Expr { node, span: self.span_from(start) });
         }
         while self.more_words() {
@@ -400,6 +402,8 @@ mod tests {
             ("MX,sqr(4)*Atn(1)", "MX (SQR[4] * ATN[1])"),
             ("MX,RND*2", "MX (RND[] * 2)"),
             ("MX,RND(1)", "MX RND[1]"),
+            ("MX,2*pi", "MX (2 * PI[])"),
+            ("MX,ACOS(0)+ceil(&a)", "MX (ACOS[0] + CEIL[&A])"),
             ("MX,\"abc\"", "MX \"abc\""),
             ("MX,abc", "MX 'abc'"),
             ("MX,12+11/16", "MX (12 + (11 / 16))"),
@@ -467,7 +471,7 @@ mod tests {
             ("MX,1.2.3", "S007 1:4+5 1.2.3 is not a number"),
             ("MX,12ab", "S007 1:4+4 12ab is not a number"),
             ("MX,1e999", "S007 1:4+5 1e999 is not a number"),
-            ("MX,SQRT(4)", "S008 1:4+4 unknown function SQRT [did you mean SQR?]"),
+            ("MX,SQTR(4)", "S008 1:4+4 unknown function SQTR [did you mean SQR?]"),
             ("MX,FROB(4)", "S008 1:4+4 unknown function FROB"),
             ("MX,$tools[3].x", "S007 1:4+11 arrays and objects"),
             ("&z = $tools[3].x", "S007 1:6+11 arrays and objects"),

@@ -174,6 +174,7 @@ fn statement(p: &Program, s: &Statement) -> String {
         }
         Statement::Custom { number, .. } => format!("custom {}", e(number)),
         Statement::Gcode(text) => format!("gcode {text}"),
+        Statement::Mention(_) => "mention".into(),
         other => format!("{other:?}").to_lowercase(),
     }
 }

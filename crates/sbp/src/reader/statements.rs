@@ -111,6 +111,9 @@ impl Line<'_, '_> {
             self.at = end;
             return self.command(spec, start);
         }
+        if let Some(failed) = self.wrong_separator(start, end) {
+            return Err(failed);
+        }
         if let Some(keyword) = Keyword::find(word) {
             self.at = end;
             return self.keyword(keyword, start, inner);
@@ -274,6 +277,24 @@ impl Line<'_, '_> {
         Some(self.fault(Code::OneCommandPerLine, span, message, hint))
     }
 
+    /// `M3;1,2` and `C9;`: a command with a wrong separator, which would be G-code with a comment otherwise. A
+    /// parenthesis is a comment of G-code that follows a word without a blank.
+    fn wrong_separator(&mut self, start: usize, end: usize) -> Option<Failed> {
+        if end != start + 2 || self.separated(end) || self.byte(end) == b'(' {
+            return None;
+        }
+        let custom = matches!(self.slice(start, end).as_bytes(), [b'C' | b'c', b'0'..=b'9']);
+        if !custom || self.byte(end) != b';' {
+            return self.missing_separator(start, end);
+        }
+        let span = self.span_to_end();
+        let word = self.slice(start, end).to_uppercase();
+        let message = format!("{word} is followed by ; and not by a comma or a blank");
+        let hint =
+            format!("write {word} for the custom cut, or G1 {word} for the axis C in G-code");
+        Some(self.fault(Code::UnknownCommand, span, message, hint))
+    }
+
     /// `M23, 4.2` and `MX-5`: letters of a command with a value right behind.
     fn missing_separator(&mut self, start: usize, end: usize) -> Option<Failed> {
         let letters = self.slice(start, (start + 2).min(end));
@@ -288,8 +309,9 @@ impl Line<'_, '_> {
         let span = Span { start: start as u32, end: stop };
         let word = self.slice(start, stop as usize).to_uppercase();
         let message = format!("unknown command or missing separator: {word}");
-        let rest = self.slice(start + 2, self.end).trim_start_matches(';').trim();
-        let hint = format!("write {},{rest}", spec.letters);
+        let rest = self.slice(start + 2, self.end).trim_start_matches([';', ':', '.']).trim();
+        let rest = if rest.is_empty() { String::new() } else { format!(",{rest}") };
+        let hint = format!("write {}{rest}", spec.letters);
         Some(self.fault(Code::UnknownCommand, span, message, hint))
     }
 }
@@ -331,6 +353,16 @@ mod tests {
             ("XM,1", "S002 1:1+2 unknown command XM [did you mean MX?]"),
             ("M23, 4.2", "S002 1:1+3 unknown command or missing separator: M23 [write M2,3, 4.2]"),
             ("MX;1", "S002 1:1+4 unknown command or missing separator: MX;1 [write MX,1]"),
+            ("M3;1,2,3", "S002 1:1+4 unknown command or missing separator: M3;1 [write M3,1,2,3]"),
+            ("M2;3;4", "S002 1:1+6 unknown command or missing separator: M2;3;4 [write M2,3;4]"),
+            ("m5;", "S002 1:1+3 unknown command or missing separator: M5; [write M5]"),
+            ("M2:3", "S002 1:1+4 unknown command or missing separator: M2:3 [write M2,3]"),
+            ("M2.5", "S002 1:1+4 unknown command or missing separator: M2.5 [write M2,5]"),
+            ("J2;1;1", "S002 1:1+6 unknown command or missing separator: J2;1;1 [write J2,1;1]"),
+            (
+                "C9;1",
+                "S002 1:1+4 C9 is followed by ; and not by a comma or a blank [write C9 for the custom cut, or G1 C9",
+            ),
             ("MX-5", "S002 1:1+4 unknown command or missing separator: MX-5 [write MX,-5]"),
             ("JZ&up", "S002 1:1+5 unknown command or missing separator: JZ&UP [write JZ,&up]"),
             ("REMARK,1", "S002 1:1+6 unknown command REMARK"),
@@ -377,6 +409,10 @@ mod tests {
             "X1 Y2",
             "S12000",
             "F60",
+            "M3(spindle on)",
+            "G0;rapid",
+            "M30;end",
+            "X1;2",
         ] {
             check(line, &format!("gcode {line}"));
         }

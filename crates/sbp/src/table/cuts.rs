@@ -153,6 +153,8 @@ pub(super) static SPECS: &[CommandSpec] = &[
                 .within(Bound::Range(0.0, 2.0))
                 .about("0 none, 1 tabs, 2 pocket."),
             FROM_ZERO,
+            // Files in use carry one more value that the manuals do not describe.
+            ParamSpec::obsolete(),
         ],
         Stack::Joins,
         "Cuts a rectangle one of whose corners is where the tool is.",

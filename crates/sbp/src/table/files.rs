@@ -18,8 +18,8 @@ static RUN: [ParamSpec; 11] = [
         "Scales every Z value of the file. Calls with .5, .85 and 1 cut a file in three passes.",
     ),
     ParamSpec::number("Repetitions", Kind::Whole, 1.0)
-        .within(Bound::Range(1.0, 4_294_967_295.0))
-        .about("How often the whole file runs, each time from where the tool is."),
+        .within(Bound::Range(0.0, 4_294_967_295.0))
+        .about("How often the whole file runs, each time from where the tool is; 0 as 1."),
     ParamSpec::number("Offset", Kind::OneOf(&[0, 1, 2]), 0.0).about(
         "0: locations as written. 1: the present X, Y, Z counts as 0,0,0 in the file. 2: only the \
          present X, Y; Z as written.",
@@ -132,7 +132,7 @@ fn parameters(a: &Arguments) -> FileParameters {
     let present = |index| a.flag(index).unwrap_or_default();
     FileParameters {
         proportion: std::array::from_fn(|i| a.number_or(1 + i, 1.0)),
-        repetitions: a.number_or(4, 1.0) as u32,
+        repetitions: (a.number_or(4, 1.0) as u32).max(1),
         offset: a.number_or(5, 0.0) as u8,
         plunge_mm: a.number_or(6, 0.0),
         tabs: present(7),

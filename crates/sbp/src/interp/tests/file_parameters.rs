@@ -45,7 +45,8 @@ fn sbp_file_fp_reps() {
     relative.settings.distance = kerf_program::settings::Distance::Relative;
     let host = host_with(&[("part.sbp", "MX,1")]);
     run_with("FP,part.sbp,,,,3", host, relative).ended(Status::Ok).ends_at(3.0, 0.0, 0.0);
-    for reps in ["0", "-1", "1.5"] {
+    run_files("FP,part.sbp,,,,0", &[("part.sbp", "MX,1")]).ended(Status::Ok).ends_at(1.0, 0.0, 0.0);
+    for reps in ["-1", "1.5"] {
         run_files(&format!("FP,part.sbp,,,,{reps}"), &[("part.sbp", "MX,1")])
             .fails_at(1, "repetitions");
     }
