@@ -17,6 +17,7 @@ fn sbp_lang_textfile() {
         run(&lines.join(end)).is_ok().visits(&expected);
         run(&format!("\u{feff}{}", lines.join(end))).is_ok().visits(&expected);
     }
+    run("MX,1\r\n\u{1a}\r\nMX,9\r\n").ends_at([1.0]).warns(2, "W013");
     run("MX,1\nMX,\0").fails(2, "S001").visits::<3>(&[]);
 }
 

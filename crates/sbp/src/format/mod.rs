@@ -8,7 +8,7 @@
 //! - Labels stand at column 1; other lines keep their indentation.
 //! - Names, labels, texts, expressions and numbers stay as written: `.5` stays `.5`.
 //! - A comment keeps its distance, at least one blank; blanks at line ends go.
-//! - Line ends, blank lines, G-code and lines that cannot be read stay as they are.
+//! - Line ends, blank lines, what stands behind Ctrl-Z, G-code and lines that cannot be read stay as they are.
 //!
 //! Formatting twice gives what formatting once gives, and the program means what it meant.
 
@@ -16,7 +16,7 @@ mod statement;
 #[cfg(test)]
 pub(crate) mod tests;
 
-use crate::reader::{blank, code_end};
+use crate::reader::{END_OF_FILE, blank, code_end};
 use crate::tree::{Node, Program};
 use crate::{Dialect, read_as};
 
@@ -32,6 +32,13 @@ pub fn format(text: &str) -> String {
 
 /// Formats a part file written in a dialect.
 pub fn format_as(text: &str, dialect: Dialect) -> String {
+    match text.find(END_OF_FILE) {
+        Some(end) => format_code(&text[..end], dialect) + &text[end..],
+        None => format_code(text, dialect),
+    }
+}
+
+fn format_code(text: &str, dialect: Dialect) -> String {
     let program = read_as("".into(), text.as_bytes(), dialect);
     if program.lines.is_empty() {
         return text.to_string();

@@ -40,6 +40,9 @@ pub(super) struct File {
     untold_errors: bool,
 }
 
+/// Ctrl-Z, which ends a file of DOS.
+pub(crate) const END_OF_FILE: char = '\u{1a}';
+
 impl File {
     pub(super) fn new(name: Arc<str>, dialect: Dialect) -> Self {
         Self {
@@ -69,20 +72,40 @@ impl File {
         self.lines.reserve(memchr::memchr_iter(b'\n', bytes).count() + 1);
         // A value of a move takes about eight characters, its comma included.
         self.numbers.reserve(bytes.len() / 8);
+        let stop = memchr::memchr(END_OF_FILE as u8, bytes).unwrap_or(bytes.len());
+        let last = memchr::memrchr2(b'\n', b'\r', &bytes[..stop]).map_or(0, |at| at + 1);
         let mut start = 0;
         while start < bytes.len() {
             let plain = || moves::read(bytes, start, &mut self.numbers);
-            let (node, next) = match (!self.gcode_first).then(plain).flatten() {
+            let ends = stop < bytes.len() && start >= last;
+            let (node, next) = match (!self.gcode_first && !ends).then(plain).flatten() {
                 Some((node, end)) => (node, after_line_end(bytes, end)),
                 None => {
                     let (end, next) = line_end(bytes, start);
-                    (self.line(&text[start..end]), next)
+                    let read = |file: &mut Self| file.line(&text[start..end.min(stop)]);
+                    (if start > stop { Node::Comment } else { read(self) }, next)
                 }
             };
             self.lines.push(LineNode { node, start: start as u32 });
             start = next;
         }
+        self.tell_ignored(text, stop);
         self.numbers.shrink_to_fit();
+    }
+
+    /// Warns of text behind the end-of-file sign, which is not read.
+    fn tell_ignored(&mut self, text: &str, stop: usize) {
+        let ignored = text.get(stop..).unwrap_or("");
+        if ignored.chars().all(|c| blank(c) || c.is_whitespace()) {
+            return;
+        }
+        let line = self.lines.partition_point(|line| line.start as usize <= stop);
+        let begin = line.checked_sub(1).map_or(0, |last| self.lines[last].start as usize);
+        let column = text[begin..stop].chars().count() as u32 + 1;
+        let place = Place { file: self.name.clone(), line: line as u32, column, length: 1 };
+        let message = "the file ends here with Ctrl-Z; the text behind it is not read";
+        let hint = "take the sign with the code 26 out where the text is meant";
+        self.diagnostics.push(Diagnostic::new(Code::TextAfterEnd, place, message).hint(hint));
     }
 
     fn line(&mut self, text: &str) -> Node {
@@ -157,6 +180,17 @@ impl File {
         }
     }
 
+    /// In the dialect `strict` old spellings are errors.
+    fn refuse_old_spellings(&mut self) {
+        if self.dialect != Dialect::Strict {
+            return;
+        }
+        let old = [Code::DoubtfulSpelling, Code::RepeatedLabel, Code::TextAfterEnd];
+        for diagnostic in self.diagnostics.iter_mut().filter(|d| old.contains(&d.code)) {
+            diagnostic.severity = Severity::Error;
+        }
+    }
+
     /// Everything together; jumps find their labels.
     pub(super) fn finish(mut self, text: String) -> Program {
         if self.untold > 0 {
@@ -167,6 +201,7 @@ impl File {
             let last = Diagnostic::new(Code::Syntax, place, message).severity(severity);
             self.diagnostics.push(last);
         }
+        self.refuse_old_spellings();
         self.soften_unreachable();
         Program {
             name: self.name,
@@ -263,6 +298,27 @@ fn single_blanks(written: &str) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::super::shown::{check, finds};
+
+    #[test]
+    fn ctrl_z_ends_the_file() {
+        use super::super::shown::{findings, tree};
+        let told = "W013 1:5+1 the file ends here with Ctrl-Z; the text behind it is not read";
+        for (text, last, finding) in [
+            ("MX,1⏎\u{1a}⏎MX,9", "comment", Some("W013 2:1")),
+            ("MX,1\u{1a}MX,9", "MX 1", Some(told)),
+            ("MX,1⏎GOTO A\u{1a}⏎⏎A:", "comment", Some("W013 2:7")),
+            ("MX,1⏎\u{1a}\u{1a} ⏎⏎", "comment", None),
+            ("MX,1\u{1a}", "MX 1", None),
+        ] {
+            assert_eq!(tree(text), last, "{text:?}");
+            let found = findings(text);
+            assert!(
+                finding
+                    .map_or(found.is_empty(), |start| found.iter().any(|f| f.starts_with(start))),
+                "{text:?} {found:?}"
+            );
+        }
+    }
 
     #[test]
     fn comments_and_blank_lines() {

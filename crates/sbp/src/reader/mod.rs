@@ -32,6 +32,7 @@ pub(crate) mod shown;
 mod statements;
 mod text;
 
+pub(crate) use file::END_OF_FILE;
 pub(crate) use kerf_diag::did_you_mean;
 pub(crate) use language::read_language;
 pub use language::{

@@ -148,6 +148,32 @@ fn sbp_flow_if_arrow() {
 }
 
 #[test]
+fn old_spellings_are_errors_in_the_dialect_strict() {
+    for line in [
+        "IF &a => &b THEN MX,1",
+        "IF &a == 1 THEN MX,1",
+        "GOTO A:\nA:",
+        "MSGBOX (\"now\"",
+        "&a = 3*",
+        "PRINT \"a\" &b",
+        "A:\nA:",
+        "&ALONE",
+    ] {
+        let read = |dialect| crate::read_as("t".into(), line.as_bytes(), dialect);
+        let usual = read(crate::Dialect::Sb3);
+        assert!(
+            !usual.has_errors() && usual.diagnostics.len() == 1,
+            "{line}: {:?}",
+            usual.diagnostics
+        );
+        assert!(read(crate::Dialect::Strict).has_errors(), "{line}");
+    }
+    assert!(
+        !crate::read_as("t".into(), b"IF &a >= 1 THEN MX,1", crate::Dialect::Strict).has_errors()
+    );
+}
+
+#[test]
 fn sbp_flow_if_andor() {
     run("&a=1 ⏎ &b=2 ⏎ IF (&a=1) AND (&b=2) THEN MX,1 ⏎ IF NOT (&a=2) THEN MY,1")
         .ends_at(1.0, 1.0, 0.0);
