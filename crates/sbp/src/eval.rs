@@ -5,6 +5,7 @@
 //! precision too.
 
 use crate::Value;
+use crate::arithmetic::operate;
 use crate::expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 use crate::interp::{Context, Dialect, Stop};
 use crate::tree::{NameId, Span};
@@ -70,7 +71,7 @@ impl Context<'_> {
         Ok(match value {
             Value::Empty => false,
             Value::Number(n) => n != 0.0,
-            Value::Text(_) => self.need_number(expr, &value)? != 0.0,
+            Value::Text(_) | Value::Typed(_) => self.need_number(expr, &value)? != 0.0,
         })
     }
 
@@ -142,7 +143,7 @@ impl Context<'_> {
     }
 
     fn need_number(&self, expr: &Expr, value: &Value) -> Result<f64, Stop> {
-        if let Some(n) = value.number() {
+        if let Some(n) = value.calculated() {
             return Ok(n);
         }
         Err(match (&expr.node, value) {
@@ -210,7 +211,7 @@ impl Context<'_> {
     /// FabMo's `+`: the sum of two numbers, or texts one after the other.
     fn add_or_join(&mut self, left: &Expr, right: &Expr, span: Span) -> Result<Value, Stop> {
         let (a, b) = (self.eval(left)?, self.eval(right)?);
-        let is_text = |value: &Value| matches!(value, Value::Text(_)) && value.number().is_none();
+        let is_text = |value: &Value| value.as_text().is_some() && value.calculated().is_none();
         if is_text(&a) || is_text(&b) {
             return self.bounded_text(a.display() + &b.display(), span).map(Value::text);
         }
@@ -226,25 +227,15 @@ impl Context<'_> {
         span: Span,
         divisor: Span,
     ) -> Result<Value, Stop> {
+        let result = match op {
+            BinaryOp::And => Some(join_bits(a, b, |x, y| x & y)),
+            BinaryOp::Or => Some(join_bits(a, b, |x, y| x | y)),
+            _ => operate(op, a, b),
+        };
         let zero = || {
             self.fail_at(divisor, Code::DivisionByZero, "division by zero", "the divisor is 0 here")
         };
-        let result = match op {
-            BinaryOp::Power => a.powf(b),
-            BinaryOp::Multiply => a * b,
-            BinaryOp::Divide if b == 0.0 => return Err(zero()),
-            BinaryOp::Divide => a / b,
-            // BASIC rounds both operands of \ and MOD to whole numbers first.
-            BinaryOp::IntegerDivide if b.round_ties_even() == 0.0 => return Err(zero()),
-            BinaryOp::IntegerDivide => (a.round_ties_even() / b.round_ties_even()).trunc(),
-            BinaryOp::Modulo if b.round_ties_even() == 0.0 => return Err(zero()),
-            BinaryOp::Modulo => a.round_ties_even() % b.round_ties_even(),
-            BinaryOp::Add => a + b,
-            BinaryOp::Subtract => a - b,
-            BinaryOp::And => join_bits(a, b, |x, y| x & y),
-            _ => join_bits(a, b, |x, y| x | y),
-        };
-        self.finite(result, span)
+        self.finite(result.ok_or_else(zero)?, span)
     }
 
     fn finite(&self, n: f64, span: Span) -> Result<Value, Stop> {
@@ -258,7 +249,7 @@ impl Context<'_> {
     fn compare(&mut self, op: BinaryOp, left: &Expr, right: &Expr) -> Result<Value, Stop> {
         let a = self.eval(left)?;
         let b = self.eval(right)?;
-        let order = match (a.number(), b.number()) {
+        let order = match (beside(&a, &b), beside(&b, &a)) {
             (Some(x), Some(y)) => single(x).partial_cmp(&single(y)),
             (number_a, number_b) => {
                 if number_a.is_some() != number_b.is_some() && !a.is_blank() && !b.is_blank() {
@@ -321,6 +312,11 @@ impl Context<'_> {
         };
         self.finite(result, span)
     }
+}
+
+/// A value as a number in a comparison: text that is arithmetic counts beside a number only.
+fn beside(value: &Value, other: &Value) -> Option<f64> {
+    if matches!(other, Value::Number(_)) { value.calculated() } else { value.number() }
 }
 
 /// The message and the hint where a function has no result for a value.

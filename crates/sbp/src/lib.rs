@@ -16,6 +16,7 @@
 //!
 //! The crate knows nothing of planning, machines, files or clocks.
 
+mod arithmetic;
 mod check;
 #[cfg(test)]
 mod corpus;

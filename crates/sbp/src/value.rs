@@ -14,6 +14,8 @@ pub enum Value {
     Number(f64),
     /// Text.
     Text(Arc<str>),
+    /// Text that the operator typed: where a number is needed, arithmetic in it is calculated.
+    Typed(Arc<str>),
 }
 
 impl Value {
@@ -32,7 +34,30 @@ impl Value {
         match self {
             Self::Empty => None,
             Self::Number(n) => Some(*n),
-            Self::Text(t) => parse_number(t),
+            Self::Text(t) | Self::Typed(t) => parse_number(t),
+        }
+    }
+
+    /// As a number where one is needed: also what was typed, where it is arithmetic, as `3/4`.
+    pub(crate) fn calculated(&self) -> Option<f64> {
+        let typed =
+            || if let Self::Typed(t) = self { crate::arithmetic::calculate(t) } else { None };
+        self.number().or_else(typed)
+    }
+
+    /// Its text, where it is text.
+    pub(crate) const fn as_text(&self) -> Option<&Arc<str>> {
+        match self {
+            Self::Text(t) | Self::Typed(t) => Some(t),
+            Self::Empty | Self::Number(_) => None,
+        }
+    }
+
+    /// The same as typed by the operator.
+    pub(crate) fn typed(self) -> Self {
+        match self {
+            Self::Text(t) => Self::Typed(t),
+            other => other,
         }
     }
 
@@ -41,13 +66,13 @@ impl Value {
         match self {
             Self::Empty => String::new(),
             Self::Number(n) => format_number(*n),
-            Self::Text(t) => t.to_string(),
+            Self::Text(t) | Self::Typed(t) => t.to_string(),
         }
     }
 
     /// True for nothing and for empty text.
     pub fn is_blank(&self) -> bool {
-        matches!(self, Self::Empty) || matches!(self, Self::Text(t) if t.is_empty())
+        matches!(self, Self::Empty) || self.as_text().is_some_and(|text| text.is_empty())
     }
 
     /// As it is kept in a variable: numbers are rounded to single precision.

@@ -74,6 +74,16 @@ fn sbp_io_input_default() {
         .asks(&["Displaying default value - "]);
 }
 
+#[test]
+fn arithmetic_that_is_typed_into_input_is_calculated_where_a_number_is_needed() {
+    let asks = "INPUT \"How deep?\" &d ⏎ MZ,-&d ⏎ IF &d > .5 THEN MX,&d*2 ⏎ MY,&d ⏎ PRINT &d";
+    sbp(asks).answers(&["3/4"]).run().ends_at([1.5, 0.75, -0.75]).prints(&["3/4"]);
+    sbp(asks).answers(&["12+11/16"]).run().ends_at([25.375, 12.6875, -12.6875]);
+    sbp("INPUT \"X, Y\" &x, &y ⏎ M2,&x,&y").answers(&["1/4, (1+2)/4"]).run().ends_at([0.25, 0.75]);
+    sbp("INPUT \"How deep?\" &d ⏎ MZ,&d").answers(&["3/4 in"]).run().fails(2, "R002");
+    sbp("INPUT \"Date?\" &d ⏎ PRINT &d").answers(&["3/4/2026"]).run().prints(&["3/4/2026"]);
+}
+
 /// The first question: its buttons, and its default.
 fn buttons(run: &Run) -> (Vec<String>, String) {
     let ask = run.events("ask").next().expect("a question");

@@ -62,10 +62,8 @@ impl<'a> Arguments<'a> {
 
     /// Text.
     pub fn text(&self, index: usize) -> Option<Arc<str>> {
-        match self.value(index)? {
-            Value::Text(t) => Some(t.clone()),
-            other => Some(other.display().into()),
-        }
+        let value = self.value(index)?;
+        Some(value.as_text().cloned().unwrap_or_else(|| value.display().into()))
     }
 
     /// An axis.
@@ -160,7 +158,7 @@ fn given(c: &Context<'_>, param: &ParamSpec, value: Value, span: Span) -> Result
 }
 
 fn plain(c: &Context<'_>, param: &ParamSpec, value: &Value, span: Span) -> Result<f64, Stop> {
-    let number = value.number().filter(|n| n.is_finite());
+    let number = value.calculated().filter(|n| n.is_finite());
     number.ok_or_else(|| {
         let message =
             format!("{} must be a number, not '{}'", param.name.to_lowercase(), value.display());

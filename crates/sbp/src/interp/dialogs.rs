@@ -21,12 +21,12 @@ impl Context<'_> {
     /// One variable takes all that was typed; several take fields between commas.
     fn typed_values(&mut self, typed: &str, wanted: usize) -> Result<Vec<Value>, Stop> {
         if wanted <= 1 {
-            return Ok(vec![fields::value(typed)]);
+            return Ok(vec![fields::value(typed).typed()]);
         }
         if typed.trim().is_empty() {
             return Err(self.terminated());
         }
-        let values = fields::split(typed);
+        let values: Vec<Value> = fields::split(typed).into_iter().map(Value::typed).collect();
         if values.len() < wanted || values.iter().take(wanted).any(Value::is_blank) {
             let message = format!("expected {wanted} values, got '{typed}'");
             let hint = "type the values with commas between them";

@@ -42,7 +42,7 @@ impl Context<'_> {
         };
         let prefill = self.variable(name).map(Value::display).unwrap_or_default();
         let typed = self.typed(&Question { title, ..self.entry(text, prefill) })?;
-        self.set_variable(name, fields::value(&typed));
+        self.set_variable(name, fields::value(&typed).typed());
         Ok(())
     }
 
