@@ -99,6 +99,9 @@ pub(crate) struct Level {
     pub(crate) next: u32,
     /// Lines to return to, innermost last.
     pub(crate) gosubs: Vec<u32>,
+    /// A GOTO was carried out while a GOSUB was open: it may have left it for good.
+    #[serde(default)]
+    pub(crate) gosub_left: bool,
     /// Proportions of this file and of all that called it.
     pub(crate) proportion: [f64; 3],
     /// Temporary zero, working location in mm.

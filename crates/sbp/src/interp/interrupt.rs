@@ -112,6 +112,7 @@ impl Context<'_> {
         self.core.levels.push(Level {
             next: line,
             gosubs: Vec::new(),
+            gosub_left: false,
             repetitions_left: 0,
             start_z: None,
             skip_to: None,

@@ -110,6 +110,7 @@ impl Context<'_> {
             file,
             next: 0,
             gosubs: Vec::new(),
+            gosub_left: false,
             proportion: std::array::from_fn(|i| proportion[i] * parameters.proportion[i]),
             offset,
             parameters,

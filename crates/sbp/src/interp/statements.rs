@@ -12,6 +12,8 @@ use std::sync::Arc;
 
 /// GOSUBs within each other at most, in one file.
 const MOST_GOSUBS: usize = 10_000;
+/// The oldest GOSUBs that are forgotten then, where programs leave them by GOTO and never return.
+const FORGOTTEN_GOSUBS: usize = 1_000;
 
 impl Context<'_> {
     /// Executes a statement.
@@ -122,6 +124,7 @@ impl Context<'_> {
         let line = self.label_line(target)?;
         if let Some(level) = self.core.levels.last_mut() {
             level.next = line;
+            level.gosub_left |= !level.gosubs.is_empty();
         }
         Ok(())
     }
@@ -146,8 +149,11 @@ impl Context<'_> {
 
     /// Goes to a line of the innermost file; RETURN comes back to the one that would be next.
     pub(super) fn call_sub(&mut self, line: u32) -> Result<(), Stop> {
-        let deep = self.core.level().is_some_and(|l| l.gosubs.len() >= MOST_GOSUBS);
-        if deep {
+        let Some(level) = self.core.levels.last_mut() else { return Ok(()) };
+        let deep = level.gosubs.len() >= MOST_GOSUBS;
+        if deep && level.gosub_left {
+            level.gosubs.drain(..FORGOTTEN_GOSUBS);
+        } else if deep {
             let message = format!("GOSUB nested deeper than {MOST_GOSUBS}");
             return Err(self.fail(Code::NestedTooDeep, message));
         }

@@ -76,6 +76,9 @@ fn sbp_flow_gosub_nested() {
     let deep = "&n=0 ⏎ GOSUB A ⏎ MX,&n ⏎ END ⏎ A: ⏎ &n=&n+1 ⏎ IF &n<150 THEN GOSUB A ⏎ RETURN";
     run(deep).ended(Status::Ok).ends_at(150.0, 0.0, 0.0);
     run("A: ⏎ GOSUB A").fails_with("GOSUB nested deeper than 10000");
+    let left =
+        "&n=0 ⏎ A: ⏎ &n=&n+1 ⏎ GOSUB B ⏎ END ⏎ B: ⏎ IF &n<30000 THEN GOTO A ⏎ MX,&n ⏎ RETURN";
+    run(left).ended(Status::Ok).ends_at(30000.0, 0.0, 0.0);
 }
 
 #[test]
