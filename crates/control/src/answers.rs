@@ -210,6 +210,54 @@ pub fn is_word(words: &str) -> bool {
     Word::read(words).is_some() || Jog::read(words).is_some()
 }
 
+/// What comes of an answer to a machine that waits for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// A value is filled in, or No is said: the program sees to the rest.
+    Value,
+    /// What asks, or the whole run, is given up.
+    Ends,
+    /// The machine goes on.
+    GoesOn,
+    /// The tool is moved by hand.
+    Moves,
+}
+
+/// Tells what comes of words as the answer to a question of a kind. Words of which nothing is known go on.
+pub fn effect(kind: QuestionKind, words: &str) -> Effect {
+    if Jog::read(words).is_some() || Nudge::read(words).is_some() {
+        return if takes_text(kind) { Effect::Value } else { Effect::Moves };
+    }
+    if kind == QuestionKind::Paused {
+        return effect_on_job(words);
+    }
+    match Button::ALL.into_iter().find(|button| button.word().eq_ignore_ascii_case(words.trim())) {
+        Some(Button::Cancel | Button::Quit | Button::End | Button::Abort) => Effect::Ends,
+        Some(Button::No) => Effect::Value,
+        _ if takes_text(kind) => Effect::Value,
+        _ if words == KEY => Effect::Moves,
+        _ => Effect::GoesOn,
+    }
+}
+
+/// The same for a job that waits.
+fn effect_on_job(words: &str) -> Effect {
+    match Word::read(words) {
+        Some(Word::Abort) => Effect::Ends,
+        Some(Word::Move(..)) => Effect::Moves,
+        Some(
+            Word::CutSpeed(_)
+            | Word::PlungeSpeed(_)
+            | Word::AdjustBottom(_)
+            | Word::AdjustHeight(_)
+            | Word::Raise(_),
+        ) => Effect::Value,
+        Some(Word::Continue | Word::Shape(_) | Word::Next | Word::Previous) | None => {
+            Effect::GoesOn
+        }
+    }
+}
+
 /// What ENTER alone answers.
 pub fn default_answer(question: &Question) -> Answer {
     if takes_text(question.kind) {

@@ -11,7 +11,7 @@
 //! - One thread owns the machine ([`machine`]). It runs one thing after the other; what pages want of
 //!   a run that goes on reaches it through a [`Link`](machine::Link), which it looks at several times
 //!   between two pictures.
-//! - Who may do what, and when, is one list in [`acts`]. Who is let in at all is decided in `http::guard`.
+//! - Who may do what, and when, is one list in [`gate`]. Who is let in at all is decided in `http::guard`.
 //! - Previews are runs on copies ([`preview`]); files lie in the part folder and nowhere else
 //!   ([`files`]).
 
@@ -24,6 +24,7 @@ mod desk;
 mod digitized;
 mod draft;
 mod files;
+mod gate;
 mod handconsole;
 mod http;
 mod hub;
@@ -186,6 +187,7 @@ fn machine_and_app(
         let workshop = match build() {
             Ok(mut workshop) => {
                 workshop.shelf.reached_at(&url);
+                workshop.shelf.asks_for_spindle_anew();
                 owned.0.keep(ProblemLog::begin(&data, workshop.started));
                 workshop
             }
@@ -193,7 +195,7 @@ fn machine_and_app(
         };
         let ((hub, link, left), done) = (owned, Box::new(done));
         let mut owner =
-            Owner { hub, link, workshop, parts, left, rate, done, closing, asked: 0, run: 0 };
+            Owner { hub, link, workshop, parts, left, rate, done, closing, asked: 0, run: 0, looked: None };
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

@@ -3,7 +3,7 @@
 use super::board::{Board, Planned};
 use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
-use super::link::Link;
+use super::link::{Link, Stops};
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
@@ -142,6 +142,8 @@ pub struct Owner {
     pub asked: u32,
     /// Runs so far.
     pub run: u32,
+    /// Stops that had come when it was looked last for a command that was passed in.
+    pub looked: Option<Stops>,
 }
 
 impl Owner {
