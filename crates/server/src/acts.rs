@@ -10,7 +10,7 @@ use crate::shop;
 use kerf_control::{Jog, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Asked, Change, Lease, Machine, Overrides, Problem, StartUp, State, Who, Why,
+    Act, Asked, Change, Lease, Machine, Overrides, Problem, StartUp, State, Tone, Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -31,6 +31,7 @@ impl App {
     pub fn act(self: &Arc<Self>, asker: &Asker, act: Act) -> Done {
         let who = &asker.who;
         self.gate(who, Way::Act(&act))?;
+        self.hears_driver(who);
         match act {
             Act::Ping => {}
             Act::Stop => self.link.stop(),
@@ -92,6 +93,16 @@ impl App {
         self.hub.read(|now| now.machine.state)
     }
 
+    /// Carries out what the start-up line says, for whoever started Kerf here.
+    pub fn start_up(&self) {
+        let who = Who::default();
+        for line in &self.options.begin_with {
+            let order = Order::Command { line: line.clone(), opened: false };
+            let sent = self.gate(&who, Way::StartUp).and_then(|()| self.send(order));
+            sent.unwrap_or_else(|why| self.hub.say(Tone::Error, why.text));
+        }
+    }
+
     /// Nothing begins any more, and what has begun is stopped.
     fn disarm(&self, why: &str) {
         self.hub.changing(|now| {
@@ -134,6 +145,7 @@ impl App {
                 None => {}
             }
             let (number, device) = (self.next_lease(), who.device.clone());
+            self.turn.heard();
             let lease = Some(Lease { number, client: who.client, device });
             // Whoever drives now has not armed it.
             let armed = now.machine.armed && now.lease.is_none();
@@ -155,7 +167,7 @@ impl App {
     }
 
     /// Nobody drives any more: nothing moves before somebody arms the machine again. A job goes on.
-    fn drop_lease(&self, is_it: impl FnOnce(&Lease) -> bool, why: &str) {
+    pub fn drop_lease(&self, is_it: impl FnOnce(&Lease) -> bool, why: &str) {
         self.hub.changing(|now| {
             if !now.lease.as_ref().is_some_and(is_it) {
                 return Vec::new();

@@ -75,6 +75,9 @@ impl App {
             if begun.is_ok() { vec![Change::Machine { machine }] } else { Vec::new() }
         });
         begun?;
+        if asker.is_some() {
+            self.turn.begins(self.hub.read(|now| now.lease.as_ref().map_or(0, |it| it.number)));
+        }
         self.send(order)
     }
 
@@ -132,81 +135,14 @@ fn stopped() -> Problem {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::app::Parts;
+    use crate::bench::{Bench, bench};
     use crate::handconsole::Happening;
-    use crate::hub::Hub;
-    use crate::machine::{Link, Planned};
-    use crate::setup::{Builders, Options};
+    use crate::machine::Planned;
     use kerf_machine::{Configuration, Errand, Keypad};
     use kerf_program::AXES;
     use kerf_sbp::FileParameters;
-    use kerf_wire::{Act, Role};
-    use std::sync::Arc;
-    use std::sync::mpsc::{Receiver, Sender, channel};
-    use tempfile::TempDir;
-
-    /// Pages of a machine that takes orders and does nothing.
-    struct Bench {
-        app: Arc<App>,
-        orders: Receiver<Order>,
-        /// Drives; the machine is armed.
-        driver: Who,
-        other: Who,
-        _folder: TempDir,
-    }
-
-    fn bench() -> Bench {
-        let folder = tempfile::tempdir().unwrap();
-        let (sender, orders) = channel();
-        let nothing = || std::io::Error::other("none");
-        let builders = Builders {
-            workshop: Arc::new(move || Err(nothing())),
-            preview: Arc::new(move || Err(nothing())),
-        };
-        let hub = Arc::new(Hub::new(Snapshot::default()));
-        let (link, left) = (Arc::<Link>::default(), Arc::default());
-        let parts = Parts { hub, link, orders: sender, left, builders };
-        let app = Arc::new(App::new(options(&folder), parts).unwrap());
-        let [driver, other] = [(); 2].map(|()| app.pages.add(Role::Owner, String::new(), Some(0)));
-        let bench = Bench { app, orders, driver, other, _folder: folder };
-        bench.does(&bench.driver, Act::TakeLease { force: false });
-        bench.arms();
-        bench
-    }
-
-    fn options(folder: &TempDir) -> Options {
-        Options {
-            listen: ([127, 0, 0, 1], 0).into(),
-            lan: false,
-            names: Vec::new(),
-            parts: folder.path().into(),
-            data: folder.path().join("data"),
-            drawing_only: false,
-            open: None,
-            start: None,
-            begin_with: Vec::new(),
-            closes_with_program: false,
-            rate: 1.0,
-        }
-    }
-
-    impl Bench {
-        fn does(&self, who: &Who, act: Act) {
-            self.app.act(&self.app.hears(who), act).unwrap();
-        }
-
-        fn lease(&self) -> u32 {
-            self.app.hub.read(|now| now.lease.as_ref().unwrap().number)
-        }
-
-        fn arms(&self) {
-            self.does(&self.driver, Act::Arm { lease: self.lease() });
-        }
-
-        fn ordered(&self) -> bool {
-            self.orders.try_recv().is_ok()
-        }
-    }
+    use kerf_wire::Act;
+    use std::sync::mpsc::{Sender, channel};
 
     fn command() -> Order {
         Order::Command { line: "MX,1".into(), opened: false }

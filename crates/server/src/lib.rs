@@ -19,6 +19,9 @@ mod acts;
 mod added;
 mod app;
 mod asker;
+#[cfg(test)]
+mod bench;
+mod clock;
 mod configure;
 mod desk;
 mod digitized;
@@ -40,6 +43,7 @@ mod protect;
 mod setup;
 mod shop;
 mod told;
+mod turn;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
@@ -101,9 +105,8 @@ impl Server {
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }
-        for line in &app.options.begin_with {
-            drop(app.send(Order::Command { line: line.clone(), opened: false }));
-        }
+        app.start_up();
+        runtime.spawn(turn::watch(Arc::downgrade(&app)));
         let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
         runtime.spawn(async move { axum::serve(listener, service).await });
         let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));

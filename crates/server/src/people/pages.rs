@@ -18,7 +18,7 @@ pub const fn script(device: u32) -> u32 {
 
 /// Whether a driver is a script.
 pub const fn is_script(client: u32) -> bool {
-    client > SCRIPTS - MOST_DEVICES
+    client >= SCRIPTS - MOST_DEVICES
 }
 
 /// The pages that are connected, by their numbers.
@@ -59,6 +59,14 @@ impl Pages {
             return Some(SCRIPTS - client);
         }
         lock(&self.inner).pages.get(&client)?.number
+    }
+
+    /// Everybody of a device: its pages, and its scripts.
+    pub fn of_device(&self, device: u32) -> impl Iterator<Item = u32> {
+        let inner = lock(&self.inner);
+        let own = inner.pages.iter().filter(|(_, page)| page.number == Some(device));
+        let pages: Vec<u32> = own.map(|(client, _)| *client).collect();
+        pages.into_iter().chain([script(device)])
     }
 
     /// A page has gone.
@@ -108,5 +116,17 @@ mod tests {
         assert!(!pages.may_start(client, 2));
         assert!(pages.may_start(client, 3));
         assert!(!pages.may_start(client + 1, 1), "nobody");
+    }
+
+    #[test]
+    fn pages_and_scripts_belong_to_their_device() {
+        let pages = Pages::default();
+        let [first, other] =
+            [7, 8].map(|device| pages.add(Role::Owner, String::new(), Some(device)).client);
+        let console = pages.add(Role::Setter, String::new(), None).client;
+        assert_eq!(pages.of_device(7).collect::<Vec<_>>(), [first, script(7)]);
+        assert_eq!([first, other, console].map(|it| pages.device_of(it)), [Some(7), Some(8), None]);
+        assert_eq!([script(0), script(7)].map(|it| pages.device_of(it)), [Some(0), Some(7)]);
+        assert!(is_script(script(0)) && is_script(script(40)) && !is_script(first));
     }
 }
