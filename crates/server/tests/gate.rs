@@ -114,6 +114,108 @@ fn an_answer_that_arrived_before_a_disarm_does_not_go_on() {
     assert_eq!(at(&page), before);
 }
 
+/// What came of writing a value of the registry, over the network.
+fn put(shop: &Shop, key: &str, value: &str) -> (u16, Value) {
+    let answer = shop.ask(&format!("PUT /api/registry/{key}"), &[], value.as_bytes());
+    (answer.status, answer.json()["text"].clone())
+}
+
+/// The machine is left, and Kerf starts anew: after a SIGKILL the journal is as it was at that moment.
+fn started_anew(shop: Shop) -> Shop {
+    let Shop { server, dir } = shop;
+    drop(server);
+    support::kept(dir)
+}
+
+#[test]
+fn what_the_machine_says_of_itself_is_written_by_nobody_else() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    let facts = ["SpindleStatus", "PositionLost", "ConfirmLocation", "SimulatedSwitches", "Status"];
+    for key in facts.into_iter().chain(["Editor", "uPartFile", "Recorded", "ControllerLeft"]) {
+        for value in ["1", ""] {
+            let (status, text) = put(&shop, key, value);
+            assert_eq!(status, 400, "{key}={value}");
+            assert!(text.as_str().unwrap().contains("Kerf alone writes"), "{key}: {text}");
+        }
+    }
+    // Nor by the file that other programs write.
+    let data = shop.dir.path().join("data");
+    let lines = facts.map(|key| format!("{key}=1\n")).concat() + "Mine=1\n";
+    std::fs::write(data.join("new"), lines).unwrap();
+    std::fs::rename(data.join("new"), data.join("registry.in")).unwrap();
+    let value = |key: &str| shop.get(&format!("/api/registry/{key}"));
+    let mut page = shop.page();
+    page.until("what was written", |_| value("Mine").status == 200);
+    assert_eq!(value("SpindleStatus").body, b"0");
+    assert_eq!([value("PositionLost").status, value("ConfirmLocation").status], [404, 404]);
+    for key in ["uValue", "uValueClrd", "Mine", "%24mine"] {
+        assert_eq!(put(&shop, key, "1").0, 200, "{key}");
+    }
+}
+
+#[test]
+fn the_question_of_the_spindle_is_asked_anew_after_every_start() {
+    let shop = support::kept(tempfile::tempdir().unwrap());
+    let mut page = shop.driver();
+    let spindle = json!({ "do": "command", "lease": page.lease, "line": "SO,1,1" });
+    assert_eq!(page.act(spindle), None);
+    let question = page.asked("spindle");
+    assert_eq!(page.act(answer(question, "OK")), None);
+    page.until("the spindle", |page| page.shown["io"]["outputs"][0]["on"] == true);
+    page.until_state("idle");
+    assert_eq!(shop.get("/api/registry/SpindleStatus").body, b"1");
+    let shop = started_anew(shop);
+    assert_eq!(shop.get("/api/registry/SpindleStatus").body, b"0");
+    let mut page = shop.driver();
+    let spindle = json!({ "do": "command", "lease": page.lease, "line": "SO,1,1" });
+    assert_eq!(page.act(spindle), None);
+    page.asked("spindle");
+    assert_eq!(page.shown["io"]["outputs"][0]["on"], false);
+}
+
+/// Outputs 1 and 7 are on, whatever follows switches them off, or not.
+fn rests(stays_on: bool, ends: impl Fn(&mut Page, &Shop)) {
+    let shop = shop(20.0, &[]);
+    let mut page = shop.driver();
+    page.command("SetSpindleStatus 1\nSO,1,1\nSO,7,1");
+    page.set("misc.outputs_stay_on", if stays_on { "true" } else { "false" });
+    let mut watcher = shop.page();
+    let on = |page: &Page| [0, 6].map(|n| page.shown["io"]["outputs"][n]["on"] == true);
+    assert_eq!(on(&watcher), [true; 2]);
+    assert_eq!(watcher.shown["setup"]["outputsStayOn"], stays_on);
+    ends(&mut page, &shop);
+    drop(page);
+    if stays_on {
+        thread::sleep(Duration::from_millis(400));
+        assert_eq!(on(&shop.page()), [true; 2]);
+    } else {
+        watcher.until("outputs off", |page| on(page) == [false; 2]);
+        watcher.until_state("idle");
+    }
+}
+
+#[test]
+fn a_machine_that_stands_and_is_stopped_disarmed_or_left_switches_off() {
+    rests(false, |page, _| assert_eq!(page.act(json!({ "do": "disarm" })), None));
+    rests(false, |page, _| {
+        let lease = page.lease;
+        assert_eq!(page.act(json!({ "do": "giveLease", "lease": lease })), None);
+    });
+    rests(false, |_, _| ());
+    rests(true, |page, shop| {
+        assert_eq!(page.act(json!({ "do": "stop" })), None);
+        assert_eq!(shop.page().act(json!({ "do": "disarm" })), None);
+    });
+    // The stop of another page, while this one goes on driving.
+    rests(false, |page, shop| {
+        assert_eq!(shop.page().act(json!({ "do": "stop" })), None);
+        page.until("outputs off", |page| page.shown["io"]["outputs"][6]["on"] == false);
+        assert_eq!(page.shown["machine"]["armed"], true);
+        page.command("SO,7,1");
+        page.until("the next", |page| page.shown["io"]["outputs"][6]["on"] == true);
+    });
+}
+
 #[test]
 fn a_workpiece_is_nudged_while_the_question_after_a_stop_is_open() {
     let shop = start(Wanted { files: vec![("cut.sbp", "MS,2,2\nMX,20\n")], ..Wanted::default() });

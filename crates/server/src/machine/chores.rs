@@ -95,6 +95,20 @@ impl Owner {
         !presses.is_empty()
     }
 
+    /// The machine stands and was stopped, or nobody has armed it: what a stop switches off is off.
+    pub(super) fn stop_at_rest(&mut self) {
+        let stopped = self.hub.read(|now| {
+            let stands = matches!(now.machine.state, State::Idle | State::Alarm);
+            let stopped = self.link.lock().hear_stop_at_rest(stands);
+            stopped || stands && !now.machine.armed
+        });
+        let Workshop { session, shelf, .. } = &mut self.workshop;
+        if stopped && session.stop_at_rest(shelf) {
+            self.settle(Machine::clone);
+            self.hub.say(Tone::Note, "outputs are off: the machine was stopped or disarmed");
+        }
+    }
+
     /// Chooses the part folder.
     pub(super) fn enter(&mut self, path: &Path, mask: Option<&str>) {
         let shelf = &mut self.workshop.shelf;

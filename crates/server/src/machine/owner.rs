@@ -174,14 +174,20 @@ impl Owner {
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
             let order = match orders.recv_timeout(LOOK) {
-                Ok(order) => order,
-                Err(RecvTimeoutError::Timeout) => match self.passed_in() {
-                    Some(line) => Order::Command { line, opened: false },
-                    None => {
-                        self.catch_up();
-                        continue;
+                Ok(order) => {
+                    self.stop_at_rest();
+                    order
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    self.stop_at_rest();
+                    match self.passed_in() {
+                        Some(line) => Order::Command { line, opened: false },
+                        None => {
+                            self.catch_up();
+                            continue;
+                        }
                     }
-                },
+                }
                 Err(RecvTimeoutError::Disconnected) => break,
             };
             let moved = self.move_switches();
