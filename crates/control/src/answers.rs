@@ -360,6 +360,44 @@ mod tests {
     }
 
     #[test]
+    fn what_comes_of_an_answer() {
+        use Effect::{Ends, GoesOn, Moves, Value};
+        use QuestionKind as K;
+        let check = |kind, words: &str, expected| {
+            assert_eq!(effect(kind, words), expected, "{kind:?} {words}")
+        };
+        for kind in KINDS.into_iter().filter(|kind| *kind != K::Input) {
+            check(kind, "jog 0,400,0,0,0,0 1", Moves);
+            check(kind, "nudge x 1", Moves);
+            check(kind, "Quit", Ends);
+            check(kind, "cancel ", Ends);
+            check(kind, "ok", GoesOn);
+            check(kind, "Resume", GoesOn);
+            check(kind, "perhaps", GoesOn);
+        }
+        for words in ["3", "jog 0,400,0,0,0,0 1", "OK", "No", ""] {
+            check(K::Input, words, Value);
+        }
+        check(K::Input, "Cancel", Ends);
+        check(K::Msgbox, "No", Value);
+        check(K::Msgbox, "Yes", GoesOn);
+        check(K::Limit, "End", Ends);
+        check(K::Limit, "Continue", GoesOn);
+        check(K::Keypad, KEY, Moves);
+        for words in ["Step", "Run", "12", "12 settings"] {
+            check(K::Step, words, GoesOn);
+        }
+        for words in ["continue", "next", "previous", "+", "-", "3"] {
+            check(K::Paused, words, GoesOn);
+        }
+        for words in ["cut 3000", "plunge 600", "zbottom -0.5", "height 0.1", "raise yes"] {
+            check(K::Paused, words, Value);
+        }
+        check(K::Paused, "move y 200", Moves);
+        check(K::Paused, "abort", Ends);
+    }
+
+    #[test]
     fn words_that_only_look_like_a_line_or_a_kind_are_answers() {
         let mut answers = Answers::read("a:b\nx=1\n\n3, 4");
         let input = question(QuestionKind::Input, &[]);

@@ -5,9 +5,7 @@ use crate::journal::{Journal, JournalError, Live};
 use crate::part_log::LAST_SHAPE;
 use crate::stopping::CONFIRM;
 use crate::switches::SWITCHES;
-use kerf_sbp::{
-    EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS,
-};
+use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS};
 use std::collections::BTreeMap;
 
 /// Keys under which the machine says what is so: nobody else writes them.

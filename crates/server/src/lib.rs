@@ -197,8 +197,19 @@ fn machine_and_app(
             Err(error) => return drop(ready.send(Err(error))),
         };
         let ((hub, link, left), done) = (owned, Box::new(done));
-        let mut owner =
-            Owner { hub, link, workshop, parts, left, rate, done, closing, asked: 0, run: 0, looked: None };
+        let mut owner = Owner {
+            hub,
+            link,
+            workshop,
+            parts,
+            left,
+            rate,
+            done,
+            closing,
+            asked: 0,
+            run: 0,
+            looked: None,
+        };
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

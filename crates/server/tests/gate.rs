@@ -178,7 +178,9 @@ fn rests(stays_on: bool, ends: impl Fn(&mut Page, &Shop)) {
     let shop = shop(20.0, &[]);
     let mut page = shop.driver();
     page.command("SetSpindleStatus 1\nSO,1,1\nSO,7,1");
-    page.set("misc.outputs_stay_on", if stays_on { "true" } else { "false" });
+    if stays_on {
+        page.set("misc.outputs_stay_on", "true");
+    }
     let mut watcher = shop.page();
     let on = |page: &Page| [0, 6].map(|n| page.shown["io"]["outputs"][n]["on"] == true);
     assert_eq!(on(&watcher), [true; 2]);

@@ -316,8 +316,12 @@ fn sbp_ctl_reg_ucommand__in_the_server() {
     std::fs::write(data.join("new"), "uCommand=MX,3\n").unwrap();
     std::fs::rename(data.join("new"), data.join("registry.in")).unwrap();
     page.until("the move", |page| (page.x() - 76.2).abs() < 1e-6);
-    let told = |text: &'static str| move |page: &Page| page.shown["messages"].to_string().contains(text);
-    page.until("who passed it in", told("passed in by a program on this computer (uCommand): MX,3"));
+    let told =
+        |text: &'static str| move |page: &Page| page.shown["messages"].to_string().contains(text);
+    page.until(
+        "who passed it in",
+        told("passed in by a program on this computer (uCommand): MX,3"),
+    );
     assert_eq!(put("QQ,1"), (422, "mistake".into()));
     page.until_state("idle");
     std::fs::write(data.join("new"), "uCommand=QQ,1\n").unwrap();

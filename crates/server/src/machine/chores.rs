@@ -21,7 +21,7 @@ impl Owner {
     /// A command that other software passed in (`uCommand`), when it may be carried out now. It is
     /// taken away in any case: one that was left would surprise whoever arms the machine.
     pub(super) fn passed_in(&mut self) -> Option<String> {
-        // It came since the last look: a stop that came since then came behind it, for all anybody knows.
+        // It came since it was not there: a stop since then came behind it, for all anybody knows.
         let stops = self.link.stops();
         let arrived = self.looked.replace(stops).unwrap_or(stops);
         let journal = self.workshop.shelf.journal()?;
@@ -43,6 +43,21 @@ impl Owner {
         session.log_refused_command(shelf, &told);
         self.hub.say(Tone::Warning, format!("{}: {told}", command_passing::COMMAND));
         None
+    }
+
+    /// What is passed in from here on, and is found when something else is over, came behind every stop until now.
+    pub(super) fn look_for_passed_in(&mut self) {
+        let stops = self.link.stops();
+        let journal = self.workshop.shelf.journal();
+        let nothing = |journal: &Journal| {
+            journal
+                .take_in()
+                .and_then(|()| journal.value(command_passing::COMMAND))
+                .is_ok_and(|it| it.is_none())
+        };
+        if journal.is_some_and(nothing) {
+            self.looked = Some(stops);
+        }
     }
 
     /// Another Kerf may have had the machine: it stands elsewhere, and whoever armed it here looks first.

@@ -176,6 +176,7 @@ impl Owner {
             let order = match orders.recv_timeout(LOOK) {
                 Ok(order) => {
                     self.stop_at_rest();
+                    self.look_for_passed_in();
                     order
                 }
                 Err(RecvTimeoutError::Timeout) => {

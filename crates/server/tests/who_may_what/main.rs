@@ -35,6 +35,9 @@ fn what_the_book_says_of_who_may_what_is_so() {
     }
     let said = std::fs::read_to_string(page()).unwrap_or_default();
     let differs: Vec<_> = now.lines().filter(|line| !said.lines().any(|it| it == *line)).collect();
-    assert!(differs.is_empty() && said == now, "{WRITES}=1 writes the page; it differs in {differs:#?}");
+    assert!(
+        differs.is_empty() && said == now,
+        "{WRITES}=1 writes the page; it differs in {differs:#?}"
+    );
     table::check(&parts);
 }

@@ -129,7 +129,10 @@ fn answers() -> Vec<Row> {
 
 fn values() -> Vec<Row> {
     let row = |key, value| Row {
-        name: format!("value `{key}`{}", if value == "x" { String::new() } else { format!(" = {value}") }),
+        name: format!(
+            "value `{key}`{}",
+            if value == "x" { String::new() } else { format!(" = {value}") }
+        ),
         asks: Asks::Value { key, value },
     };
     vec![

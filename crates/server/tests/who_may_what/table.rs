@@ -51,7 +51,11 @@ fn cell(told: &[(char, String)]) -> String {
     }
     match words.as_slice() {
         [(word, _)] => (*word).to_owned(),
-        words => words.iter().map(|(word, in_states)| format!("{word} {in_states}")).collect::<Vec<_>>().join(", "),
+        words => words
+            .iter()
+            .map(|(word, in_states)| format!("{word} {in_states}"))
+            .collect::<Vec<_>>()
+            .join(", "),
     }
 }
 
@@ -85,8 +89,14 @@ pub fn page(parts: &[(&str, Vec<Line>)]) -> String {
 }
 
 /// Acts that anybody paired may do, in every state.
-const STOPS: [&str; 6] =
-    ["act `ping`", "act `stop`", "act `hold`", "act `disarm`", "act `jogStop`", "act `key` P (Stop)"];
+const STOPS: [&str; 6] = [
+    "act `ping`",
+    "act `stop`",
+    "act `hold`",
+    "act `disarm`",
+    "act `jogStop`",
+    "act `key` P (Stop)",
+];
 
 /// What moves the machine, or makes it go on.
 const MOVES: [&str; 17] = [

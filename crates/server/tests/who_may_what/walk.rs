@@ -137,7 +137,10 @@ impl Walk {
             0..35 => {
                 let line = *self.chance.one(&LINES);
                 let sets = if line.starts_with("VS") { " with a V command" } else { "" };
-                (format!("act `command`{sets}"), json!({ "do": "command", "line": line, "lease": 0 }))
+                (
+                    format!("act `command`{sets}"),
+                    json!({ "do": "command", "line": line, "lease": 0 }),
+                )
             }
             35..45 => ("act `arm`".into(), json!({ "do": "arm", "lease": 0 })),
             45..50 => {
@@ -162,7 +165,9 @@ impl Walk {
     fn line_of_answer(&self, shown: &Value, words: &str) -> String {
         let kind = shown["asked"]["kind"].as_str().unwrap_or_default();
         let to = match kind {
-            "input" => return format!("answer `{}` to INPUT", if words == "Cancel" { words } else { "0" }),
+            "input" => {
+                return format!("answer `{}` to INPUT", if words == "Cancel" { words } else { "0" });
+            }
             "hold" => "after a stop",
             "spindle" => "to the spindle's question",
             "keypad" => "to the keypad",
@@ -222,7 +227,8 @@ impl Walk {
 
 /// Whether something that whoever drives asks for may move the machine.
 fn may_move(name: &str) -> bool {
-    let acts = ["run", "takeUp", "resume", "command", "jogStart", "jogRenew", "nudge", "key", "input"];
+    let acts =
+        ["run", "takeUp", "resume", "command", "jogStart", "jogRenew", "nudge", "key", "input"];
     name.starts_with("answer ") || acts.iter().any(|act| name.starts_with(&format!("act `{act}`")))
 }
 

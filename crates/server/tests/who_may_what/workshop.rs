@@ -230,9 +230,11 @@ impl Workshop {
         };
         let page = &mut self.drivers[driver].page;
         let begun = Instant::now();
+        let mut last = None;
         while !is_so(page, doing, kind) {
-            assert!(begun.elapsed() < PATIENCE, "{doing:?}, {kind}: {:#}", page.shown);
-            step_towards(page, doing, kind, program);
+            let late = begun.elapsed() > PATIENCE;
+            assert!(!late, "{doing:?}, {kind}, {last:?}: {:#}", page.shown["machine"]);
+            last = step_towards(page, doing, kind, program).or(last);
             page.read();
         }
     }
@@ -262,7 +264,7 @@ fn is_so(page: &mut Page, doing: Doing, kind: &str) -> bool {
 }
 
 /// Does one thing by which the machine comes nearer to a state.
-fn step_towards(page: &mut Page, doing: Doing, kind: &str, program: &str) {
+fn step_towards(page: &mut Page, doing: Doing, kind: &str, program: &str) -> Option<String> {
     let (state, armed) = (page.shown["machine"]["state"].clone(), &page.shown["machine"]["armed"]);
     let mine = page.shown["lease"]["client"] == page.who["client"];
     let stopped_first = doing == Doing::Stopped || kind == "hold";
@@ -277,9 +279,11 @@ fn step_towards(page: &mut Page, doing: Doing, kind: &str, program: &str) {
             json!({ "do": "command", "lease": lease, "line": "PAUSE 3600" })
         }
         "idle" => json!({ "do": "command", "lease": lease, "line": program }),
-        "running" if doing == Doing::Running && armed == false => json!({ "do": "arm", "lease": lease }),
+        "running" if doing == Doing::Running && armed == false => {
+            json!({ "do": "arm", "lease": lease })
+        }
         "running" if stopped_first && page.shown["pause"].is_object() => json!({ "do": "stop" }),
-        "running" if doing == Doing::Running || page.shown["pause"].is_null() => return,
+        "running" if doing == Doing::Running || page.shown["pause"].is_null() => return None,
         _ if doing == Doing::AskingDisarmed && asks == kind => {
             json!({ "do": "giveLease", "lease": lease })
         }
@@ -289,10 +293,12 @@ fn step_towards(page: &mut Page, doing: Doing, kind: &str, program: &str) {
         _ => json!({ "do": "stop" }),
     };
     let takes = act["do"] == "takeLease";
-    page.act(act);
+    let id = page.send(act.clone());
+    let told = page.problem(id);
     if takes {
         page.look();
         page.lease = page.shown["lease"]["number"].as_u64().unwrap_or_default();
     }
     thread::sleep(Duration::from_millis(1));
+    Some(format!("{act}: {told}"))
 }
