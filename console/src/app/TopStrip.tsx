@@ -16,6 +16,7 @@ import "./top-strip.css";
  * What fails leaves STOP where it is. Libraries that hide the page behind an overlay leave a "top layer" alone.
  */
 export function TopStrip() {
+  const staysOn = useSnapshot("setup")?.outputsStayOn ?? false;
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   return (
     <header className="strip" data-react-aria-top-layer="true">
@@ -27,6 +28,7 @@ export function TopStrip() {
           <>
             <ModeChip />
             <StateWord />
+            {staysOn && <p className="strip-words">Outputs stay on after STOP</p>}
             <ArmButton />
           </>
         )}

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, useScreen, worldOf } from "../app/context";
+import { GoesOn } from "../operator/GoesOn";
 import { Button } from "../ui/Button";
 import type { Asked } from "../wire/messages";
 import "./step-bar.css";
@@ -11,7 +12,7 @@ export function StepBar({ asked }: { asked: Asked }) {
   const hands = useHands();
   const breakpoints = useScreen("breakpoints");
   const answer = (words: string) =>
-    void ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
+    ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
   const run = useRunToBreakpoint(asked, breakpoints, () => answer("Step"));
   return (
     <section className="step" aria-label="Line by line" data-react-aria-top-layer="true">
@@ -19,24 +20,25 @@ export function StepBar({ asked }: { asked: Asked }) {
         <span>Line {asked.line}</span>
         <code>{asked.text}</code>
       </p>
+      <GoesOn />
       {run.runs ? (
         <Button look="hold" onPress={run.halt}>
           Halt
         </Button>
       ) : (
         <>
-          <Button look="primary" onPress={() => answer("Step")} autoFocus>
+          <Button look="primary" onPress={() => void answer("Step")} autoFocus>
             Step
           </Button>
           <Button isDisabled={breakpoints.length === 0} onPress={run.begin}>
             To breakpoint
           </Button>
-          <Button onPress={() => answer("Run")}>Run on</Button>
+          <Button onPress={() => void answer("Run")}>Run on</Button>
           {asked.prefill && (
-            <Button onPress={() => answer(`${asked.prefill}`)}>Back to {asked.prefill}</Button>
+            <Button onPress={() => void answer(`${asked.prefill}`)}>Back to {asked.prefill}</Button>
           )}
-          <GoToLine onGo={answer} />
-          <Button onPress={() => answer("Quit")}>Quit</Button>
+          <GoToLine onGo={(words) => void answer(words)} />
+          <Button onPress={() => void answer("Quit")}>Quit</Button>
         </>
       )}
     </section>

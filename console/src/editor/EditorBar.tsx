@@ -2,6 +2,7 @@ import { useEffect } from "react";
 import { ask } from "../actions/ask";
 import "../debugger/step-bar.css";
 import { useHands, worldOf } from "../app/context";
+import { GoesOn } from "../operator/GoesOn";
 import { Button } from "../ui/Button";
 import type { Asked } from "../wire/messages";
 
@@ -18,6 +19,7 @@ export function EditorBar({ asked }: { asked: Asked }) {
         <span>The program waits while you edit</span>
         <code>{file || "a new file"}</code>
       </p>
+      <GoesOn />
       <Button onPress={() => screen.edit(file)}>To the editor</Button>
       <Button
         look="primary"

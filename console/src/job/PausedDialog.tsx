@@ -1,6 +1,7 @@
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
+import { GoesOn } from "../operator/GoesOn";
 import { useAside } from "../operator/useAside";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
@@ -39,6 +40,7 @@ export function PausedDialog({ asked }: { asked: Asked }) {
     >
       <div className="paused">
         <div className="paused-hands">{buttons}</div>
+        <GoesOn />
         {chooses ? <ChooseStart text={asked.text} say={say} /> : <ChangeValues say={say} />}
       </div>
     </Sheet>

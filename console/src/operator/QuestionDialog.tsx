@@ -5,6 +5,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Asked } from "../wire/messages";
+import { GoesOn } from "./GoesOn";
 import "./question-dialog.css";
 
 const icons: Record<number, string> = { 16: "✖", 32: "?", 48: "!", 64: "i" };
@@ -46,6 +47,7 @@ export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode
         <p className="question-text">{asked.text}</p>
         {asked.entry && <Field label="Answer" value={entry} onChange={setEntry} first />}
       </form>
+      {!asked.entry && <GoesOn />}
       <p className="question-place">{asked.file && `${asked.file}, line ${asked.line}`}</p>
     </Sheet>
   );

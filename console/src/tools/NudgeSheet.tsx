@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { ask, drive } from "../actions/ask";
+import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { evaluate } from "../app/expression";
 import { usedAxes } from "../app/units";
@@ -13,16 +13,11 @@ import "./tools.css";
 export function NudgeSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const units = useSnapshot("units");
-  const asked = useSnapshot("asked");
   const [typed, setStep] = useState<string | null>(null);
   if (!units) return null;
   const step = typed ?? (units.mm === 1 ? "0.25" : "0.01");
   const nudge = (axis: AxisUnits, sign: 1 | -1) => {
     const distance = (evaluate(step, { mm: units.mm }) ?? 0) * sign;
-    if (asked?.kind === "hold") {
-      const answer = `nudge ${axis.letter} ${distance}`;
-      return void ask(worldOf(hands), { do: "answer", question: asked.number, answer });
-    }
     void drive(worldOf(hands), {
       do: "nudge",
       axis: axis.letter,

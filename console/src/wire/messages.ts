@@ -871,6 +871,8 @@ heights: ZHeights,
 reach: [number, number],
 /** Whether changing settings asks for a password. */
 protected: boolean,
+/** Whether outputs stay on when a machine that stands is stopped, disarmed or left. */
+outputsStayOn: boolean,
 /** A click selects what lies so near, pixels. */
 pickRadius: number, };
 

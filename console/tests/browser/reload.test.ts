@@ -60,6 +60,12 @@ async function everywhere(shows: (one: Page) => Promise<void>): Promise<void> {
   }
 }
 
+/** A page that was loaded again drives and arms the machine while something is asked. */
+async function armAnew(one: Page) {
+  await one.getByRole("button", { name: "Arm", exact: true }).click();
+  await until(async () => (await stateOf(workshop)).machine.armed, "it is armed");
+}
+
 const word = (text: string) => (one: Page) => one.locator(".state", { hasText: text }).waitFor();
 
 it("an alarm is shown with its reason until somebody takes note of it", async () => {
@@ -89,6 +95,9 @@ it("line by line: the line that is due, and what is watched, are the same everyw
     await step(one).getByText(`Line ${line}`, { exact: true }).waitFor();
   };
   await everywhere(due(1));
+  // Whoever drove was loaded again: the line that is due moves nothing before somebody arms the machine.
+  await step(other).getByText("To go on, arm the machine.").waitFor();
+  await armAnew(other);
   for (const line of [2, 3]) {
     await step(other).getByRole("button", { name: "Step", exact: true }).click();
     for (const one of [page, other]) await due(line)(one);
@@ -120,8 +129,7 @@ it("the keypad of a part file, with what it says, is open everywhere; a jog is s
   expect(motion.at.working[0]).toBeGreaterThan(0);
   for (const one of [page, other]) await shows(one);
   await hand.up();
-  await page.getByRole("button", { name: "Arm", exact: true }).click();
-  await until(async () => (await stateOf(workshop)).machine.armed, "it is armed");
+  await armAnew(page);
   await page.keyboard.press("Escape");
   await keypad(other).waitFor({ state: "detached" });
   await begins("idle");
@@ -140,6 +148,8 @@ it("sbp_lim_stop_key: a stop offers Resume, Quit, nudge and keypad on both pages
       await stopped.getByRole("button", { name, exact: true }).waitFor();
     }
   });
+  await page.getByRole("dialog", { name: "Stopped" }).getByText("To go on, arm the machine.").waitFor();
+  await armAnew(page);
   const before = (await stateOf(workshop)).motion.at;
   await page.getByRole("button", { name: "Nudge…" }).click();
   const sheet = page.getByRole("dialog", { name: "Nudge" });
@@ -147,7 +157,6 @@ it("sbp_lim_stop_key: a stop offers Resume, Quit, nudge and keypad on both pages
   await sheet.getByRole("button", { name: "Y +" }).click();
   await until(async () => (await now()) === "stopped", "it asks again");
   await page.keyboard.press("Escape");
-  await page.getByRole("button", { name: "Arm", exact: true }).click();
   await page.getByRole("button", { name: "Resume" }).last().click();
   await until(async () => (await stateOf(workshop)).job?.ended === "ok", "the job is done");
   const after = (await stateOf(workshop)).motion.at;

@@ -62,6 +62,7 @@ export const firstSnapshot: Snapshot = {
     heights: { top: -10, surface: -20, bottom: -30 },
     reach: [2500, 1250],
     protected: false,
+    outputsStayOn: false,
     pickRadius: 8,
   },
   speeds: {

@@ -210,6 +210,54 @@ pub fn is_word(words: &str) -> bool {
     Word::read(words).is_some() || Jog::read(words).is_some()
 }
 
+/// What comes of an answer to a machine that waits for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// A value is filled in, or No is said: the program sees to the rest.
+    Value,
+    /// What asks, or the whole run, is given up.
+    Ends,
+    /// The machine goes on.
+    GoesOn,
+    /// The tool is moved by hand.
+    Moves,
+}
+
+/// Tells what comes of words as the answer to a question of a kind. Words of which nothing is known go on.
+pub fn effect(kind: QuestionKind, words: &str) -> Effect {
+    if Jog::read(words).is_some() || Nudge::read(words).is_some() {
+        return if takes_text(kind) { Effect::Value } else { Effect::Moves };
+    }
+    if kind == QuestionKind::Paused {
+        return effect_on_job(words);
+    }
+    match Button::ALL.into_iter().find(|button| button.word().eq_ignore_ascii_case(words.trim())) {
+        Some(Button::Cancel | Button::Quit | Button::End | Button::Abort) => Effect::Ends,
+        Some(Button::No) => Effect::Value,
+        _ if takes_text(kind) => Effect::Value,
+        _ if words == KEY => Effect::Moves,
+        _ => Effect::GoesOn,
+    }
+}
+
+/// The same for a job that waits.
+fn effect_on_job(words: &str) -> Effect {
+    match Word::read(words) {
+        Some(Word::Abort) => Effect::Ends,
+        Some(Word::Move(..)) => Effect::Moves,
+        Some(
+            Word::CutSpeed(_)
+            | Word::PlungeSpeed(_)
+            | Word::AdjustBottom(_)
+            | Word::AdjustHeight(_)
+            | Word::Raise(_),
+        ) => Effect::Value,
+        Some(Word::Continue | Word::Shape(_) | Word::Next | Word::Previous) | None => {
+            Effect::GoesOn
+        }
+    }
+}
+
 /// What ENTER alone answers.
 pub fn default_answer(question: &Question) -> Answer {
     if takes_text(question.kind) {
@@ -309,6 +357,44 @@ mod tests {
             assert_eq!(taken(&mut answers), (Some(words.into()), Some(line)));
         }
         assert_eq!(taken(&mut answers), (None, None));
+    }
+
+    #[test]
+    fn what_comes_of_an_answer() {
+        use Effect::{Ends, GoesOn, Moves, Value};
+        use QuestionKind as K;
+        let check = |kind, words: &str, expected| {
+            assert_eq!(effect(kind, words), expected, "{kind:?} {words}")
+        };
+        for kind in KINDS.into_iter().filter(|kind| *kind != K::Input) {
+            check(kind, "jog 0,400,0,0,0,0 1", Moves);
+            check(kind, "nudge x 1", Moves);
+            check(kind, "Quit", Ends);
+            check(kind, "cancel ", Ends);
+            check(kind, "ok", GoesOn);
+            check(kind, "Resume", GoesOn);
+            check(kind, "perhaps", GoesOn);
+        }
+        for words in ["3", "jog 0,400,0,0,0,0 1", "OK", "No", ""] {
+            check(K::Input, words, Value);
+        }
+        check(K::Input, "Cancel", Ends);
+        check(K::Msgbox, "No", Value);
+        check(K::Msgbox, "Yes", GoesOn);
+        check(K::Limit, "End", Ends);
+        check(K::Limit, "Continue", GoesOn);
+        check(K::Keypad, KEY, Moves);
+        for words in ["Step", "Run", "12", "12 settings"] {
+            check(K::Step, words, GoesOn);
+        }
+        for words in ["continue", "next", "previous", "+", "-", "3"] {
+            check(K::Paused, words, GoesOn);
+        }
+        for words in ["cut 3000", "plunge 600", "zbottom -0.5", "height 0.1", "raise yes"] {
+            check(K::Paused, words, Value);
+        }
+        check(K::Paused, "move y 200", Moves);
+        check(K::Paused, "abort", Ends);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::world::World;
 use crate::{Event, Press};
 use kerf_machine::{Configuration, Setting};
 use kerf_part::Program;
-use kerf_sbp::{SystemVariable, Value};
+use kerf_sbp::{SPINDLE_STATUS, SystemVariable, Value};
 use kerf_sim::{Change, Machine};
 use std::sync::Arc;
 
@@ -27,6 +27,25 @@ impl Session {
         machine.log().take().for_each(drop);
         self.machine = Some(machine);
         self.keep_switches(shelf);
+    }
+
+    /// Somebody stops the machine, which stands: what a stop switches off goes off, unless the machine is set to
+    /// leave it on. Whether anything did.
+    pub fn stop_at_rest(&mut self, shelf: &mut Shelf) -> bool {
+        let is_on = |machine: &Machine| machine.turns() || machine.outputs().is_any_on();
+        if self.machine_is.misc.outputs_stay_on || !self.machine.as_ref().is_some_and(is_on) {
+            return false;
+        }
+        let mut machine = self.machine(Vec::new());
+        machine.log().take().for_each(drop);
+        machine.stop_at_rest();
+        let switched = machine.log().take().count() > 0;
+        self.memory.independent = machine.spinning();
+        self.machine = Some(machine);
+        if switched {
+            shelf.set_value(SPINDLE_STATUS, Some("0"));
+        }
+        switched
     }
 
     /// Where somebody left the switches of the simulated machine is on record.

@@ -38,7 +38,11 @@ pub fn take(journal: &Journal) -> Result<Option<Result<String, String>>, Journal
     Ok(Some(single(command)))
 }
 
-fn single(command: &str) -> Result<String, String> {
+/// A command of two letters with its parameters, as it is carried out; `Err` with words where it is none.
+///
+/// # Errors
+/// It is several lines, or no command.
+pub fn single(command: &str) -> Result<String, String> {
     let mut letters = command.chars().take_while(char::is_ascii_alphabetic);
     let two = letters.by_ref().count() == 2;
     let known = two && command.get(..2).is_some_and(|l| kerf_sbp::table::find(l).is_some());

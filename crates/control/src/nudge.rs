@@ -1,6 +1,7 @@
 //! Small adjustments of where the workpiece is (MN).
 
 use kerf_program::{Axes, Axis, Frame, Settings};
+use std::fmt;
 
 /// How far an axis is nudged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +55,12 @@ impl Nudge {
     }
 }
 
+impl fmt::Display for Nudge {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "nudge {} {}", self.axis.letter(), self.distance)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -62,6 +69,7 @@ mod tests {
     fn a_nudge_has_an_axis_and_a_distance() {
         let y = Nudge { axis: Axis::Y, distance: 0.05 };
         assert_eq!(Nudge::read("nudge y .05"), Some(y));
+        assert_eq!(Nudge::read(&y.to_string()), Some(y));
         assert_eq!(Nudge::read(" Nudge  Y  +0.05 "), Some(y));
         for wrong in ["", "nudge", "nudge y", "nudge yy 1", "nudge y 1 2", "nudge y inf", "y .05"] {
             assert_eq!(Nudge::read(wrong), None, "{wrong}");

@@ -87,7 +87,7 @@ pub(crate) fn last_line(log: &str) -> Option<u32> {
 }
 
 /// The value that says which job ended early last, and at which of its shapes.
-const LAST_SHAPE: &str = "LastShape";
+pub(crate) const LAST_SHAPE: &str = "LastShape";
 
 impl Shelf {
     /// The shape of a job at which its last run ended early; 0 before the first.

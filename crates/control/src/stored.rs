@@ -2,7 +2,32 @@
 //! keep under a key.
 
 use crate::journal::{Journal, JournalError, Live};
+use crate::part_log::LAST_SHAPE;
+use crate::stopping::CONFIRM;
+use crate::switches::SWITCHES;
+use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS};
 use std::collections::BTreeMap;
+
+/// Keys under which the machine says what is so: nobody else writes them.
+const FACTS: [&str; 4] = [SPINDLE_STATUS, POSITION_LOST, CONFIRM, SWITCHES];
+
+/// Keys of the controller that has the machine begin with this.
+const CONTROLLER: &str = "Controller";
+
+/// Keys that Kerf writes for itself; those of folders have no value of their own.
+const OWN: [&str; 8] =
+    [PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, RECORDED, RECORDING, "uAppPath", "uUsrPath"];
+
+/// Whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does.
+pub fn is_fact(key: &str) -> bool {
+    FACTS.contains(&key) || Live::tells(key) || key.starts_with(CONTROLLER)
+}
+
+/// Whether Kerf writes a key for itself, so that nobody writes it over the network. Values of the user, variables of
+/// programs and names that other software made up are free.
+pub fn is_own(key: &str) -> bool {
+    is_fact(key) || OWN.contains(&key)
+}
 
 /// Refuses a key or a value that other programs could not read: they see a line each, `key=value`; and keys of
 /// which the machine tells the value.
@@ -16,7 +41,7 @@ pub fn check_value(key: &str, value: Option<&str>) -> Result<(), String> {
         _ if breaks(key) || key.contains('=') => {
             Err(format!("{key:?} is no key: it takes no line break and no ="))
         }
-        _ if Live::tells(key) => Err(format!("the machine tells {key}, nobody sets it")),
+        _ if is_fact(key) => Err(format!("the machine tells {key}, nobody sets it")),
         Some(value) if breaks(value) => Err(format!(
             "a value is one line, and that of {key} has a line break or another control character"
         )),

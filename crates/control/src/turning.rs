@@ -1,5 +1,6 @@
 //! What turns or moves by itself, and stops with a stop input.
 
+use crate::shelf::Shelf;
 use crate::world::World;
 use kerf_machine::lines::Input;
 use kerf_program::{Axis, Independent};
@@ -31,6 +32,15 @@ impl Turning {
             if self.alone.iter().all(|(other, _)| *other != axis) {
                 self.alone.push((axis, motion));
             }
+        }
+    }
+}
+
+impl Shelf {
+    /// Kerf starts: whoever starts the spindle next is asked again, whatever was answered before.
+    pub fn asks_for_spindle_anew(&mut self) {
+        if self.stored.get(SPINDLE_STATUS).is_some_and(|status| status != "0") {
+            self.set_value(SPINDLE_STATUS, Some("0"));
         }
     }
 }

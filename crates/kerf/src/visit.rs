@@ -23,7 +23,7 @@ impl Default for Visit {
 }
 
 impl Visit {
-    /// Kerf starts. A command that was passed in before is forgotten.
+    /// Kerf starts. A command that was passed in before is forgotten, and so is the answer to the spindle's question.
     pub fn begins(&self, session: &Session, shelf: &mut Shelf) -> Result<()> {
         self.begins_drawing(session, shelf, session.memory.before_preview.is_some())
     }
@@ -32,6 +32,7 @@ impl Visit {
     pub fn begins_drawing(&self, session: &Session, shelf: &mut Shelf, draws: bool) -> Result<()> {
         let log = SystemLog::new(self.opening.clone(), clock::started);
         shelf.open_system_log(log, &session.memory.settings, draws);
+        shelf.asks_for_spindle_anew();
         if let Some(journal) = shelf.journal() {
             journal.take_in()?;
             command_passing::forget(journal)?;

@@ -150,6 +150,7 @@ fn each_run_asks_for_the_spindle_anew() {
         ("cut.nc", "M3 S9000\nG1 X1 F100\nM5\n"),
         ("left.sbp", "SO,1,1\nMX,1\n"),
         ("on.sbp", "SetSpindleStatus, 1\n"),
+        ("both.sbp", "SetSpindleStatus, 1\nSO,1,1\nMX,1\n"),
     ]);
     let asked = |file: &str| {
         let run = shop.kerf(&format!("run {file}")).exits(0).out();
@@ -160,9 +161,9 @@ fn each_run_asks_for_the_spindle_anew() {
         assert_eq!(asked(file), 1, "{file}");
         assert_eq!(status(), "0\n", "the end of {file} has switched it off");
     }
+    assert_eq!(asked("both.sbp"), 0, "the program said that it is active");
     asked("on.sbp");
-    assert_eq!(asked("cut.sbp"), 0, "the program said that it is active");
-    assert_eq!(asked("cut.sbp"), 1);
+    assert_eq!(asked("cut.sbp"), 1, "what was said before Kerf was started is forgotten");
 }
 
 #[test]

@@ -1,15 +1,16 @@
-//! What pages ask for: who may, when, and what is done.
+//! What pages ask for, and what is done then; the [gate](crate::gate) says who may.
 
 use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
+use crate::gate::{Way, driven_by};
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::preview::Preview;
 use crate::shop;
-use kerf_control::{Jog, answers};
+use kerf_control::{Jog, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Change, Lease, Machine, Overrides, Problem, Role, Snapshot, StartUp, State, Who, Why,
+    Act, Asked, Change, Lease, Machine, Overrides, Problem, StartUp, State, Tone, Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,119 +18,6 @@ use std::time::Instant;
 
 /// What came of an act: what was noticed, or why it was not done.
 pub type Done = Result<Vec<String>, Problem>;
-
-/// What an act needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Need {
-    role: Role,
-    /// Number of the lease that it carries.
-    lease: Option<u32>,
-    /// The machine has to be armed.
-    armed: bool,
-}
-
-const fn need(role: Role) -> Need {
-    Need { role, lease: None, armed: false }
-}
-
-const fn drive(lease: u32) -> Need {
-    Need { role: Role::Operator, lease: Some(lease), armed: true }
-}
-
-const fn holding(lease: u32) -> Need {
-    Need { role: Role::Operator, lease: Some(lease), armed: false }
-}
-
-/// Stop of the hand console.
-const STOP_KEY: char = kerf_handconsole::Key::Stop.character();
-
-/// What is said where the machine is left alone.
-const DRAWING_ONLY: &str =
-    "this is not available in the editing version: only drawings are worked on here";
-
-/// Whether an act leaves the machine alone: it is about drawings and files, or it only stops.
-const fn is_of_drawings(act: &Act) -> bool {
-    matches!(
-        act,
-        Act::Ping
-            | Act::Stop
-            | Act::Hold
-            | Act::Disarm
-            | Act::JogStop { .. }
-            | Act::Draw { .. }
-            | Act::Open { .. }
-            | Act::Parameters { .. }
-            | Act::Close
-            | Act::ClearPrinted
-            | Act::SheetDone
-            | Act::Unlock { .. }
-            | Act::Protect { .. }
-    )
-}
-
-/// What is said where only files are run.
-const FILES_ONLY: &str = "Kerf was started for files only: no commands, no keypad";
-
-/// Whether an act is refused where only files are run.
-fn is_by_hand(act: &Act) -> bool {
-    match act {
-        Act::Command { line, .. } => {
-            let letters: String = line.trim().chars().take(2).collect();
-            line.lines().count() != 1 || !letters.eq_ignore_ascii_case("FP")
-        }
-        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } | Act::Key { .. } => true,
-        _ => false,
-    }
-}
-
-/// What an act needs. This is the one list.
-fn needs(act: &Act) -> Need {
-    match act {
-        Act::Key { key: STOP_KEY, .. } => need(Role::Observer),
-        Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } | Act::Ping => {
-            need(Role::Observer)
-        }
-        Act::Resume { lease }
-        | Act::Run { lease, .. }
-        | Act::TakeUp { lease }
-        | Act::JogStart { lease, .. }
-        | Act::JogRenew { lease, .. }
-        | Act::Nudge { lease, .. } => drive(*lease),
-        Act::Command { lease, line } if changes_settings(line) => {
-            Need { role: Role::Setter, ..drive(*lease) }
-        }
-        Act::Command { lease, .. } => drive(*lease),
-        Act::GiveLease { lease }
-        | Act::Arm { lease }
-        | Act::Override { lease, .. }
-        | Act::Key { lease, .. }
-        | Act::Input { lease, .. } => holding(*lease),
-        Act::Set { lease, .. } => Need { role: Role::Setter, ..holding(*lease) },
-        Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
-        Act::Answer { .. }
-        | Act::TakeLease { .. }
-        | Act::Open { .. }
-        | Act::Parameters { .. }
-        | Act::Choose { .. }
-        | Act::KeepOrigin
-        | Act::SaveJob
-        | Act::TakeShapeBack
-        | Act::Machine { .. }
-        | Act::Folder { .. }
-        | Act::Record { .. }
-        | Act::Watch { .. }
-        | Act::Close
-        | Act::ClearPrinted
-        | Act::SheetDone
-        | Act::Acknowledge
-        | Act::Draw { .. } => need(Role::Operator),
-    }
-}
-
-/// Whether lines change what the machine is set to: the V commands and others that set it.
-fn changes_settings(lines: &str) -> bool {
-    typed(lines).sets_machine()
-}
 
 fn typed(lines: &str) -> kerf_sbp::Program {
     kerf_sbp::read_typed("command".into(), &format!("{lines}\n"))
@@ -142,24 +30,15 @@ impl App {
     /// Why not.
     pub fn act(self: &Arc<Self>, asker: &Asker, act: Act) -> Done {
         let who = &asker.who;
-        if self.options.drawing_only && !is_of_drawings(&act) {
-            return Err(problem(Why::State, DRAWING_ONLY));
-        }
-        let files_only = self.options.start.as_ref().is_some_and(|start| start.display == 9);
-        if files_only && is_by_hand(&act) {
-            return Err(problem(Why::State, FILES_ONLY));
-        }
-        self.allow(who, needs(&act))?;
-        if matches!(&act, Act::Command { line, .. } if changes_settings(line)) {
-            self.opened(who, None)?;
-        }
+        self.gate(who, Way::Act(&act))?;
+        self.hears_driver(who);
         match act {
             Act::Ping => {}
             Act::Stop => self.link.stop(),
             Act::Hold => self.link.hold(),
             Act::Disarm => self.disarm("disarmed at a page"),
             Act::Resume { .. } => self.resume(asker)?,
-            Act::Answer { question, answer } => self.answer(None, question, answer)?,
+            Act::Answer { question, answer } => self.answer(asker, question, answer)?,
             Act::TakeLease { force } => self.take_lease(who, force)?,
             Act::GiveLease { .. } => {
                 self.drop_lease(|lease| lease.client == who.client, "nobody drives");
@@ -178,11 +57,8 @@ impl App {
             Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
             Act::Record { line } => self.record(line)?,
             Act::Watch { names } => self.watch(names)?,
-            Act::Input { number, on, .. } => self.press(number, on)?,
-            Act::Set { key, value, .. } => {
-                self.opened(who, None)?;
-                self.configure(&key, &value)?;
-            }
+            Act::Input { number, on, lease } => self.press(asker, lease, number, on)?,
+            Act::Set { key, value, .. } => self.configure(&key, &value)?,
             Act::Close => {
                 self.nothing_unsaved()?;
                 self.close_file();
@@ -213,30 +89,18 @@ impl App {
         Ok(Vec::new())
     }
 
-    /// Whether somebody drives the machine, which is armed; gives the number of the lease.
-    ///
-    /// # Errors
-    /// Somebody else drives, or nobody, or the machine is disarmed.
-    pub fn drives(&self, who: &Who) -> Result<u32, Problem> {
-        self.hub.read(|now| drives(now, who))
-    }
-
-    /// Whether whoever drives may change settings of the machine.
-    ///
-    /// # Errors
-    /// As [`App::drives`]; or the role is another, or a password protects them.
-    pub fn sets(&self, who: &Who) -> Result<(), Problem> {
-        let lease = self.drives(who)?;
-        self.allow(who, Need { role: Role::Setter, ..drive(lease) })?;
-        self.opened(who, None)
-    }
-
-    fn allow(&self, who: &Who, need: Need) -> Result<(), Problem> {
-        self.hub.read(|now| allowed(now, who, need))
-    }
-
     pub fn state(&self) -> State {
         self.hub.read(|now| now.machine.state)
+    }
+
+    /// Carries out what the start-up line says, for whoever started Kerf here.
+    pub fn start_up(&self) {
+        let who = Who::default();
+        for line in &self.options.begin_with {
+            let order = Order::Command { line: line.clone(), opened: false };
+            let sent = self.gate(&who, Way::StartUp).and_then(|()| self.send(order));
+            sent.unwrap_or_else(|why| self.hub.say(Tone::Error, why.text));
+        }
     }
 
     /// Nothing begins any more, and what has begun is stopped.
@@ -281,6 +145,7 @@ impl App {
                 None => {}
             }
             let (number, device) = (self.next_lease(), who.device.clone());
+            self.turn.heard();
             let lease = Some(Lease { number, client: who.client, device });
             // Whoever drives now has not armed it.
             let armed = now.machine.armed && now.lease.is_none();
@@ -302,7 +167,7 @@ impl App {
     }
 
     /// Nobody drives any more: nothing moves before somebody arms the machine again. A job goes on.
-    fn drop_lease(&self, is_it: impl FnOnce(&Lease) -> bool, why: &str) {
+    pub fn drop_lease(&self, is_it: impl FnOnce(&Lease) -> bool, why: &str) {
         self.hub.changing(|now| {
             if !now.lease.as_ref().is_some_and(is_it) {
                 return Vec::new();
@@ -326,10 +191,10 @@ impl App {
 
     fn resume(&self, asker: &Asker) -> Result<(), Problem> {
         match self.state() {
-            State::Held => self.want_of(asker, |wanted| wanted.resume = true)?,
+            State::Held => self.want_of(asker, Way::GoOn, |wanted| wanted.resume = true)?,
             State::Stopped => {
                 let number = self.hub.read(|now| now.asked.as_ref().map(|a| a.number));
-                let resume = |number| self.answer(Some(asker), number, "Resume".into());
+                let resume = |number| self.answer(asker, number, "Resume".into());
                 return number.map_or(Ok(()), resume);
             }
             _ => return Err(problem(Why::State, "nothing is held")),
@@ -337,28 +202,16 @@ impl App {
         Ok(())
     }
 
-    /// Answers a question: anybody may, but for answers that stand for an act of somebody who drives.
-    fn answer(&self, driver: Option<&Asker>, question: u32, answer: String) -> Result<(), Problem> {
+    /// Answers a question, the first counts; with a word behind which the machine goes on only as whoever drives it
+    /// still, and not where it was stopped meanwhile.
+    fn answer(&self, asker: &Asker, question: u32, answer: String) -> Result<(), Problem> {
         let asked = self.hub.read(|now| now.asked.clone());
         let Some(asked) = asked.filter(|asked| asked.number == question) else {
-            return Err(problem(Why::Late, "this question is not open any more"));
+            return Err(not_open());
         };
-        let button = |word: &String| word.eq_ignore_ascii_case(answer.trim());
-        let free = asked.entry || ["hold", "step", "paused"].contains(&asked.kind.as_str());
-        if asked.kind == "paused" && !answers::is_word(&answer) {
-            let text = format!("'{answer}' is nothing that a job that waits could be told");
-            return Err(problem(Why::Mistake, text));
-        }
-        if !free && !asked.buttons.iter().any(button) {
-            let text = format!("answer one of {}", asked.buttons.join(", "));
-            return Err(problem(Why::Mistake, text));
-        }
-        let give = |wanted: &mut Wanted| wanted.give(question, answer);
-        let counts = match driver {
-            Some(driver) => self.want_of(driver, give)?,
-            None => self.link.want(give),
-        };
-        // The first counts.
+        check_answer(&asked, &answer)?;
+        let act = Act::Answer { question, answer: answer.clone() };
+        let counts = self.want_of(asker, Way::Act(&act), |wanted| wanted.give(question, answer))?;
         let late = || problem(Why::Late, "somebody else has answered this question");
         counts.then_some(()).ok_or_else(late)
     }
@@ -370,7 +223,7 @@ impl App {
             return Err(problem(Why::Changed, "this is not the file that is open"));
         }
         if let Some(question) = self.waits_for_start(hash) {
-            return self.answer(Some(asker), question, "Resume".into());
+            return self.answer(asker, question, "Resume".into());
         }
         let Some(preview) = open.preview.clone() else {
             return Err(problem(Why::State, "the preview is not ready"));
@@ -430,7 +283,26 @@ impl App {
         let Some(axis) = Axis::from_letter(axis).filter(|_| distance.is_finite()) else {
             return Err(problem(Why::Malformed, "an axis and a distance are needed"));
         };
-        self.order_of(asker, Order::Nudge(axis, distance))
+        match self.question_for_hands("hold") {
+            Some(question) => self.nudge_in_question(asker, question, axis, distance),
+            None => self.order_of(asker, Order::Nudge(axis, distance)),
+        }
+    }
+
+    /// A nudge is an answer to the question after a stop, in the unit of the axis.
+    fn nudge_in_question(
+        &self,
+        asker: &Asker,
+        question: u32,
+        axis: Axis,
+        distance: f64,
+    ) -> Result<(), Problem> {
+        let units = self.hub.read(|now| now.units.axes.clone());
+        let unit = units.iter().find(|unit| unit.letter == axis.letter());
+        let nudge = Nudge { axis, distance: distance / unit.map_or(1.0, |unit| unit.scale) };
+        let give = |wanted: &mut Wanted| wanted.give(question, nudge.to_string());
+        let counts = self.want_of(asker, Way::GoOn, give)?;
+        counts.then_some(()).ok_or_else(not_open)
     }
 
     fn override_feed(&self, feed_percent: f64) -> Result<(), Problem> {
@@ -455,18 +327,18 @@ impl App {
             return Err(problem(Why::State, "another jog is not over yet"));
         }
         let held = Held::pressed(who.client, seq);
-        match self.question_for_hands() {
+        match self.question_for_hands("keypad hold paused") {
             Some(question) => self.jog_in_question(asker, question, held, &order),
             None => self.order_held(asker, order, held),
         }
     }
 
-    /// The question that lets the tool be moved while it is open: the keypad, or the one after a stop.
-    fn question_for_hands(&self) -> Option<u32> {
+    /// The number of the question that lets the tool be moved while it is open, where it is of one of these kinds.
+    fn question_for_hands(&self, kinds: &str) -> Option<u32> {
         self.hub.read(|now| {
             let stands = matches!(now.machine.state, State::Asking | State::Stopped);
             let asked = now.asked.as_ref().filter(|_| stands)?;
-            ["keypad", "hold", "paused"].contains(&asked.kind.as_str()).then_some(asked.number)
+            kinds.split(' ').any(|kind| asked.kind == kind).then_some(asked.number)
         })
     }
 
@@ -484,15 +356,14 @@ impl App {
         let base = Axes(self.hub.read(|now| now.motion.at.base));
         let far = reach(&lock(&self.left).session.memory.settings, base, *direction, *distance);
         let jog = Jog { by: Axes(direction.map(|way| way * far)), speed: *speed };
-        let counts = self.want_of(asker, |wanted| {
+        let counts = self.want_of(asker, Way::GoOn, |wanted| {
             let counts = wanted.jog.is_none() && wanted.give(question, jog.to_string());
             if counts {
                 wanted.jog = Some(held);
             }
             counts
         })?;
-        let late = || problem(Why::Late, "this question is not open any more");
-        counts.then_some(()).ok_or_else(late)
+        counts.then_some(()).ok_or_else(not_open)
     }
 
     pub fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {
@@ -510,40 +381,6 @@ impl App {
     }
 }
 
-/// Whether somebody may do what takes so much.
-///
-/// # Errors
-/// Why not.
-fn allowed(now: &Snapshot, who: &Who, need: Need) -> Result<(), Problem> {
-    if who.role < need.role {
-        let text = format!("this needs the role {:?}, this device is {:?}", need.role, who.role);
-        return Err(problem(Why::Role, text.to_lowercase()));
-    }
-    if let Some(number) = need.lease {
-        match &now.lease {
-            Some(lease) if lease.number == number && lease.client == who.client => {}
-            Some(lease) if lease.client == who.client => {
-                return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
-            }
-            Some(lease) => return Err(driven_by(lease)),
-            None => return Err(problem(Why::Lease, "take the machine first")),
-        }
-    }
-    if need.armed && !now.machine.armed {
-        return Err(problem(Why::Disarmed, "the machine is disarmed: arm it first"));
-    }
-    Ok(())
-}
-
-/// Whether somebody drives the machine, which is armed; the number of the lease.
-///
-/// # Errors
-/// As [`App::drives`].
-pub fn drives(now: &Snapshot, who: &Who) -> Result<u32, Problem> {
-    let lease = now.lease.as_ref().map_or(0, |lease| lease.number);
-    allowed(now, who, drive(lease)).map(|()| lease)
-}
-
 /// The machine is disarmed from now on. The reason of an alarm is what a person has to know, whoever comes or goes.
 fn disarmed(machine: &Machine, why: &str) -> Change {
     let alarm = machine.why.clone().filter(|_| machine.state == State::Alarm);
@@ -551,14 +388,23 @@ fn disarmed(machine: &Machine, why: &str) -> Change {
     Change::Machine { machine: Machine { armed: false, why, ..machine.clone() } }
 }
 
-/// Who has the machine, and how it is had from there.
-fn driven_by(Lease { device, .. }: &Lease) -> Problem {
-    let who = if device.is_empty() { "another page" } else { device };
-    let text = format!(
-        "somebody else drives: {who}. Press Give up control there, or close that page; another page \
-         takes it with Take control"
-    );
-    problem(Why::Lease, text)
+/// Looks whether an answer means something to a question.
+fn check_answer(asked: &Asked, answer: &str) -> Result<(), Problem> {
+    let button = |word: &String| word.eq_ignore_ascii_case(answer.trim());
+    let free = asked.entry || ["hold", "step", "paused"].contains(&asked.kind.as_str());
+    if asked.kind == "paused" && !answers::is_word(answer) {
+        let text = format!("'{answer}' is nothing that a job that waits could be told");
+        return Err(problem(Why::Mistake, text));
+    }
+    if !free && !asked.buttons.iter().any(button) {
+        let text = format!("answer one of {}", asked.buttons.join(", "));
+        return Err(problem(Why::Mistake, text));
+    }
+    Ok(())
+}
+
+fn not_open() -> Problem {
+    problem(Why::Late, "this question is not open any more")
 }
 
 /// Whether a jog goes anywhere.

@@ -6,8 +6,8 @@
 //!  Stop, Hold, Disarm, an alarm, the lease lost ── Link counts a stop ────┘
 //! ```
 
-use crate::acts::drives;
 use crate::app::{App, lock, problem};
+use crate::gate::{self, Way};
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, Stops};
 use kerf_wire::{Change, Machine, Problem, Snapshot, State, Who, Why};
@@ -25,6 +25,16 @@ impl App {
     /// Somebody asks for something, which has arrived this moment.
     pub fn hears(&self, who: &Who) -> Asker {
         Asker { who: who.clone(), stops: self.link.stops() }
+    }
+
+    /// The same somebody as the one who drives, where that is a page or a script of the same device. What it may do
+    /// stays that of its own role.
+    pub fn at_wheel(&self, asker: &Asker) -> Asker {
+        let own = self.pages.device_of(asker.who.client);
+        let driver = self.hub.read(|now| now.lease.as_ref().map(|lease| lease.client));
+        let same = driver.filter(|driver| own.is_some() && self.pages.device_of(*driver) == own);
+        let client = same.unwrap_or(asker.who.client);
+        Asker { who: Who { client, ..asker.who.clone() }, stops: asker.stops }
     }
 
     /// Gives the machine something to do that does not move it, when it has nothing to do.
@@ -65,6 +75,9 @@ impl App {
             if begun.is_ok() { vec![Change::Machine { machine }] } else { Vec::new() }
         });
         begun?;
+        if asker.is_some() {
+            self.turn.begins(self.hub.read(|now| now.lease.as_ref().map_or(0, |it| it.number)));
+        }
         self.send(order)
     }
 
@@ -83,23 +96,24 @@ impl App {
             self.link.begin(None, held);
             return Ok(());
         }
-        let asker = asker.ok_or_else(|| problem(Why::Lease, "take the machine first"))?;
-        drives(now, &asker.who)?;
+        let asker = asker.ok_or_else(|| problem(Why::Lease, "nobody asked for this"))?;
+        gate::pass(now, &asker.who, Way::Order(order))?;
         if self.link.begin(Some(asker.stops), held) { Ok(()) } else { Err(stopped()) }
     }
 
-    /// Wants something of what runs that makes the machine go on, as [`App::order_of`].
+    /// Wants something of what runs, as [`App::order_of`] where the machine goes on by it.
     ///
     /// # Errors
-    /// The machine was stopped since, or somebody else drives it by now.
+    /// The gate does not let it pass, or the machine was stopped since.
     pub fn want_of<T>(
         &self,
         asker: &Asker,
+        way: Way<'_>,
         change: impl FnOnce(&mut Wanted) -> T,
     ) -> Result<T, Problem> {
-        self.hub.read(|now| {
-            drives(now, &asker.who)?;
-            self.link.want_since(asker.stops, change).ok_or_else(stopped)
+        self.hub.read(|now| match gate::pass(now, &asker.who, way)?.moves() {
+            true => self.link.want_since(asker.stops, change).ok_or_else(stopped),
+            false => Ok(self.link.want(change)),
         })
     }
 
@@ -121,81 +135,14 @@ fn stopped() -> Problem {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::app::Parts;
+    use crate::bench::{Bench, bench};
     use crate::handconsole::Happening;
-    use crate::hub::Hub;
-    use crate::machine::{Link, Planned};
-    use crate::setup::{Builders, Options};
+    use crate::machine::Planned;
     use kerf_machine::{Configuration, Errand, Keypad};
     use kerf_program::AXES;
     use kerf_sbp::FileParameters;
-    use kerf_wire::{Act, Role};
-    use std::sync::Arc;
-    use std::sync::mpsc::{Receiver, Sender, channel};
-    use tempfile::TempDir;
-
-    /// Pages of a machine that takes orders and does nothing.
-    struct Bench {
-        app: Arc<App>,
-        orders: Receiver<Order>,
-        /// Drives; the machine is armed.
-        driver: Who,
-        other: Who,
-        _folder: TempDir,
-    }
-
-    fn bench() -> Bench {
-        let folder = tempfile::tempdir().unwrap();
-        let (sender, orders) = channel();
-        let nothing = || std::io::Error::other("none");
-        let builders = Builders {
-            workshop: Arc::new(move || Err(nothing())),
-            preview: Arc::new(move || Err(nothing())),
-        };
-        let hub = Arc::new(Hub::new(Snapshot::default()));
-        let (link, left) = (Arc::<Link>::default(), Arc::default());
-        let parts = Parts { hub, link, orders: sender, left, builders };
-        let app = Arc::new(App::new(options(&folder), parts).unwrap());
-        let [driver, other] = [(); 2].map(|()| app.pages.add(Role::Owner, String::new()));
-        let bench = Bench { app, orders, driver, other, _folder: folder };
-        bench.does(&bench.driver, Act::TakeLease { force: false });
-        bench.arms();
-        bench
-    }
-
-    fn options(folder: &TempDir) -> Options {
-        Options {
-            listen: ([127, 0, 0, 1], 0).into(),
-            lan: false,
-            names: Vec::new(),
-            parts: folder.path().into(),
-            data: folder.path().join("data"),
-            drawing_only: false,
-            open: None,
-            start: None,
-            begin_with: Vec::new(),
-            closes_with_program: false,
-            rate: 1.0,
-        }
-    }
-
-    impl Bench {
-        fn does(&self, who: &Who, act: Act) {
-            self.app.act(&self.app.hears(who), act).unwrap();
-        }
-
-        fn lease(&self) -> u32 {
-            self.app.hub.read(|now| now.lease.as_ref().unwrap().number)
-        }
-
-        fn arms(&self) {
-            self.does(&self.driver, Act::Arm { lease: self.lease() });
-        }
-
-        fn ordered(&self) -> bool {
-            self.orders.try_recv().is_ok()
-        }
-    }
+    use kerf_wire::Act;
+    use std::sync::mpsc::{Sender, channel};
 
     fn command() -> Order {
         Order::Command { line: "MX,1".into(), opened: false }
@@ -306,10 +253,10 @@ mod tests {
     fn a_resume_that_arrived_before_a_disarm_does_not_go_on() {
         let bench = bench();
         let asker = bench.app.hears(&bench.driver);
-        assert!(bench.app.want_of(&asker, |_| ()).is_ok());
+        assert!(bench.app.want_of(&asker, Way::GoOn, |_| ()).is_ok());
         bench.does(&bench.other, Act::Disarm);
         bench.arms();
-        let refused = bench.app.want_of(&asker, |wanted| wanted.resume = true);
+        let refused = bench.app.want_of(&asker, Way::GoOn, |wanted| wanted.resume = true);
         assert_eq!(refused.map_err(|problem| problem.why), Err(Why::State));
         assert!(!bench.app.link.lock().resume);
     }

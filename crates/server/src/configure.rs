@@ -33,6 +33,7 @@ pub fn setup(configuration: &Configuration) -> Setup {
         heights: ZHeights { top: zpos.top_mm, surface: zpos.surface_mm, bottom: zpos.bottom_mm },
         reach: [length[0], length[1]],
         protected: options.password.is_some(),
+        outputs_stay_on: configuration.misc.outputs_stay_on,
         pick_radius: options.pick_radius_px,
     }
 }

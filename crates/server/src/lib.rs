@@ -11,7 +11,7 @@
 //! - One thread owns the machine ([`machine`]). It runs one thing after the other; what pages want of
 //!   a run that goes on reaches it through a [`Link`](machine::Link), which it looks at several times
 //!   between two pictures.
-//! - Who may do what, and when, is one list in [`acts`]. Who is let in at all is decided in `http::guard`.
+//! - Who may do what, and when, is one list in [`gate`]. Who is let in at all is decided in `http::guard`.
 //! - Previews are runs on copies ([`preview`]); files lie in the part folder and nowhere else
 //!   ([`files`]).
 
@@ -19,11 +19,15 @@ mod acts;
 mod added;
 mod app;
 mod asker;
+#[cfg(test)]
+mod bench;
+mod clock;
 mod configure;
 mod desk;
 mod digitized;
 mod draft;
 mod files;
+mod gate;
 mod handconsole;
 mod http;
 mod hub;
@@ -39,6 +43,7 @@ mod protect;
 mod setup;
 mod shop;
 mod told;
+mod turn;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
@@ -100,9 +105,8 @@ impl Server {
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
         }
-        for line in &app.options.begin_with {
-            drop(app.send(Order::Command { line: line.clone(), opened: false }));
-        }
+        app.start_up();
+        runtime.spawn(turn::watch(Arc::downgrade(&app)));
         let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
         runtime.spawn(async move { axum::serve(listener, service).await });
         let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));
@@ -186,14 +190,26 @@ fn machine_and_app(
         let workshop = match build() {
             Ok(mut workshop) => {
                 workshop.shelf.reached_at(&url);
+                workshop.shelf.asks_for_spindle_anew();
                 owned.0.keep(ProblemLog::begin(&data, workshop.started));
                 workshop
             }
             Err(error) => return drop(ready.send(Err(error))),
         };
         let ((hub, link, left), done) = (owned, Box::new(done));
-        let mut owner =
-            Owner { hub, link, workshop, parts, left, rate, done, closing, asked: 0, run: 0 };
+        let mut owner = Owner {
+            hub,
+            link,
+            workshop,
+            parts,
+            left,
+            rate,
+            done,
+            closing,
+            asked: 0,
+            run: 0,
+            looked: None,
+        };
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

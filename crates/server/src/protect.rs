@@ -18,11 +18,13 @@ const OPEN: Duration = Duration::from_secs(15 * 60);
 pub struct Unlocked(Mutex<BTreeMap<u32, Instant>>);
 
 impl Unlocked {
-    fn has(&self, client: u32) -> bool {
+    /// Whether somebody has given it, and it still counts.
+    pub fn has(&self, client: u32) -> bool {
         lock(&self.0).get(&client).is_some_and(|until| *until > Instant::now())
     }
 
-    fn add(&self, client: u32) {
+    /// Somebody has given it.
+    pub fn add(&self, client: u32) {
         let now = Instant::now();
         let mut open = lock(&self.0);
         open.retain(|_, until| *until > now);

@@ -2,10 +2,12 @@
 //! watched, switches of the simulated machine.
 
 use crate::app::{App, lock, problem};
+use crate::asker::Asker;
+use crate::gate::Way;
 use crate::machine::Order;
 use kerf_control::Press;
 use kerf_program::settings::LINES;
-use kerf_wire::{FileParameters, Problem, Why};
+use kerf_wire::{Act, FileParameters, Problem, Why};
 
 /// Variables that can be watched at most.
 const MOST_WATCHED: usize = 50;
@@ -85,23 +87,14 @@ impl App {
 
     /// Moves a switch of the simulated machine, whatever it does: what runs moves it, or the machine's thread. Its
     /// input reads this from then on, at whatever level of its pin.
-    pub fn press(&self, number: u8, on: bool) -> Result<(), Problem> {
+    pub fn press(&self, asker: &Asker, lease: u32, number: u8, on: bool) -> Result<(), Problem> {
         if !(1..=LINES as u8).contains(&number) {
             return Err(problem(Why::Malformed, format!("inputs are 1 to {LINES}")));
         }
         let pins = lock(&self.left).session.machine_is.io;
         let press = Press { number, on: pins.line_level(number, on) };
-        let keypad = |asked: &kerf_wire::Asked| asked.kind == "keypad";
-        let waits = |now: &kerf_wire::Snapshot| now.asked.as_ref().is_some_and(keypad);
-        self.hub.read(|now| {
-            if on && waits(now) && !now.machine.armed {
-                let text =
-                    "the machine is disarmed: a key of the pendant would move it; arm it first";
-                return Err(problem(Why::Disarmed, text));
-            }
-            self.link.want(|wanted| wanted.presses.push_back(press));
-            Ok(())
-        })?;
+        let act = Act::Input { lease, number, on };
+        self.want_of(asker, Way::Act(&act), |wanted| wanted.presses.push_back(press))?;
         self.send(Order::Switches)
     }
 }

@@ -296,13 +296,18 @@ fn sbp_ctl_reg__over_http() {
 #[test]
 fn sbp_ctl_reg_ucommand__in_the_server() {
     let shop = kept_shop();
-    let put = |value: &str| shop.ask("PUT /api/registry/uCommand", &[], value.as_bytes());
+    let put = |value: &str| {
+        let answer = shop.ask("PUT /api/registry/uCommand", &[], value.as_bytes());
+        (answer.status, answer.json()["why"].as_str().unwrap_or_default().to_owned())
+    };
     let mut page = shop.page();
-    put("MX,1");
-    page.until("a warning", |page| page.shown["messages"].to_string().contains("disarmed"));
+    assert_eq!(put("MX,1"), (403, "lease".into()), "nobody drives");
+    page.drive();
+    assert_eq!(page.act(json!({ "do": "disarm" })), None);
+    assert_eq!(put("MX,1"), (403, "disarmed".into()));
     assert_eq!(page.x(), 0.0);
     page.drive();
-    put("MX,2");
+    assert_eq!(put("MX,2").0, 200, "it is of the device that drives");
     page.until("the move", |page| (page.x() - 50.8).abs() < 1e-6);
     page.until_state("idle");
     assert_eq!(shop.get("/api/registry/uCommand").status, 404, "it is carried out once");
@@ -311,8 +316,17 @@ fn sbp_ctl_reg_ucommand__in_the_server() {
     std::fs::write(data.join("new"), "uCommand=MX,3\n").unwrap();
     std::fs::rename(data.join("new"), data.join("registry.in")).unwrap();
     page.until("the move", |page| (page.x() - 76.2).abs() < 1e-6);
-    put("QQ,1");
-    page.until("a refusal", |page| page.shown["messages"].to_string().contains("QQ,1"));
+    let told =
+        |text: &'static str| move |page: &Page| page.shown["messages"].to_string().contains(text);
+    page.until(
+        "who passed it in",
+        told("passed in by a program on this computer (uCommand): MX,3"),
+    );
+    assert_eq!(put("QQ,1"), (422, "mistake".into()));
+    page.until_state("idle");
+    std::fs::write(data.join("new"), "uCommand=QQ,1\n").unwrap();
+    std::fs::rename(data.join("new"), data.join("registry.in")).unwrap();
+    page.until("a refusal", told("QQ,1"));
 }
 
 #[test]

@@ -13,6 +13,11 @@ impl Outputs {
         self.0.get(i).copied().unwrap_or_default()
     }
 
+    /// Whether any is on.
+    pub fn is_any_on(&self) -> bool {
+        self.0.contains(&true)
+    }
+
     /// Switches one; true when that changed it.
     pub(crate) fn set(&mut self, number: u8, on: bool) -> bool {
         let i = usize::from(number).wrapping_sub(1);

@@ -14,6 +14,8 @@ pub struct Setup {
     pub reach: [f64; 2],
     /// Whether changing settings asks for a password.
     pub protected: bool,
+    /// Whether outputs stay on when a machine that stands is stopped, disarmed or left.
+    pub outputs_stay_on: bool,
     /// A click selects what lies so near, pixels.
     pub pick_radius: f64,
 }

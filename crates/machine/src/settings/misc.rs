@@ -11,6 +11,8 @@ pub struct Miscellaneous {
     pub tangential_endless: bool,
     /// Live drawing: 0 never in motion, 10 always, n up to n tenths of the highest speed.
     pub runtime_drawing: u8,
+    /// STOP and Disarm at a machine that stands, and a driver who goes, leave outputs as they are.
+    pub outputs_stay_on: bool,
 }
 
 impl Default for Miscellaneous {
@@ -20,6 +22,7 @@ impl Default for Miscellaneous {
             tangential: false,
             tangential_endless: true,
             runtime_drawing: 10,
+            outputs_stay_on: false,
         }
     }
 }

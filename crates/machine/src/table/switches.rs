@@ -202,6 +202,14 @@ const MISC: &[Setting] = &[
         Range(0.0, 10.0),
         "Live drawing: 0 never in motion, 10 always, n up to n tenths of the highest speed."
     ),
+    row!(
+        c,
+        "misc.outputs_stay_on",
+        c.misc.outputs_stay_on,
+        None,
+        Any,
+        "Outputs stay on when the machine stands and is stopped, disarmed or left by whoever drove it."
+    ),
 ];
 
 const OPTIONS: &[Setting] = &[

@@ -95,7 +95,7 @@ struct Link {
 
 impl Link {
     fn new(app: &App, port: Port, device: (String, u32)) -> Self {
-        let who = app.pages.add(Role::Setter, "hand console".into());
+        let who = app.pages.add(Role::Setter, "hand console".into(), None);
         app.tell_clients();
         tell(app, format!("at {}", device.0));
         let beeps = app.hub.read(|now| now.hand_console.beeps);

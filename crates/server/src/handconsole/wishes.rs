@@ -3,6 +3,7 @@
 use super::Happening;
 use crate::app::{App, lock, problem};
 use crate::asker::Asker;
+use crate::gate::Way;
 use crate::machine::Order;
 use kerf_handconsole::{JobWish, Wish};
 use kerf_machine::Errand;
@@ -23,6 +24,7 @@ impl App {
         tells: &Sender<Happening>,
     ) -> Result<(), Problem> {
         let who = &asker.who;
+        self.gate(who, Way::Wish(&wish))?;
         let act = match wish {
             Wish::Stop => Act::Stop,
             Wish::Acknowledge => Act::Acknowledge,
@@ -34,22 +36,12 @@ impl App {
                 Act::Run { lease, hash, step: false }
             }
             Wish::Answer(answer) => {
-                self.drives(who)?;
                 let question = self.hub.read(|now| now.asked.as_ref().map(|asked| asked.number));
                 Act::Answer { question: question.unwrap_or_default(), answer }
             }
-            Wish::Set(settings) => {
-                self.sets(who)?;
-                return self.hold(&settings, tells);
-            }
-            Wish::KeepSettings => {
-                self.sets(who)?;
-                return self.order(Order::Keep(tells.clone()));
-            }
-            Wish::Job(wish) => {
-                self.drives(who)?;
-                return self.grant_of_job(wish, tells);
-            }
+            Wish::Set(settings) => return self.hold(&settings, tells),
+            Wish::KeepSettings => return self.order(Order::Keep(tells.clone())),
+            Wish::Job(wish) => return self.grant_of_job(wish, tells),
             Wish::AddShape(shape) => {
                 let added = self.add_shape(shape)?;
                 // The console waits for it as long as the server runs.
@@ -61,13 +53,9 @@ impl App {
                 return Ok(());
             }
             Wish::Jog(held) => {
-                self.drives(who)?;
                 return self.jog(asker, seq, self.errand(Errand::Held(held), tells));
             }
-            Wish::Go(errand) => {
-                self.drives(who)?;
-                return self.order_of(asker, self.errand(errand, tells));
-            }
+            Wish::Go(errand) => return self.order_of(asker, self.errand(errand, tells)),
         };
         self.act(asker, act).map(drop)
     }

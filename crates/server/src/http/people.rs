@@ -96,8 +96,6 @@ pub async fn revoke(
     Path(number): Path<u32>,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Owner)?;
-    app.devices.revoke(number).map_err(|e| problem(Why::Server, e.to_string()))?;
-    // Pages look whether they are still paired when something is told.
-    app.files_changed();
+    app.revoke(number).map_err(|e| problem(Why::Server, e.to_string()))?;
     Ok(Json(()))
 }

@@ -1,14 +1,17 @@
 //! The values that programs and other software keep, under the names of the external control.
 
 use super::guard::Caller;
-use super::rest::demand;
+use super::rest::who;
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
+use crate::asker::Asker;
+use crate::gate::Way;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
+use kerf_control::command_passing;
 use kerf_control::journal::Live;
 use kerf_control::stored::check_value;
-use kerf_wire::{NamedValue, Problem, Role, Why};
+use kerf_wire::{Act, NamedValue, Problem, Why};
 use std::sync::Arc;
 
 /// Longest value, bytes.
@@ -29,24 +32,44 @@ pub async fn get(State(app): State<Arc<App>>, Path(key): Path<String>) -> Result
     Ok(found.await?.value)
 }
 
-/// Sets the value of a key; an empty one removes it.
+/// Sets the value of a key; an empty one removes it. A command is carried out, or refused, at once.
 pub async fn set(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
     Path(key): Path<String>,
     value: String,
 ) -> Result<Json<()>, Refused> {
-    demand(&caller, Role::Operator)?;
+    let asker = app.hears(&who(&caller));
     let set = move || {
+        let key = last_part(&key);
         if value.len() > LONGEST {
             return Err(problem(Why::Malformed, "the value is too long"));
         }
+        if key == command_passing::COMMAND {
+            return app.pass_in(&asker, value.trim());
+        }
+        app.gate(&asker.who, Way::Value(key))?;
         let journal = app.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
         let value = Some(value.trim_end()).filter(|value| !value.is_empty());
-        check_value(last_part(&key), value).map_err(|why| problem(Why::Malformed, why))?;
-        journal.set_value(last_part(&key), value).map_err(server)
+        check_value(key, value).map_err(|why| problem(Why::Malformed, why))?;
+        journal.set_value(key, value).map_err(server)
     };
     Ok(Json(aside(set).await?))
+}
+
+impl App {
+    /// Carries a command out that came over the network, as if whoever drives had typed it: a script may where its
+    /// device drives, at a page or by itself.
+    fn pass_in(self: &Arc<Self>, asker: &Asker, command: &str) -> Result<(), Problem> {
+        let line = match command_passing::single(command) {
+            _ if command.is_empty() => return Ok(()),
+            Ok(line) => line,
+            Err(why) => return Err(problem(Why::Mistake, why)),
+        };
+        let asker = self.at_wheel(asker);
+        let lease = self.hub.read(|now| now.lease.as_ref().map_or(0, |lease| lease.number));
+        self.act(&asker, Act::Command { lease, line }).map(drop)
+    }
 }
 
 fn values(app: &App) -> Result<Vec<NamedValue>, Problem> {

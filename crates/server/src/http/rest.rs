@@ -3,6 +3,7 @@
 use super::guard::Caller;
 use super::{Refused, aside};
 use crate::app::{App, problem};
+use crate::people::script;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
 use kerf_wire::{
@@ -10,9 +11,6 @@ use kerf_wire::{
 };
 use serde_json::Value;
 use std::sync::Arc;
-
-/// Numbers of scripts as drivers: those of pages count from 1.
-const SCRIPTS: u32 = u32::MAX;
 
 /// What every page shows.
 pub async fn state(State(app): State<Arc<App>>) -> Json<Snapshot> {
@@ -48,9 +46,9 @@ fn read(name: String, body: Value) -> Result<Act, Problem> {
 }
 
 /// A script as a driver: one for each device.
-fn who(caller: &Caller) -> Who {
+pub fn who(caller: &Caller) -> Who {
     let (number, name) = caller.device.clone().unwrap_or_default();
-    Who { client: SCRIPTS - number, role: caller.role.unwrap_or_default(), device: name }
+    Who { client: script(number), role: caller.role.unwrap_or_default(), device: name }
 }
 
 /// Whether a caller has a role.

@@ -38,8 +38,8 @@ pub async fn socket(
 }
 
 async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
-    let name = caller.device.as_ref().map_or(String::new(), |(_, name)| name.clone());
-    let who = app.pages.add(caller.role.unwrap_or_default(), name);
+    let (number, name) = caller.device.clone().unwrap_or_default();
+    let who = app.pages.add(caller.role.unwrap_or_default(), name, Some(number));
     app.tell_clients();
     let (write, read) = socket.split();
     let (replies, outgoing) = unbounded_channel();

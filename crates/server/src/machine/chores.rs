@@ -2,6 +2,7 @@
 
 use super::link::Stops;
 use super::owner::Owner;
+use crate::gate::{self, Way};
 use crate::handconsole::Happening;
 use crate::setup::Workshop;
 use crate::told;
@@ -9,21 +10,30 @@ use kerf_control::command_passing;
 use kerf_control::journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
-use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone};
+use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone, Who};
 use std::path::Path;
 use std::sync::mpsc::Sender;
+
+/// Said of what moves the machine and nobody at a page asked for.
+const PASSED_IN: &str = "passed in by a program on this computer (uCommand)";
 
 impl Owner {
     /// A command that other software passed in (`uCommand`), when it may be carried out now. It is
     /// taken away in any case: one that was left would surprise whoever arms the machine.
     pub(super) fn passed_in(&mut self) -> Option<String> {
-        let arrived = self.link.stops();
+        // It came since it was not there: a stop since then came behind it, for all anybody knows.
+        let stops = self.link.stops();
+        let arrived = self.looked.replace(stops).unwrap_or(stops);
         let journal = self.workshop.shelf.journal()?;
         let taken = journal.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
             Ok(Some(Ok(line))) => match self.may_run(arrived) {
-                Ok(()) => return Some(line),
+                Ok(()) => {
+                    let text = format!("{PASSED_IN}: {line}");
+                    self.hub.say(Tone::Note, text);
+                    return Some(line);
+                }
                 Err(why) => format!("{line} was passed in and not carried out: {why}"),
             },
             Ok(Some(Err(why))) => why,
@@ -33,6 +43,21 @@ impl Owner {
         session.log_refused_command(shelf, &told);
         self.hub.say(Tone::Warning, format!("{}: {told}", command_passing::COMMAND));
         None
+    }
+
+    /// What is passed in from here on, and is found when something else is over, came behind every stop until now.
+    pub(super) fn look_for_passed_in(&mut self) {
+        let stops = self.link.stops();
+        let journal = self.workshop.shelf.journal();
+        let nothing = |journal: &Journal| {
+            journal
+                .take_in()
+                .and_then(|()| journal.value(command_passing::COMMAND))
+                .is_ok_and(|it| it.is_none())
+        };
+        if journal.is_some_and(nothing) {
+            self.looked = Some(stops);
+        }
     }
 
     /// Another Kerf may have had the machine: it stands elsewhere, and whoever armed it here looks first.
@@ -56,19 +81,16 @@ impl Owner {
         }
     }
 
-    /// Whether the machine is armed and idle, and nobody has stopped it since something arrived; from now on it is
-    /// busy. Otherwise why not.
-    fn may_run(&self, arrived: Stops) -> Result<(), &'static str> {
+    /// The machine is busy from now on, where a program on this computer may have it move; otherwise why not.
+    fn may_run(&self, arrived: Stops) -> Result<(), String> {
         let mut may = Ok(());
         self.hub.changing(|now| {
-            may = match &now.machine {
-                Machine { armed: false, .. } => Err("the machine is disarmed"),
-                Machine { state: State::Idle, .. } if self.link.begin(Some(arrived), None) => {
-                    Ok(())
-                }
-                Machine { state: State::Idle, .. } => Err("the machine was stopped"),
-                _ => Err("the machine is busy"),
-            };
+            may = gate::pass(now, &Who::default(), Way::PassedIn).map(drop).map_err(|why| why.text);
+            if may.is_ok() && now.machine.state != State::Idle {
+                may = Err("the machine is busy".into());
+            } else if may.is_ok() && !self.link.begin(Some(arrived), None) {
+                may = Err("the machine was stopped meanwhile".into());
+            }
             let machine = Machine { state: State::Running, why: None, ..now.machine.clone() };
             if may.is_ok() { vec![Change::Machine { machine }] } else { Vec::new() }
         });
@@ -86,6 +108,20 @@ impl Owner {
             self.settle(Machine::clone);
         }
         !presses.is_empty()
+    }
+
+    /// The machine stands and was stopped, or nobody has armed it: what a stop switches off is off.
+    pub(super) fn stop_at_rest(&mut self) {
+        let stopped = self.hub.read(|now| {
+            let stands = matches!(now.machine.state, State::Idle | State::Alarm);
+            let stopped = self.link.lock().hear_stop_at_rest(stands);
+            stopped || stands && !now.machine.armed
+        });
+        let Workshop { session, shelf, .. } = &mut self.workshop;
+        if stopped && session.stop_at_rest(shelf) {
+            self.settle(Machine::clone);
+            self.hub.say(Tone::Note, "outputs are off: the machine was stopped or disarmed");
+        }
     }
 
     /// Chooses the part folder.
@@ -229,6 +265,7 @@ mod tests {
             closing: None,
             asked: 0,
             run: 0,
+            looked: None,
         }
     }
 

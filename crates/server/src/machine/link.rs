@@ -46,6 +46,8 @@ pub struct Wanted {
     answer: Option<String>,
     /// The jog that is made.
     pub jog: Option<Held>,
+    /// A stop came while nothing ran, and nobody has seen to it yet.
+    rests: bool,
     /// Switches that are moved: by what runs, or else before the next thing begins.
     pub presses: VecDeque<Press>,
 }
@@ -141,6 +143,12 @@ impl Wanted {
         std::mem::take(&mut self.stop)
     }
 
+    /// Whether a stop came while nothing ran; it is heard now. `stands` where nothing has begun.
+    pub fn hear_stop_at_rest(&mut self, stands: bool) -> bool {
+        let now = stands && !self.leaves && std::mem::take(&mut self.stop);
+        std::mem::take(&mut self.rests) || now
+    }
+
     /// Whether whoever waits for somebody is to give up: a stop is wanted, and heard now, or nobody is there.
     pub fn gives_up(&mut self) -> bool {
         self.hear_stop() || self.leaves
@@ -227,7 +235,9 @@ impl Link {
         let begins = since.is_none_or(|since| since.0 == stops);
         if begins {
             let presses = std::mem::take(&mut wanted.presses);
-            *wanted = Wanted { jog, leaves, stop: leaves, stops, presses, ..Wanted::default() };
+            let rests = wanted.rests || wanted.stop;
+            let stop = leaves;
+            *wanted = Wanted { jog, leaves, stop, stops, rests, presses, ..Wanted::default() };
         }
         begins
     }
@@ -267,6 +277,22 @@ mod tests {
         assert!(link.begin(Some(link.stops()), None));
         link.stop();
         assert_eq!(link.lock().wish(), Some(Wish::Stop));
+    }
+
+    #[test]
+    fn a_stop_at_rest_is_heard_at_rest_and_not_by_what_begins_behind_it() {
+        let link = Link::default();
+        link.stop();
+        assert!(link.begin(Some(link.stops()), None));
+        assert_eq!(link.lock().wish(), None);
+        assert!(link.lock().hear_stop_at_rest(false));
+        assert!(!link.lock().hear_stop_at_rest(false), "once");
+        link.stop();
+        assert!(!link.lock().hear_stop_at_rest(false), "what runs hears it");
+        assert_eq!(link.lock().wish(), Some(Wish::Stop));
+        link.lock().hear_stop();
+        link.stop();
+        assert!(link.lock().hear_stop_at_rest(true));
     }
 
     #[test]

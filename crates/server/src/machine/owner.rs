@@ -3,7 +3,7 @@
 use super::board::{Board, Planned};
 use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
-use super::link::Link;
+use super::link::{Link, Stops};
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
@@ -142,6 +142,8 @@ pub struct Owner {
     pub asked: u32,
     /// Runs so far.
     pub run: u32,
+    /// Stops that had come when it was looked last for a command that was passed in.
+    pub looked: Option<Stops>,
 }
 
 impl Owner {
@@ -172,14 +174,21 @@ impl Owner {
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
             let order = match orders.recv_timeout(LOOK) {
-                Ok(order) => order,
-                Err(RecvTimeoutError::Timeout) => match self.passed_in() {
-                    Some(line) => Order::Command { line, opened: false },
-                    None => {
-                        self.catch_up();
-                        continue;
+                Ok(order) => {
+                    self.stop_at_rest();
+                    self.look_for_passed_in();
+                    order
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    self.stop_at_rest();
+                    match self.passed_in() {
+                        Some(line) => Order::Command { line, opened: false },
+                        None => {
+                            self.catch_up();
+                            continue;
+                        }
                     }
-                },
+                }
                 Err(RecvTimeoutError::Disconnected) => break,
             };
             let moved = self.move_switches();

@@ -4,4 +4,4 @@ mod devices;
 mod pages;
 
 pub use devices::{Devices, PairError};
-pub use pages::Pages;
+pub use pages::{Pages, is_script, script};

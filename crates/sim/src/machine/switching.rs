@@ -104,6 +104,15 @@ impl Machine {
         !self.spinning().is_empty() || SPINDLES.into_iter().any(|n| self.outputs.is_on(n))
     }
 
+    /// The operator stops a machine that stands: what turns goes off, and every output that a part file which is
+    /// stopped leaves off.
+    pub fn stop_at_rest(&mut self) {
+        self.stop_spindles();
+        self.by_mode(Occasion::Stop, OutputReason::Stop);
+        self.by_mode(Occasion::End, OutputReason::Stop);
+        self.come_back.clear();
+    }
+
     /// Every output goes off.
     pub fn outputs_off(&mut self) {
         self.set_light(false);

@@ -1,0 +1,32 @@
+import { arm, takeControl } from "../actions/machine";
+import { useShown } from "../app/context";
+import type { Shown } from "../link/shown";
+import { ActionButton } from "../ui/ActionButton";
+import "./goes-on.css";
+
+/** What this page lacks for an answer behind which the machine goes on. */
+export type Lacks = "control" | "arming";
+
+/** An answer behind which the machine goes on counts from whoever drives it, armed. */
+export function lacks({ snapshot, who }: Shown): Lacks | undefined {
+  const { lease, machine } = snapshot ?? {};
+  if (lease && lease.client !== who?.client) return "control";
+  return lease && machine?.armed ? undefined : "arming";
+}
+
+const words: Record<Lacks, string> = {
+  control: "Another page drives. To go on from here, take control and arm the machine.",
+  arming: "To go on, arm the machine.",
+};
+
+/** Says what has to be done before the machine goes on, and does it. Values, No and Quit do without. */
+export function GoesOn() {
+  const lacking = useShown(lacks);
+  if (!lacking) return null;
+  return (
+    <p className="goes-on" role="note">
+      <span>{words[lacking]}</span>
+      <ActionButton action={lacking === "control" ? takeControl : arm} size="small" />
+    </p>
+  );
+}

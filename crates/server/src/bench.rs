@@ -1,0 +1,84 @@
+//! Pages and scripts of a server without a network, for tests.
+
+#![allow(clippy::unwrap_used)]
+
+use crate::app::{App, Parts};
+use crate::hub::Hub;
+use crate::machine::{Link, Order};
+use crate::setup::{Builders, Options};
+use kerf_wire::{Act, Change, Machine, Role, Snapshot, State, Who};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+use tempfile::TempDir;
+
+/// Pages of a machine that takes orders and does nothing.
+pub struct Bench {
+    pub app: Arc<App>,
+    pub orders: Receiver<Order>,
+    /// Drives; the machine is armed.
+    pub driver: Who,
+    pub other: Who,
+    _folder: TempDir,
+}
+
+/// A page drives; the machine is armed.
+pub fn bench() -> Bench {
+    let folder = tempfile::tempdir().unwrap();
+    let (sender, orders) = channel();
+    let nothing = || std::io::Error::other("none");
+    let builders = Builders {
+        workshop: Arc::new(move || Err(nothing())),
+        preview: Arc::new(move || Err(nothing())),
+    };
+    let hub = Arc::new(Hub::new(Snapshot::default()));
+    let (link, left) = (Arc::<Link>::default(), Arc::default());
+    let parts = Parts { hub, link, orders: sender, left, builders };
+    let app = Arc::new(App::new(options(&folder), parts).unwrap());
+    let [driver, other] = [(); 2].map(|()| app.pages.add(Role::Owner, String::new(), Some(0)));
+    let bench = Bench { app, orders, driver, other, _folder: folder };
+    bench.does(&bench.driver, Act::TakeLease { force: false });
+    bench.arms();
+    bench
+}
+
+fn options(folder: &TempDir) -> Options {
+    Options {
+        listen: ([127, 0, 0, 1], 0).into(),
+        lan: false,
+        names: Vec::new(),
+        parts: folder.path().into(),
+        data: folder.path().join("data"),
+        drawing_only: false,
+        open: None,
+        start: None,
+        begin_with: Vec::new(),
+        closes_with_program: false,
+        rate: 1.0,
+    }
+}
+
+impl Bench {
+    pub fn does(&self, who: &Who, act: Act) {
+        self.app.act(&self.app.hears(who), act).unwrap();
+    }
+
+    pub fn lease(&self) -> u32 {
+        self.app.hub.read(|now| now.lease.as_ref().unwrap().number)
+    }
+
+    pub fn arms(&self) {
+        self.does(&self.driver, Act::Arm { lease: self.lease() });
+    }
+
+    /// What the machine did is over.
+    pub fn stands(&self) {
+        self.app.hub.changing(|now| {
+            let machine = Machine { state: State::Idle, ..now.machine.clone() };
+            vec![Change::Machine { machine }]
+        });
+    }
+
+    pub fn ordered(&self) -> bool {
+        self.orders.try_recv().is_ok()
+    }
+}

@@ -1,0 +1,317 @@
+//! The gate: the one place that decides who may have the machine move, go on, or switch something dangerous.
+//!
+//! ```text
+//!  act (socket, HTTP) ──┐
+//!  answer to a question ┤
+//!  wish of a key ───────┤   needs: role, turn at driving,      met by whoever asks?
+//!  value of the registry┼─►        arming, password ─────────► yes: done, unless a stop came since it was asked
+//!  order that begins ───┤                                      no:  the reason, and how it is mended
+//!  command passed in ───┘
+//! ```
+//!
+//! [`needs`] is the only list. The page `docs/book/who-may-what.md` is made from what a server answers to each
+//! line of it; that nothing has begun that was stopped meanwhile is looked after in [`asker`](crate::asker).
+
+use crate::app::{App, problem};
+use crate::machine::Order;
+use crate::setup::Options;
+use kerf_control::answers::{self, Effect};
+use kerf_control::stored;
+use kerf_handconsole::{Key, Wish};
+use kerf_wire::{Act, Asked, Lease, Problem, Role, Snapshot, State, Who, Why};
+
+/// Something that somebody asks for, by the way on which it came.
+#[derive(Clone, Copy, Debug)]
+pub enum Way<'a> {
+    /// A page or a script asks for it.
+    Act(&'a Act),
+    /// A key of the hand console asks for it.
+    Wish(&'a Wish),
+    /// The machine's thread begins it.
+    Order(&'a Order),
+    /// What runs goes on.
+    GoOn,
+    /// A value of the registry is written over the network, under this key; a command comes as an act.
+    Value(&'a str),
+    /// A program on this computer passed a command in.
+    PassedIn,
+    /// Whoever started Kerf here wrote it into the start-up line.
+    StartUp,
+}
+
+/// What it takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Need {
+    role: Role,
+    turn: Turn,
+    /// The machine has to be armed.
+    armed: bool,
+    /// The settings must not be locked by their password.
+    unlocked: bool,
+}
+
+/// The turn at driving that something takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Turn {
+    /// None.
+    Anybody,
+    /// The one whose number it carries.
+    Number(u32),
+    /// The present one of whoever asks.
+    Own,
+}
+
+const fn need(role: Role) -> Need {
+    Need { role, turn: Turn::Anybody, armed: false, unlocked: false }
+}
+
+/// Whoever drives may, also while the machine is disarmed.
+const fn holding(lease: u32) -> Need {
+    Need { turn: Turn::Number(lease), ..need(Role::Operator) }
+}
+
+/// Whoever drives may, with the machine armed.
+const fn driving(turn: Turn) -> Need {
+    Need { turn, armed: true, ..need(Role::Operator) }
+}
+
+/// The same for what changes settings of the machine.
+const fn setting(need: Need) -> Need {
+    Need { role: Role::Setter, unlocked: true, ..need }
+}
+
+/// Stop of the hand console.
+const STOP_KEY: char = Key::Stop.character();
+
+/// Decides what something takes. This is the one list.
+///
+/// # Errors
+/// Nobody may have that done, in this way.
+fn needs(now: &Snapshot, way: Way<'_>) -> Result<Need, Problem> {
+    Ok(match way {
+        Way::Act(act) => return needs_of_act(now, act),
+        Way::Wish(wish) => return needs_of_wish(now, wish),
+        Way::Order(order) if order.moves() => driving(Turn::Own),
+        Way::Order(_) | Way::StartUp => need(Role::Observer),
+        Way::GoOn => driving(Turn::Own),
+        Way::Value(key) if stored::is_own(key) => {
+            let text = format!(
+                "Kerf alone writes {key}; values of your own have other names, as uValue or one with a $"
+            );
+            return Err(problem(Why::Malformed, text));
+        }
+        Way::Value(_) => need(Role::Operator),
+        Way::PassedIn => Need { armed: true, ..need(Role::Observer) },
+    })
+}
+
+fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
+    Ok(match act {
+        Act::Key { key: STOP_KEY, .. } => need(Role::Observer),
+        Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } | Act::Ping => {
+            need(Role::Observer)
+        }
+        Act::Answer { question, answer } => return needs_of_answer(now, Some(*question), answer),
+        Act::Resume { lease }
+        | Act::Run { lease, .. }
+        | Act::TakeUp { lease }
+        | Act::JogStart { lease, .. }
+        | Act::JogRenew { lease, .. }
+        | Act::Nudge { lease, .. } => driving(Turn::Number(*lease)),
+        Act::Command { lease, line } if changes_settings(line) => {
+            setting(driving(Turn::Number(*lease)))
+        }
+        Act::Command { lease, .. } => driving(Turn::Number(*lease)),
+        // A question may wait for that very switch.
+        Act::Input { lease, .. } if now.machine.state == State::Asking => {
+            driving(Turn::Number(*lease))
+        }
+        Act::GiveLease { lease }
+        | Act::Arm { lease }
+        | Act::Override { lease, .. }
+        | Act::Key { lease, .. }
+        | Act::Input { lease, .. } => holding(*lease),
+        Act::Set { lease, .. } => setting(holding(*lease)),
+        Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
+        Act::TakeLease { .. }
+        | Act::Open { .. }
+        | Act::Parameters { .. }
+        | Act::Choose { .. }
+        | Act::KeepOrigin
+        | Act::SaveJob
+        | Act::TakeShapeBack
+        | Act::Machine { .. }
+        | Act::Folder { .. }
+        | Act::Record { .. }
+        | Act::Watch { .. }
+        | Act::Close
+        | Act::ClearPrinted
+        | Act::SheetDone
+        | Act::Acknowledge
+        | Act::Draw { .. } => need(Role::Operator),
+    })
+}
+
+fn needs_of_wish(now: &Snapshot, wish: &Wish) -> Result<Need, Problem> {
+    Ok(match wish {
+        Wish::Stop => need(Role::Observer),
+        Wish::Answer(words) => return needs_of_answer(now, None, words),
+        Wish::Resume | Wish::Start | Wish::Jog(_) | Wish::Go(_) | Wish::Job(_) => {
+            driving(Turn::Own)
+        }
+        Wish::Set(_) | Wish::KeepSettings => setting(driving(Turn::Own)),
+        Wish::Acknowledge
+        | Wish::TakeControl
+        | Wish::Open(_)
+        | Wish::AddShape(_)
+        | Wish::Look(_) => need(Role::Operator),
+    })
+}
+
+/// An answer that fills in a value, or ends what asks, is free for operators; one behind which the machine goes on
+/// is an act of whoever drives. Motion is none: it has acts of its own, which somebody holds on to.
+fn needs_of_answer(now: &Snapshot, question: Option<u32>, words: &str) -> Result<Need, Problem> {
+    let open = |asked: &&Asked| question.is_none_or(|number| number == asked.number);
+    // One that comes too late is refused where it is given.
+    let Some(asked) = now.asked.as_ref().filter(open) else { return Ok(need(Role::Operator)) };
+    match answers::kind_of(&asked.kind).map(|kind| answers::effect(kind, words)) {
+        Some(Effect::Value | Effect::Ends) => Ok(need(Role::Operator)),
+        Some(Effect::Moves) => Err(problem(Why::Malformed, NO_MOTION)),
+        Some(Effect::GoesOn) | None => Ok(driving(Turn::Own)),
+    }
+}
+
+/// Said to an answer that is a motion.
+const NO_MOTION: &str = "no answer moves the tool: hold a key of the keypad (jogStart), or nudge (nudge); both \
+                         work while the question is open";
+
+/// Whether lines change what the machine is set to: the V commands and others that set it.
+fn changes_settings(lines: &str) -> bool {
+    kerf_sbp::read_typed("command".into(), &format!("{lines}\n")).sets_machine()
+}
+
+impl Need {
+    /// Whether the machine may move by it, so that no stop may have come since it was asked for.
+    pub const fn moves(self) -> bool {
+        self.armed
+    }
+
+    /// Looks whether somebody meets it, but for the password.
+    fn met(self, now: &Snapshot, who: &Who) -> Result<(), Problem> {
+        if who.role < self.role {
+            let text =
+                format!("this needs the role {:?}, this device is {:?}", self.role, who.role);
+            return Err(problem(Why::Role, text.to_lowercase()));
+        }
+        match (self.turn, &now.lease) {
+            (Turn::Anybody, _) => {}
+            (Turn::Number(number), Some(lease)) if lease.client == who.client => {
+                if lease.number != number {
+                    return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
+                }
+            }
+            (Turn::Own, Some(lease)) if lease.client == who.client => {}
+            (_, Some(lease)) => return Err(driven_by(lease)),
+            (_, None) => return Err(problem(Why::Lease, "nobody drives: take control first")),
+        }
+        if self.armed && !now.machine.armed {
+            return Err(problem(Why::Disarmed, "the machine is disarmed: arm it first"));
+        }
+        Ok(())
+    }
+}
+
+/// Decides whether somebody may have something done, as things are now.
+///
+/// # Errors
+/// Why not.
+pub fn pass(now: &Snapshot, who: &Who, way: Way<'_>) -> Result<Need, Problem> {
+    let need = needs(now, way)?;
+    need.met(now, who).map(|()| need)
+}
+
+/// Who has the machine, and how it is had from there.
+pub fn driven_by(Lease { device, .. }: &Lease) -> Problem {
+    let who = if device.is_empty() { "another page" } else { device };
+    let text = format!(
+        "somebody else drives: {who}. Press Give up control there, or close that page; another page \
+         takes it with Take control"
+    );
+    problem(Why::Lease, text)
+}
+
+impl App {
+    /// Decides whether somebody may have something done.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn gate(&self, who: &Who, way: Way<'_>) -> Result<(), Problem> {
+        if let Way::Act(act) = way {
+            open_here(&self.options, act)?;
+        }
+        let need = self.hub.read(|now| pass(now, who, way))?;
+        if need.unlocked { self.opened(who, None) } else { Ok(()) }
+    }
+
+    /// The number of somebody's turn at driving the machine, which is armed.
+    ///
+    /// # Errors
+    /// Somebody else drives, or nobody, or the machine is disarmed.
+    pub fn drives(&self, who: &Who) -> Result<u32, Problem> {
+        self.hub.read(|now| {
+            pass(now, who, Way::GoOn)?;
+            Ok(now.lease.as_ref().map_or(0, |lease| lease.number))
+        })
+    }
+}
+
+/// Said where the machine is left alone.
+const DRAWING_ONLY: &str =
+    "this is not available in the editing version: only drawings are worked on here";
+
+/// Said where only files are run.
+const FILES_ONLY: &str = "Kerf was started for files only: no commands, no keypad";
+
+/// Looks whether Kerf was started for acts of this sort.
+fn open_here(options: &Options, act: &Act) -> Result<(), Problem> {
+    if options.drawing_only && !is_of_drawings(act) {
+        return Err(problem(Why::State, DRAWING_ONLY));
+    }
+    let files_only = options.start.as_ref().is_some_and(|start| start.display == 9);
+    if files_only && is_by_hand(act) {
+        return Err(problem(Why::State, FILES_ONLY));
+    }
+    Ok(())
+}
+
+/// Whether an act leaves the machine alone: it is about drawings and files, or it only stops.
+const fn is_of_drawings(act: &Act) -> bool {
+    matches!(
+        act,
+        Act::Ping
+            | Act::Stop
+            | Act::Hold
+            | Act::Disarm
+            | Act::JogStop { .. }
+            | Act::Draw { .. }
+            | Act::Open { .. }
+            | Act::Parameters { .. }
+            | Act::Close
+            | Act::ClearPrinted
+            | Act::SheetDone
+            | Act::Unlock { .. }
+            | Act::Protect { .. }
+    )
+}
+
+/// Whether an act is refused where only files are run.
+fn is_by_hand(act: &Act) -> bool {
+    match act {
+        Act::Command { line, .. } => {
+            let letters: String = line.trim().chars().take(2).collect();
+            line.lines().count() != 1 || !letters.eq_ignore_ascii_case("FP")
+        }
+        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } | Act::Key { .. } => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,186 @@
+//! How a turn at driving ends that nobody gave up: a page ends it by going; a script, which has no connection that
+//! could end, by not being heard; and both when their device is revoked.
+
+use crate::app::{App, lock};
+use crate::clock::Clock;
+use crate::people::is_script;
+use kerf_wire::{State, Who};
+use std::io;
+use std::sync::{Mutex, Weak};
+use std::time::Duration;
+
+/// So long a script drives that is not heard.
+pub const SILENCE: Duration = Duration::from_secs(10);
+
+/// How often it is looked whether one is.
+const LOOK: Duration = Duration::from_millis(250);
+
+/// What is known of the turn that goes on.
+#[derive(Debug, Default)]
+pub struct Turn {
+    clock: Clock,
+    inner: Mutex<Inner>,
+}
+
+#[derive(Debug, Default)]
+struct Inner {
+    /// When whoever drives was heard last.
+    heard: Duration,
+    /// The turn in which what runs was begun.
+    run_of: u32,
+}
+
+impl Turn {
+    /// Whoever drives was heard.
+    pub fn heard(&self) {
+        lock(&self.inner).heard = self.clock.now();
+    }
+
+    /// Something begins in this turn.
+    pub fn begins(&self, lease: u32) {
+        lock(&self.inner).run_of = lease;
+    }
+
+    /// Whether whoever has this turn is not heard any more. While something of the turn runs it goes on.
+    fn is_silent(&self, lease: u32, runs: bool) -> bool {
+        let mut inner = lock(&self.inner);
+        if runs && inner.run_of == lease {
+            inner.heard = self.clock.now();
+        }
+        self.clock.now().saturating_sub(inner.heard) > SILENCE
+    }
+
+    /// So much time has passed.
+    #[cfg(test)]
+    pub fn forward(&self, by: Duration) {
+        self.clock.forward(by);
+    }
+}
+
+/// Looks after the turns of scripts, as long as the server runs.
+pub async fn watch(app: Weak<App>) {
+    while let Some(app) = app.upgrade() {
+        app.end_silent_turn();
+        drop(app);
+        tokio::time::sleep(LOOK).await;
+    }
+}
+
+impl App {
+    /// Somebody was heard, which counts where it drives.
+    pub fn hears_driver(&self, who: &Who) {
+        let drives = |now: &kerf_wire::Snapshot| {
+            now.lease.as_ref().is_some_and(|lease| lease.client == who.client)
+        };
+        if self.hub.read(drives) {
+            self.turn.heard();
+        }
+    }
+
+    /// The turn of a script ends that is not heard any more.
+    pub fn end_silent_turn(&self) {
+        let runs = !matches!(self.state(), State::Idle | State::Alarm);
+        let why = format!("the program that drove was not heard for {} s", SILENCE.as_secs());
+        self.drop_lease(
+            |lease| is_script(lease.client) && self.turn.is_silent(lease.number, runs),
+            &why,
+        );
+    }
+
+    /// Takes a device off the list: what it has of the machine is gone at once.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn revoke(&self, device: u32) -> io::Result<()> {
+        self.devices.revoke(device)?;
+        let of_device = |client| self.pages.device_of(client) == Some(device);
+        self.drop_lease(|lease| of_device(lease.client), "the device that drove was revoked");
+        self.pages.of_device(device).for_each(|client| self.unlocked.remove(client));
+        // Pages look whether they are still paired when something is told.
+        self.files_changed();
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::bench::{Bench, bench};
+    use crate::people::script;
+    use kerf_wire::{Act, Role};
+
+    /// A script drives, with the machine armed.
+    fn scripted() -> (Bench, Who) {
+        let bench = bench();
+        let who = Who { client: script(7), role: Role::Operator, device: "script".into() };
+        bench.does(&who, Act::TakeLease { force: true });
+        bench.does(&who, Act::Arm { lease: bench.lease() });
+        (bench, who)
+    }
+
+    fn drives(bench: &Bench) -> bool {
+        bench.app.end_silent_turn();
+        bench.app.hub.read(|now| now.lease.is_some() && now.machine.armed)
+    }
+
+    #[test]
+    fn a_script_that_is_not_heard_drives_no_longer() {
+        let (bench, who) = scripted();
+        for _ in 0..3 {
+            bench.app.turn.forward(SILENCE * 9 / 10);
+            assert!(drives(&bench));
+            bench.does(&who, Act::Ping);
+        }
+        bench.app.turn.forward(SILENCE * 11 / 10);
+        assert!(!drives(&bench));
+        assert_eq!(bench.app.hub.read(|now| now.lease.clone()), None);
+    }
+
+    #[test]
+    fn a_page_drives_as_long_as_it_is_there() {
+        let bench = bench();
+        bench.app.turn.forward(SILENCE * 100);
+        assert!(drives(&bench));
+    }
+
+    #[test]
+    fn a_script_drives_while_its_own_run_goes_on() {
+        let (bench, who) = scripted();
+        bench.does(&who, Act::Command { lease: bench.lease(), line: "MX,1".into() });
+        bench.app.turn.forward(SILENCE * 100);
+        assert!(drives(&bench));
+        bench.stands();
+        bench.app.turn.forward(SILENCE * 9 / 10);
+        assert!(drives(&bench), "it counts from the end of the run");
+        bench.app.turn.forward(SILENCE);
+        assert!(!drives(&bench));
+    }
+
+    #[test]
+    fn the_run_of_another_turn_keeps_no_script_at_the_wheel() {
+        let bench = bench();
+        bench.does(&bench.driver, Act::Command { lease: bench.lease(), line: "MX,1".into() });
+        let who = Who { client: script(7), role: Role::Operator, device: "script".into() };
+        bench.does(&who, Act::TakeLease { force: true });
+        bench.does(&who, Act::Arm { lease: bench.lease() });
+        bench.app.turn.forward(SILENCE * 2);
+        assert!(!drives(&bench));
+    }
+
+    #[test]
+    fn a_device_that_is_revoked_has_nothing_of_the_machine() {
+        let (bench, who) = scripted();
+        bench.app.unlocked.add(who.client);
+        bench.app.revoke(7).unwrap();
+        assert!(!drives(&bench));
+        assert!(!bench.app.unlocked.has(who.client));
+        let page = bench.app.pages.add(Role::Setter, "page".into(), Some(8));
+        bench.does(&page, Act::TakeLease { force: false });
+        bench.does(&page, Act::Arm { lease: bench.lease() });
+        bench.app.revoke(7).unwrap();
+        assert!(drives(&bench), "it is another");
+        bench.app.revoke(8).unwrap();
+        assert!(!drives(&bench));
+    }
+}
