@@ -6,6 +6,7 @@ import { HoldButton } from "./HoldButton";
 import { LeaseChip } from "./LeaseChip";
 import { ModeChip } from "./ModeChip";
 import { Navigation } from "./Navigation";
+import { SpaceTypes } from "./SpaceTypes";
 import { StateWord } from "./StateWord";
 import { StopButton } from "./StopButton";
 import "./top-strip.css";
@@ -37,6 +38,7 @@ export function TopStrip() {
           <HoldButton />
         </Guard>
         <StopButton />
+        <SpaceTypes />
       </div>
     </header>
   );

@@ -11,6 +11,7 @@ use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
 use crate::setup::{Builders, Options};
 use crate::shop;
+use crate::uptime::Uptime;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
 use kerf_control::timing::Begun;
@@ -49,6 +50,8 @@ pub struct App {
     pub devices: Devices,
     /// Connected pages.
     pub pages: Pages,
+    /// The clock that pages reckon with.
+    pub uptime: Uptime,
     /// The drawing that is open.
     pub desk: Mutex<Desk>,
     /// Who keeps drafts of it is told here that it changed.
@@ -162,6 +165,7 @@ impl App {
             parts: PartFolder::new(&options.parts)?,
             devices: Devices::read(&options.data)?,
             pages: Pages::default(),
+            uptime: Uptime::default(),
             unlocked: Unlocked::default(),
             desk: Mutex::default(),
             changed: OnceLock::new(),

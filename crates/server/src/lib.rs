@@ -39,6 +39,7 @@ mod protect;
 mod setup;
 mod shop;
 mod told;
+mod uptime;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};

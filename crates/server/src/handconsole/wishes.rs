@@ -4,6 +4,7 @@ use super::Happening;
 use crate::app::{App, lock, problem};
 use crate::asker::Asker;
 use crate::machine::Order;
+use crate::people::Grip;
 use kerf_handconsole::{JobWish, Wish};
 use kerf_machine::Errand;
 use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Why};
@@ -18,7 +19,7 @@ impl App {
     pub fn grant(
         self: &Arc<Self>,
         asker: &Asker,
-        seq: u32,
+        grip: Grip,
         wish: Wish,
         tells: &Sender<Happening>,
     ) -> Result<(), Problem> {
@@ -62,7 +63,7 @@ impl App {
             }
             Wish::Jog(held) => {
                 self.drives(who)?;
-                return self.jog(asker, seq, self.errand(Errand::Held(held), tells));
+                return self.jog(asker, grip, self.errand(Errand::Held(held), tells));
             }
             Wish::Go(errand) => {
                 self.drives(who)?;
