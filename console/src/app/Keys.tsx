@@ -1,8 +1,9 @@
 import { useEffect } from "react";
 import { attempt, perform } from "../actions/action";
 import { actionOfKey } from "../actions/keys";
-import { spaceBar } from "../actions/machine";
+import { hold, spaceBar } from "../actions/machine";
 import { actions } from "../actions/registry";
+import { otherVersion } from "../link/version";
 import { useHands, worldOf } from "./context";
 import { isSwitch, leave, takesKeys, takesText } from "./typing";
 
@@ -16,7 +17,8 @@ export function Keys() {
       if (event.defaultPrevented) return;
       const world = worldOf(hands);
       const { route } = hands.screen.get();
-      const action = actionOfKey(actions, event, takesKeys(event.target), route);
+      const known = otherVersion(world.shown) === undefined ? actions : [hold];
+      const action = actionOfKey(known, event, takesKeys(event.target), route);
       if (!action) return;
       if (perform(action, world)) event.preventDefault();
       else if (action.keysTell) attempt(action, world);

@@ -13,7 +13,10 @@ const asked: string[] = [];
 
 beforeAll(async () => {
   workshop = await openWorkshop();
-  writeFileSync(join(workshop.parts, "input.sbp"), 'INPUT "How far" &far\nMSGBOX(Go on?, YesNo)\nEND\n');
+  writeFileSync(
+    join(workshop.parts, "input.sbp"),
+    'INPUT "How far" &far\nMSGBOX(Go on?, YesNo)\nEND\n',
+  );
   page = await workshop.browser.newPage({ viewport: { width: 1280, height: 800 } });
   page.on("websocket", (socket) =>
     socket.on("framesent", ({ payload }) => {
@@ -40,7 +43,9 @@ const focusOn = (n: number): Promise<{ name: string; writes: boolean } | null> =
       if (!one) return null;
       one.focus();
       const here = document.activeElement;
-      const box = here instanceof HTMLInputElement && !["checkbox", "radio", "range", "file"].includes(here.type);
+      const box =
+        here instanceof HTMLInputElement &&
+        !["checkbox", "radio", "range", "file"].includes(here.type);
       const writes =
         box ||
         here instanceof HTMLTextAreaElement ||
