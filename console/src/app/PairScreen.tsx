@@ -35,7 +35,8 @@ export function PairScreen() {
       }
     >
       <p className="tool-words">
-        At the machine, open Settings and let a device in: it shows a code. Enter it here.
+        At the machine, open Settings and let a device in: it shows a code. Enter it here. On the
+        computer of the machine itself, open the address that <code>kerf serve</code> printed.
       </p>
       <form
         className="pair-fields"

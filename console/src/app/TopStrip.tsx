@@ -30,7 +30,9 @@ function StopsOnly() {
     <header className="strip" data-react-aria-top-layer="true">
       <div className="strip-end">
         <Guard>
-          <ActionButton action={disarm} size="small" />
+          <ActionButton action={disarm} size="small">
+            Disarm
+          </ActionButton>
           <ActionButton action={hold} look="hold" className="hold-button" />
         </Guard>
         <StopButton />

@@ -104,7 +104,7 @@ impl Page {
     }
 }
 
-/// What reads files, programs or drawings; the rest is done at once.
+/// What reads files, programs or drawings, or tries a password; the rest is done at once.
 const fn is_slow(act: &Act) -> bool {
     matches!(
         act,
@@ -118,6 +118,8 @@ const fn is_slow(act: &Act) -> bool {
             | Act::Run { .. }
             | Act::Command { .. }
             | Act::Draw { .. }
+            | Act::Unlock { .. }
+            | Act::Protect { .. }
     )
 }
 
