@@ -40,6 +40,8 @@ export function PairScreen() {
       </p>
       <form
         className="pair-fields"
+        // The same code may be right in a moment.
+        noValidate
         onSubmit={(event) => {
           event.preventDefault();
           if (ready) void pair();

@@ -35,13 +35,15 @@ const focusable =
 /** Gives the focus to one after the other; what it is, or nothing when there are no more. */
 const focusOn = (n: number): Promise<{ name: string; writes: boolean } | null> =>
   page.evaluate(
-    ([all, at]) => {
+    async ([all, at]) => {
       const seen = [...document.querySelectorAll<HTMLElement>(String(all))].filter(
         (one) => one.checkVisibility() && !one.closest("[inert]") && !one.matches(":disabled"),
       );
       const one = seen[Number(at)];
       if (!one) return null;
       one.focus();
+      // A list may give the focus on to the field that it belongs to.
+      await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
       const here = document.activeElement;
       const box =
         here instanceof HTMLInputElement &&
@@ -73,7 +75,9 @@ async function walk(where: string): Promise<{ stops: number; fields: number }> {
       expect(await told.getAttribute("title"), at).toContain("press Escape first");
       counted.fields += 1;
     } else {
-      expect(asked, `${at}: it stops, and is not pressed`).toEqual(["stop"]);
+      await expect
+        .poll(() => asked, { message: `${at}: it stops, and is not pressed` })
+        .toEqual(["stop"]);
       expect(await told.count(), at).toBe(0);
       counted.stops += 1;
     }
@@ -93,7 +97,7 @@ const screens: readonly [string, () => Promise<void>, string][] = [
   ["edit", route("Edit"), ".cm-content"],
   ["draw", route("Draw"), "canvas"],
   ["settings", route("Settings"), "main input"],
-  ["help", route("Help"), "main a"],
+  ["help", route("Help"), "main button"],
 ];
 
 const sheets: readonly [string, () => Promise<void>][] = [
