@@ -16,6 +16,7 @@ function world(problem: "takeLease" | null = null) {
     who: { client: 4, role: "operator", device: "" },
     snapshot: firstSnapshot,
     roundTripMs: 1,
+    aheadMs: 0,
   });
   const grant = () =>
     shown.update((now) => ({

@@ -16,7 +16,7 @@ function world(
 ): World {
   const machine = { ...firstSnapshot.machine, state, armed, mode };
   const snapshot = { ...firstSnapshot, machine };
-  return { shown: { status, who: null, snapshot, roundTripMs: 1 } } as World;
+  return { shown: { status, who: null, snapshot, roundTripMs: 1, aheadMs: 0 } } as World;
 }
 
 const allowed = (action: Action, armed = true, mode: Mode = "simulated") =>

@@ -3,6 +3,7 @@ import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
 import { HandConsole } from "../handconsole/HandConsole";
 import { HelpScreen } from "../help/HelpScreen";
+import { otherVersion } from "../link/version";
 import { MessageWindow } from "../operator/MessageWindow";
 import { PauseCard } from "../operator/PauseCard";
 import { SettingsScreen } from "../settings/SettingsScreen";
@@ -16,6 +17,7 @@ import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
 import { OpenSheet } from "./OpenSheet";
+import { OtherVersion } from "./OtherVersion";
 import { PairScreen } from "./PairScreen";
 import { type Route, shownIn } from "./routes";
 import { Sounds } from "./Sounds";
@@ -29,7 +31,7 @@ export function App({ hands }: { hands: Hands }) {
       <Keys />
       <TopStrip />
       <Guard>
-        <Body />
+        <OfThisVersion />
       </Guard>
       <Guard>
         <Notices />
@@ -51,6 +53,18 @@ const JobScreen = lazy(async () => ({
 const DrawScreen = lazy(async () => ({
   default: (await import("../draw/DrawScreen")).DrawScreen,
 }));
+
+function OfThisVersion() {
+  const other = useShown(otherVersion);
+  if (other === undefined) return <Body />;
+  return (
+    <div className="body">
+      <main className="screen">
+        <OtherVersion kerf={other} />
+      </main>
+    </div>
+  );
+}
 
 function Body() {
   const drawingOnly = useSnapshot("drawingOnly") ?? false;

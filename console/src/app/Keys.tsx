@@ -1,29 +1,24 @@
 import { useEffect } from "react";
 import { attempt, perform } from "../actions/action";
 import { actionOfKey } from "../actions/keys";
+import { hold, spaceBar } from "../actions/machine";
 import { actions } from "../actions/registry";
+import { otherVersion } from "../link/version";
 import { useHands, worldOf } from "./context";
-
-/** Whether keys go into a field. */
-const typingIn = (target: EventTarget | null): boolean =>
-  target instanceof HTMLElement &&
-  (target.isContentEditable || ["INPUT", "TEXTAREA", "SELECT"].includes(target.tagName));
-
-/** Whether a key presses what has the focus. */
-const presses = (target: EventTarget | null, key: string): boolean =>
-  key === " " &&
-  target instanceof HTMLElement &&
-  target.closest("button, [role=button], a") !== null;
+import { isSwitch, leave, takesKeys, takesText } from "./typing";
 
 /** Hears the keys of the whole page. */
 export function Keys() {
+  useSpaceBar();
+  useFields();
   const hands = useHands();
   useEffect(() => {
     const hear = (event: KeyboardEvent) => {
-      if (event.defaultPrevented || presses(event.target, event.key)) return;
+      if (event.defaultPrevented) return;
       const world = worldOf(hands);
       const { route } = hands.screen.get();
-      const action = actionOfKey(actions, event, typingIn(event.target), route);
+      const known = otherVersion(world.shown) === undefined ? actions : [hold];
+      const action = actionOfKey(known, event, takesKeys(event.target), route);
       if (!action) return;
       if (perform(action, world)) event.preventDefault();
       else if (action.keysTell) attempt(action, world);
@@ -32,4 +27,47 @@ export function Keys() {
     return () => removeEventListener("keydown", hear);
   }, [hands]);
   return null;
+}
+
+/**
+ * The space bar is STOP, whatever has the focus and whatever is held beside it, but for fields of text. It is heard
+ * before anything else hears it, and nothing else does: no button is pressed and no list opened by it. Enter does
+ * that.
+ */
+function useSpaceBar(): void {
+  const hands = useHands();
+  useEffect(() => {
+    const hear = (event: KeyboardEvent) => {
+      if (event.key !== " " || takesText(event.target)) return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      if (event.type === "keydown" && !event.repeat) perform(spaceBar, worldOf(hands));
+    };
+    // Some browsers press a button when the key is let go.
+    addEventListener("keydown", hear, true);
+    addEventListener("keyup", hear, true);
+    return () => {
+      removeEventListener("keydown", hear, true);
+      removeEventListener("keyup", hear, true);
+    };
+  }, [hands]);
+}
+
+/** Escape leaves a field of text, so that the space bar is STOP; Enter switches what the space bar did. */
+function useFields(): void {
+  useEffect(() => {
+    const hear = (event: KeyboardEvent) => {
+      const { key, target, defaultPrevented } = event;
+      if (defaultPrevented) return;
+      if (key === "Enter" && isSwitch(target)) {
+        event.preventDefault();
+        if (!event.repeat) target.click();
+      }
+      if (key !== "Escape" || !takesText(target)) return;
+      // A sheet may close with its field; what still has the focus then is left.
+      setTimeout(() => document.activeElement === target && leave(target));
+    };
+    addEventListener("keydown", hear);
+    return () => removeEventListener("keydown", hear);
+  }, []);
 }

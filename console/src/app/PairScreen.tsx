@@ -35,10 +35,13 @@ export function PairScreen() {
       }
     >
       <p className="tool-words">
-        At the machine, open Settings and let a device in: it shows a code. Enter it here.
+        At the machine, open Settings and let a device in: it shows a code. Enter it here. On the
+        computer of the machine itself, open the address that <code>kerf serve</code> printed.
       </p>
       <form
         className="pair-fields"
+        // The same code may be right in a moment.
+        noValidate
         onSubmit={(event) => {
           event.preventDefault();
           if (ready) void pair();

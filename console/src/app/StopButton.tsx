@@ -17,7 +17,7 @@ export function StopButton() {
       aria-keyshortcuts="Space"
       onPointerDown={press}
       onKeyDown={(event) => {
-        if (event.key !== "Enter" && event.key !== " ") return;
+        if (event.key !== "Enter") return;
         event.preventDefault();
         if (!event.repeat) press();
       }}

@@ -6,10 +6,13 @@ import { directions, wayOfKey } from "./keys";
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
+/** The server's clock: a thousand ahead of this page's. */
+const clockMs = (): number | null => Date.now() + 1000;
+
 const wish = { direction: directions.right, speedShare: 0.3, distance: null };
 
 /** A hand whose requests are kept; starts are refused as often as there are problems. */
-function hand(problems: Problem[] = [], lease: number | null = 7) {
+function hand(problems: Problem[] = [], lease: number | null = 7, clock = () => clockMs()) {
   const asked: Act[] = [];
   const refused: string[] = [];
   const ask = async (act: Act) => {
@@ -20,10 +23,13 @@ function hand(problems: Problem[] = [], lease: number | null = 7) {
   const held = new JogHand(
     ask,
     () => lease ?? undefined,
+    clock,
     (why) => refused.push(why),
   );
   return { asked, refused, held, kinds: () => asked.map((act) => act.do) };
 }
+
+const clockOf = (act: Act | undefined) => (act && "clockMs" in act ? act.clockMs : undefined);
 
 const seqOf = (act: Act | undefined) => (act && "seq" in act ? act.seq : undefined);
 
@@ -49,6 +55,24 @@ describe("the dead man's handle", () => {
     const [begun] = asked;
     expect(begun).toMatchObject({ lease: 7, direction: [1, 0, 0, 0, 0, 0] });
     expect(asked.at(-1)).toEqual({ do: "jogStop", seq: seqOf(begun) });
+  });
+
+  it("says with every sign when it held the key, on the server's clock", async () => {
+    const { asked, held } = hand();
+    const begun = Date.now() + 1000;
+    held.hold(wish);
+    await vi.advanceTimersByTimeAsync(2 * renewEveryMs);
+    held.release();
+    const signs = asked.filter((act) => act.do !== "jogStop").map(clockOf);
+    expect(signs).toEqual([begun, begun + renewEveryMs, begun + 2 * renewEveryMs]);
+  });
+
+  it("holds nothing before the link was measured", () => {
+    const { asked, held, refused } = hand([], 7, () => null);
+    held.hold(wish);
+    held.release();
+    expect(asked).toEqual([]);
+    expect(refused).toEqual(["The link is being measured: press the key again in a moment."]);
   });
 
   it("ends the one before with its own number", () => {

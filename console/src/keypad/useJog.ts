@@ -1,6 +1,6 @@
 import { useEffect, useMemo } from "react";
 import { useHands } from "../app/context";
-import { leaseOf } from "../link/shown";
+import { leaseOf, serverClockMs } from "../link/shown";
 import { JogHand } from "./jog";
 
 /** The handle of this page, which lets go whenever nobody can be holding it. */
@@ -11,6 +11,7 @@ export function useJog(): JogHand {
       new JogHand(
         (act) => hands.link.ask(act),
         () => leaseOf(hands.link.shown.get()),
+        () => serverClockMs(hands.link.shown.get()),
         (why) => hands.screen.tell(why),
       ),
     [hands],

@@ -9,6 +9,7 @@ import { createStore, type Store } from "../app/store";
 import type { Act, Reply, ToPage } from "../wire/messages";
 import { fold } from "./fold";
 import { Requests } from "./requests";
+import { ServerClock } from "./server-clock";
 import { nothingShown, type Shown } from "./shown";
 
 export interface Link {
@@ -27,6 +28,7 @@ class SocketLink implements Link {
   readonly #address: string;
   readonly #requests = new Requests();
   #socket: WebSocket | undefined;
+  #clock = new ServerClock();
   #retryMs = firstRetryMs;
   #closed = false;
   readonly #pings: ReturnType<typeof setInterval>;
@@ -75,6 +77,7 @@ class SocketLink implements Link {
           who: told.who,
           snapshot: told.snapshot,
         }));
+        void this.#ping();
         break;
       case "changes":
         this.shown.update((now) =>
@@ -92,7 +95,9 @@ class SocketLink implements Link {
       ...now,
       status: now.snapshot ? "lost" : "opening",
       roundTripMs: null,
+      aheadMs: null,
     }));
+    this.#clock = new ServerClock();
     if (this.#closed) return;
     setTimeout(() => this.#open(), this.#retryMs);
     this.#retryMs = Math.min(this.#retryMs * 2, lastRetryMs);
@@ -103,8 +108,10 @@ class SocketLink implements Link {
     const sent = performance.now();
     const reply = await this.ask({ do: "ping" });
     if (reply.problem) return;
-    const roundTripMs = performance.now() - sent;
-    this.shown.update((now) => ({ ...now, roundTripMs }));
+    const got = performance.now();
+    if (reply.clockMs !== undefined) this.#clock.heard(sent, got, reply.clockMs);
+    const { aheadMs } = this.#clock;
+    this.shown.update((now) => ({ ...now, roundTripMs: got - sent, aheadMs }));
   }
 }
 

@@ -12,6 +12,8 @@ export interface Shown {
   readonly snapshot: Snapshot | null;
   /** How long the last ping took, milliseconds. */
   readonly roundTripMs: number | null;
+  /** How far the server's clock is ahead of this page's, milliseconds. */
+  readonly aheadMs: number | null;
 }
 
 export const nothingShown: Shown = {
@@ -19,7 +21,12 @@ export const nothingShown: Shown = {
   who: null,
   snapshot: null,
   roundTripMs: null,
+  aheadMs: null,
 };
+
+/** The server's clock now, milliseconds; nothing before it was measured. */
+export const serverClockMs = ({ aheadMs }: Shown): number | null =>
+  aheadMs === null ? null : performance.now() + aheadMs;
 
 /** The number of the lease when this page drives. */
 export function leaseOf({ who, snapshot }: Shown): number | undefined {

@@ -24,6 +24,7 @@ export function Devices() {
   const [devices, setDevices] = useState<readonly Device[]>([]);
   const [shown, setShown] = useState<{ code: string; role: Role; after: number } | null>(null);
   const clients = useSnapshot("clients");
+  const wrongCode = useSnapshot("messages")?.findLast(({ text }) => text.startsWith("Pairing: "));
   const refused = useCallback((error: Error) => screen.tell(error.message), [screen]);
   const read = useCallback(
     () => getJson<Device[]>("/api/devices").then(setDevices, refused),
@@ -61,6 +62,11 @@ export function Devices() {
           <p className="settings-words">
             Enter it on the new device within five minutes. It comes in as {code.role}.
           </p>
+          {wrongCode && (
+            <p className="settings-words" role="status">
+              {wrongCode.text}
+            </p>
+          )}
         </>
       )}
       <fieldset className="devices-new" aria-label="Let a device in">

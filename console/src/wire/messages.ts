@@ -60,8 +60,13 @@ key: string,
 value: string, } | { "do": "jogStart",
 /** Number of the lease. */
 lease: number,
-/** Grows with every jog of a page; one that comes behind its own stop is dropped. */
+/** Grows with every jog of a page, by a million at most; one that comes behind its own stop is dropped. */
 seq: number,
+/**
+ * When the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it
+ * now, ms.
+ */
+clockMs: number,
 /** Direction of each axis: -1, 0, 1 or between. */
 direction: [number, number, number, number, number, number],
 /** Mm or degrees; motion ends there. Without it, at the table limits. */
@@ -71,13 +76,17 @@ speedShare: number, } | { "do": "jogRenew",
 /** Number of the lease. */
 lease: number,
 /** Of the jog. */
-seq: number, } | { "do": "jogStop",
+seq: number,
+/** As that of the start. */
+clockMs: number, } | { "do": "jogStop",
 /** Of the jog. */
 seq: number, } | { "do": "key",
 /** Number of the lease. */
 lease: number,
 /** As that of a jog. */
 seq: number,
+/** As that of a jog; without it the key counts as held when it arrives. */
+clockMs?: number,
 /** A digit, `-` the sign, carriage return for Enter, `F` File, `S` Start, `P` Stop, `U` Func. */
 key: string, } | { "do": "nudge",
 /** Number of the lease. */
@@ -810,7 +819,9 @@ id: number,
 /** Why nothing was done; nothing when it was. */
 problem: Problem | null,
 /** What was noticed although it was done: warnings of a drawing operation. */
-notes: Array<string>, };
+notes: Array<string>,
+/** The server's clock when it answered a ping, ms since it began. */
+clockMs?: number, };
 
 /** A request: one JSON text a message. */
 export type Request = {

@@ -2,7 +2,7 @@
 
 import { networkInterfaces } from "node:os";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { arm, comesToRest, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import { arm, comesToRest, moment, openWorkshop, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
@@ -39,7 +39,14 @@ it.skipIf(!outside)(
     await tablet.getByLabel("Name of this device").fill("Tablet");
     await tablet.keyboard.press("Enter");
     await tablet.getByText("this is not the code that the machine shows").waitFor();
+    await owner
+      .getByText(/^Pairing: .+ tried a wrong code, 1 wrong so far/)
+      .first()
+      .waitFor();
     await tablet.getByLabel("Code").fill(code);
+    await tablet.keyboard.press("Enter");
+    await tablet.getByText("wait 1 s, then try again").waitFor();
+    await moment(1100);
     await tablet.keyboard.press("Enter");
     await tablet.locator(".location-number").first().waitFor();
 

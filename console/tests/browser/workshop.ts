@@ -14,6 +14,8 @@ export const kerf = process.env.KERF ?? join(root, "target/debug/kerf");
 
 export interface Workshop {
   readonly address: string;
+  /** What shows that whoever asks sits at the machine, where others may connect. */
+  readonly shows: Readonly<Record<string, string>>;
   readonly parts: string;
   readonly browser: Browser;
   /** A page of this size; what went wrong on it is kept in `mistakes`. */
@@ -32,12 +34,13 @@ export const openWorkshops = new Set<Workshop>();
 
 /** What the server itself tells, past every page. */
 export async function stateOf(workshop: Workshop): Promise<Snapshot> {
-  return (await fetch(`${workshop.address}/api/state`)).json() as Promise<Snapshot>;
+  const { address, shows: headers } = workshop;
+  return (await fetch(`${address}/api/state`, { headers })).json() as Promise<Snapshot>;
 }
 
 /** Asks the server past every page, as a script does; the state of its answer. */
 export async function script(workshop: Workshop, act: string, body: object = {}): Promise<number> {
-  const headers = { "content-type": "application/json" };
+  const headers = { ...workshop.shows, "content-type": "application/json" };
   const init = { method: "POST", headers, body: JSON.stringify(body) };
   return (await fetch(`${workshop.address}/api/do/${act}`, init)).status;
 }
@@ -291,7 +294,9 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const only = options.drawingOnly ? ["--drawing-only"] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
   const server = spawn(kerf, [...begins, ...places, ...lan, ...only], { cwd: folder });
-  const address = (await addressOf(server)).replace("//0.0.0.0:", "//127.0.0.1:");
+  const wayIn = await addressOf(server);
+  const { origin: address, searchParams } = new URL(wayIn);
+  const token = searchParams.get("token");
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: chromiumFlags,
@@ -306,6 +311,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   };
   const workshop: Workshop = {
     address,
+    shows: token === null ? {} : { authorization: `Bearer ${token}` },
     parts: folder,
     browser,
     pages,
@@ -319,7 +325,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
       });
       pages.push(page);
       await delayed(page);
-      await page.goto(address);
+      await page.goto(wayIn);
       return page;
     },
     async kill() {

@@ -23,6 +23,7 @@ const link: Link = {
     who: { client: 1, role: "owner", device: "" },
     snapshot: { ...firstSnapshot, ...states[chosen] },
     roundTripMs: 3,
+    aheadMs: 0,
   }),
   ask: async () => ({ id: 0, problem: null, notes: [] }),
   close: () => undefined,

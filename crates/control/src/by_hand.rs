@@ -7,6 +7,7 @@ use crate::runner::{Over, Runner};
 use crate::{Event, Going, Wish};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::hand::keypad_settings;
+use kerf_machine::homing::{bounds_by_hand, words_of_end};
 use kerf_machine::lines::Input;
 use kerf_motion::{Move, Mover, planner};
 use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
@@ -110,17 +111,26 @@ impl<I: Interpreter> Runner<'_, I> {
     fn within_bounds(&self, from: Axes, by: Axes) -> (Axes, Option<String>) {
         let (mut share, mut said) = (1.0, None);
         for axis in Axis::ALL.into_iter().filter(|axis| by[*axis] != 0.0) {
-            let (low, high) = self.world.machine.room(axis);
+            let (low, high) = self.room_by_hand(axis);
             let end = if by[axis] > 0.0 { high } else { low };
             let room = ((end - from[axis]) / by[axis]).max(0.0);
             if room < share {
                 share = room;
                 let shown = self.world.place(Axes::splat(end)).of(axis);
                 let shown = kerf_sbp::format_number(shown);
-                said = Some(format!("Out of bounds: {} ends at {shown}", axis.letter()));
+                let words = words_of_end(&self.world.machine_is, axis, end);
+                said = Some(format!("Out of bounds: {} ends at {shown}{words}", axis.letter()));
             }
         }
         (from.zip(by, |from, by| from + by * share), said)
+    }
+
+    /// Where an axis may be moved by hand, machine frame.
+    pub(crate) fn room_by_hand(&self, axis: Axis) -> (f64, f64) {
+        let (low, high) = self.world.machine.room(axis);
+        let homed = self.world.homed.contains(axis);
+        let (lowest, highest) = bounds_by_hand(&self.world.machine_is, axis, homed);
+        (low.max(lowest), high.min(highest))
     }
 
     /// Makes a move beside the program, until it is made or something stops it.

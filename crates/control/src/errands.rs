@@ -39,16 +39,13 @@ impl Session {
         let units = hand.settings().linear_unit.symbol();
         sink.event(&Event::Start { file, units, mode, dialect: "hand" });
         let settings = std::mem::replace(&mut self.memory.settings, (**hand.settings()).clone());
-        let bounded = match &errand {
-            Errand::Keypad(keypad) => keypad.bounded,
-            _ => AxisSet::first(AXES),
-        };
-        let simulated = self.machine_like(machine, options.inputs, bounded);
+        let simulated = self.machine_like(machine, options.inputs, AxisSet::first(AXES));
         let simulated = simulated.begun_at(before.ends_s).pushed(options.pushes);
         let simulated = simulated.doubting(unverified(shelf));
         self.memory.settings = settings;
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
+        world.homed = self.homed;
         world.tally = before.tally();
         // No file begins or ends: outputs stay as they are.
         world.typed_files = 1;

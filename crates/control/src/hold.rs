@@ -142,8 +142,9 @@ impl<I: Interpreter> Runner<'_, I> {
         } else if self.world.machine.draws() {
             Some((Code::NotSupported, "nothing is nudged while commands are only drawn".to_owned()))
         } else {
-            let outside = nudge.check(settings, &frame, position).err();
-            outside.map(|outside| (Code::OutsideLimits, outside.to_string()))
+            let within = nudge.check(settings, &frame, position);
+            let within = within.and_then(|()| nudge.within(self.room_by_hand(axis), position));
+            within.err().map(|outside| (Code::OutsideLimits, outside.to_string()))
         };
         if let Some((code, why)) = refused {
             self.tell_refused(code, why);

@@ -12,14 +12,18 @@ pub struct Nudge {
     pub distance: f64,
 }
 
-/// A place that the table limits do not allow.
+/// A place that an axis may not be moved to; where it would be, mm or degrees.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("{} would leave the table limits", axis.letter())]
-pub struct Outside {
-    /// The axis that would leave them.
-    pub axis: Axis,
-    /// The table base coordinate it would reach, mm or degrees.
-    pub reached: f64,
+pub enum Outside {
+    /// Outside the table limits, in table base coordinates.
+    #[error("{} would leave the table limits", .0.letter())]
+    Table(Axis, f64),
+    /// Beyond its length or below Z bottom, from home.
+    #[error(
+        "Out of bounds: {letter} would reach {reached:.3} from home; its length (axes.length) bounds it, and Z bottom \
+         (zpos.bottom_mm)", letter = .0.letter(), reached = .1
+    )]
+    Room(Axis, f64),
 }
 
 impl Nudge {
@@ -49,9 +53,20 @@ impl Nudge {
         let (limits, axis) = (&settings.limits, self.axis);
         let reached = frame.base(position)[axis] + self.distance;
         if limits.check && !(limits.low[axis]..=limits.high[axis]).contains(&reached) {
-            return Err(Outside { axis, reached });
+            return Err(Outside::Table(axis, reached));
         }
         Ok(())
+    }
+
+    /// Whether an axis that stands at a position has room for it, machine frame; the way back into its room always
+    /// has.
+    ///
+    /// # Errors
+    /// [`Outside`] when it leads out, or further out.
+    pub fn within(self, (low, high): (f64, f64), position: Axes) -> Result<(), Outside> {
+        let reached = position[self.axis] + self.distance;
+        let leaves = if self.distance < 0.0 { reached < low } else { reached > high };
+        if leaves { Err(Outside::Room(self.axis, reached)) } else { Ok(()) }
     }
 }
 
@@ -64,6 +79,20 @@ impl fmt::Display for Nudge {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_nudge_stays_in_the_room_of_its_axis_or_leads_back() {
+        let check = |at: f64, distance: f64, expected: bool| {
+            let nudge = Nudge { axis: Axis::Z, distance };
+            let within = nudge.within((-30.0, 0.0), Axes::xyz(0.0, 0.0, at));
+            assert_eq!(within.is_ok(), expected, "{at} by {distance}: {within:?}");
+        };
+        check(-29.0, -1.0, true);
+        check(-29.0, -2.0, false);
+        check(-40.0, -1.0, false);
+        check(-40.0, 5.0, true);
+        check(-1.0, 2.0, false);
+    }
 
     #[test]
     fn a_nudge_has_an_axis_and_a_distance() {

@@ -15,6 +15,7 @@ use crate::world::World;
 use crate::{Pace, Sink, Work};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
+use kerf_machine::homing::bounds_by_hand;
 use kerf_machine::{Configuration, Sequence};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
@@ -240,7 +241,7 @@ impl Session {
         let mut world = World::new(machine, shelf, sink, operator);
         (world.previews, world.tally) = (options.program.preview, tally);
         world.silent = stands.is_some();
-        world.machine_is = self.machine_is.clone();
+        (world.machine_is, world.homed) = (self.machine_is.clone(), self.homed);
         world.typed_files = depth;
         let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
         let interpreter = Interpreter::new(program, memory, read);
@@ -316,7 +317,8 @@ impl Session {
         (self.memory.settings, self.memory.frame) = (settings, frame);
         let mut world = World::new(simulated, shelf, sink, operator);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
-        (world.machine_is, world.tally) = (machine.clone(), before.tally());
+        (world.machine_is, world.homed, world.tally) =
+            (machine.clone(), self.homed, before.tally());
         let mut runner = Runner::new(sequence, world, pace, options.limits, 0);
         runner.reentry = stands;
         let over = runner.run();
@@ -342,6 +344,8 @@ impl Session {
         let memory = &mut self.memory;
         let nudge = Nudge { axis, distance };
         nudge.check(&memory.settings, &memory.frame, memory.position)?;
+        let room = bounds_by_hand(&self.machine_is, axis, self.homed.contains(axis));
+        nudge.within(room, memory.position)?;
         memory.position[axis] += distance;
         memory.frame.working_zero[axis] += distance;
         Ok(())

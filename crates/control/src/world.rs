@@ -73,6 +73,8 @@ pub(crate) struct World<'a> {
     pub stays: Option<Frame>,
     /// What the machine is.
     pub machine_is: Arc<Configuration>,
+    /// Axes that were homed when the run began.
+    pub homed: AxisSet,
     /// The heights of a job.
     heights: Carried,
     /// The pulse frequency of a laser, where one was set.
@@ -110,6 +112,7 @@ impl<'a> World<'a> {
             silent: false,
             stays: None,
             machine_is: Arc::default(),
+            homed: AxisSet::EMPTY,
             heights: Carried::default(),
             laser_hz: None,
             spindle_switched: false,

@@ -15,6 +15,24 @@ fn shop() -> Shop {
 
 #[cfg(unix)]
 #[test]
+fn a_server_that_lets_others_in_knows_whoever_sits_here() {
+    let shop = shop();
+    let console = Console::begin(&shop, &["--lan"]);
+    let (plain, token) = console.url.split_once("/?token=").unwrap();
+    let on = |what: &str, url: &str| shop.kerf(&format!("{what} --server {url}"));
+    // By the token in the data folder, or the one in the address.
+    on("registry set uValue a", plain).exits(0);
+    let elsewhere = shop.file("elsewhere");
+    let away = format!("registry get uValue --data {}", elsewhere.display());
+    on(&away, plain).exits(1).complains("open the address that kerf serve printed");
+    on(&away, &console.url).exits(0).says("a\n");
+    on(&away, &format!("{plain}/?token=guess")).exits(1).complains("is not paired");
+    on("send MX,1", plain).exits(1).complains("arm it first");
+    assert_eq!(token.len(), 64);
+}
+
+#[cfg(unix)]
+#[test]
 fn sbp_ctl_api__the_command_line_goes_through_it() {
     let shop = shop();
     shop.write("ask.sbp", b"INPUT \"How far?\" &x\nPRINT \"going to \"; &x\nMX,&x\nGetUsrVal &u\nPRINT &u\nPAUSE\nMY,1\n");

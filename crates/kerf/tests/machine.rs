@@ -350,6 +350,19 @@ fn pro_zpos_set() {
 }
 
 #[test]
+fn pro_zpos_set__refused_before_it_moves() {
+    let folder = sim();
+    for (height, z, why) in [
+        ("surface", "-8", "zpos.surface_mm (-8) is above zpos.top_mm"),
+        ("top", "-35", "zpos.top_mm"),
+        ("bottom", "-200", "zpos.bottom_mm"),
+    ] {
+        refused(folder.path(), &["zset", height, z], why);
+        assert!(told(folder.path(), &["pos"]).contains("z  0.000 "), "{height} {z}");
+    }
+}
+
+#[test]
 fn pro_zpos_adjust() {
     let folder = sim();
     assert_eq!(

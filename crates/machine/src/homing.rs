@@ -223,6 +223,22 @@ pub fn soft_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
     })
 }
 
+/// Where a hand may take an axis, machine frame, mm or degrees: within its length, counted from where the machine
+/// was switched on until it is homed, and Z no lower than Z bottom. Z bottom is known where Z was homed or has a
+/// length.
+pub fn bounds_by_hand(machine: &Configuration, axis: Axis, homed: bool) -> (f64, f64) {
+    let length = soft_bounds(machine, axis);
+    let (low, high) = length.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    let to_bottom = axis == Axis::Z && machine.axes.limit_movement && (homed || length.is_some());
+    (if to_bottom { low.max(machine.zpos.bottom_mm) } else { low }, high)
+}
+
+/// Words about the end of an axis, behind those that say where it is: what to change where Z ends at Z bottom.
+pub fn words_of_end(machine: &Configuration, axis: Axis, end: f64) -> &'static str {
+    let bottom = axis == Axis::Z && machine.axes.limit_movement && end == machine.zpos.bottom_mm;
+    if bottom { ", Z bottom (zpos.bottom_mm)" } else { "" }
+}
+
 /// Where the table limits let an axis go, table base coordinates. `None` while they are not checked, and for
 /// an axis that the machine lacks or that turns without end.
 pub fn table_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {

@@ -5,6 +5,7 @@ use crate::asker::Asker;
 use crate::gate::{Way, driven_by};
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
+use crate::people::{Grip, GripError};
 use crate::preview::Preview;
 use crate::shop;
 use kerf_control::{Jog, Nudge, answers};
@@ -14,7 +15,6 @@ use kerf_wire::{
 };
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// What came of an act: what was noticed, or why it was not done.
 pub type Done = Result<Vec<String>, Problem>;
@@ -66,17 +66,21 @@ impl App {
             Act::Run { hash, step, .. } => self.run(asker, &hash, step)?,
             Act::TakeUp { .. } => self.take_up(asker)?,
             Act::Command { line, .. } => self.command(asker, line)?,
-            Act::JogStart { seq, direction, distance, speed_share: speed, .. } => {
+            Act::JogStart { seq, clock_ms, direction, distance, speed_share: speed, .. } => {
                 let order = Order::Jog { direction, distance, speed };
                 if !makes_sense(&order) {
                     let text = "a jog has a direction, a share of the speed above 0, and perhaps a distance";
                     return Err(problem(Why::Malformed, text));
                 }
-                self.jog(asker, seq, order)?;
+                self.jog(asker, self.grip(who, seq, Some(clock_ms))?, order)?;
             }
-            Act::JogRenew { seq, .. } => self.renew(who, seq)?,
+            Act::JogRenew { seq, clock_ms, .. } => {
+                self.renew(who, self.grip(who, seq, Some(clock_ms))?)?;
+            }
             Act::JogStop { seq } => self.jog_stop(who, seq),
-            Act::Key { seq, key, .. } => self.press_key(asker, seq, key)?,
+            Act::Key { seq, key, clock_ms, .. } => {
+                self.press_key(asker, self.grip(who, seq, clock_ms)?, key)?;
+            }
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
@@ -317,16 +321,17 @@ impl App {
         Ok(())
     }
 
-    /// Begins a jog, unless its own stop came before.
-    pub fn jog(&self, asker: &Asker, seq: u32, order: Order) -> Result<(), Problem> {
+    /// Begins a jog, unless its own stop came before, or it came so late that nobody knows whether it is held.
+    pub fn jog(&self, asker: &Asker, grip: Grip, order: Order) -> Result<(), Problem> {
         let who = &asker.who;
-        if !self.pages.may_start(who.client, seq) {
-            return Err(problem(Why::Late, "this jog is over already"));
+        let held = Held::pressed(who.client, self.pages.jog_begins(who.client, grip)?);
+        if held.is_over() {
+            let text = "the key was pressed too long ago: the link is slow; press it anew";
+            return Err(problem(Why::Late, text));
         }
         if self.link.lock().jog.is_some() {
             return Err(problem(Why::State, "another jog is not over yet"));
         }
-        let held = Held::pressed(who.client, seq);
         match self.question_for_hands("keypad hold paused") {
             Some(question) => self.jog_in_question(asker, question, held, &order),
             None => self.order_held(asker, order, held),
@@ -366,16 +371,21 @@ impl App {
         counts.then_some(()).ok_or_else(not_open)
     }
 
-    pub fn renew(&self, who: &Who, seq: u32) -> Result<(), Problem> {
-        let renewed = self.link.want(|wanted| {
-            let held = wanted.jog.as_mut()?;
-            let same = held.seq == seq && held.client == who.client && !held.is_over();
-            same.then(|| held.renewed = Instant::now())
-        });
+    /// A sign of the hand of a page that is stamped with the clock of the server, ms; one without a stamp is as old
+    /// as its way was short.
+    fn grip(&self, who: &Who, seq: u64, clock_ms: Option<f64>) -> Result<Grip, Problem> {
+        let now_ms = self.uptime.ms();
+        Ok(self.pages.grip(who.client, seq, clock_ms.unwrap_or(now_ms), now_ms)?)
+    }
+
+    pub fn renew(&self, who: &Who, grip: Grip) -> Result<(), Problem> {
+        self.pages.jog_holds(who.client, grip);
+        let renewed =
+            self.link.want(|wanted| wanted.jog.as_mut()?.renew(who.client, grip).then_some(()));
         renewed.ok_or_else(|| problem(Why::Late, "this jog is over"))
     }
 
-    fn jog_stop(&self, who: &Who, seq: u32) {
+    fn jog_stop(&self, who: &Who, seq: u64) {
         self.pages.jog_over(who.client, seq);
         self.link.release(|held| held.client == who.client && held.seq == seq);
     }
@@ -405,6 +415,13 @@ fn check_answer(asked: &Asked, answer: &str) -> Result<(), Problem> {
 
 fn not_open() -> Problem {
     problem(Why::Late, "this question is not open any more")
+}
+
+impl From<GripError> for Problem {
+    fn from(error: GripError) -> Self {
+        let why = if error == GripError::Far { Why::Malformed } else { Why::Late };
+        problem(why, error.to_string())
+    }
 }
 
 /// Whether a jog goes anywhere.

@@ -6,18 +6,21 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
-use crate::people::{Devices, Pages};
+use crate::people::{Devices, Here, Pages, Tries};
 use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
 use crate::setup::{Builders, Options};
 use crate::shop;
 use crate::turn::Turn;
+use crate::uptime::Uptime;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
 use kerf_control::timing::Begun;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
-use kerf_wire::{Change, FileKind, FileParameters, JobChoice, Opened, PreviewState, Problem, Why};
+use kerf_wire::{
+    Change, FileKind, FileParameters, JobChoice, Opened, PreviewState, Problem, Tone, Why,
+};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -46,12 +49,19 @@ pub struct App {
     pub builders: Builders,
     /// Who gave the password of the settings.
     pub unlocked: Unlocked,
+    /// Wrong passwords of the settings, by the device that they came from. It is held while one is tried: one at a
+    /// time.
+    pub passwords: Mutex<Tries<String>>,
     /// Paired devices.
     pub devices: Devices,
+    /// Whoever sits at the machine, where others may connect as well.
+    pub here: Option<Here>,
     /// Connected pages.
     pub pages: Pages,
     /// The turn at driving that goes on.
     pub turn: Turn,
+    /// The clock that pages reckon with.
+    pub uptime: Uptime,
     /// The drawing that is open.
     pub desk: Mutex<Desk>,
     /// Who keeps drafts of it is told here that it changed.
@@ -161,11 +171,17 @@ impl App {
     /// The part folder or the list of devices cannot be read.
     pub fn new(options: Options, parts: Parts) -> std::io::Result<Self> {
         let Parts { hub, link, orders, left, builders } = parts;
+        let (devices, told) = Devices::read(&options.data)?;
+        told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
+        let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
         Ok(Self {
             parts: PartFolder::new(&options.parts)?,
-            devices: Devices::read(&options.data)?,
+            devices,
+            here,
+            passwords: Mutex::default(),
             pages: Pages::default(),
             turn: Turn::default(),
+            uptime: Uptime::default(),
             unlocked: Unlocked::default(),
             desk: Mutex::default(),
             changed: OnceLock::new(),

@@ -151,7 +151,7 @@ mod tests {
     /// Every order that moves the machine.
     fn moving() -> Vec<Order> {
         let way = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let keypad = Keypad { way, times: None, speed: 1.0, bounded: Default::default() };
+        let keypad = Keypad { way, times: None, speed: 1.0, homed: Default::default() };
         let (tells, _): (Sender<Happening>, _) = channel();
         let machine = Box::<Configuration>::default();
         vec![

@@ -44,9 +44,11 @@ mod setup;
 mod shop;
 mod told;
 mod turn;
+mod uptime;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
+pub use people::TOKEN_FILE;
 pub use setup::{Builders, Options, Workshop};
 
 use app::{App, Parts};
@@ -57,7 +59,7 @@ use kerf_wire::Snapshot;
 use machine::{Left, Link, Order, Owner};
 use problems::ProblemLog;
 use std::io;
-use std::net::SocketAddr;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, Weak};
 use std::thread::{self, JoinHandle};
@@ -98,7 +100,7 @@ impl Server {
         let (closing, closed) = channel();
         let closing = options.closes_with_program.then_some(closing);
         let (app, machine) =
-            machine_and_app(options, builders, format!("http://{address}"), closing)?;
+            machine_and_app(options, builders, format!("http://{}", from_here(address)), closing)?;
         app.keep_drafts();
         app.tell_added();
         handconsole::begin(&app);
@@ -111,6 +113,12 @@ impl Server {
         runtime.spawn(async move { axum::serve(listener, service).await });
         let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));
         Ok(Self { address, app, closed, machine, runtime: Some(runtime) })
+    }
+
+    /// The address by which whoever sits at this computer gets in. Where others may connect it holds a token.
+    pub fn way_in(&self) -> String {
+        let Some(here) = &self.app.here else { return format!("http://{}", self.address) };
+        format!("http://{}/?{}={}", from_here(self.address), http::IN_ADDRESS, here.token())
     }
 
     /// A code by which a device is paired that asks for it.
@@ -161,6 +169,16 @@ impl Drop for Server {
             runtime.shutdown_background();
         }
     }
+}
+
+/// The address by which this computer reaches what listens at an address.
+fn from_here(mut address: SocketAddr) -> SocketAddr {
+    match address.ip() {
+        IpAddr::V4(ip) if ip.is_unspecified() => address.set_ip(Ipv4Addr::LOCALHOST.into()),
+        IpAddr::V6(ip) if ip.is_unspecified() => address.set_ip(Ipv6Addr::LOCALHOST.into()),
+        _ => {}
+    }
+    address
 }
 
 /// Starts the machine's thread, and makes what requests share.

@@ -5,9 +5,9 @@ use crate::configure::PASSWORD;
 use crate::machine::Order;
 use kerf_control::password;
 use kerf_machine::{Value, table};
-use kerf_wire::{Problem, Who, Why};
+use kerf_wire::{Problem, Tone, Who, Why};
 use std::collections::BTreeMap;
-use std::sync::Mutex;
+use std::sync::{Mutex, TryLockError};
 use std::time::{Duration, Instant};
 
 /// How long a page may change settings after it gave the password.
@@ -82,13 +82,44 @@ impl App {
         let kept = lock(&self.left).session.machine_is.options.password.clone();
         let Some(kept) = kept else { return Ok(()) };
         match password {
-            Some(given) if password::fits(&kept, given) => Ok(()),
-            Some(_) => Err(problem(Why::Password, "this is not the password of the settings")),
+            Some(given) => self.try_password(who, &kept, given),
             None if self.unlocked.has(who.client) => Ok(()),
             None => {
                 Err(problem(Why::Password, "the settings are protected: give the password first"))
             }
         }
+    }
+}
+
+impl App {
+    /// Tries a password, while nobody else does: a guess costs the computer a moment of work.
+    fn try_password(&self, who: &Who, kept: &str, given: &str) -> Result<(), Problem> {
+        let mut wrong = match self.passwords.try_lock() {
+            Ok(wrong) => wrong,
+            Err(TryLockError::Poisoned(left)) => left.into_inner(),
+            Err(TryLockError::WouldBlock) => {
+                let text =
+                    "another password is being tried, one at a time: wait 1 s, then try again";
+                return Err(problem(Why::Password, text));
+            }
+        };
+        let (device, now) = (&who.device, Instant::now());
+        if let Some(seconds) = wrong.wait_s(device, now) {
+            let text =
+                format!("wrong passwords were tried from here: wait {seconds} s, then try again");
+            return Err(problem(Why::Password, text));
+        }
+        if password::fits(kept, given) {
+            wrong.right(device);
+            return Ok(());
+        }
+        let count = wrong.wrong(device, Instant::now());
+        drop(wrong);
+        let from = if device.is_empty() { "at the machine" } else { device };
+        let text =
+            format!("a wrong password of the settings was tried: {from}, {count} wrong so far");
+        self.hub.say(Tone::Warning, text);
+        Err(problem(Why::Password, "this is not the password of the settings"))
     }
 }
 

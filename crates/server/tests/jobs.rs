@@ -93,11 +93,12 @@ fn a_job_is_paused_moved_and_goes_on_at_the_very_place() {
     assert_eq!(at(&page)[2], -10.0, "the tool rose");
     assert_eq!(answer(&mut page, "nonsense").as_deref(), Some("mistake"));
     // By a key that is held, and by a distance.
-    let jog = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
+    let jog = json!({ "do": "jogStart", "lease": page.lease, "seq": 1, "clockMs": page.clock_ms(),
         "direction": [0, 1, 0, 0, 0, 0], "distance": 20.0, "speedShare": 1.0 });
     page.act(jog);
     for _ in 0..400 {
-        page.act(json!({ "do": "jogRenew", "lease": page.lease, "seq": 1 }));
+        let clock_ms = page.clock_ms();
+        page.act(json!({ "do": "jogRenew", "lease": page.lease, "seq": 1, "clockMs": clock_ms }));
         if at(&page)[1] == 20.0 {
             break;
         }

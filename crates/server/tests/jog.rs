@@ -11,12 +11,12 @@ use support::{Page, Shop, shop};
 /// Begins a jog of X.
 fn start(page: &Page, seq: u32) -> Value {
     let direction = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    json!({ "do": "jogStart", "lease": page.lease, "seq": seq, "direction": direction,
-            "distance": null, "speedShare": 0.2 })
+    json!({ "do": "jogStart", "lease": page.lease, "seq": seq, "clockMs": page.clock_ms(),
+            "direction": direction, "distance": null, "speedShare": 0.2 })
 }
 
 fn renew(page: &Page, seq: u32) -> Value {
-    json!({ "do": "jogRenew", "lease": page.lease, "seq": seq })
+    json!({ "do": "jogRenew", "lease": page.lease, "seq": seq, "clockMs": page.clock_ms() })
 }
 
 fn stop(seq: u32) -> Value {
@@ -119,7 +119,7 @@ fn stop_and_hold_of_any_page_end_it() {
 fn a_step_ends_at_its_distance() {
     let shop = shop(1.0, &[]);
     let mut page = shop.driver();
-    let step = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
+    let step = json!({ "do": "jogStart", "lease": page.lease, "seq": 1, "clockMs": page.clock_ms(),
         "direction": [0.0, -1.0, 0.0, 0.0, 0.0, 0.0], "distance": 2.54, "speedShare": 1.0 });
     assert_eq!(page.act(step), None);
     page.until_state("jogging");
@@ -157,7 +157,7 @@ fn directions_and_speeds_that_make_no_sense_are_refused() {
         ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, 0.0),
         ([1.0, 0.0, 0.0, 0.0, 0.0, 0.0], Value::Null, -0.5),
     ] {
-        let act = json!({ "do": "jogStart", "lease": page.lease, "seq": 1,
+        let act = json!({ "do": "jogStart", "lease": page.lease, "seq": 1, "clockMs": page.clock_ms(),
             "direction": direction, "distance": distance, "speedShare": speed });
         assert_eq!(page.act(act).as_deref(), Some("malformed"), "{direction:?} {distance} {speed}");
     }
@@ -165,7 +165,7 @@ fn directions_and_speeds_that_make_no_sense_are_refused() {
 
 /// Waits until a jog in a question is over.
 fn jog_in_question(page: &mut Page, seq: u32, direction: [f64; 6], state: &str) {
-    let act = json!({ "do": "jogStart", "lease": page.lease, "seq": seq,
+    let act = json!({ "do": "jogStart", "lease": page.lease, "seq": seq, "clockMs": page.clock_ms(),
         "direction": direction, "distance": 10.0, "speedShare": 1.0 });
     assert_eq!(page.act(act), None);
     page.until_state("jogging");
@@ -348,4 +348,42 @@ fn sbp_val_vd_remote__another_program_is_the_pendant() {
     assert_eq!(pendant.act(close), None);
     page.until_state("idle");
     assert_eq!(page.shown["job"]["ended"], "ok");
+}
+
+#[test]
+fn a_jog_ends_by_the_age_of_its_signs_however_late_they_come() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    let mut stale = start(&page, 1);
+    std::thread::sleep(Duration::from_millis(300));
+    assert_eq!(page.act(stale.clone()).as_deref(), Some("late"), "a start that was under way long");
+    assert_eq!(page.shown["machine"]["state"], "idle");
+    // Ahead by less than is believed: set back by what it was ahead.
+    stale["clockMs"] = json!(page.clock_ms() + 10_000.0);
+    stale["seq"] = json!(2);
+    assert_eq!(page.act(stale).as_deref(), Some("late"), "a clock that is far ahead");
+    let begin = start(&page, 3);
+    assert_eq!(page.act(begin), None);
+    let (old, since) = (renew(&page, 3), Instant::now());
+    // A burst of signs of one moment is no hand that holds on.
+    while page.shown["machine"]["state"] == "jogging" {
+        page.send(old.clone());
+        page.read();
+        assert!(since.elapsed() < Duration::from_secs(3), "old signs keep it going");
+    }
+}
+
+#[test]
+fn no_number_of_a_jog_uses_the_others_up() {
+    let shop = shop(1.0, &[]);
+    let mut page = shop.driver();
+    for seq in [u64::from(u32::MAX), u64::MAX] {
+        let mut far = start(&page, 1);
+        far["seq"] = json!(seq);
+        assert_eq!(page.act(far).as_deref(), Some("malformed"), "{seq}");
+        page.act(json!({ "do": "jogStop", "seq": seq }));
+    }
+    let begin = start(&page, 1);
+    assert_eq!(page.act(begin), None);
+    page.until_state("idle");
 }

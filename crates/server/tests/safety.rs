@@ -180,6 +180,8 @@ fn a_device_is_paired_by_the_code_and_has_its_role_until_it_is_revoked() {
     let code = code["code"].as_str().unwrap();
     let wrong = shop.post("/api/pair", json!({ "code": "x", "name": "tablet" }), &[ELSEWHERE]);
     assert_eq!(wrong.status, 403);
+    // The next code counts a moment later.
+    std::thread::sleep(std::time::Duration::from_millis(1100));
     let paired = shop.post("/api/pair", json!({ "code": code, "name": "tablet" }), &[ELSEWHERE]);
     assert!(paired.head.contains("httponly") && paired.head.contains("samesite=strict"));
     let token = paired.json()["token"].as_str().unwrap().to_owned();
@@ -206,6 +208,89 @@ fn a_device_is_paired_by_the_code_and_has_its_role_until_it_is_revoked() {
     while page.read() {
         assert!(begin.elapsed().as_secs() < 10, "the socket of a revoked device stays open");
     }
+}
+
+#[test]
+fn who_sits_at_the_machine_shows_it_where_others_may_connect() {
+    let shop = start(Wanted { lan: true, ..Wanted::default() });
+    let state = |headers: &[(&str, &str)]| shop.ask("GET /api/state", headers, b"").status;
+    let way_in = shop.server.way_in();
+    let (address, token) = way_in.split_once("/?token=").unwrap();
+    assert_eq!(address, format!("http://{}", shop.server.address));
+    // A relay on this computer that adds no header is nobody.
+    let nobody = ("Authorization", "Bearer guess");
+    assert_eq!(state(&[nobody]), 401);
+    assert_eq!(Page::open(shop.server.address, &[nobody]).err(), Some(401));
+    assert_eq!(shop.post("/api/do/takeLease", json!({ "force": true }), &[nobody]).status, 401);
+    let bearer = format!("Bearer {token}");
+    assert_eq!(state(&[("Authorization", &bearer)]), 200);
+    assert_eq!(state(&[("Authorization", &bearer), ELSEWHERE]), 401, "from elsewhere it is none");
+
+    let enters = |token: &str| shop.ask(&format!("GET /?token={token}"), &[nobody], b"");
+    let wrong = enters("guess");
+    assert_eq!((wrong.status, wrong.head.contains("set-cookie")), (303, false));
+    let entered = enters(token);
+    assert_eq!(entered.status, 303);
+    assert!(entered.head.contains("location: /\r\n"), "{}", entered.head);
+    let cookie = entered.head.split("set-cookie: ").nth(1).unwrap().split("; ").next().unwrap();
+    assert!(entered.head.contains("httponly") && entered.head.contains("samesite=strict"));
+    assert!(cookie.starts_with(&format!("kerf-here-{}=", shop.server.address.port())));
+    assert_eq!(state(&[("Cookie", cookie)]), 200);
+    let page = Page::open(shop.server.address, &[("Cookie", cookie)]).unwrap();
+    assert_eq!(page.who["role"], "owner");
+    let moved = shop.ask(&format!("GET /?token={token}"), &[nobody, ELSEWHERE], b"");
+    assert!(!moved.head.contains("set-cookie"), "not through a proxy");
+
+    let kept = std::fs::read_to_string(shop.dir.path().join("data").join(kerf_server::TOKEN_FILE));
+    assert_eq!(kept.unwrap(), token);
+}
+
+#[test]
+fn nobody_but_this_computer_needs_no_token() {
+    let shop = shop(1.0, &[]);
+    assert_eq!(shop.server.way_in(), format!("http://{}", shop.server.address));
+    assert_eq!(shop.get("/api/state").status, 200);
+    assert!(!shop.dir.path().join("data").join(kerf_server::TOKEN_FILE).exists());
+}
+
+#[test]
+fn strangers_neither_use_a_code_up_nor_stay_unseen() {
+    let shop = start(Wanted { lan: true, ..Wanted::default() });
+    let mut page = shop.page();
+    let code = shop.post("/api/pair/code", json!({ "role": "observer" }), &[]).json();
+    let code = code["code"].as_str().unwrap();
+    let pair = |code: &str| {
+        shop.post("/api/pair", json!({ "code": code, "name": "tablet" }), &[ELSEWHERE])
+    };
+    assert_eq!(pair("x").status, 403);
+    let told =
+        |page: &Page| page.shown["messages"].to_string().contains("tried a wrong code, 1 wrong");
+    page.until("the page is told", told);
+    let begin = std::time::Instant::now();
+    for _ in 0..50 {
+        let early = pair(code);
+        if begin.elapsed().as_millis() < 900 {
+            assert_eq!(early.status, 403);
+            assert!(early.json()["text"].as_str().unwrap().contains("wait 1 s"), "{early:?}");
+        }
+    }
+    std::thread::sleep(std::time::Duration::from_millis(1100));
+    assert_eq!(pair(code).status, 200, "the code is good as before");
+}
+
+#[test]
+fn a_list_of_devices_that_is_none_is_put_aside_and_told() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::create_dir_all(dir.path().join("data")).unwrap();
+    std::fs::write(dir.path().join("data/devices.json"), "").unwrap();
+    let shop = support::kept(dir);
+    let page = shop.page();
+    let told = page.shown["messages"].to_string();
+    assert!(
+        told.contains("devices.json.broken-1") && told.contains("No device is paired"),
+        "{told}"
+    );
+    assert!(shop.dir.path().join("data/devices.json.broken-1").exists());
 }
 
 #[test]
@@ -253,8 +338,8 @@ fn whatever_moves_or_changes_the_machine_names_the_turn() {
         json!({ "do": "command", "line": "MX,1" }),
         json!({ "do": "resume" }),
         json!({ "do": "nudge", "axis": "X", "distance": 1.0 }),
-        json!({ "do": "jogStart", "seq": 1, "direction": [1, 0, 0, 0, 0, 0], "distance": null, "speedShare": 1.0 }),
-        json!({ "do": "jogRenew", "seq": 1 }),
+        json!({ "do": "jogStart", "seq": 1, "clockMs": 0.0, "direction": [1, 0, 0, 0, 0, 0], "distance": null, "speedShare": 1.0 }),
+        json!({ "do": "jogRenew", "seq": 1, "clockMs": 0.0 }),
         json!({ "do": "arm" }),
         json!({ "do": "override", "feedPercent": 50.0 }),
         json!({ "do": "input", "number": 1, "on": true }),
@@ -370,6 +455,14 @@ fn settings_are_protected_by_a_password() {
     let unlock =
         |page: &mut Page, word: &str| page.act(json!({ "do": "unlock", "password": word }));
     assert_eq!(unlock(&mut page, "beech").as_deref(), Some("password"));
+    let early = page.send(json!({ "do": "unlock", "password": "birch" }));
+    assert_eq!(
+        page.problem(early),
+        "wrong passwords were tried from here: wait 1 s, then try again"
+    );
+    let told = "a wrong password of the settings was tried: at the machine, 1 wrong so far";
+    assert!(page.shown["messages"].to_string().contains(told), "everybody is told");
+    std::thread::sleep(std::time::Duration::from_millis(1100));
     page.open_file("a.sbp");
     assert_eq!(page.run(), None, "running stays possible");
     page.until("the end", |page| page.shown["job"]["ended"] == "ok");

@@ -151,8 +151,12 @@ pub enum Act {
     JogStart {
         /// Number of the lease.
         lease: u32,
-        /// Grows with every jog of a page; one that comes behind its own stop is dropped.
-        seq: u32,
+        /// Grows with every jog of a page, by a million at most; one that comes behind its own stop is dropped.
+        #[ts(type = "number")]
+        seq: u64,
+        /// When the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it
+        /// now, ms.
+        clock_ms: f64,
         /// Direction of each axis: -1, 0, 1 or between.
         direction: [f64; AXES],
         /// Mm or degrees; motion ends there. Without it, at the table limits.
@@ -160,17 +164,22 @@ pub enum Act {
         /// Share of the jog speed, 0 … 1.
         speed_share: f64,
     },
-    /// Keeps a jog moving: every 50 to 100 ms. After 250 ms without one the machine ramps down.
+    /// Keeps a jog moving: every 50 to 100 ms. When the newest is 250 ms old by its clock, the machine ramps down,
+    /// however late it arrived.
     JogRenew {
         /// Number of the lease.
         lease: u32,
         /// Of the jog.
-        seq: u32,
+        #[ts(type = "number")]
+        seq: u64,
+        /// As that of the start.
+        clock_ms: f64,
     },
     /// Ends a jog.
     JogStop {
         /// Of the jog.
-        seq: u32,
+        #[ts(type = "number")]
+        seq: u64,
     },
     /// Presses a key of the hand console. What the key wishes is granted to whoever presses it; one that moves
     /// the tool does so for as long as a jog of this number is renewed. Stop is always allowed, to everybody.
@@ -178,7 +187,12 @@ pub enum Act {
         /// Number of the lease.
         lease: u32,
         /// As that of a jog.
-        seq: u32,
+        #[ts(type = "number")]
+        seq: u64,
+        /// As that of a jog; without it the key counts as held when it arrives.
+        #[serde(default)]
+        #[ts(optional)]
+        clock_ms: Option<f64>,
         /// A digit, `-` the sign, carriage return for Enter, `F` File, `S` Start, `P` Stop, `U` Func.
         key: char,
     },

@@ -14,6 +14,10 @@ pub struct Reply {
     pub problem: Option<Problem>,
     /// What was noticed although it was done: warnings of a drawing operation.
     pub notes: Vec<String>,
+    /// The server's clock when it answered a ping, ms since it began.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub clock_ms: Option<f64>,
 }
 
 /// Why something was not done.

@@ -21,6 +21,6 @@ pub use disk::Disk;
 pub use folders::{Folders, Purpose, custom_name};
 pub use memory::MemoryDisk;
 pub use open::{OpenFiles, to_open};
-pub use real::RealDisk;
+pub use real::{RealDisk, write_private};
 pub use scratch::Scratch;
 pub use shipped::{MACHINES, SAMPLES, SHIPPED, Shipped};

@@ -58,8 +58,21 @@ impl Disk for RealDisk {
     }
 }
 
+/// Replaces a file by one that only this user can read, whoever could read the one before.
+///
+/// # Errors
+/// Whatever the disk says.
+pub fn write_private(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // New files of this kind are nobody else's.
+    let beside = tempfile::NamedTempFile::new_in(folder_of(path))?;
+    put(beside, path, bytes).map_err(without_path)
+}
+
 fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut beside = beside(path)?;
+    put(beside(path)?, path, bytes)
+}
+
+fn put(mut beside: tempfile::NamedTempFile, path: &Path, bytes: &[u8]) -> io::Result<()> {
     beside.write_all(bytes)?;
     beside.as_file().sync_all()?;
     beside.persist(path).map_err(|e| e.error)?;
@@ -84,7 +97,11 @@ fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
         let new = || fs::Permissions::from_mode(0o666);
         beside.permissions(fs::metadata(path).map_or_else(|_| new(), |known| known.permissions()))
     };
-    beside.tempfile_in(or_here(path.parent().unwrap_or(Path::new(""))))
+    beside.tempfile_in(folder_of(path))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    or_here(path.parent().unwrap_or(Path::new("")))
 }
 
 /// The folder we are in has an empty name in relative paths.

@@ -209,9 +209,13 @@ pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> 
     let mut shop = Shop::open(which, false)?;
     let setting = table::setting(height.key());
     let Some(setting) = setting else { bail!("no setting {}", height.key()) };
-    let exit = if by.is_none() { drive_there(&mut shop, to)? } else { Exit::Good };
-    if exit != Exit::Good {
-        return Ok(exit);
+    if by.is_none() {
+        let z = to.unwrap_or(shop.session.memory.position[Axis::Z]);
+        changed(&shop.machine, setting, &Value::Number(out::tidy(z)))?;
+        let exit = drive_there(&mut shop, height, to)?;
+        if exit != Exit::Good {
+            return Ok(exit);
+        }
     }
     let before = setting.get(&shop.machine);
     let z = match (by, before) {
@@ -231,14 +235,27 @@ fn keep(
     let kept = which.to_change()?;
     let _alone = kept.alone();
     let text = kept.text()?.unwrap_or_default();
-    let mut wanted = machine.clone();
-    setting.set(&mut wanted, &value).map_err(|refused| Usage(refused.to_string()))?;
-    if let Some(crossed) = kerf_machine::contradictions::contradictions(&wanted).first() {
-        bail!(Usage(format!("{}; {}", crossed.message, crossed.hint)));
-    }
+    let wanted = changed(machine, setting, &value)?;
     kept.write(&file::edit(&text, setting, &wanted))?;
     out::print(&format!("{} = {}\n", setting.key, setting.get(&wanted)));
     Ok(Exit::Good)
+}
+
+/// The machine with another value of a setting.
+///
+/// # Errors
+/// The value is none of the setting, or contradicts another one.
+fn changed(
+    machine: &Configuration,
+    setting: &'static table::Setting,
+    value: &Value,
+) -> Result<Configuration> {
+    let mut wanted = machine.clone();
+    setting.set(&mut wanted, value).map_err(|refused| Usage(refused.to_string()))?;
+    if let Some(crossed) = kerf_machine::contradictions::contradictions(&wanted).first() {
+        bail!(Usage(format!("{}; {}", crossed.message, crossed.hint)));
+    }
+    Ok(wanted)
 }
 
 /// Prints the job origin, or sets it: to where the tool is, or to a place from home.
@@ -267,7 +284,7 @@ pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
 }
 
 /// Z is homed first where jobs home it; then it goes to the height that is to be recorded.
-fn drive_there(shop: &mut Shop, to: Option<f64>) -> Result<Exit> {
+fn drive_there(shop: &mut Shop, height: Height, to: Option<f64>) -> Result<Exit> {
     let stood = shop.session.memory.position[Axis::Z];
     let homes = shop.machine.homing.at_job_start.contains(Axis::Z);
     let mut shift = 0.0;
@@ -279,9 +296,11 @@ fn drive_there(shop: &mut Shop, to: Option<f64>) -> Result<Exit> {
         shift = stood;
     }
     let Some(z) = to.or(homes.then_some(shift)) else { return Ok(Exit::Good) };
-    // Z bottom is being set: it does not bound the way.
     let mut free = (*shop.machine).clone();
-    free.zpos.bottom_mm = free.zpos.bottom_mm.min(z);
+    if height == Height::Bottom {
+        // It is being set: it does not bound the way.
+        free.zpos.bottom_mm = free.zpos.bottom_mm.min(z);
+    }
     let machine = std::mem::replace(&mut shop.machine, Arc::new(free));
     let mut place = [None; AXES];
     place[Axis::Z.index()] = Some(z);

@@ -73,7 +73,7 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
         check_value(last_part(key), value.as_deref()).map_err(Usage)?;
     }
     if let Some(url) = &args.server {
-        return remotely(&Remote::new(url)?, &args.action);
+        return remotely(&Remote::new(url, &args.data)?, &args.action);
     }
     let data = setup::data_folder(&args.data)?;
     match &args.action {

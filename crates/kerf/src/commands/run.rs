@@ -126,6 +126,7 @@ enum PaceName {
 const REACHES_SERVERS: Heeded = Heeded {
     options: &[
         "server",
+        "folder",
         "arm",
         "password",
         "quiet",
@@ -184,7 +185,7 @@ impl RunCommand {
 /// Has a server run a file of its part folder.
 fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
     let how = how_remotely(file, args)?;
-    let server = Remote::new(url)?;
+    let server = Remote::new(url, &args.run.place.data)?;
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
     }

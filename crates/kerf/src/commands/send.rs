@@ -56,7 +56,7 @@ pub struct SendArgs {
 
 /// What of it reaches a server.
 const REACHES_SERVERS: Heeded =
-    Heeded { options: &["server", "password", "quiet"], instead: OWN_MACHINE };
+    Heeded { options: &["server", "folder", "password", "quiet"], instead: OWN_MACHINE };
 
 impl SendArgs {
     /// The server that carries the lines out, where one does.
@@ -129,7 +129,7 @@ fn typed(
 
 /// Has a running server carry the lines out.
 fn remotely(url: &str, lines: &str, args: &SendArgs) -> Result<Exit> {
-    let server = Remote::new(url)?;
+    let server = Remote::new(url, &args.run.place.data)?;
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
     }

@@ -148,11 +148,13 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
     let stop = Stop::listen()?;
     let options = options(args)?;
     let server = Server::start(options, builders(args)).map_err(|why| cannot(args.listen, why))?;
-    out::print(&format!("Kerf's console is at http://{}\n", server.address));
+    out::print(&format!("Kerf's console is at {}\n", server.way_in()));
     if args.lan {
-        let code = server.show_code(kerf_server::Role::Owner).context("no code can be made")?;
+        let code = server.show_code(kerf_server::Role::Operator).context("no code can be made")?;
         out::print(&format!(
-            "To pair a device, enter the code {code} there within five minutes.\n"
+            "That is for this computer only. Other devices open http://ADDRESS:{}/ with the address of this computer. \
+             To pair one as operator, enter the code {code} there within five minutes.\n",
+            server.address.port()
         ));
     }
     let port = args.receive.then(|| receive::port(&args.place)).transpose()?;

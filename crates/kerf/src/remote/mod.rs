@@ -7,10 +7,13 @@ mod values;
 pub use ended::Ended;
 pub use runs::{Along, How};
 
+use crate::args::DataArgs;
+use crate::setup;
 use anyhow::{Context, Result, bail};
+use kerf_server::TOKEN_FILE;
 use serde_json::{Value, json};
 use std::io::{Read, Write};
-use std::net::TcpStream;
+use std::net::{TcpStream, ToSocketAddrs};
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -37,13 +40,20 @@ struct Refused {
 /// A server.
 pub struct Remote {
     address: String,
+    /// What shows that this is the user of the server's computer, where the server asks for it.
+    token: Option<String>,
 }
 
 impl Remote {
-    /// The server of an address, as `http://127.0.0.1:8710`.
-    pub fn new(url: &str) -> Result<Self> {
+    /// The server of an address, as `http://127.0.0.1:8710`. One of this computer that lets others in asks for the
+    /// token that is in the address it printed, or lies in its data folder.
+    pub fn new(url: &str, data: &DataArgs) -> Result<Self> {
         let address = url.strip_prefix("http://").context("an address begins with http://")?;
-        Ok(Self { address: address.trim_end_matches('/').to_owned() })
+        let (address, behind) = address.split_once('/').unwrap_or((address, ""));
+        let (address, named) = (address.to_owned(), behind.strip_prefix("?token="));
+        let kept = || is_here(&address).then(|| token(data)).flatten();
+        let token = named.map(str::to_owned).or_else(kept);
+        Ok(Self { address, token })
     }
 
     /// Carries lines out and waits for their end.
@@ -108,8 +118,10 @@ impl Remote {
         let mut stream = TcpStream::connect(&self.address).with_context(reached)?;
         let (host, length) = (&self.address, body.len());
         let head = "Connection: close\r\nContent-Type: application/json";
+        let shows = self.token.iter().map(|token| format!("Authorization: Bearer {token}\r\n"));
+        let shows: String = shows.collect();
         let request = format!(
-            "{method} {path} HTTP/1.1\r\nHost: {host}\r\n{head}\r\nContent-Length: {length}\r\n\r\n{body}"
+            "{method} {path} HTTP/1.1\r\nHost: {host}\r\n{head}\r\n{shows}Content-Length: {length}\r\n\r\n{body}"
         );
         stream.write_all(request.as_bytes())?;
         let mut answer = Vec::new();
@@ -123,6 +135,18 @@ impl Remote {
         }
         Ok(body.to_owned())
     }
+}
+
+/// Whether an address is one of this computer: the token is for nobody else.
+fn is_here(address: &str) -> bool {
+    let found = address.to_socket_addrs();
+    found.is_ok_and(|mut all| all.all(|one| one.ip().to_canonical().is_loopback()))
+}
+
+/// The token in a data folder. A server that lets nobody else in needs none, and has none.
+fn token(data: &DataArgs) -> Option<String> {
+    let file = setup::data_folder(data).ok()?.join(TOKEN_FILE);
+    std::fs::read_to_string(file).ok()
 }
 
 /// The number of the run that a state tells of; refuses one before the last: the server that knew that has ended.

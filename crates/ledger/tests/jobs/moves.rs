@@ -103,6 +103,36 @@ fn pro_zpos_bottom_limit() {
     assert!((set.rests()[2] + 32.0).abs() < 1e-6, "{:?}", set.rests());
 }
 
+/// A key of the keypad of part files on SIM, whose Z was homed or not.
+fn keypad_of_sim(x: f64, z: f64, homed: bool) -> JobRun {
+    let homed = if homed { AxisSet::first(3) } else { AxisSet::EMPTY };
+    let way = [x, 0.0, z, 0.0, 0.0, 0.0];
+    JobRun::hand(Errand::Keypad(Keypad { way, times: None, speed: 1.0, homed })).unhomed()
+}
+
+#[test]
+fn pro_zpos_bottom_limit__keypad() {
+    for homed in [true, false] {
+        let down = keypad_of_sim(0.0, -1.0, homed).at(0.0, 0.0, -28.0).run();
+        assert_eq!(down.rests()[2], -30.0, "homed {homed}");
+        let [said] = &down.messages()[..] else { panic!("{:?}", down.messages()) };
+        assert!(said.ends_with(", Z bottom (zpos.bottom_mm)"), "{said}");
+        let up = keypad_of_sim(0.0, 1.0, homed).at(0.0, 0.0, -40.0).run();
+        assert_eq!(up.rests()[2], 0.0, "the way back is free");
+    }
+    let no_length = |machine: &mut kerf_machine::Configuration| machine.axes.length[Axis::Z] = 0.0;
+    let unknown = keypad_of_sim(0.0, -1.0, false).with(no_length).let_go(1.0).run();
+    assert!(unknown.rests()[2] < -40.0, "nobody knows where Z is: {:?}", unknown.rests());
+}
+
+#[test]
+fn pro_axes_limit_unhomed__keypad() {
+    let right = keypad_of_sim(1.0, 0.0, false).run();
+    assert_eq!(right.rests()[0], 2500.0, "from where it was switched on");
+    let left = keypad_of_sim(-1.0, 0.0, false).run();
+    assert_eq!(left.rests()[0], 0.0);
+}
+
 #[test]
 fn pro_move_arrows_pct() {
     let trace = key(1, 0, 0, 0.25, 0.5).let_go(1.0).run();
@@ -267,7 +297,7 @@ fn pro_pause_arrows() {
 /// A key of the keypad of part files, on a machine in inches.
 fn keypad(way: [f64; 2], times: Option<f64>, change: impl FnOnce(&mut Settings)) -> JobRun {
     let way = [way[0], way[1], 0.0, 0.0, 0.0, 0.0];
-    let errand = Errand::Keypad(Keypad { way, times, speed: 1.0, bounded: AxisSet::EMPTY });
+    let errand = Errand::Keypad(Keypad { way, times, speed: 1.0, homed: AxisSet::EMPTY });
     JobRun::hand(errand).unhomed().with(|machine| {
         machine.program = Settings::default();
         change(&mut machine.program);

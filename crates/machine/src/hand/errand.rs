@@ -88,8 +88,8 @@ pub struct Keypad {
     pub times: Option<f64>,
     /// Share of the jog speeds, 0.01 … 1.
     pub speed: f64,
-    /// Axes whose lengths count, since they were homed.
-    pub bounded: AxisSet,
+    /// Axes that were homed.
+    pub homed: AxisSet,
 }
 
 /// The settings with which the keypad moves: a share of the jog speeds, its own ramp, no warning.

@@ -2,7 +2,7 @@
 
 use super::Hand;
 use super::errand::{Errand, FAR, Stretch};
-use crate::homing::{soft_bounds, table_bounds};
+use crate::homing::{bounds_by_hand, soft_bounds, table_bounds, words_of_end};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::{Arc2, Point2};
 use kerf_program::settings::Mode;
@@ -12,6 +12,9 @@ use std::sync::Arc;
 
 /// Places closer than this are the same, mm or degrees.
 pub(super) const SAME: f64 = 1e-9;
+
+/// Bounds of an axis that has none.
+const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// A way to a place, machine frame.
 #[derive(Clone, Copy, Debug)]
@@ -136,26 +139,24 @@ impl Hand {
         }
         let shown = self.settings.to_user(self.frame.working(Axes::splat(end)))[axis];
         let shown = (shown * 1e4).round() / 1e4;
-        format!("Out of bounds: {} ends at {shown}", axis.letter()).into()
+        let words = words_of_end(&self.machine, axis, end);
+        format!("Out of bounds: {} ends at {shown}{words}", axis.letter()).into()
     }
 
     /// Where an axis may go, machine frame: the soft bounds, the table limits while they are checked,
     /// Z no lower than Z bottom.
     fn allowed(&self, axis: Axis) -> (f64, f64) {
-        let (bounded, to_bottom) = match self.errand {
-            Errand::Held(held) => (true, held.sets_bottom),
-            Errand::Keypad(keypad) => (keypad.bounded.contains(axis), true),
-            _ => (true, false),
+        let by_hand = |homed| bounds_by_hand(&self.machine, axis, homed);
+        let (mut low, mut high) = match self.errand {
+            Errand::Held(held) if held.sets_bottom => {
+                soft_bounds(&self.machine, axis).unwrap_or(FREE)
+            }
+            Errand::Keypad(keypad) => by_hand(keypad.homed.contains(axis)),
+            _ => by_hand(true),
         };
-        let free = (f64::NEG_INFINITY, f64::INFINITY);
-        let soft = soft_bounds(&self.machine, axis).filter(|_| bounded);
-        let (mut low, mut high) = soft.unwrap_or(free);
         if let Some((lowest, highest)) = table_bounds(&self.machine, axis) {
             let zero = self.frame.base_zero[axis];
             (low, high) = (low.max(lowest + zero), high.min(highest + zero));
-        }
-        if axis == Axis::Z && !to_bottom && self.machine.axes.limit_movement {
-            low = low.max(self.machine.zpos.bottom_mm);
         }
         (low, high)
     }

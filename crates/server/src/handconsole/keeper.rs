@@ -5,6 +5,7 @@ use super::left::Left;
 use super::view::Facts;
 use crate::app::App;
 use crate::asker::Asker;
+use crate::people::Grip;
 use crate::told;
 use kerf_handconsole::{Console, Key, Wish};
 use kerf_wire::{Change, HandConsole, Problem, State, Why};
@@ -23,12 +24,12 @@ pub struct Keeper {
     happens: Sender<Happening>,
     console: Console,
     /// Wishes of a key that wait until the machine has done those before them.
-    waiting: VecDeque<(Asker, u32, Wish)>,
+    waiting: VecDeque<(Asker, Grip, Wish)>,
     /// The outcome of a wish is still to be told.
     doing: bool,
     /// It will be in a moment: keys wait for it.
     settling: bool,
-    keys: VecDeque<(Asker, u32, Key)>,
+    keys: VecDeque<(Asker, Grip, Key)>,
     facts: Facts,
     /// Points were being digitized at the last look.
     digitizes: bool,
@@ -63,54 +64,56 @@ impl Keeper {
             let Some(app) = self.app.upgrade() else { return };
             self.take_up(&app);
             match happened {
-                Some(Happening::Key { asker, seq, key: Key::Stop }) => {
-                    self.press(&app, &asker, seq, Key::Stop);
+                Some(Happening::Key { asker, grip, key: Key::Stop }) => {
+                    self.press(&app, &asker, grip, Key::Stop);
                 }
-                Some(Happening::Key { asker, seq, key }) => self.keys.push_back((asker, seq, key)),
+                Some(Happening::Key { asker, grip, key }) => {
+                    self.keys.push_back((asker, grip, key))
+                }
                 Some(Happening::Told(outcome)) => self.told(outcome),
                 None => {}
             }
             self.go_on(&app);
             while !self.settling
-                && let Some((asker, seq, key)) = self.keys.pop_front()
+                && let Some((asker, grip, key)) = self.keys.pop_front()
             {
-                self.press(&app, &asker, seq, key);
+                self.press(&app, &asker, grip, key);
             }
             self.show(&app);
         }
     }
 
-    fn press(&mut self, app: &Arc<App>, asker: &Asker, seq: u32, key: Key) {
+    fn press(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, key: Key) {
         let view = self.facts.view(app, true);
         let mut wishes = self.console.press(key, &view).into_iter();
         let Some(first) = wishes.next() else { return };
-        self.waiting = wishes.map(|wish| (asker.clone(), seq, wish)).collect();
+        self.waiting = wishes.map(|wish| (asker.clone(), grip, wish)).collect();
         // The key before was let go, and the tool slows down: it moves anew as soon as it stands.
         if matches!(first, Wish::Jog(_)) && app.state() == State::Jogging {
-            self.waiting.push_front((asker.clone(), seq, first));
+            self.waiting.push_front((asker.clone(), grip, first));
         } else {
-            self.grant(app, asker, seq, first);
+            self.grant(app, asker, grip, first);
         }
     }
 
     /// Grants what waits, as far as the machine is ready for it.
     fn go_on(&mut self, app: &Arc<App>) {
         while app.state() == State::Idle && !self.doing {
-            let Some((asker, seq, wish)) = self.waiting.pop_front() else { return };
-            self.grant(app, &asker, seq, wish);
+            let Some((asker, grip, wish)) = self.waiting.pop_front() else { return };
+            self.grant(app, &asker, grip, wish);
         }
         if app.state() == State::Alarm {
             self.waiting.clear();
         }
     }
 
-    fn grant(&mut self, app: &Arc<App>, asker: &Asker, seq: u32, wish: Wish) {
+    fn grant(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, wish: Wish) {
         let wish = match wish {
             Wish::Open(job) => Wish::Open(self.facts.named(&job)),
             wish => wish,
         };
         let (lasts, settles) = (wish.lasts(), wish.settles());
-        match app.grant(asker, seq, wish, &self.happens) {
+        match app.grant(asker, grip, wish, &self.happens) {
             Ok(()) => (self.doing, self.settling) = (lasts || settles, settles),
             Err(problem) => {
                 self.waiting.clear();

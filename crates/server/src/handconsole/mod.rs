@@ -18,6 +18,7 @@ mod wishes;
 
 use crate::app::{App, problem};
 use crate::asker::Asker;
+use crate::people::Grip;
 use kerf_handconsole::Key;
 use kerf_wire::{Problem, Why};
 use std::sync::Arc;
@@ -31,8 +32,8 @@ pub enum Happening {
     Key {
         /// By whom.
         asker: Asker,
-        /// Number of the jog, should it move the tool.
-        seq: u32,
+        /// The jog that it holds, should it move the tool.
+        grip: Grip,
         /// Which.
         key: Key,
     },
@@ -61,13 +62,13 @@ impl App {
     ///
     /// # Errors
     /// There is no such key.
-    pub fn press_key(&self, asker: &Asker, seq: u32, key: char) -> Result<(), Problem> {
+    pub fn press_key(&self, asker: &Asker, grip: Grip, key: char) -> Result<(), Problem> {
         let Some(key) = Key::of(key) else {
             let text =
                 "the keys are 0 to 9, - (sign), carriage return (Enter), F, S, P (Stop), U (Func)";
             return Err(problem(Why::Malformed, text));
         };
-        let happening = Happening::Key { asker: asker.clone(), seq, key };
+        let happening = Happening::Key { asker: asker.clone(), grip, key };
         let sent = self.hand_console.get().map(|happens| happens.send(happening));
         match sent {
             Some(Ok(())) => Ok(()),

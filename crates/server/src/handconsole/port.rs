@@ -10,6 +10,7 @@
 //! that cannot be opened is tried again, so that the cable may be plugged in at any time.
 
 use crate::app::{App, lock};
+use crate::people::Grip;
 use kerf_handconsole::{Key, Screen};
 use kerf_serial::{Port, SerialError};
 use kerf_wire::{Change, HandConsole, Role, Tone, Who};
@@ -84,7 +85,7 @@ struct Link {
     device: (String, u32),
     who: Who,
     /// Number of the key pressed last.
-    seq: u32,
+    seq: u64,
     last: Option<Key>,
     /// What was sent last.
     drawn: Option<Screen>,
@@ -132,7 +133,7 @@ impl Link {
     /// A key that moves the tool and comes again is held.
     fn key(&mut self, app: &App, key: Key) {
         let again = self.last.replace(key) == Some(key);
-        if again && app.renew(&self.who, self.seq).is_ok() {
+        if again && app.renew(&self.who, Grip::now(self.seq)).is_ok() {
             return;
         }
         self.seq += 1;
@@ -140,7 +141,7 @@ impl Link {
             self.drawn = None;
         }
         // It fails where the thread of the console has ended, and with it the server.
-        drop(app.press_key(&app.hears(&self.who), self.seq, key.character()));
+        drop(app.press_key(&app.hears(&self.who), Grip::now(self.seq), key.character()));
     }
 
     /// Sends the screen where it is another, as soon as the line is free.

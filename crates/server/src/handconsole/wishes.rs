@@ -5,6 +5,7 @@ use crate::app::{App, lock, problem};
 use crate::asker::Asker;
 use crate::gate::Way;
 use crate::machine::Order;
+use crate::people::Grip;
 use kerf_handconsole::{JobWish, Wish};
 use kerf_machine::Errand;
 use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Why};
@@ -19,7 +20,7 @@ impl App {
     pub fn grant(
         self: &Arc<Self>,
         asker: &Asker,
-        seq: u32,
+        grip: Grip,
         wish: Wish,
         tells: &Sender<Happening>,
     ) -> Result<(), Problem> {
@@ -53,7 +54,7 @@ impl App {
                 return Ok(());
             }
             Wish::Jog(held) => {
-                return self.jog(asker, seq, self.errand(Errand::Held(held), tells));
+                return self.jog(asker, grip, self.errand(Errand::Held(held), tells));
             }
             Wish::Go(errand) => return self.order_of(asker, self.errand(errand, tells)),
         };

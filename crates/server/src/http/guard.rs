@@ -4,6 +4,7 @@
 //! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
 
 use crate::app::App;
+use crate::people::Here;
 use axum::extract::connect_info::{ConnectInfo, Connected};
 use axum::extract::{Request, State};
 use axum::http::header::{AUTHORIZATION, COOKIE, HOST, ORIGIN};
@@ -18,6 +19,13 @@ use tokio::net::TcpListener;
 
 /// The cookie that holds a device's token.
 pub const TOKEN: &str = "kerf-device";
+
+/// What stands before the token of whoever sits at the machine, in the address that is printed.
+pub const IN_ADDRESS: &str = "token";
+
+/// What whoever is not let in is told.
+const UNPAIRED: &str = "this device is not paired with the machine; at the machine itself open the address that kerf \
+    serve printed";
 
 /// Headers of proxies. They are not believed; whoever sends them is not at the machine itself.
 const FORWARDED: [&str; 4] = ["forwarded", "x-forwarded-for", "x-forwarded-host", "x-real-ip"];
@@ -54,6 +62,9 @@ pub async fn guard(
     mut request: Request,
     next: Next,
 ) -> Response {
+    if let Some(entered) = enter(&app, &peer, &request) {
+        return with_headers(entered);
+    }
     let caller = match admit(&app, &peer, &request) {
         Ok(caller) => caller,
         Err((status, why)) => return with_headers((status, why).into_response()),
@@ -80,7 +91,7 @@ fn admit(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Refusal> {
     let caller = who(app, peer, headers);
     let open = !path.starts_with("/api") && path != "/ws" || path == "/api/pair";
     if caller.role.is_none() && !open {
-        return Err((StatusCode::UNAUTHORIZED, "this device is not paired with the machine"));
+        return Err((StatusCode::UNAUTHORIZED, UNPAIRED));
     }
     // Nothing changes by looking.
     let known = [Method::GET, Method::HEAD, Method::POST, Method::PUT, Method::DELETE];
@@ -115,13 +126,52 @@ fn is_ours(app: &App, peer: &Peer, host: &str) -> bool {
     ours && port == Some(peer.local.port())
 }
 
-/// Who asks: whoever sits at the machine owns it; everybody else is a paired device, or nobody.
-fn who(app: &App, peer: &Peer, headers: &HeaderMap) -> Caller {
+/// Whether a request comes from this computer, and nothing says that it was handed on.
+fn is_here(peer: &Peer, headers: &HeaderMap) -> bool {
     let forwarded = FORWARDED.iter().any(|name| headers.contains_key(*name));
-    if peer.remote.ip().to_canonical().is_loopback() && !forwarded {
+    let remote = peer.remote.ip().to_canonical();
+    let own = remote.is_loopback() || remote == peer.local.ip().to_canonical();
+    own && !forwarded
+}
+
+/// The cookie of whoever sits at the machine. Cookies know no ports: its name does.
+fn here_cookie(peer: &Peer) -> String {
+    format!("kerf-here-{}", peer.local.port())
+}
+
+/// Lets whoever opens the address that was printed in: the token goes from the address into a cookie.
+fn enter(app: &App, peer: &Peer, request: &Request) -> Option<Response> {
+    let (here, path) = (app.here.as_ref()?, request.uri().path());
+    if request.method() != Method::GET || path.starts_with("/api") || path == "/ws" {
+        return None;
+    }
+    let pairs = request.uri().query()?.split('&').filter_map(|pair| pair.split_once('='));
+    let (_, given) = pairs.into_iter().find(|(name, _)| *name == IN_ADDRESS)?;
+    let headers = request.headers();
+    let ours = host(headers).is_some_and(|host| is_ours(app, peer, host));
+    let mut answer = (StatusCode::SEE_OTHER, [(header::LOCATION, path)]).into_response();
+    if ours && is_here(peer, headers) && here.is(given) {
+        let cookie = format!(
+            "{}={given}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000",
+            here_cookie(peer)
+        );
+        answer.headers_mut().insert(header::SET_COOKIE, HeaderValue::from_str(&cookie).ok()?);
+    }
+    Some(answer)
+}
+
+/// Who asks: whoever sits at the machine owns it, and shows so where others may connect; everybody else is a paired
+/// device, or nobody.
+fn who(app: &App, peer: &Peer, headers: &HeaderMap) -> Caller {
+    let shows = |here: &Here| {
+        let given = bearer(headers).or_else(|| cookie(headers, &here_cookie(peer)));
+        given.is_some_and(|given| here.is(given))
+    };
+    if is_here(peer, headers) && app.here.as_ref().is_none_or(shows) {
         return Caller { role: Some(Role::Owner), device: None };
     }
-    let device = token(headers).and_then(|token| app.devices.find(token));
+    let token = bearer(headers).or_else(|| cookie(headers, TOKEN));
+    let device = token.and_then(|token| app.devices.find(token));
     let device = device.filter(|_| app.options.lan);
     Caller {
         role: device.as_ref().map(|device| device.role),
@@ -129,13 +179,14 @@ fn who(app: &App, peer: &Peer, headers: &HeaderMap) -> Caller {
     }
 }
 
-fn token(headers: &HeaderMap) -> Option<&str> {
-    let bearer = headers.get(AUTHORIZATION).and_then(|v| v.to_str().ok()?.strip_prefix("Bearer "));
-    bearer.or_else(|| {
-        let cookies = headers.get(COOKIE)?.to_str().ok()?;
-        let pairs = cookies.split(';').filter_map(|pair| pair.trim().split_once('='));
-        pairs.into_iter().find(|(name, _)| *name == TOKEN).map(|(_, token)| token)
-    })
+fn bearer(headers: &HeaderMap) -> Option<&str> {
+    headers.get(AUTHORIZATION)?.to_str().ok()?.strip_prefix("Bearer ")
+}
+
+fn cookie<'a>(headers: &'a HeaderMap, wanted: &str) -> Option<&'a str> {
+    let cookies = headers.get(COOKIE)?.to_str().ok()?;
+    let pairs = cookies.split(';').filter_map(|pair| pair.trim().split_once('='));
+    pairs.into_iter().find(|(name, _)| *name == wanted).map(|(_, value)| value)
 }
 
 /// What every answer says to the browser. Pages get their own policy, with a nonce.

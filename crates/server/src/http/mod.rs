@@ -17,7 +17,7 @@ mod rest;
 mod routes;
 mod socket;
 
-pub use guard::Peer;
+pub use guard::{IN_ADDRESS, Peer};
 pub use routes::{describe, paths, router};
 
 use axum::Json;

@@ -1,15 +1,15 @@
 //! Pairing of devices.
 
 use super::Refused;
-use super::guard::{Caller, TOKEN};
+use super::guard::{Caller, Peer, TOKEN};
 use super::rest::demand;
 use crate::app::{App, problem};
 use crate::people::PairError;
-use axum::extract::{Path, State};
+use axum::extract::{ConnectInfo, Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;
 use axum::{Extension, Json};
-use kerf_wire::{Problem, Role, Why};
+use kerf_wire::{Problem, Role, Tone, Why};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -61,9 +61,19 @@ impl From<PairError> for Problem {
 /// Pairs the device that asks.
 pub async fn pair(
     State(app): State<Arc<App>>,
+    ConnectInfo(peer): ConnectInfo<Peer>,
     Json(pair): Json<Pair>,
 ) -> Result<impl IntoResponse, Refused> {
-    let (token, device) = app.devices.pair(&pair.code, &pair.name).map_err(Problem::from)?;
+    let from = peer.remote.ip();
+    let paired = app.devices.pair(&pair.code, &pair.name, from);
+    if let Err(PairError::Wrong { tell: Some(wrong) }) = paired {
+        let text = format!(
+            "Pairing: {} tried a wrong code, {wrong} wrong so far; the code that is shown stays good",
+            from.to_canonical()
+        );
+        app.hub.say(Tone::Warning, text);
+    }
+    let (token, device) = paired.map_err(Problem::from)?;
     let cookie = format!("{TOKEN}={token}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000");
     Ok(([(header::SET_COOKIE, cookie)], Json(Paired { token, role: device.role })))
 }

@@ -27,7 +27,7 @@ pub async fn act(
     let asker = app.hears(&who(&caller));
     let act = read(name, body)?;
     let notes = aside(move || app.act(&asker, act)).await?;
-    Ok(Json(Reply { id: 0, problem: None, notes }))
+    Ok(Json(Reply { id: 0, problem: None, notes, clock_ms: None }))
 }
 
 fn read(name: String, body: Value) -> Result<Act, Problem> {

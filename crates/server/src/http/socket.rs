@@ -86,7 +86,12 @@ impl Page {
         match serde_json::from_str::<Request>(text) {
             Err(error) => {
                 let problem = Problem { why: Why::Malformed, text: error.to_string() };
-                self.reply(Reply { id: 0, problem: Some(problem), notes: Vec::new() });
+                self.reply(Reply {
+                    id: 0,
+                    problem: Some(problem),
+                    notes: Vec::new(),
+                    clock_ms: None,
+                });
             }
             Ok(request) if is_slow(&request.act) => drop(self.slow.send((asker, request))),
             Ok(request) => self.reply(answer(&self.app, &asker, request)),
@@ -99,7 +104,7 @@ impl Page {
     }
 }
 
-/// What reads files, programs or drawings; the rest is done at once.
+/// What reads files, programs or drawings, or tries a password; the rest is done at once.
 const fn is_slow(act: &Act) -> bool {
     matches!(
         act,
@@ -113,13 +118,17 @@ const fn is_slow(act: &Act) -> bool {
             | Act::Run { .. }
             | Act::Command { .. }
             | Act::Draw { .. }
+            | Act::Unlock { .. }
+            | Act::Protect { .. }
     )
 }
 
 fn answer(app: &Arc<App>, asker: &Asker, request: Request) -> Reply {
-    match app.act(asker, request.act) {
-        Ok(notes) => Reply { id: request.id, problem: None, notes },
-        Err(problem) => Reply { id: request.id, problem: Some(problem), notes: Vec::new() },
+    let Request { id, act } = request;
+    let clock_ms = matches!(act, Act::Ping).then(|| app.uptime.ms());
+    match app.act(asker, act) {
+        Ok(notes) => Reply { id, problem: None, notes, clock_ms },
+        Err(problem) => Reply { id, problem: Some(problem), notes: Vec::new(), clock_ms },
     }
 }
 

@@ -2,12 +2,13 @@
 //!
 //! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round.
 
+use crate::people::Grip;
 use kerf_control::{Press, Wish};
 use std::collections::VecDeque;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A jog that nobody renews ends after this time.
+/// A jog ends when it is so long since its key was held for sure.
 pub const DEAD_MAN: Duration = Duration::from_millis(250);
 
 /// What pages want; whoever waits for it is woken.
@@ -56,11 +57,11 @@ pub struct Wanted {
 #[derive(Clone, Copy, Debug)]
 pub struct Held {
     /// Its jog.
-    pub seq: u32,
+    pub seq: u64,
     /// Whose.
     pub client: u32,
-    /// When it was last renewed.
-    pub renewed: Instant,
+    /// When it was held last, as whoever holds it says.
+    renewed: Instant,
     /// It was let go.
     pub released: bool,
     /// The run was told so, and ramps down.
@@ -68,9 +69,18 @@ pub struct Held {
 }
 
 impl Held {
-    /// A key that was pressed just now.
-    pub fn pressed(client: u32, seq: u32) -> Self {
-        Self { seq, client, renewed: Instant::now(), released: false, ending: false }
+    /// A key that was held at a moment.
+    pub const fn pressed(client: u32, Grip { seq, at }: Grip) -> Self {
+        Self { seq, client, renewed: at, released: false, ending: false }
+    }
+
+    /// It is still held, or was. Whether that counts: nothing keeps a jog going that is over.
+    pub fn renew(&mut self, client: u32, Grip { seq, at }: Grip) -> bool {
+        let counts = self.seq == seq && self.client == client && !self.is_over();
+        if counts {
+            self.renewed = self.renewed.max(at);
+        }
+        counts
     }
 
     /// Whether nobody holds the key any more.

@@ -391,7 +391,7 @@ impl Owner {
     /// Moves for as long as somebody holds a key, as far as the axes go.
     fn jog(&mut self, way: [f64; AXES], times: Option<f64>, speed: f64) {
         let session = &self.workshop.session;
-        let keypad = Keypad { way, times, speed, bounded: session.homed };
+        let keypad = Keypad { way, times, speed, homed: session.homed };
         let machine = Arc::new(session.configuration());
         let driven = self.held(Work::Hand(Errand::Keypad(keypad), machine));
         self.come_to_rest(driven);

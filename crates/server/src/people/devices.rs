@@ -1,13 +1,15 @@
 //! Devices that may connect over the network: paired by a code that is shown at the machine.
 //!
 //! A device keeps a token of 256 random bits; here only its hash is kept. Tokens and codes are compared
-//! in constant time.
+//! in constant time. Whoever tries a wrong code waits before the next one counts; the code stays good for others.
 
+use super::Tries;
 use crate::app::{hash, hex, lock};
-use kerf_control::files::{Disk, RealDisk};
+use kerf_control::files::{Disk, RealDisk, write_private};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};
 use std::io;
+use std::net::{IpAddr, Ipv6Addr};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
@@ -15,8 +17,8 @@ use subtle::ConstantTimeEq;
 
 /// A code can be used that long.
 const VALID: Duration = Duration::from_secs(300);
-/// Wrong codes until a new one has to be shown.
-const TRIES: u32 = 5;
+/// Wrong codes are told at most so often.
+const TELL: Duration = Duration::from_secs(1);
 /// The list, in the data folder.
 const FILE: &str = "devices.json";
 
@@ -41,7 +43,13 @@ pub enum PairError {
     NoCode,
     /// Another code is shown.
     #[error("this is not the code that the machine shows")]
-    Wrong,
+    Wrong {
+        /// How many were tried while this code was shown, where that is to be told now.
+        tell: Option<u32>,
+    },
+    /// A wrong code came from there a moment ago.
+    #[error("wrong codes were tried from this device: wait {0} s, then try again")]
+    Wait(u64),
     /// The list cannot be written, or there is no randomness.
     #[error("the device cannot be entered")]
     Failed,
@@ -58,6 +66,8 @@ pub struct Devices {
 struct Inner {
     devices: Vec<Device>,
     shown: Option<Shown>,
+    /// Wrong codes, by the address that they came from.
+    wrong: Tries<IpAddr>,
 }
 
 #[derive(Debug)]
@@ -65,22 +75,41 @@ struct Shown {
     code: String,
     role: Role,
     since: Instant,
-    tries: u32,
+    /// Wrong codes that were tried while it was shown.
+    wrong: u32,
+    /// When that was told last.
+    told: Option<Instant>,
+}
+
+impl Shown {
+    /// A wrong code was tried; how many were, where that is to be told now.
+    fn tried(&mut self, now: Instant) -> Option<u32> {
+        self.wrong += 1;
+        let due = self.told.is_none_or(|told| now.duration_since(told) >= TELL);
+        due.then(|| {
+            self.told = Some(now);
+            self.wrong
+        })
+    }
 }
 
 impl Devices {
-    /// Reads the list; a missing one is empty.
+    /// Reads the list; a missing one is empty. One that is none is put aside, and what is told of that comes with
+    /// the empty list: nobody is paired then.
     ///
     /// # Errors
-    /// Whatever the disk says, or that the list is none.
-    pub fn read(data: &Path) -> io::Result<Self> {
+    /// Whatever the disk says.
+    pub fn read(data: &Path) -> io::Result<(Self, Option<String>)> {
         let file = data.join(FILE);
-        let devices = if file.is_file() {
-            serde_json::from_slice(&RealDisk.read(&file)?)?
-        } else {
-            Vec::new()
+        let (devices, told) = match file.is_file() {
+            true => match serde_json::from_slice(&RealDisk.read(&file)?) {
+                Ok(devices) => (devices, None),
+                Err(why) => (Vec::new(), Some(put_aside(&file, &why)?)),
+            },
+            false => (Vec::new(), None),
         };
-        Ok(Self { file, inner: Mutex::new(Inner { devices, shown: None }) })
+        let inner = Mutex::new(Inner { devices, ..Inner::default() });
+        Ok((Self { file, inner }, told))
     }
 
     /// A new code for a device of a role.
@@ -91,28 +120,36 @@ impl Devices {
         let mut bytes = [0; 8];
         getrandom::fill(&mut bytes).map_err(|_| PairError::Failed)?;
         let code = format!("{:08}", u64::from_le_bytes(bytes) % 100_000_000);
-        let shown = Shown { code: code.clone(), role, since: Instant::now(), tries: 0 };
+        let shown = Shown { code: code.clone(), role, since: Instant::now(), wrong: 0, told: None };
         lock(&self.inner).shown = Some(shown);
         Ok(code)
     }
 
-    /// Pairs a device that names the code; gives its token.
+    /// Pairs a device that names the code, from an address; gives its token.
     ///
     /// # Errors
-    /// The code is another, or none is shown.
-    pub fn pair(&self, code: &str, name: &str) -> Result<(String, Device), PairError> {
+    /// The code is another, or none is shown; or a wrong one came from there a moment ago.
+    pub fn pair(
+        &self,
+        code: &str,
+        name: &str,
+        from: IpAddr,
+    ) -> Result<(String, Device), PairError> {
+        let (from, now) = (network(from), Instant::now());
         let mut inner = lock(&self.inner);
-        let shown = inner.shown.as_mut().filter(|shown| shown.since.elapsed() < VALID);
-        let shown = shown.ok_or(PairError::NoCode)?;
-        if !same(shown.code.as_bytes(), code.trim().as_bytes()) {
-            shown.tries += 1;
-            if shown.tries >= TRIES {
-                inner.shown = None;
-            }
-            return Err(PairError::Wrong);
+        let Inner { shown, wrong, .. } = &mut *inner;
+        let code_shown = shown.as_mut().filter(|shown| shown.since.elapsed() < VALID);
+        let code_shown = code_shown.ok_or(PairError::NoCode)?;
+        if let Some(seconds) = wrong.wait_s(&from, now) {
+            return Err(PairError::Wait(seconds));
         }
-        let role = shown.role;
-        inner.shown = None;
+        if !same(code_shown.code.as_bytes(), code.trim().as_bytes()) {
+            wrong.wrong(&from, now);
+            return Err(PairError::Wrong { tell: code_shown.tried(now) });
+        }
+        wrong.right(&from);
+        let role = code_shown.role;
+        *shown = None;
         let token = token()?;
         let number = inner.devices.iter().map(|d| d.number).max().unwrap_or(0) + 1;
         let name: String = name.chars().filter(|c| !c.is_control()).take(40).collect();
@@ -158,18 +195,44 @@ impl Devices {
 
     fn write(&self, devices: &[Device]) -> io::Result<()> {
         RealDisk.make_folder(self.file.parent().unwrap_or(Path::new("")))?;
-        RealDisk.write(&self.file, &serde_json::to_vec_pretty(devices)?)
+        write_private(&self.file, &serde_json::to_vec_pretty(devices)?)
     }
 }
 
-fn token() -> Result<String, PairError> {
+/// A token of 256 random bits.
+///
+/// # Errors
+/// There is no randomness.
+pub(super) fn token() -> Result<String, PairError> {
     let mut bytes = [0; 32];
     getrandom::fill(&mut bytes).map_err(|_| PairError::Failed)?;
     Ok(hex(&bytes))
 }
 
+/// The network that an address belongs to, as far as one device has it to itself.
+fn network(from: IpAddr) -> IpAddr {
+    match from.to_canonical() {
+        IpAddr::V6(v6) => Ipv6Addr::from_bits(v6.to_bits() >> 64 << 64).into(),
+        v4 => v4,
+    }
+}
+
+/// Puts a list aside that is none; what is told of that.
+fn put_aside(file: &Path, why: &serde_json::Error) -> io::Result<String> {
+    let aside = |n: u32| file.with_file_name(format!("{FILE}.broken-{n}"));
+    let free = (1..).map(aside).find(|path| !path.exists());
+    let free = free.ok_or(io::ErrorKind::AlreadyExists)?;
+    std::fs::rename(file, &free)?;
+    Ok(format!(
+        "{}, the list of paired devices, cannot be read ({why}). It was put aside as {}. No device is paired now: pair \
+         each anew, or end Kerf and put a copy of the list in its place",
+        file.display(),
+        free.display()
+    ))
+}
+
 /// Whether two texts are the same, in a time that does not tell where they differ.
-fn same<T: ConstantTimeEq>(a: &[T], b: &[T]) -> bool {
+pub(super) fn same<T: ConstantTimeEq>(a: &[T], b: &[T]) -> bool {
     a.ct_eq(b).into()
 }
 
@@ -182,24 +245,28 @@ mod tests {
 
     fn devices() -> (tempfile::TempDir, Devices) {
         let dir = tempfile::tempdir().unwrap();
-        let devices = Devices::read(dir.path()).unwrap();
+        let (devices, told) = Devices::read(dir.path()).unwrap();
+        assert_eq!(told, None);
         (dir, devices)
     }
+
+    /// Where devices of a test are.
+    const DESK: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(192, 168, 1, 7));
 
     #[test]
     fn a_code_pairs_one_device_which_survives_and_can_be_revoked() {
         let (dir, devices) = devices();
-        assert_eq!(devices.pair("1", "x").unwrap_err(), PairError::NoCode);
+        assert_eq!(devices.pair("1", "x", DESK).unwrap_err(), PairError::NoCode);
         let code = devices.show_code(Role::Operator).unwrap();
-        let (token, device) = devices.pair(&format!(" {code} "), "tablet").unwrap();
-        assert_eq!(devices.pair(&code, "again").unwrap_err(), PairError::NoCode);
+        let (token, device) = devices.pair(&format!(" {code} "), "tablet", DESK).unwrap();
+        assert_eq!(devices.pair(&code, "again", DESK).unwrap_err(), PairError::NoCode);
         assert_eq!(devices.find(&token).unwrap().role, Role::Operator);
-        let again = Devices::read(dir.path()).unwrap();
+        let (again, _) = Devices::read(dir.path()).unwrap();
         assert_eq!(again.find(&token), Some(device.clone()));
         assert_eq!(again.find("guess"), None);
         again.revoke(device.number).unwrap();
         assert_eq!((again.find(&token), again.has(device.number)), (None, false));
-        assert_eq!(Devices::read(dir.path()).unwrap().find(&token), None);
+        assert_eq!(Devices::read(dir.path()).unwrap().0.find(&token), None);
     }
 
     /// A byte that counts how often it is compared, and that can be compared in no other way.
@@ -233,7 +300,7 @@ mod tests {
         let tokens: Vec<String> = (0..4)
             .map(|n| {
                 let code = devices.show_code(Role::Observer).unwrap();
-                devices.pair(&code, &format!("device {n}")).unwrap().0
+                devices.pair(&code, &format!("device {n}"), DESK).unwrap().0
             })
             .collect();
         for (n, token) in tokens.iter().enumerate() {
@@ -248,7 +315,7 @@ mod tests {
     fn the_token_itself_is_not_kept() {
         let (dir, devices) = devices();
         let code = devices.show_code(Role::Setter).unwrap();
-        let (token, _) = devices.pair(&code, "desk").unwrap();
+        let (token, _) = devices.pair(&code, "desk", DESK).unwrap();
         let kept = std::fs::read_to_string(dir.path().join(FILE)).unwrap();
         assert!(!kept.contains(&token) && kept.contains("desk"));
     }
@@ -257,9 +324,63 @@ mod tests {
     fn a_code_is_not_guessed() {
         let (_dir, devices) = devices();
         let code = devices.show_code(Role::Owner).unwrap();
-        for _ in 0..TRIES {
-            assert_eq!(devices.pair("wrong", "x").unwrap_err(), PairError::Wrong);
+        let tries = |code: &str, from| devices.pair(code, "x", from).map(drop);
+        assert_eq!(tries("wrong", DESK), Err(PairError::Wrong { tell: Some(1) }));
+        for code in ["wrong", &code] {
+            assert_eq!(tries(code, DESK), Err(PairError::Wait(1)), "not even the right one");
         }
-        assert_eq!(devices.pair(&code, "x").unwrap_err(), PairError::NoCode);
+    }
+
+    #[test]
+    fn strangers_do_not_use_a_code_up() {
+        let (_dir, devices) = devices();
+        let code = devices.show_code(Role::Owner).unwrap();
+        for n in 0..40 {
+            let from = IpAddr::from([10, 0, 0, n]);
+            let tried = devices.pair("00000000", "x", from);
+            assert!(matches!(tried, Err(PairError::Wrong { .. })), "{n}: {tried:?}");
+        }
+        assert!(devices.pair(&code, "tablet", DESK).is_ok());
+    }
+
+    #[test]
+    fn a_device_has_one_network_of_its_own() {
+        let check = |from: &str, expected: &str| {
+            assert_eq!(network(from.parse().unwrap()), expected.parse::<IpAddr>().unwrap());
+        };
+        check("192.168.1.7", "192.168.1.7");
+        check("::ffff:192.168.1.7", "192.168.1.7");
+        check("2001:db8:1:2:3:4:5:6", "2001:db8:1:2::");
+    }
+
+    #[test]
+    fn a_list_that_is_none_is_put_aside_and_nobody_is_paired() {
+        let (dir, devices) = devices();
+        let file = dir.path().join(FILE);
+        let code = devices.show_code(Role::Setter).unwrap();
+        let (token, _) = devices.pair(&code, "desk", DESK).unwrap();
+        let whole = std::fs::read(&file).unwrap();
+        let mut flipped = whole.clone();
+        flipped[0] ^= 1;
+        for (n, broken) in [&b""[..], &whole[..whole.len() / 2], &flipped].iter().enumerate() {
+            std::fs::write(&file, broken).unwrap();
+            let (read, told) = Devices::read(dir.path()).unwrap();
+            assert_eq!((read.list().len(), read.find(&token)), (0, None));
+            let aside = dir.path().join(format!("{FILE}.broken-{}", n + 1));
+            assert_eq!(std::fs::read(&aside).unwrap(), *broken);
+            assert!(told.unwrap().contains(&aside.display().to_string()));
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn only_the_user_reads_the_list() {
+        use std::os::unix::fs::PermissionsExt;
+        let (dir, devices) = devices();
+        let file = dir.path().join(FILE);
+        std::fs::write(&file, "[]").unwrap();
+        let code = devices.show_code(Role::Observer).unwrap();
+        devices.pair(&code, "desk", DESK).unwrap();
+        assert_eq!(std::fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
     }
 }

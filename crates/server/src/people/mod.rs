@@ -1,7 +1,13 @@
 //! Who is connected, and which devices may.
 
 mod devices;
+mod hand;
+mod here;
 mod pages;
+mod tries;
 
 pub use devices::{Devices, PairError};
+pub use hand::{Grip, GripError};
+pub use here::{FILE as TOKEN_FILE, Here};
 pub use pages::{Pages, is_script, script};
+pub use tries::Tries;

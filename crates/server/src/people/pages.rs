@@ -1,9 +1,11 @@
 //! The pages that are connected.
 
+use super::hand::{Grip, GripError, Hand};
 use crate::app::lock;
 use kerf_wire::{Client, Role, Who};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
+use std::time::Instant;
 
 /// Numbers of scripts as drivers: those of pages count from 1.
 const SCRIPTS: u32 = u32::MAX;
@@ -39,8 +41,7 @@ struct Page {
     device: String,
     /// Number of the device, 0 for the machine itself; nothing for a hand console.
     number: Option<u32>,
-    /// The jog with the greatest number that began or ended.
-    jog: u32,
+    hand: Hand,
 }
 
 impl Pages {
@@ -49,7 +50,8 @@ impl Pages {
         let mut inner = lock(&self.inner);
         inner.last += 1;
         let client = inner.last;
-        inner.pages.insert(client, Page { role, device: device.clone(), number, jog: 0 });
+        let page = Page { role, device: device.clone(), number, hand: Hand::default() };
+        inner.pages.insert(client, page);
         Who { client, role, device }
     }
 
@@ -85,37 +87,63 @@ impl Pages {
         inner.pages.iter().map(client).collect()
     }
 
-    /// Whether a jog of a page may start: not one that began or ended before.
-    pub fn may_start(&self, client: u32, seq: u32) -> bool {
-        let mut inner = lock(&self.inner);
-        let Some(page) = inner.pages.get_mut(&client) else { return false };
-        let may = seq > page.jog;
-        page.jog = page.jog.max(seq);
-        may
+    /// A sign of the hand of a page, which it stamped with the server's clock, ms.
+    ///
+    /// # Errors
+    /// Its clock is ahead, or the page has gone.
+    pub fn grip(
+        &self,
+        client: u32,
+        seq: u64,
+        clock_ms: f64,
+        now_ms: f64,
+    ) -> Result<Grip, GripError> {
+        let now = Instant::now();
+        let age = self.hand(client, |hand| hand.age(clock_ms, now_ms));
+        // Older than the computer runs: older than anything that counts.
+        let at = now.checked_sub(age.ok_or(GripError::Over)??);
+        at.map(|at| Grip { seq, at }).ok_or(GripError::Over)
+    }
+
+    /// A jog of a page begins; gives the newest sign that it is held.
+    ///
+    /// # Errors
+    /// It began or ended before, or its number is out of reach.
+    pub fn jog_begins(&self, client: u32, grip: Grip) -> Result<Grip, GripError> {
+        self.hand(client, |hand| hand.begins(grip)).unwrap_or(Err(GripError::Over))
+    }
+
+    /// A key is still held at a page.
+    pub fn jog_holds(&self, client: u32, grip: Grip) {
+        self.hand(client, |hand| hand.holds(grip));
     }
 
     /// A jog of a page is over: its start, should it still come, is too late.
-    pub fn jog_over(&self, client: u32, seq: u32) {
-        if let Some(page) = lock(&self.inner).pages.get_mut(&client) {
-            page.jog = page.jog.max(seq);
-        }
+    pub fn jog_over(&self, client: u32, seq: u64) {
+        self.hand(client, |hand| hand.ends(seq));
+    }
+
+    /// Does something with the hand of a page that is connected.
+    fn hand<T>(&self, client: u32, does: impl FnOnce(&mut Hand) -> T) -> Option<T> {
+        lock(&self.inner).pages.get_mut(&client).map(|page| does(&mut page.hand))
     }
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_start_behind_its_own_stop_is_too_late() {
+    fn a_hand_is_that_of_its_page() {
         let pages = Pages::default();
-        let client = pages.add(Role::Owner, String::new(), Some(0)).client;
-        assert!(pages.may_start(client, 1));
-        assert!(!pages.may_start(client, 1), "twice");
-        pages.jog_over(client, 2);
-        assert!(!pages.may_start(client, 2));
-        assert!(pages.may_start(client, 3));
-        assert!(!pages.may_start(client + 1, 1), "nobody");
+        let [one, other] = [(); 2].map(|()| pages.add(Role::Owner, String::new(), Some(0)).client);
+        let grip = |client| pages.grip(client, 1, 5.0, 5.0).unwrap();
+        assert!(pages.jog_begins(one, grip(one)).is_ok());
+        pages.jog_over(other, 1);
+        assert_eq!(pages.jog_begins(other, grip(other)), Err(GripError::Over));
+        pages.remove(one);
+        assert_eq!(pages.grip(one, 2, 5.0, 5.0), Err(GripError::Over), "nobody");
     }
 
     #[test]

@@ -65,7 +65,8 @@ impl Hand {
         let (lease, seq, begin) = (self.lease, self.seq, Instant::now());
         while !holds(&self.page) {
             assert!(begin.elapsed() < Duration::from_secs(20), "waited for {what}");
-            self.act(json!({ "do": "jogRenew", "lease": lease, "seq": seq }));
+            let clock_ms = self.clock_ms();
+            self.act(json!({ "do": "jogRenew", "lease": lease, "seq": seq, "clockMs": clock_ms }));
         }
         self.act(json!({ "do": "jogStop", "seq": seq }));
         self.until_state("idle");

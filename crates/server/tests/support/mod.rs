@@ -3,6 +3,7 @@
 #![allow(dead_code, clippy::unwrap_used)]
 
 pub mod hand;
+pub mod rough;
 
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::Journal;
@@ -11,10 +12,11 @@ use kerf_control::{Session, Shelf};
 use kerf_drawing::{Editor, script};
 use kerf_server::{Builders, Options, Server, Workshop};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tungstenite::client::IntoClientRequest;
@@ -36,6 +38,26 @@ pub fn rsm(clauses: &str) -> String {
 /// Where the machine is, X Y Z of its own frame.
 pub fn at(page: &Page) -> [f64; 3] {
     [0, 1, 2].map(|axis| page.shown["motion"]["at"]["machine"][axis].as_f64().unwrap())
+}
+
+/// The tokens of servers that let others in, by their addresses: whoever asks in a test sits at the machine, unless
+/// it says that it does not.
+static TOKENS: Mutex<BTreeMap<SocketAddr, String>> = Mutex::new(BTreeMap::new());
+
+/// The header that shows that somebody sits at the machine; nothing where that is not asked for, or where other
+/// headers say who asks.
+fn at_machine(address: SocketAddr, headers: &[(&str, &str)]) -> Option<String> {
+    let says = [
+        "x-forwarded-for",
+        "x-real-ip",
+        "forwarded",
+        "x-forwarded-host",
+        "authorization",
+        "cookie",
+    ];
+    let says_who = |(name, _): &(&str, &str)| says.contains(&name.to_lowercase().as_str());
+    let token = TOKENS.lock().unwrap().get(&address).cloned();
+    token.filter(|_| !headers.iter().any(says_who)).map(|token| format!("Bearer {token}"))
 }
 
 /// A server with a part folder of its own.
@@ -104,6 +126,9 @@ pub fn start(wanted: Wanted) -> Shop {
         builders.workshop = Arc::new(move || Ok(equipped(plain()?, name, change)));
     }
     let server = Server::start(options, builders).unwrap();
+    if let Some((_, token)) = server.way_in().split_once("token=") {
+        TOKENS.lock().unwrap().insert(server.address, token.to_owned());
+    }
     Shop { server, dir }
 }
 
@@ -197,6 +222,8 @@ impl Shop {
         for (name, value) in headers {
             text += &format!("{name}: {value}\r\n");
         }
+        let shows = at_machine(self.server.address, headers);
+        shows.iter().for_each(|token| text += &format!("Authorization: {token}\r\n"));
         text += &format!("Content-Length: {}\r\n\r\n", body.len());
         stream.write_all(text.as_bytes()).unwrap();
         stream.write_all(body).unwrap();
@@ -241,12 +268,42 @@ impl Answer {
     }
 }
 
+/// The server's clock, as a page reckons it from pings: at a moment it was between two times, ms.
+#[derive(Clone, Copy, Debug)]
+pub struct Reckoned {
+    moment: Instant,
+    low_ms: f64,
+    high_ms: f64,
+}
+
+impl Default for Reckoned {
+    fn default() -> Self {
+        Self { moment: Instant::now(), low_ms: f64::NEG_INFINITY, high_ms: f64::INFINITY }
+    }
+}
+
+impl Reckoned {
+    fn heard(&mut self, sent: Instant, got: Instant, clock_ms: f64) {
+        let since_ms = |moment: Instant| (moment - self.moment).as_secs_f64() * 1e3;
+        self.low_ms = self.low_ms.max(clock_ms - since_ms(got));
+        self.high_ms = self.high_ms.min(clock_ms - since_ms(sent));
+    }
+
+    fn now_ms(&self) -> f64 {
+        let middle = f64::midpoint(self.low_ms, self.high_ms);
+        let middle = if middle.is_finite() { middle } else { 0.0 };
+        middle + self.moment.elapsed().as_secs_f64() * 1e3
+    }
+}
+
 /// A page: its socket and what it shows.
 pub struct Page {
     socket: WebSocket<TcpStream>,
     pub shown: Value,
     pub who: Value,
     pub lease: u64,
+    /// The server's clock.
+    pub reckoned: Reckoned,
     last: u64,
     /// Replies that came while something else was waited for.
     replies: Vec<Value>,
@@ -254,7 +311,16 @@ pub struct Page {
 
 impl Page {
     pub fn open(address: SocketAddr, headers: &[(&str, &str)]) -> Result<Self, u16> {
-        let stream = TcpStream::connect(address).unwrap();
+        Self::through(address, address, headers)
+    }
+
+    /// A page whose way to the server is through another address.
+    pub fn through(
+        way: SocketAddr,
+        address: SocketAddr,
+        headers: &[(&str, &str)],
+    ) -> Result<Self, u16> {
+        let stream = TcpStream::connect(way).unwrap();
         stream.set_read_timeout(Some(Duration::from_millis(20))).unwrap();
         let mut request = format!("ws://{address}/ws").into_client_request().unwrap();
         request.headers_mut().insert("origin", format!("http://{address}").parse().unwrap());
@@ -265,6 +331,9 @@ impl Page {
             } else {
                 request.headers_mut().insert(name, value.parse().unwrap());
             }
+        }
+        if let Some(token) = at_machine(address, headers) {
+            request.headers_mut().insert("authorization", token.parse().unwrap());
         }
         stream.set_read_timeout(Some(PATIENCE)).unwrap();
         let socket = match client(request, stream) {
@@ -280,6 +349,7 @@ impl Page {
             shown: Value::Null,
             who: Value::Null,
             lease: 0,
+            reckoned: Reckoned::default(),
             last: 0,
             replies: Vec::new(),
         };
@@ -391,6 +461,22 @@ impl Page {
         self.until("the lease", mine);
         self.lease = self.shown["lease"]["number"].as_u64().unwrap();
         assert_eq!(self.act(json!({ "do": "arm", "lease": self.lease })), None);
+        self.measure();
+    }
+
+    /// Measures how far the server's clock is ahead, by a ping.
+    pub fn measure(&mut self) {
+        let sent = Instant::now();
+        let id = self.send(json!({ "do": "ping" }));
+        self.until("a pong", |page| page.replies.iter().any(|r| r["id"] == id));
+        let place = self.replies.iter().position(|r| r["id"] == id).unwrap();
+        let clock_ms = self.replies.remove(place)["clockMs"].as_f64().unwrap();
+        self.reckoned.heard(sent, Instant::now(), clock_ms);
+    }
+
+    /// The server's clock now, ms.
+    pub fn clock_ms(&self) -> f64 {
+        self.reckoned.now_ms()
     }
 
     /// Opens a file and waits for its preview.

@@ -166,7 +166,10 @@ impl Walk {
         let kind = shown["asked"]["kind"].as_str().unwrap_or_default();
         let to = match kind {
             "input" => {
-                return format!("answer `{}` to INPUT", if words == "Cancel" { words } else { "0" });
+                return format!(
+                    "answer `{}` to INPUT",
+                    if words == "Cancel" { words } else { "0" }
+                );
             }
             "hold" => "after a stop",
             "spindle" => "to the spindle's question",
