@@ -6,6 +6,7 @@ use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::preview::Preview;
 use crate::shop;
+use crate::stop::Halt;
 use kerf_control::{Jog, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
@@ -155,9 +156,12 @@ impl App {
         }
         match act {
             Act::Ping => {}
-            Act::Stop => self.link.stop(),
-            Act::Hold => self.link.hold(),
-            Act::Disarm => self.disarm("disarmed at a page"),
+            Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } => {
+                if let Some(halt) = Halt::of(&act) {
+                    halt.press(self, who.client);
+                    halt.settle(self);
+                }
+            }
             Act::Resume { .. } => self.resume(asker)?,
             Act::Answer { question, answer } => self.answer(None, question, answer)?,
             Act::TakeLease { force } => self.take_lease(who, force)?,
@@ -199,7 +203,6 @@ impl App {
                 self.jog(asker, seq, order)?;
             }
             Act::JogRenew { seq, .. } => self.renew(who, seq)?,
-            Act::JogStop { seq } => self.jog_stop(who, seq),
             Act::Key { seq, key, .. } => self.press_key(asker, seq, key)?,
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
@@ -239,10 +242,10 @@ impl App {
         self.hub.read(|now| now.machine.state)
     }
 
-    /// Nothing begins any more, and what has begun is stopped.
-    fn disarm(&self, why: &str) {
+    /// The machine is disarmed, whose stop has come already.
+    pub fn tell_disarmed(&self, why: &str) {
         self.hub.changing(|now| {
-            self.link.stop();
+            self.link.arrived().disarmed();
             vec![disarmed(&now.machine, why)]
         });
     }
@@ -504,9 +507,11 @@ impl App {
         renewed.ok_or_else(|| problem(Why::Late, "this jog is over"))
     }
 
-    fn jog_stop(&self, who: &Who, seq: u32) {
-        self.pages.jog_over(who.client, seq);
-        self.link.release(|held| held.client == who.client && held.seq == seq);
+    /// Lets go of a key of a page; of whatever is held where no jog is named.
+    pub fn release_jog(&self, client: u32, seq: Option<u32>) {
+        let Some(seq) = seq else { return self.link.release(|_| true) };
+        self.pages.jog_over(client, seq);
+        self.link.release(|held| held.client == client && held.seq == seq);
     }
 }
 

@@ -4,17 +4,18 @@
 //! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
 
 use crate::app::App;
-use axum::extract::connect_info::{ConnectInfo, Connected};
-use axum::extract::{Request, State};
+use super::door::Place;
+use crate::pool::{HERE, Turn};
+use axum::extract::connect_info::ConnectInfo;
+use axum::extract::{Extension, Request, State};
 use axum::http::header::{AUTHORIZATION, COOKIE, HOST, ORIGIN};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use axum::serve::IncomingStream;
 use kerf_wire::Role;
 use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
-use tokio::net::TcpListener;
+use std::time::Duration;
 
 /// The cookie that holds a device's token.
 pub const TOKEN: &str = "kerf-device";
@@ -31,13 +32,6 @@ pub struct Peer {
     pub local: SocketAddr,
 }
 
-impl Connected<IncomingStream<'_, TcpListener>> for Peer {
-    fn connect_info(stream: IncomingStream<'_, TcpListener>) -> Self {
-        let remote = *stream.remote_addr();
-        Self { remote, local: stream.io().local_addr().unwrap_or(remote) }
-    }
-}
-
 /// Who asks.
 #[derive(Clone, Debug)]
 pub struct Caller {
@@ -47,38 +41,87 @@ pub struct Caller {
     pub device: Option<(u32, String)>,
 }
 
-/// Looks at every request before anything else does.
+impl Caller {
+    /// The device by its number; [`HERE`] at the machine itself.
+    pub fn number(&self) -> u32 {
+        self.device.as_ref().map_or(HERE, |(number, _)| *number)
+    }
+}
+
+/// A request of somebody who is not paired has come and is answered within this time.
+const STRANGERS_TIME: Duration = Duration::from_secs(5);
+
+/// Looks at every request of the console before anything else does.
 pub async fn guard(
     State(app): State<Arc<App>>,
     ConnectInfo(peer): ConnectInfo<Peer>,
+    Extension(place): Extension<Place>,
+    request: Request,
+    next: Next,
+) -> Response {
+    let port = peer.local.port();
+    let caller = admit(&app, &peer, port, &request);
+    pass(&app, caller, &place, request, next).await
+}
+
+/// The same on STOP's own way, which pages of the console ask from another port.
+pub async fn guard_of_stop(
+    State((app, port)): State<(Arc<App>, u16)>,
+    ConnectInfo(peer): ConnectInfo<Peer>,
+    Extension(place): Extension<Place>,
+    request: Request,
+    next: Next,
+) -> Response {
+    let caller = admit(&app, &peer, port, &request);
+    pass(&app, caller, &place, request, next).await
+}
+
+/// Lets a request in that is admitted, in its turn.
+async fn pass(
+    app: &App,
+    caller: Result<Caller, Refusal>,
+    place: &Place,
     mut request: Request,
     next: Next,
 ) -> Response {
-    let caller = match admit(&app, &peer, &request) {
+    let known = |caller: Caller| {
+        let room = caller.role.is_none() || place.is_of(caller.number());
+        let many = "this device has too many connections: close some of its pages";
+        if room { Ok(caller) } else { Err((StatusCode::SERVICE_UNAVAILABLE, many)) }
+    };
+    let caller = match caller.and_then(known) {
         Ok(caller) => caller,
         Err((status, why)) => return with_headers((status, why).into_response()),
     };
+    let (stranger, turn) = (caller.role.is_none(), Turn::of(app.pool.clone(), caller.number()));
     request.extensions_mut().insert(caller);
-    with_headers(next.run(request).await)
+    let answer = turn.serve(next.run(request));
+    if !stranger {
+        return with_headers(answer.await);
+    }
+    let answer = tokio::time::timeout(STRANGERS_TIME, answer).await;
+    let late = |_| (StatusCode::REQUEST_TIMEOUT, "this took too long").into_response();
+    with_headers(answer.unwrap_or_else(late))
 }
 
 type Refusal = (StatusCode, &'static str);
 
-fn admit(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Refusal> {
+/// Who asks, if they may ask at all; pages come from the console, which listens at a port of its own.
+fn admit(app: &App, peer: &Peer, console: u16, request: &Request) -> Result<Caller, Refusal> {
     let (headers, path) = (request.headers(), request.uri().path());
     let host = host(headers).filter(|host| is_ours(app, peer, host));
     let host =
         host.ok_or((StatusCode::MISDIRECTED_REQUEST, "this is not the name of this machine"))?;
     let foreign = (StatusCode::FORBIDDEN, "a page of another site may not ask this machine");
     match headers.get(ORIGIN) {
-        Some(origin) if origin.as_bytes() != format!("http://{host}").as_bytes() => {
+        Some(origin) if origin.as_bytes() != origin_of(peer, console, host).as_bytes() => {
             return Err(foreign);
         }
-        None if path == "/ws" => return Err(foreign),
+        None if SOCKETS.contains(&path) => return Err(foreign),
         _ => {}
     }
     let caller = who(app, peer, headers);
-    let open = !path.starts_with("/api") && path != "/ws" || path == "/api/pair";
+    let open = !path.starts_with("/api") && !SOCKETS.contains(&path) || path == "/api/pair";
     if caller.role.is_none() && !open {
         return Err((StatusCode::UNAUTHORIZED, "this device is not paired with the machine"));
     }
@@ -88,6 +131,19 @@ fn admit(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Refusal> {
         Ok(caller)
     } else {
         Err((StatusCode::METHOD_NOT_ALLOWED, "this is not how things are asked here"))
+    }
+}
+
+/// Where sockets are opened: only by pages, and only by those of this machine.
+const SOCKETS: [&str; 2] = ["/ws", "/stop"];
+
+/// The origin of the console's pages, for whoever calls this machine so.
+fn origin_of(peer: &Peer, console: u16, host: &str) -> String {
+    match host.strip_suffix(&format!(":{}", peer.local.port())) {
+        _ if peer.local.port() == console => format!("http://{host}"),
+        Some(name) if console == 80 => format!("http://{name}"),
+        Some(name) => format!("http://{name}:{console}"),
+        None => format!("http://{host}:{console}"),
     }
 }
 

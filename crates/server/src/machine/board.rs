@@ -9,7 +9,7 @@ use kerf_machine::Configuration;
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
 use kerf_wire::{
-    Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Sound, Speeds, Tone,
+    Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound, Speeds, Tone,
     Units,
 };
 use std::sync::Arc;
@@ -266,18 +266,24 @@ impl Board {
         self.watched = Some(watched);
     }
 
-    /// Tells, unless that was done a moment ago.
+    /// Tells, unless that was done a moment ago, or somebody else tells something just now: the machine waits for
+    /// nobody.
     pub fn tell_sometimes(&mut self) {
         if self.told.elapsed() >= TELL {
-            self.tell();
+            let hub = self.hub.clone();
+            hub.changing_if_free(|now| self.to_tell(now));
         }
     }
 
     /// Tells what is there to tell.
     pub fn tell(&mut self) {
-        self.told = Instant::now();
         let hub = self.hub.clone();
-        hub.changing(|now| {
+        hub.changing(|now| self.to_tell(now));
+    }
+
+    /// What of it differs from what pages know. It counts as told from now on.
+    fn to_tell(&mut self, now: &Snapshot) -> Vec<Change> {
+        self.told = Instant::now();
             let mut changes = Vec::new();
             let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));
             put(now.units != self.units, Change::Units { units: self.units.clone() });
@@ -305,7 +311,6 @@ impl Board {
             put(!lines.is_empty(), Change::Printed { lines });
             put(!messages.is_empty(), Change::Messages { messages });
             changes
-        });
     }
 }
 

@@ -164,6 +164,7 @@ impl Owner {
 
     /// Works until nobody gives orders any more, or Kerf ends.
     pub fn work(mut self, orders: &Receiver<Order>) {
+        self.link.wakes_this_thread();
         loop {
             if self.link.lock().leaves {
                 self.move_switches();
@@ -296,7 +297,9 @@ impl Owner {
         let mut pages = Pages::new(shared.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
+        self.link.arrived().runs(true);
         let summary = runs(&mut self.workshop, company);
+        self.link.arrived().runs(false);
         self.asked = pages.asked();
         self.link.lock().close();
         board.borrow_mut().ends();
