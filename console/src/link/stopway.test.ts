@@ -8,8 +8,10 @@ class FakeSocket extends EventTarget {
   static opened: FakeSocket[] = [];
   readyState = 0;
   readonly sent: string[] = [];
-  constructor(readonly address: string) {
+  readonly address: string;
+  constructor(address: string) {
     super();
+    this.address = address;
     FakeSocket.opened.push(this);
   }
   send(text: string): void {

@@ -40,8 +40,9 @@ export class StopWay {
     if (address === this.#address) return;
     this.#address = address;
     clearTimeout(this.#retry);
-    this.#socket?.close();
+    const before = this.#socket;
     this.#socket = undefined;
+    before?.close();
     this.#retryMs = firstRetryMs;
     if (address !== undefined) this.#open(address);
   }

@@ -3,13 +3,12 @@
 
 use super::shop::{ask, socket, with_role};
 use serde_json::json;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
-use tungstenite::Message;
 
 /// No load lasts longer, whatever becomes of whoever began it.
 const LONGEST: Duration = Duration::from_secs(600);
@@ -68,49 +67,59 @@ fn lower() {
 
 /// Sockets that send pings as fast as they go, and read or do not read what comes back.
 pub fn pings(address: SocketAddr, sockets: usize, role: &'static str, reads: bool) -> Load {
-    Load::of(sockets, move |turn, going| {
-        let Some(mut socket) = socket(address, "/ws", address, with_role(role, turn)) else {
-            return thread::sleep(Duration::from_millis(100));
-        };
-        let wait = if reads { Duration::from_micros(1) } else { Duration::from_millis(200) };
-        drop(socket.get_ref().set_read_timeout(Some(wait)));
-        drop(socket.get_ref().set_write_timeout(Some(Duration::from_millis(200))));
-        let text = json!({ "id": 1, "act": { "do": "ping" } }).to_string();
-        while going.on() {
-            match socket.send(Message::text(text.clone())) {
-                Ok(()) => {}
-                Err(tungstenite::Error::Io(error)) if waits(&error) => {}
-                Err(_) => break,
-            }
-            if reads && matches!(socket.read(), Err(error) if !matches!(&error, tungstenite::Error::Io(io) if waits(io)))
-            {
-                break;
-            }
-        }
-    })
-}
-
-/// Whether a socket has nothing to read, or no room to write, for now.
-pub fn waits(error: &std::io::Error) -> bool {
-    matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut)
+    let ping = json!({ "id": 1, "act": { "do": "ping" } }).to_string();
+    flood(address, sockets, role, reads, frame(&ping).repeat(200))
 }
 
 /// Sockets that send nothing but what makes no sense, three kilobytes at a time, and read nothing.
 pub fn nonsense(address: SocketAddr, sockets: usize) -> Load {
     let text = format!(r#"{{"id":1,"act":{{"do":"{}"}}}}"#, "x".repeat(3000));
+    flood(address, sockets, "observer", false, frame(&text).repeat(10))
+}
+
+/// Sockets that send the same bytes again and again.
+fn flood(
+    address: SocketAddr,
+    sockets: usize,
+    role: &'static str,
+    reads: bool,
+    bytes: Vec<u8>,
+) -> Load {
     Load::of(sockets, move |turn, going| {
-        let Some(mut socket) = socket(address, "/ws", address, with_role("observer", turn)) else {
+        let Some(mut socket) = socket(address, "/ws", address, with_role(role, turn)) else {
             return thread::sleep(Duration::from_millis(100));
         };
-        drop(socket.get_ref().set_write_timeout(Some(Duration::from_millis(200))));
+        let stream = socket.get_mut();
+        drop(stream.set_nonblocking(true));
+        let (mut sent, mut read) = (0, vec![0; 1 << 16]);
         while going.on() {
-            match socket.send(Message::text(text.clone())) {
-                Ok(()) => {}
-                Err(tungstenite::Error::Io(error)) if waits(&error) => {}
+            match stream.write(&bytes[sent..]) {
+                Ok(0) => break,
+                Ok(more) => sent = (sent + more) % bytes.len(),
+                Err(error) if waits(&error) => thread::sleep(Duration::from_millis(1)),
                 Err(_) => break,
+            }
+            match if reads { stream.read(&mut read) } else { Ok(1) } {
+                Ok(0) => break,
+                Err(error) if !waits(&error) => break,
+                _ => {}
             }
         }
     })
+}
+
+/// A text as a frame of a WebSocket, its mask zero.
+fn frame(text: &str) -> Vec<u8> {
+    let length = match text.len() {
+        short @ ..126 => vec![0x80 | short as u8],
+        long => [&[0x80 | 126], &(long as u16).to_be_bytes()[..]].concat(),
+    };
+    [&[0x81], &length[..], &[0; 4], text.as_bytes()].concat()
+}
+
+/// Whether a socket has nothing to read, or no room to write, for now.
+pub fn waits(error: &std::io::Error) -> bool {
+    matches!(error.kind(), std::io::ErrorKind::WouldBlock | std::io::ErrorKind::TimedOut)
 }
 
 /// Connections of strangers that send half a request and then nothing, opened anew where they are closed.
