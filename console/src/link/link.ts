@@ -1,5 +1,6 @@
 /**
- * The one socket to the server: a snapshot, then changes; requests and their replies.
+ * The socket to the server: a snapshot, then changes; requests and their replies. What only stops goes over a second
+ * one as well (stopway.ts).
  *
  * A lost socket is opened anew; what was asked meanwhile is refused at once, never kept and sent
  * later: a command that arrives late is worse than one that does not arrive.
@@ -11,6 +12,7 @@ import { fold } from "./fold";
 import { Requests } from "./requests";
 import { ServerClock } from "./server-clock";
 import { nothingShown, type Shown } from "./shown";
+import { onlyStops, StopWay, stopAddress } from "./stopway";
 
 export interface Link {
   readonly shown: Store<Shown>;
@@ -27,6 +29,7 @@ class SocketLink implements Link {
   readonly shown = createStore<Shown>(nothingShown);
   readonly #address: string;
   readonly #requests = new Requests();
+  readonly #stopWay = new StopWay((reply) => this.#requests.answered(reply));
   #socket: WebSocket | undefined;
   #clock = new ServerClock();
   #retryMs = firstRetryMs;
@@ -41,14 +44,16 @@ class SocketLink implements Link {
 
   ask(act: Act): Promise<Reply> {
     const { request, reply } = this.#requests.make(act);
+    const pressed = onlyStops(act) && this.#stopWay.press(request);
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(request));
-    else this.#requests.lost();
+    else if (!pressed) this.#requests.lost();
     return reply;
   }
 
   close(): void {
     this.#closed = true;
     clearInterval(this.#pings);
+    this.#stopWay.lead(undefined);
     this.#socket?.close();
   }
 
@@ -71,6 +76,7 @@ class SocketLink implements Link {
     switch (told.tell) {
       case "snapshot":
         this.#retryMs = firstRetryMs;
+        this.#leadStop(told.snapshot.stopPort, told.who.client);
         this.shown.update((now) => ({
           ...now,
           status: "open",
@@ -87,6 +93,11 @@ class SocketLink implements Link {
       case "reply":
         this.#requests.answered(told);
     }
+  }
+
+  /** STOP's own way belongs to this page's number; it stays open while the main socket is lost. */
+  #leadStop(port: number, client: number): void {
+    this.#stopWay.lead(port > 0 ? stopAddress(this.#address, port, client) : undefined);
   }
 
   #lose(): void {

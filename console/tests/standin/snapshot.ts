@@ -33,6 +33,7 @@ const place = (x: number, y: number, z: number): Six => [x * 25.4, y * 25.4, z *
 export const firstSnapshot: Snapshot = {
   version: 1,
   kerf: "0.1.0",
+  stopPort: 0,
   drawingOnly: false,
   machine: { state: "idle", mode: "simulated", armed: false, why: null, name: "Simulated machine" },
   motion: {

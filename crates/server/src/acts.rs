@@ -8,6 +8,7 @@ use crate::machine::{Order, reach};
 use crate::people::{Grip, GripError};
 use crate::preview::Preview;
 use crate::shop;
+use crate::stop::Halt;
 use kerf_control::{Jog, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
@@ -34,9 +35,12 @@ impl App {
         self.hears_driver(who);
         match act {
             Act::Ping => {}
-            Act::Stop => self.link.stop(),
-            Act::Hold => self.link.hold(),
-            Act::Disarm => self.disarm("disarmed at a page"),
+            Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } => {
+                if let Some(halt) = Halt::of(&act) {
+                    halt.press(self, who.client);
+                    halt.settle(self);
+                }
+            }
             Act::Resume { .. } => self.resume(asker)?,
             Act::Answer { question, answer } => self.answer(asker, question, answer)?,
             Act::TakeLease { force } => self.take_lease(who, force)?,
@@ -77,7 +81,6 @@ impl App {
             Act::JogRenew { seq, clock_ms, .. } => {
                 self.renew(who, self.grip(who, seq, Some(clock_ms))?)?;
             }
-            Act::JogStop { seq } => self.jog_stop(who, seq),
             Act::Key { seq, key, clock_ms, .. } => {
                 self.press_key(asker, self.grip(who, seq, clock_ms)?, key)?;
             }
@@ -107,10 +110,10 @@ impl App {
         }
     }
 
-    /// Nothing begins any more, and what has begun is stopped.
-    fn disarm(&self, why: &str) {
+    /// The machine is disarmed, whose stop has come already.
+    pub fn tell_disarmed(&self, why: &str) {
         self.hub.changing(|now| {
-            self.link.stop();
+            self.link.arrived().disarmed();
             vec![disarmed(&now.machine, why)]
         });
     }
@@ -385,9 +388,11 @@ impl App {
         renewed.ok_or_else(|| problem(Why::Late, "this jog is over"))
     }
 
-    fn jog_stop(&self, who: &Who, seq: u64) {
-        self.pages.jog_over(who.client, seq);
-        self.link.release(|held| held.client == who.client && held.seq == seq);
+    /// Lets go of a key of a page; of whatever is held where no jog is named.
+    pub fn release_jog(&self, client: u32, seq: Option<u64>) {
+        let Some(seq) = seq else { return self.link.release(|_| true) };
+        self.pages.jog_over(client, seq);
+        self.link.release(|held| held.client == client && held.seq == seq);
     }
 }
 

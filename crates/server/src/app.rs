@@ -7,6 +7,7 @@ use crate::hub::Hub;
 use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Here, Pages, Tries};
+use crate::pool::{KERF, Lane, Pool};
 use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
 use crate::setup::{Builders, Options};
@@ -70,6 +71,8 @@ pub struct App {
     pub hand_console: OnceLock<Sender<Happening>>,
     /// The timing chart that is being made.
     pub charts: Charts,
+    /// Does what takes longer than a moment.
+    pub pool: Arc<Pool>,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -189,6 +192,7 @@ impl App {
             open: Mutex::default(),
             taken: Mutex::default(),
             charts: Charts::default(),
+            pool: Arc::new(Pool::begin()?),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),
@@ -233,8 +237,7 @@ impl App {
             open = self.with_added(open)?;
         }
         let hash = hash_of(&open.bytes, &parameters, &open.choice);
-        self.show(Open { hash, ..open });
-        Ok(())
+        self.show(Open { hash, ..open })
     }
 
     /// Runs the open file with other parameters.
@@ -248,14 +251,16 @@ impl App {
             return Err(problem(Why::State, "no file is open"));
         }
         let hash = hash_of(&open.bytes, &parameters, &open.choice);
-        self.show(Open { hash, parameters, preview: None, given_up: Arc::default(), ..open });
-        Ok(())
+        self.show(Open { hash, parameters, preview: None, given_up: Arc::default(), ..open })
     }
 
     /// Cuts the open job otherwise.
-    pub fn cut_with(self: &Arc<Self>, open: Open, choice: JobChoice) {
+    ///
+    /// # Errors
+    /// Too much is being done already.
+    pub fn cut_with(self: &Arc<Self>, open: Open, choice: JobChoice) -> Result<(), Problem> {
         let hash = hash_of(&open.bytes, &open.parameters, &choice);
-        self.show(Open { hash, choice, preview: None, given_up: Arc::default(), ..open });
+        self.show(Open { hash, choice, preview: None, given_up: Arc::default(), ..open })
     }
 
     /// Makes the preview of the open file anew.
@@ -263,7 +268,10 @@ impl App {
         let open = lock(&self.open).clone();
         if !open.name.is_empty() {
             let before = Some(open.key.clone());
-            self.show_instead(before, Open { preview: None, given_up: Arc::default(), ..open });
+            // Where too much is being done the file is opened anew by hand.
+            drop(
+                self.show_instead(before, Open { preview: None, given_up: Arc::default(), ..open }),
+            );
         }
     }
 
@@ -276,18 +284,22 @@ impl App {
         self.hub.change(vec![Change::Opened { opened: None }]);
     }
 
-    fn show(self: &Arc<Self>, open: Open) {
-        self.show_instead(None, open);
+    fn show(self: &Arc<Self>, open: Open) -> Result<(), Problem> {
+        self.show_instead(None, open)
     }
 
     /// Shows a file; if what is shown is to be that of a key, only while it still is.
-    fn show_instead(self: &Arc<Self>, before: Option<String>, mut open: Open) {
+    fn show_instead(
+        self: &Arc<Self>,
+        before: Option<String>,
+        mut open: Open,
+    ) -> Result<(), Problem> {
         let number = self.previews.fetch_add(1, Ordering::Relaxed);
         open.key = format!("{}-{number}", &open.hash[..16.min(open.hash.len())]);
         let opened = self.opened_of(&open);
         let mut present = lock(&self.open);
         if before.is_some_and(|key| key != present.key) {
-            return;
+            return Ok(());
         }
         present.given_up.store(true, Ordering::Relaxed);
         self.charts.give_up();
@@ -295,7 +307,7 @@ impl App {
         self.hub.change(vec![Change::Opened { opened: Some(opened) }]);
         drop(present);
         let app = self.clone();
-        std::thread::spawn(move || app.preview(open));
+        self.pool.give(Lane::Long, KERF, move || app.preview(open))
     }
 
     /// What pages are told of a file before its preview is there.

@@ -42,7 +42,7 @@ impl App {
         open.unsaved.push(std::mem::replace(&mut open.bytes, bytes));
         self.keep_added(&open);
         let choice = open.choice;
-        self.cut_with(open, choice);
+        self.cut_with(open, choice)?;
         Ok(format!("{count} in the job"))
     }
 
@@ -87,7 +87,7 @@ impl App {
         open.bytes = before.ok_or_else(|| problem(Why::State, text))?;
         self.keep_added(&open);
         let choice = open.choice;
-        self.cut_with(open, choice);
+        self.cut_with(open, choice)?;
         Ok(())
     }
 

@@ -3,6 +3,7 @@
 
 use crate::app::{App, lock};
 use crate::desk::Desk;
+use crate::priority::Yields;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_formats::rsg;
 use kerf_geom::Point2;
@@ -47,6 +48,7 @@ impl App {
         let app = Arc::downgrade(self);
         let mut failed = false;
         thread::spawn(move || {
+            Yields::ToPages.hold();
             while changes.recv().is_ok() {
                 while changes.try_recv().is_ok() {}
                 let Some(app) = app.upgrade() else { return };

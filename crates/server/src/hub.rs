@@ -1,26 +1,42 @@
 //! What every page shows, and who is told when it changes.
 
 use crate::problems::ProblemLog;
+use axum::extract::ws::Utf8Bytes;
 use kerf_wire::{Change, Message, Opened, Snapshot, ToPage, Tone};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use tokio::sync::broadcast;
 
 /// Changes that a slow page may be behind before it gets a snapshot instead.
-const BEHIND: usize = 1024;
+const BEHIND: usize = 256;
 
 /// The snapshot and its readers.
 #[derive(Debug)]
 pub struct Hub {
-    snapshot: Mutex<Snapshot>,
-    pages: broadcast::Sender<Arc<str>>,
+    snapshot: Mutex<Arc<Snapshot>>,
+    pages: broadcast::Sender<Arc<Told>>,
     problems: OnceLock<ProblemLog>,
+}
+
+/// A message for every page. Its text is made once, by whoever sends it first, and never while others wait to change
+/// something.
+#[derive(Debug)]
+pub struct Told {
+    message: ToPage,
+    text: OnceLock<Utf8Bytes>,
+}
+
+impl Told {
+    /// The message as it goes over the socket.
+    pub fn text(&self) -> Utf8Bytes {
+        self.text.get_or_init(|| text(&self.message)).clone()
+    }
 }
 
 impl Hub {
     /// Begins with a snapshot.
     pub fn new(snapshot: Snapshot) -> Self {
         Self {
-            snapshot: Mutex::new(snapshot),
+            snapshot: Mutex::new(Arc::new(snapshot)),
             pages: broadcast::channel(BEHIND).0,
             problems: OnceLock::new(),
         }
@@ -32,9 +48,14 @@ impl Hub {
         drop(self.problems.set(problems));
     }
 
-    /// The snapshot, for reading.
+    /// The snapshot, for reading; nobody changes anything meanwhile.
     pub fn read<T>(&self, read: impl FnOnce(&Snapshot) -> T) -> T {
         read(&self.lock())
+    }
+
+    /// The snapshot as it is now, for whoever takes longer over it.
+    pub fn now(&self) -> Arc<Snapshot> {
+        self.lock().clone()
     }
 
     /// Changes that are taken over and told, in one go.
@@ -44,17 +65,42 @@ impl Hub {
 
     /// Changes that follow from what is there: nobody else changes anything between.
     pub fn changing(&self, make: impl FnOnce(&Snapshot) -> Vec<Change>) {
-        let mut snapshot = self.lock();
+        self.take_over(self.lock(), make);
+    }
+
+    /// The same, unless that would have to wait for somebody: then nothing is made.
+    pub fn changing_if_free(&self, make: impl FnOnce(&Snapshot) -> Vec<Change>) {
+        let free = match self.snapshot.try_lock() {
+            Ok(snapshot) => Some(snapshot),
+            Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner()),
+            Err(TryLockError::WouldBlock) => None,
+        };
+        if let Some(snapshot) = free {
+            self.take_over(snapshot, make);
+        }
+    }
+
+    fn take_over(
+        &self,
+        mut snapshot: MutexGuard<'_, Arc<Snapshot>>,
+        make: impl FnOnce(&Snapshot) -> Vec<Change>,
+    ) {
         let changes = make(&snapshot);
         if changes.is_empty() {
             return;
         }
+        let present = Arc::make_mut(&mut snapshot);
         for change in &changes {
-            snapshot.apply(change.clone());
+            present.apply(change.clone());
         }
-        self.problems.get().into_iter().for_each(|problems| problems.note(&changes));
+        let told = Arc::new(Told { message: ToPage::Changes { changes }, text: OnceLock::new() });
         // Nobody listening is no error.
-        drop(self.pages.send(text(&ToPage::Changes { changes })));
+        drop(self.pages.send(told.clone()));
+        drop(snapshot);
+        if let (Some(problems), ToPage::Changes { changes }) = (self.problems.get(), &told.message)
+        {
+            problems.note(changes);
+        }
     }
 
     /// The picture of the open file is empty from now on, or is drawn again.
@@ -75,18 +121,18 @@ impl Hub {
     }
 
     /// The snapshot and everything that changes after it.
-    pub fn listen(&self) -> (Snapshot, broadcast::Receiver<Arc<str>>) {
+    pub fn listen(&self) -> (Arc<Snapshot>, broadcast::Receiver<Arc<Told>>) {
         let snapshot = self.lock();
         (snapshot.clone(), self.pages.subscribe())
     }
 
-    fn lock(&self) -> MutexGuard<'_, Snapshot> {
+    fn lock(&self) -> MutexGuard<'_, Arc<Snapshot>> {
         self.snapshot.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// A message as it goes over the socket.
-pub fn text(message: &ToPage) -> Arc<str> {
+pub fn text(message: &ToPage) -> Utf8Bytes {
     serde_json::to_string(message).unwrap_or_default().into()
 }
 
@@ -102,8 +148,20 @@ mod tests {
         let (snapshot, mut changes) = hub.listen();
         hub.say(Tone::Note, "after");
         assert_eq!(snapshot.messages.len(), 1);
-        assert!(changes.try_recv().unwrap().contains("after"));
+        assert!(changes.try_recv().unwrap().text().contains("after"));
         assert!(changes.try_recv().is_err());
         assert_eq!(hub.read(|s| s.messages.len()), 2);
+    }
+
+    #[test]
+    fn the_machine_waits_for_nobody_who_changes_something() {
+        let hub = Hub::new(Snapshot::default());
+        hub.changing(|_| {
+            hub.changing_if_free(|_| unreachable!("somebody else changes something"));
+            Vec::new()
+        });
+        let line = |_: &Snapshot| vec![Change::Printed { lines: vec!["told".into()] }];
+        hub.changing_if_free(line);
+        assert_eq!(hub.read(|s| s.printed.len()), 1);
     }
 }

@@ -93,7 +93,7 @@ impl App {
         if !numbers.into_iter().all(f64::is_finite) {
             return Err(problem(Why::Malformed, "origin, finish, offset and lift are lengths"));
         }
-        self.cut_with(open, choice);
+        self.cut_with(open, choice)?;
         Ok(())
     }
 
@@ -156,7 +156,7 @@ impl App {
         open.bytes = text.into_bytes().into();
         open.unsaved.clear();
         self.keep_added(&open);
-        self.cut_with(open, choice);
+        self.cut_with(open, choice)?;
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  page ── /ws, /api ──► guard ──► App::act ──┬─ orders ──► machine's thread (one owner, kerf-control)
-//!    ▲                                        ├─ Link: stop, hold, answers, renewals of a jog
+//!    ▲    └─ /stop: a way of its own for STOP ├─ Link: stop, hold, answers, renewals of a jog
 //!    └────────── Hub: snapshot, changes ◄─────┴─ drawing, files, previews
 //! ```
 //!
@@ -23,6 +23,7 @@ mod asker;
 mod bench;
 mod clock;
 mod configure;
+mod descriptors;
 mod desk;
 mod digitized;
 mod draft;
@@ -33,15 +34,19 @@ mod http;
 mod hub;
 mod job;
 mod job_by_hand;
+mod lanes;
 mod machine;
 mod operations;
 mod paths;
 mod people;
+mod pool;
 mod preview;
+mod priority;
 mod problems;
 mod protect;
 mod setup;
 mod shop;
+mod stop;
 mod told;
 mod turn;
 mod uptime;
@@ -53,10 +58,11 @@ pub use setup::{Builders, Options, Workshop};
 
 use app::{App, Parts};
 use files::PartFolder;
-use http::Peer;
 use hub::Hub;
 use kerf_wire::Snapshot;
 use machine::{Left, Link, Order, Owner};
+use pool::{KERF, Lane};
+use priority::Yields;
 use problems::ProblemLog;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
@@ -64,8 +70,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError, Weak};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
+use stop::{Door, StopWay};
 use tokio::net::TcpListener;
-use tokio::runtime::Runtime;
+use tokio::runtime::{Builder, Runtime};
 
 /// How often it is looked whether the server is to end.
 const LOOK: Duration = Duration::from_millis(100);
@@ -79,6 +86,8 @@ pub struct Server {
     closed: Mutex<Receiver<()>>,
     /// The thread that drives the machine.
     machine: Mutex<Option<JoinHandle<()>>>,
+    /// Hears STOP, whatever else is asked.
+    _stop_way: StopWay,
     /// Carries the connections.
     runtime: Option<Runtime>,
 }
@@ -94,13 +103,19 @@ impl Server {
             let text = "other machines could reach this address: that takes --lan";
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, text));
         }
-        let runtime = Runtime::new()?;
+        descriptors::raise();
+        let runtime = Builder::new_multi_thread()
+            .enable_all()
+            .thread_name("front")
+            .on_thread_start(|| Yields::ToTheMachine.hold())
+            .build()?;
         let listener = runtime.block_on(TcpListener::bind(options.listen))?;
         let address = listener.local_addr()?;
+        let door = Door::beside(address)?;
         let (closing, closed) = channel();
         let closing = options.closes_with_program.then_some(closing);
-        let (app, machine) =
-            machine_and_app(options, builders, format!("http://{}", from_here(address)), closing)?;
+        let url = format!("http://{}", from_here(address));
+        let (app, machine) = machine_and_app(options, builders, (url, door.port), closing)?;
         app.keep_drafts();
         app.tell_added();
         handconsole::begin(&app);
@@ -109,10 +124,10 @@ impl Server {
         }
         app.start_up();
         runtime.spawn(turn::watch(Arc::downgrade(&app)));
-        let service = http::router(app.clone()).into_make_service_with_connect_info::<Peer>();
-        runtime.spawn(async move { axum::serve(listener, service).await });
+        let stop_way = StopWay::begin(&app, door, runtime.handle().clone())?;
+        runtime.spawn(http::serve(listener, http::router(app.clone())));
         let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));
-        Ok(Self { address, app, closed, machine, runtime: Some(runtime) })
+        Ok(Self { address, app, closed, machine, _stop_way: stop_way, runtime: Some(runtime) })
     }
 
     /// The address by which whoever sits at this computer gets in. Where others may connect it holds a token.
@@ -185,11 +200,11 @@ fn from_here(mut address: SocketAddr) -> SocketAddr {
 fn machine_and_app(
     options: Options,
     builders: Builders,
-    url: String,
+    (url, stop_port): (String, u16),
     closing: Option<Sender<()>>,
 ) -> io::Result<(Arc<App>, JoinHandle<()>)> {
     let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
-    snapshot.drawing_only = options.drawing_only;
+    (snapshot.drawing_only, snapshot.stop_port) = (options.drawing_only, stop_port);
     snapshot.start.clone_from(&options.start);
     snapshot.machine.name = "simulated".into();
     let hub = Arc::new(Hub::new(snapshot));
@@ -198,7 +213,15 @@ fn machine_and_app(
     let app: Arc<OnceLock<Weak<App>>> = Arc::default();
     let done = {
         let app = app.clone();
-        move |made| app.get().and_then(Weak::upgrade).map_or((), |app| app.after_run(made))
+        // The machine waits for nobody who looks at files or drawings.
+        move |made: Option<String>| {
+            let Some(app) = app.get().and_then(Weak::upgrade) else { return };
+            let (later, own) = (app.clone(), made.clone());
+            let given = app.pool.give(Lane::Short, KERF, move || later.after_run(own));
+            if given.is_err() {
+                app.after_run(made);
+            }
+        }
     };
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();

@@ -175,7 +175,7 @@ mod tests {
         bench.app.revoke(7).unwrap();
         assert!(!drives(&bench));
         assert!(!bench.app.unlocked.has(who.client));
-        let page = bench.app.pages.add(Role::Setter, "page".into(), Some(8));
+        let page = bench.app.pages.enter(Role::Setter, "page".into(), 8).unwrap().0;
         bench.does(&page, Act::TakeLease { force: false });
         bench.does(&page, Act::Arm { lease: bench.lease() });
         bench.app.revoke(7).unwrap();

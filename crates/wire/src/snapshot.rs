@@ -37,6 +37,8 @@ pub struct Snapshot {
     pub kerf: String,
     /// Grows with every change: whoever follows sees whether he has heard them all.
     pub revision: u32,
+    /// The port of STOP's own way, beside that of the console; 0 where there is none.
+    pub stop_port: u16,
     /// Whether only drawings are worked on here.
     pub drawing_only: bool,
     /// The machine.
@@ -101,6 +103,7 @@ impl Default for Snapshot {
             version: VERSION,
             kerf: String::new(),
             revision: 0,
+            stop_port: 0,
             drawing_only: false,
             machine: Machine::default(),
             motion: Motion::default(),

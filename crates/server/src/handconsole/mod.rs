@@ -19,6 +19,7 @@ mod wishes;
 use crate::app::{App, problem};
 use crate::asker::Asker;
 use crate::people::Grip;
+use crate::priority::Yields;
 use kerf_handconsole::Key;
 use kerf_wire::{Problem, Why};
 use std::sync::Arc;
@@ -50,7 +51,13 @@ pub fn begin(app: &Arc<App>) {
     let (happens, happenings) = channel();
     let keeper = keeper::Keeper::new(Arc::downgrade(app), happens.clone());
     let thread = thread::Builder::new().name("hand console".into());
-    if thread.spawn(move || keeper.work(&happenings)).is_ok() {
+    if thread
+        .spawn(move || {
+            Yields::ToTheMachine.hold();
+            keeper.work(&happenings);
+        })
+        .is_ok()
+    {
         // There is one for a server.
         drop(app.hand_console.set(happens));
         port::begin(app);

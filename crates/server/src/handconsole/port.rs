@@ -11,6 +11,7 @@
 
 use crate::app::{App, lock};
 use crate::people::Grip;
+use crate::priority::Yields;
 use kerf_handconsole::{Key, Screen};
 use kerf_serial::{Port, SerialError};
 use kerf_wire::{Change, HandConsole, Role, Tone, Who};
@@ -35,7 +36,10 @@ pub fn begin(app: &Arc<App>) {
     let app = Arc::downgrade(app);
     let thread = thread::Builder::new().name("hand console's link".into());
     // Without threads nothing of the server works, which is told elsewhere.
-    drop(thread.spawn(move || keep_open(&app)));
+    drop(thread.spawn(move || {
+        Yields::ToTheMachine.hold();
+        keep_open(&app);
+    }));
 }
 
 /// The device of the hand console and its rate, where there is one.
@@ -96,7 +100,7 @@ struct Link {
 
 impl Link {
     fn new(app: &App, port: Port, device: (String, u32)) -> Self {
-        let who = app.pages.add(Role::Setter, "hand console".into(), None);
+        let who = app.pages.enter_by_cable(Role::Setter, "hand console".into());
         app.tell_clients();
         tell(app, format!("at {}", device.0));
         let beeps = app.hub.read(|now| now.hand_console.beeps);

@@ -20,15 +20,25 @@ const MINIMAL: &str = include_str!("minimal.html");
 const NONCE: &str = "__KERF_NONCE__";
 
 /// A file of the console; the page itself for every path that is none.
-pub async fn asset(State(_): State<Arc<App>>, uri: Uri) -> Response {
+pub async fn asset(State(app): State<Arc<App>>, headers: HeaderMap, uri: Uri) -> Response {
     let path = uri.path().trim_start_matches('/');
     match Console::get(path).filter(|_| path != "index.html") {
         Some(file) => plain(path, file.data.into_owned()),
         None if path.rsplit('/').next().is_some_and(|last| last.contains('.')) => {
             StatusCode::NOT_FOUND.into_response()
         }
-        None => page(),
+        None => page(&stop_way(&headers, app.hub.read(|now| now.stop_port))),
     }
+}
+
+/// Where pages reach STOP's own way: this machine as the browser calls it, at another port. An address of IPv6 is no
+/// name in a policy, so the port alone stands for it.
+fn stop_way(headers: &HeaderMap, port: u16) -> String {
+    let host = headers.get(header::HOST).and_then(|host| host.to_str().ok()).unwrap_or_default();
+    let name = host.split_once(':').map_or(host, |(name, _)| name);
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '.' || c == '-';
+    let named = !name.is_empty() && name.chars().all(plain);
+    format!("ws://{}:{port}", if named { name } else { "*" })
 }
 
 fn plain(path: &str, bytes: Vec<u8>) -> Response {
@@ -49,7 +59,7 @@ fn plain(path: &str, bytes: Vec<u8>) -> Response {
 /// What a script that runs beside the page may do.
 const WORKER: &str = "default-src 'none'; script-src 'self'; connect-src 'self'";
 
-fn page() -> Response {
+fn page(stop_way: &str) -> Response {
     let mut bytes = [0; 16];
     if getrandom::fill(&mut bytes).is_err() {
         return StatusCode::INTERNAL_SERVER_ERROR.into_response();
@@ -60,7 +70,7 @@ fn page() -> Response {
     let text = text.unwrap_or_else(|| MINIMAL.to_owned()).replace(NONCE, &nonce);
     let policy = format!(
         "default-src 'none'; script-src 'self' 'nonce-{nonce}'; style-src 'self' 'nonce-{nonce}'; \
-         img-src 'self' data: blob:; media-src 'self'; font-src 'self'; connect-src 'self'; worker-src 'self'; \
+         img-src 'self' data: blob:; media-src 'self'; font-src 'self'; connect-src 'self' {stop_way}; worker-src 'self'; \
          manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
     );
     let headers = [

@@ -2,7 +2,7 @@
 
 use super::guard::Caller;
 use super::rest::demand;
-use super::{Refused, aside};
+use super::{Refused, aside, soon};
 use crate::app::App;
 use axum::body::Bytes;
 use axum::extract::{Path, Query, State};
@@ -38,7 +38,7 @@ pub async fn list(
         }
         Ok(files)
     };
-    Ok(Json(aside(list).await?))
+    Ok(Json(soon(list).await?))
 }
 
 impl App {

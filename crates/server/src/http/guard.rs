@@ -3,19 +3,20 @@
 //! A page of a foreign site in the user's own browser must not reach the machine: its requests carry
 //! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
 
+use super::door::Place;
 use crate::app::App;
 use crate::people::Here;
-use axum::extract::connect_info::{ConnectInfo, Connected};
-use axum::extract::{Request, State};
+use crate::pool::{HERE, Turn};
+use axum::extract::connect_info::ConnectInfo;
+use axum::extract::{Extension, Request, State};
 use axum::http::header::{AUTHORIZATION, COOKIE, HOST, ORIGIN};
 use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use axum::serve::IncomingStream;
 use kerf_wire::Role;
 use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
-use tokio::net::TcpListener;
+use std::time::Duration;
 
 /// The cookie that holds a device's token.
 pub const TOKEN: &str = "kerf-device";
@@ -39,13 +40,6 @@ pub struct Peer {
     pub local: SocketAddr,
 }
 
-impl Connected<IncomingStream<'_, TcpListener>> for Peer {
-    fn connect_info(stream: IncomingStream<'_, TcpListener>) -> Self {
-        let remote = *stream.remote_addr();
-        Self { remote, local: stream.io().local_addr().unwrap_or(remote) }
-    }
-}
-
 /// Who asks.
 #[derive(Clone, Debug)]
 pub struct Caller {
@@ -55,41 +49,90 @@ pub struct Caller {
     pub device: Option<(u32, String)>,
 }
 
-/// Looks at every request before anything else does.
+impl Caller {
+    /// The device by its number; [`HERE`] at the machine itself.
+    pub fn number(&self) -> u32 {
+        self.device.as_ref().map_or(HERE, |(number, _)| *number)
+    }
+}
+
+/// A request of somebody who is not paired has come and is answered within this time.
+const STRANGERS_TIME: Duration = Duration::from_secs(5);
+
+/// Looks at every request of the console before anything else does.
 pub async fn guard(
     State(app): State<Arc<App>>,
     ConnectInfo(peer): ConnectInfo<Peer>,
-    mut request: Request,
+    Extension(place): Extension<Place>,
+    request: Request,
     next: Next,
 ) -> Response {
     if let Some(entered) = enter(&app, &peer, &request) {
         return with_headers(entered);
     }
-    let caller = match admit(&app, &peer, &request) {
+    let port = peer.local.port();
+    let caller = admit(&app, &peer, port, &request);
+    pass(&app, caller, &place, request, next).await
+}
+
+/// The same on STOP's own way, which pages of the console ask from another port.
+pub async fn guard_of_stop(
+    State((app, port)): State<(Arc<App>, u16)>,
+    ConnectInfo(peer): ConnectInfo<Peer>,
+    Extension(place): Extension<Place>,
+    request: Request,
+    next: Next,
+) -> Response {
+    let caller = admit(&app, &peer, port, &request);
+    pass(&app, caller, &place, request, next).await
+}
+
+/// Lets a request in that is admitted, in its turn.
+async fn pass(
+    app: &App,
+    caller: Result<Caller, Refusal>,
+    place: &Place,
+    mut request: Request,
+    next: Next,
+) -> Response {
+    let known = |caller: Caller| {
+        let room = caller.role.is_none() || place.is_of(caller.number());
+        let many = "this device has too many connections: close some of its pages";
+        if room { Ok(caller) } else { Err((StatusCode::SERVICE_UNAVAILABLE, many)) }
+    };
+    let caller = match caller.and_then(known) {
         Ok(caller) => caller,
         Err((status, why)) => return with_headers((status, why).into_response()),
     };
+    let (stranger, turn) = (caller.role.is_none(), Turn::of(app.pool.clone(), caller.number()));
     request.extensions_mut().insert(caller);
-    with_headers(next.run(request).await)
+    let answer = turn.serve(next.run(request));
+    if !stranger {
+        return with_headers(answer.await);
+    }
+    let answer = tokio::time::timeout(STRANGERS_TIME, answer).await;
+    let late = |_| (StatusCode::REQUEST_TIMEOUT, "this took too long").into_response();
+    with_headers(answer.unwrap_or_else(late))
 }
 
 type Refusal = (StatusCode, &'static str);
 
-fn admit(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Refusal> {
+/// Who asks, if they may ask at all; pages come from the console, which listens at a port of its own.
+fn admit(app: &App, peer: &Peer, console: u16, request: &Request) -> Result<Caller, Refusal> {
     let (headers, path) = (request.headers(), request.uri().path());
     let host = host(headers).filter(|host| is_ours(app, peer, host));
     let host =
         host.ok_or((StatusCode::MISDIRECTED_REQUEST, "this is not the name of this machine"))?;
     let foreign = (StatusCode::FORBIDDEN, "a page of another site may not ask this machine");
     match headers.get(ORIGIN) {
-        Some(origin) if origin.as_bytes() != format!("http://{host}").as_bytes() => {
+        Some(origin) if origin.as_bytes() != origin_of(peer, console, host).as_bytes() => {
             return Err(foreign);
         }
-        None if path == "/ws" => return Err(foreign),
+        None if SOCKETS.contains(&path) => return Err(foreign),
         _ => {}
     }
-    let caller = who(app, peer, headers);
-    let open = !path.starts_with("/api") && path != "/ws" || path == "/api/pair";
+    let caller = who(app, peer, console, headers);
+    let open = !path.starts_with("/api") && !SOCKETS.contains(&path) || path == "/api/pair";
     if caller.role.is_none() && !open {
         return Err((StatusCode::UNAUTHORIZED, UNPAIRED));
     }
@@ -99,6 +142,19 @@ fn admit(app: &App, peer: &Peer, request: &Request) -> Result<Caller, Refusal> {
         Ok(caller)
     } else {
         Err((StatusCode::METHOD_NOT_ALLOWED, "this is not how things are asked here"))
+    }
+}
+
+/// Where sockets are opened: only by pages, and only by those of this machine.
+const SOCKETS: [&str; 2] = ["/ws", "/stop"];
+
+/// The origin of the console's pages, for whoever calls this machine so.
+fn origin_of(peer: &Peer, console: u16, host: &str) -> String {
+    match host.strip_suffix(&format!(":{}", peer.local.port())) {
+        _ if peer.local.port() == console => format!("http://{host}"),
+        Some(name) if console == 80 => format!("http://{name}"),
+        Some(name) => format!("http://{name}:{console}"),
+        None => format!("http://{host}:{console}"),
     }
 }
 
@@ -134,9 +190,9 @@ fn is_here(peer: &Peer, headers: &HeaderMap) -> bool {
     own && !forwarded
 }
 
-/// The cookie of whoever sits at the machine. Cookies know no ports: its name does.
-fn here_cookie(peer: &Peer) -> String {
-    format!("kerf-here-{}", peer.local.port())
+/// The cookie of whoever sits at the machine. Cookies know no ports: its name does, and it is that of the console.
+fn here_cookie(console: u16) -> String {
+    format!("kerf-here-{console}")
 }
 
 /// Lets whoever opens the address that was printed in: the token goes from the address into a cookie.
@@ -153,7 +209,7 @@ fn enter(app: &App, peer: &Peer, request: &Request) -> Option<Response> {
     if ours && is_here(peer, headers) && here.is(given) {
         let cookie = format!(
             "{}={given}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000",
-            here_cookie(peer)
+            here_cookie(peer.local.port())
         );
         answer.headers_mut().insert(header::SET_COOKIE, HeaderValue::from_str(&cookie).ok()?);
     }
@@ -162,9 +218,9 @@ fn enter(app: &App, peer: &Peer, request: &Request) -> Option<Response> {
 
 /// Who asks: whoever sits at the machine owns it, and shows so where others may connect; everybody else is a paired
 /// device, or nobody.
-fn who(app: &App, peer: &Peer, headers: &HeaderMap) -> Caller {
+fn who(app: &App, peer: &Peer, console: u16, headers: &HeaderMap) -> Caller {
     let shows = |here: &Here| {
-        let given = bearer(headers).or_else(|| cookie(headers, &here_cookie(peer)));
+        let given = bearer(headers).or_else(|| cookie(headers, &here_cookie(console)));
         given.is_some_and(|given| here.is(given))
     };
     if is_here(peer, headers) && app.here.as_ref().is_none_or(shows) {

@@ -1,6 +1,6 @@
 //! Sounds, for pages that play them.
 
-use super::{Refused, aside};
+use super::{Refused, soon};
 use crate::app::{App, problem};
 use crate::files::PartFolder;
 use axum::extract::{Path, State};
@@ -22,7 +22,7 @@ pub async fn sound(
         let part = app.parts.read(&name.replace('\\', "/"));
         Ok((kind, part.or_else(|_| of_media(&app, last_part(&name))).map_err(|_| refused())?))
     };
-    let (kind, bytes) = aside(found).await?;
+    let (kind, bytes) = soon(found).await?;
     Ok(([(header::CONTENT_TYPE, kind), (header::CACHE_CONTROL, "no-cache")], bytes))
 }
 

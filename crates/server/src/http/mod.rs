@@ -5,7 +5,9 @@
 //!                └─ refused                         └─ /ws: socket
 //! ```
 
+mod allowance;
 mod assets;
+mod door;
 mod files;
 mod guard;
 mod language;
@@ -17,9 +19,12 @@ mod rest;
 mod routes;
 mod socket;
 
-pub use guard::{IN_ADDRESS, Peer};
+pub use allowance::Allowance;
+pub use door::{Place, serve};
+pub use guard::{Caller, IN_ADDRESS, guard_of_stop};
 pub use routes::{describe, paths, router};
 
+use crate::pool::{Lane, Turn};
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
@@ -50,11 +55,16 @@ impl IntoResponse for Refused {
     }
 }
 
-/// Does something that takes a while on a thread where that holds nobody up.
+/// Does something that may take a while, in its turn, on a thread where that holds nobody up.
 async fn aside<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Refused> {
-    let done = tokio::task::spawn_blocking(work).await;
-    let failed = |_| Problem { why: Why::Server, text: "this failed in the server".into() };
-    Ok(done.map_err(failed)??)
+    Ok(Turn::present()?.done(Lane::Long, work).await??)
+}
+
+/// The same for what takes a moment.
+async fn soon<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, Problem> + Send + 'static,
+) -> Result<T, Refused> {
+    Ok(Turn::present()?.done(Lane::Short, work).await??)
 }

@@ -1,7 +1,8 @@
 //! Previews, in pieces.
 
-use super::{Refused, aside};
+use super::{Refused, aside, soon};
 use crate::app::{App, lock, problem};
+use crate::pool::Turn;
 use crate::preview::{Asked, Chart, Preview};
 use axum::Json;
 use axum::extract::{Path, Query, State};
@@ -33,7 +34,7 @@ pub async fn piece(
     Path((key, level, piece)): Path<(String, usize, usize)>,
 ) -> Result<impl IntoResponse, Refused> {
     let preview = find(&app, &key)?;
-    let bytes = aside(move || {
+    let bytes = soon(move || {
         let bytes = preview.paths.get(level).and_then(|path| path.piece(piece));
         bytes.ok_or_else(|| problem(Why::File, "there is no such piece"))
     });
@@ -69,7 +70,7 @@ pub async fn timing(
     }
     let (waiting, chart) = app.charts.ask(Asked { key: key.clone(), inputs });
     if let Some(chart) = chart {
-        tokio::spawn(chart_of(app, chart, key, preview, changes));
+        tokio::spawn(Turn::present()?.serve(chart_of(app, chart, key, preview, changes)));
     }
     let lost = || problem(Why::Server, "this failed in the server");
     Ok(Json(waiting.answer().await.ok_or_else(lost)??))

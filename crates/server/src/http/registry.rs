@@ -2,7 +2,7 @@
 
 use super::guard::Caller;
 use super::rest::who;
-use super::{Refused, aside};
+use super::{Refused, soon};
 use crate::app::{App, lock, problem};
 use crate::asker::Asker;
 use crate::gate::Way;
@@ -19,12 +19,12 @@ const LONGEST: usize = 1 << 16;
 
 /// Every key with its value: what the machine is doing first.
 pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<NamedValue>>, Refused> {
-    Ok(Json(aside(move || values(&app)).await?))
+    Ok(Json(soon(move || values(&app)).await?))
 }
 
 /// The value of a key; a path before the last / is left out.
 pub async fn get(State(app): State<Arc<App>>, Path(key): Path<String>) -> Result<String, Refused> {
-    let found = aside(move || {
+    let found = soon(move || {
         let key = last_part(&key).to_owned();
         let value = values(&app)?.into_iter().find(|value| value.name == key);
         value.ok_or_else(|| problem(Why::File, format!("{key} has no value")))
@@ -54,7 +54,7 @@ pub async fn set(
         check_value(key, value).map_err(|why| problem(Why::Malformed, why))?;
         journal.set_value(key, value).map_err(server)
     };
-    Ok(Json(aside(set).await?))
+    Ok(Json(soon(set).await?))
 }
 
 impl App {

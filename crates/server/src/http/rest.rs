@@ -1,20 +1,27 @@
 //! What scripts ask: the same acts as pages, over HTTP.
 
 use super::guard::Caller;
-use super::{Refused, aside};
+use super::{Refused, aside, soon};
 use crate::app::{App, problem};
+use crate::asker::Asker;
+use crate::lanes::Lanes;
 use crate::people::script;
-use axum::extract::{Path, State};
+use crate::pool::Lane;
+use crate::stop::{Halt, heard};
+use axum::body::to_bytes;
+use axum::extract::{FromRequest, Path, Request, State};
+use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use kerf_wire::{
     Act, JobView, OperationEntry, Problem, Reply, Role, ShapeList, Snapshot, ToolPaths, Who, Why,
 };
 use serde_json::Value;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// What every page shows.
-pub async fn state(State(app): State<Arc<App>>) -> Json<Snapshot> {
-    Json(app.hub.read(Snapshot::clone))
+pub async fn state(State(app): State<Arc<App>>) -> Json<Arc<Snapshot>> {
+    Json(app.hub.now())
 }
 
 /// Does an act: its name is in the path, the rest of it in the body.
@@ -22,13 +29,49 @@ pub async fn act(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
     Path(name): Path<String>,
-    Json(body): Json<Value>,
+    request: Request,
+) -> Response {
+    let who = who(&caller);
+    if let Some(halt) = Halt::named(&name) {
+        return halted(&app, &who, halt, request).await.into_response();
+    }
+    let asker = app.hears(&who);
+    match Json::from_request(request, &()).await {
+        Ok(Json(body)) => done(app, asker, name, body).await.into_response(),
+        Err(refused) => refused.into_response(),
+    }
+}
+
+/// Does an act, in its turn.
+async fn done(
+    app: Arc<App>,
+    asker: Asker,
+    name: String,
+    body: Value,
 ) -> Result<Json<Reply>, Refused> {
-    let asker = app.hears(&who(&caller));
     let act = read(name, body)?;
-    let notes = aside(move || app.act(&asker, act)).await?;
+    let lane = act.lane().unwrap_or(Lane::Short);
+    let work = move || app.act(&asker, act);
+    let notes = if lane == Lane::Long { aside(work).await? } else { soon(work).await? };
     Ok(Json(Reply { id: 0, problem: None, notes, clock_ms: None }))
 }
+
+/// Stops, whatever the body is; a jog is named in it, where that has come with the head.
+async fn halted(app: &Arc<App>, who: &Who, mut halt: Halt, request: Request) -> Json<Reply> {
+    if let Halt::JogStop { .. } = halt {
+        let body = tokio::time::timeout(WITH_THE_HEAD, to_bytes(request.into_body(), SHORT)).await;
+        let body = body.ok().and_then(Result::ok).unwrap_or_default();
+        halt = halt.with(&String::from_utf8_lossy(&body));
+    }
+    let stop = halt.press(app, who.client);
+    halt.settle(app);
+    heard(app, stop).await;
+    Json(Reply { id: 0, problem: None, notes: Vec::new(), clock_ms: None })
+}
+
+/// How long a body may take that only names a jog, and how long it may be, bytes.
+const WITH_THE_HEAD: Duration = Duration::from_millis(200);
+const SHORT: usize = 4096;
 
 fn read(name: String, body: Value) -> Result<Act, Problem> {
     let Value::Object(mut fields) = body else {
@@ -36,13 +79,24 @@ fn read(name: String, body: Value) -> Result<Act, Problem> {
     };
     fields.insert("do".into(), name.into());
     let act = serde_json::from_value(Value::Object(fields));
-    let act = act.map_err(|error| problem(Why::Malformed, error.to_string()))?;
+    let act = act.map_err(|error| malformed(&error))?;
     match act {
         Act::JogStart { .. } | Act::JogRenew { .. } => {
             Err(problem(Why::Malformed, "a jog needs somebody who holds a key: use the socket"))
         }
         act => Ok(act),
     }
+}
+
+/// Most characters of what is said of a message that makes no sense: it does not come back whole.
+const SAID: usize = 200;
+
+/// Tells what is wrong with a message.
+pub fn malformed(error: &serde_json::Error) -> Problem {
+    let said = error.to_string();
+    let cut = said.chars().count() > SAID;
+    let short: String = said.chars().take(SAID).collect();
+    problem(Why::Malformed, if cut { short + " …" } else { short })
 }
 
 /// A script as a driver: one for each device.
@@ -65,7 +119,7 @@ pub fn demand(caller: &Caller, role: Role) -> Result<(), Problem> {
 /// What somebody who helps has to know, as text.
 pub async fn problems(State(app): State<Arc<App>>) -> Result<String, Refused> {
     let failed = |error: std::io::Error| problem(Why::Server, error.to_string());
-    aside(move || app.problems().map_err(failed)).await
+    soon(move || app.problems().map_err(failed)).await
 }
 
 /// The shapes of the drawing.
@@ -85,11 +139,12 @@ pub async fn job(State(app): State<Arc<App>>) -> Result<Json<JobView>, Refused> 
 
 /// Starts the job or part file that is open, as the Start key does.
 pub async fn start(
-    app: State<Arc<App>>,
-    caller: Extension<Caller>,
-    body: Json<Value>,
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Json(body): Json<Value>,
 ) -> Result<Json<Reply>, Refused> {
-    act(app, caller, Path("run".into()), body).await
+    let asker = app.hears(&who(&caller));
+    done(app, asker, "run".into(), body).await
 }
 
 /// The operations of drawings, as forms.

@@ -1,23 +1,37 @@
 //! The WebSocket of a page: a snapshot, then changes; requests and their replies.
 //!
-//! Reading, writing and slow requests are three tasks: a page that does not read what it is told can
-//! still stop the machine, and so can one whose drawing operation takes a while.
+//! ```text
+//!  page ─► reader: only stops? ─► done at once
+//!            │ no: its allowance, room for one more reply
+//!            ├─ fast ─► done at once ────┐
+//!            └─ else ─► pool, in turn ───┴─► replies, bounded ─► writer ─► page
+//! ```
+//!
+//! Reading, writing and what takes longer are apart: a page that does not read what it is told can still stop the machine,
+//! and so can one whose drawing operation takes a while. Who asks for more than it may, or does not read its replies, is not
+//! read any further until that has changed.
 
+use super::allowance::Allowance;
+use super::door::Place;
 use super::guard::Caller;
+use super::rest::malformed;
 use crate::app::App;
 use crate::asker::Asker;
-use crate::hub::text;
+use crate::hub::{Told, text};
+use crate::lanes::Lanes;
+use crate::stop::{Halt, Presses, heard};
 use axum::Extension;
 use axum::extract::State;
-use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
-use axum::response::Response;
+use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade, close_code};
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{SinkExt, StreamExt};
-use kerf_wire::{Act, Problem, Reply, Request, ToPage, Who, Why};
+use kerf_wire::{Act, Problem, Reply, Request, ToPage, Who};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::broadcast::{Receiver, error::RecvError};
-use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
+use tokio::sync::mpsc::{self, OwnedPermit};
 use tokio::time::{Instant, interval, timeout};
 
 /// A page that takes nothing for so long has gone.
@@ -25,102 +39,156 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// How often a page is asked whether it is there.
 const BEAT: Duration = Duration::from_secs(2);
 /// Longest message of a page, bytes.
-const LONGEST: usize = 4 << 20;
+const LONGEST: usize = 1 << 20;
+/// Bytes that are read or written in one go.
+const IN_ONE_GO: usize = 8 << 10;
+/// Replies that a page is owed, and what it asked for that is not done yet: then it is read no further.
+const OWED: usize = 64;
+/// Messages of a page in a second, and at once.
+const A_SECOND: u32 = 100;
+const AT_ONCE: u32 = 200;
 
 /// Makes a request a socket.
 pub async fn socket(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
+    Extension(place): Extension<Place>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
+    let name = caller.device.as_ref().map_or(String::new(), |(_, name)| name.clone());
+    let entered = app.pages.enter(caller.role.unwrap_or_default(), name, caller.number());
+    let Some((who, presses)) = entered else {
+        let text = "this device has too many pages open: close one of them";
+        return (StatusCode::SERVICE_UNAVAILABLE, text).into_response();
+    };
+    // Whoever breaks off before the socket is there has gone too.
+    let here = Here { app: app.clone(), client: who.client };
     let upgrade = upgrade.max_message_size(LONGEST).max_frame_size(LONGEST);
-    upgrade.on_upgrade(move |socket| serve(app, caller, socket))
+    let upgrade = upgrade.read_buffer_size(IN_ONE_GO).write_buffer_size(IN_ONE_GO);
+    upgrade.on_upgrade(move |socket| async move {
+        serve(app, who, presses, caller, socket).await;
+        drop((here, place));
+    })
 }
 
-async fn serve(app: Arc<App>, caller: Caller, socket: WebSocket) {
-    let (number, name) = caller.device.clone().unwrap_or_default();
-    let who = app.pages.add(caller.role.unwrap_or_default(), name, Some(number));
+/// A page that is connected; it has gone when this is dropped.
+struct Here {
+    app: Arc<App>,
+    client: u32,
+}
+
+impl Drop for Here {
+    fn drop(&mut self) {
+        self.app.pages.remove(self.client);
+        self.app.unlocked.remove(self.client);
+        self.app.gone(self.client);
+        self.app.tell_clients();
+    }
+}
+
+async fn serve(app: Arc<App>, who: Who, presses: Presses, caller: Caller, socket: WebSocket) {
     app.tell_clients();
     let (write, read) = socket.split();
-    let (replies, outgoing) = unbounded_channel();
-    let (slow, waiting) = unbounded_channel();
+    let (replies, outgoing) = mpsc::channel(OWED);
     let mut writing =
         tokio::spawn(writer(app.clone(), who.clone(), caller.clone(), write, outgoing));
-    let working = tokio::spawn(worker(app.clone(), waiting, replies.clone()));
-    let page = Page { app: app.clone(), who: who.clone(), replies, slow };
+    let page = Page { app, who, customer: caller.number(), presses, replies };
     tokio::select! {
         () = page.listen(read) => {}
         _ = &mut writing => {}
     }
     // The connection ends with its page: who is not heard any more is told nothing, and sees so.
     writing.abort();
-    working.abort();
-    app.pages.remove(who.client);
-    app.unlocked.remove(who.client);
-    app.gone(who.client);
-    app.tell_clients();
 }
 
 /// Who reads what a page sends.
 struct Page {
     app: Arc<App>,
     who: Who,
-    replies: UnboundedSender<Reply>,
-    slow: UnboundedSender<(Asker, Request)>,
+    customer: u32,
+    presses: Presses,
+    replies: mpsc::Sender<Owed>,
+}
+
+/// What a page is owed, or why it is told nothing more.
+enum Owed {
+    Reply(Reply),
+    Leaves(&'static str),
 }
 
 impl Page {
     async fn listen(self, mut read: SplitStream<WebSocket>) {
+        let mut allowance = Allowance::of(A_SECOND, AT_ONCE);
         // Browsers answer the beat; who does not has gone, whatever the network says.
         while let Ok(Some(Ok(message))) = timeout(PATIENCE, read.next()).await {
-            match message {
-                Message::Text(text) => self.request(&text),
+            match &message {
+                Message::Text(text) if !self.halts(text.as_bytes()) => {
+                    allowance.take().await;
+                    let Ok(Ok(owed)) =
+                        timeout(PATIENCE, self.replies.clone().reserve_owned()).await
+                    else {
+                        return;
+                    };
+                    self.request(text, owed);
+                }
+                Message::Binary(bytes) if !self.halts(bytes) => {
+                    self.tell(Owed::Leaves("messages are texts"));
+                }
                 Message::Close(_) => break,
-                _ => {}
+                _ => allowance.take().await,
             }
         }
     }
 
-    fn request(&self, text: &str) {
+    /// Whether a message only stops; then that is done before anything else.
+    fn halts(&self, message: &[u8]) -> bool {
+        let Some(pressed) = Halt::read(message) else { return false };
+        let reply =
+            Owed::Reply(Reply { id: pressed.id, problem: None, notes: Vec::new(), clock_ms: None });
+        if !self.presses.is_new(pressed.id) {
+            self.tell(reply);
+            return true;
+        }
+        let stop = pressed.halt.press(&self.app, self.who.client);
+        pressed.halt.settle(&self.app);
+        let (app, replies) = (self.app.clone(), self.replies.clone());
+        tokio::spawn(async move {
+            heard(&app, stop).await;
+            // A page that reads nothing is told nothing; it has stopped the machine all the same.
+            drop(replies.try_send(reply));
+        });
+        true
+    }
+
+    fn request(&self, text: &str, owed: OwnedPermit<Owed>) {
         let asker = self.app.hears(&self.who);
-        match serde_json::from_str::<Request>(text) {
+        let request = match serde_json::from_str::<Request>(text) {
             Err(error) => {
-                let problem = Problem { why: Why::Malformed, text: error.to_string() };
-                self.reply(Reply {
-                    id: 0,
-                    problem: Some(problem),
-                    notes: Vec::new(),
-                    clock_ms: None,
-                });
+                let problem = Some(malformed(&error));
+                owed.send(Owed::Reply(Reply { id: 0, problem, notes: Vec::new(), clock_ms: None }));
+                return;
             }
-            Ok(request) if is_slow(&request.act) => drop(self.slow.send((asker, request))),
-            Ok(request) => self.reply(answer(&self.app, &asker, request)),
+            Ok(request) => request,
+        };
+        let Some(lane) = request.act.lane() else {
+            owed.send(Owed::Reply(answer(&self.app, &asker, request)));
+            return;
+        };
+        let (app, id) = (self.app.clone(), request.id);
+        let work = move || drop(owed.send(Owed::Reply(answer(&app, &asker, request))));
+        if let Err(problem) = self.app.pool.give(lane, self.customer, work) {
+            self.tell(Owed::Reply(refused(id, problem)));
         }
     }
 
-    fn reply(&self, reply: Reply) {
-        // A writer that has gone ends the page.
-        drop(self.replies.send(reply));
+    /// Tells a page something that it has room for.
+    fn tell(&self, owed: Owed) {
+        drop(self.replies.try_send(owed));
     }
 }
 
-/// What reads files, programs or drawings, or tries a password; the rest is done at once.
-const fn is_slow(act: &Act) -> bool {
-    matches!(
-        act,
-        Act::Open { .. }
-            | Act::Parameters { .. }
-            | Act::Folder { .. }
-            | Act::KeepOrigin
-            | Act::SaveJob
-            | Act::TakeShapeBack
-            | Act::Set { .. }
-            | Act::Run { .. }
-            | Act::Command { .. }
-            | Act::Draw { .. }
-            | Act::Unlock { .. }
-            | Act::Protect { .. }
-    )
+const fn refused(id: u32, problem: Problem) -> Reply {
+    Reply { id, problem: Some(problem), notes: Vec::new(), clock_ms: None }
 }
 
 fn answer(app: &Arc<App>, asker: &Asker, request: Request) -> Reply {
@@ -128,22 +196,7 @@ fn answer(app: &Arc<App>, asker: &Asker, request: Request) -> Reply {
     let clock_ms = matches!(act, Act::Ping).then(|| app.uptime.ms());
     match app.act(asker, act) {
         Ok(notes) => Reply { id, problem: None, notes, clock_ms },
-        Err(problem) => Reply { id, problem: Some(problem), notes: Vec::new(), clock_ms },
-    }
-}
-
-/// Does slow requests one after the other.
-async fn worker(
-    app: Arc<App>,
-    mut requests: UnboundedReceiver<(Asker, Request)>,
-    replies: UnboundedSender<Reply>,
-) {
-    while let Some((asker, request)) = requests.recv().await {
-        let app = app.clone();
-        let done = tokio::task::spawn_blocking(move || answer(&app, &asker, request)).await;
-        if let Ok(reply) = done {
-            drop(replies.send(reply));
-        }
+        Err(problem) => Reply { clock_ms, ..refused(id, problem) },
     }
 }
 
@@ -153,7 +206,7 @@ async fn writer(
     who: Who,
     caller: Caller,
     mut write: SplitSink<WebSocket, Message>,
-    mut replies: UnboundedReceiver<Reply>,
+    mut replies: mpsc::Receiver<Owed>,
 ) {
     let mut beat = interval(BEAT);
     let mut changes = match begin(&app, &who, &mut write).await {
@@ -166,7 +219,7 @@ async fn writer(
             // What an act changed is told before its reply.
             biased;
             change = changes.recv() => match change {
-                Ok(change) => Message::Text(change.to_string().into()),
+                Ok(change) => Message::Text(change.text()),
                 Err(RecvError::Lagged(_)) => match begin(&app, &who, &mut write).await {
                     Some(anew) => {
                         changes = anew;
@@ -176,15 +229,22 @@ async fn writer(
                 },
                 Err(RecvError::Closed) => return,
             },
-            Some(reply) = replies.recv() => {
-                Message::Text(text(&ToPage::Reply(reply)).to_string().into())
-            }
+            Some(owed) = replies.recv() => match owed {
+                Owed::Reply(reply) => Message::Text(text(&ToPage::Reply(reply))),
+                Owed::Leaves(reason) => closing(reason),
+            },
             _ = beat.tick() => Message::Ping(Vec::new().into()),
         };
-        if !send(&mut write, message).await {
+        let leaves = matches!(message, Message::Close(_));
+        if !send(&mut write, message).await || leaves {
             return;
         }
     }
+}
+
+/// Why a page is told nothing more.
+fn closing(reason: &'static str) -> Message {
+    Message::Close(Some(CloseFrame { code: close_code::POLICY, reason: reason.into() }))
 }
 
 /// Sends the snapshot; gives what changes after it.
@@ -192,10 +252,11 @@ async fn begin(
     app: &App,
     who: &Who,
     write: &mut SplitSink<WebSocket, Message>,
-) -> Option<Receiver<Arc<str>>> {
+) -> Option<Receiver<Arc<Told>>> {
     let (snapshot, changes) = app.hub.listen();
-    let first = ToPage::Snapshot { who: who.clone(), snapshot: Box::new(snapshot) };
-    send(write, Message::Text(text(&first).to_string().into())).await.then_some(changes)
+    let snapshot = Box::new(Arc::unwrap_or_clone(snapshot));
+    let first = ToPage::Snapshot { who: who.clone(), snapshot };
+    send(write, Message::Text(text(&first))).await.then_some(changes)
 }
 
 async fn send(write: &mut SplitSink<WebSocket, Message>, message: Message) -> bool {

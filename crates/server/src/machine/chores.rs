@@ -1,6 +1,6 @@
 //! What the owner of the machine does besides moving it: its files, recorder, switches, configuration.
 
-use super::link::Stops;
+use super::arrived::Stops;
 use super::owner::Owner;
 use crate::gate::{self, Way};
 use crate::handconsole::Happening;

@@ -1,36 +1,39 @@
 //! What pages want of a machine that runs, from the threads that hear it to the one that drives.
 //!
-//! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round.
+//! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round. A stop takes
+//! neither: it is counted in [`Arrived`], and wakes the machine's thread.
 
+use super::arrived::{Arrived, Stops};
 use crate::people::Grip;
 use kerf_control::{Press, Wish};
 use std::collections::VecDeque;
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::thread::{self, Thread};
 use std::time::{Duration, Instant};
 
 /// A jog ends when it is so long since its key was held for sure.
 pub const DEAD_MAN: Duration = Duration::from_millis(250);
 
 /// What pages want; whoever waits for it is woken.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Link {
+    arrived: Arc<Arrived>,
     wanted: Mutex<Wanted>,
-    changed: Condvar,
+    /// Who waits for what is wanted: the machine's thread.
+    waits: OnceLock<Thread>,
     /// Variables that are shown while programs run.
     watched: Mutex<Vec<String>>,
 }
 
-/// How many stops had come at a moment.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Stops(u64);
-
 /// What pages want.
 #[derive(Debug, Default)]
 pub struct Wanted {
-    /// Stop; stays until it was heard.
-    stop: bool,
     /// Stops so far, those while nothing ran included.
-    stops: u64,
+    arrived: Arc<Arrived>,
+    /// Those of them that stop what runs and were heard.
+    heard: u64,
+    /// Stop, though nobody has pressed it: Kerf ends.
+    ends: bool,
     /// Kerf ends: what runs is stopped, nobody answers any more, nothing else begins.
     pub leaves: bool,
     /// The run was told to stop, and ramps down.
@@ -93,11 +96,17 @@ impl Wanted {
     /// What the run is to do now, told once. A jog ends at whatever is wanted.
     pub fn wish(&mut self) -> Option<Wish> {
         if let Some(held) = &mut self.jog {
-            let over = held.is_over() || self.stop || self.hold;
+            let halts = self.arrived.stops().halts();
+            let stop = halts != self.heard || self.ends;
+            let over = held.is_over() || stop || self.hold;
             let told = std::mem::replace(&mut held.ending, over);
+            if stop {
+                self.arrived.hear(halts);
+            }
             return if over && !told { Some(Wish::End) } else { self.pressed() };
         }
-        if self.stop && !std::mem::replace(&mut self.stopping, true) {
+        if self.is_to_stop() && !std::mem::replace(&mut self.stopping, true) {
+            self.arrived.hear(self.arrived.stops().halts());
             return Some(Wish::Stop);
         }
         if std::mem::take(&mut self.hold) {
@@ -111,9 +120,9 @@ impl Wanted {
         self.hold = false;
     }
 
-    /// Nothing begins any more that was asked for until now.
-    const fn forestall(&mut self) {
-        self.stops = self.stops.wrapping_add(1);
+    /// A stop is wanted that was not heard.
+    fn is_to_stop(&self) -> bool {
+        self.ends || self.arrived.stops().halts() != self.heard
     }
 
     /// A question is open from now on; one that is asked again is the same.
@@ -149,19 +158,31 @@ impl Wanted {
 
     /// Whether a stop is wanted; it is heard now.
     pub fn hear_stop(&mut self) -> bool {
-        self.stopping = false;
-        std::mem::take(&mut self.stop)
+        let stop = self.is_to_stop();
+        (self.stopping, self.ends) = (false, false);
+        self.heard = self.arrived.stops().halts();
+        self.arrived.hear(self.heard);
+        stop
     }
 
     /// Whether a stop came while nothing ran; it is heard now. `stands` where nothing has begun.
     pub fn hear_stop_at_rest(&mut self, stands: bool) -> bool {
-        let now = stands && !self.leaves && std::mem::take(&mut self.stop);
+        let now = stands && !self.leaves && self.hear_stop();
         std::mem::take(&mut self.rests) || now
     }
 
     /// Whether whoever waits for somebody is to give up: a stop is wanted, and heard now, or nobody is there.
     pub fn gives_up(&mut self) -> bool {
         self.hear_stop() || self.leaves
+    }
+}
+
+impl Default for Link {
+    fn default() -> Self {
+        let arrived = Arc::<Arrived>::default();
+        let wanted = Wanted { arrived: arrived.clone(), ..Wanted::default() };
+        let (wanted, waits, watched) = (Mutex::new(wanted), OnceLock::new(), Mutex::default());
+        Self { arrived, wanted, waits, watched }
     }
 }
 
@@ -174,8 +195,26 @@ impl Link {
     /// Wants something.
     pub fn want<T>(&self, change: impl FnOnce(&mut Wanted) -> T) -> T {
         let result = change(&mut self.lock());
-        self.changed.notify_all();
+        self.wake();
         result
+    }
+
+    /// Whoever waits looks again at what is wanted.
+    fn wake(&self) {
+        if let Some(thread) = self.waits.get() {
+            thread.unpark();
+        }
+    }
+
+    /// Stops, and what the machine's thread has heard of them.
+    pub fn arrived(&self) -> &Arrived {
+        &self.arrived
+    }
+
+    /// The thread that calls this drives the machine: it is woken from now on.
+    pub fn wakes_this_thread(&self) {
+        // There is one for a server.
+        drop(self.waits.set(thread::current()));
     }
 
     /// Variables that are shown while programs run.
@@ -190,64 +229,74 @@ impl Link {
 
     /// Waits until something is wanted, or a time has passed.
     pub fn wait<'a>(
-        &self,
+        &'a self,
         wanted: MutexGuard<'a, Wanted>,
         most: Duration,
     ) -> MutexGuard<'a, Wanted> {
-        let waited = self.changed.wait_timeout(wanted, most);
-        waited.map_or_else(|poisoned| poisoned.into_inner().0, |(wanted, _)| wanted)
+        drop(wanted);
+        // What is wanted from here on has woken this thread before it sleeps.
+        thread::park_timeout(most);
+        self.lock()
     }
 
-    /// Stops what runs, and what was asked for and has not begun yet.
-    pub fn stop(&self) {
-        self.want(|wanted| {
-            wanted.stop = true;
-            wanted.forestall();
-        });
+    /// Stops what runs, and what was asked for and has not begun yet. Waits for nobody.
+    pub fn stop(&self) -> Stops {
+        let stops = self.arrived.halt();
+        self.wake();
+        stops
+    }
+
+    /// Stops what runs; nothing begins before the machine is disarmed. Waits for nobody.
+    pub fn disarm(&self) -> Stops {
+        let stops = self.arrived.disarm();
+        self.wake();
+        stops
     }
 
     /// Holds what runs. What was asked for and has not begun yet does not begin.
     pub fn hold(&self) {
         self.want(|wanted| {
             wanted.hold = true;
-            wanted.forestall();
+            wanted.arrived.forestall();
         });
     }
 
     /// Kerf ends.
     pub fn leave(&self) {
         self.want(|wanted| {
-            (wanted.stop, wanted.leaves) = (true, true);
-            wanted.forestall();
+            (wanted.ends, wanted.leaves) = (true, true);
+            wanted.arrived.forestall();
         });
     }
 
     /// What was asked for and has not begun yet does not begin; what runs goes on.
     pub fn forestall(&self) {
-        self.want(Wanted::forestall);
+        self.arrived.forestall();
     }
 
     /// How many stops have come.
     pub fn stops(&self) -> Stops {
-        Stops(self.lock().stops)
+        self.arrived.stops()
     }
 
     /// Wants something, unless a stop has come since a moment.
     pub fn want_since<T>(&self, since: Stops, change: impl FnOnce(&mut Wanted) -> T) -> Option<T> {
-        self.want(|wanted| (wanted.stops == since.0).then(|| change(wanted)))
+        let may = |wanted: &Wanted| wanted.arrived.stops() == since && !wanted.arrived.disarms();
+        self.want(|wanted| may(wanted).then(|| change(wanted)))
     }
 
     /// A run begins, for as long as a key is held where it is a jog: what was wanted of the one before is forgotten,
     /// but for switches that it did not move any more. Not where a stop has come since the moment, if there is one.
     pub fn begin(&self, since: Option<Stops>, jog: Option<Held>) -> bool {
         let mut wanted = self.lock();
-        let Wanted { leaves, stops, .. } = *wanted;
-        let begins = since.is_none_or(|since| since.0 == stops);
+        let (leaves, stops) = (wanted.leaves, self.arrived.stops());
+        let begins = since.is_none_or(|since| since == stops && !self.arrived.disarms());
         if begins {
             let presses = std::mem::take(&mut wanted.presses);
-            let rests = wanted.rests || wanted.stop;
-            let stop = leaves;
-            *wanted = Wanted { jog, leaves, stop, stops, rests, presses, ..Wanted::default() };
+            let (arrived, heard) = (self.arrived.clone(), stops.halts());
+            let rests = wanted.rests || wanted.heard != heard;
+            let anew = Wanted { arrived, heard, jog, leaves, rests, ..Wanted::default() };
+            *wanted = Wanted { ends: leaves, presses, ..anew };
         }
         begins
     }
@@ -268,7 +317,14 @@ mod tests {
 
     #[test]
     fn what_arrived_before_a_stop_does_not_begin() {
-        let stops: [fn(&Link); 4] = [Link::stop, Link::hold, Link::forestall, Link::leave];
+        let stops: [fn(&Link); 4] = [
+            |link| {
+                link.stop();
+            },
+            Link::hold,
+            Link::forestall,
+            Link::leave,
+        ];
         for stop in stops {
             let link = Link::default();
             let arrived = link.stops();

@@ -6,6 +6,7 @@
 //!                                            └─ Teller   events ─► Board ─► Hub ─► pages
 //! ```
 
+mod arrived;
 mod board;
 mod chores;
 mod company;
@@ -15,9 +16,10 @@ mod owner;
 mod ports;
 mod reach;
 
+pub use arrived::Stops;
 pub use board::{PathEnd, Planned};
 pub use left::Left;
-pub use link::{Link, Stops};
+pub use link::Link;
 pub use owner::{Order, Owner};
 pub use ports::{bits, ports};
 pub use reach::reach;

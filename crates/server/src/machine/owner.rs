@@ -1,9 +1,10 @@
 //! The owner of the machine, on its thread.
 
+use super::arrived::Stops;
 use super::board::{Board, Planned};
 use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
-use super::link::{Link, Stops};
+use super::link::Link;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
@@ -166,6 +167,7 @@ impl Owner {
 
     /// Works until nobody gives orders any more, or Kerf ends.
     pub fn work(mut self, orders: &Receiver<Order>) {
+        self.link.wakes_this_thread();
         loop {
             if self.link.lock().leaves {
                 self.move_switches();
@@ -305,7 +307,9 @@ impl Owner {
         let mut pages = Pages::new(shared.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
+        self.link.arrived().runs(true);
         let summary = runs(&mut self.workshop, company);
+        self.link.arrived().runs(false);
         self.asked = pages.asked();
         self.link.lock().close();
         board.borrow_mut().ends();

@@ -2,6 +2,8 @@
 
 use super::hand::{Grip, GripError, Hand};
 use crate::app::lock;
+use crate::pool::{HERE, KERF};
+use crate::stop::Presses;
 use kerf_wire::{Client, Role, Who};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -23,6 +25,11 @@ pub const fn is_script(client: u32) -> bool {
     client >= SCRIPTS - MOST_DEVICES
 }
 
+/// Pages of a paired device at the same time.
+const A_DEVICE: usize = 8;
+/// Pages at the machine itself.
+const AT_THE_MACHINE: usize = 64;
+
 /// The pages that are connected, by their numbers.
 #[derive(Debug, Default)]
 pub struct Pages {
@@ -39,20 +46,44 @@ struct Inner {
 struct Page {
     role: Role,
     device: String,
-    /// Number of the device, 0 for the machine itself; nothing for a hand console.
-    number: Option<u32>,
+    /// The number of the device; [`HERE`] for the machine itself, [`KERF`] for a hand console.
+    number: u32,
+    /// What it pressed that only stops.
+    presses: Presses,
     hand: Hand,
 }
 
+impl Inner {
+    fn add(&mut self, role: Role, device: String, number: u32) -> (Who, Presses) {
+        self.last += 1;
+        let (client, presses) = (self.last, Presses::default());
+        let name = device.clone();
+        let hand = Hand::default();
+        let page = Page { role, device: name, number, presses: presses.clone(), hand };
+        self.pages.insert(client, page);
+        (Who { client, role, device }, presses)
+    }
+}
+
 impl Pages {
-    /// A page of a device with this number has connected.
-    pub fn add(&self, role: Role, device: String, number: Option<u32>) -> Who {
+    /// A page has connected, of a device that is known by a number; nothing where it has too many.
+    pub fn enter(&self, role: Role, device: String, number: u32) -> Option<(Who, Presses)> {
         let mut inner = lock(&self.inner);
-        inner.last += 1;
-        let client = inner.last;
-        let page = Page { role, device: device.clone(), number, hand: Hand::default() };
-        inner.pages.insert(client, page);
-        Who { client, role, device }
+        let most = if number == HERE { AT_THE_MACHINE } else { A_DEVICE };
+        let full = inner.pages.values().filter(|page| page.number == number).count() >= most;
+        (!full).then(|| inner.add(role, device, number))
+    }
+
+    /// The hand console has connected, over its cable.
+    pub fn enter_by_cable(&self, role: Role, device: String) -> Who {
+        lock(&self.inner).add(role, device, KERF).0
+    }
+
+    /// What a page pressed on its own socket, if it is one of that device.
+    pub fn presses(&self, client: u32, number: u32) -> Option<Presses> {
+        let inner = lock(&self.inner);
+        let page = inner.pages.get(&client).filter(|page| page.number == number);
+        page.map(|page| page.presses.clone())
     }
 
     /// The device that a driver belongs to, be it a page or a script.
@@ -60,13 +91,14 @@ impl Pages {
         if is_script(client) {
             return Some(SCRIPTS - client);
         }
-        lock(&self.inner).pages.get(&client)?.number
+        let number = lock(&self.inner).pages.get(&client)?.number;
+        (number != KERF).then_some(number)
     }
 
     /// Everybody of a device: its pages, and its scripts.
     pub fn of_device(&self, device: u32) -> impl Iterator<Item = u32> {
         let inner = lock(&self.inner);
-        let own = inner.pages.iter().filter(|(_, page)| page.number == Some(device));
+        let own = inner.pages.iter().filter(|(_, page)| page.number == device);
         let pages: Vec<u32> = own.map(|(client, _)| *client).collect();
         pages.into_iter().chain([script(device)])
     }
@@ -134,10 +166,14 @@ impl Pages {
 mod tests {
     use super::*;
 
+    fn entered(pages: &Pages, device: u32) -> u32 {
+        pages.enter(Role::Owner, String::new(), device).unwrap().0.client
+    }
+
     #[test]
     fn a_hand_is_that_of_its_page() {
         let pages = Pages::default();
-        let [one, other] = [(); 2].map(|()| pages.add(Role::Owner, String::new(), Some(0)).client);
+        let [one, other] = [(); 2].map(|()| entered(&pages, HERE));
         let grip = |client| pages.grip(client, 1, 5.0, 5.0).unwrap();
         assert!(pages.jog_begins(one, grip(one)).is_ok());
         pages.jog_over(other, 1);
@@ -149,12 +185,25 @@ mod tests {
     #[test]
     fn pages_and_scripts_belong_to_their_device() {
         let pages = Pages::default();
-        let [first, other] =
-            [7, 8].map(|device| pages.add(Role::Owner, String::new(), Some(device)).client);
-        let console = pages.add(Role::Setter, String::new(), None).client;
+        let [first, other] = [7, 8].map(|device| entered(&pages, device));
+        let console = pages.enter_by_cable(Role::Setter, String::new()).client;
         assert_eq!(pages.of_device(7).collect::<Vec<_>>(), [first, script(7)]);
         assert_eq!([first, other, console].map(|it| pages.device_of(it)), [Some(7), Some(8), None]);
         assert_eq!([script(0), script(7)].map(|it| pages.device_of(it)), [Some(0), Some(7)]);
         assert!(is_script(script(0)) && is_script(script(40)) && !is_script(first));
+    }
+
+    #[test]
+    fn a_device_has_so_many_pages_and_knows_only_its_own_presses() {
+        let pages = Pages::default();
+        let enter = |number| pages.enter(Role::Observer, String::new(), number);
+        let open: Vec<_> = std::iter::from_fn(|| enter(3)).collect();
+        assert_eq!(open.len(), A_DEVICE);
+        assert!(enter(4).is_some());
+        let client = open[0].0.client;
+        assert!(pages.presses(client, 3).is_some());
+        assert!(pages.presses(client, 4).is_none(), "of another device");
+        pages.remove(client);
+        assert!(enter(3).is_some());
     }
 }

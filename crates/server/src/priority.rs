@@ -1,0 +1,33 @@
+//! How important threads are. The machine's thread and that of STOP are above all others: whatever else this server
+//! does gives way to them.
+
+/// How far a thread gives way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Yields {
+    /// Connections: what pages ask and are told.
+    ToTheMachine,
+    /// What is done for pages in a moment, drafts.
+    ToPages,
+    /// What takes a while: tool paths, previews, checks.
+    ToAll,
+}
+
+impl Yields {
+    #[cfg(target_os = "linux")]
+    const fn nice(self) -> i32 {
+        match self {
+            Self::ToTheMachine => 5,
+            Self::ToPages => 10,
+            Self::ToAll => 15,
+        }
+    }
+
+    /// The thread that calls this gives way from now on, and so do those that it begins.
+    pub fn hold(self) {
+        // Elsewhere a priority is that of the whole process. Where the system refuses, threads are equal.
+        #[cfg(target_os = "linux")]
+        {
+            _ = rustix::process::setpriority_process(None, self.nice());
+        }
+    }
+}
