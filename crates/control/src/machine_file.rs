@@ -94,7 +94,7 @@ impl MachineFile {
             n => PathBuf::from(format!("{}.before-{n}", self.name())),
         };
         let free = (1..).map(name).find(|path| !path.exists()).unwrap_or_else(|| name(0));
-        RealDisk.write(&free, text.as_bytes()).map_err(|error| self.of_disk(error))?;
+        RealDisk.write_secret(&free, text.as_bytes()).map_err(|error| self.of_disk(error))?;
         Ok(free)
     }
 
@@ -127,7 +127,9 @@ impl MachineFile {
         self.read(text)?;
         let folder = self.0.parent().unwrap_or(Path::new(""));
         let made = RealDisk.make_folder(folder);
-        made.and_then(|()| RealDisk.write(&self.0, text.as_bytes())).map_err(|e| self.of_disk(e))
+        // It may hold the hash of a password.
+        let written = made.and_then(|()| RealDisk.write_secret(&self.0, text.as_bytes()));
+        written.map_err(|error| self.of_disk(error))
     }
 
     /// Writes back what a run has changed of the settings it began with. What somebody else changed in
