@@ -194,6 +194,7 @@ fn machine_and_app(
         let ((hub, link, left), done) = (owned, Box::new(done));
         let mut owner =
             Owner { hub, link, workshop, parts, left, rate, done, closing, asked: 0, run: 0 };
+        owner.tell_found();
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

@@ -25,6 +25,7 @@ mod database;
 mod error;
 mod history;
 mod kept_work;
+mod known_machine;
 mod live;
 mod mirror;
 mod place;
@@ -40,6 +41,7 @@ mod under_way;
 pub use error::JournalError;
 pub use history::Past;
 pub(crate) use kept_work::KeptWork;
+pub(crate) use known_machine::KnownMachine;
 pub use live::Live;
 pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;
@@ -75,6 +77,8 @@ pub struct Journal {
     known: Arc<Mutex<settings::Known>>,
     /// What it said of the machine when that was read last, or left by this process.
     seen: Arc<Mutex<Option<Standing>>>,
+    /// What was found wrong since it was opened.
+    told: Arc<Mutex<Vec<String>>>,
 }
 
 /// The file that is open.
@@ -130,6 +134,7 @@ impl Journal {
             told.push(format!("{copy}, the copy of the journal, {wrong}: a new one was made"));
             journal.back_up()?;
         }
+        told.iter().for_each(|line| journal.tell(line));
         Ok((journal, told))
     }
 
@@ -166,7 +171,8 @@ impl Journal {
         };
         let opened = Opened { connection, lasts: true, rests: false };
         let (database, known) = (Arc::new(Mutex::new(opened)), Arc::default());
-        Ok((Self { database, folder: folder.into(), known, seen: Arc::default() }, doubt))
+        let (seen, told) = (Arc::default(), Arc::default());
+        Ok((Self { database, folder: folder.into(), known, seen, told }, doubt))
     }
 
     /// Takes the machine; nobody else may move it meanwhile.
@@ -189,6 +195,15 @@ impl Journal {
     /// The data folder.
     pub fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// What was found wrong with the files of the data folder since it was opened.
+    pub fn told(&self) -> Vec<String> {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    pub(crate) fn tell(&self, line: &str) {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).push(line.to_owned());
     }
 
     /// The value of a key.
