@@ -63,9 +63,8 @@ impl Journal {
     }
 }
 
-/// How far the copy has come; `None` where there is none that can be read.
-pub(super) fn mark(folder: &Path) -> Option<Mark> {
-    let copy = folder.join(BACKUP_FILE);
-    let connection = copy.is_file().then(|| database::as_it_is(&copy).ok()).flatten()?;
+/// How far a file has come by itself; `None` where there is none that can be read.
+pub(super) fn mark(file: &Path) -> Option<Mark> {
+    let connection = file.is_file().then(|| database::as_it_is(file).ok()).flatten()?;
     Mark::of(&Rows(&connection)).ok().flatten()
 }

@@ -150,7 +150,10 @@ pub(super) fn as_it_is(file: &Path) -> rusqlite::Result<Connection> {
 /// Whether the pages of the file fit together.
 pub(super) fn sound(connection: &Connection) -> Result<(), Trouble> {
     let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
-    if found == "ok" { Ok(()) } else { Err(Trouble::Damaged(found)) }
+    match found.as_str() {
+        "ok" => Ok(()),
+        _ => Err(Trouble::Damaged("its pages do not fit together".into())),
+    }
 }
 
 /// Whether there is something to read.
@@ -164,12 +167,13 @@ pub(super) fn synchronous(connection: &Connection, each: bool) -> Result<(), Tro
     Ok(connection.pragma_update(None, "synchronous", if each { "FULL" } else { "NORMAL" })?)
 }
 
-/// Puts every change into the file itself and empties the write-ahead file, unless somebody reads at this moment.
-pub(super) fn checkpoint(connection: &Connection) -> Result<(), Trouble> {
+/// Puts every change into the file itself and empties the write-ahead file, unless somebody reads at this moment; whether
+/// it was done.
+pub(super) fn checkpoint(connection: &Connection) -> Result<bool, Trouble> {
     connection.busy_timeout(Duration::ZERO)?;
-    let done = connection.query_row("PRAGMA wal_checkpoint(TRUNCATE)", [], |_| Ok(()));
+    let busy = connection.query_row("PRAGMA wal_checkpoint(TRUNCATE)", [], |row| row.get(0));
     connection.busy_timeout(PATIENCE)?;
-    Ok(done?)
+    Ok(busy.map(|busy: i64| busy == 0)?)
 }
 
 /// Writes a copy of the whole into a new file.

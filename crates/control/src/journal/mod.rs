@@ -89,6 +89,8 @@ struct Opened {
     lasts: bool,
     /// Nothing was changed since everything was put into the file itself.
     rests: bool,
+    /// The generation that is in the file itself.
+    rested: u64,
 }
 
 /// The right to move the machine; ends with the value, or with the process.
@@ -158,9 +160,10 @@ impl Journal {
         if let Some(lost) = rescue::lost(folder, &seal) {
             return Err(lost);
         }
-        let (file, copy) = (folder.join(JOURNAL_FILE), copy::mark(folder));
+        let file = folder.join(JOURNAL_FILE);
+        let (copy, alone) = (copy::mark(&folder.join(BACKUP_FILE)), copy::mark(&file));
         let opened = database::open(&file, access).and_then(|connection| {
-            let verdict = standing(&connection, &seal, copy.as_ref())?;
+            let verdict = standing(&connection, &seal, copy.as_ref(), alone.as_ref())?;
             Ok((connection, verdict))
         });
         let (connection, verdict) = opened.map_err(|error| error.at(&file))?;
@@ -169,7 +172,8 @@ impl Journal {
             Verdict::Doubtful(why) => Some(why),
             Verdict::Damaged(what) => return Err(JournalError::Damaged { path: file, what }),
         };
-        let opened = Opened { connection, lasts: true, rests: false };
+        let rested = seal.seal().map_or(0, |seal| seal.rested);
+        let opened = Opened { connection, lasts: true, rests: false, rested };
         let (database, known) = (Arc::new(Mutex::new(opened)), Arc::default());
         let (seen, told) = (Arc::default(), Arc::default());
         Ok((Self { database, folder: folder.into(), known, seen, told }, doubt))
@@ -246,13 +250,10 @@ impl Journal {
         if opened.rests {
             return Ok(());
         }
-        let at_rest = database::checkpoint(&opened.connection).and_then(|()| {
-            rows::at_once(&opened.connection, |rows| Ok((Mark::of(rows)?, rows::digest(rows.0)?)))
-        });
-        let (mark, digest) = at_rest.map_err(|error| self.located(error))?;
-        if let Some(mark) = mark {
-            self.seal(&Seal { mark, digest: Some(digest) })?;
-        }
+        let at_rest = at_rest(&opened.connection).map_err(|error| self.located(error))?;
+        let Some((rested, mark, digest)) = at_rest else { return Ok(()) };
+        opened.rested = rested;
+        self.seal(&Seal { mark, rested, digest: Some(digest) })?;
         opened.rests = true;
         Ok(())
     }
@@ -278,7 +279,7 @@ impl Journal {
         let (changed, mark) = changed.map_err(|error| self.located(error))?;
         // Where commits do not wait for the disk, the seal could be there before them.
         if opened.lasts {
-            self.seal(&Seal { mark, digest: None })?;
+            self.seal(&Seal { mark, rested: opened.rested, digest: None })?;
         }
         Ok(changed)
     }
@@ -299,19 +300,33 @@ fn seal_of(folder: &Path) -> Result<seal::Found, JournalError> {
     seal::Found::in_folder(folder).map_err(there)
 }
 
+/// Puts everything into the file itself: the generation that is there, how far the journal has come, the digest of its
+/// rows. `None` while somebody reads, or where nothing was ever changed.
+fn at_rest(connection: &Connection) -> rows::Result<Option<(u64, Mark, u64)>> {
+    // Somebody else may change it behind the checkpoint.
+    let before = Mark::of(&Rows(connection))?;
+    if !database::checkpoint(connection)? {
+        return Ok(None);
+    }
+    let (mark, digest) = reached(connection)?;
+    Ok(before.zip(mark).map(|(before, mark)| (before.generation, mark, digest)))
+}
+
+fn reached(connection: &Connection) -> rows::Result<(Option<Mark>, u64)> {
+    rows::at_once(connection, |rows| Ok((Mark::of(rows)?, rows::digest(rows.0)?)))
+}
+
 /// How a journal that was opened stands to its seal and its copy.
 fn standing(
     connection: &Connection,
     seal: &seal::Found,
     copy: Option<&Mark>,
+    alone: Option<&Mark>,
 ) -> rows::Result<Verdict> {
     // A write-ahead file that is lost may have held the very tables.
-    if !database::has_tables(connection)? {
-        return Ok(seal::compare(None, 0, seal, copy));
-    }
-    let (mark, digest) =
-        rows::at_once(connection, |rows| Ok((Mark::of(rows)?, rows::digest(rows.0)?)))?;
-    Ok(seal::compare(mark.as_ref(), digest, seal, copy))
+    let there = database::has_tables(connection)?;
+    let (mark, digest) = if there { reached(connection)? } else { (None, 0) };
+    Ok(seal::compare(&seal::Reached { mark: mark.as_ref(), digest, alone, copy }, seal))
 }
 
 /// The folder we are in has an empty name in relative paths.

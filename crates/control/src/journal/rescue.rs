@@ -4,7 +4,7 @@
 
 use super::database::{self, Access};
 use super::rows::{self, Row, Rows, Table, key_text};
-use super::seal::{self, Found as SealFound, Mark, SEAL_FILE, Seal, Verdict};
+use super::seal::{self, Found as SealFound, Mark, Reached, SEAL_FILE, Seal, Verdict};
 use super::{BACKUP_FILE, JOURNAL_FILE, Journal, JournalError};
 use crate::stopping::CONFIRM;
 use kerf_program::Axis;
@@ -131,7 +131,9 @@ impl Source {
         let fits = database::sound(&connection).and_then(|()| rows::digest(&connection)).ok();
         let (sound, sealed) = (fits.is_some(), seal.cloned().map(SealFound::Sound));
         let is_whole = fits.zip(sealed).is_some_and(|(digest, sealed)| {
-            seal::compare(mark.as_ref(), digest, &sealed, None) == Verdict::Whole
+            let mark = mark.as_ref();
+            seal::compare(&Reached { mark, digest, alone: None, copy: None }, &sealed)
+                == Verdict::Whole
         });
         // Of a damaged file the generation may be what cannot be read.
         let unknown = if sound { 0 } else { u64::MAX };

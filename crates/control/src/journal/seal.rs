@@ -7,7 +7,8 @@
 //!
 //! Every change of the journal counts its generation up, in the same transaction. The seal follows behind it,
 //! so it never promises more than there is. A journal that is behind its seal has lost changes: its
-//! write-ahead file is gone, emptied or torn, or somebody put an older file in its place.
+//! write-ahead file is gone, emptied or torn, or somebody put an older file in its place. An older file below a newer
+//! write-ahead file is noticed as well: the seal knows the generation that the file had by itself.
 
 use super::rows::{Result, Rows, Table, Trouble, json};
 use crate::files::private;
@@ -24,7 +25,7 @@ pub const SEAL_FILE: &str = "journal.seal";
 const GENERATION: &str = "generation";
 
 /// Bytes of a line. Two of them are written in turn, so that one that is torn leaves the other.
-const LINE: usize = 64;
+const LINE: usize = 85;
 
 /// How far a journal has come.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -40,6 +41,8 @@ pub(super) struct Mark {
 pub(super) struct Seal {
     /// The journal has come so far, or further.
     pub mark: Mark,
+    /// The generation that is in the file itself, without the write-ahead file, or a later one.
+    pub rested: u64,
     /// The digest of its rows at that generation, where it came to rest there.
     pub digest: Option<u64>,
 }
@@ -97,7 +100,7 @@ impl Seal {
     fn line(&self) -> String {
         let Mark { journal, generation } = &self.mark;
         let digest = self.digest.map_or_else(|| "-".repeat(16), |digest| format!("{digest:016x}"));
-        let text = format!("{journal:16.16} {generation:020} {digest}");
+        let text = format!("{journal:16.16} {generation:020} {:020} {digest}", self.rested);
         format!("{text} {:08x}\n", crc32fast::hash(text.as_bytes()))
     }
 
@@ -108,9 +111,10 @@ impl Seal {
             return None;
         }
         let mut words = text.split(' ');
-        let (journal, generation, digest) = (words.next()?, words.next()?, words.next()?);
-        let mark = Mark { journal: journal.into(), generation: generation.parse().ok()? };
-        Some(Self { mark, digest: u64::from_str_radix(digest, 16).ok() })
+        let (journal, generation) = (words.next()?.into(), words.next()?.parse().ok()?);
+        let (rested, digest) = (words.next()?.parse().ok()?, words.next()?);
+        let mark = Mark { journal, generation };
+        Some(Self { mark, rested, digest: u64::from_str_radix(digest, 16).ok() })
     }
 }
 
@@ -154,13 +158,21 @@ pub(super) enum Verdict {
     Damaged(String),
 }
 
-/// Compares a journal, and the digest of its rows, with the seal and the mark of the copy that were read before it.
-pub(super) fn compare(
-    mark: Option<&Mark>,
-    digest: u64,
-    found: &Found,
-    copy: Option<&Mark>,
-) -> Verdict {
+/// What is compared with a seal.
+pub(super) struct Reached<'a> {
+    /// How far the journal has come.
+    pub mark: Option<&'a Mark>,
+    /// The digest of its rows.
+    pub digest: u64,
+    /// How far the file has come without its write-ahead file, where that can be read.
+    pub alone: Option<&'a Mark>,
+    /// How far its copy has come.
+    pub copy: Option<&'a Mark>,
+}
+
+/// Compares a journal with its seal and its copy, which were read before it.
+pub(super) fn compare(journal: &Reached<'_>, found: &Found) -> Verdict {
+    let Reached { mark, digest, alone, copy } = *journal;
     let reached = mark.map_or(0, |mark| mark.generation);
     let lacks = |last: u64| match last - reached {
         1 => "its last change".to_owned(),
@@ -181,6 +193,10 @@ pub(super) fn compare(
         if reached == theirs.generation && seal.digest.is_some_and(|it| it != digest) {
             return Verdict::Damaged("its rows are not those that Kerf left in it".into());
         }
+    }
+    let rested = found.seal().map_or(0, |seal| seal.rested);
+    if alone.is_some_and(|alone| alone.generation < rested) {
+        return Verdict::Damaged("it is older than its write-ahead file".into());
     }
     if let Some(copy) = copy.filter(|copy| copy.generation > reached) {
         let lacks = lacks(copy.generation);
@@ -203,13 +219,13 @@ mod tests {
     }
 
     fn sealed(generation: u64, digest: Option<u64>) -> Found {
-        Found::Sound(Seal { mark: mark("a", generation), digest })
+        Found::Sound(Seal { mark: mark("a", generation), rested: 1, digest })
     }
 
     #[test]
     fn a_torn_line_leaves_the_other() {
         let folder = tempfile::tempdir().unwrap();
-        let seal = |generation, digest| Seal { mark: mark("a", generation), digest };
+        let seal = |generation, digest| Seal { mark: mark("a", generation), rested: 2, digest };
         assert_eq!(Found::in_folder(folder.path()).unwrap(), Found::None);
         for (generation, digest) in [(1, None), (2, None), (3, Some(7)), (4, None), (5, None)] {
             seal(generation, digest).write(folder.path()).unwrap();
@@ -233,8 +249,9 @@ mod tests {
     #[test]
     fn a_journal_behind_its_seal_or_its_copy_is_damaged() {
         let check = |mark: Option<Mark>, found: Found, copy: Option<Mark>, wanted: &str| {
-            let said = format!("{:?}", compare(mark.as_ref(), 7, &found, copy.as_ref()));
-            assert!(said.contains(wanted), "{said}: {wanted}");
+            let (mark, copy) = (mark.as_ref(), copy.as_ref());
+            let said = compare(&Reached { mark, digest: 7, alone: mark, copy }, &found);
+            assert!(format!("{said:?}").contains(wanted), "{said:?}: {wanted}");
         };
         let at = |generation| Some(mark("a", generation));
         check(at(5), sealed(5, Some(7)), at(4), "Whole");
@@ -246,6 +263,11 @@ mod tests {
         check(at(5), sealed(5, Some(8)), None, "not those that Kerf left");
         check(Some(mark("b", 9)), sealed(5, None), None, "another data folder");
         check(at(5), sealed(5, None), at(7), "older than its copy");
+        let old = Seal { mark: mark("a", 5), rested: 4, digest: None };
+        let (five, three) = (mark("a", 5), mark("a", 3));
+        let journal = Reached { mark: Some(&five), digest: 7, alone: Some(&three), copy: None };
+        let said = format!("{:?}", compare(&journal, &Found::Sound(old)));
+        assert!(said.contains("older than its write-ahead file"), "{said}");
         check(at(5), Found::None, None, "Doubtful(\"is gone\")");
         check(at(5), Found::Broken, None, "Doubtful(\"is damaged\")");
     }
