@@ -3,13 +3,15 @@
 use crate::Work;
 use crate::before::Whole;
 use crate::errands::unconfirmed;
+use crate::event::Event;
 use crate::journal::{
-    CutShort, Journal, JournalError, KeptWork, Owner, Placed, Remembered, RunUnderWay, Tape,
-    Whereabouts,
+    CutShort, Journal, JournalError, KeptWork, KnownMachine, Owner, Placed, Remembered,
+    RunUnderWay, Tape, Whereabouts,
 };
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::switches::{self, SWITCHES};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::Settings;
 use kerf_sim::Machine;
 
@@ -31,6 +33,21 @@ impl Session {
         session.machine_is = remembered.machine.clone();
         session.stands_as(remembered, shelf);
         Ok((session, whereabouts))
+    }
+
+    /// Looks whether `machine.toml` is as Kerf left it. Where it describes another machine, locations are confirmed
+    /// once, and what was found is told.
+    ///
+    /// # Errors
+    /// As the journal or the file cannot be read or written.
+    pub fn meet_machine(&self, shelf: &mut Shelf) -> Result<Option<String>, JournalError> {
+        let Some(journal) = shelf.journal().cloned() else { return Ok(None) };
+        let told = KnownMachine(&journal).meet()?;
+        if let Some(told) = &told {
+            journal.tell(told);
+            shelf.doubts_location(self.machine_is.motors.axes());
+        }
+        Ok(told)
     }
 
     /// The machine stands as it is on record.
@@ -98,6 +115,11 @@ impl Session {
         journal.move_settings()?;
         if settings.is_none() {
             journal.refresh(self)?;
+        }
+        if let Some(told) = self.meet_machine(shelf)? {
+            let place = Place::line(journal.machine_file().name().into(), 1);
+            let told = Diagnostic::new(Code::AnotherMachine, place, told);
+            company.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }
         // A controller says itself where it stands.
         if options.controller.is_none() {

@@ -76,6 +76,7 @@ mod waiting;
 mod warning;
 mod work;
 mod world;
+mod world_clock;
 
 pub use before::Before;
 pub use by_hand::Jog;
@@ -95,3 +96,4 @@ pub use standing::{OpenFile, Standing, flag};
 pub use tally::{Tally, ToolPathTime};
 pub use text::{Outcome, TextOptions, run_text};
 pub use work::Work;
+pub use world_clock::WorldClock;

@@ -4,7 +4,8 @@
 //! What a V command changes is written back when the run is over, each value in its place, so that
 //! comments and everything else stay as somebody wrote them.
 
-use crate::files::{Disk, RealDisk};
+use crate::files::{Disk, RealDisk, write_private};
+use crate::journal::{Journal, JournalError, KnownMachine};
 use kerf_diag::Diagnostic;
 use kerf_machine::profile::PROFILES;
 use kerf_machine::{Configuration, Value, contradictions, file, table};
@@ -18,7 +19,11 @@ pub const MACHINE_FILE: &str = "machine.toml";
 
 /// Where the configuration of a machine lies.
 #[derive(Clone, Debug)]
-pub struct MachineFile(PathBuf);
+pub struct MachineFile {
+    path: PathBuf,
+    /// Who is told what Kerf leaves in it.
+    journal: Option<Journal>,
+}
 
 /// Why a configuration cannot be read or changed.
 #[derive(Debug, thiserror::Error)]
@@ -34,6 +39,9 @@ pub enum MachineFileError {
     /// Its mistakes, a line each.
     #[error("{0}")]
     Mistakes(String),
+    /// The journal cannot keep what the file says.
+    #[error("{0}")]
+    Journal(String),
     /// What a run has set does not go together.
     #[error("{message} ({hint}); the machine's settings stay as they were")]
     Contradiction {
@@ -47,24 +55,35 @@ pub enum MachineFileError {
 impl MachineFile {
     /// A file.
     pub fn at(path: impl Into<PathBuf>) -> Self {
-        Self(path.into())
+        Self { path: path.into(), journal: None }
     }
 
     /// The one of a data folder.
     pub fn of_data(folder: &Path) -> Self {
-        Self(folder.join(MACHINE_FILE))
+        Self::at(folder.join(MACHINE_FILE))
+    }
+
+    /// The same; this journal knows what Kerf leaves in it, and tells when somebody else leaves another machine there.
+    #[must_use]
+    pub fn known_to(self, journal: &Journal) -> Self {
+        Self { journal: Some(journal.clone()), ..self }
+    }
+
+    /// Whether it is the one of a data folder.
+    pub(crate) fn is_of(&self, folder: &Path) -> bool {
+        self.path == folder.join(MACHINE_FILE)
     }
 
     /// Its name, for messages.
     pub fn name(&self) -> String {
-        self.0.display().to_string()
+        self.path.display().to_string()
     }
 
     /// Nobody else changes the files of its folder for as long as this is held: two who change a setting each at the same
     /// moment both do. Where the system has no such locks there is none.
     #[must_use]
     pub fn alone(&self) -> Option<File> {
-        let folder = self.0.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let folder = self.path.parent().filter(|folder| !folder.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new("."));
         // One that cannot be made is told where the file is written.
         drop(RealDisk.make_folder(folder));
@@ -88,13 +107,13 @@ impl MachineFile {
     }
 
     /// Keeps a text beside the file, under a name that is free.
-    fn keep_beside(&self, text: &str) -> Result<PathBuf, MachineFileError> {
+    pub(crate) fn keep_beside(&self, text: &str) -> Result<PathBuf, MachineFileError> {
         let name = |n: u32| match n {
             1 => PathBuf::from(format!("{}.before", self.name())),
             n => PathBuf::from(format!("{}.before-{n}", self.name())),
         };
         let free = (1..).map(name).find(|path| !path.exists()).unwrap_or_else(|| name(0));
-        RealDisk.write(&free, text.as_bytes()).map_err(|error| self.of_disk(error))?;
+        write_private(&free, text.as_bytes()).map_err(|error| self.of_disk(error))?;
         Ok(free)
     }
 
@@ -103,7 +122,7 @@ impl MachineFile {
     /// # Errors
     /// As it cannot be read.
     pub fn text(&self) -> Result<Option<String>, MachineFileError> {
-        match RealDisk.read(&self.0) {
+        match RealDisk.read(&self.path) {
             Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(self.of_disk(error)),
@@ -125,9 +144,17 @@ impl MachineFile {
     /// As it cannot be written, or read.
     pub fn write(&self, text: &str) -> Result<(), MachineFileError> {
         self.read(text)?;
-        let folder = self.0.parent().unwrap_or(Path::new(""));
+        let known = self.journal.as_ref().map(KnownMachine);
+        let before = self.text()?;
+        let expects = known.as_ref().map(|known| known.expects(before.as_deref(), text));
+        let expected = expects.transpose().map_err(not_known)?.unwrap_or_default();
+        let folder = self.path.parent().unwrap_or(Path::new(""));
         let made = RealDisk.make_folder(folder);
-        made.and_then(|()| RealDisk.write(&self.0, text.as_bytes())).map_err(|e| self.of_disk(e))
+        // It may hold the hash of a password.
+        let written = made.and_then(|()| write_private(&self.path, text.as_bytes()));
+        written.map_err(|error| self.of_disk(error))?;
+        let known = known.filter(|_| expected).map(|known| known.is(Some(text)));
+        known.transpose().map_err(not_known).map(drop)
     }
 
     /// Writes back what a run has changed of the settings it began with. What somebody else changed in
@@ -214,8 +241,12 @@ impl MachineFile {
     }
 
     fn of_disk(&self, why: io::Error) -> MachineFileError {
-        MachineFileError::Disk { path: self.0.clone(), why }
+        MachineFileError::Disk { path: self.path.clone(), why }
     }
+}
+
+fn not_known(error: JournalError) -> MachineFileError {
+    MachineFileError::Journal(error.to_string())
 }
 
 /// Numbers without the noise in the last digit that a conversion from inches leaves.

@@ -249,6 +249,8 @@ codes! {
         "Every converted file is read back and followed, and its moves are compared with those of the source. They differed, so nothing was written. This is a fault of Kerf: please report it with the file.";
     Journal "J001" Warning "the run is not on record"
         "The journal in the data folder cannot be written, because the disk is full or the folder may not be changed. The run goes on: stopping in the middle of a cut would spoil the work. Should the power fail now, it could be taken up only from where the journal ended. Make room; as soon as the journal can be written again, it is.";
+    AnotherMachine "J002" Warning "machine.toml is not as Kerf left it"
+        "The file in the data folder describes another machine than the one that Kerf left in it: somebody edited it, an older file came back, or it lost its bytes. It holds as it is now. Lengths, units and motors may be others, so locations are confirmed once before the next cut. The machine as Kerf left it is kept beside the file.";
     NotKept "C004" Note "a construct that cannot be kept"
         "With --keep-variables the converted file keeps variables, conditions and subroutines where both languages can say them. This line has something that the other language cannot say, so the whole program was written as the moves it makes.";
 

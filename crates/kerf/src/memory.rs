@@ -5,6 +5,7 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
+use kerf_control::files;
 use kerf_control::journal::{Journal, JournalError, Whereabouts};
 use kerf_control::{Session, Shelf, unconfirmed, unverified};
 use std::path::Path;
@@ -21,15 +22,32 @@ pub fn journal(data: &Path, looks: bool) -> Result<Option<Journal>> {
     if looks {
         return Ok(Journal::look(data)?);
     }
+    sweep(data);
     let (journal, told) = Journal::open(data)?;
     told.iter().for_each(|line| eprintln!("kerf: {line}"));
     Ok(Some(journal))
+}
+
+/// Removes what killed writers left half written in a folder, and says so.
+pub fn sweep(folder: &Path) {
+    match files::sweep(folder) {
+        0 => {}
+        1 => eprintln!(
+            "kerf: removed a file from {} that a killed Kerf left half written",
+            folder.display()
+        ),
+        n => eprintln!(
+            "kerf: removed {n} files from {} that a killed Kerf left half written",
+            folder.display()
+        ),
+    }
 }
 
 /// The machine as its journal remembers it.
 pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Session> {
     let (session, whereabouts) = Session::recall(journal, shelf)?;
     if !looks {
+        session.meet_machine(shelf)?.iter().for_each(|told| eprintln!("kerf: {told}"));
         tell(journal, shelf, whereabouts)?;
     }
     Ok(session)

@@ -3,7 +3,7 @@
 use crate::stop::Stop;
 use anyhow::Result;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
-use kerf_control::{Pace, Script, Wish};
+use kerf_control::{Pace, Script, Wish, WorldClock};
 use kerf_program::{Question, QuestionKind};
 use std::cell::Cell;
 use std::io::{self, Write};
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{sleep, spawn};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Answers from a script, then from a person when there is one.
 pub struct Person {
@@ -180,8 +180,8 @@ pub struct RealPace {
     clock: Clock,
     script: Script,
     stop: Stop,
-    /// The moment of the world at which machine time was last seen, and that machine time.
-    seen: Option<(Instant, f64)>,
+    /// Machine time by the clock of the world.
+    world: WorldClock,
 }
 
 impl RealPace {
@@ -189,7 +189,7 @@ impl RealPace {
     pub fn new(clock: Clock, script: Script) -> Result<Self> {
         let stop = Stop::listen()?;
         stop.instead_of_suspending()?;
-        Ok(Self { clock, script, stop, seen: None })
+        Ok(Self { clock, script, stop, world: WorldClock::new(1.0) })
     }
 
     /// Whether Kerf was asked to stop.
@@ -203,9 +203,8 @@ impl RealPace {
         if self.clock == Clock::Fast {
             return self.stop.is_wanted().then_some(from_s);
         }
-        let (since, since_s) = *self.seen.get_or_insert_with(|| (Instant::now(), from_s));
         loop {
-            let now_s = since_s + since.elapsed().as_secs_f64();
+            let now_s = self.world.now(from_s);
             if self.stop.is_wanted() {
                 return Some(now_s.clamp(from_s, to_s));
             }
@@ -240,6 +239,6 @@ impl Pace for RealPace {
 
     fn heard(&mut self) {
         self.stop.hear();
-        self.seen = None;
+        self.world.begin_anew();
     }
 }

@@ -6,9 +6,10 @@
 
 mod shop;
 
+use kerf_control::journal::Journal;
 use shop::{Did, Shop};
 use std::fs;
-use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
 use std::os::unix::process::CommandExt;
 use std::process::Command;
 use std::time::{Duration, SystemTime};
@@ -103,6 +104,12 @@ fn as_nobody(shop: &Shop, args: &str) -> Did {
 fn in_a_folder_that_cannot_be_written_nothing_starts() {
     let shop = shop();
     fs::set_permissions(shop.path(), fs::Permissions::from_mode(0o755)).unwrap();
+    // They are nobody's but their owner's.
+    for entry in fs::read_dir(shop.file("data")).unwrap().map(Result::unwrap) {
+        if fs::metadata(shop.path()).unwrap().uid() == 0 {
+            chown(entry.path(), Some(65534), None).unwrap();
+        }
+    }
     fs::set_permissions(shop.file("data"), fs::Permissions::from_mode(0o555)).unwrap();
     if fs::metadata(env!("CARGO_BIN_EXE_kerf")).unwrap().mode() & 0o001 == 0 {
         return;
@@ -148,6 +155,39 @@ fn an_empty_journal_is_told_and_rescued() {
     }
 }
 
+/// The server, the pages and `kerf` write `machine.toml`; whatever else lies there is told, and locations are confirmed once.
+#[test]
+fn another_machine_file_is_told_and_confirmed_once() {
+    let shop = shop();
+    shop.kerf("machine set speeds.cut.xy 101.6").exits(0);
+    let known = shop.read("data/machine.toml");
+    let unmoved = |did: &Did| assert!(!did.err().contains("not verified"), "{}", did.err());
+    let file = shop.file("data/machine.toml");
+    let check = |text: Option<&str>, how: &str| {
+        match text {
+            Some(text) => fs::write(&file, text).unwrap(),
+            None => fs::remove_file(&file).unwrap(),
+        }
+        let first = shop.kerf("run x.sbp --quiet");
+        first.exits(3).complains("machine.toml").complains(how).complains("not verified");
+        first.complains("speeds.cut.xy was 101.6").complains("as Kerf left it, it is kept as");
+        shop.write("yes", b"location=Continue\n");
+        shop.kerf("run x.sbp --quiet --answers yes").exits(0);
+        unmoved(&shop.kerf("run x.sbp --quiet"));
+        assert_eq!(x(&shop), "5", "{how}");
+        fs::write(&file, &known).unwrap();
+        shop.kerf("run x.sbp --quiet").exits(3).complains("not as Kerf left it");
+        shop.kerf("run x.sbp --quiet --answers yes").exits(0);
+    };
+    unmoved(&shop.kerf("run x.sbp --quiet"));
+    check(None, "is gone");
+    check(Some(""), "is empty");
+    check(Some("[speeds.cut]\nxy = 25\n"), "is not as Kerf left it");
+    // Who only writes a comment changes no machine.
+    fs::write(&file, format!("# mine\n{known}")).unwrap();
+    unmoved(&shop.kerf("run x.sbp --quiet"));
+}
+
 #[test]
 fn a_damaged_page_is_told_and_rescued() {
     let shop = shop();
@@ -172,8 +212,8 @@ fn killed_job(shop: &Shop, zone: &str) {
     let mut command = shop.command();
     let args = "run many.svg --config repeated.toml --pace real --quiet";
     let mut job = command.args(args.split_whitespace()).env("TZ", zone).spawn().unwrap();
-    let journal = shop.file("data/journal.db-wal");
-    let moves = || fs::read(&journal).is_ok_and(|b| b.windows(13).any(|w| w == b"\"moving\":true"));
+    let cut = || Journal::look(&shop.file("data")).ok()??.cut_short().ok()?;
+    let moves = || cut().is_some_and(|cut| cut.moved());
     while !moves() {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }

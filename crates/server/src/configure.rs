@@ -9,7 +9,11 @@ use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::AXES;
 use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Why, ZHeights};
-use std::sync::mpsc::Sender;
+use std::sync::mpsc::{Sender, channel};
+use std::time::Duration;
+
+/// Whoever changes a setting waits so long for the disk.
+const ON_DISK_WITHIN: Duration = Duration::from_secs(10);
 
 /// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
 pub const PASSWORD: &str = "options.password";
@@ -96,15 +100,39 @@ fn written(value: &Value) -> String {
 }
 
 impl App {
-    /// Changes a setting.
+    /// Changes a setting, and comes back when it is on the disk.
     ///
     /// # Errors
-    /// There is no such setting, it does not accept the value, or it would contradict another.
+    /// There is no such setting, it does not accept the value, it would contradict another, or it cannot be kept.
     pub fn configure(&self, key: &str, value: &str) -> Result<(), Problem> {
         let mut wanted = lock(&self.left).session.configuration();
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
-        self.order(Order::Configure(setting, Box::new(wanted)))
+        self.keep_on_disk(setting, wanted)
+    }
+
+    /// Has another configuration, of which this setting is new, and comes back when that is on the disk.
+    ///
+    /// # Errors
+    /// The machine is busy, or the setting cannot be kept.
+    pub fn keep_on_disk(
+        &self,
+        setting: &'static Setting,
+        wanted: Configuration,
+    ) -> Result<(), Problem> {
+        let (tells, told) = channel();
+        self.order(Order::Configure { setting, wanted: Box::new(wanted), tells })?;
+        match told.recv_timeout(ON_DISK_WITHIN) {
+            Ok(kept) => kept.map_err(|why| problem(Why::Server, why)),
+            Err(_) => {
+                let within = ON_DISK_WITHIN.as_secs();
+                let text = format!(
+                    "{} is not on the disk after {within} s: look at the disk, and whether the setting is as you want it",
+                    setting.key
+                );
+                Err(problem(Why::Server, text))
+            }
+        }
     }
 
     /// Changes settings until Kerf ends, all of them or none; somebody is told when they hold.
@@ -134,7 +162,8 @@ impl App {
         }
         let Some(setting) = table::setting("options.join_mm") else { return };
         if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
-            drop(self.order(Order::Configure(setting, Box::new(wanted))));
+            let (tells, _) = channel();
+            drop(self.order(Order::Configure { setting, wanted: Box::new(wanted), tells }));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The part folder, and nothing outside it.
 
+use crate::names;
 use kerf_control::MOST_BYTES;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_wire::{FileInfo, Problem, Why};
@@ -50,6 +51,11 @@ impl PartFolder {
         };
         let folder = folder.canonicalize().map_err(|error| problem(name, &error))?;
         let place = folder.join(file);
+        // What is there already has its name.
+        if !place_is_there(&folder.join(file)) {
+            let why = name.split('/').find_map(names::why_not);
+            why.map_or(Ok(()), |text| Err(Problem { why: Why::File, text }))?;
+        }
         // What is written over may be a link that leads elsewhere.
         let is_link = fs::symlink_metadata(&place).is_ok_and(|m| !m.is_file());
         if folder.starts_with(&self.root) && !is_link { Ok(place) } else { Err(outside(name)) }
@@ -138,8 +144,21 @@ fn outside(name: &str) -> Problem {
     Problem { why: Why::File, text }
 }
 
+fn place_is_there(place: &Path) -> bool {
+    fs::symlink_metadata(place).is_ok()
+}
+
 fn problem(name: &str, error: &io::Error) -> Problem {
-    Problem { why: Why::File, text: format!("{name}: {error}") }
+    use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
+    match error.kind() {
+        StorageFull | FileTooLarge | QuotaExceeded => {
+            let text = format!(
+                "{name} is not written, it is as it was before: the disk is full; make room ({error})"
+            );
+            Problem { why: Why::Full, text }
+        }
+        _ => Problem { why: Why::File, text: format!("{name}: {error}") },
+    }
 }
 
 #[cfg(test)]

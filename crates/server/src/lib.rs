@@ -36,6 +36,7 @@ mod job;
 mod job_by_hand;
 mod lanes;
 mod machine;
+mod names;
 mod operations;
 mod paths;
 mod people;
@@ -56,10 +57,10 @@ pub use kerf_wire::{Role, StartUp};
 pub use people::TOKEN_FILE;
 pub use setup::{Builders, Options, Workshop};
 
-use app::{App, Parts};
+use app::{App, Parts, problem};
 use files::PartFolder;
 use hub::Hub;
-use kerf_wire::Snapshot;
+use kerf_wire::{Problem, Request, Snapshot, Who, Why};
 use machine::{Left, Link, Order, Owner};
 use pool::{KERF, Lane};
 use priority::Yields;
@@ -139,6 +140,17 @@ impl Server {
     /// A code by which a device is paired that asks for it.
     pub fn show_code(&self, role: Role) -> Option<String> {
         self.app.devices.show_code(role).ok()
+    }
+
+    /// Does what a page on this computer asks for: a request as it would come over the socket. Gives what was noticed.
+    ///
+    /// # Errors
+    /// It makes no sense, or is not done.
+    pub fn ask(&self, role: Role, request: &str) -> Result<Vec<String>, Problem> {
+        let read = serde_json::from_str::<Request>(request);
+        let request = read.map_err(|error| problem(Why::Malformed, error.to_string()))?;
+        let asker = self.app.hears(&Who { client: 0, role, device: String::new() });
+        self.app.act(&asker, request.act)
     }
 
     /// Stops the machine, as the button does.
@@ -251,6 +263,7 @@ fn machine_and_app(
             run: 0,
             looked: None,
         };
+        owner.tell_found();
         owner.begin();
         drop(ready.send(Ok(())));
         owner.work(&waiting);

@@ -2,7 +2,6 @@
 
 use crate::app::{App, lock, problem};
 use crate::configure::PASSWORD;
-use crate::machine::Order;
 use kerf_control::password;
 use kerf_machine::{Value, table};
 use kerf_wire::{Problem, Tone, Who, Why};
@@ -61,7 +60,7 @@ impl App {
             .set(&mut wanted, &value)
             .map_err(|error| problem(Why::Mistake, error.to_string()))?;
         self.unlocked.clear();
-        self.order(Order::Configure(setting, Box::new(wanted)))
+        self.keep_on_disk(setting, wanted)
     }
 
     /// Takes the password: whoever gave it may change settings for a while.

@@ -56,4 +56,6 @@ pub enum Why {
     Late,
     /// Something went wrong in the server.
     Server,
+    /// The disk is full; what was there is as it was.
+    Full,
 }

@@ -11,14 +11,17 @@
 
 mod disk;
 mod folders;
+mod leftovers;
 mod memory;
 mod open;
+pub(crate) mod private;
 mod real;
 mod scratch;
 mod shipped;
 
 pub use disk::Disk;
 pub use folders::{Folders, Purpose, custom_name};
+pub use leftovers::sweep;
 pub use memory::MemoryDisk;
 pub use open::{OpenFiles, to_open};
 pub use real::{RealDisk, write_private};

@@ -1,9 +1,10 @@
 //! The disk of the computer.
 
-use super::Disk;
+use super::{Disk, leftovers};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
+use tempfile::{Builder, NamedTempFile};
 
 /// The disk of the computer.
 #[derive(Clone, Copy, Debug, Default)]
@@ -50,7 +51,7 @@ impl Disk for RealDisk {
     }
 
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        replace(path, bytes).map_err(without_path)
+        replace(path, bytes, beside(path)).map_err(without_path)
     }
 
     fn append(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -63,16 +64,11 @@ impl Disk for RealDisk {
 /// # Errors
 /// Whatever the disk says.
 pub fn write_private(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    // New files of this kind are nobody else's.
-    let beside = tempfile::NamedTempFile::new_in(folder_of(path))?;
-    put(beside, path, bytes).map_err(without_path)
+    replace(path, bytes, secret_beside(path)).map_err(without_path)
 }
 
-fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    put(beside(path)?, path, bytes)
-}
-
-fn put(mut beside: tempfile::NamedTempFile, path: &Path, bytes: &[u8]) -> io::Result<()> {
+fn replace(path: &Path, bytes: &[u8], beside: io::Result<NamedTempFile>) -> io::Result<()> {
+    let mut beside = beside?;
     beside.write_all(bytes)?;
     beside.as_file().sync_all()?;
     beside.persist(path).map_err(|e| e.error)?;
@@ -88,8 +84,10 @@ fn without_path(error: io::Error) -> io::Error {
 }
 
 /// A new file in the folder of another; gone unless it is put in that one's place.
-fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
-    let mut beside = tempfile::Builder::new();
+fn beside(path: &Path) -> io::Result<NamedTempFile> {
+    let prefix = leftovers::prefix();
+    let mut beside = Builder::new();
+    let beside = beside.prefix(&prefix).suffix(leftovers::SUFFIX);
     #[cfg(unix)]
     let beside = {
         use std::os::unix::fs::PermissionsExt;
@@ -97,7 +95,23 @@ fn beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
         let new = || fs::Permissions::from_mode(0o666);
         beside.permissions(fs::metadata(path).map_or_else(|_| new(), |known| known.permissions()))
     };
-    beside.tempfile_in(folder_of(path))
+    held(beside.tempfile_in(folder_of(path)))
+}
+
+/// The same for a file that only its owner reads.
+fn secret_beside(path: &Path) -> io::Result<NamedTempFile> {
+    let prefix = leftovers::prefix();
+    // Temporary files are secret unless they are told otherwise.
+    held(Builder::new().prefix(&prefix).suffix(leftovers::SUFFIX).tempfile_in(folder_of(path)))
+}
+
+/// The file is locked for as long as it is written: who sweeps the folder leaves it.
+fn held(file: io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
+    let file = file?;
+    // Without locks its age keeps it.
+    #[cfg(unix)]
+    drop(file.as_file().try_lock());
+    Ok(file)
 }
 
 fn folder_of(path: &Path) -> &Path {

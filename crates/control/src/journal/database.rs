@@ -1,6 +1,7 @@
 //! The SQLite file: how it is opened, what it says when something is wrong.
 
 use super::JournalError;
+use crate::files::private;
 use rusqlite::{Connection, ErrorCode, OpenFlags, ffi};
 use std::path::Path;
 use std::time::Duration;
@@ -86,7 +87,11 @@ const fn no_room(code: i32) -> bool {
 /// Opens the file; with tables in it when it may be changed.
 pub(super) fn open(file: &Path, access: Access) -> Result<Connection, Trouble> {
     let connection = match access {
-        Access::Write => Connection::open(file)?,
+        Access::Write => {
+            // SQLite makes the files beside it as it finds this one.
+            private::make(file);
+            Connection::open(file)?
+        }
         Access::Look => look(file)?,
     };
     connection.busy_timeout(PATIENCE)?;
@@ -128,18 +133,33 @@ fn look(file: &Path) -> Result<Connection, Trouble> {
                 Some(ErrorCode::CannotOpen | ErrorCode::ReadOnly)
             ) =>
         {
-            let name = file.to_string_lossy().replace('%', "%25").replace(['?', '#'], "%3f");
-            let uri = format!("file:{name}?immutable=1");
-            Ok(Connection::open_with_flags(uri, flags | OpenFlags::SQLITE_OPEN_URI)?)
+            Ok(as_it_is(file)?)
         }
         opened => Ok(opened?),
     }
 }
 
+/// The file without its write-ahead file. Nothing is changed or made beside it.
+pub(super) fn as_it_is(file: &Path) -> rusqlite::Result<Connection> {
+    let name = file.to_string_lossy().replace('%', "%25").replace('?', "%3f").replace('#', "%23");
+    let uri = format!("file:{name}?immutable=1");
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
+    Connection::open_with_flags(uri, flags)
+}
+
 /// Whether the pages of the file fit together.
-fn sound(connection: &Connection) -> Result<(), Trouble> {
+pub(super) fn sound(connection: &Connection) -> Result<(), Trouble> {
     let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
-    if found == "ok" { Ok(()) } else { Err(Trouble::Damaged(found)) }
+    match found.as_str() {
+        "ok" => Ok(()),
+        _ => Err(Trouble::Damaged("its pages do not fit together".into())),
+    }
+}
+
+/// Whether there is something to read.
+pub(super) fn has_tables(connection: &Connection) -> Result<bool, Trouble> {
+    let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
+    Ok(version != 0)
 }
 
 /// Whether each commit waits for the disk.
@@ -147,8 +167,18 @@ pub(super) fn synchronous(connection: &Connection, each: bool) -> Result<(), Tro
     Ok(connection.pragma_update(None, "synchronous", if each { "FULL" } else { "NORMAL" })?)
 }
 
+/// Puts every change into the file itself and empties the write-ahead file, unless somebody reads at this moment; whether
+/// it was done.
+pub(super) fn checkpoint(connection: &Connection) -> Result<bool, Trouble> {
+    connection.busy_timeout(Duration::ZERO)?;
+    let busy = connection.query_row("PRAGMA wal_checkpoint(TRUNCATE)", [], |row| row.get(0));
+    connection.busy_timeout(PATIENCE)?;
+    Ok(busy.map(|busy: i64| busy == 0)?)
+}
+
 /// Writes a copy of the whole into a new file.
 pub(super) fn copy(connection: &Connection, to: &Path) -> Result<(), Trouble> {
+    private::make(to);
     connection.execute("VACUUM INTO ?1", [to.to_string_lossy()])?;
     Ok(())
 }

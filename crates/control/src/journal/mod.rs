@@ -13,15 +13,19 @@
 //! - A change is in the file before what follows from it happens (write-ahead). Between two moves
 //!   of a run that are closer than [`progress::EVERY`] nothing is written, unless machine time is
 //!   the time of the world.
+//! - Every change counts the generation up, and a second file follows it ([`seal`]): a journal that lost its newest changes
+//!   is damaged, and so is one that is older than its copy ([`copy`]). At rest everything is in the one file.
 //! - One process owns the machine ([`Journal::own`]); others may look, and set values.
 //! - Order is the order of writing; no decision depends on a clock.
 //! - Settings are none of its business: they are in `machine.toml` beside it ([`settings`]).
 
 mod contents;
+mod copy;
 mod database;
 mod error;
 mod history;
 mod kept_work;
+mod known_machine;
 mod live;
 mod mirror;
 mod place;
@@ -29,6 +33,7 @@ mod progress;
 mod remembered;
 mod rescue;
 mod rows;
+mod seal;
 mod settings;
 mod tape;
 mod under_way;
@@ -36,17 +41,20 @@ mod under_way;
 pub use error::JournalError;
 pub use history::Past;
 pub(crate) use kept_work::KeptWork;
+pub(crate) use known_machine::KnownMachine;
 pub use live::Live;
 pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;
 use remembered::Standing;
 pub use remembered::{Remembered, Whereabouts};
+pub use seal::SEAL_FILE;
 pub(crate) use tape::{Kind, Tape, Turn};
 pub use under_way::{CutShort, RunUnderWay};
 
 use database::Access;
 use rows::{Rows, Table, json};
 use rusqlite::Connection;
+use seal::{Mark, Seal, Verdict};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -63,12 +71,26 @@ const OWNER_FILE: &str = "owner.lock";
 /// A journal that is open. Clones are the same journal.
 #[derive(Clone, Debug)]
 pub struct Journal {
-    database: Arc<Mutex<Connection>>,
+    database: Arc<Mutex<Opened>>,
     folder: Arc<Path>,
     /// What `machine.toml` said when it was looked at last.
     known: Arc<Mutex<settings::Known>>,
     /// What it said of the machine when that was read last, or left by this process.
     seen: Arc<Mutex<Option<Standing>>>,
+    /// What was found wrong since it was opened.
+    told: Arc<Mutex<Vec<String>>>,
+}
+
+/// The file that is open.
+#[derive(Debug)]
+struct Opened {
+    connection: Connection,
+    /// Each commit waits for the disk; then the seal follows at once.
+    lasts: bool,
+    /// Nothing was changed since everything was put into the file itself.
+    rests: bool,
+    /// The generation that is in the file itself.
+    rested: u64,
 }
 
 /// The right to move the machine; ends with the value, or with the process.
@@ -81,6 +103,8 @@ pub struct Owner {
 impl Drop for Owner {
     fn drop(&mut self) {
         self.journal.has_seen();
+        // What cannot be put into the file itself now is in the one beside it.
+        drop(self.journal.rest());
     }
 }
 
@@ -93,13 +117,27 @@ impl Journal {
     pub fn open(folder: &Path) -> Result<(Self, Vec<String>), JournalError> {
         std::fs::create_dir_all(or_here(folder))
             .map_err(|error| JournalError::of_disk(folder, &error))?;
-        match Self::open_sound(folder, Access::Write) {
+        let (journal, mut told) = match Self::open_sound(folder, Access::Write) {
             Err(JournalError::Damaged { what, .. }) => {
                 let told = rescue::rescue(folder, &what)?;
-                Ok((Self::open_sound(folder, Access::Write)?, told))
+                let rescued = Self::open_sound(folder, Access::Write)?.0;
+                rescued.back_up()?;
+                (rescued, told)
             }
-            opened => Ok((opened?, Vec::new())),
+            Ok((journal, Some(doubt))) => {
+                let told = rescue::doubt(&journal, &doubt)?;
+                (journal, told)
+            }
+            Ok((journal, None)) => (journal, Vec::new()),
+            Err(error) => return Err(error),
+        };
+        if let Some(wrong) = journal.wrong_copy()? {
+            let copy = journal.folder.join(BACKUP_FILE).display().to_string();
+            told.push(format!("{copy}, the copy of the journal, {wrong}: a new one was made"));
+            journal.back_up()?;
         }
+        told.iter().for_each(|line| journal.tell(line));
+        Ok((journal, told))
     }
 
     /// Opens the journal of a data folder to look at it; `None` where there is none.
@@ -108,22 +146,37 @@ impl Journal {
     /// Whatever keeps it from being read.
     pub fn look(folder: &Path) -> Result<Option<Self>, JournalError> {
         let file = std::fs::metadata(folder.join(JOURNAL_FILE));
-        match file.is_ok_and(|file| file.len() > 0) || rescue::lost(folder).is_some() {
-            true => Self::open_sound(folder, Access::Look).map(Some),
+        let lost = rescue::lost(folder, &seal_of(folder)?).is_some();
+        match file.is_ok_and(|file| file.len() > 0) || lost {
+            true => Ok(Some(Self::open_sound(folder, Access::Look)?.0)),
             false => Ok(None),
         }
     }
 
-    fn open_sound(folder: &Path, access: Access) -> Result<Self, JournalError> {
-        if let Some(lost) = rescue::lost(folder) {
+    /// Opens it, when nothing of it is lost; with the reason why nobody can tell that for sure.
+    fn open_sound(folder: &Path, access: Access) -> Result<(Self, Option<String>), JournalError> {
+        // The seal and the copy first: they never are ahead of the journal.
+        let seal = seal_of(folder)?;
+        if let Some(lost) = rescue::lost(folder, &seal) {
             return Err(lost);
         }
         let file = folder.join(JOURNAL_FILE);
-        let connection = database::open(&file, access)
-            .and_then(|connection| rows::check(&connection).map(|()| connection))
-            .map_err(|error| error.at(&file))?;
-        let (database, known) = (Arc::new(Mutex::new(connection)), Arc::default());
-        Ok(Self { database, folder: folder.into(), known, seen: Arc::default() })
+        let (copy, alone) = (copy::mark(&folder.join(BACKUP_FILE)), copy::mark(&file));
+        let opened = database::open(&file, access).and_then(|connection| {
+            let verdict = standing(&connection, &seal, copy.as_ref(), alone.as_ref())?;
+            Ok((connection, verdict))
+        });
+        let (connection, verdict) = opened.map_err(|error| error.at(&file))?;
+        let doubt = match verdict {
+            Verdict::Whole => None,
+            Verdict::Doubtful(why) => Some(why),
+            Verdict::Damaged(what) => return Err(JournalError::Damaged { path: file, what }),
+        };
+        let rested = seal.seal().map_or(0, |seal| seal.rested);
+        let opened = Opened { connection, lasts: true, rests: false, rested };
+        let (database, known) = (Arc::new(Mutex::new(opened)), Arc::default());
+        let (seen, told) = (Arc::default(), Arc::default());
+        Ok((Self { database, folder: folder.into(), known, seen, told }, doubt))
     }
 
     /// Takes the machine; nobody else may move it meanwhile.
@@ -146,6 +199,15 @@ impl Journal {
     /// The data folder.
     pub fn folder(&self) -> &Path {
         &self.folder
+    }
+
+    /// What was found wrong with the files of the data folder since it was opened.
+    pub fn told(&self) -> Vec<String> {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    pub(crate) fn tell(&self, line: &str) {
+        self.told.lock().unwrap_or_else(PoisonError::into_inner).push(line.to_owned());
     }
 
     /// The value of a key.
@@ -172,37 +234,54 @@ impl Journal {
         self.read(|rows| rows.all(Table::Value))
     }
 
-    /// A copy of the journal for the day on which it is damaged.
-    ///
-    /// # Errors
-    /// As the copy cannot be written.
-    pub fn back_up(&self) -> Result<(), JournalError> {
-        let (new, kept) = (self.folder.join("journal.backup.new"), self.folder.join(BACKUP_FILE));
-        let there = |error: std::io::Error| JournalError::of_disk(&kept, &error);
-        // What a process left that was killed here.
-        if new.exists() {
-            std::fs::remove_file(&new).map_err(there)?;
-        }
-        let copied = database::copy(&self.connection(), &new).map_err(|error| error.at(&kept));
-        copied.and_then(|()| std::fs::rename(&new, &kept).map_err(there))
-    }
-
     /// Whether a commit has to survive a power cut at once, or the death of the process only.
     pub(crate) fn each_commit_lasts(&self, lasts: bool) -> Result<(), JournalError> {
-        database::synchronous(&self.connection(), lasts).map_err(|error| self.located(error))
+        let mut opened = self.opened();
+        opened.lasts = lasts;
+        database::synchronous(&opened.connection, lasts).map_err(|error| self.located(error))
+    }
+
+    /// Nothing changes for a while: everything is put into the file itself, and sealed. Does nothing where that is so.
+    ///
+    /// # Errors
+    /// As the files cannot be written; then what was changed is in the write-ahead file still.
+    pub fn rest(&self) -> Result<(), JournalError> {
+        let mut opened = self.opened();
+        if opened.rests {
+            return Ok(());
+        }
+        let at_rest = at_rest(&opened.connection).map_err(|error| self.located(error))?;
+        let Some((rested, mark, digest)) = at_rest else { return Ok(()) };
+        opened.rested = rested;
+        self.seal(&Seal { mark, rested, digest: Some(digest) })?;
+        opened.rests = true;
+        Ok(())
+    }
+
+    fn seal(&self, seal: &Seal) -> Result<(), JournalError> {
+        let there = |error| JournalError::of_disk(&self.folder.join(SEAL_FILE), &error);
+        seal.write(&self.folder).map_err(there)
     }
 
     fn read<T>(&self, look: impl FnOnce(&Rows<'_>) -> rows::Result<T>) -> Result<T, JournalError> {
-        look(&Rows(&self.connection())).map_err(|error| self.located(error))
+        look(&Rows(&self.opened().connection)).map_err(|error| self.located(error))
     }
 
-    /// Changes that are made together or not at all.
+    /// Changes that are made together or not at all. The seal follows.
     fn write<T>(
         &self,
         change: impl FnOnce(&Rows<'_>) -> rows::Result<T>,
     ) -> Result<T, JournalError> {
-        let mut connection = self.connection();
-        rows::together(&mut connection, change).map_err(|error| self.located(error))
+        let mut opened = self.opened();
+        opened.rests = false;
+        let counted = |rows: &Rows<'_>| Ok((change(rows)?, Mark::count(rows)?));
+        let changed = rows::together(&mut opened.connection, counted);
+        let (changed, mark) = changed.map_err(|error| self.located(error))?;
+        // Where commits do not wait for the disk, the seal could be there before them.
+        if opened.lasts {
+            self.seal(&Seal { mark, rested: opened.rested, digest: None })?;
+        }
+        Ok(changed)
     }
 
     fn located(&self, error: database::Trouble) -> JournalError {
@@ -210,9 +289,44 @@ impl Journal {
     }
 
     /// A thread that panicked left no half-made change: the transaction was rolled back.
-    fn connection(&self) -> MutexGuard<'_, Connection> {
+    fn opened(&self) -> MutexGuard<'_, Opened> {
         self.database.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// The seal of a data folder.
+fn seal_of(folder: &Path) -> Result<seal::Found, JournalError> {
+    let there = |error| JournalError::of_disk(&folder.join(SEAL_FILE), &error);
+    seal::Found::in_folder(folder).map_err(there)
+}
+
+/// Puts everything into the file itself: the generation that is there, how far the journal has come, the digest of its
+/// rows. `None` while somebody reads, or where nothing was ever changed.
+fn at_rest(connection: &Connection) -> rows::Result<Option<(u64, Mark, u64)>> {
+    // Somebody else may change it behind the checkpoint.
+    let before = Mark::of(&Rows(connection))?;
+    if !database::checkpoint(connection)? {
+        return Ok(None);
+    }
+    let (mark, digest) = reached(connection)?;
+    Ok(before.zip(mark).map(|(before, mark)| (before.generation, mark, digest)))
+}
+
+fn reached(connection: &Connection) -> rows::Result<(Option<Mark>, u64)> {
+    rows::at_once(connection, |rows| Ok((Mark::of(rows)?, rows::digest(rows.0)?)))
+}
+
+/// How a journal that was opened stands to its seal and its copy.
+fn standing(
+    connection: &Connection,
+    seal: &seal::Found,
+    copy: Option<&Mark>,
+    alone: Option<&Mark>,
+) -> rows::Result<Verdict> {
+    // A write-ahead file that is lost may have held the very tables.
+    let there = database::has_tables(connection)?;
+    let (mark, digest) = if there { reached(connection)? } else { (None, 0) };
+    Ok(seal::compare(&seal::Reached { mark: mark.as_ref(), digest, alone, copy }, seal))
 }
 
 /// The folder we are in has an empty name in relative paths.

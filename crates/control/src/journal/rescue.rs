@@ -1,10 +1,11 @@
 //! What to do with a journal that is damaged: everything that can still be read is saved, row by
-//! row, the rest comes from the copy made when the last run was over. The damaged file stays, under
+//! row, what is newer comes from the copy made when the last run was over. The damaged file stays, under
 //! another name.
 
 use super::database::{self, Access};
 use super::rows::{self, Row, Rows, Table, key_text};
-use super::{BACKUP_FILE, JOURNAL_FILE, JournalError};
+use super::seal::{self, Found as SealFound, Mark, Reached, SEAL_FILE, Seal, Verdict};
+use super::{BACKUP_FILE, JOURNAL_FILE, Journal, JournalError};
 use crate::stopping::CONFIRM;
 use kerf_program::Axis;
 use kerf_sbp::POSITION_LOST;
@@ -14,19 +15,19 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// Rows by the text of their key.
-type Found = BTreeMap<String, Row>;
+/// Rows by the text of their key, each with the kind of file that it is from.
+type Found = BTreeMap<String, (Origin, Row)>;
 
-/// A journal whose bytes are gone, although there was one: it has a copy.
-pub(super) fn lost(folder: &Path) -> Option<JournalError> {
+/// A journal whose bytes are gone, although there was one: it has a copy, or a seal.
+pub(super) fn lost(folder: &Path, seal: &SealFound) -> Option<JournalError> {
     let path = folder.join(JOURNAL_FILE);
     let what = match fs::metadata(&path) {
         Ok(file) if file.len() == 0 => "it is empty",
         Err(error) if error.kind() == ErrorKind::NotFound => "it is gone",
         _ => return None,
     };
-    let copied = folder.join(BACKUP_FILE).is_file();
-    copied.then(|| JournalError::Damaged { path, what: what.into() })
+    let was_there = folder.join(BACKUP_FILE).is_file() || seal.seal().is_some();
+    was_there.then(|| JournalError::Damaged { path, what: what.into() })
 }
 
 /// Puts a sound file in the place of a damaged one and tells what was done.
@@ -34,37 +35,137 @@ pub(super) fn rescue(folder: &Path, what: &str) -> Result<Vec<String>, JournalEr
     let file = folder.join(JOURNAL_FILE);
     let aside = unused(folder);
     let moved = |error: std::io::Error| JournalError::of_disk(&file, &error);
+    let seal = SealFound::in_folder(folder).map_err(moved)?.seal().cloned();
     let there = file.exists();
     if there {
         move_with_log(&file, &aside).map_err(moved)?;
     }
-    let (damaged, backup) = (reader(&aside), reader(&folder.join(BACKUP_FILE)));
+    let sources = sources(&aside, &folder.join(BACKUP_FILE), seal.as_ref());
     let mut fresh = database::open(&file, Access::Write).map_err(|error| error.at(&file))?;
     let kept = if there { format!("; it is kept as {}", aside.display()) } else { String::new() };
-    let mut told = vec![format!("the journal was damaged ({what}){kept}")];
+    let mut told = vec![format!("the journal was damaged ({}: {what}){kept}", file.display())];
     let saved = rows::together(&mut fresh, |rows| {
         for table in Table::ALL {
-            let (here, copied) =
-                (sound_rows(damaged.as_ref(), table), sound_rows(backup.as_ref(), table));
-            told.extend(summed_up(table, &here, &copied));
-            for (key, bytes) in copied.into_iter().chain(here).collect::<Found>().into_values() {
+            let mut found = Found::new();
+            for source in &sources {
+                found.extend(source.rows(table));
+            }
+            told.extend(summed_up(table, &found));
+            for (_, (key, bytes)) in found.into_values() {
                 rows.put(table, key, &bytes)?;
             }
         }
-        let axes: String = Axis::ALL.into_iter().map(Axis::letter).collect();
-        rows.set(Table::Value, CONFIRM, Some(&axes))?;
-        rows.set(Table::Value, POSITION_LOST, Some(&axes))
+        next(&sources, seal.as_ref()).put(rows)?;
+        not_verified(rows)
     });
     saved.map_err(|error| error.at(&file))?;
-    told.push("locations are not verified".into());
+    told.push(NOT_VERIFIED.into());
     Ok(told)
 }
 
+/// What a person does about it.
+const NOT_VERIFIED: &str =
+    "locations are not verified: home the machine, zero its axes anew, or confirm them";
+
+/// A journal of which nobody can tell that it is the newest: its seal is gone, or damaged.
+pub(super) fn doubt(journal: &Journal, why: &str) -> Result<Vec<String>, JournalError> {
+    journal.write(not_verified)?;
+    let (seal, file) = (journal.folder.join(SEAL_FILE), journal.folder.join(JOURNAL_FILE));
+    let (seal, file) = (seal.display(), file.display());
+    Ok(vec![
+        format!("{seal} {why}: whether {file} is the newest cannot be told; it was sealed anew"),
+        NOT_VERIFIED.into(),
+    ])
+}
+
+/// Every axis has to be confirmed.
+fn not_verified(rows: &Rows<'_>) -> rows::Result<()> {
+    let axes: String = Axis::ALL.into_iter().map(Axis::letter).collect();
+    rows.set(Table::Value, CONFIRM, Some(&axes))?;
+    rows.set(Table::Value, POSITION_LOST, Some(&axes))
+}
+
+/// The kind of file that rows are from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Origin {
+    Damaged,
+    Copy,
+}
+
+/// A file that can be read in part.
+struct Source {
+    origin: Origin,
+    connection: Connection,
+    mark: Option<Mark>,
+    /// What is trusted more comes later: the journal that the seal is of and all of its changes; then by generations.
+    trusted: (bool, u64),
+}
+
+/// What there is, in the order in which one replaces the rows of another.
+fn sources(damaged: &Path, copy: &Path, seal: Option<&Seal>) -> Vec<Source> {
+    let read = |origin, connection: Option<Connection>| {
+        connection.map(|connection| Source::new(origin, connection, seal))
+    };
+    let mut sources: Vec<Source> = [
+        read(Origin::Copy, copy.is_file().then(|| database::as_it_is(copy).ok()).flatten()),
+        // A write-ahead file that belongs to another time makes nonsense of the file.
+        read(
+            Origin::Damaged,
+            damaged.is_file().then(|| database::as_it_is(damaged).ok()).flatten(),
+        ),
+        read(Origin::Damaged, reader(damaged)),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    sources.sort_by_key(|source| source.trusted);
+    match sources.pop_if(|last| last.trusted.0) {
+        Some(whole) => vec![whole],
+        None => sources,
+    }
+}
+
+impl Source {
+    fn new(origin: Origin, connection: Connection, seal: Option<&Seal>) -> Self {
+        let mark = Mark::of(&Rows(&connection)).ok().flatten();
+        let fits = database::sound(&connection).and_then(|()| rows::digest(&connection)).ok();
+        let (sound, sealed) = (fits.is_some(), seal.cloned().map(SealFound::Sound));
+        let is_whole = fits.zip(sealed).is_some_and(|(digest, sealed)| {
+            let mark = mark.as_ref();
+            seal::compare(&Reached { mark, digest, alone: None, copy: None }, &sealed)
+                == Verdict::Whole
+        });
+        // Of a damaged file the generation may be what cannot be read.
+        let unknown = if sound { 0 } else { u64::MAX };
+        let foreign = mark.as_ref().zip(seal).is_some_and(|(m, s)| m.journal != s.mark.journal);
+        let generation = mark.as_ref().map_or(unknown, |mark| mark.generation);
+        let trusted = (is_whole, if foreign { 0 } else { generation });
+        Self { origin, connection, mark, trusted }
+    }
+
+    /// Rows that can be read and fit their check numbers.
+    fn rows(&self, table: Table) -> Found {
+        let found = Rows(&self.connection).each_while_readable(table);
+        let named = |(key, bytes)| (key_text(Clone::clone(&key)), (self.origin, (key, bytes)));
+        found.into_iter().map(named).collect()
+    }
+}
+
+/// How far the rescued journal has come: further than everything that was there.
+fn next(sources: &[Source], seal: Option<&Seal>) -> Mark {
+    let marks = sources.iter().filter_map(|source| source.mark.as_ref());
+    let last = seal.map(|seal| &seal.mark).into_iter().chain(marks);
+    let generation = last.clone().map(|mark| mark.generation).max().unwrap_or_default();
+    let journal = last.map(|mark| mark.journal.clone()).next();
+    let journal = journal.unwrap_or_else(|| Mark::new().journal);
+    Mark { journal, generation: generation.saturating_add(1) }
+}
+
 /// What was saved of a table, unless all was empty.
-fn summed_up(table: Table, here: &Found, copied: &Found) -> Option<String> {
-    let from_copy = copied.keys().filter(|key| !here.contains_key(*key)).count();
+fn summed_up(table: Table, found: &Found) -> Option<String> {
+    let from_copy = found.values().filter(|(origin, _)| *origin == Origin::Copy).count();
     let of = |n: usize| if n == 1 { "1 row".into() } else { format!("{n} rows") };
-    match (here.len(), from_copy) {
+    match (found.len() - from_copy, from_copy) {
         (0, 0) => None,
         (n, 0) => Some(format!("{}: {} saved", table.name(), of(n))),
         (0, n) => Some(format!("{}: {} from the copy", table.name(), of(n))),
@@ -72,18 +173,10 @@ fn summed_up(table: Table, here: &Found, copied: &Found) -> Option<String> {
     }
 }
 
-/// Rows that can be read and fit their check numbers.
-fn sound_rows(connection: Option<&Connection>, table: Table) -> Found {
-    let Some(connection) = connection else { return Found::new() };
-    let found = Rows(connection).each_while_readable(table);
-    found.into_iter().map(|(key, bytes)| (key_text(key.clone()), (key, bytes))).collect()
-}
-
+/// The damaged file with its write-ahead file; both stay as they are.
 fn reader(file: &Path) -> Option<Connection> {
-    let there = file.is_file();
-    there
-        .then(|| Connection::open_with_flags(file, OpenFlags::SQLITE_OPEN_READ_WRITE).ok())
-        .flatten()
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY;
+    file.is_file().then(|| Connection::open_with_flags(file, flags).ok()).flatten()
 }
 
 /// Moves the file with what belongs to it: changes that are not in it yet.

@@ -3,6 +3,7 @@
 pub(super) use super::database::Trouble;
 use rusqlite::types::{Value, ValueRef};
 use rusqlite::{Connection, OptionalExtension, ToSql, TransactionBehavior};
+use sha2::{Digest, Sha256};
 
 pub(super) type Result<T> = std::result::Result<T, Trouble>;
 
@@ -157,12 +158,26 @@ pub(super) fn together<T>(
     Ok(made)
 }
 
-/// Whether every row that the machine depends on fits its check number.
-pub(super) fn check(connection: &Connection) -> Result<()> {
+/// Looks at rows as they are at one moment, whoever changes them meanwhile.
+pub(super) fn at_once<T>(
+    connection: &Connection,
+    look: impl FnOnce(&Rows<'_>) -> Result<T>,
+) -> Result<T> {
+    let transaction = connection.unchecked_transaction()?;
+    look(&Rows(&transaction))
+}
+
+/// The digest of every row that the machine depends on; each has to fit its check number.
+pub(super) fn digest(connection: &Connection) -> Result<u64> {
+    let mut digest = Sha256::new();
     for table in [Table::Fact, Table::Value, Table::History] {
-        Rows(connection).each(table, |_| Ok(()))?.into_iter().collect::<Result<()>>()?;
+        for row in Rows(connection).each(table, Ok)? {
+            let (key, bytes) = row?;
+            let sum = check_number(&key, &bytes);
+            digest.update(format!("{} {} {sum}\n", table.name(), key_text(key)));
+        }
     }
-    Ok(())
+    Ok(digest.finalize().iter().take(8).fold(0, |sum, byte| sum << 8 | u64::from(*byte)))
 }
 
 fn checked(table: Table, row: &rusqlite::Row<'_>) -> Result<Row> {

@@ -26,7 +26,7 @@ impl Journal {
     /// The file of the machine's settings.
     pub fn machine_file(&self) -> MachineFile {
         let other = self.known().file.clone();
-        other.unwrap_or_else(|| MachineFile::of_data(&self.folder))
+        other.unwrap_or_else(|| MachineFile::of_data(&self.folder).known_to(self))
     }
 
     /// From here on another file leads.
@@ -92,7 +92,7 @@ impl Journal {
     }
 }
 
-fn unusable(error: MachineFileError) -> JournalError {
+pub(super) fn unusable(error: MachineFileError) -> JournalError {
     match error {
         MachineFileError::Disk { path, why } => JournalError::of_disk(&path, &why),
         error => JournalError::Settings(error.to_string()),

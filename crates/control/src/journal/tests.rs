@@ -140,7 +140,7 @@ fn a_clock_that_jumps_changes_nothing() {
 #[test]
 fn a_later_version_is_left_alone() {
     let folder = tempdir().unwrap();
-    opened(&folder).0.connection().execute_batch("PRAGMA user_version = 99").unwrap();
+    opened(&folder).0.opened().connection.execute_batch("PRAGMA user_version = 99").unwrap();
     assert!(matches!(Journal::open(folder.path()), Err(JournalError::Newer { .. })));
 }
 
@@ -192,5 +192,143 @@ fn a_damaged_journal_is_rescued() {
         assert_eq!(journal.value("PositionLost").unwrap().as_deref(), Some("XYZABC"), "{what}");
         assert!(folder.path().join("journal.damaged-1.db").is_file(), "{what}");
         assert_eq!(opened(&folder).1, [""; 0], "{what}: sound again");
+    }
+}
+
+/// The files of a data folder that hold the journal.
+const FILES: [&str; 4] = [JOURNAL_FILE, "journal.db-wal", SEAL_FILE, BACKUP_FILE];
+
+/// What is in the files of a journal, in the middle of whatever somebody does with it.
+fn files_of(folder: &TempDir) -> Vec<(&'static str, Option<Vec<u8>>)> {
+    FILES.map(|name| (name, fs::read(folder.path().join(name)).ok())).into()
+}
+
+/// A folder that holds these files, as after a kill or a restored copy.
+fn folder_of(files: &[(&'static str, Option<Vec<u8>>)]) -> TempDir {
+    let folder = tempdir().unwrap();
+    for (name, bytes) in files {
+        if let Some(bytes) = bytes {
+            fs::write(folder.path().join(name), bytes).unwrap();
+        }
+    }
+    folder
+}
+
+/// A machine that was killed with its newest changes in the write-ahead file: at X 50.8, with sixty values; the copy and the
+/// file itself know X 25.4 and thirty of them.
+fn killed() -> Vec<(&'static str, Option<Vec<u8>>)> {
+    let folder = tempdir().unwrap();
+    let values = |numbers: std::ops::Range<u32>| {
+        let (journal, _) = opened(&folder);
+        numbers.for_each(|n| journal.set_value(&format!("key{n}"), Some("kept")).unwrap());
+        journal
+    };
+    values(0..30);
+    run(&folder, "MX,1\n", "2026-11-21");
+    let journal = values(30..60);
+    let session = after("MX,2\n");
+    journal.remember(&session.memory, &session.gcode).unwrap();
+    // The files are read while the journal is open: as a kill leaves them.
+    files_of(&folder)
+}
+
+/// Does something to one file of a journal that was killed, opens it, and gives what is told, X, the values that are
+/// left, and whether locations are verified.
+fn opened_after(
+    files: &[(&'static str, Option<Vec<u8>>)],
+    name: &str,
+    damage: impl FnOnce(&mut Option<Vec<u8>>),
+) -> (Vec<String>, f64, usize, bool) {
+    let mut files = files.to_vec();
+    damage(&mut files.iter_mut().find(|(it, _)| *it == name).unwrap().1);
+    let folder = folder_of(&files);
+    let (journal, told) = opened(&folder);
+    let values = journal.values().unwrap().into_iter().filter(|(_, value)| value == "kept").count();
+    let position = journal.remembered().unwrap().map(|it| it.memory.position.0[0]);
+    let verified = journal.value(kerf_sbp::POSITION_LOST).unwrap().is_none();
+    drop(journal);
+    assert_eq!(opened(&folder).1, [""; 0], "{name}: whole again");
+    (told, position.unwrap_or_default(), values, verified)
+}
+
+#[test]
+fn a_write_ahead_file_that_is_lost_is_told() {
+    let files = killed();
+    let wal = "journal.db-wal";
+    assert_eq!(opened_after(&files, wal, |_| ()), (Vec::new(), 50.8, 60, true));
+    let length = files[1].1.as_ref().unwrap().len();
+    let flipped = |at: usize| move |it: &mut Option<Vec<u8>>| it.as_mut().unwrap()[at] ^= 4;
+    let cut = |to: usize| move |it: &mut Option<Vec<u8>>| it.as_mut().unwrap().truncate(to);
+    let cases: [(&str, Box<dyn Fn(&mut Option<Vec<u8>>)>); 7] = [
+        ("gone", Box::new(|it| *it = None)),
+        ("emptied", Box::new(cut(0))),
+        ("halved", Box::new(cut(length / 2))),
+        ("its last bytes", Box::new(cut(length - 100))),
+        ("a bit of its head", Box::new(flipped(20))),
+        ("a bit in the middle", Box::new(flipped(length / 2))),
+        ("a bit at the end", Box::new(flipped(length - 400))),
+    ];
+    for (what, damage) in cases {
+        let (told, x, values, verified) = opened_after(&files, wal, damage);
+        assert!(told[0].contains("journal.db: it lacks its last"), "{what}: {told:?}");
+        assert!(told.last().unwrap().starts_with("locations are not verified"), "{what}: {told:?}");
+        assert!(x >= 25.4 && values >= 30 && !verified, "{what}: X {x}, {values} values");
+    }
+}
+
+#[test]
+fn an_older_journal_in_the_place_of_a_newer_one_is_told() {
+    let folder = tempdir().unwrap();
+    run(&folder, "MX,1\n", "2026-11-21");
+    let older = files_of(&folder);
+    run(&folder, "MX,2\nSetUsrVal, hello\n", "2026-11-22");
+    let newer = files_of(&folder);
+    let put = |name: &str| {
+        let old = older.iter().find(|(it, _)| *it == name).unwrap().1.clone();
+        opened_after(&newer, name, |it| *it = old)
+    };
+    let (told, x, _, verified) = put(JOURNAL_FILE);
+    assert!(told[0].contains("an older journal was put in its place"), "{told:?}");
+    assert!(!verified && x == 50.8, "from the copy: {x}, {told:?}");
+    // Seals and copies that are older promise less; the journal itself is the newest.
+    assert_eq!(put(SEAL_FILE), (Vec::new(), 50.8, 0, true));
+    let (told, x, _, verified) = put(BACKUP_FILE);
+    assert!(told[0].contains("is not as Kerf left it: a new one was made"), "{told:?}");
+    assert!(verified && x == 50.8 && told.len() == 1, "{told:?}");
+    let (told, x, _, verified) = opened_after(&newer, SEAL_FILE, |it| *it = None);
+    assert!(told[0].contains("journal.seal is gone"), "{told:?}");
+    assert!(!verified && x == 50.8, "{told:?}");
+}
+
+#[test]
+fn at_rest_everything_is_in_the_file_itself() {
+    let folder = tempdir().unwrap();
+    let (journal, _) = opened(&folder);
+    run(&folder, "MX,1\nSetUsrVal, hello\n", "2026-11-21");
+    let wal = folder.path().join("journal.db-wal");
+    assert_eq!(fs::metadata(&wal).map_or(0, |it| it.len()), 0, "a run is over");
+    journal.set_value("uValue", Some("hi")).unwrap();
+    assert!(fs::metadata(&wal).unwrap().len() > 0);
+    journal.rest().unwrap();
+    assert_eq!(fs::metadata(&wal).map_or(0, |it| it.len()), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn nobody_else_reads_the_journal() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempdir().unwrap();
+    let (journal, _) = opened(&folder);
+    let all = |mode: u32| {
+        for entry in fs::read_dir(folder.path()).unwrap().map(std::result::Result::unwrap) {
+            fs::set_permissions(entry.path(), fs::Permissions::from_mode(mode)).unwrap();
+        }
+    };
+    all(0o644);
+    drop(journal);
+    run(&folder, "MX,1\nVC,.375\n", "2026-11-21");
+    for name in [JOURNAL_FILE, BACKUP_FILE, SEAL_FILE, "machine.toml"] {
+        let mode = fs::metadata(folder.path().join(name)).unwrap().permissions().mode();
+        assert_eq!(mode & 0o077, 0, "{name}: {mode:o}");
     }
 }

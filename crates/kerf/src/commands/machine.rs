@@ -4,9 +4,10 @@ use crate::args::DataArgs;
 use crate::commands::by_hand::{self, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
-use crate::{machine_file, out, parse, setup};
+use crate::{machine_file, memory, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
+use kerf_control::journal::JOURNAL_FILE;
 use kerf_control::machine_file::{MachineFile, told};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
@@ -63,7 +64,17 @@ impl Which {
         if let Ok(said) = file.read(&text) {
             protect::open(&said, self.password.as_deref())?;
         }
-        Ok(file)
+        self.known(file)
+    }
+
+    /// The same, with the journal that knows what Kerf leaves in it, where there is one.
+    fn known(&self, file: MachineFile) -> Result<MachineFile> {
+        let data = setup::data_folder(&self.folder())?;
+        if self.config.is_some() || !data.join(JOURNAL_FILE).exists() {
+            return Ok(file);
+        }
+        let journal = memory::journal(&data, false)?;
+        Ok(journal.map_or(file.clone(), |journal| file.known_to(&journal)))
     }
 
     /// The configuration's file.

@@ -4,6 +4,7 @@ use super::receive;
 use crate::args::PlaceArgs;
 use crate::clock;
 use crate::exit::{Exit, Usage};
+use crate::memory;
 use crate::stop::Stop;
 use crate::visit::Visit;
 use crate::{out, setup};
@@ -256,6 +257,7 @@ fn shelf(args: &ServeArgs, preview: bool) -> Result<Shelf> {
 
 /// The machine as it was left, and its files.
 fn workshop(args: &ServeArgs) -> Result<Workshop> {
+    memory::sweep(&parts(args));
     let mut shelf = shelf(args, false)?;
     let config = args.place.config.as_deref();
     // A file that is named leads, and takes what is changed here.

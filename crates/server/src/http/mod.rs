@@ -50,6 +50,7 @@ impl IntoResponse for Refused {
             Why::State | Why::Changed | Why::Late => StatusCode::CONFLICT,
             Why::Mistake => StatusCode::UNPROCESSABLE_ENTITY,
             Why::Server => StatusCode::INTERNAL_SERVER_ERROR,
+            Why::Full => StatusCode::INSUFFICIENT_STORAGE,
         };
         (status, Json(self.0)).into_response()
     }

@@ -140,15 +140,23 @@ impl Owner {
         self.workshop.shelf.record(line);
     }
 
-    /// Has another configuration from now on, and keeps what is new of it.
-    pub(super) fn configure(&mut self, setting: &'static Setting, wanted: Configuration) {
+    /// Has another configuration from now on, keeps what is new of it, and tells whether that is on the disk.
+    pub(super) fn configure(
+        &mut self,
+        setting: &'static Setting,
+        wanted: Configuration,
+        tells: &Sender<Result<(), String>>,
+    ) {
         let Workshop { session, shelf, .. } = &mut self.workshop;
-        let told = session.configure(setting, wanted, shelf);
-        if let Err(why) = told {
-            let text = format!("{} holds until Kerf ends, it cannot be kept: {why}", setting.key);
-            self.hub.say(Tone::Warning, text);
+        let kept = session.configure(setting, wanted, shelf).map_err(|why| {
+            format!("{} holds until Kerf ends, it cannot be kept: {why}", setting.key)
+        });
+        if let Err(why) = &kept {
+            self.hub.say(Tone::Warning, why.clone());
         }
         self.rest(State::Idle, None);
+        // The machine's state first: whoever asked may ask for the next thing at once. Some do not wait.
+        drop(tells.send(kept));
     }
 
     /// Has another configuration until Kerf ends, and tells when it holds: as [`Owner::keep`].

@@ -8,7 +8,7 @@ use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
 use kerf_control::answers::{self, Operator};
-use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish};
+use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish, WorldClock};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::{Asked, Call, Change, InForce, Machine, State, Tone};
 use std::cell::RefCell;
@@ -67,8 +67,8 @@ pub struct Clock {
     shared: Shared,
     /// Seconds of machine time in a second; 1 for a real machine.
     rate: f64,
-    /// A moment of the world, and the machine time then.
-    seen: Option<(Instant, f64)>,
+    /// Machine time by the clock of the world.
+    world: WorldClock,
     /// Machine time that has passed. A run that is told something in the middle of a move asks again
     /// from its beginning.
     passed_s: f64,
@@ -79,26 +79,26 @@ pub struct Clock {
 impl Clock {
     /// A clock that begins with the run.
     pub const fn new(shared: Shared, rate: f64) -> Self {
-        Self { shared, rate, seen: None, passed_s: 0.0, clock_s: 0.0 }
+        Self { shared, rate, world: WorldClock::new(rate), passed_s: 0.0, clock_s: 0.0 }
     }
 
     /// Another run begins where machine time does.
     fn look_at(&mut self, clock_s: f64) {
         if clock_s < std::mem::replace(&mut self.clock_s, clock_s) {
-            (self.seen, self.passed_s) = (None, 0.0);
+            self.world.begin_anew();
+            self.passed_s = 0.0;
         }
     }
 
     /// Machine time now, when it was `from_s` at the last look or later.
     fn now(&mut self, from_s: f64) -> f64 {
-        let (since, since_s) = *self.seen.get_or_insert_with(|| (Instant::now(), from_s));
-        since_s + since.elapsed().as_secs_f64() * self.rate
+        self.world.now(from_s)
     }
 
     /// Whoever computed or waited for longer than a moment does not hurry afterwards.
     fn stay_behind(&mut self, from_s: f64) {
         if self.now(from_s) > from_s + 0.1 * self.rate {
-            self.seen = None;
+            self.world.begin_anew();
         }
     }
 
@@ -144,7 +144,7 @@ impl Pace for Clock {
     }
 
     fn heard(&mut self) {
-        self.seen = None;
+        self.world.begin_anew();
         self.shared.link.want(|wanted| wanted.hear_stop());
     }
 
@@ -163,7 +163,7 @@ impl Pace for Clock {
             wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
         }
         wanted.stands();
-        self.seen = None;
+        self.world.begin_anew();
         drop(wanted);
         self.shared.state(State::Running);
         Some(held_s + begin.elapsed().as_secs_f64() * self.rate)

@@ -10,7 +10,7 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
-use kerf_control::journal::{JournalError, Live};
+use kerf_control::journal::{Journal, JournalError, Live};
 use kerf_control::{Company, RunOptions, Summary, Work, unverified};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad};
@@ -85,7 +85,14 @@ pub enum Order {
     /// Tell the watched variables.
     Watched,
     /// Have another configuration, of which this setting is new.
-    Configure(&'static Setting, Box<Configuration>),
+    Configure {
+        /// The setting.
+        setting: &'static Setting,
+        /// The configuration.
+        wanted: Box<Configuration>,
+        /// Told whether it is on the disk.
+        tells: Sender<Result<(), String>>,
+    },
     /// Have another configuration until Kerf ends.
     Hold {
         /// The configuration.
@@ -111,7 +118,7 @@ impl Order {
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched
-            | Self::Configure(..)
+            | Self::Configure { .. }
             | Self::Hold { .. }
             | Self::Keep(_) => false,
         }
@@ -148,6 +155,12 @@ pub struct Owner {
 }
 
 impl Owner {
+    /// Tells what was found wrong with the files of the data folder.
+    pub fn tell_found(&self) {
+        let told = self.workshop.shelf.journal().map(Journal::told).unwrap_or_default();
+        told.into_iter().for_each(|line| self.hub.say(Tone::Warning, line));
+    }
+
     /// Shows where the machine stands, and whether that is sure.
     pub fn begin(&mut self) {
         let doubted = unverified(&self.workshop.shelf);
@@ -172,6 +185,7 @@ impl Owner {
             if self.link.lock().leaves {
                 self.move_switches();
                 self.tell_others(&Live::default());
+                self.rest_journal();
                 let Workshop { session, shelf, .. } = &mut self.workshop;
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
@@ -187,6 +201,7 @@ impl Owner {
                         Some(line) => Order::Command { line, opened: false },
                         None => {
                             self.catch_up();
+                            self.rest_journal();
                             continue;
                         }
                     }
@@ -211,7 +226,9 @@ impl Owner {
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),
                 Order::Watched | Order::Switches => {}
-                Order::Configure(setting, wanted) => self.configure(setting, *wanted),
+                Order::Configure { setting, wanted, tells } => {
+                    self.configure(setting, *wanted, &tells);
+                }
                 Order::Hold { wanted, tells } => self.hold(*wanted, &tells),
                 Order::Keep(tells) => self.keep(&tells),
             }
@@ -446,6 +463,12 @@ impl Owner {
         let Workshop { shelf, kept, .. } = &self.workshop;
         // Where the disk refuses, that was told when the run ended; pages know better all the same.
         drop(shelf.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
+    }
+
+    /// Nothing happens: what other threads and programs have changed is put into the one file.
+    fn rest_journal(&self) {
+        // Where the disk refuses, whoever changed something was told; it is in the write-ahead file.
+        drop(self.workshop.shelf.journal().map(Journal::rest));
     }
 
     /// Leaves a copy of the session for previews.

@@ -1,0 +1,281 @@
+//! Each file of the data folder emptied, halved, changed in one bit, gone, or replaced by an older one; then `kerf serve`
+//! starts. Nothing is lost without a word. Makes the page docs/book/damaged-files.md: `KERF_BLESS=1 cargo test -p kerf
+//! --test damaged_files` writes it anew.
+
+#![cfg(unix)]
+#![allow(clippy::unwrap_used, clippy::expect_used)]
+
+mod shop;
+
+use kerf_control::journal::Journal;
+use serde_json::Value;
+use shop::console::Console;
+use shop::{Shop, until};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Files by their names; those that are locks or beside the journal are made anew by every start.
+type Files = BTreeMap<String, Vec<u8>>;
+
+fn files_of(folder: &Path) -> Files {
+    let file = |entry: fs::DirEntry| {
+        let name = entry.file_name().into_string().unwrap();
+        entry.path().is_file().then(|| (name, fs::read(entry.path()).unwrap()))
+    };
+    let made_anew = |name: &String| name == "owner.lock" || name.ends_with("-shm");
+    let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
+    entries.filter_map(file).filter(|(name, _)| !made_anew(name)).collect()
+}
+
+/// Values that are kept, X in inches, the speed of cuts in `machine.toml`, shapes of the drawing that is not saved.
+const WHOLE: (usize, f64, &str, usize) = (60, 2.0, "50", 2);
+
+/// A data folder as a kill leaves it, with the newest changes in the write-ahead file; and the same at an earlier time.
+fn folders() -> (Files, Files) {
+    let shop = Shop::new(&[]);
+    let data = shop.file("data");
+    let values = |numbers: std::ops::Range<u32>| {
+        let (journal, _) = Journal::open(&data).unwrap();
+        numbers.for_each(|n| journal.set_value(&format!("key{n}"), Some("kept")).unwrap());
+        journal
+    };
+    let drawn = |clauses: &str| {
+        let console = Console::begin(&shop, &[]);
+        let op = format!("{{\"op\":{{\"op\":\"do\",\"clauses\":\"{clauses}\"}}}}");
+        let bytes = || fs::read(data.join("drawing.draft")).map_or(0, |it| it.len());
+        let before = bytes();
+        console.ask("POST /api/do/draw", &op);
+        until("the draft", || bytes() > before);
+    };
+    shop.kerf("machine set speeds.cut.xy 101.6").exits(0);
+    shop.kerf("send MX,1 --quiet").exits(0);
+    values(0..30).rest().unwrap();
+    drop(shop.kerf("send MX,1 --quiet").exits(0));
+    drawn("line 0,0 10,0");
+    let older = files_of(&data);
+    drawn("line 0,5 10,5");
+    shop.kerf("machine set speeds.cut.xy 50").exits(0);
+    shop.kerf("send MX,2 --quiet").exits(0);
+    let journal = values(30..60);
+    let newer = files_of(&data);
+    drop(journal);
+    (older, newer)
+}
+
+/// How a server starts in a data folder.
+#[derive(Debug, PartialEq)]
+struct Start {
+    told: Vec<String>,
+    verified: bool,
+    armed: bool,
+    kept: (usize, f64, String, usize),
+}
+
+impl Start {
+    /// A server is started; `None` where it refuses.
+    fn of(files: &Files) -> Result<Self, String> {
+        let shop = Shop::new(&[]);
+        files.iter().for_each(|(name, bytes)| shop.write(&format!("data/{name}"), bytes));
+        let console = Console::begin(&shop, &[]);
+        if console.url.is_empty() {
+            let did = shop.kerf("serve --listen 127.0.0.1:0");
+            return Err(plain(&did.exits(1).err(), &shop.file("data")));
+        }
+        let state = console.ask("GET /api/state", "");
+        let values = console.ask("GET /api/registry", "");
+        let kept = |it: &&Value| it["value"] == "kept";
+        let values = values.as_array().map_or(0, |values| values.iter().filter(kept).count());
+        drop(console);
+        let speed = shop.kerf("machine get speeds.cut.xy").out();
+        let told = |message: &Value| plain(message["text"].as_str().unwrap(), &shop.file("data"));
+        let shapes = state["drawing"]["shapes"].as_u64().unwrap_or_default() as usize;
+        let x = state["motion"]["at"]["working"][0].as_f64().unwrap() / 25.4;
+        Ok(Self {
+            told: state["messages"].as_array().unwrap().iter().map(told).collect(),
+            verified: state["machine"]["why"].is_null(),
+            armed: state["machine"]["armed"] == true,
+            kept: (values, (x * 1000.0).round() / 1000.0, speed.trim().to_owned(), shapes),
+        })
+    }
+
+    fn is_whole(&self) -> bool {
+        let (values, x, speed, shapes) = WHOLE;
+        self.kept == (values, x, speed.to_owned(), shapes)
+    }
+
+    /// What it tells that an undamaged folder does not.
+    fn news(&self, usual: &Self) -> Vec<String> {
+        let news = self.told.iter().filter(|line| !usual.told.contains(line));
+        // The page has columns for that.
+        let also = [
+            "rows saved",
+            "row saved",
+            "from the copy",
+            "ocations are not verified",
+            "machine stands",
+        ];
+        let said = |line: &&String| {
+            line.contains("machine.toml") || !also.iter().any(|it| line.contains(it))
+        };
+        news.filter(said).cloned().collect()
+    }
+
+    fn kept(&self) -> String {
+        let (values, x, speed, shapes) = &self.kept;
+        if self.is_whole() {
+            return "everything".into();
+        }
+        format!("{values} of 60 values, X {x}, cut speed {speed}, {shapes} shapes")
+    }
+}
+
+/// A message without what changes from one machine to another.
+fn plain(text: &str, data: &Path) -> String {
+    let text = text.replace(&format!("{}/", data.display()), "");
+    let mut words = text.split_whitespace().collect::<Vec<_>>();
+    if let Some(at) = words.iter().position(|word| *word == "last") {
+        words.retain({
+            let mut place = 0;
+            move |_| {
+                place += 1;
+                place != at + 2
+            }
+        });
+    }
+    words.join(" ")
+}
+
+/// What is done to a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Damage {
+    Emptied,
+    Halved,
+    Gone,
+    Older,
+    Flipped(usize),
+}
+
+/// So many places of a file are changed in one bit, one after the other.
+const FLIPS: usize = 5;
+
+impl Damage {
+    fn does(self, files: &Files, older: &Files, name: &str) -> Option<Files> {
+        let mut files = files.clone();
+        let bytes = files.get_mut(name)?;
+        match self {
+            Self::Emptied => bytes.clear(),
+            Self::Halved => bytes.truncate(bytes.len() / 2),
+            Self::Gone => drop(files.remove(name)),
+            Self::Older => *bytes = older.get(name).filter(|it| *it != bytes)?.clone(),
+            Self::Flipped(place) => {
+                let at = (2 * place + 1) * bytes.len() / (2 * FLIPS);
+                *bytes.get_mut(at)? ^= 4;
+            }
+        }
+        Some(files)
+    }
+
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Emptied => "emptied",
+            Self::Halved => "halved",
+            Self::Gone => "gone",
+            Self::Older => "an older one",
+            Self::Flipped(_) => "one bit",
+        }
+    }
+}
+
+/// Files that only say what happened, or what is told anew at every start: nothing is read from them.
+fn is_log(name: &str) -> bool {
+    name.ends_with(".log") || name == "registry.txt"
+}
+
+/// Nothing is lost without a word; what concerns the machine makes its location unverified; nothing is armed.
+fn check(what: &str, start: &Start, usual: &Start) {
+    let news = start.news(usual);
+    assert!(!start.armed, "{what}");
+    assert!(start.is_whole() || !news.is_empty(), "{what}: lost without a word: {start:?}");
+    let (_, x, ref speed, _) = start.kept;
+    let doubtful = x != WHOLE.1 || speed != WHOLE.2;
+    assert!(!doubtful || !start.verified, "{what}: trusted: {start:?}");
+}
+
+fn row(name: &str, damage: Damage, start: &Result<Start, String>, usual: &Start) -> String {
+    let (told, location, kept) = match start {
+        Err(told) => (told.clone(), "nothing starts", "the file as it is".to_owned()),
+        Ok(start) => {
+            let told = start.news(usual).join(" · ");
+            let location = if start.verified { "as it was" } else { "not verified" };
+            (if told.is_empty() { "nothing".into() } else { told }, location, start.kept())
+        }
+    };
+    format!("| {name} | {} | {} | {location} | {kept} |\n", damage.word(), told.replace('|', "\\|"))
+}
+
+/// One bit in several places; the page says what holds for all of them.
+fn flipped(name: &str, files: &Files, older: &Files, usual: &Start) -> String {
+    for place in 0..FLIPS {
+        let damage = Damage::Flipped(place);
+        let Some(files) = damage.does(files, older, name) else { continue };
+        // A drawing is text without check numbers: a digit may become another digit.
+        if let Ok(start) = Start::of(&files)
+            && name != "drawing.draft"
+        {
+            check(&format!("{name}, bit {place}"), &start, usual);
+        }
+    }
+    let told = match name {
+        "drawing.draft" => {
+            "where it cannot be read: as when it is halved; where a number became another: nothing"
+        }
+        _ if is_log(name) => "nothing",
+        _ => "nothing where nothing is lost, else as when it is halved",
+    };
+    format!("| {name} | one bit | {told} | | |\n")
+}
+
+const HEAD: &str = "# When a file of the data folder is damaged
+
+Made by a test (`crates/kerf/tests/damaged_files.rs`), which does this to each file of a data folder that a killed `kerf serve` left,
+and starts the server in it. The machine is disarmed after every start. Where its location is *not verified*, nothing cuts before
+somebody has homed it, zeroed its axes, or said that the location is right.
+
+Not noticed is the folder whole as it was at an earlier time: then every file fits every other. Whoever brings back a whole folder homes
+the machine.
+
+| file | what happened to it | what is told | location | what is left |
+|---|---|---|---|---|
+";
+
+#[test]
+fn nothing_is_lost_without_a_word() {
+    let (older, newer) = folders();
+    assert!(
+        newer["journal.db-wal"].len() > 10_000,
+        "the newest changes are in the write-ahead file"
+    );
+    let usual = Start::of(&newer).unwrap();
+    assert!(usual.is_whole() && usual.verified && !usual.armed, "{usual:?}");
+    let mut page = HEAD.to_owned();
+    for name in newer.keys() {
+        for damage in [Damage::Emptied, Damage::Halved, Damage::Gone, Damage::Older] {
+            let Some(files) = damage.does(&newer, &older, name) else { continue };
+            let start = Start::of(&files);
+            if let Ok(start) = &start
+                && !(name == "drawing.draft" && matches!(damage, Damage::Gone | Damage::Older))
+            {
+                check(&format!("{name} {}", damage.word()), start, &usual);
+            }
+            page += &row(name, damage, &start, &usual);
+        }
+        page += &flipped(name, &newer, &older, &usual);
+    }
+    println!("{page}");
+    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/damaged-files.md");
+    if std::env::var_os("KERF_BLESS").is_some() {
+        fs::write(&path, &page).unwrap();
+    }
+    assert_eq!(page, fs::read_to_string(&path).unwrap(), "KERF_BLESS=1 writes it anew");
+}
