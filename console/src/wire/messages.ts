@@ -62,10 +62,7 @@ value: string, } | { "do": "jogStart",
 lease: number,
 /** Grows with every jog of a page, by a million at most; one that comes behind its own stop is dropped. */
 seq: number,
-/**
- * When the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it
- * now, ms.
- */
+/** When the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it now, ms. */
 clockMs: number,
 /** Direction of each axis: -1, 0, 1 or between. */
 direction: [number, number, number, number, number, number],

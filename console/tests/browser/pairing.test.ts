@@ -24,6 +24,7 @@ it.skipIf(!outside)(
   "an observer is paired with keys only, looks and stops; revoked, it is out",
   async () => {
     const owner = await workshop.page();
+    expect(owner.url(), "the address bar has forgotten the token").toBe(`${workshop.address}/`);
     await arm(owner);
     await owner.getByRole("link", { name: "Settings" }).click();
     await owner.getByRole("button", { name: /^New observer/ }).click();

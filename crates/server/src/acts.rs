@@ -76,13 +76,15 @@ impl App {
                     let text = "a jog has a direction, a share of the speed above 0, and perhaps a distance";
                     return Err(problem(Why::Malformed, text));
                 }
-                self.jog(asker, self.grip(who, seq, Some(clock_ms))?, order)?;
+                self.jog(asker, self.grip(who, seq, clock_ms)?, order)?;
             }
             Act::JogRenew { seq, clock_ms, .. } => {
-                self.renew(who, self.grip(who, seq, Some(clock_ms))?)?;
+                self.renew(who, self.grip(who, seq, clock_ms)?)?;
             }
             Act::Key { seq, key, clock_ms, .. } => {
-                self.press_key(asker, self.grip(who, seq, clock_ms)?, key)?;
+                let stamp = clock_ms.filter(|_| key != STOP_KEY);
+                let grip = stamp.map_or(Ok(Grip::now(seq)), |ms| self.grip(who, seq, ms))?;
+                self.press_key(asker, grip, key)?;
             }
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
@@ -374,11 +376,9 @@ impl App {
         counts.then_some(()).ok_or_else(not_open)
     }
 
-    /// A sign of the hand of a page that is stamped with the clock of the server, ms; one without a stamp is as old
-    /// as its way was short.
-    fn grip(&self, who: &Who, seq: u64, clock_ms: Option<f64>) -> Result<Grip, Problem> {
-        let now_ms = self.uptime.ms();
-        Ok(self.pages.grip(who.client, seq, clock_ms.unwrap_or(now_ms), now_ms)?)
+    /// A sign of the hand of a page, stamped with the clock of the server, ms.
+    fn grip(&self, who: &Who, seq: u64, clock_ms: f64) -> Result<Grip, Problem> {
+        Ok(self.pages.grip(who.client, seq, clock_ms, self.uptime.ms())?)
     }
 
     pub fn renew(&self, who: &Who, grip: Grip) -> Result<(), Problem> {

@@ -6,7 +6,7 @@ mod support;
 
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
-use support::{Page, Shop, shop};
+use support::{Page, Shop, Wanted, at, shop, start as start_shop};
 
 /// Begins a jog of X.
 fn start(page: &Page, seq: u32) -> Value {
@@ -221,6 +221,51 @@ fn after_a_stop_the_tool_is_moved_away_and_the_cut_goes_on_where_it_was() {
     assert!(at[1].as_f64().unwrap().abs() < 1e-6 && (at[2].as_f64().unwrap() + 2.54).abs() < 1e-6);
     page.until_state("idle");
     assert!((page.x() - 50.8).abs() < 1e-6);
+}
+
+/// SIM where a program has opened the keypad.
+fn sim_with_keypad(homed: bool, change: fn(&mut kerf_machine::Configuration)) -> (Shop, Page) {
+    let shop = start_shop(Wanted {
+        homed,
+        files: vec![("keypad.sbp", "SK\nMX,.1\n")],
+        machine: Some(("sim", change)),
+        ..Wanted::default()
+    });
+    let mut page = shop.driver();
+    page.open_file("keypad.sbp");
+    assert_eq!(page.run(), None);
+    page.asked("keypad");
+    (shop, page)
+}
+
+/// Jogs one way in the question until the machine stands by itself, and tells where it is.
+fn jog_to_the_end(page: &mut Page, direction: [f64; 6]) -> [f64; 3] {
+    let begin = json!({ "do": "jogStart", "lease": page.lease, "seq": 1, "clockMs": page.clock_ms(),
+        "direction": direction, "distance": Value::Null, "speedShare": 1.0 });
+    assert_eq!(page.act(begin), None);
+    page.until_state("jogging");
+    let begun = Instant::now();
+    while page.shown["machine"]["state"] == "jogging" {
+        hold(page, 1, Duration::from_millis(50));
+        assert!(begun.elapsed() < Duration::from_secs(15), "nothing ends it: {:?}", at(page));
+    }
+    at(page)
+}
+
+#[test]
+fn pro_zpos_bottom_limit__a_jog_in_a_question() {
+    let (_shop, mut page) = sim_with_keypad(true, |_| {});
+    let at = jog_to_the_end(&mut page, [0.0, 0.0, -1.0, 0.0, 0.0, 0.0]);
+    assert!((at[2] + 30.0).abs() < 1e-3, "{at:?}");
+    let told = page.shown["messages"].to_string();
+    assert!(told.contains("Z bottom (zpos.bottom_mm)"), "{told}");
+}
+
+#[test]
+fn pro_axes_limit_unhomed__a_jog_in_a_question() {
+    let (_shop, mut page) = sim_with_keypad(false, |machine| machine.axes.length.0[0] = 40.0);
+    let at = jog_to_the_end(&mut page, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    assert!((at[0] - 40.0).abs() < 1e-3, "{at:?}");
 }
 
 #[test]

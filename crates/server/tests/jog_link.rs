@@ -1,6 +1,6 @@
 //! A jog over a bad link: when its key is let go the machine stands as soon as over a good one.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 mod support;
 
@@ -99,7 +99,7 @@ enum Jogged {
 
 /// Holds a key for a while and lets it go.
 fn jog(page: &mut Page, watcher: &Watcher, seq: u64, held: Duration) -> Jogged {
-    let way = if seq % 2 == 0 { 1.0 } else { -1.0 };
+    let way = if seq.is_multiple_of(2) { 1.0 } else { -1.0 };
     let lease = page.lease;
     page.send(json!({ "do": "jogStart", "lease": lease, "seq": seq, "clockMs": page.clock_ms(),
         "direction": [way, 0.0, 0.0, 0.0, 0.0, 0.0], "distance": Value::Null, "speedShare": 0.5 }));

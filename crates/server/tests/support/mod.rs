@@ -10,6 +10,7 @@ use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{Session, Shelf};
 use kerf_drawing::{Editor, script};
+use kerf_program::AxisSet;
 use kerf_server::{Builders, Options, Server, Workshop};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -77,6 +78,8 @@ pub struct Wanted {
     pub settings: fn(&mut kerf_program::Settings),
     /// A ready-made machine, and what is changed of it.
     pub machine: Option<(&'static str, Change)>,
+    /// Its axes were homed.
+    pub homed: bool,
     pub drawing_only: bool,
     pub start: Option<kerf_server::StartUp>,
 }
@@ -89,6 +92,7 @@ impl Default for Wanted {
             files: Vec::new(),
             settings: |_| {},
             machine: None,
+            homed: true,
             drawing_only: false,
             start: None,
         }
@@ -123,7 +127,12 @@ pub fn start(wanted: Wanted) -> Shop {
     let mut builders = builders(&parts, wanted.settings);
     if let Some((name, change)) = wanted.machine {
         let plain = builders.workshop;
-        builders.workshop = Arc::new(move || Ok(equipped(plain()?, name, change)));
+        let homed = if wanted.homed { AxisSet::first(3) } else { AxisSet::EMPTY };
+        builders.workshop = Arc::new(move || {
+            let mut workshop = equipped(plain()?, name, change);
+            workshop.session.homed = homed;
+            Ok(workshop)
+        });
     }
     let server = Server::start(options, builders).unwrap();
     if let Some((_, token)) = server.way_in().split_once("token=") {
@@ -132,13 +141,12 @@ pub fn start(wanted: Wanted) -> Shop {
     Shop { server, dir }
 }
 
-/// A workshop with a ready-made machine, homed.
+/// A workshop with a ready-made machine.
 fn equipped(mut workshop: Workshop, name: &str, change: Change) -> Workshop {
     let mut machine = kerf_machine::profile::profile(name).unwrap().configuration().unwrap();
     change(&mut machine);
     workshop.session.memory.settings = machine.program.clone();
     workshop.session.machine_is = Arc::new(machine);
-    workshop.session.homed = kerf_program::AxisSet::first(3);
     workshop
 }
 
