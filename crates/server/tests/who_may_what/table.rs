@@ -70,6 +70,8 @@ kerf-server --test who_may_what`), which fails where a server says something els
   421 not the name of this machine.
 - Letters are states, where they differ: **D** disarmed, **A** armed and idle, **R** running, **S** stopped in the middle, **Q** a question is
   open, **q** a question is open, and whoever drove has gone.
+- Acts were tried over HTTP, where nobody holds a key: there a jog is never begun. Over the socket of a page `jogStart` and `jogRenew` take what
+  `nudge` takes.
 - Of a route and a value only who asks matters, unless a command is passed in by `uCommand`.
 
 What lets the machine move, go on, or switch something dangerous takes the turn at driving and an armed machine, whatever way it

@@ -3,7 +3,6 @@
 use super::rows::{Asks, Row};
 use super::workshop::Workshop;
 use super::{page, rows};
-use crate::support::Page;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -18,7 +17,7 @@ const LINES: [&str; 9] = [
     "MX,.4",
     "MX,0",
     "M2,.2,.3",
-    "PAUSE",
+    "PAUSE\nMX,.1",
     "MSGBOX(\"On?\",YesNo)\nMX,.1",
     "INPUT how far &x\nMX,&x",
     "SO,1,1\nMX,.2",
@@ -166,7 +165,10 @@ impl Walk {
         let kind = shown["asked"]["kind"].as_str().unwrap_or_default();
         let to = match kind {
             "input" => {
-                return format!("answer `{}` to INPUT", if words == "Cancel" { words } else { "0" });
+                return format!(
+                    "answer `{}` to INPUT",
+                    if words == "Cancel" { words } else { "0" }
+                );
             }
             "hold" => "after a stop",
             "spindle" => "to the spindle's question",
@@ -178,15 +180,15 @@ impl Walk {
     }
 
     fn step(&mut self, step: usize) {
-        let shown = self.workshop.watched();
+        let shown = self.workshop.shown();
         let (name, act) = self.next(&shown, step);
         let who = self.chance.below(6);
         let (column, drives) = self.workshop.column(who, &shown);
         let armed = shown["machine"]["armed"] == true;
         let says = self.table.says(&name, column, letter(&shown)).map(str::to_owned);
-        let refused = self.workshop.page(who).act(act.clone());
+        let refused = self.workshop.act(who, &act);
         self.told.push(format!("{step}: {act} by {column}, {}: {refused:?}", letter(&shown)));
-        let now = self.workshop.watched();
+        let now = self.workshop.shown();
         let same = letter(&now) == letter(&shown) && now["lease"] == shown["lease"];
         if let (Some(says), true) = (&says, same) {
             assert!(says == "+" || refused.is_some(), "the table says {says}: {}", self.trail());
@@ -252,10 +254,4 @@ fn in_a_long_walk_nothing_moves_that_the_table_does_not_let() {
     let mut walk = Walk::new(0x5eed_0021);
     (0..STEPS).for_each(|step| walk.step(step));
     assert!(walk.moved > STEPS / 100, "it moved in {} steps only", walk.moved);
-}
-
-/// A page that sees everything that was told until now.
-pub fn caught_up(page: &mut Page) -> Value {
-    page.act(json!({ "do": "ping" }));
-    page.shown.clone()
 }
