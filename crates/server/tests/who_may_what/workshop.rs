@@ -60,23 +60,26 @@ pub enum Doing {
     Armed,
     Running,
     Stopped,
+    /// Whoever drove has gone since it was stopped.
+    StoppedDisarmed,
     Asking,
     /// Whoever drove has gone since it asked.
     AskingDisarmed,
 }
 
 impl Doing {
-    pub const ALL: [(Self, char); 6] = [
+    pub const ALL: [(Self, char); 7] = [
         (Self::Disarmed, 'D'),
         (Self::Armed, 'A'),
         (Self::Running, 'R'),
         (Self::Stopped, 'S'),
+        (Self::StoppedDisarmed, 's'),
         (Self::Asking, 'Q'),
         (Self::AskingDisarmed, 'q'),
     ];
 
     pub const fn is_armed(self) -> bool {
-        !matches!(self, Self::Disarmed | Self::AskingDisarmed)
+        !matches!(self, Self::Disarmed | Self::StoppedDisarmed | Self::AskingDisarmed)
     }
 }
 
@@ -102,8 +105,9 @@ const ROLES: [Role; 6] =
     [Role::Observer, Role::Operator, Role::Setter, Role::Owner, Role::Operator, Role::Setter];
 
 impl Workshop {
-    pub fn open() -> Self {
-        let shop = start(Wanted { lan: true, rate: 20.0, ..Wanted::default() });
+    /// Machine time runs so much faster than the world's.
+    pub fn open(rate: f64) -> Self {
+        let shop = start(Wanted { lan: true, rate, ..Wanted::default() });
         let device = |(role, number): (Role, u64)| {
             let code = shop.server.show_code(role).unwrap();
             let pair = shop.post("/api/pair", json!({ "code": code, "name": "x" }), &[ELSEWHERE]);
@@ -224,6 +228,11 @@ impl Workshop {
         }
     }
 
+    /// Whoever of the devices drives.
+    pub fn driver(&self, shown: &Value) -> Option<usize> {
+        self.devices.iter().position(|device| shown["lease"]["client"] == device.client)
+    }
+
     /// The column of one of the devices in the table, and whether it drives.
     pub fn column(&self, who: usize, shown: &Value) -> (usize, bool) {
         let Device { role, client, .. } = &self.devices[who];
@@ -264,7 +273,7 @@ fn is_so(shown: &Value, client: u64, doing: Doing, kind: &str) -> bool {
         && match doing {
             Doing::Disarmed | Doing::Armed => state == Some("idle"),
             Doing::Running => state == Some("running") && shown["pause"].is_object(),
-            Doing::Stopped => asks == Some("hold"),
+            Doing::Stopped | Doing::StoppedDisarmed => asks == Some("hold"),
             Doing::Asking | Doing::AskingDisarmed => asks == Some(kind),
         }
 }
@@ -280,7 +289,8 @@ fn step_towards(
 ) -> Option<Value> {
     let (state, armed) = (shown["machine"]["state"].as_str().unwrap(), &shown["machine"]["armed"]);
     let (lease, pauses) = (&shown["lease"]["number"], shown["pause"].is_object());
-    let stopped_first = doing == Doing::Stopped || kind == "hold";
+    let stops = matches!(doing, Doing::Stopped | Doing::StoppedDisarmed);
+    let stopped_first = stops || kind == "hold";
     let asks = shown["asked"]["kind"].as_str().unwrap_or_default();
     let command = |line: String| json!({ "do": "command", "lease": lease, "line": line });
     Some(match state {
@@ -296,7 +306,9 @@ fn step_towards(
         "running" if stopped_first && pauses => json!({ "do": "stop" }),
         // A pause that went on after a stop is told no more: it is made anew.
         "running" if !late && (doing == Doing::Running || !pauses) => return None,
-        _ if doing == Doing::AskingDisarmed && asks == kind => {
+        _ if doing == Doing::AskingDisarmed && asks == kind
+            || doing == Doing::StoppedDisarmed && asks == "hold" =>
+        {
             json!({ "do": "giveLease", "lease": lease })
         }
         _ if doing == Doing::Asking && asks == kind
