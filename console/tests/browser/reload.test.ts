@@ -148,7 +148,10 @@ it("sbp_lim_stop_key: a stop offers Resume, Quit, nudge and keypad on both pages
       await stopped.getByRole("button", { name, exact: true }).waitFor();
     }
   });
-  await page.getByRole("dialog", { name: "Stopped" }).getByText("To go on, arm the machine.").waitFor();
+  await page
+    .getByRole("dialog", { name: "Stopped" })
+    .getByText("To go on, arm the machine.")
+    .waitFor();
   await armAnew(page);
   const before = (await stateOf(workshop)).motion.at;
   await page.getByRole("button", { name: "Nudge…" }).click();

@@ -1,5 +1,7 @@
 //! Nobody has the machine move, go on, or switch something dangerous who does not drive it, armed.
 
+#![allow(clippy::unwrap_used)]
+
 mod support;
 
 use serde_json::{Value, json};

@@ -391,18 +391,6 @@ impl Page {
         true
     }
 
-    /// Reads what is there, without waiting for more.
-    pub fn look(&mut self) {
-        let waits = |page: &Self, time| page.socket.get_ref().set_read_timeout(time).unwrap();
-        waits(self, Some(Duration::from_micros(50)));
-        let before = |page: &Self| (page.shown["revision"].clone(), page.replies.len());
-        let mut last = before(self);
-        while self.read() && before(self) != last {
-            last = before(self);
-        }
-        waits(self, Some(Duration::from_millis(10)));
-    }
-
     fn change(&mut self, change: &Value) {
         let mut snapshot: kerf_wire::Snapshot = serde_json::from_value(self.shown.clone()).unwrap();
         snapshot.apply(serde_json::from_value(change.clone()).unwrap());

@@ -22,7 +22,7 @@ const WRITES: &str = "KERF_WRITE_PAGES";
 
 #[test]
 fn what_the_book_says_of_who_may_what_is_so() {
-    let mut workshop = Workshop::open();
+    let mut workshop = Workshop::open(20.0);
     let mut parts = Vec::new();
     for (title, rows) in rows::parts() {
         let tried: Vec<table::Line> =

@@ -96,8 +96,11 @@ impl Row {
 fn more_acts() -> Vec<Row> {
     let act = |name: &str, act: Value| Row { name: name.into(), asks: Asks::Act(act) };
     vec![
-        act("act `command` with a V command", json!({ "do": "command", "line": "VS,1" })),
-        act("act `key` P (Stop)", json!({ "do": "key", "seq": 0, "key": "P" })),
+        act(
+            "act `command` with a V command",
+            json!({ "do": "command", "lease": 0, "line": "VS,1" }),
+        ),
+        act("act `key` P (Stop)", json!({ "do": "key", "lease": 0, "seq": 0, "key": "P" })),
         act("act `takeLease` with force", json!({ "do": "takeLease", "force": true })),
     ]
 }

@@ -3,7 +3,6 @@
 use super::rows::{Asks, Row};
 use super::workshop::Workshop;
 use super::{page, rows};
-use crate::support::Page;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -13,12 +12,12 @@ const STEPS: usize = 10_000;
 /// After so many steps nothing comes any more of what was asked for before.
 const OVER: usize = 300;
 
-/// Lines that are typed in walks.
+/// Lines that are typed in walks; an empty one is a move to anywhere.
 const LINES: [&str; 9] = [
-    "MX,.4",
-    "MX,0",
-    "M2,.2,.3",
-    "PAUSE",
+    "",
+    "",
+    "",
+    "PAUSE\nMX,.1",
     "MSGBOX(\"On?\",YesNo)\nMX,.1",
     "INPUT how far &x\nMX,&x",
     "SO,1,1\nMX,.2",
@@ -83,10 +82,29 @@ impl Table {
 }
 
 /// What can be seen of the machine.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Seen {
-    at: Value,
+    at: [f64; 3],
+    /// So many are on.
     outputs: usize,
+}
+
+/// Where the tool stands is told exactly when what ran is over; while a question is open it is as it was seen last, a
+/// nap of the machine's thread before.
+const NAP_MM: f64 = 12.0;
+
+impl Seen {
+    fn of(shown: &Value) -> Self {
+        let place = &shown["motion"]["at"]["machine"];
+        let outputs = shown["io"]["outputs"]
+            .as_array()
+            .map_or(0, |all| all.iter().filter(|lamp| lamp["on"] == true).count());
+        Self { at: [0, 1, 2].map(|axis| place[axis].as_f64().unwrap()), outputs }
+    }
+
+    fn is_near(self, other: Self) -> bool {
+        self.at.into_iter().zip(other.at).all(|(a, b)| (a - b).abs() < NAP_MM)
+    }
 }
 
 /// What may move the machine: the step in which it was asked for, and the question that it answers.
@@ -103,6 +121,8 @@ struct Walk {
     chance: Chance,
     licence: Option<Licence>,
     seen: Option<Seen>,
+    /// What was seen when nothing might move it any more.
+    rest: Option<Seen>,
     /// What was asked last, to be told where something is wrong.
     told: Vec<String>,
     moved: usize,
@@ -112,12 +132,13 @@ impl Walk {
     fn new(seed: u64) -> Self {
         let acts = rows::parts().into_iter().flat_map(|(_, rows)| rows);
         Self {
-            workshop: Workshop::open(),
+            workshop: Workshop::open(4.0),
             table: Table::read(),
             acts: acts.filter(|row| matches!(row.asks, Asks::Act(_))).collect(),
             chance: Chance(seed),
             licence: None,
             seen: None,
+            rest: None,
             told: Vec::new(),
             moved: 0,
         }
@@ -135,7 +156,9 @@ impl Walk {
                 (self.line_of_answer(shown, words), act)
             }
             0..35 => {
+                let far = format!("M2,{},{}", self.chance.below(30), self.chance.below(20));
                 let line = *self.chance.one(&LINES);
+                let line = if line.is_empty() { &far } else { line };
                 let sets = if line.starts_with("VS") { " with a V command" } else { "" };
                 (
                     format!("act `command`{sets}"),
@@ -181,15 +204,23 @@ impl Walk {
     }
 
     fn step(&mut self, step: usize) {
-        let shown = self.workshop.watched();
+        let shown = self.workshop.shown();
         let (name, act) = self.next(&shown, step);
-        let who = self.chance.below(6);
+        // Whoever drives does most.
+        let driver = self.workshop.driver(&shown).filter(|_| self.chance.below(10) < 6);
+        let who = driver.unwrap_or_else(|| self.chance.below(6));
         let (column, drives) = self.workshop.column(who, &shown);
         let armed = shown["machine"]["armed"] == true;
-        let says = self.table.says(&name, column, letter(&shown)).map(str::to_owned);
-        let refused = self.workshop.page(who).act(act.clone());
+        let state = match letter(&shown) {
+            // The question after a stop is one.
+            'S' if act["do"] == "answer" => 'Q',
+            's' if act["do"] == "answer" => 'q',
+            state => state,
+        };
+        let says = self.table.says(&name, column, state).map(str::to_owned);
+        let refused = self.workshop.act(who, &act);
         self.told.push(format!("{step}: {act} by {column}, {}: {refused:?}", letter(&shown)));
-        let now = self.workshop.watched();
+        let now = self.workshop.shown();
         let same = letter(&now) == letter(&shown) && now["lease"] == shown["lease"];
         if let (Some(says), true) = (&says, same) {
             assert!(says == "+" || refused.is_some(), "the table says {says}: {}", self.trail());
@@ -204,17 +235,19 @@ impl Walk {
 
     /// Looks whether the machine has moved, and whether it may.
     fn look(&mut self, now: &Value, step: usize) {
-        let on = |lamps: &Value| {
-            lamps.as_array().map_or(0, |all| all.iter().filter(|lamp| lamp["on"] == true).count())
-        };
-        let seen =
-            Seen { at: now["motion"]["at"]["machine"].clone(), outputs: on(&now["io"]["outputs"]) };
-        if let Some(before) = self.seen.replace(seen.clone()) {
-            let moved = before.at != seen.at || seen.outputs > before.outputs;
-            self.moved += usize::from(moved);
-            assert!(!moved || self.licence.is_some(), "{before:?} {seen:?}: {}", self.trail());
+        let seen = Seen::of(now);
+        self.moved += usize::from(self.seen.replace(seen).is_some_and(|it| it.at != seen.at));
+        match (&self.licence, self.rest) {
+            (Some(_), _) => self.rest = None,
+            (None, None) => self.rest = Some(seen),
+            (None, Some(rest)) => {
+                let may = seen.is_near(rest) && seen.outputs <= rest.outputs;
+                assert!(may, "{rest:?} {seen:?}: {}", self.trail());
+                self.rest = Some(Seen { outputs: seen.outputs, ..rest });
+            }
         }
-        let moves = ["running", "jogging"].contains(&now["machine"]["state"].as_str().unwrap());
+        let goes_on = ["running", "jogging", "held"];
+        let moves = goes_on.contains(&now["machine"]["state"].as_str().unwrap());
         let over = |licence: &mut Licence| {
             let other = now["asked"]["number"].as_u64() != licence.question;
             !moves && (licence.question.is_none() || other || step > licence.step + OVER)
@@ -242,7 +275,7 @@ fn letter(shown: &Value) -> char {
         "asking" if armed => 'Q',
         "asking" => 'q',
         "stopped" if armed => 'S',
-        "stopped" => 'q',
+        "stopped" => 's',
         "idle" | "alarm" if armed => 'A',
         "idle" | "alarm" => 'D',
         _ if armed => 'R',
@@ -255,10 +288,4 @@ fn in_a_long_walk_nothing_moves_that_the_table_does_not_let() {
     let mut walk = Walk::new(0x5eed_0021);
     (0..STEPS).for_each(|step| walk.step(step));
     assert!(walk.moved > STEPS / 100, "it moved in {} steps only", walk.moved);
-}
-
-/// A page that sees everything that was told until now.
-pub fn caught_up(page: &mut Page) -> Value {
-    page.act(json!({ "do": "ping" }));
-    page.shown.clone()
 }

@@ -1,8 +1,7 @@
 //! A server with everybody who may ask it, and the states in which they do.
 
 use super::rows::{Asks, Row};
-use super::walk::caught_up;
-use crate::support::{Page, Shop, Wanted, start};
+use crate::support::{Answer, Shop, Wanted, start};
 use kerf_server::Role;
 use serde_json::{Value, json};
 use std::thread;
@@ -13,6 +12,9 @@ const ELSEWHERE: (&str, &str) = ("X-Forwarded-For", "10.0.0.7");
 
 /// Longest wait for a state.
 const PATIENCE: Duration = Duration::from_secs(60);
+
+/// So long a pause takes to be told.
+const SOON: Duration = Duration::from_millis(500);
 
 /// Who asks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,186 +60,201 @@ pub enum Doing {
     Armed,
     Running,
     Stopped,
+    /// Whoever drove has gone since it was stopped.
+    StoppedDisarmed,
     Asking,
     /// Whoever drove has gone since it asked.
     AskingDisarmed,
 }
 
 impl Doing {
-    pub const ALL: [(Self, char); 6] = [
+    pub const ALL: [(Self, char); 7] = [
         (Self::Disarmed, 'D'),
         (Self::Armed, 'A'),
         (Self::Running, 'R'),
         (Self::Stopped, 'S'),
+        (Self::StoppedDisarmed, 's'),
         (Self::Asking, 'Q'),
         (Self::AskingDisarmed, 'q'),
     ];
 
     pub const fn is_armed(self) -> bool {
-        !matches!(self, Self::Disarmed | Self::AskingDisarmed)
+        !matches!(self, Self::Disarmed | Self::StoppedDisarmed | Self::AskingDisarmed)
     }
 }
 
-/// Somebody's device: its page, and its token for scripts.
+/// Somebody's device, by the token of its scripts.
 struct Device {
-    page: Page,
-    token: String,
+    role: Role,
+    bearer: String,
+    /// Its number as a driver.
+    client: u64,
 }
+
+/// Number of the scripts of the machine itself as a driver; those of devices count down from it.
+const SCRIPTS: u64 = u32::MAX as u64;
 
 pub struct Workshop {
     shop: Shop,
-    observer: Device,
-    operator: Device,
-    setter: Device,
-    owner: Device,
-    /// An operator and a setter who drive in turn.
-    drivers: [Device; 2],
+    /// An observer, an operator, a setter, an owner; an operator and a setter who drive in turn.
+    devices: Vec<Device>,
     seq: u64,
 }
 
+const ROLES: [Role; 6] =
+    [Role::Observer, Role::Operator, Role::Setter, Role::Owner, Role::Operator, Role::Setter];
+
 impl Workshop {
-    pub fn open() -> Self {
-        let shop = start(Wanted { lan: true, rate: 20.0, ..Wanted::default() });
-        let device = |role| {
+    /// Machine time runs so much faster than the world's.
+    pub fn open(rate: f64) -> Self {
+        let shop = start(Wanted { lan: true, rate, ..Wanted::default() });
+        let device = |(role, number): (Role, u64)| {
             let code = shop.server.show_code(role).unwrap();
             let pair = shop.post("/api/pair", json!({ "code": code, "name": "x" }), &[ELSEWHERE]);
-            let token = pair.json()["token"].as_str().unwrap().to_owned();
-            let bearer = format!("Bearer {token}");
-            let headers = [ELSEWHERE, ("authorization", bearer.as_str())];
-            Device { page: Page::open(shop.server.address, &headers).unwrap(), token }
+            let bearer = format!("Bearer {}", pair.json()["token"].as_str().unwrap());
+            Device { role, bearer, client: SCRIPTS - number }
         };
-        let [observer, operator, setter, owner] =
-            [Role::Observer, Role::Operator, Role::Setter, Role::Owner].map(device);
-        let drivers = [Role::Operator, Role::Setter].map(device);
-        Self { shop, observer, operator, setter, owner, drivers, seq: 0 }
+        let devices = ROLES.into_iter().zip(1..).map(device).collect();
+        Self { shop, devices, seq: 0 }
     }
 
-    fn device(&mut self, caller: Caller) -> &mut Device {
-        match caller {
-            Caller::Observer => &mut self.observer,
-            Caller::Operator => &mut self.operator,
-            Caller::Setter => &mut self.setter,
-            Caller::Owner => &mut self.owner,
-            Caller::SetterDriving => &mut self.drivers[1],
-            _ => &mut self.drivers[0],
-        }
+    fn device(&self, caller: Caller) -> &Device {
+        let at = match caller {
+            Caller::Observer => 0,
+            Caller::Operator => 1,
+            Caller::Setter => 2,
+            Caller::Owner => 3,
+            Caller::SetterDriving => 5,
+            _ => 4,
+        };
+        &self.devices[at]
+    }
+
+    /// What pages show now.
+    pub fn shown(&self) -> Value {
+        let answer = self.ask("GET /api/state", &self.devices[0], "");
+        serde_json::from_slice(&answer.body).unwrap()
+    }
+
+    fn ask(&self, request: &str, device: &Device, body: &str) -> Answer {
+        let token = ("Authorization", device.bearer.as_str());
+        let headers = [("Content-Type", "application/json"), ELSEWHERE, token];
+        self.shop.ask(request, &headers, body.as_bytes())
+    }
+
+    /// Does an act, as one of the devices: the sort of problem, or nothing.
+    pub fn act(&self, who: usize, act: &Value) -> Option<String> {
+        let (path, body) = request(act);
+        let answer = self.ask(&path, &self.devices[who], &body).json();
+        answer["why"].as_str().map(str::to_owned)
     }
 
     /// What somebody who asks for that is told while the machine does this, in a word: `+` for who may.
     pub fn told(&mut self, row: &Row, caller: Caller, doing: Doing) -> String {
-        let driver = usize::from(caller == Caller::SetterDriving);
-        self.bring_to(row, driver, doing);
-        self.keep_heard(driver);
+        let driver = if caller == Caller::SetterDriving { 5 } else { 4 };
+        let shown = self.bring_to(row, driver, doing);
         match &row.asks {
-            Asks::Act(act) => self.told_of_act(caller, driver, act.clone()),
+            Asks::Act(act) => self.told_of_act(caller, &shown, act.clone()),
             Asks::Answer { words, .. } => {
-                let question = self.drivers[driver].page.shown["asked"]["number"].clone();
+                let question = &shown["asked"]["number"];
                 let act = json!({ "do": "answer", "question": question, "answer": words });
-                self.told_of_act(caller, driver, act)
+                self.told_of_act(caller, &shown, act)
             }
             Asks::Value { key, value } => {
                 let path = format!("PUT /api/registry/{key}").replace('$', "%24");
                 self.told_of_request(caller, &path, value, "text/plain")
             }
-            Asks::Route(route) => self.told_of_request(caller, route, "{}", "application/json"),
+            Asks::Route(route) => {
+                let lease = &shown["lease"]["number"];
+                let body = match *route {
+                    "POST /api/job/start" => json!({ "lease": lease, "hash": "none" }),
+                    "POST /api/pair/code" => json!({ "role": "observer" }),
+                    _ => json!({}),
+                };
+                self.told_of_request(caller, route, &body.to_string(), "application/json")
+            }
         }
     }
 
-    fn told_of_act(&mut self, caller: Caller, driver: usize, mut act: Value) -> String {
+    fn told_of_act(&mut self, caller: Caller, shown: &Value, mut act: Value) -> String {
         if act.get("lease").is_some() {
-            act["lease"] = self.drivers[driver].page.lease.into();
+            act["lease"] = shown["lease"]["number"].clone();
         }
         if act.get("seq").is_some() {
             self.seq += 1;
             act["seq"] = self.seq.into();
         }
-        if !caller.is_let_in() {
-            let path = format!("POST /api/do/{}", act["do"].as_str().unwrap());
-            act.as_object_mut().unwrap().remove("do");
-            return self.told_of_request(caller, &path, &act.to_string(), "application/json");
-        }
-        word(self.device(caller).page.act(act).as_deref())
+        let (path, body) = request(&act);
+        self.told_of_request(caller, &path, &body, "application/json")
     }
 
-    fn told_of_request(&mut self, caller: Caller, route: &str, body: &str, sort: &str) -> String {
-        let bearer = format!("Bearer {}", self.device(caller).token);
+    fn told_of_request(&self, caller: Caller, route: &str, body: &str, sort: &str) -> String {
         let mut headers = vec![("Content-Type", sort), ELSEWHERE];
         match caller {
-            Caller::NoToken => {}
             Caller::ForeignHost => headers.push(("Host", "evil.example")),
             Caller::ForeignOrigin => headers.push(("Origin", "http://evil.example")),
             _ => {}
         }
         if caller != Caller::NoToken {
-            headers.push(("Authorization", &bearer));
+            headers.push(("Authorization", &self.device(caller).bearer));
         }
         let answer = self.shop.ask(route, &headers, body.as_bytes());
         match answer.status {
-            401 | 421 => answer.status.to_string(),
+            401 if caller == Caller::NoToken => "401".into(),
+            421 => "421".into(),
             403 if caller == Caller::ForeignOrigin => "403".into(),
             _ => word(answer.json()["why"].as_str()),
         }
     }
 
-    /// Everybody in the order of a walk.
-    pub fn page(&mut self, who: usize) -> &mut Page {
-        let [operator, setter] = &mut self.drivers;
-        let all = [&mut self.observer, &mut self.operator, &mut self.setter, &mut self.owner];
-        let all = all.into_iter().chain([operator, setter]);
-        &mut all.into_iter().nth(who).unwrap().page
+    /// Has the machine do this, driven by one of the drivers; what is shown then.
+    fn bring_to(&self, row: &Row, driver: usize, doing: Doing) -> Value {
+        let (program, kind) = match &row.asks {
+            Asks::Answer { program, kind, .. } => (program.unwrap_or_default(), *kind),
+            _ => ("MSGBOX(\"On?\",YesNo)", "msgbox"),
+        };
+        let (begun, mut last) = (Instant::now(), None);
+        loop {
+            let (shown, client) = (self.shown(), self.devices[driver].client);
+            if is_so(&shown, client, doing, kind) {
+                return shown;
+            }
+            let (name, since) = (&row.name, begun.elapsed());
+            assert!(since < PATIENCE, "{name}, {doing:?}, {last:?}: {:#}", shown["machine"]);
+            if let Some(act) = step_towards(&shown, client, doing, kind, program, since > SOON) {
+                last = Some(format!("{act}: {:?}", self.act(driver, &act)));
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
     }
 
-    /// What one who only looks is shown by now.
-    pub fn watched(&mut self) -> Value {
-        caught_up(&mut self.observer.page)
+    /// Whoever of the devices drives.
+    pub fn driver(&self, shown: &Value) -> Option<usize> {
+        self.devices.iter().position(|device| shown["lease"]["client"] == device.client)
     }
 
-    /// The column of one of them in the table, and whether it drives.
-    pub fn column(&mut self, who: usize, shown: &Value) -> (usize, bool) {
-        let page = self.page(who);
-        page.look();
-        let drives = shown["lease"]["client"] == page.who["client"];
-        let caller = match page.who["role"].as_str().unwrap() {
-            "observer" => Caller::Observer,
-            "operator" if drives => Caller::OperatorDriving,
-            "operator" => Caller::Operator,
+    /// The column of one of the devices in the table, and whether it drives.
+    pub fn column(&self, who: usize, shown: &Value) -> (usize, bool) {
+        let Device { role, client, .. } = &self.devices[who];
+        let drives = shown["lease"]["client"] == *client;
+        let caller = match role {
+            Role::Observer => Caller::Observer,
+            Role::Operator if drives => Caller::OperatorDriving,
+            Role::Operator => Caller::Operator,
             _ if drives => Caller::SetterDriving,
-            "setter" => Caller::Setter,
-            _ => Caller::Owner,
+            Role::Setter => Caller::Setter,
+            Role::Owner => Caller::Owner,
         };
         let column = Caller::ALL.iter().position(|(known, _)| *known == caller).unwrap();
         (column, drives)
     }
+}
 
-    /// Pages that wait are heard by the server.
-    fn keep_heard(&mut self, driver: usize) {
-        self.drivers[driver].page.read();
-        for device in [&mut self.observer, &mut self.operator, &mut self.setter, &mut self.owner] {
-            device.page.look();
-        }
-        self.drivers[1 - driver].page.look();
-    }
-
-    /// Has the machine do this, driven by one of the drivers.
-    fn bring_to(&mut self, row: &Row, driver: usize, doing: Doing) {
-        let program = match &row.asks {
-            Asks::Answer { program: Some(program), .. } => program,
-            _ => "MSGBOX(\"On?\",YesNo)",
-        };
-        let kind = match &row.asks {
-            Asks::Answer { kind, .. } => kind,
-            _ => "msgbox",
-        };
-        let page = &mut self.drivers[driver].page;
-        let begun = Instant::now();
-        let mut last = None;
-        while !is_so(page, doing, kind) {
-            let late = begun.elapsed() > PATIENCE;
-            assert!(!late, "{doing:?}, {kind}, {last:?}: {:#}", page.shown["machine"]);
-            last = step_towards(page, doing, kind, program).or(last);
-            page.read();
-        }
-    }
+/// The request by which a script asks for an act.
+fn request(act: &Value) -> (String, String) {
+    let (path, mut fields) = (format!("POST /api/do/{}", act["do"].as_str().unwrap()), act.clone());
+    fields.as_object_mut().unwrap().remove("do");
+    (path, fields.to_string())
 }
 
 /// The reason of a refusal that says who may not; whatever else is wrong, this one may.
@@ -249,56 +266,56 @@ fn word(why: Option<&str>) -> String {
     }
 }
 
-fn is_so(page: &mut Page, doing: Doing, kind: &str) -> bool {
-    page.look();
-    let (shown, who) = (&page.shown, &page.who);
-    let mine = shown["lease"]["client"] == who["client"] && shown["lease"]["number"] == page.lease;
-    let asks = shown["asked"]["kind"].as_str();
-    mine && shown["machine"]["armed"] == doing.is_armed()
+fn is_so(shown: &Value, client: u64, doing: Doing, kind: &str) -> bool {
+    let (state, asks) = (shown["machine"]["state"].as_str(), shown["asked"]["kind"].as_str());
+    shown["lease"]["client"] == client
+        && shown["machine"]["armed"] == doing.is_armed()
         && match doing {
-            Doing::Disarmed | Doing::Armed => shown["machine"]["state"] == "idle",
-            Doing::Running => shown["machine"]["state"] == "running" && shown["pause"].is_object(),
-            Doing::Stopped => asks == Some("hold"),
+            Doing::Disarmed | Doing::Armed => state == Some("idle"),
+            Doing::Running => state == Some("running") && shown["pause"].is_object(),
+            Doing::Stopped | Doing::StoppedDisarmed => asks == Some("hold"),
             Doing::Asking | Doing::AskingDisarmed => asks == Some(kind),
         }
 }
 
-/// Does one thing by which the machine comes nearer to a state.
-fn step_towards(page: &mut Page, doing: Doing, kind: &str, program: &str) -> Option<String> {
-    let (state, armed) = (page.shown["machine"]["state"].clone(), &page.shown["machine"]["armed"]);
-    let mine = page.shown["lease"]["client"] == page.who["client"];
-    let stopped_first = doing == Doing::Stopped || kind == "hold";
-    let asks = page.shown["asked"]["kind"].as_str().unwrap_or_default().to_owned();
-    let lease = page.lease;
-    let act = match state.as_str().unwrap() {
-        _ if !mine => json!({ "do": "takeLease", "force": true }),
+/// The one thing by which the machine comes nearer to a state; nothing where that is to be waited for.
+fn step_towards(
+    shown: &Value,
+    client: u64,
+    doing: Doing,
+    kind: &str,
+    program: &str,
+    late: bool,
+) -> Option<Value> {
+    let (state, armed) = (shown["machine"]["state"].as_str().unwrap(), &shown["machine"]["armed"]);
+    let (lease, pauses) = (&shown["lease"]["number"], shown["pause"].is_object());
+    let stops = matches!(doing, Doing::Stopped | Doing::StoppedDisarmed);
+    let stopped_first = stops || kind == "hold";
+    let asks = shown["asked"]["kind"].as_str().unwrap_or_default();
+    let command = |line: String| json!({ "do": "command", "lease": lease, "line": line });
+    Some(match state {
+        _ if shown["lease"]["client"] != client => json!({ "do": "takeLease", "force": true }),
         "alarm" => json!({ "do": "acknowledge" }),
         "idle" if doing == Doing::Disarmed => json!({ "do": "disarm" }),
         "idle" if armed == false => json!({ "do": "arm", "lease": lease }),
-        "idle" if doing == Doing::Running || stopped_first => {
-            json!({ "do": "command", "lease": lease, "line": "PAUSE 3600" })
-        }
-        "idle" => json!({ "do": "command", "lease": lease, "line": program }),
+        "idle" if doing == Doing::Running || stopped_first => command("PAUSE 3600\n&x=0".into()),
+        "idle" => command(format!("{program}\n&x=0")),
         "running" if doing == Doing::Running && armed == false => {
             json!({ "do": "arm", "lease": lease })
         }
-        "running" if stopped_first && page.shown["pause"].is_object() => json!({ "do": "stop" }),
-        "running" if doing == Doing::Running || page.shown["pause"].is_null() => return None,
-        _ if doing == Doing::AskingDisarmed && asks == kind => {
+        "running" if stopped_first && pauses => json!({ "do": "stop" }),
+        // A pause that went on after a stop is told no more: it is made anew.
+        "running" if !late && (doing == Doing::Running || !pauses) => return None,
+        _ if doing == Doing::AskingDisarmed && asks == kind
+            || doing == Doing::StoppedDisarmed && asks == "hold" =>
+        {
             json!({ "do": "giveLease", "lease": lease })
         }
-        _ if asks == kind || doing == Doing::Stopped && asks == "hold" => {
+        _ if doing == Doing::Asking && asks == kind
+            || doing == Doing::Stopped && asks == "hold" =>
+        {
             json!({ "do": "arm", "lease": lease })
         }
         _ => json!({ "do": "stop" }),
-    };
-    let takes = act["do"] == "takeLease";
-    let id = page.send(act.clone());
-    let told = page.problem(id);
-    if takes {
-        page.look();
-        page.lease = page.shown["lease"]["number"].as_u64().unwrap_or_default();
-    }
-    thread::sleep(Duration::from_millis(1));
-    Some(format!("{act}: {told}"))
+    })
 }
