@@ -3,9 +3,11 @@
 use crate::desk::Desk;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
+use crate::http::Bodies;
 use crate::hub::Hub;
 use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
+use crate::memory::Memory;
 use crate::people::{Devices, Pages};
 use crate::pool::{KERF, Lane, Pool};
 use crate::preview::{self, Called, Charts, Preview};
@@ -60,6 +62,10 @@ pub struct App {
     pub charts: Charts,
     /// Does what takes longer than a moment.
     pub pool: Arc<Pool>,
+    /// Whether memory is tight.
+    pub memory: Memory,
+    /// Room for what is sent.
+    pub bodies: Bodies,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -161,6 +167,7 @@ impl App {
     /// The part folder or the list of devices cannot be read.
     pub fn new(options: Options, parts: Parts) -> std::io::Result<Self> {
         let Parts { hub, link, orders, left, builders } = parts;
+        let memory = Memory::default();
         Ok(Self {
             parts: PartFolder::new(&options.parts)?,
             devices: Devices::read(&options.data)?,
@@ -172,7 +179,9 @@ impl App {
             open: Mutex::default(),
             taken: Mutex::default(),
             charts: Charts::default(),
-            pool: Arc::new(Pool::begin()?),
+            pool: Arc::new(Pool::begin(memory.clone())?),
+            memory,
+            bodies: Bodies::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),
@@ -249,7 +258,9 @@ impl App {
         if !open.name.is_empty() {
             let before = Some(open.key.clone());
             // Where too much is being done the file is opened anew by hand.
-            drop(self.show_instead(before, Open { preview: None, given_up: Arc::default(), ..open }));
+            drop(
+                self.show_instead(before, Open { preview: None, given_up: Arc::default(), ..open }),
+            );
         }
     }
 
@@ -267,7 +278,11 @@ impl App {
     }
 
     /// Shows a file; if what is shown is to be that of a key, only while it still is.
-    fn show_instead(self: &Arc<Self>, before: Option<String>, mut open: Open) -> Result<(), Problem> {
+    fn show_instead(
+        self: &Arc<Self>,
+        before: Option<String>,
+        mut open: Open,
+    ) -> Result<(), Problem> {
         let number = self.previews.fetch_add(1, Ordering::Relaxed);
         open.key = format!("{}-{number}", &open.hash[..16.min(open.hash.len())]);
         let opened = self.opened_of(&open);

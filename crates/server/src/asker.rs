@@ -156,7 +156,8 @@ mod tests {
         let (link, left) = (Arc::<Link>::default(), Arc::default());
         let parts = Parts { hub, link, orders: sender, left, builders };
         let app = Arc::new(App::new(options(&folder), parts).unwrap());
-        let [driver, other] = [(); 2].map(|()| app.pages.enter(Role::Owner, String::new(), 0).unwrap().0);
+        let [driver, other] =
+            [(); 2].map(|()| app.pages.enter(Role::Owner, String::new(), 0).unwrap().0);
         let bench = Bench { app, orders, driver, other, _folder: folder };
         bench.does(&bench.driver, Act::TakeLease { force: false });
         bench.arms();

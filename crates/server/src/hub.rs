@@ -97,7 +97,8 @@ impl Hub {
         // Nobody listening is no error.
         drop(self.pages.send(told.clone()));
         drop(snapshot);
-        if let (Some(problems), ToPage::Changes { changes }) = (self.problems.get(), &told.message) {
+        if let (Some(problems), ToPage::Changes { changes }) = (self.problems.get(), &told.message)
+        {
             problems.note(changes);
         }
     }

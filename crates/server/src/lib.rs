@@ -32,6 +32,7 @@ mod job;
 mod job_by_hand;
 mod lanes;
 mod machine;
+mod memory;
 mod operations;
 mod paths;
 mod people;
@@ -119,6 +120,7 @@ impl Server {
             drop(app.send(Order::Command { line: line.clone(), opened: false }));
         }
         let stop_way = StopWay::begin(&app, door, runtime.handle().clone())?;
+        runtime.spawn(app.memory.clone().watch(Arc::downgrade(&app.hub)));
         runtime.spawn(http::serve(listener, http::router(app.clone())));
         let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));
         Ok(Self { address, app, closed, machine, _stop_way: stop_way, runtime: Some(runtime) })

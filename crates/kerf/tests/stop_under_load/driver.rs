@@ -48,8 +48,15 @@ impl Driver {
 
     fn connected(address: SocketAddr) -> Self {
         let main = socket(address, "/ws", address, DRIVER).expect("the driver's page connects");
-        let mut driver =
-            Self { main, own: None, shown: Shown::default(), last: 0, turn: 0, answered: 0, address };
+        let mut driver = Self {
+            main,
+            own: None,
+            shown: Shown::default(),
+            last: 0,
+            turn: 0,
+            answered: 0,
+            address,
+        };
         driver.until("a snapshot", |shown| shown.client > 0);
         driver.own = driver.own_way();
         driver

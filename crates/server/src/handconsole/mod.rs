@@ -50,10 +50,13 @@ pub fn begin(app: &Arc<App>) {
     let (happens, happenings) = channel();
     let keeper = keeper::Keeper::new(Arc::downgrade(app), happens.clone());
     let thread = thread::Builder::new().name("hand console".into());
-    if thread.spawn(move || {
-        Yields::ToTheMachine.hold();
-        keeper.work(&happenings);
-    }).is_ok() {
+    if thread
+        .spawn(move || {
+            Yields::ToTheMachine.hold();
+            keeper.work(&happenings);
+        })
+        .is_ok()
+    {
         // There is one for a server.
         drop(app.hand_console.set(happens));
         port::begin(app);

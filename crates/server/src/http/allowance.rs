@@ -37,8 +37,7 @@ mod tests {
     fn so_many_at_once_and_then_so_many_a_second() {
         let mut allowance = Allowance::of(10, 5);
         let now = Instant::now();
-        let waits: Vec<u128> =
-            (0..8).map(|_| (allowance.due(now) - now).as_millis()).collect();
+        let waits: Vec<u128> = (0..8).map(|_| (allowance.due(now) - now).as_millis()).collect();
         assert_eq!(waits, [0, 0, 0, 0, 0, 100, 200, 300]);
         let later = now + Duration::from_secs(60);
         assert_eq!(allowance.due(later), later, "who waits may ask again");

@@ -3,8 +3,8 @@
 //! A page of a foreign site in the user's own browser must not reach the machine: its requests carry
 //! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
 
-use crate::app::App;
 use super::door::Place;
+use crate::app::App;
 use crate::pool::{HERE, Turn};
 use axum::extract::connect_info::ConnectInfo;
 use axum::extract::{Extension, Request, State};
@@ -95,6 +95,10 @@ async fn pass(
     };
     let (stranger, turn) = (caller.role.is_none(), Turn::of(app.pool.clone(), caller.number()));
     request.extensions_mut().insert(caller);
+    let (request, _room) = match app.bodies.admit(request).await {
+        Ok(admitted) => admitted,
+        Err((status, why)) => return with_headers((status, why).into_response()),
+    };
     let answer = turn.serve(next.run(request));
     if !stranger {
         return with_headers(answer.await);

@@ -124,7 +124,8 @@ impl Page {
             match &message {
                 Message::Text(text) if !self.halts(text.as_bytes()) => {
                     allowance.take().await;
-                    let Ok(Ok(owed)) = timeout(PATIENCE, self.replies.clone().reserve_owned()).await
+                    let Ok(Ok(owed)) =
+                        timeout(PATIENCE, self.replies.clone().reserve_owned()).await
                     else {
                         return;
                     };

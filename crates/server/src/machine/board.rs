@@ -9,8 +9,8 @@ use kerf_machine::Configuration;
 use kerf_program::{Axes, MoveKind};
 use kerf_sim::Machine;
 use kerf_wire::{
-    Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound, Speeds, Tone,
-    Units,
+    Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound,
+    Speeds, Tone, Units,
 };
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -284,33 +284,33 @@ impl Board {
     /// What of it differs from what pages know. It counts as told from now on.
     fn to_tell(&mut self, now: &Snapshot) -> Vec<Change> {
         self.told = Instant::now();
-            let mut changes = Vec::new();
-            let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));
-            put(now.units != self.units, Change::Units { units: self.units.clone() });
-            put(now.speeds != self.speeds, Change::Speeds { speeds: self.speeds });
-            put(now.io != self.io, Change::Io { io: self.io.clone() });
-            put(now.motion != self.motion, Change::Motion { motion: self.motion });
-            if let Some(job) = &now.job {
-                let calls = self.calls.take().unwrap_or_else(|| job.calls.clone());
-                let heights = self.heights.or(job.heights);
-                let in_force = self.in_force.or(job.in_force);
-                let job = Some(kerf_wire::Job { calls, heights, in_force, ..job.clone() });
-                put(now.job != job, Change::Job { job });
-            }
-            let pause = self.pause.clone();
-            put(now.pause != pause, Change::Pause { pause });
-            if let Some(name) = self.sound.take() {
-                let number = now.sound.as_ref().map_or(0, |sound| sound.number).wrapping_add(1);
-                put(true, Change::Sound { sound: Some(Sound { number, name }) });
-            }
-            if let Some(watched) = self.watched.take() {
-                put(now.watched != watched, Change::Watched { watched });
-            }
-            let (lines, messages) =
-                (std::mem::take(&mut self.printed), std::mem::take(&mut self.messages));
-            put(!lines.is_empty(), Change::Printed { lines });
-            put(!messages.is_empty(), Change::Messages { messages });
-            changes
+        let mut changes = Vec::new();
+        let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));
+        put(now.units != self.units, Change::Units { units: self.units.clone() });
+        put(now.speeds != self.speeds, Change::Speeds { speeds: self.speeds });
+        put(now.io != self.io, Change::Io { io: self.io.clone() });
+        put(now.motion != self.motion, Change::Motion { motion: self.motion });
+        if let Some(job) = &now.job {
+            let calls = self.calls.take().unwrap_or_else(|| job.calls.clone());
+            let heights = self.heights.or(job.heights);
+            let in_force = self.in_force.or(job.in_force);
+            let job = Some(kerf_wire::Job { calls, heights, in_force, ..job.clone() });
+            put(now.job != job, Change::Job { job });
+        }
+        let pause = self.pause.clone();
+        put(now.pause != pause, Change::Pause { pause });
+        if let Some(name) = self.sound.take() {
+            let number = now.sound.as_ref().map_or(0, |sound| sound.number).wrapping_add(1);
+            put(true, Change::Sound { sound: Some(Sound { number, name }) });
+        }
+        if let Some(watched) = self.watched.take() {
+            put(now.watched != watched, Change::Watched { watched });
+        }
+        let (lines, messages) =
+            (std::mem::take(&mut self.printed), std::mem::take(&mut self.messages));
+        put(!lines.is_empty(), Change::Printed { lines });
+        put(!messages.is_empty(), Change::Messages { messages });
+        changes
     }
 }
 

@@ -276,7 +276,8 @@ impl Link {
         if begins {
             let presses = std::mem::take(&mut wanted.presses);
             let (arrived, heard) = (self.arrived.clone(), stops.halts());
-            let anew = Wanted { arrived, heard, jog, leaves, ends: leaves, presses, ..Wanted::default() };
+            let anew =
+                Wanted { arrived, heard, jog, leaves, ends: leaves, presses, ..Wanted::default() };
             *wanted = anew;
         }
         begins
@@ -298,7 +299,13 @@ mod tests {
 
     #[test]
     fn what_arrived_before_a_stop_does_not_begin() {
-        let stops: [fn(&Link); 4] = [Link::stop, Link::hold, Link::forestall, Link::leave];
+        let stops: [fn(&Link); 5] = [
+            |link| _ = link.stop(),
+            |link| _ = link.disarm(),
+            Link::hold,
+            Link::forestall,
+            Link::leave,
+        ];
         for stop in stops {
             let link = Link::default();
             let arrived = link.stops();
@@ -306,6 +313,10 @@ mod tests {
             stop(&link);
             assert!(!link.begin(Some(arrived), None));
             assert_eq!(link.want_since(arrived, |_| ()), None);
+            if link.arrived().disarms() {
+                assert!(!link.begin(Some(link.stops()), None), "it is not disarmed yet");
+                link.arrived().disarmed();
+            }
             assert!(link.begin(Some(link.stops()), None), "asked for anew");
             assert!(!link.begin(Some(arrived), None), "the stop was not forgotten");
         }

@@ -41,7 +41,8 @@ impl Inner {
         self.last += 1;
         let (client, presses) = (self.last, Presses::default());
         let name = device.clone();
-        self.pages.insert(client, Page { role, device: name, number, jog: 0, presses: presses.clone() });
+        self.pages
+            .insert(client, Page { role, device: name, number, jog: 0, presses: presses.clone() });
         (Who { client, role, device }, presses)
     }
 }

@@ -3,8 +3,8 @@
 use super::halt::{Halt, Pressed, heard};
 use super::presses::Presses;
 use crate::app::{App, problem};
-use crate::hub::text;
 use crate::http::{Allowance, Caller, Place, guard_of_stop, serve};
+use crate::hub::text;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;
@@ -36,7 +36,8 @@ const AT_ONCE: u32 = 20;
 const OWED: usize = 32;
 
 /// What is said to whoever asks for anything else.
-const NOTHING_ELSE: &str = "only stop, hold, disarm and jogStop are heard here: ask the console for the rest";
+const NOTHING_ELSE: &str =
+    "only stop, hold, disarm and jogStop are heard here: ask the console for the rest";
 
 /// The way, until it is dropped.
 #[derive(Debug)]
