@@ -2,7 +2,7 @@
 
 use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
-use crate::gate::{Way, driven_by};
+use crate::gate::{STOP_KEY, Way, driven_by};
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::people::{Grip, GripError};

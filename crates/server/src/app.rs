@@ -3,9 +3,11 @@
 use crate::desk::Desk;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
+use crate::http::Bodies;
 use crate::hub::Hub;
 use crate::job::kind_of;
 use crate::machine::{Left, Link, Order};
+use crate::memory::Memory;
 use crate::people::{Devices, Here, Pages, Tries};
 use crate::pool::{KERF, Lane, Pool};
 use crate::preview::{self, Called, Charts, Preview};
@@ -73,6 +75,10 @@ pub struct App {
     pub charts: Charts,
     /// Does what takes longer than a moment.
     pub pool: Arc<Pool>,
+    /// Whether memory is tight.
+    pub memory: Memory,
+    /// Room for what is sent.
+    pub bodies: Bodies,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -177,6 +183,7 @@ impl App {
         let (devices, told) = Devices::read(&options.data)?;
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
         let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
+        let memory = Memory::default();
         Ok(Self {
             parts: PartFolder::new(&options.parts)?,
             devices,
@@ -192,7 +199,9 @@ impl App {
             open: Mutex::default(),
             taken: Mutex::default(),
             charts: Charts::default(),
-            pool: Arc::new(Pool::begin()?),
+            pool: Arc::new(Pool::begin(memory.clone())?),
+            memory,
+            bodies: Bodies::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),

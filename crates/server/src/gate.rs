@@ -81,7 +81,7 @@ const fn setting(need: Need) -> Need {
 }
 
 /// Stop of the hand console.
-const STOP_KEY: char = Key::Stop.character();
+pub const STOP_KEY: char = Key::Stop.character();
 
 /// Decides what something takes. This is the one list.
 ///

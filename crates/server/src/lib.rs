@@ -36,6 +36,7 @@ mod job;
 mod job_by_hand;
 mod lanes;
 mod machine;
+mod memory;
 mod names;
 mod operations;
 mod paths;
@@ -126,6 +127,7 @@ impl Server {
         app.start_up();
         runtime.spawn(turn::watch(Arc::downgrade(&app)));
         let stop_way = StopWay::begin(&app, door, runtime.handle().clone())?;
+        runtime.spawn(app.memory.clone().watch(Arc::downgrade(&app.hub)));
         runtime.spawn(http::serve(listener, http::router(app.clone())));
         let (closed, machine) = (Mutex::new(closed), Mutex::new(Some(machine)));
         Ok(Self { address, app, closed, machine, _stop_way: stop_way, runtime: Some(runtime) })

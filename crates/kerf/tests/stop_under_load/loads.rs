@@ -150,9 +150,9 @@ pub fn uploads(address: SocketAddr, devices: usize, megabytes: usize) -> Load {
     })
 }
 
-/// Devices that have texts of a quarter of a megabyte checked.
+/// Devices that have texts of almost a megabyte checked.
 pub fn checks(address: SocketAddr, devices: usize) -> Load {
-    let text = "M3,1,2,3\nJZ,0.5\n&a = 7 * (3 + 4)\n".repeat(6000);
+    let text = "M3,1,2,3\nJZ,0.5\n&a = 7 * (3 + 4)\n".repeat(20_000);
     let body = json!({ "name": "a.sbp", "text": text }).to_string();
     Load::of(devices, move |turn, _| {
         let device = with_role("observer", turn);
@@ -178,7 +178,6 @@ pub fn protect(address: SocketAddr) {
 
 /// Devices that have the tool path of six thousand circles made, again and again.
 pub fn tool_paths(address: SocketAddr, devices: usize) -> Load {
-    put(address, "circles.dxf", &circles(6000));
     let body = json!({ "drawing": "circles.dxf", "anew": true }).to_string();
     Load::of(devices, move |turn, _| {
         let device = with_role("operator", turn);
@@ -188,11 +187,6 @@ pub fn tool_paths(address: SocketAddr, devices: usize) -> Load {
 
 /// Devices that open a long part file again and again: each time its preview is made.
 pub fn previews(address: SocketAddr, devices: usize) -> Load {
-    let mut text = String::new();
-    for n in 0..20_000 {
-        text += &format!("M3,{},{},-0.1\n", n % 97, n % 89);
-    }
-    put(address, "long.sbp", &text);
     let body = json!({ "name": "long.sbp" }).to_string();
     Load::of(devices, move |turn, _| {
         let device = with_role("operator", turn);
@@ -209,20 +203,13 @@ pub fn states(address: SocketAddr, devices: usize) -> Load {
     })
 }
 
-fn put(address: SocketAddr, name: &str, text: &str) {
-    let request = format!("PUT /api/files/{name}");
-    let (status, _) = ask(
-        address,
-        with_role("operator", 0),
-        &request,
-        "application/octet-stream",
-        text.as_bytes(),
-    );
-    assert_eq!(status, 200, "{name} is put into the part folder");
+/// A part file of so many moves.
+pub fn long_part(moves: usize) -> String {
+    (0..moves).map(|n| format!("M3,{},{},-0.1\n", n % 97, n % 89)).collect()
 }
 
 /// So many circles as a DXF.
-fn circles(number: usize) -> String {
+pub fn circles(number: usize) -> String {
     let mut text = String::from("0\nSECTION\n2\nENTITIES\n");
     for n in 0..number {
         let (x, y) = (n % 100 * 3, n / 100 * 3);

@@ -51,7 +51,7 @@ const LOADS: &[(&str, Begin)] = &[
     ("1,000 half-sent requests", |to| vec![loads::half_sent(to, 1000)]),
     ("4 uploads of 16 MB", |to| vec![loads::uploads(to, 4, 16)]),
     ("tool paths of 6,000 circles", |to| vec![loads::tool_paths(to, 2)]),
-    ("8 checks of 200 kB", |to| vec![loads::checks(to, 8)]),
+    ("8 checks of 700 kB", |to| vec![loads::checks(to, 8)]),
     ("password tries", |to| {
         loads::protect(to);
         vec![loads::passwords(to, 8)]

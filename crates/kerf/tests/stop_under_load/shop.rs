@@ -1,5 +1,6 @@
 //! A server of its own: its process, the devices that are paired with it, and how it is asked.
 
+use super::loads::{circles, long_part};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -39,6 +40,8 @@ impl Shop {
         std::fs::create_dir(&parts).unwrap();
         std::fs::create_dir(&data).unwrap();
         std::fs::write(data.join("devices.json"), devices().to_string()).unwrap();
+        std::fs::write(parts.join("circles.dxf"), circles(6000)).unwrap();
+        std::fs::write(parts.join("long.sbp"), long_part(20_000)).unwrap();
         let mut process = Command::new(program())
             .args(["serve", "--lan", "--listen", "127.0.0.1:0", "--parts"])
             .arg(&parts)

@@ -106,6 +106,10 @@ async fn pass(
     };
     let (stranger, turn) = (caller.role.is_none(), Turn::of(app.pool.clone(), caller.number()));
     request.extensions_mut().insert(caller);
+    let (request, _room) = match app.bodies.admit(request).await {
+        Ok(admitted) => admitted,
+        Err((status, why)) => return with_headers((status, why).into_response()),
+    };
     let answer = turn.serve(next.run(request));
     if !stranger {
         return with_headers(answer.await);

@@ -7,6 +7,7 @@
 
 mod allowance;
 mod assets;
+mod bodies;
 mod door;
 mod files;
 mod guard;
@@ -20,6 +21,7 @@ mod routes;
 mod socket;
 
 pub use allowance::Allowance;
+pub use bodies::Bodies;
 pub use door::{Place, serve};
 pub use guard::{Caller, IN_ADDRESS, guard_of_stop};
 pub use routes::{describe, paths, router};

@@ -1,13 +1,17 @@
 //! The routes, and their description for scripts (OpenAPI).
 
 use super::language::{Formatted, Spot};
-use super::{assets, files, guard, language, media, people, preview, registry, rest, socket};
+use super::{
+    assets, bodies, files, guard, language, media, people, preview, registry, rest, socket,
+};
 use crate::app::App;
 use axum::Router;
+use axum::body::Bytes;
 use axum::extract::DefaultBodyLimit;
+use axum::http::header::CONTENT_TYPE;
 use axum::middleware::from_fn_with_state;
+use axum::response::IntoResponse;
 use axum::routing::{MethodRouter, any, delete, get, post};
-use kerf_control::MOST_BYTES;
 use kerf_wire::preview::{PreviewInfo, Timing};
 use kerf_wire::{
     Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
@@ -16,13 +20,15 @@ use kerf_wire::{
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value, json};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// Every route; everything passes the guard.
 pub fn router(app: Arc<App>) -> Router {
     let all = served().into_iter();
     all.fold(Router::new(), |router, (path, methods)| router.route(path, methods))
         .fallback(get(assets::asset))
+        // Routes that take more say so.
+        .layer(DefaultBodyLimit::max(bodies::SHORT))
         .layer(from_fn_with_state(app.clone(), guard::guard))
         .with_state(app)
 }
@@ -34,11 +40,12 @@ pub fn paths() -> Vec<&'static str> {
 
 /// What is served where. This is the one list.
 fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
-    let upload = get(files::read).put(files::write).layer(DefaultBodyLimit::max(MOST_BYTES));
+    let most = DefaultBodyLimit::max;
+    let upload = get(files::read).put(files::write).layer(most(bodies::FILE));
     vec![
         ("/ws", any(socket::socket)),
         ("/api/state", get(rest::state)),
-        ("/api/do/{act}", post(rest::act)),
+        ("/api/do/{act}", post(rest::act).layer(most(bodies::ACT))),
         ("/api/files", get(files::list)),
         ("/api/files/{*name}", upload),
         ("/api/media/{*name}", get(media::sound)),
@@ -58,16 +65,22 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/ports", get(language::ports)),
         ("/api/registry", get(registry::list)),
         ("/api/registry/{*key}", get(registry::get).put(registry::set)),
-        ("/api/language/check", post(language::check)),
-        ("/api/language/complete", post(language::complete)),
-        ("/api/language/hover", post(language::hover)),
-        ("/api/language/format", post(language::format)),
+        ("/api/language/check", post(language::check).layer(most(bodies::TEXT))),
+        ("/api/language/complete", post(language::complete).layer(most(bodies::TEXT))),
+        ("/api/language/hover", post(language::hover).layer(most(bodies::TEXT))),
+        ("/api/language/format", post(language::format).layer(most(bodies::TEXT))),
         ("/api/pair", post(people::pair)),
         ("/api/pair/code", post(people::code)),
         ("/api/devices", get(people::list)),
         ("/api/devices/{number}", delete(people::revoke)),
-        ("/api/openapi.json", get(|| async { axum::Json(describe()) })),
+        ("/api/openapi.json", get(described)),
     ]
+}
+
+/// The description, made once.
+async fn described() -> impl IntoResponse {
+    static DESCRIBED: LazyLock<Bytes> = LazyLock::new(|| describe().to_string().into());
+    ([(CONTENT_TYPE, "application/json")], DESCRIBED.clone())
 }
 
 /// Makes the schema of a type.

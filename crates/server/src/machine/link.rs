@@ -317,10 +317,9 @@ mod tests {
 
     #[test]
     fn what_arrived_before_a_stop_does_not_begin() {
-        let stops: [fn(&Link); 4] = [
-            |link| {
-                link.stop();
-            },
+        let stops: [fn(&Link); 5] = [
+            |link| _ = link.stop(),
+            |link| _ = link.disarm(),
             Link::hold,
             Link::forestall,
             Link::leave,
@@ -332,6 +331,10 @@ mod tests {
             stop(&link);
             assert!(!link.begin(Some(arrived), None));
             assert_eq!(link.want_since(arrived, |_| ()), None);
+            if link.arrived().disarms() {
+                assert!(!link.begin(Some(link.stops()), None), "it is not disarmed yet");
+                link.arrived().disarmed();
+            }
             assert!(link.begin(Some(link.stops()), None), "asked for anew");
             assert!(!link.begin(Some(arrived), None), "the stop was not forgotten");
         }

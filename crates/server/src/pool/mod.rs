@@ -11,6 +11,7 @@
 mod turns;
 
 use crate::app::{lock, problem};
+use crate::memory::{Memory, REFUSED};
 use crate::priority::Yields;
 use kerf_wire::{Problem, Why};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -42,6 +43,8 @@ pub enum Lane {
 /// The threads, and what waits for them.
 #[derive(Debug)]
 pub struct Pool {
+    /// Long work of paired devices is refused where it is tight.
+    memory: Memory,
     short: Arc<Queue>,
     long: Arc<Queue>,
 }
@@ -58,9 +61,9 @@ impl Pool {
     ///
     /// # Errors
     /// The system gives none.
-    pub fn begin() -> std::io::Result<Self> {
+    pub fn begin(memory: Memory) -> std::io::Result<Self> {
         let cores = thread::available_parallelism().map_or(1, usize::from);
-        let pool = Self { short: Arc::default(), long: Arc::default() };
+        let pool = Self { memory, short: Arc::default(), long: Arc::default() };
         for _ in 0..SHORT {
             begin("short work", Yields::ToPages, &pool.short)?;
         }
@@ -73,13 +76,17 @@ impl Pool {
     /// Has something done.
     ///
     /// # Errors
-    /// Too much of this customer, or of all, waits already.
+    /// Too much of this customer, or of all, waits already; or memory is tight.
     pub fn give(
         &self,
         lane: Lane,
         customer: Customer,
         job: impl FnOnce() + Send + 'static,
     ) -> Result<(), Problem> {
+        let is_of_device = ![HERE, KERF].contains(&customer);
+        if is_of_device && lane == Lane::Long && self.memory.is_tight() {
+            return Err(problem(Why::Server, REFUSED));
+        }
         let queue = match lane {
             Lane::Short => &self.short,
             Lane::Long => &self.long,
@@ -207,7 +214,7 @@ mod tests {
 
     #[test]
     fn what_panics_takes_no_thread_along() {
-        let pool = Pool::begin().unwrap();
+        let pool = Pool::begin(Memory::default()).unwrap();
         let runtime = Builder::new_current_thread().build().unwrap();
         for _ in 0..2 * SHORT {
             let failed = runtime.block_on(pool.done(Lane::Short, HERE, || panic!("as it may")));
@@ -219,7 +226,7 @@ mod tests {
 
     #[test]
     fn what_nobody_waits_for_is_not_begun() {
-        let pool = Pool::begin().unwrap();
+        let pool = Pool::begin(Memory::default()).unwrap();
         let (go, gone) = channel::<()>();
         // One job a customer at a time: the second waits for the first.
         pool.give(Lane::Long, 1, move || drop(gone.recv())).unwrap();

@@ -420,6 +420,11 @@ impl Page {
         self.last
     }
 
+    /// Sends a message as it is.
+    pub fn send_raw(&mut self, message: Message) {
+        self.socket.send(message).unwrap();
+    }
+
     /// Sends what no browser does: a message that is longer than any that is taken.
     pub fn garble(&mut self) {
         let length = (16_u64 << 20).to_be_bytes();
