@@ -65,10 +65,10 @@ impl Pool {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let pool = Self { memory, short: Arc::default(), long: Arc::default() };
         for _ in 0..SHORT {
-            begin("short work", Yields::ToPages, &pool.short)?;
+            begin("short work", Yields::Aside, &pool.short)?;
         }
         for _ in 0..(cores - 1).max(1) {
-            begin("long work", Yields::ToAll, &pool.long)?;
+            begin("long work", Yields::Last, &pool.long)?;
         }
         Ok(pool)
     }
