@@ -914,6 +914,8 @@ version: number,
 kerf: string,
 /** Grows with every change: whoever follows sees whether he has heard them all. */
 revision: number,
+/** The port of STOP's own way, beside that of the console; 0 where there is none. */
+stopPort: number,
 /** Whether only drawings are worked on here. */
 drawingOnly: boolean,
 /** The machine. */

@@ -48,7 +48,7 @@ impl App {
         let app = Arc::downgrade(self);
         let mut failed = false;
         thread::spawn(move || {
-            Yields::ToPages.hold();
+            Yields::Aside.hold();
             while changes.recv().is_ok() {
                 while changes.try_recv().is_ok() {}
                 let Some(app) = app.upgrade() else { return };

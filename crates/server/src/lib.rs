@@ -109,7 +109,7 @@ impl Server {
         let runtime = Builder::new_multi_thread()
             .enable_all()
             .thread_name("front")
-            .on_thread_start(|| Yields::ToTheMachine.hold())
+            .on_thread_start(|| Yields::Front.hold())
             .build()?;
         let listener = runtime.block_on(TcpListener::bind(options.listen))?;
         let address = listener.local_addr()?;

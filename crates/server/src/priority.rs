@@ -5,20 +5,20 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Yields {
     /// Connections: what pages ask and are told.
-    ToTheMachine,
+    Front,
     /// What is done for pages in a moment, drafts.
-    ToPages,
+    Aside,
     /// What takes a while: tool paths, previews, checks.
-    ToAll,
+    Last,
 }
 
 impl Yields {
     #[cfg(target_os = "linux")]
     const fn nice(self) -> i32 {
         match self {
-            Self::ToTheMachine => 5,
-            Self::ToPages => 10,
-            Self::ToAll => 15,
+            Self::Front => 5,
+            Self::Aside => 10,
+            Self::Last => 15,
         }
     }
 

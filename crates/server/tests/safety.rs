@@ -96,8 +96,8 @@ fn looking_changes_nothing_and_what_changes_takes_json() {
     }
     // A form of a foreign page is no JSON.
     let form = ("Content-Type", "application/x-www-form-urlencoded");
-    assert_eq!(shop.ask("POST /api/do/stop", &[form], b"a=b").status, 415);
-    assert_eq!(shop.ask("POST /api/do/stop", &[("Content-Type", "text/plain")], b"{}").status, 415);
+    assert_eq!(shop.ask("POST /api/do/arm", &[form], b"a=b").status, 415);
+    assert_eq!(shop.ask("POST /api/do/arm", &[("Content-Type", "text/plain")], b"{}").status, 415);
     assert_eq!(shop.ask("OPTIONS /api/do/stop", &[], b"").status, 405);
     assert_eq!(shop.post("/api/do/stop", json!({}), &[]).status, 200);
 }

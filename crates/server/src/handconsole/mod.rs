@@ -53,7 +53,7 @@ pub fn begin(app: &Arc<App>) {
     let thread = thread::Builder::new().name("hand console".into());
     if thread
         .spawn(move || {
-            Yields::ToTheMachine.hold();
+            Yields::Front.hold();
             keeper.work(&happenings);
         })
         .is_ok()

@@ -37,7 +37,7 @@ pub fn begin(app: &Arc<App>) {
     let thread = thread::Builder::new().name("hand console's link".into());
     // Without threads nothing of the server works, which is told elsewhere.
     drop(thread.spawn(move || {
-        Yields::ToTheMachine.hold();
+        Yields::Front.hold();
         keep_open(&app);
     }));
 }

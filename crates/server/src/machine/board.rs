@@ -271,18 +271,18 @@ impl Board {
     pub fn tell_sometimes(&mut self) {
         if self.told.elapsed() >= TELL {
             let hub = self.hub.clone();
-            hub.changing_if_free(|now| self.to_tell(now));
+            hub.changing_if_free(|now| self.differing(now));
         }
     }
 
     /// Tells what is there to tell.
     pub fn tell(&mut self) {
         let hub = self.hub.clone();
-        hub.changing(|now| self.to_tell(now));
+        hub.changing(|now| self.differing(now));
     }
 
     /// What of it differs from what pages know. It counts as told from now on.
-    fn to_tell(&mut self, now: &Snapshot) -> Vec<Change> {
+    fn differing(&mut self, now: &Snapshot) -> Vec<Change> {
         self.told = Instant::now();
         let mut changes = Vec::new();
         let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));

@@ -65,10 +65,10 @@ impl Pool {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let pool = Self { memory, short: Arc::default(), long: Arc::default() };
         for _ in 0..SHORT {
-            begin("short work", Yields::ToPages, &pool.short)?;
+            begin("short work", Yields::Aside, &pool.short)?;
         }
         for _ in 0..(cores - 1).max(1) {
-            begin("long work", Yields::ToAll, &pool.long)?;
+            begin("long work", Yields::Last, &pool.long)?;
         }
         Ok(pool)
     }
@@ -229,9 +229,9 @@ mod tests {
         let pool = Pool::begin(Memory::default()).unwrap();
         let (go, gone) = channel::<()>();
         // One job a customer at a time: the second waits for the first.
-        pool.give(Lane::Long, 1, move || drop(gone.recv())).unwrap();
+        pool.give(Lane::Long, 1, move || _ = gone.recv()).unwrap();
         let (tell, told) = channel();
-        let given_up = pool.done(Lane::Long, 1, move || drop(tell.send(())));
+        let given_up = pool.done(Lane::Long, 1, move || _ = tell.send(()));
         assert!(given_up.now_or_never().is_none());
         let waiting = pool.done(Lane::Long, 1, || 3);
         drop(go);

@@ -17,6 +17,7 @@ use serde::Deserialize;
 use std::io;
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::Duration;
 use tokio::net::TcpListener;
@@ -173,7 +174,8 @@ impl Page {
         let mut beat = interval(BEAT);
         let mut allowance = Allowance::of(A_SECOND, AT_ONCE);
         let mut last = Instant::now();
-        while last.elapsed() < PATIENCE && self.is_paired() {
+        let revoked = Arc::<AtomicBool>::default();
+        while last.elapsed() < PATIENCE && !revoked.load(Ordering::Relaxed) {
             let out = tokio::select! {
                 biased;
                 message = socket.recv() => match message {
@@ -186,7 +188,10 @@ impl Page {
                     _ => return,
                 },
                 Some(reply) = told.recv() => Message::Text(text(&ToPage::Reply(reply))),
-                _ = beat.tick() => Message::Ping(Vec::new().into()),
+                _ = beat.tick() => {
+                    self.look(&revoked);
+                    Message::Ping(Vec::new().into())
+                }
             };
             if !matches!(timeout(PATIENCE, socket.send(out)).await, Ok(Ok(()))) {
                 return;
@@ -225,7 +230,12 @@ impl Page {
         tokio::spawn(async move { drop(tell.try_send(pressing.await)) });
     }
 
-    fn is_paired(&self) -> bool {
-        self.caller.device.as_ref().is_none_or(|(number, _)| self.way.app.devices.has(*number))
+    /// Has it looked whether the device is still paired: who looks may wait for others, so this thread does not.
+    fn look(&self, revoked: &Arc<AtomicBool>) {
+        let Some((number, _)) = self.caller.device else { return };
+        let (app, revoked) = (self.way.app.clone(), revoked.clone());
+        self.way.front.spawn(async move {
+            revoked.store(!app.devices.has(number), Ordering::Relaxed);
+        });
     }
 }
