@@ -117,7 +117,7 @@ it.each(screens)("%s", async (where, go, there) => {
 
 it.each(sheets)("the sheet %s", async (where, open) => {
   await route("Operate")();
-  await page.getByLabel("Command line").waitFor();
+  await fullFace(page);
   await open();
   await page.getByRole("dialog").waitFor();
   const { stops } = await walk(where);
@@ -129,6 +129,7 @@ it.each(sheets)("the sheet %s", async (where, open) => {
 
 it("stops with a key held beside it, and Escape leaves a field", async () => {
   await route("Operate")();
+  await fullFace(page);
   const line = page.getByLabel("Command line");
   for (const leaves of [false, true]) {
     await line.focus();
