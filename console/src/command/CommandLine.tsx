@@ -49,17 +49,14 @@ export function CommandLine() {
     else if (named && bringsSheet(command)) openSheet(command, next.text);
     else setState(next);
   };
-  /** Forgets what was typed; letters come back to it, wherever the focus is. */
-  const leave = () => {
-    setState({ ...state, text: "", at: state.history.length });
-    input.current?.blur();
-  };
+  /** Forgets what was typed; once more, and the field is left. */
+  const forget = () => setState({ ...state, text: "", at: state.history.length });
   const press = (event: KeyboardEvent) => {
     const action = state.text === "" ? alone[event.key] : undefined;
     if (action) attempt(action, worldOf(hands));
     else if (event.key === "ArrowUp") setState(recalled(state, -1));
     else if (event.key === "ArrowDown") setState(recalled(state, 1));
-    else if (event.key === "Escape") leave();
+    else if (event.key === "Escape" && state.text !== "") forget();
     else if (event.key === "Enter" && state.text.trim() !== "") send(state);
     else return;
     event.preventDefault();
