@@ -1115,7 +1115,7 @@ role: Role,
 device: string, };
 
 /** The sort of reason. */
-export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "mistake" | "late" | "server";
+export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "mistake" | "late" | "server" | "full";
 
 /** Heights at which a job is cut. */
 export type ZHeights = {

@@ -21,7 +21,7 @@ pub const MACHINE_FILE: &str = "machine.toml";
 #[derive(Clone, Debug)]
 pub struct MachineFile {
     path: PathBuf,
-    /// Who is told what Kerf leaves in it.
+    /// Knows the text that Kerf leaves in it.
     journal: Option<Journal>,
 }
 
@@ -69,7 +69,7 @@ impl MachineFile {
         Self { journal: Some(journal.clone()), ..self }
     }
 
-    /// Whether it is the one of a data folder.
+    /// Tells the one of a data folder from others.
     pub(crate) fn is_of(&self, folder: &Path) -> bool {
         self.path == folder.join(MACHINE_FILE)
     }

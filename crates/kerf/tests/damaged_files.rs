@@ -51,7 +51,7 @@ fn folders() -> (Files, Files) {
     shop.kerf("machine set speeds.cut.xy 101.6").exits(0);
     shop.kerf("send MX,1 --quiet").exits(0);
     values(0..30).rest().unwrap();
-    drop(shop.kerf("send MX,1 --quiet").exits(0));
+    shop.kerf("send MX,1 --quiet").exits(0);
     drawn("line 0,0 10,0");
     let older = files_of(&data);
     drawn("line 0,5 10,5");
@@ -63,7 +63,7 @@ fn folders() -> (Files, Files) {
     (older, newer)
 }
 
-/// How a server starts in a data folder.
+/// The start of a server in a data folder.
 #[derive(Debug, PartialEq)]
 struct Start {
     told: Vec<String>,
@@ -104,7 +104,7 @@ impl Start {
         self.kept == (values, x, speed.to_owned(), shapes)
     }
 
-    /// What it tells that an undamaged folder does not.
+    /// Tells of the damage: lines that an undamaged folder does not have.
     fn news(&self, usual: &Self) -> Vec<String> {
         let news = self.told.iter().filter(|line| !usual.told.contains(line));
         // The page has columns for that.
@@ -146,7 +146,7 @@ fn plain(text: &str, data: &Path) -> String {
     words.join(" ")
 }
 
-/// What is done to a file.
+/// Damage to a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Damage {
     Emptied,

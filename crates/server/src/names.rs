@@ -15,7 +15,7 @@ const HIDDEN: [std::ops::RangeInclusive<char>; 5] = [
     '\u{FEFF}'..='\u{FEFF}',
 ];
 
-/// Why a part of a name is not given to a new file.
+/// Refuses a part of a name for a new file, and says why.
 pub fn why_not(part: &str) -> Option<String> {
     let stem = part.split('.').next().unwrap_or(part).trim_end().to_ascii_uppercase();
     let shown = part.escape_debug();

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process;
 use std::time::{Duration, SystemTime};
 
-/// How the name of a file ends that is not in its place yet; it begins with [`prefix`].
+/// End of the name of a file that is not in its place yet; it begins with [`prefix`].
 pub(super) const SUFFIX: &str = ".tmp";
 
 const OURS: &str = ".kerf-";
@@ -16,7 +16,7 @@ const LATELY: Duration = Duration::from_secs(60);
 /// Folders are looked into down to this depth.
 const DEPTH: usize = 4;
 
-/// How the name of a file begins that is not in its place yet: with the number of the process.
+/// Begins the name of a file that is not in its place yet: with the number of the process.
 pub(super) fn prefix() -> String {
     format!("{OURS}{}-", process::id())
 }

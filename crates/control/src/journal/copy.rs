@@ -35,7 +35,7 @@ impl Journal {
         self.write(|rows| rows.put(Table::Fact, COPIED, &json(&[made])?))
     }
 
-    /// What is wrong with the copy, although the journal knows that there is one.
+    /// Tells of a copy that is wrong, although the journal knows that there is one.
     pub(super) fn wrong_copy(&self) -> Result<Option<&'static str>, JournalError> {
         let mut wrong = None;
         // Another process may be putting a new one there at this moment.
@@ -63,7 +63,7 @@ impl Journal {
     }
 }
 
-/// How far a file has come by itself; `None` where there is none that can be read.
+/// The changes that are in a file by itself; `None` where there is none that can be read.
 pub(super) fn mark(file: &Path) -> Option<Mark> {
     let connection = file.is_file().then(|| database::as_it_is(file).ok()).flatten()?;
     Mark::of(&Rows(&connection)).ok().flatten()

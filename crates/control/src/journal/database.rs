@@ -156,7 +156,7 @@ pub(super) fn sound(connection: &Connection) -> Result<(), Trouble> {
     }
 }
 
-/// Whether there is something to read.
+/// Tells a file that has something to read.
 pub(super) fn has_tables(connection: &Connection) -> Result<bool, Trouble> {
     let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
     Ok(version != 0)

@@ -77,7 +77,7 @@ pub struct Journal {
     known: Arc<Mutex<settings::Known>>,
     /// What it said of the machine when that was read last, or left by this process.
     seen: Arc<Mutex<Option<Standing>>>,
-    /// What was found wrong since it was opened.
+    /// Words about all that was found wrong since it was opened.
     told: Arc<Mutex<Vec<String>>>,
 }
 
@@ -91,6 +91,8 @@ struct Opened {
     rests: bool,
     /// The generation that is in the file itself.
     rested: u64,
+    /// The name of a journal that was never changed.
+    name: String,
 }
 
 /// The right to move the machine; ends with the value, or with the process.
@@ -173,7 +175,10 @@ impl Journal {
             Verdict::Damaged(what) => return Err(JournalError::Damaged { path: file, what }),
         };
         let rested = seal.seal().map_or(0, |seal| seal.rested);
-        let opened = Opened { connection, lasts: true, rests: false, rested };
+        // One of which nobody can tell is sealed with the doubt.
+        let begins = access == Access::Write && doubt.is_none();
+        let name = begun(folder, &seal, begins)?;
+        let opened = Opened { connection, lasts: true, rests: false, rested, name };
         let (database, known) = (Arc::new(Mutex::new(opened)), Arc::default());
         let (seen, told) = (Arc::default(), Arc::default());
         Ok((Self { database, folder: folder.into(), known, seen, told }, doubt))
@@ -201,7 +206,7 @@ impl Journal {
         &self.folder
     }
 
-    /// What was found wrong with the files of the data folder since it was opened.
+    /// Tells all that was found wrong with the files of the data folder since it was opened.
     pub fn told(&self) -> Vec<String> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
@@ -252,8 +257,10 @@ impl Journal {
         }
         let at_rest = at_rest(&opened.connection).map_err(|error| self.located(error))?;
         let Some((rested, mark, digest)) = at_rest else { return Ok(()) };
-        opened.rested = rested;
-        self.seal(&Seal { mark, rested, digest: Some(digest) })?;
+        if let Some(mark) = mark {
+            opened.rested = rested;
+            self.seal(&Seal { mark, rested, digest: Some(digest) })?;
+        }
         opened.rests = true;
         Ok(())
     }
@@ -274,8 +281,9 @@ impl Journal {
     ) -> Result<T, JournalError> {
         let mut opened = self.opened();
         opened.rests = false;
-        let counted = |rows: &Rows<'_>| Ok((change(rows)?, Mark::count(rows)?));
-        let changed = rows::together(&mut opened.connection, counted);
+        let Opened { connection, name, .. } = &mut *opened;
+        let counted = |rows: &Rows<'_>| Ok((change(rows)?, Mark::count(rows, name)?));
+        let changed = rows::together(connection, counted);
         let (changed, mark) = changed.map_err(|error| self.located(error))?;
         // Where commits do not wait for the disk, the seal could be there before them.
         if opened.lasts {
@@ -300,23 +308,38 @@ fn seal_of(folder: &Path) -> Result<seal::Found, JournalError> {
     seal::Found::in_folder(folder).map_err(there)
 }
 
+/// The name of a journal. One that begins is sealed before its first change: a kill between the two would leave a journal whose seal is
+/// gone.
+fn begun(folder: &Path, seal: &seal::Found, begins: bool) -> Result<String, JournalError> {
+    if let Some(seal) = seal.seal() {
+        return Ok(seal.mark.journal.clone());
+    }
+    let mark = Mark::new();
+    let name = mark.journal.clone();
+    if begins && *seal == seal::Found::None {
+        let there = |error| JournalError::of_disk(&folder.join(SEAL_FILE), &error);
+        Seal { mark, rested: 0, digest: None }.write(folder).map_err(there)?;
+    }
+    Ok(name)
+}
+
 /// Puts everything into the file itself: the generation that is there, how far the journal has come, the digest of its
-/// rows. `None` while somebody reads, or where nothing was ever changed.
-fn at_rest(connection: &Connection) -> rows::Result<Option<(u64, Mark, u64)>> {
+/// rows. `None` while somebody reads.
+fn at_rest(connection: &Connection) -> rows::Result<Option<(u64, Option<Mark>, u64)>> {
     // Somebody else may change it behind the checkpoint.
     let before = Mark::of(&Rows(connection))?;
     if !database::checkpoint(connection)? {
         return Ok(None);
     }
     let (mark, digest) = reached(connection)?;
-    Ok(before.zip(mark).map(|(before, mark)| (before.generation, mark, digest)))
+    Ok(Some((before.map_or(0, |before| before.generation), mark, digest)))
 }
 
 fn reached(connection: &Connection) -> rows::Result<(Option<Mark>, u64)> {
     rows::at_once(connection, |rows| Ok((Mark::of(rows)?, rows::digest(rows.0)?)))
 }
 
-/// How a journal that was opened stands to its seal and its copy.
+/// Compares a journal that was opened with its seal and its copy.
 fn standing(
     connection: &Connection,
     seal: &seal::Found,

@@ -63,7 +63,7 @@ pub(super) fn rescue(folder: &Path, what: &str) -> Result<Vec<String>, JournalEr
     Ok(told)
 }
 
-/// What a person does about it.
+/// The mend, for a person.
 const NOT_VERIFIED: &str =
     "locations are not verified: home the machine, zero its axes anew, or confirm them";
 
@@ -97,11 +97,11 @@ struct Source {
     origin: Origin,
     connection: Connection,
     mark: Option<Mark>,
-    /// What is trusted more comes later: the journal that the seal is of and all of its changes; then by generations.
+    /// A source that is trusted more comes later: the journal that the seal is of and all of its changes; then by generations.
     trusted: (bool, u64),
 }
 
-/// What there is, in the order in which one replaces the rows of another.
+/// All that can be read, in the order in which one replaces the rows of another.
 fn sources(damaged: &Path, copy: &Path, seal: Option<&Seal>) -> Vec<Source> {
     let read = |origin, connection: Option<Connection>| {
         connection.map(|connection| Source::new(origin, connection, seal))
@@ -151,7 +151,7 @@ impl Source {
     }
 }
 
-/// How far the rescued journal has come: further than everything that was there.
+/// The mark of the rescued journal: further than everything that was there.
 fn next(sources: &[Source], seal: Option<&Seal>) -> Mark {
     let marks = sources.iter().filter_map(|source| source.mark.as_ref());
     let last = seal.map(|seal| &seal.mark).into_iter().chain(marks);

@@ -11,7 +11,7 @@
 //! write-ahead file is noticed as well: the seal knows the generation that the file had by itself.
 
 use super::rows::{Result, Rows, Table, Trouble, json};
-use crate::files::private;
+use crate::files::RealDisk;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};
@@ -27,16 +27,16 @@ const GENERATION: &str = "generation";
 /// Bytes of a line. Two of them are written in turn, so that one that is torn leaves the other.
 const LINE: usize = 85;
 
-/// How far a journal has come.
+/// The changes that a journal has come through.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Mark {
-    /// Which journal it is: sixteen hexadecimal digits.
+    /// The journal: sixteen hexadecimal digits.
     pub journal: String,
     /// Changes that were made since it began.
     pub generation: u64,
 }
 
-/// What the file beside the journal promises.
+/// The promise of the file beside the journal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Seal {
     /// The journal has come so far, or further.
@@ -47,7 +47,7 @@ pub(super) struct Seal {
     pub digest: Option<u64>,
 }
 
-/// What is in the place of the seal.
+/// The bytes in the place of the seal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Found {
     /// Nothing.
@@ -59,7 +59,7 @@ pub(super) enum Found {
 }
 
 impl Found {
-    /// What is in a data folder.
+    /// Reads the one of a data folder.
     pub(super) fn in_folder(folder: &Path) -> io::Result<Self> {
         let bytes = match fs::read(folder.join(SEAL_FILE)) {
             Ok(bytes) => bytes,
@@ -85,15 +85,14 @@ impl Seal {
         let (path, line) = (folder.join(SEAL_FILE), self.line());
         let there = fs::metadata(&path).is_ok_and(|file| file.len() == 2 * LINE as u64);
         if !there {
-            private::make(&path);
+            return RealDisk.write_secret(&path, line.repeat(2).as_bytes());
         }
-        let mut file = File::options().create(true).truncate(false).write(true).open(&path)?;
-        if there && self.digest.is_none() {
+        let mut file = File::options().write(true).open(&path)?;
+        if self.digest.is_none() {
             file.seek(SeekFrom::Start(self.mark.generation % 2 * LINE as u64))?;
             return file.write_all(line.as_bytes());
         }
         file.write_all(line.repeat(2).as_bytes())?;
-        file.set_len(2 * LINE as u64)?;
         file.sync_all()
     }
 
@@ -119,7 +118,7 @@ impl Seal {
 }
 
 impl Mark {
-    /// How far a journal has come; `None` of one that nobody has changed since Kerf counts that.
+    /// Reads it from a journal; `None` of one that nobody has changed since Kerf counts that.
     pub(super) fn of(rows: &Rows<'_>) -> Result<Option<Self>> {
         let text = rows.text(Table::Fact, GENERATION)?;
         let parse = |text: String| serde_json::from_str(&text);
@@ -127,9 +126,10 @@ impl Mark {
         text.map(parse).transpose().map_err(damaged)
     }
 
-    /// A change more was made.
-    pub(super) fn count(rows: &Rows<'_>) -> Result<Self> {
-        let before = Self::of(rows)?.unwrap_or_else(Self::new);
+    /// A change more was made; the first one is made in this journal.
+    pub(super) fn count(rows: &Rows<'_>, journal: &str) -> Result<Self> {
+        let first = || Self { journal: journal.into(), generation: 0 };
+        let before = Self::of(rows)?.unwrap_or_else(first);
         let mark = Self { generation: before.generation.saturating_add(1), ..before };
         mark.put(rows)?;
         Ok(mark)
@@ -147,7 +147,7 @@ impl Mark {
     }
 }
 
-/// How a journal stands to its seal and its copy.
+/// The outcome of comparing a journal with its seal and its copy.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
     /// It is the newest there is.
@@ -158,15 +158,15 @@ pub(super) enum Verdict {
     Damaged(String),
 }
 
-/// What is compared with a seal.
+/// A journal that is compared with a seal.
 pub(super) struct Reached<'a> {
-    /// How far the journal has come.
+    /// The changes it has come through.
     pub mark: Option<&'a Mark>,
     /// The digest of its rows.
     pub digest: u64,
-    /// How far the file has come without its write-ahead file, where that can be read.
+    /// Those that are in the file without its write-ahead file, where that can be read.
     pub alone: Option<&'a Mark>,
-    /// How far its copy has come.
+    /// Those of its copy.
     pub copy: Option<&'a Mark>,
 }
 

@@ -198,7 +198,7 @@ fn a_damaged_journal_is_rescued() {
 /// The files of a data folder that hold the journal.
 const FILES: [&str; 4] = [JOURNAL_FILE, "journal.db-wal", SEAL_FILE, BACKUP_FILE];
 
-/// What is in the files of a journal, in the middle of whatever somebody does with it.
+/// Reads the files of a journal, in the middle of whatever somebody does with it.
 fn files_of(folder: &TempDir) -> Vec<(&'static str, Option<Vec<u8>>)> {
     FILES.map(|name| (name, fs::read(folder.path().join(name)).ok())).into()
 }

@@ -10,7 +10,7 @@ const FILES: [&str; 4] = [JOURNAL_FILE, "journal.db-wal", SEAL_FILE, BACKUP_FILE
 /// Values that a sound journal holds.
 const VALUES: usize = 24;
 
-/// What the files of a journal hold that was killed: half of its values are in the write-ahead file only.
+/// The files of a journal that was killed: half of its values are in the write-ahead file only.
 fn template() -> &'static [Vec<u8>; 4] {
     static MADE: OnceLock<[Vec<u8>; 4]> = OnceLock::new();
     MADE.get_or_init(|| {
