@@ -8,6 +8,7 @@ import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
 import { PortsSheet } from "../tools/PortsSheet";
 import { RecorderSheet } from "../tools/RecorderSheet";
+import { ReplaceSheet } from "../tools/ReplaceSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
@@ -45,5 +46,7 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <TimingSheet onClose={close} />;
     case "confirm":
       return <ConfirmSheet action={sheet.action} onClose={close} />;
+    case "replace":
+      return <ReplaceSheet about={sheet.about} onAnswer={sheet.answer} onClose={close} />;
   }
 }

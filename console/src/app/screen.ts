@@ -1,6 +1,7 @@
 /** What this browser shows and the server need not know: route, theme, face, open sheets. */
 
 import { applyTheme, rememberedTheme, type Theme } from "../theme/theme";
+import type { FileAbout } from "../wire/messages";
 import { type Route, routeOf } from "./routes";
 import { createStore, type Store } from "./store";
 
@@ -21,6 +22,11 @@ export type Sheet =
   | { readonly kind: "tools" }
   | { readonly kind: "timing" }
   | { readonly kind: "confirm"; readonly action: string }
+  | {
+      readonly kind: "replace";
+      readonly about: FileAbout;
+      readonly answer: (mayBeReplaced: boolean) => void;
+    }
   | { readonly kind: "palette" };
 
 export type Face = "easy" | "full";

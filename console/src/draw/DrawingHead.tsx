@@ -2,6 +2,7 @@ import { useState } from "react";
 import { attempt } from "../actions/action";
 import { ask } from "../actions/ask";
 import { beginDrawing, isUnsaved, unsaved } from "../actions/draw";
+import { writing } from "../actions/replace";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
@@ -19,10 +20,18 @@ export function DrawingHead({ desk }: { desk: Desk }) {
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   const [asking, setAsking] = useState<Asking | null>(null);
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
+  /** Writes a file of the drawing; one that is there already is replaced when the person says so. */
+  const write = (op: "save" | "program", name: string) =>
+    writing(worldOf(hands), name, async (replaces) => {
+      const reply = await hands.link.ask({ do: "draw", op: { op, name, replaces } });
+      for (const note of reply.notes) hands.screen.tell(note);
+      return reply.problem;
+    });
   const program = async (name: string) => {
-    if (!(await draw({ op: "program", name }))) return;
+    if (!(await write("program", name))) return false;
     if (drawingOnly) hands.screen.tell(`${name} is written into the part folder.`);
     else hands.screen.go("/");
+    return true;
   };
   return (
     <header className="drawing-head">
@@ -95,7 +104,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
           endings={["rsg", "dxf", "svg"]}
           proposal={named(drawing?.name, "rsg")}
           onClose={() => setAsking(null)}
-          onName={(name) => draw({ op: "save", name })}
+          onName={(name) => write("save", name)}
         />
       )}
       {asking === "program" && (

@@ -5,6 +5,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo } from "../wire/messages";
+import { sizeText } from "./fileWords";
 import { inFolder, parentOf } from "./folder";
 import { useFiles } from "./useFiles";
 import "./file-picker.css";
@@ -88,10 +89,3 @@ function FileRow({ file }: { file: FileInfo }) {
     </ListBoxItem>
   );
 }
-
-const sizeText = (bytes: number): string =>
-  bytes < 1e3
-    ? `${bytes} B`
-    : bytes < 1e6
-      ? `${(bytes / 1e3).toFixed(0)} kB`
-      : `${(bytes / 1e6).toFixed(1)} MB`;

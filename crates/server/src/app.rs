@@ -9,8 +9,10 @@ use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
 use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
+use crate::saving::{Leave, Saves};
 use crate::setup::{Builders, Options};
 use crate::shop;
+use crate::texts::Texts;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
 use kerf_control::timing::Begun;
@@ -35,6 +37,10 @@ pub struct App {
     pub orders: Mutex<Sender<Order>>,
     /// The part folder.
     pub parts: PartFolder,
+    /// What is written into it.
+    pub saves: Saves,
+    /// What is typed in the editor and not saved.
+    pub texts: Texts,
     /// The file that is open.
     pub open: Mutex<Open>,
     /// What the last run left.
@@ -160,6 +166,8 @@ impl App {
         let Parts { hub, link, orders, left, builders } = parts;
         Ok(Self {
             parts: PartFolder::new(&options.parts)?,
+            saves: Saves::new(&options.data),
+            texts: Texts::new(&options.data),
             devices: Devices::read(&options.data)?,
             pages: Pages::default(),
             unlocked: Unlocked::default(),
@@ -404,6 +412,16 @@ impl App {
         }
         self.tell_drawing();
         self.files_changed();
+    }
+
+    /// Writes a file of the part folder, and tells pages; gives the hash of what lies there now.
+    ///
+    /// # Errors
+    /// As of [`Saves::save`].
+    pub fn save(&self, name: &str, bytes: &[u8], leave: &Leave) -> Result<String, Problem> {
+        let saved = self.saves.save(&self.parts, name, bytes, leave)?;
+        self.files_changed();
+        Ok(saved)
     }
 
     /// Files of the part folder may have changed.

@@ -36,8 +36,10 @@ mod people;
 mod preview;
 mod problems;
 mod protect;
+mod saving;
 mod setup;
 mod shop;
+mod texts;
 mod told;
 
 pub use http::{describe, paths};
@@ -96,6 +98,7 @@ impl Server {
             machine_and_app(options, builders, format!("http://{address}"), closing)?;
         app.keep_drafts();
         app.tell_added();
+        app.tell_texts();
         handconsole::begin(&app);
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));
