@@ -20,13 +20,20 @@ export async function writing(world: World, name: string, attempt: Attempt): Pro
       world.screen.tell(problem.text);
       return false;
     }
-    const about = await getJson<FileAbout>(`${fileAddress(name)}?about`);
+    const about = await aboutFile(name);
     if (!(await asked(world, about))) return false;
     replaces = about.hash;
   }
 }
 
-/** Whether the person says that a file may be replaced; another sheet in the way is no leave. */
+/** Whether the person says that the file under a name may be replaced. */
+export const mayReplace = async (world: World, name: string): Promise<boolean> =>
+  asked(world, await aboutFile(name));
+
+const aboutFile = (name: string): Promise<FileAbout> =>
+  getJson<FileAbout>(`${fileAddress(name)}?about`);
+
+/** Asks; another sheet in the way is no leave. */
 function asked({ screen }: World, about: FileAbout): Promise<boolean> {
   return new Promise((answer) => {
     const sheet = { kind: "replace", about, answer } as const;

@@ -12,6 +12,7 @@ import { ReplaceSheet } from "../tools/ReplaceSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
+import { VersionsSheet } from "../tools/VersionsSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
 
@@ -44,6 +45,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <PortsSheet onClose={close} />;
     case "timing":
       return <TimingSheet onClose={close} />;
+    case "versions":
+      return <VersionsSheet name={sheet.name} onClose={close} />;
     case "confirm":
       return <ConfirmSheet action={sheet.action} onClose={close} />;
     case "replace":

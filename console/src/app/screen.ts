@@ -21,6 +21,7 @@ export type Sheet =
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "timing" }
+  | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "confirm"; readonly action: string }
   | {
       readonly kind: "replace";

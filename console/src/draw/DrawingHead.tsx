@@ -13,12 +13,17 @@ import { fitted } from "./window";
 
 type Asking = "open" | "save" | "program";
 
+/** What a drawing is written as. */
+const savedAs = ["rsg", "dxf", "svg"] as const;
+
 /** The drawing's name, its files, undo and redo, and the way to the machine. */
 export function DrawingHead({ desk }: { desk: Desk }) {
   const hands = useHands();
   const drawing = useSnapshot("drawing");
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   const [asking, setAsking] = useState<Asking | null>(null);
+  // Tool paths that were opened stay tool paths: their name is not that of their drawing.
+  const isJob = drawing?.name?.toLowerCase().endsWith(".rsm") ?? false;
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
   /** Writes a file of the drawing; one that is there already is replaced when the person says so. */
   const write = (op: "save" | "program", name: string) =>
@@ -101,8 +106,8 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       {asking === "save" && (
         <FileSheet
           title="Save the drawing"
-          endings={["rsg", "dxf", "svg"]}
-          proposal={named(drawing?.name, "rsg")}
+          endings={isJob ? ["rsm", ...savedAs] : savedAs}
+          proposal={named(drawing?.name, isJob ? "rsm" : "rsg")}
           onClose={() => setAsking(null)}
           onName={(name) => write("save", name)}
         />

@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "react";
 import { ask } from "../actions/ask";
 import { writing } from "../actions/replace";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
-import { getJson, Refused, readFile, writeFile } from "../link/http";
+import { type Content, getJson, Refused, readFile, writeFile } from "../link/http";
 import type { TextDraft } from "../wire/messages";
 import {
   drafted,
@@ -82,6 +82,16 @@ export function useEdited(): Edited {
     const last = turn.current === 0 ? lastEdited() : null;
     void show(last?.opened === name ? last.name : name || null);
   }, [name, isTold]);
+
+  const files = useSnapshot("files");
+  // biome-ignore lint/correctness/useExhaustiveDependencies: looks when files of the folder change
+  useEffect(() => {
+    const { name: own, hash } = file;
+    if (own === null || isChanged(file)) return;
+    const look = (now: Content) => (now.hash === hash ? undefined : show(own));
+    // A file that has gone is told when it is saved or opened.
+    readFile(own).then(look, () => undefined);
+  }, [files]);
 
   // biome-ignore lint/correctness/useExhaustiveDependencies: reads when a program asks
   useEffect(() => {

@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
+import { edit, text, type } from "./editing";
 import { openWorkshop, script, stateOf, tabTo, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -91,4 +92,82 @@ it("asks before a part program replaces a file, with the keyboard", async () => 
   await page.keyboard.press("Enter");
   await until(async () => (await stateOf(workshop)).opened?.name === "drawing.sbp", "it is open");
   expect(read("drawing.sbp")).not.toBe(old);
+});
+
+it("asks before text of the editor replaces another file, and keeps what it was", async () => {
+  put("a.sbp", old);
+  put("b.sbp", "MY,1\n");
+  const page = await workshop.page();
+  await edit(page, "a.sbp");
+  await type(page, "MX,3");
+  await page.getByRole("button", { name: "Save as…" }).click();
+  await page.getByLabel("Name in the part folder").fill("b.sbp");
+  await page.keyboard.press("Enter");
+  const asked = question(page, "b.sbp");
+  await asked.waitFor();
+  expect(await asked.textContent()).toContain("a part program of 1 line");
+  await page.keyboard.press("Escape");
+  await asked.waitFor({ state: "detached" });
+  expect(read("b.sbp")).toBe("MY,1\n");
+  await page.keyboard.press("Escape");
+
+  // Its own file needs no question, until somebody else writes it.
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await until(async () => read("a.sbp").includes("MX,3"), "it is saved");
+  await type(page, "MX,4");
+  put("a.sbp", "MX,99\n");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  const again = question(page, "a.sbp");
+  await again.getByRole("button", { name: "Cancel" }).click();
+  expect(read("a.sbp")).toBe("MX,99\n");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await again.getByRole("button", { name: "Replace" }).click();
+  await until(async () => read("a.sbp").includes("MX,4"), "it is saved");
+
+  await page.getByRole("button", { name: "Open…" }).click();
+  await page.getByRole("button", { name: "Versions…" }).click();
+  await page.getByRole("option", { name: /a\.sbp/ }).click();
+  const versions = page.getByRole("dialog", { name: "Versions of a.sbp" });
+  await versions.getByRole("listitem").nth(1).waitFor();
+  expect(await versions.getByRole("listitem").count()).toBe(2);
+  await versions.getByRole("button", { name: "Bring version 1 back" }).click();
+  await until(async () => read("a.sbp") === old, "the first one is back");
+  await until(async () => (await versions.getByRole("listitem").count()) === 3, "it is kept too");
+  // The editor shows it, for nothing was typed meanwhile.
+  await page.keyboard.press("Escape");
+  await page.locator(".cm-content", { hasText: "By hand" }).waitFor();
+  expect(await text(page)).not.toContain("MX,4");
+});
+
+it("tells what a DXF has no place for, and the drawing stays unsaved", async () => {
+  const page = await drawn();
+  await script(workshop, "draw", { op: { op: "do", clauses: "select all; group red" } });
+  await write(page, "Save…", "door.dxf");
+  await page.getByText("door.dxf: groups and arrays will not be saved").first().waitFor();
+  const { drawing } = await stateOf(workshop);
+  expect([drawing?.changed, drawing?.name]).toEqual([true, null]);
+  expect(read("door.dxf")).toContain("CIRCLE");
+});
+
+it("saves tool paths as tool paths, never over their drawing", async () => {
+  const page = await drawn();
+  await write(page, "Save…", "plate.rsg");
+  await until(async () => (await stateOf(workshop)).drawing?.name === "plate.rsg", "it is saved");
+  await page.getByRole("button", { name: "Machine", exact: true }).click();
+  await until(
+    async () => (await stateOf(workshop)).opened?.name === "plate.rsm",
+    "the job is made",
+  );
+  const drawing = read("plate.rsg");
+  const job = read("plate.rsm");
+  await page.getByRole("link", { name: "Draw" }).click();
+  await page.getByRole("button", { name: "Open…" }).click();
+  await page.getByRole("button", { name: "plate.rsm", exact: true }).click();
+  await page.getByText("These are tool paths").first().waitFor();
+  await script(workshop, "draw", { op: { op: "do", clauses: "select all; move 5,0" } });
+  await page.getByRole("button", { name: "Save…" }).click();
+  await page.keyboard.press("Enter");
+  await until(async () => (await stateOf(workshop)).drawing?.changed === false, "it is saved");
+  expect(read("plate.rsg")).toBe(drawing);
+  expect(read("plate.rsm")).not.toBe(job);
 });

@@ -179,7 +179,8 @@ impl App {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }
         let made = Job { finish, ..made };
-        self.save(&name, kerf_toolpath::write(&made).as_bytes(), &Leave::Anything)?;
+        self.saves.make(&self.parts, &name, kerf_toolpath::write(&made).as_bytes(), anew)?;
+        self.files_changed();
         self.open_file(&name)?;
         Ok(warnings)
     }

@@ -10,6 +10,7 @@ use crate::files::PartFolder;
 use crate::job::kind_of;
 use kerf_control::versions::Versions;
 use kerf_wire::{FileAbout, FileKind, FileVersion, Problem, Why};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;
 
@@ -50,6 +51,8 @@ impl Leave {
 #[derive(Debug)]
 pub struct Saves {
     versions: Versions,
+    /// The hashes of jobs that were made of drawings, by name: those are made anew without a question.
+    made: Mutex<BTreeMap<String, String>>,
     /// One at a time: between the look at a file and its replacement nobody else of Kerf writes it.
     turn: Mutex<()>,
 }
@@ -57,7 +60,8 @@ pub struct Saves {
 impl Saves {
     /// Keeps what is written over in a data folder.
     pub fn new(data: &Path) -> Self {
-        Self { versions: Versions::in_data(data), turn: Mutex::default() }
+        let versions = Versions::in_data(data);
+        Self { versions, made: Mutex::default(), turn: Mutex::default() }
     }
 
     /// Writes a file, whole or not at all; gives the hash of what lies there now.
@@ -91,6 +95,25 @@ impl Saves {
         }
         parts.write(name, bytes)?;
         Ok(hash(bytes))
+    }
+
+    /// Writes the job of a drawing. One that was made before, and not touched since, is made anew; any other
+    /// file is replaced only when somebody said so.
+    ///
+    /// # Errors
+    /// As of [`Saves::save`].
+    pub fn make(
+        &self,
+        parts: &PartFolder,
+        name: &str,
+        bytes: &[u8],
+        anew: bool,
+    ) -> Result<(), Problem> {
+        let own = lock(&self.made).get(name).cloned();
+        let leave = if anew { Leave::Anything } else { own.map_or(Leave::Nothing, Leave::Of) };
+        let hash = self.save(parts, name, bytes, &leave)?;
+        lock(&self.made).insert(name.into(), hash);
+        Ok(())
     }
 
     /// The earlier contents of a file, the newest first.

@@ -1,5 +1,6 @@
 //! `kerf convert`: part files to G-code and back.
 
+use crate::outputs::{ForceArgs, Outputs};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
@@ -62,6 +63,15 @@ pub struct ConvertArgs {
     drawn: DrawnArgs,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl ConvertArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.target.as_path()], self.force.force, None)
+    }
 }
 
 /// What a drawing or a picture does not say.

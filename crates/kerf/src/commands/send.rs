@@ -2,6 +2,7 @@
 
 use super::protect;
 use super::run::{MachineArgs, on_machine, told_by_server};
+use crate::outputs::Outputs;
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
@@ -68,6 +69,11 @@ impl SendArgs {
     /// The options that are heeded, where not all are.
     pub fn heeded(&self) -> Option<Heeded> {
         self.server().map(|_| REACHES_SERVERS)
+    }
+
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        self.machine.outputs(&self.run.place.data)
     }
 
     /// The file that is sent, and where to.

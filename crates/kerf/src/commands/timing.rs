@@ -1,5 +1,6 @@
 //! `kerf timing`: which output switches when, beside the motion.
 
+use crate::outputs::{ForceArgs, Outputs};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::report::Diagnostics;
@@ -28,6 +29,15 @@ pub struct TimingArgs {
     title: Option<String>,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl TimingArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.output.as_path()], self.force.force, Some(&self.run.place.data))
+    }
 }
 
 /// Pixels of a .png.
