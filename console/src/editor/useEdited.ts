@@ -37,6 +37,9 @@ export interface Edited {
 const changedOnDisk = (name: string) =>
   `${name} was changed on the disk since this text was typed: Save asks before it is replaced.`;
 
+/** Files that were asked for (FE, FN, a program) and were shown: whoever comes back finds what he edited last. */
+const answered = new WeakSet<object>();
+
 export function useEdited(): Edited {
   const hands = useHands();
   const { screen } = hands;
@@ -78,7 +81,7 @@ export function useEdited(): Edited {
 
   // biome-ignore lint/correctness/useExhaustiveDependencies: reads when another file is opened
   useEffect(() => {
-    if (!isTold || (asked && turn.current === 0)) return;
+    if (!isTold || (asked && !answered.has(asked))) return;
     const last = turn.current === 0 ? lastEdited() : null;
     void show(last?.opened === name ? last.name : name || null);
   }, [name, isTold]);
@@ -95,7 +98,7 @@ export function useEdited(): Edited {
 
   // biome-ignore lint/correctness/useExhaustiveDependencies: reads when a program asks
   useEffect(() => {
-    if (asked) void show(asked.name);
+    if (asked && !answered.has(asked)) void show(asked.name).then(() => answered.add(asked));
   }, [asked]);
 
   const change = (text: string) => {

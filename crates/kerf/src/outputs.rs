@@ -16,7 +16,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 /// The record of what Kerf wrote lies under this name in the data folder.
 const RECORD: &str = "written";
 
-/// So many of the files that were written last are known.
+/// At least so many of the files that were written last are known.
 const MOST_KNOWN: usize = 2000;
 
 /// Leave to replace a file.
@@ -88,12 +88,15 @@ impl Outputs {
 
     fn keep(&self, made: Vec<String>) -> io::Result<()> {
         let Some(data) = self.data.as_ref().filter(|_| !made.is_empty()) else { return Ok(()) };
-        let record = self.record();
-        let mut lines: Vec<&str> = record.lines().collect();
-        lines.extend(made.iter().map(String::as_str));
-        let last = &lines[lines.len().saturating_sub(MOST_KNOWN)..];
         fs::create_dir_all(data)?;
-        RealDisk.write(&data.join(RECORD), (last.join("\n") + "\n").as_bytes())
+        let (path, record) = (data.join(RECORD), self.record());
+        let known: Vec<&str> = record.lines().collect();
+        if known.len() > 2 * MOST_KNOWN {
+            let last = known[MOST_KNOWN..].join("\n") + "\n";
+            RealDisk.write(&path, last.as_bytes())?;
+        }
+        // Appended, so that commands that end at the same time do not take each other's lines away.
+        RealDisk.append(&path, (made.join("\n") + "\n").as_bytes())
     }
 }
 

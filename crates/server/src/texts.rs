@@ -102,7 +102,9 @@ impl App {
     /// Tells of drafts that cannot be read.
     pub fn tell_texts(&self) {
         let told = match self.texts.put_aside() {
-            Ok(aside) => aside.iter().map(|file| format!("it lies in {}", file.display())).collect(),
+            Ok(aside) => {
+                aside.iter().map(|file| format!("it lies in {}", file.display())).collect()
+            }
             Err(error) => vec![error.to_string()],
         };
         for why in told {
@@ -157,7 +159,8 @@ mod tests {
         for (name, text) in [("a.sbp", "MX"), ("b.sbp", "MY,1"), ("a.sbp", "MX,1")] {
             texts.keep(&draft(name, text, "")).unwrap();
         }
-        let mut kept: Vec<_> = texts.list(parts).unwrap().into_iter().map(|d| (d.name, d.text)).collect();
+        let mut kept: Vec<_> =
+            texts.list(parts).unwrap().into_iter().map(|d| (d.name, d.text)).collect();
         kept.sort();
         assert_eq!(kept, [("a.sbp", "MX,1"), ("b.sbp", "MY,1")].map(|(n, t)| (n.into(), t.into())));
         texts.end("a.sbp").unwrap();

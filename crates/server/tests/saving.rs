@@ -74,7 +74,8 @@ fn what_a_file_is_and_was_is_told_and_brought_back() {
     }
     assert_eq!(versions(&shop, "a.sbp"), [2, 1]);
     assert_eq!(shop.get("/api/files/a.sbp?version=1").body, b"MX,1\n");
-    let restore = |number: u32| shop.ask(&format!("POST /api/files/a.sbp?restore={number}"), &[], b"");
+    let restore =
+        |number: u32| shop.ask(&format!("POST /api/files/a.sbp?restore={number}"), &[], b"");
     assert_eq!(restore(1).status, 200);
     assert_eq!(read(&shop, "a.sbp"), "MX,1\n");
     assert_eq!(versions(&shop, "a.sbp"), [3, 2, 1], "what it took the place of is kept too");

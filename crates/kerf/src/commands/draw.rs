@@ -1,9 +1,9 @@
 //! `kerf draw`: drawings opened, changed and written from a terminal.
 
-use crate::outputs::{ForceArgs, Outputs};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::out;
+use crate::outputs::{ForceArgs, Outputs};
 use crate::parse;
 use anyhow::{Result, anyhow, bail};
 use clap::Args;

@@ -1,8 +1,8 @@
 //! `kerf heights`: how well height control keeps the tool over a warped sheet.
 
-use crate::outputs::{ForceArgs, Outputs};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};

@@ -1,9 +1,9 @@
 //! `kerf plot`: speed, acceleration and jerk of a run.
 
-use crate::outputs::{ForceArgs, Outputs};
 use crate::args::RunArgs;
 use crate::curves::Curves;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
 use crate::{out, parse, setup};
 use anyhow::{Result, bail};

@@ -1,10 +1,10 @@
 //! `kerf preview`: a picture of the tool path.
 
-use crate::outputs::{ForceArgs, Outputs};
 use crate::args::RunArgs;
 use crate::coloured::{Colours, coloured};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::picture::{self, Format, Picture};
 use crate::setup;
 use anyhow::{Result, bail};

@@ -2,7 +2,6 @@
 
 mod behind;
 
-use crate::outputs::{ForceArgs, Outputs};
 use crate::args::{DataArgs, PlaceArgs, RunArgs};
 use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
@@ -14,6 +13,7 @@ use crate::machine_file;
 use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
+use crate::outputs::{ForceArgs, Outputs};
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
@@ -515,6 +515,11 @@ impl MachineArgs {
     pub fn outputs(&self, data: &DataArgs) -> Outputs {
         let files = self.written().into_iter().filter_map(|(_, file)| file);
         Outputs::of(files, self.force.force, Some(data))
+    }
+
+    /// Files are replaced without a question.
+    pub fn replaces(&self) -> bool {
+        self.force.force
     }
 
     /// Every option that names a file to be written.

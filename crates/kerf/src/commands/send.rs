@@ -2,13 +2,13 @@
 
 use super::protect;
 use super::run::{MachineArgs, on_machine, told_by_server};
-use crate::outputs::Outputs;
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
+use crate::outputs::Outputs;
 use crate::remote::{OWN_MACHINE, Remote};
 use crate::report::Talk;
-use crate::sending::{Shown, To, ended, send_over_line, send_over_network};
+use crate::sending::{Sent, Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
 use crate::stop::Stop;
 use anyhow::{Context, Result, anyhow, bail};
@@ -96,7 +96,10 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
     let stopped = || stop.is_wanted();
     let mut shown = Shown::new(args.machine.quiet());
     let state = match to {
-        To::Server(url) => send_over_network(url, &name, &bytes, &stopped, &mut shown)?,
+        To::Server(url) => {
+            let file = Sent { name: &name, bytes: &bytes, replaces: args.machine.replaces() };
+            send_over_network(url, &file, &stopped, &mut shown)?
+        }
         _ => {
             let place = &args.run.place;
             let machine = setup::machine(place.config.as_deref(), &place.data)?;

@@ -1,8 +1,8 @@
 //! `kerf timing`: which output switches when, beside the motion.
 
-use crate::outputs::{ForceArgs, Outputs};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};

@@ -1,7 +1,9 @@
 //! The routes, and their description for scripts (OpenAPI).
 
 use super::language::{Formatted, Spot};
-use super::{assets, files, guard, language, media, people, preview, registry, rest, socket, texts};
+use super::{
+    assets, files, guard, language, media, people, preview, registry, rest, socket, texts,
+};
 use crate::app::App;
 use axum::Router;
 use axum::extract::DefaultBodyLimit;

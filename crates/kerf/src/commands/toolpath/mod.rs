@@ -3,10 +3,10 @@
 mod dry_run;
 mod report;
 
-use crate::outputs::Outputs;
 use crate::args::{Format, RunArgs};
 use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
+use crate::outputs::Outputs;
 use crate::picture::{self, Format as Picture};
 use crate::{drawings, job_options, out, parse, setup};
 use anyhow::{Result, bail};
