@@ -16,7 +16,7 @@ export function DropChanges({ name, onDrop, onClose }: DropChangesProps) {
       onClose={onClose}
       foot={
         <>
-          <Button size="large" autoFocus onPress={onClose}>
+          <Button size="large" data-first onPress={onClose}>
             Cancel
           </Button>
           <Button

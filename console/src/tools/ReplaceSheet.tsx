@@ -22,7 +22,7 @@ export function ReplaceSheet({ about, onAnswer, onClose }: ReplaceSheetProps) {
       onClose={() => answer(false)}
       foot={
         <>
-          <Button size="large" autoFocus onPress={() => answer(false)}>
+          <Button size="large" data-first onPress={() => answer(false)}>
             Cancel
           </Button>
           <Button size="large" look="primary" onPress={() => answer(true)}>
