@@ -110,9 +110,9 @@ const overlays: Record<string, () => Promise<void>> = {
   "a question before a file is replaced": async () => {
     await page.getByRole("link", { name: "Edit" }).click();
     await page.getByRole("button", { name: "Save as…" }).click();
-    await page.getByLabel("Name in the part folder").fill("ask.sbp");
+    await page.getByLabel("Name in the part folder").fill("input.sbp");
     await page.keyboard.press("Enter");
-    await page.getByRole("dialog", { name: "Replace ask.sbp?" }).waitFor();
+    await page.getByRole("dialog", { name: "Replace input.sbp?" }).waitFor();
   },
   "versions of a file": async () => {
     await sheet("Open a file")();

@@ -42,7 +42,7 @@ fn a_file_that_kerf_did_not_make_is_not_replaced_in_a_script() {
 #[test]
 fn a_command_that_fails_makes_no_file_its_own() {
     let shop = Shop::new(&[("a.svg", "by hand"), ("a.sbp", PART)]);
-    shop.kerf("preview missing.sbp -o a.svg --force").exits(1);
+    shop.kerf("preview missing.sbp -o a.svg --force").exits(2);
     assert_eq!(shop.read("a.svg"), "by hand");
     shop.kerf("preview a.sbp -o a.svg").exits(2);
 }
