@@ -3,15 +3,14 @@
 
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
-use crate::{out, setup};
+use crate::{clock, out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
-use jiff::Zoned;
 use kerf_control::files::{Disk, RealDisk};
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::time::UNIX_EPOCH;
 
 /// The record of what Kerf wrote lies under this name in the data folder.
 const RECORD: &str = "written";
@@ -122,7 +121,7 @@ fn may_be_replaced(file: &Path, stamp: Stamp) -> Result<bool> {
     let told = format!(
         "{name} is there already, {}, changed {}; Kerf did not make it, or it was changed since",
         out::count(stamp.bytes, "byte"),
-        changed(file).unwrap_or_else(|| "at an unknown time".into())
+        clock::told(fs::metadata(file).and_then(|about| about.modified()).unwrap_or(UNIX_EPOCH))
     );
     if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
         bail!(Usage(format!(
@@ -133,9 +132,4 @@ fn may_be_replaced(file: &Path, stamp: Stamp) -> Result<bool> {
     let mut answer = String::new();
     let heard = io::stderr().flush().is_ok() && io::stdin().read_line(&mut answer).is_ok();
     Ok(heard && answer.trim().eq_ignore_ascii_case("y"))
-}
-
-fn changed(file: &Path) -> Option<String> {
-    let time: SystemTime = fs::metadata(file).ok()?.modified().ok()?;
-    Some(Zoned::try_from(time).ok()?.strftime("%Y-%m-%d %H:%M").to_string())
 }

@@ -4,6 +4,7 @@
 
 mod shop;
 
+use kerf_control::versions::Versions;
 use shop::Shop;
 
 const PART: &str = "SA\nMX,1\nMY,2\n";
@@ -55,4 +56,25 @@ fn what_is_no_file_is_written_to_as_ever() {
         #[cfg(unix)]
         shop.kerf("run a.sbp --quiet --trace /dev/null").exits(0);
     }
+}
+
+#[test]
+fn versions_are_listed_and_brought_back() {
+    let shop = Shop::new(&[("door.sbp", "MX,1\n")]);
+    shop.kerf("parts --versions door.sbp").exits(0).says("no version of door.sbp is kept");
+    let versions = Versions::in_data(&shop.file("data"));
+    for text in ["MX,2\n", "MX,30\n"] {
+        versions.keep("door.sbp", &shop.file("door.sbp")).unwrap();
+        shop.write("door.sbp", text.as_bytes());
+    }
+    let listed = shop.kerf("parts --versions door.sbp");
+    let lines: Vec<_> = listed.exits(0).out().lines().map(str::to_owned).collect();
+    assert!(lines[0].starts_with("   2  20") && lines[0].ends_with("  5 bytes"), "{lines:?}");
+    shop.kerf("parts --versions door.sbp --restore 1").exits(0).says("version 1 again");
+    assert_eq!(shop.read("door.sbp"), "MX,1\n");
+    shop.kerf("parts --versions door.sbp").exits(0).says("   3  20");
+    shop.kerf("parts --versions door.sbp --restore 9")
+        .exits(1)
+        .complains("no version has this number");
+    shop.kerf("parts --versions ../x --restore 1").exits(1);
 }

@@ -174,7 +174,11 @@ impl App {
     /// Writes the part program of the drawing's tool paths, and opens it.
     fn write_program(self: &Arc<Self>, desk: &Desk, name: &str, leave: &Leave) -> Done {
         self.nothing_unsaved()?;
-        let (job, warnings) = job(&desk.editor.drawing, self.shaping())?;
+        let (job, warnings) = match desk.job {
+            // Tool paths are cut as they are.
+            Some(_) => (desk.edited_job()?, Vec::new()),
+            None => job(&desk.editor.drawing, self.shaping())?,
+        };
         let job = Job { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
         // In the unit that the machine is set to: a part file of the other one refuses to run.

@@ -168,6 +168,10 @@ impl App {
     pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool) -> Done {
         self.nothing_unsaved()?;
         let (name, drawing, finish) = self.drawing_to_machine(drawing)?;
+        if kind_of(&name) == FileKind::Job {
+            let text = format!("{name} has tool paths already: save it, and open it as a job");
+            return Err(problem(Why::State, text));
+        }
         let name = format!("{}.{}", stem(&name), job_file::EXTENSION);
         if !anew && self.was_edited(&name) {
             let text =
