@@ -9,6 +9,9 @@ const waitMs = 200;
 /** After a refusal it is tried again so much later. */
 const againMs = 1000;
 
+/** So long another file waits for what was typed into the one before. */
+const patienceMs = 1500;
+
 /** What may be sent while a page goes has to be short, bytes. */
 const mostAtEnd = 60_000;
 
@@ -33,8 +36,17 @@ export class DraftKeeper {
     this.#works ??= this.#work(0);
   }
 
-  /** Waits until the server has all that was typed so far. */
-  async settled(): Promise<void> {
+  /** Waits until the server has all that was typed so far; not for ever, where it refuses. */
+  settled(): Promise<void> {
+    return Promise.race([this.#rest(), pause(patienceMs)]);
+  }
+
+  /** What was typed into a file and is not at the server yet. */
+  waiting(name: string): TextDraft | undefined {
+    return this.#wanted.get(name) ?? undefined;
+  }
+
+  async #rest(): Promise<void> {
     while (this.#works) await this.#works;
   }
 

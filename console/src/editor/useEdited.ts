@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from "react";
 import { ask } from "../actions/ask";
 import { writing } from "../actions/replace";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
+import type { Screen } from "../app/screen";
 import { type Content, getJson, Refused, readFile, writeFile } from "../link/http";
 import type { TextDraft } from "../wire/messages";
 import {
@@ -40,6 +41,15 @@ const changedOnDisk = (name: string) =>
 /** Files that were asked for (FE, FN, a program) and were shown: whoever comes back finds what he edited last. */
 const answered = new WeakSet<object>();
 
+/** One for the page: what was typed just before the screen was left is still on its way. */
+const keepers = new WeakMap<Screen, DraftKeeper>();
+
+function keeperOf(screen: Screen): DraftKeeper {
+  const keeper = keepers.get(screen) ?? new DraftKeeper((text) => screen.tell(text));
+  keepers.set(screen, keeper);
+  return keeper;
+}
+
 export function useEdited(): Edited {
   const hands = useHands();
   const { screen } = hands;
@@ -49,7 +59,7 @@ export function useEdited(): Edited {
   const [file, setFile] = useState<EditedFile>(newFile);
   const [drafts, setDrafts] = useState<readonly TextDraft[]>([]);
   const [shown, setShown] = useState(0);
-  const [keeper] = useState(() => new DraftKeeper(screen.tell.bind(screen)));
+  const keeper = keeperOf(screen);
   const turn = useRef(0);
 
   useEffect(() => {
@@ -66,7 +76,7 @@ export function useEdited(): Edited {
     try {
       const all = await getJson<TextDraft[]>("/api/texts");
       const chosen = wanted ?? all[0]?.name ?? "";
-      const draft = all.find((one) => one.name === chosen);
+      const draft = keeper.waiting(chosen) ?? all.find((one) => one.name === chosen);
       const onDisk = await present(chosen, draft);
       if (mine !== turn.current) return;
       setDrafts(all);
