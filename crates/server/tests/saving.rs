@@ -169,10 +169,10 @@ fn tool_paths_that_were_opened_are_saved_as_tool_paths() {
     let saved = draw(&shop, &json!({ "op": "save", "name": "plate.rsm" }));
     assert_eq!(saved.status, 200, "{:?}", saved.json());
     assert_eq!(read(&shop, "plate.rsg"), "the drawing");
-    // The paths are cut as they are: nothing is offset twice.
+    // The paths are cut as they are, to 47 mm: nothing is offset twice.
     let program = draw(&shop, &json!({ "op": "program", "name": "plate.nc" }));
     assert_eq!(program.status, 200, "{:?}", program.json());
-    assert!(read(&shop, "plate.nc").contains("X47"), "{}", read(&shop, "plate.nc"));
+    assert!(read(&shop, "plate.nc").contains("X1.8503937 "), "{}", read(&shop, "plate.nc"));
     let machine = json!({ "drawing": null, "anew": true });
     assert_eq!(why(&shop.post("/api/do/machine", machine, &[])), "state");
     let (job, _) = kerf_toolpath::read(read(&shop, "plate.rsm").as_bytes());
