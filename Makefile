@@ -61,21 +61,21 @@ run: prepare console ## build everything and open the console on the simulated m
 figures: prepare console ## draw the pictures of README and book anew
 	$(CARGO) build --release --locked --package kerf
 	for part in $(FIGURES); do \
-	  target/release/kerf preview $$part -o docs/figures/$$(basename $$part .sbp).svg; \
+	  target/release/kerf preview $$part --force -o docs/figures/$$(basename $$part .sbp).svg; \
 	done
 	for model in shopbot profiler "optimal --jerk 10000"; do \
 	  target/release/kerf plot docs/figures/corners.sbp --units mm --over time \
-	    --ramps $$model -o docs/figures/speed-$${model%% *}.svg; \
+	    --ramps $$model --force -o docs/figures/speed-$${model%% *}.svg; \
 	done
-	target/release/kerf preview docs/figures/corners.sbp --units mm -o docs/figures/corners.svg
+	target/release/kerf preview docs/figures/corners.sbp --units mm --force -o docs/figures/corners.svg
 	@.ci/browser
 	cd console && KERF="$(CURDIR)/target/release/kerf" npm run --silent figures
 	for kind in router input pierce plasma; do \
 	  target/release/kerf timing docs/figures/line.rsg --config docs/figures/timing-$$kind.toml \
-	    $$(cat docs/figures/timing-$$kind.txt) -o docs/figures/timing-$$kind.svg; \
+	    $$(cat docs/figures/timing-$$kind.txt) --force -o docs/figures/timing-$$kind.svg; \
 	done
 	target/release/kerf heights docs/figures/wave.rsg --config docs/figures/height-error.toml \
-	  $$(cat docs/figures/height-error.txt) --title Height-control -o docs/figures/height-error.svg
+	  $$(cat docs/figures/height-error.txt) --title Height-control --force -o docs/figures/height-error.svg
 
 # Python's ezdxf, kept apart from whatever Python is there.
 EZDXF := target/peers/ezdxf

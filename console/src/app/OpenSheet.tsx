@@ -8,9 +8,11 @@ import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
 import { PortsSheet } from "../tools/PortsSheet";
 import { RecorderSheet } from "../tools/RecorderSheet";
+import { ReplaceSheet } from "../tools/ReplaceSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
+import { VersionsSheet } from "../tools/VersionsSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
 
@@ -43,7 +45,11 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <PortsSheet onClose={close} />;
     case "timing":
       return <TimingSheet onClose={close} />;
+    case "versions":
+      return <VersionsSheet name={sheet.name} onClose={close} />;
     case "confirm":
       return <ConfirmSheet action={sheet.action} onClose={close} />;
+    case "replace":
+      return <ReplaceSheet about={sheet.about} onAnswer={sheet.answer} onClose={close} />;
   }
 }

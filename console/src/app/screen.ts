@@ -1,6 +1,7 @@
 /** What this browser shows and the server need not know: route, theme, face, open sheets. */
 
 import { applyTheme, rememberedTheme, type Theme } from "../theme/theme";
+import type { FileAbout } from "../wire/messages";
 import { type Route, routeOf } from "./routes";
 import { createStore, type Store } from "./store";
 
@@ -20,7 +21,13 @@ export type Sheet =
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "timing" }
+  | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "confirm"; readonly action: string }
+  | {
+      readonly kind: "replace";
+      readonly about: FileAbout;
+      readonly answer: (mayBeReplaced: boolean) => void;
+    }
   | { readonly kind: "palette" };
 
 export type Face = "easy" | "full";

@@ -2,6 +2,7 @@ import { useState } from "react";
 import { attempt } from "../actions/action";
 import { ask } from "../actions/ask";
 import { beginDrawing, isUnsaved, unsaved } from "../actions/draw";
+import { writing } from "../actions/replace";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
@@ -12,17 +13,30 @@ import { fitted } from "./window";
 
 type Asking = "open" | "save" | "program";
 
+/** What a drawing is written as. */
+const savedAs = ["rsg", "dxf", "svg"] as const;
+
 /** The drawing's name, its files, undo and redo, and the way to the machine. */
 export function DrawingHead({ desk }: { desk: Desk }) {
   const hands = useHands();
   const drawing = useSnapshot("drawing");
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   const [asking, setAsking] = useState<Asking | null>(null);
+  // Tool paths that were opened stay tool paths: their name is not that of their drawing.
+  const isJob = drawing?.name?.toLowerCase().endsWith(".rsm") ?? false;
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
+  /** Writes a file of the drawing; one that is there already is replaced when the person says so. */
+  const write = (op: "save" | "program", name: string) =>
+    writing(worldOf(hands), name, async (replaces) => {
+      const reply = await hands.link.ask({ do: "draw", op: { op, name, replaces } });
+      for (const note of reply.notes) hands.screen.tell(note);
+      return reply.problem;
+    });
   const program = async (name: string) => {
-    if (!(await draw({ op: "program", name }))) return;
+    if (!(await write("program", name))) return false;
     if (drawingOnly) hands.screen.tell(`${name} is written into the part folder.`);
     else hands.screen.go("/");
+    return true;
   };
   return (
     <header className="drawing-head">
@@ -92,10 +106,10 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       {asking === "save" && (
         <FileSheet
           title="Save the drawing"
-          endings={["rsg", "dxf", "svg"]}
-          proposal={named(drawing?.name, "rsg")}
+          endings={isJob ? ["rsm", ...savedAs] : savedAs}
+          proposal={named(drawing?.name, isJob ? "rsm" : "rsg")}
           onClose={() => setAsking(null)}
-          onName={(name) => draw({ op: "save", name })}
+          onName={(name) => write("save", name)}
         />
       )}
       {asking === "program" && (

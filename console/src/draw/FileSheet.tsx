@@ -52,13 +52,21 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
         <div className="file-sheet-names">
           {offered.length === 0 && <p className="tail-empty">No such file in the part folder.</p>}
           {offered.map((file) => (
-            <button
-              key={file.name}
-              type="button"
-              onClick={() => (proposal === undefined ? void use(file.name) : setName(file.name))}
-            >
-              {file.name}
-            </button>
+            <div key={file.name} className="file-sheet-row">
+              <button
+                type="button"
+                onClick={() => (proposal === undefined ? void use(file.name) : setName(file.name))}
+              >
+                {file.name}
+              </button>
+              <button
+                type="button"
+                aria-label={`Versions of ${file.name}`}
+                onClick={() => screen.open({ kind: "versions", name: file.name })}
+              >
+                Versions…
+              </button>
+            </div>
           ))}
         </div>
         <div className="file-sheet-foot">

@@ -1,89 +1,78 @@
-import { useEffect, useState } from "react";
-import { ask } from "../actions/ask";
+import { useState } from "react";
 import { openFiles } from "../actions/go";
-import { useHands, useScreen, useSnapshot, worldOf } from "../app/context";
+import { useHands } from "../app/context";
 import { Watched } from "../debugger/Watched";
-import { readFile, writeFile } from "../link/http";
 import { useRunningLine } from "../operator/useRunningLine";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import type { Finding } from "../wire/messages";
 import { CodeEditor } from "./CodeEditor";
 import { DebugBar } from "./DebugBar";
-import { type EditedFile, edited, isChanged, newFile, opened, saved, written } from "./document";
+import { DropChanges } from "./DropChanges";
+import { isChanged } from "./document";
 import "./edit-screen.css";
 import { FindingList } from "./FindingList";
+import { NotSaved } from "./NotSaved";
 import { SaveAs } from "./SaveAs";
+import { useEdited } from "./useEdited";
 
 /** The editor of part files (FE), and the debugger in it (FG). */
 export function EditScreen() {
   const hands = useHands();
-  const open = useSnapshot("opened");
   const running = useRunningLine();
-  const [file, setFile] = useState<EditedFile>(newFile);
+  const { file, shown, others, show, change, save, drop } = useEdited();
   const [findings, setFindings] = useState<readonly Finding[]>([]);
-  const [naming, setNaming] = useState(false);
-
-  const name = open?.name;
-  // biome-ignore lint/correctness/useExhaustiveDependencies: reads when another file is opened
-  useEffect(() => {
-    if (name === undefined || isChanged(file) || hands.screen.get().edits) return;
-    readFile(name).then(
-      (text) => setFile(opened(name, text)),
-      (error: Error) => hands.screen.tell(error.message),
-    );
-  }, [name]);
-
-  const asked = useScreen("edits");
-  useEffect(() => {
-    if (!asked) return;
-    if (asked.name === "") return setFile(newFile);
-    readFile(asked.name).then(
-      (text) => setFile(opened(asked.name, text)),
-      (error: Error) => hands.screen.tell(error.message),
-    );
-  }, [asked, hands]);
-
-  const save = async (as: string | null) => {
-    if (as === null) return setNaming(true);
-    try {
-      await writeFile(as, written(file));
-      setFile((now) => saved(now, as));
-      setNaming(false);
-      // While a program waits for the editor, it stays the open file.
-      if (asked === null) await ask(worldOf(hands), { do: "open", name: as });
-    } catch (error) {
-      hands.screen.tell(String(error));
-    }
+  const [asking, setAsking] = useState<"name" | "drop" | null>(null);
+  const saveAs = async (as: string | null) => {
+    if (as === null) setAsking("name");
+    else if (await save(as)) setAsking(null);
   };
+  const changed = isChanged(file);
   return (
     <div className="edit">
       <header className="edit-head">
         <h1>
           {file.name ?? "New file"}
-          {isChanged(file) && <span className="edit-changed"> · not saved</span>}
+          {changed && <span className="edit-changed"> · not saved</span>}
         </h1>
+        <NotSaved names={others} onShow={(name) => void show(name)} />
         <ActionButton action={openFiles}>Open…</ActionButton>
-        <Button onPress={() => setFile(newFile)} isDisabled={isChanged(file)}>
+        <Button onPress={() => void show("")} isDisabled={changed && file.name === null}>
           New
         </Button>
-        <Button onPress={() => setNaming(true)}>Save as…</Button>
-        <Button look="primary" onPress={() => save(file.name)} isDisabled={!isChanged(file)}>
+        <Button onPress={() => setAsking("drop")} isDisabled={!changed}>
+          Drop changes…
+        </Button>
+        <Button onPress={() => setAsking("name")}>Save as…</Button>
+        <Button look="primary" onPress={() => void saveAs(file.name)} isDisabled={!changed}>
           Save
         </Button>
       </header>
-      {naming && <SaveAs first={file.name ?? ""} onSave={save} onCancel={() => setNaming(false)} />}
-      <DebugBar changed={isChanged(file)} />
+      {asking === "name" && (
+        <SaveAs
+          first={file.name ?? ""}
+          onSave={(name) => void saveAs(name)}
+          onCancel={() => setAsking(null)}
+        />
+      )}
+      {asking === "drop" && (
+        <DropChanges
+          name={file.name ?? "the new file"}
+          onDrop={() => void drop()}
+          onClose={() => setAsking(null)}
+        />
+      )}
+      <DebugBar changed={changed} />
       <div className="edit-body">
         <CodeEditor
-          key={file.name}
+          key={`${file.name} ${shown}`}
           name={file.name ?? "new.sbp"}
           text={file.text}
           running={running}
-          onChange={(text) => setFile((now) => edited(now, text))}
+          onChange={change}
           onFindings={setFindings}
           onBreakpoints={hands.screen.mark}
-          onSave={() => void save(file.name)}
+          onSave={() => void saveAs(file.name)}
         />
         <Watched />
       </div>

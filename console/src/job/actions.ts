@@ -2,6 +2,7 @@
 
 import type { World } from "../actions/action";
 import { ask } from "../actions/ask";
+import { mayReplace } from "../actions/replace";
 import type { JobChoice } from "../wire/messages";
 
 /** Cuts the job otherwise; nothing while one runs. */
@@ -23,6 +24,14 @@ export const chooseStart = (world: World, start: number | null): Promise<boolean
 export async function machine(world: World, drawing: string | null): Promise<void> {
   const { problem } = await world.link.ask({ do: "machine", drawing, anew: false });
   if (!problem) return world.screen.go("/job");
-  if (problem.why !== "changed") return world.screen.tell(problem.text);
-  world.screen.open({ kind: "confirm", action: "job.anew" });
+  if (problem.why === "changed") {
+    return world.screen.open({ kind: "confirm", action: "job.anew" });
+  }
+  if (problem.why !== "replaces") return world.screen.tell(problem.text);
+  const name = jobName(drawing ?? world.shown.snapshot?.drawing?.name ?? "drawing");
+  if (!(await mayReplace(world, name))) return;
+  if (await ask(world, { do: "machine", drawing, anew: true })) world.screen.go("/job");
 }
+
+/** The job of a drawing lies beside it. */
+const jobName = (drawing: string): string => `${drawing.replace(/\.[^./]*$/, "")}.rsm`;

@@ -1,9 +1,16 @@
 /** What comes over HTTP and not over the socket: files, tool paths, the table of commands. */
 
-import type { Problem } from "../wire/messages";
+import type { Problem, TextDraft } from "../wire/messages";
 
 /** A refusal of the server, in its own words. */
-export class Refused extends Error {}
+export class Refused extends Error {
+  readonly problem: Problem;
+
+  constructor(problem: Problem) {
+    super(problem.text);
+    this.problem = problem;
+  }
+}
 
 async function request(path: string, init: RequestInit): Promise<Response> {
   const response = await fetch(path, init);
@@ -11,14 +18,14 @@ async function request(path: string, init: RequestInit): Promise<Response> {
   return response;
 }
 
-/** The words of a refusal: those of its problem when it has one. */
-async function refusal(response: Response): Promise<string> {
+/** A refusal: its problem, or its words where it has none. */
+async function refusal(response: Response): Promise<Problem> {
   const text = await response.text();
   try {
     const problem = JSON.parse(text) as Partial<Problem>;
-    return problem.text ?? text;
+    return { why: problem.why ?? "server", text: problem.text ?? text };
   } catch {
-    return text || response.statusText;
+    return { why: "server", text: text || response.statusText };
   }
 }
 
@@ -55,12 +62,50 @@ export const fileAddress = (name: string): string => `/api/files/${encoded(name)
 /** The address of a sound. */
 export const soundAddress = (name: string): string => `/api/media/${encoded(name)}`;
 
-export const readFile = (name: string): Promise<string> => getText(fileAddress(name));
+/** What a file holds, and the hash that says which content it was. */
+export interface Content {
+  readonly text: string;
+  readonly hash: string;
+}
 
-export async function writeFile(name: string, text: string): Promise<void> {
-  await request(fileAddress(name), {
+/** The hash that an answer carries as its entity tag. */
+const hashOf = (response: Response): string =>
+  response.headers.get("etag")?.replaceAll('"', "") ?? "";
+
+export async function readFile(name: string): Promise<Content> {
+  const response = await get(fileAddress(name));
+  return { text: await response.text(), hash: hashOf(response) };
+}
+
+/** Writes a file, in the place of the one with this hash where there is one; gives the hash it has now. */
+export async function writeFile(
+  name: string,
+  text: string,
+  replaces: string | null,
+): Promise<string> {
+  const plain = { "content-type": "application/octet-stream" };
+  const response = await request(fileAddress(name), {
     method: "PUT",
-    headers: { "content-type": "application/octet-stream" },
+    headers: replaces ? { ...plain, "if-match": `"${replaces}"` } : plain,
     body: text,
   });
+  return hashOf(response);
 }
+
+/** Brings an earlier content of a file back. */
+export async function restoreFile(name: string, number: number): Promise<void> {
+  await request(`${fileAddress(name)}?restore=${number}`, { method: "POST" });
+}
+
+/** Keeps text that is not saved; the page may go meanwhile when it is short. */
+export async function keepDraft(draft: TextDraft, goes = false): Promise<void> {
+  await request("/api/texts", {
+    method: "PUT",
+    headers: { "content-type": "application/json" },
+    body: JSON.stringify(draft),
+    keepalive: goes,
+  });
+}
+
+export const endDraft = (name: string): Promise<void> =>
+  deleteAt(`/api/texts?name=${encodeURIComponent(name)}`);

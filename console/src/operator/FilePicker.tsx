@@ -2,9 +2,11 @@ import { useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo } from "../wire/messages";
+import { sizeText } from "./fileWords";
 import { inFolder, parentOf } from "./folder";
 import { useFiles } from "./useFiles";
 import "./file-picker.css";
@@ -15,10 +17,12 @@ export function FilePicker() {
   const kept = useSnapshot("folder");
   const [folder, setFolder] = useState(kept?.name ?? "");
   const [mask, setMask] = useState("");
+  const [looksBack, setLooksBack] = useState(false);
   const files = useFiles(folder);
   const close = () => hands.screen.open(null);
   const choose = async (file: FileInfo) => {
     if (file.folder) return setFolder(file.name);
+    if (looksBack) return hands.screen.open({ kind: "versions", name: file.name });
     // Where a file is chosen, the next one is looked for (FS).
     if (folder !== kept?.name)
       await ask(worldOf(hands), { do: "folder", name: folder, mask: null });
@@ -42,7 +46,11 @@ export function FilePicker() {
           onChange={setMask}
           first
         />
+        <Button onPress={() => setLooksBack(!looksBack)}>
+          {looksBack ? "Open a file" : "Versions…"}
+        </Button>
       </div>
+      {looksBack && <p>Choose the file whose earlier versions are shown.</p>}
       <ListBox
         aria-label="Files"
         className="files"
@@ -88,10 +96,3 @@ function FileRow({ file }: { file: FileInfo }) {
     </ListBoxItem>
   );
 }
-
-const sizeText = (bytes: number): string =>
-  bytes < 1e3
-    ? `${bytes} B`
-    : bytes < 1e6
-      ? `${(bytes / 1e3).toFixed(0)} kB`
-      : `${(bytes / 1e6).toFixed(1)} MB`;

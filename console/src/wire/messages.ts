@@ -292,6 +292,19 @@ notes: Array<string>, };
 /** What an input is assigned to (VN). */
 export type Duty = "standard" | "limit" | "stop";
 
+/** What a file is that would be replaced. */
+export type FileAbout = {
+/** Its name below the part folder. */
+name: string,
+/** What it is: `a part program of 412 lines`. */
+what: string,
+/** Bytes. */
+bytes: number,
+/** When it was changed: seconds since 1970. */
+changed: number,
+/** SHA-256 of its content, in hexadecimal digits: who saw it names it as what may be replaced. */
+hash: string, };
+
 /** A file of the part folder. */
 export type FileInfo = {
 /** Its name below the part folder, `/` between folders. */
@@ -324,6 +337,15 @@ plunge: number,
 tabs: boolean,
 /** Z moves to 0 before the first plunge. */
 plungeFromZero: boolean, };
+
+/** An earlier content of a file that Kerf wrote over. */
+export type FileVersion = {
+/** Grows with each save of the file, from 1. */
+number: number,
+/** The file had this content since then: seconds since 1970. */
+changed: number,
+/** Bytes. */
+bytes: number, };
 
 /** Something a person should know about a file. */
 export type Finding = {
@@ -614,14 +636,18 @@ value: string, };
 export type Op = { "op": "new" } | { "op": "open",
 /** Its name below the part folder. */
 name: string, } | { "op": "save",
-/** Its name below the part folder; `.rsg`, `.dxf` or `.svg`. */
-name: string, } | { "op": "do",
+/** Its name below the part folder: `.rsg`, `.dxf` or `.svg`; `.rsm` for tool paths that were opened. */
+name: string,
+/** The hash of the file that may be replaced; `*` for any. The file that was opened or saved last needs none while it is as it was. */
+replaces: string | null, } | { "op": "do",
 /** The clauses. */
 clauses: string, } | { "op": "undo" } | { "op": "redo" } | { "op": "finish",
 /** Mm from the origin. */
 at: [number, number], } | { "op": "program",
 /** Name of the program below the part folder: `.sbp` or `.nc`. */
-name: string, };
+name: string,
+/** The hash of the file that may be replaced; `*` for any. */
+replaces: string | null, };
 
 /** The file that is open, to be looked at and run. */
 export type Opened = {
@@ -1012,6 +1038,19 @@ unit: string,
 /** What it reads. */
 value: string, };
 
+/** Text of the editor that is not saved. */
+export type TextDraft = {
+/** The file below the part folder that it is of; empty for a new one. */
+name: string,
+/** The text; its lines end with a line feed. */
+text: string,
+/** What the lines of the file end with. */
+ends: string,
+/** SHA-256 of the file as it was read; empty for a new one. */
+base: string,
+/** Whether the file is another by now. */
+changedOnDisk: boolean, };
+
 /** Inputs and outputs of a run on the simulated machine, beside its motion. */
 export type Timing = {
 /** Where it ends, seconds of machine time. */
@@ -1115,7 +1154,7 @@ role: Role,
 device: string, };
 
 /** The sort of reason. */
-export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "mistake" | "late" | "server" | "full";
+export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "replaces" | "mistake" | "late" | "server" | "full";
 
 /** Heights at which a job is cut. */
 export type ZHeights = {

@@ -107,6 +107,19 @@ const overlays: Record<string, () => Promise<void>> = {
   },
   "drawing to open": drawn("Open…"),
   "drawing to save": drawn("Save…"),
+  "a question before a file is replaced": async () => {
+    await page.getByRole("link", { name: "Edit" }).click();
+    await page.getByRole("button", { name: "Save as…" }).click();
+    await page.getByLabel("Name in the part folder").fill("input.sbp");
+    await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: "Replace input.sbp?" }).waitFor();
+  },
+  "versions of a file": async () => {
+    await sheet("Open a file")();
+    await page.getByRole("button", { name: "Versions…" }).click();
+    await page.getByRole("option", { name: /ask\.sbp/ }).click();
+    await page.getByRole("dialog", { name: "Versions of ask.sbp" }).waitFor();
+  },
   operations: drawn("All operations…"),
   engraving: drawn("Engrave…"),
 };

@@ -71,6 +71,7 @@ mod trail;
 pub mod transfer;
 mod turning;
 pub mod vcd;
+pub mod versions;
 mod virtual_tools;
 mod waiting;
 mod warning;

@@ -13,8 +13,10 @@ mod places;
 pub mod rsg;
 pub mod svg;
 mod tidy;
+mod unkept;
 
 pub use finding::{Finding, Weight};
+pub use unkept::unkept;
 
 use kerf_drawing::Drawing;
 

@@ -35,6 +35,7 @@ mod machine_file;
 mod memory;
 mod operator;
 mod out;
+mod outputs;
 mod parse;
 mod picture;
 mod progress;

@@ -6,7 +6,9 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 fn kerf(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_kerf")).current_dir(folder).args(args).output().unwrap()
+    let mut command = Command::new(env!("CARGO_BIN_EXE_kerf"));
+    command.current_dir(folder).env("KERF_DATA", folder.join("data"));
+    command.args(args).output().unwrap()
 }
 
 fn told(output: &Output) -> String {
@@ -367,17 +369,21 @@ fn the_drawing_on_disk_outlives_a_full_disk_and_a_kill() {
     let program = env!("CARGO_BIN_EXE_kerf");
     let full =
         format!("trap '' XFSZ; ulimit -f 8; exec '{program}' draw a.rsg --do '{grow}' -o a.rsg");
-    let shell = Command::new("sh").current_dir(folder.path()).args(["-c", &full]).output().unwrap();
+    let mut shell = Command::new("sh");
+    shell.current_dir(folder.path()).env("KERF_DATA", folder.path().join("data"));
+    let shell = shell.args(["-c", &full]).output().unwrap();
     assert_eq!(shell.status.code(), Some(1), "{}", told(&shell));
     assert!(told(&shell).contains("cannot write a.rsg"), "{}", told(&shell));
     assert_eq!(read(), before);
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "nothing is left beside it");
+    // The drawing and the data folder.
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2, "nothing is left beside it");
     kerf(folder.path(), &["draw", "a.rsg", "--do", grow, "-o", "b.rsg"]);
     let after = std::fs::read(folder.path().join("b.rsg")).unwrap();
     for moment in 0..40 {
-        let args = ["draw", "a.rsg", "--do", grow, "-o", "a.rsg"];
-        let mut child =
-            Command::new(program).current_dir(folder.path()).args(args).spawn().unwrap();
+        let args = ["draw", "a.rsg", "--do", grow, "-o", "a.rsg", "--force"];
+        let mut command = Command::new(program);
+        command.current_dir(folder.path()).env("KERF_DATA", folder.path().join("data"));
+        let mut child = command.args(args).spawn().unwrap();
         std::thread::sleep(std::time::Duration::from_millis(2 * moment));
         let _ = child.kill();
         child.wait().unwrap();

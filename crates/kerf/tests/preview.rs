@@ -75,7 +75,7 @@ fn the_picture_on_disk_outlives_a_full_disk() {
         let file = folder.path().join(picture);
         std::fs::write(&file, "the picture of yesterday").unwrap();
         // A bound on the size of files fails as a full disk does.
-        let full = format!("trap '' XFSZ; ulimit -f 1; exec '{program}' {words} {picture}");
+        let full = format!("trap '' XFSZ; ulimit -f 1; exec '{program}' {words} {picture} --force");
         let shell = Command::new("sh")
             .current_dir(folder.path())
             .env("KERF_DATA", folder.path())

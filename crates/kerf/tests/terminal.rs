@@ -91,3 +91,30 @@ fn sbp_io_play__the_bell_of_a_terminal() {
     let file = shop.kerf("run a.sbp");
     assert!(!file.out().contains('\u{7}'), "a file takes no bell");
 }
+
+/// A command at a terminal where somebody types an answer; its exit code and what it asked.
+fn answered(shop: &Shop, args: &[&str], answer: &[u8]) -> (Option<i32>, String) {
+    let (mut terminal, slave) = terminal();
+    terminal.write_all(answer).unwrap();
+    let mut kerf = shop.command();
+    let err = slave.try_clone().unwrap();
+    let status = kerf.args(args).stdin(slave).stdout(Stdio::null()).stderr(err).status().unwrap();
+    drop(kerf);
+    let mut shown = Vec::new();
+    // The end of a pseudo terminal reads as an error.
+    let _ = terminal.read_to_end(&mut shown);
+    (status.code(), String::from_utf8_lossy(&shown).into_owned())
+}
+
+#[test]
+fn a_file_that_kerf_did_not_make_is_asked_about() {
+    let shop = Shop::new(&[("a.sbp", "SA\nMX,1\n"), ("a.svg", "by hand")]);
+    let preview = ["preview", "a.sbp", "-o", "a.svg"];
+    for (answer, code) in [(b"n\n", 3), (b"\n\n", 3)] {
+        let (exit, asked) = answered(&shop, &preview, answer);
+        assert!(asked.contains("a.svg is there already, 7 bytes") && asked.contains("Replace it?"));
+        assert_eq!((exit, shop.read("a.svg").as_str()), (Some(code), "by hand"));
+    }
+    assert_eq!(answered(&shop, &preview, b"y\n").0, Some(0));
+    assert!(shop.read("a.svg").contains("<svg"));
+}

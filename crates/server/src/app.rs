@@ -12,8 +12,10 @@ use crate::people::{Devices, Here, Pages, Tries};
 use crate::pool::{KERF, Lane, Pool};
 use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
+use crate::saving::{Leave, Saves};
 use crate::setup::{Builders, Options};
 use crate::shop;
+use crate::texts::Texts;
 use crate::turn::Turn;
 use crate::uptime::Uptime;
 use kerf_control::Shelf;
@@ -42,6 +44,10 @@ pub struct App {
     pub orders: Mutex<Sender<Order>>,
     /// The part folder.
     pub parts: PartFolder,
+    /// What is written into it.
+    pub saves: Saves,
+    /// What is typed in the editor and not saved.
+    pub texts: Texts,
     /// The file that is open.
     pub open: Mutex<Open>,
     /// What the last run left.
@@ -186,6 +192,8 @@ impl App {
         let memory = Memory::default();
         Ok(Self {
             parts: PartFolder::new(&options.parts)?,
+            saves: Saves::new(&options.data),
+            texts: Texts::new(&options.data),
             devices,
             here,
             passwords: Mutex::default(),
@@ -445,6 +453,16 @@ impl App {
         }
         self.tell_drawing();
         self.files_changed();
+    }
+
+    /// Writes a file of the part folder, and tells pages; gives the hash of what lies there now.
+    ///
+    /// # Errors
+    /// As of [`Saves::save`].
+    pub fn save(&self, name: &str, bytes: &[u8], leave: &Leave) -> Result<String, Problem> {
+        let saved = self.saves.save(&self.parts, name, bytes, leave)?;
+        self.files_changed();
+        Ok(saved)
     }
 
     /// Files of the part folder may have changed.

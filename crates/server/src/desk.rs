@@ -1,7 +1,8 @@
 //! The drawing that is open.
 
 use crate::acts::Done;
-use crate::app::{App, lock, problem};
+use crate::app::{App, hash, lock, problem};
+use crate::saving::Leave;
 use kerf_drawing::{Drawing, Editor, Operation, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
@@ -14,6 +15,10 @@ use kerf_toolpath::{Heights, Job, Shaping, shaped_job};
 use kerf_wire::{Change, Op, Problem, Why};
 use std::sync::Arc;
 
+/// Told once when tool paths are opened to be drawn on.
+const BY_HAND: &str = "These are tool paths: what is changed here is lost when they are made anew from the drawing. \
+                       They are saved as .rsm.";
+
 /// An editor and where its drawing lies.
 #[derive(Default)]
 pub struct Desk {
@@ -23,6 +28,10 @@ pub struct Desk {
     pub(crate) revision: u32,
     /// The drawing as it was opened or saved.
     pub(crate) saved: Drawing,
+    /// The hash of its file as it was opened or saved: that one may be written over.
+    pub(crate) kept: Option<String>,
+    /// The job whose paths are drawn on, where a job was opened.
+    pub(crate) job: Option<Job>,
     open: bool,
     pub(crate) notes: Vec<String>,
     /// Where the head goes when the job is done, from its origin.
@@ -39,7 +48,9 @@ impl App {
         let notes = match op {
             Op::New => self.begin(&mut desk, Drawing::default(), None, Vec::new()),
             Op::Open { name } => self.open_drawing(&mut desk, name)?,
-            Op::Save { name } => self.save_drawing(&mut desk, name)?,
+            Op::Save { name, replaces } => {
+                self.save_drawing(&mut desk, name, replaces.as_deref())?
+            }
             Op::Do { clauses } => {
                 let operations = self.operations(&clauses)?;
                 self.carry_out(&mut desk, &operations)?
@@ -47,7 +58,9 @@ impl App {
             Op::Undo => desk.step(Editor::undo)?,
             Op::Redo => desk.step(Editor::redo)?,
             Op::Finish { at } => desk.finish_at(at)?,
-            Op::Program { name } => self.write_program(&desk, &name)?,
+            Op::Program { name, replaces } => {
+                self.write_program(&desk, &name, &Leave::of(replaces.as_deref()))?
+            }
         };
         desk.notes.clone_from(&notes);
         let drawing = Some(desk.state(&self.heights()));
@@ -106,34 +119,24 @@ impl App {
     }
 
     fn open_drawing(&self, desk: &mut Desk, name: String) -> Done {
-        let Imported { drawing, findings, .. } = self.read_drawing(&name)?;
-        let notes = findings.into_iter().map(|found| found.text).collect();
-        let finish = self.finish_of(&name)?;
-        let notes = self.begin(desk, drawing, Some(name), notes);
-        desk.finish = finish;
+        let bytes = self.parts.read(&name)?;
+        let job = (extension(&name) == "rsm").then(|| kerf_toolpath::read(&bytes));
+        let Imported { drawing, findings, .. } = match &job {
+            Some((job, read)) => Imported { drawing: job.as_drawing(), ..read.clone() },
+            None => drawing_in(&name, &bytes)?,
+        };
+        let mut notes: Vec<_> = findings.into_iter().map(|found| found.text).collect();
+        notes.splice(0..0, job.is_some().then(|| BY_HAND.into()));
+        let notes = self.begin(desk, drawing, Some(name.clone()), notes);
+        // What was imported is not what the file holds: who writes over that is asked.
+        desk.kept = ["rsg", "rsm"].contains(&extension(&name).as_str()).then(|| hash(&bytes));
+        desk.finish = job.as_ref().and_then(|(job, _)| job.finish);
+        desk.job = job.map(|(job, _)| job);
         Ok(notes)
     }
 
-    /// Where the head goes at the end of a job in a file; at its origin where it says nothing.
-    fn finish_of(&self, name: &str) -> Result<Option<Point2>, Problem> {
-        let is_job = extension(name) == "rsm";
-        let job = is_job.then(|| self.parts.read(name)).transpose()?;
-        Ok(job.and_then(|bytes| kerf_toolpath::read(&bytes).0.finish))
-    }
-
     pub(crate) fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
-        let read = |bytes: &[u8]| match extension(name).as_str() {
-            "dxf" => {
-                let options = dxf::Options { scale: true, explode: true, ..Default::default() };
-                Some(dxf::read(bytes, &options))
-            }
-            "rsg" => Some(rsg::read(bytes)),
-            "rsm" => Some(rsg::read_with(bytes).0),
-            "svg" => Some(svg::read(bytes)),
-            _ => None,
-        };
-        let bytes = self.parts.read(name)?;
-        read(&bytes).ok_or_else(|| problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm"))
+        drawing_in(name, &self.parts.read(name)?)
     }
 
     /// The operations of clauses, with what the files of the part folder hold that they name.
@@ -149,25 +152,33 @@ impl App {
         read.into_iter().map(with_file).collect()
     }
 
-    fn save_drawing(&self, desk: &mut Desk, name: String) -> Done {
+    fn save_drawing(&self, desk: &mut Desk, name: String, replaces: Option<&str>) -> Done {
         let drawing = &desk.editor.drawing;
         let text = match extension(&name).as_str() {
             "rsg" => rsg::write(drawing),
             "dxf" => dxf::write(drawing),
             "svg" => svg::write(drawing),
+            "rsm" => kerf_toolpath::write(&desk.edited_job()?),
             _ => return Err(problem(Why::File, "a drawing is written as .rsg, .dxf or .svg")),
         };
-        self.parts.write(&name, text.as_bytes())?;
+        let hash = self.save(&name, text.as_bytes(), &desk.leave(&name, replaces))?;
+        let lost = unkept(&name, drawing);
+        if let Some(lost) = lost {
+            return Ok(vec![format!("{name}: {lost}")]);
+        }
         desk.saved = desk.editor.drawing.clone();
-        desk.name = Some(name);
-        self.files_changed();
+        (desk.name, desk.kept) = (Some(name), Some(hash));
         Ok(Vec::new())
     }
 
     /// Writes the part program of the drawing's tool paths, and opens it.
-    fn write_program(self: &Arc<Self>, desk: &Desk, name: &str) -> Done {
+    fn write_program(self: &Arc<Self>, desk: &Desk, name: &str, leave: &Leave) -> Done {
         self.nothing_unsaved()?;
-        let (job, warnings) = job(&desk.editor.drawing, self.shaping())?;
+        let (job, warnings) = match desk.job {
+            // Tool paths are cut as they are.
+            Some(_) => (desk.edited_job()?, Vec::new()),
+            None => job(&desk.editor.drawing, self.shaping())?,
+        };
         let job = Job { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
         // In the unit that the machine is set to: a part file of the other one refuses to run.
@@ -184,8 +195,7 @@ impl App {
             let all: Vec<_> = wrong.iter().map(ToString::to_string).collect();
             problem(Why::Mistake, all.join("; "))
         })?;
-        self.parts.write(name, printer.finish().text.as_bytes())?;
-        self.files_changed();
+        self.save(name, printer.finish().text.as_bytes(), leave)?;
         self.open_file(name)?;
         Ok(warnings)
     }
@@ -197,8 +207,22 @@ impl Desk {
         self.editor = Editor::of(drawing);
         self.editor.join_mm = join_mm;
         (self.name, self.open) = (name, true);
-        self.finish = None;
+        (self.finish, self.kept, self.job) = (None, None, None);
         self.revision += 1;
+    }
+
+    /// Leave to write over a file: the one that was opened or saved last, as it was then, or the one that the
+    /// page names.
+    fn leave(&self, name: &str, replaces: Option<&str>) -> Leave {
+        let own = self.kept.as_deref().filter(|_| self.name.as_deref() == Some(name));
+        Leave::of(replaces.or(own))
+    }
+
+    /// The job that was opened, with the paths as they were drawn.
+    fn edited_job(&self) -> Result<Job, Problem> {
+        let text = "tool paths are made by Machine; as .rsm those are saved that were opened";
+        let job = self.job.clone().ok_or_else(|| problem(Why::File, text))?;
+        Ok(Job { finish: self.finish, ..job.edited(&self.editor.drawing) })
     }
 
     fn finish_at(&mut self, [x, y]: [f64; 2]) -> Done {
@@ -225,6 +249,26 @@ impl Desk {
         self.revision += 1;
         Ok(Vec::new())
     }
+}
+
+/// What a file holds of drawings.
+pub(crate) fn drawing_in(name: &str, bytes: &[u8]) -> Result<Imported, Problem> {
+    match extension(name).as_str() {
+        "dxf" => {
+            let options = dxf::Options { scale: true, explode: true, ..Default::default() };
+            Ok(dxf::read(bytes, &options))
+        }
+        "rsg" => Ok(rsg::read(bytes)),
+        "rsm" => Ok(rsg::read_with(bytes).0),
+        "svg" => Ok(svg::read(bytes)),
+        _ => Err(problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm")),
+    }
+}
+
+/// What is lost of a drawing in a file of this name.
+fn unkept(name: &str, drawing: &Drawing) -> Option<&'static str> {
+    let foreign = ["dxf", "svg"].contains(&extension(name).as_str());
+    foreign.then(|| kerf_formats::unkept(drawing)).flatten()
 }
 
 /// The job of a drawing, and what was noticed.

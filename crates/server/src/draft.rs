@@ -1,8 +1,8 @@
 //! The drawing that is not saved, kept in the data folder: who ends the server, or its computer, loses
-//! nothing of it. The next server begins with it.
+//! what was drawn in the last half second. The next server begins with it.
 
-use crate::app::{App, lock};
-use crate::desk::Desk;
+use crate::app::{App, hash, lock};
+use crate::desk::{Desk, drawing_in};
 use crate::priority::Yields;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_formats::rsg;
@@ -11,6 +11,7 @@ use kerf_wire::{Change, Tone};
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::io;
+use std::iter;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::channel;
@@ -26,6 +27,9 @@ const REST: Duration = Duration::from_millis(500);
 /// What is told of it on the sheet.
 const AGAIN: &str = "It was not saved when Kerf ended: here it is again.";
 
+/// What is told where its file is another by now.
+const CHANGED: &str = "Its file was changed since it was opened: Save asks before it is replaced.";
+
 /// A drawing that is not saved.
 #[derive(Serialize, Deserialize)]
 struct Draft {
@@ -35,6 +39,12 @@ struct Draft {
     finish: Option<[f64; 2]>,
     /// It as an RSG.
     drawing: String,
+    /// The hash of its file as it was opened or saved.
+    #[serde(default)]
+    kept: Option<String>,
+    /// The job whose paths are drawn on, as an RSM.
+    #[serde(default)]
+    job: Option<String>,
 }
 
 impl App {
@@ -96,7 +106,7 @@ impl App {
             return;
         }
         let read = RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(&bytes)?));
-        let Draft { name, finish, drawing } = match read {
+        let Draft { name, finish, drawing, kept, job } = match read {
             Ok(draft) => draft,
             Err(error) => {
                 let aside = file.with_extension("unread");
@@ -108,12 +118,16 @@ impl App {
                 return self.hub.say(Tone::Warning, text);
             }
         };
-        let saved = name.as_ref().and_then(|name| self.read_drawing(name).ok());
+        let file = name.as_ref().and_then(|name| Some((name, self.parts.read(name).ok()?)));
+        let changed = kept.is_some() && kept != file.as_ref().map(|(_, bytes)| hash(bytes));
+        let saved = file.and_then(|(name, bytes)| drawing_in(name, &bytes).ok());
+        let notes = iter::once(AGAIN).chain(changed.then_some(CHANGED)).map(Into::into).collect();
         let mut desk = lock(&self.desk);
         let drawing = rsg::read(drawing.as_bytes()).drawing;
-        desk.notes = self.begin(&mut desk, drawing, name, vec![AGAIN.into()]);
+        desk.notes = self.begin(&mut desk, drawing, name, notes);
         desk.saved = saved.map(|read| read.drawing).unwrap_or_default();
         desk.finish = finish.map(|[x, y]| Point2::new(x, y));
+        (desk.kept, desk.job) = (kept, job.map(|job| kerf_toolpath::read(job.as_bytes()).0));
         let drawing = Some(desk.state(&self.heights()));
         self.hub.change(vec![Change::Drawing { drawing }]);
     }
@@ -124,7 +138,13 @@ impl Desk {
     fn draft(&self) -> Option<Draft> {
         let drawing = &self.editor.drawing;
         let finish = self.finish.map(|at| [at.x, at.y]);
-        let draft = || Draft { name: self.name.clone(), finish, drawing: rsg::write(drawing) };
+        let draft = || Draft {
+            name: self.name.clone(),
+            finish,
+            drawing: rsg::write(drawing),
+            kept: self.kept.clone(),
+            job: self.job.as_ref().map(kerf_toolpath::write),
+        };
         (*drawing != self.saved).then(draft)
     }
 }

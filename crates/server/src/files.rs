@@ -82,6 +82,24 @@ impl PartFolder {
         fs::read(path).map_err(|error| problem(name, &error))
     }
 
+    /// The bytes of the file under a name; nothing where none is there.
+    ///
+    /// # Errors
+    /// It cannot be read, or the name leads elsewhere.
+    pub fn present(&self, name: &str) -> Result<Option<Vec<u8>>, Problem> {
+        let is_there = self.place(name)?.is_file();
+        is_there.then(|| self.read(name)).transpose()
+    }
+
+    /// When a file was changed: seconds since 1970.
+    ///
+    /// # Errors
+    /// As of [`PartFolder::read`].
+    pub fn changed(&self, name: &str) -> Result<u64, Problem> {
+        let about = fs::metadata(self.find(name)?).map_err(|error| problem(name, &error))?;
+        Ok(changed(&about))
+    }
+
     /// The first lines of a file: as many as a head has at most.
     ///
     /// # Errors
@@ -128,15 +146,19 @@ fn info(folder: &str, entry: &fs::DirEntry) -> Option<FileInfo> {
     if name.starts_with('.') {
         return None;
     }
-    let changed = data.modified().ok().and_then(|t| t.duration_since(UNIX_EPOCH).ok());
     Some(FileInfo {
         name: if folder.is_empty() { name } else { format!("{folder}/{name}") },
         folder: data.is_dir(),
         bytes: data.len(),
-        changed: changed.map_or(0, |t| t.as_secs()),
+        changed: changed(&data),
         header: None,
         part: false,
     })
+}
+
+fn changed(about: &fs::Metadata) -> u64 {
+    let since = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+    since.map_or(0, |time| time.as_secs())
 }
 
 fn outside(name: &str) -> Problem {

@@ -1,8 +1,9 @@
 //! Jobs: the tool paths of drawings, cut as `kerf run` cuts them, and how they come from a drawing.
 
 use crate::acts::Done;
-use crate::app::{App, Open, lock, problem};
+use crate::app::{App, Open, hash, lock, problem};
 use crate::desk::{extension, job};
+use crate::saving::Leave;
 use kerf_control::Work;
 use kerf_control::job_file::{self, Choice};
 use kerf_drawing::Drawing;
@@ -145,14 +146,14 @@ impl App {
         choice: JobChoice,
         change: impl FnOnce(Job) -> Job,
     ) -> Result<(), Problem> {
-        if !open.is_of(&self.parts.read(&open.name)?) {
+        let present = self.parts.read(&open.name)?;
+        if !open.is_of(&present) {
             let text = "the file was changed since it was opened; open it again";
             return Err(problem(Why::Changed, text));
         }
         let (job, _) = kerf_toolpath::read(&open.bytes);
         let text = kerf_toolpath::write(&change(job));
-        self.parts.write(&open.name, text.as_bytes())?;
-        self.files_changed();
+        self.save(&open.name, text.as_bytes(), &Leave::Of(hash(&present)))?;
         open.bytes = text.into_bytes().into();
         open.unsaved.clear();
         self.keep_added(&open);
@@ -167,6 +168,10 @@ impl App {
     pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool) -> Done {
         self.nothing_unsaved()?;
         let (name, drawing, finish) = self.drawing_to_machine(drawing)?;
+        if kind_of(&name) == FileKind::Job {
+            let text = format!("{name} has tool paths already: save it, and open it as a job");
+            return Err(problem(Why::State, text));
+        }
         let name = format!("{}.{}", stem(&name), job_file::EXTENSION);
         if !anew && self.was_edited(&name) {
             let text =
@@ -178,7 +183,7 @@ impl App {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }
         let made = Job { finish, ..made };
-        self.parts.write(&name, kerf_toolpath::write(&made).as_bytes())?;
+        self.saves.make(&self.parts, &name, kerf_toolpath::write(&made).as_bytes(), anew)?;
         self.files_changed();
         self.open_file(&name)?;
         Ok(warnings)

@@ -46,9 +46,11 @@ mod preview;
 mod priority;
 mod problems;
 mod protect;
+mod saving;
 mod setup;
 mod shop;
 mod stop;
+mod texts;
 mod told;
 mod turn;
 mod uptime;
@@ -120,6 +122,7 @@ impl Server {
         let (app, machine) = machine_and_app(options, builders, (url, door.port), closing)?;
         app.keep_drafts();
         app.tell_added();
+        app.tell_texts();
         handconsole::begin(&app);
         if let Some(name) = app.options.open.clone() {
             drop(app.open_file(&name));

@@ -17,8 +17,12 @@ pub enum Op {
     },
     /// Writes it into the part folder.
     Save {
-        /// Its name below the part folder; `.rsg`, `.dxf` or `.svg`.
+        /// Its name below the part folder: `.rsg`, `.dxf` or `.svg`; `.rsm` for tool paths that were opened.
         name: String,
+        /// The hash of the file that may be replaced; `*` for any. The file that was opened or saved last
+        /// needs none while it is as it was.
+        #[serde(default)]
+        replaces: Option<String>,
     },
     /// Operations, as `kerf draw --do` reads them: `select all; move 10,5`. All of them or none.
     Do {
@@ -38,6 +42,9 @@ pub enum Op {
     Program {
         /// Name of the program below the part folder: `.sbp` or `.nc`.
         name: String,
+        /// The hash of the file that may be replaced; `*` for any.
+        #[serde(default)]
+        replaces: Option<String>,
     },
 }
 

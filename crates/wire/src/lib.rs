@@ -22,6 +22,7 @@ mod act;
 mod change;
 mod digitized;
 mod drawing;
+mod file;
 mod hand_console;
 mod job;
 mod job_view;
@@ -43,6 +44,7 @@ pub use drawing::{
     Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList, ShapePath,
     ToolPaths,
 };
+pub use file::{FileAbout, FileVersion, TextDraft};
 pub use hand_console::HandConsole;
 pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, Message, Opened,

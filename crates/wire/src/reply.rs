@@ -50,6 +50,8 @@ pub enum Why {
     File,
     /// The file is not the one that was previewed.
     Changed,
+    /// A file is there already that nobody said may be replaced.
+    Replaces,
     /// The program or the operation has mistakes.
     Mistake,
     /// It came too late to count.

@@ -2,8 +2,9 @@
 
 use crate::preview::{PreviewInfo, Timing};
 use crate::{
-    Checked, CommandEntry, Completion, FileInfo, Hint, Hover, JobView, Lamp, OperationEntry,
-    PortBit, Request, SettingArea, ShapeList, ToPage, ToolPaths, Values,
+    Checked, CommandEntry, Completion, FileAbout, FileInfo, FileVersion, Hint, Hover, JobView,
+    Lamp, OperationEntry, PortBit, Request, SettingArea, ShapeList, TextDraft, ToPage, ToolPaths,
+    Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -48,6 +49,9 @@ pub fn typescript() -> String {
     declared.visit::<Hint>();
     declared.visit::<CommandEntry>();
     declared.visit::<FileInfo>();
+    declared.visit::<FileAbout>();
+    declared.visit::<FileVersion>();
+    declared.visit::<TextDraft>();
     declared.visit::<Values>();
     declared.visit::<SettingArea>();
     declared.visit::<Lamp>();

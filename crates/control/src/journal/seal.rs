@@ -11,7 +11,7 @@
 //! write-ahead file is noticed as well: the seal knows the generation that the file had by itself.
 
 use super::rows::{Result, Rows, Table, Trouble, json};
-use crate::files::RealDisk;
+use crate::files::write_private;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};
@@ -85,7 +85,7 @@ impl Seal {
         let (path, line) = (folder.join(SEAL_FILE), self.line());
         let there = fs::metadata(&path).is_ok_and(|file| file.len() == 2 * LINE as u64);
         if !there {
-            return RealDisk.write_secret(&path, line.repeat(2).as_bytes());
+            return write_private(&path, line.repeat(2).as_bytes());
         }
         let mut file = File::options().write(true).open(&path)?;
         if self.digest.is_none() {

@@ -2,6 +2,7 @@
 
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
 use crate::{date, drawings, out, parse, setup};
 use anyhow::{Result, bail};
@@ -55,13 +56,19 @@ pub struct ConvertArgs {
     /// The output that switches flood coolant (M8); 0 for none
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=12))]
     flood_output: u8,
-    /// Writes over a file that is there
-    #[arg(long)]
-    force: bool,
     #[command(flatten)]
     drawn: DrawnArgs,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl ConvertArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.target.as_path()], self.force.force, None)
+    }
 }
 
 /// What a drawing or a picture does not say.
@@ -146,7 +153,6 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
     };
     let to = language(&args.target, args.to)?;
     let bytes = setup::read_bytes(&args.source)?;
-    refuse_to_overwrite(args)?;
     let source =
         Source { name: args.source.display().to_string().into(), bytes: &bytes, language: from };
     let converted = {
@@ -176,7 +182,6 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
 fn drawing(args: &ConvertArgs, kind: &str) -> Result<Exit> {
     let to = language(&args.target, args.to)?;
     let bytes = setup::read_bytes(&args.source)?;
-    refuse_to_overwrite(args)?;
     let settings = settings(args)?;
     let how = args.drawn.taken(settings.linear_unit)?;
     let title = Some(drawing_title(args, kind, &how, settings.linear_unit));
@@ -208,13 +213,6 @@ fn drawing_title(args: &ConvertArgs, kind: &str, how: &Drawn, unit: LinearUnit) 
         env!("CARGO_PKG_VERSION"),
         date::today()
     )
-}
-
-fn refuse_to_overwrite(args: &ConvertArgs) -> Result<()> {
-    if args.target.exists() && !args.force {
-        bail!(Usage(format!("{} is there already; --force writes over it", args.target.display())));
-    }
-    Ok(())
 }
 
 fn keep(args: &ConvertArgs, text: &str) -> Result<Exit> {

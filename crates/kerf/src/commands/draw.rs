@@ -3,6 +3,7 @@
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::out;
+use crate::outputs::{ForceArgs, Outputs};
 use crate::parse;
 use anyhow::{Result, anyhow, bail};
 use clap::Args;
@@ -44,6 +45,15 @@ pub struct DrawArgs {
     /// Units in which programs are followed, in or mm [default: as they are run; in for part files that do, else mm]
     #[arg(long, value_name = "UNIT", value_parser = parse::units)]
     units: Option<LinearUnit>,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl DrawArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of(self.output.as_deref(), self.force.force, None)
+    }
 }
 
 /// What stands below the options: every operation, from the table.

@@ -31,6 +31,7 @@ mod trace;
 mod wavlength;
 
 use crate::exit::{Exit, Usage};
+use crate::outputs::Outputs;
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Subcommand};
 
@@ -100,9 +101,33 @@ impl Command {
     }
 }
 
-/// Does it.
+impl Command {
+    /// The files that it writes, as its options name them.
+    fn outputs(&self) -> Outputs {
+        match self {
+            Self::Run(args) => args.outputs(),
+            Self::Send(args) => args.outputs(),
+            Self::Preview(args) => args.outputs(),
+            Self::Plot(args) => args.outputs(),
+            Self::Timing(args) => args.outputs(),
+            Self::Heights(args) => args.outputs(),
+            Self::Draw(args) => args.outputs(),
+            Self::Convert(args) => args.outputs(),
+            Self::Toolpath(args) => args.outputs(),
+            _ => Outputs::default(),
+        }
+    }
+}
+
+/// Does it, unless it would replace a file that may not be replaced.
 pub fn run(command: Result<Command>) -> Result<Exit> {
-    match command? {
+    let command = command?;
+    let outputs = command.outputs();
+    outputs.around(|| carry_out(command))
+}
+
+fn carry_out(command: Command) -> Result<Exit> {
+    match command {
         Command::Run(args) => run::run(&args),
         Command::Send(args) => send::run(&args),
         Command::Receive(args) => receive::run(&args),

@@ -2,19 +2,21 @@
 
 use crate::args::{Format, PlaceArgs};
 use crate::exit::{Exit, Usage};
-use crate::{out, setup};
+use crate::{clock, out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
+use kerf_control::versions::{Version, Versions};
 use kerf_control::{Listing, PartFile};
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, UNIX_EPOCH};
 
 /// Lists the part files of a folder; ! marks those whose head tells about the job
 ///
 /// The list is the one that the dialogs of FP and FG show.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf parts\n  kerf parts doors --mask 'proj??.sbp'\n  \
-    kerf parts --headers")]
+    kerf parts --headers\n  kerf parts --versions door.sbp\n  kerf parts --versions door.sbp --restore 3")]
 pub struct PartsArgs {
     /// The folder [default: the part folder, else the present one]
     #[arg(value_name = "FOLDER")]
@@ -28,12 +30,25 @@ pub struct PartsArgs {
     /// How the list is written
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
+    /// Lists what a file was before the last times that Kerf wrote over it, the newest first
+    #[arg(long, value_name = "NAME")]
+    versions: Option<String>,
+    /// Brings one of those back; what it takes the place of is kept too
+    #[arg(long, value_name = "NUMBER", requires = "versions")]
+    restore: Option<u32>,
     #[command(flatten)]
     place: PlaceArgs,
 }
 
 pub fn run(args: &PartsArgs) -> Result<Exit> {
     let folder = args.listed.as_deref().or(args.place.parts.as_deref()).unwrap_or(Path::new(""));
+    if let Some(name) = &args.versions {
+        let versions = Versions::in_data(&setup::data_folder(&args.place.data)?);
+        return match args.restore {
+            None => list(&versions, name),
+            Some(number) => restore(&versions, folder, name, number),
+        };
+    }
     let place = PlaceArgs { parts: None, ..args.place.clone() };
     let mut shelf = setup::shelf(folder, &place, true)?;
     shelf.set_mask(Some(&args.mask));
@@ -43,6 +58,31 @@ pub fn run(args: &PartsArgs) -> Result<Exit> {
         Format::Text => as_text(&listing, args.headers),
         Format::Json => as_json(&listing),
     });
+    Ok(Exit::Good)
+}
+
+/// Prints what a file was.
+fn list(versions: &Versions, name: &str) -> Result<Exit> {
+    let kept = versions.list(name).with_context(|| format!("versions of {name}"))?;
+    if kept.is_empty() {
+        out::print(&format!("no version of {name} is kept\n"));
+    }
+    for Version { number, changed, bytes } in kept {
+        let since = clock::told(UNIX_EPOCH + Duration::from_secs(changed));
+        out::print(&format!("{number:>4}  {since}  {}\n", out::count(bytes, "byte")));
+    }
+    Ok(Exit::Good)
+}
+
+/// Brings a version back, as any other save: what lies there is kept.
+fn restore(versions: &Versions, folder: &Path, name: &str, number: u32) -> Result<Exit> {
+    let of = || format!("version {number} of {name}");
+    let (bytes, file) = (versions.read(name, number).with_context(of)?, folder.join(name));
+    if file.is_file() {
+        versions.keep(name, &file).with_context(|| format!("{name} stays as it is"))?;
+    }
+    out::file(&file, bytes)?;
+    out::print(&format!("{} is version {number} again\n", file.display()));
     Ok(Exit::Good)
 }
 

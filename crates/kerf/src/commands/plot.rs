@@ -3,6 +3,7 @@
 use crate::args::RunArgs;
 use crate::curves::Curves;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
 use crate::{out, parse, setup};
 use anyhow::{Result, bail};
@@ -43,6 +44,15 @@ pub struct PlotArgs {
     pixels: u32,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl PlotArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.output.as_path()], self.force.force, Some(&self.run.place.data))
+    }
 }
 
 /// What runs along the lower edge.

@@ -4,6 +4,7 @@ use crate::args::RunArgs;
 use crate::coloured::{Colours, coloured};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::picture::{self, Format, Picture};
 use crate::setup;
 use anyhow::{Result, bail};
@@ -28,6 +29,15 @@ pub struct PreviewArgs {
     colours: Option<Colours>,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl PreviewArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.output.as_path()], self.force.force, Some(&self.run.place.data))
+    }
 }
 
 pub fn run(args: &PreviewArgs) -> Result<Exit> {

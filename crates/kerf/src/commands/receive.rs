@@ -9,6 +9,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::flag;
 use kerf_control::journal::Journal;
+use kerf_control::versions::Versions;
 use kerf_serial::Port;
 use kerf_server::Server;
 use std::cell::{Cell, RefCell};
@@ -60,10 +61,16 @@ pub fn port(place: &PlaceArgs) -> Result<Port> {
     Ok(Port::open(&To::Port(None).device(&machine)?, machine.options.send_baud)?)
 }
 
-/// Receives files beside a server, until it is over or the port is gone.
-pub fn beside(mut port: Port, parts: &Path, server: &Server, over: &AtomicBool) {
-    let folder =
-        Folder { path: parts, moves: &|| server.moves(), kept: &|| server.files_changed() };
+/// Receives files into a folder beside a server, until it is over or the port is gone.
+pub fn beside(
+    mut port: Port,
+    parts: &Path,
+    versions: &Versions,
+    server: &Server,
+    over: &AtomicBool,
+) {
+    let (moves, kept) = (|| server.moves(), || server.files_changed());
+    let folder = Folder { path: parts, versions, moves: &moves, kept: &kept };
     let stopped = || over.load(Ordering::Relaxed);
     while !stopped() {
         match receive_over_line(&mut port, &folder, &stopped, &mut Shown::new(false)) {
@@ -119,8 +126,12 @@ pub fn run(args: &ReceiveArgs) -> Result<Exit> {
         eprintln!("kerf: receiving at {}, {baud} baud, into {}", port.path(), args.into.display());
     }
     let (journal, seen) = (RefCell::new(None), Cell::new(None));
-    let watch = Watch { folder: setup::data_folder(&args.data)?, journal, seen };
-    let folder = Folder { path: Path::new(&args.into), moves: &|| watch.moves(), kept: &|| {} };
+    let data = setup::data_folder(&args.data)?;
+    let versions = Versions::in_data(&data);
+    let watch = Watch { folder: data, journal, seen };
+    let moves = || watch.moves();
+    let path = Path::new(&args.into);
+    let folder = Folder { path, versions: &versions, moves: &moves, kept: &|| {} };
     loop {
         let stopped = || stop.is_wanted();
         let (state, name) =

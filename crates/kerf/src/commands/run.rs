@@ -2,7 +2,7 @@
 
 mod behind;
 
-use crate::args::{PlaceArgs, RunArgs};
+use crate::args::{DataArgs, PlaceArgs, RunArgs};
 use crate::commands::protect;
 use crate::controller::{self, DriverName, First};
 use crate::drawings;
@@ -13,6 +13,7 @@ use crate::machine_file;
 use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
+use crate::outputs::{ForceArgs, Outputs};
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
@@ -111,6 +112,8 @@ pub struct MachineArgs {
     /// No progress, no summary
     #[arg(short, long)]
     quiet: bool,
+    #[command(flatten)]
+    force: ForceArgs,
 }
 
 /// How machine time passes.
@@ -501,7 +504,35 @@ fn trace(path: &Path) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
     Ok(JsonLines::new(LineWriter::new(to)))
 }
 
+impl RunCommand {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        self.machine.outputs(&self.run.place.data)
+    }
+}
+
 impl MachineArgs {
+    /// The files that the run writes besides those of the program.
+    pub fn outputs(&self, data: &DataArgs) -> Outputs {
+        let files = self.written().into_iter().filter_map(|(_, file)| file);
+        Outputs::of(files, self.force.force, Some(data))
+    }
+
+    /// Files are replaced without a question.
+    pub fn replaces(&self) -> bool {
+        self.force.force
+    }
+
+    /// Every option that names a file to be written.
+    fn written(&self) -> [(&'static str, Option<&Path>); 4] {
+        [
+            ("--trace", self.trace.as_deref().filter(|_| !self.traces_out())),
+            ("--picture", self.picture.as_deref()),
+            ("--readings", self.readings.as_deref()),
+            ("--vcd", self.vcd.path()),
+        ]
+    }
+
     /// No summary is wanted.
     pub fn quiet(&self) -> bool {
         self.quiet || self.traces_out()
@@ -509,12 +540,7 @@ impl MachineArgs {
 
     /// Refuses to write over what is run, or what the run reads.
     fn spare(&self, file: &Path, run: &RunArgs) -> Result<()> {
-        let written = [
-            ("--trace", self.trace.as_deref()),
-            ("--picture", self.picture.as_deref()),
-            ("--readings", self.readings.as_deref()),
-            ("--vcd", self.vcd.path()),
-        ];
+        let written = self.written();
         let read = [
             Some(file),
             run.answers.as_deref(),

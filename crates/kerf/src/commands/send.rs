@@ -5,9 +5,10 @@ use super::run::{MachineArgs, on_machine, told_by_server};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
+use crate::outputs::Outputs;
 use crate::remote::{OWN_MACHINE, Remote};
 use crate::report::Talk;
-use crate::sending::{Shown, To, ended, send_over_line, send_over_network};
+use crate::sending::{Sent, Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
 use crate::stop::Stop;
 use anyhow::{Context, Result, anyhow, bail};
@@ -70,6 +71,11 @@ impl SendArgs {
         self.server().map(|_| REACHES_SERVERS)
     }
 
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        self.machine.outputs(&self.run.place.data)
+    }
+
     /// The file that is sent, and where to.
     fn file(&self) -> Option<(&Path, To)> {
         let [file, to] = self.lines.as_slice() else { return None };
@@ -90,7 +96,10 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
     let stopped = || stop.is_wanted();
     let mut shown = Shown::new(args.machine.quiet());
     let state = match to {
-        To::Server(url) => send_over_network(url, &name, &bytes, &stopped, &mut shown)?,
+        To::Server(url) => {
+            let file = Sent { name: &name, bytes: &bytes, replaces: args.machine.replaces() };
+            send_over_network(url, &file, &stopped, &mut shown)?
+        }
         _ => {
             let place = &args.run.place;
             let machine = setup::machine(place.config.as_deref(), &place.data)?;

@@ -13,6 +13,7 @@ use clap::Args;
 use kerf_control::Shelf;
 use kerf_control::machine_file::MachineFile;
 use kerf_control::start_up::{OpenMethod, StartUp};
+use kerf_control::versions::Versions;
 use kerf_server::{Builders, Options, Server, Workshop};
 use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, TcpListener};
@@ -160,9 +161,10 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
     }
     let port = args.receive.then(|| receive::port(&args.place)).transpose()?;
     let over = AtomicBool::new(false);
+    let versions = Versions::in_data(&setup::data_folder(&args.place.data)?);
     thread::scope(|scope| {
         if let Some(port) = port {
-            scope.spawn(|| receive::beside(port, &parts(args), &server, &over));
+            scope.spawn(|| receive::beside(port, &parts(args), &versions, &server, &over));
         }
         server.wait(|| stop.is_wanted());
         over.store(true, Ordering::Relaxed);

@@ -2,6 +2,7 @@
 
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};
@@ -28,6 +29,15 @@ pub struct TimingArgs {
     title: Option<String>,
     #[command(flatten)]
     run: RunArgs,
+    #[command(flatten)]
+    force: ForceArgs,
+}
+
+impl TimingArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.output.as_path()], self.force.force, Some(&self.run.place.data))
+    }
 }
 
 /// Pixels of a .png.

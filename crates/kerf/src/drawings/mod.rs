@@ -241,11 +241,8 @@ pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
     let text = match extension.as_str() {
         "rsg" => rsg::write(drawing),
         "dxf" | "svg" => {
-            if loses(drawing) {
-                eprintln!(
-                    "{}: groups and arrays will not be saved; .rsg keeps them",
-                    file.display()
-                );
+            if let Some(lost) = kerf_formats::unkept(drawing) {
+                eprintln!("{}: {lost}", file.display());
             }
             if extension == "dxf" { dxf::write(drawing) } else { svg::write(drawing) }
         }
@@ -254,13 +251,6 @@ pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
         }
     };
     out::file(file, text)
-}
-
-/// Whether a drawing has something that DXF has no place for.
-fn loses(drawing: &Drawing) -> bool {
-    let plain = Drawing::default();
-    let shapes = drawing.shapes.iter().any(|s| s.group != Group::Black || s.pause);
-    shapes || drawing.groups != plain.groups || drawing.arrays != plain.arrays
 }
 
 /// The extension of a file, in small letters.

@@ -18,19 +18,26 @@ const AGAIN: Duration = Duration::from_secs(1);
 /// Bytes that are sent at a time.
 const PIECE: usize = 16 * 1024;
 
+/// A file that is sent.
+pub struct Sent<'a> {
+    pub name: &'a str,
+    pub bytes: &'a [u8],
+    /// It may replace another one in the part folder.
+    pub replaces: bool,
+}
+
 /// Sends a file; gives how it ended.
 pub fn send_over_network(
     url: &str,
-    name: &str,
-    bytes: &[u8],
+    file: &Sent,
     stopped: &dyn Fn() -> bool,
     shown: &mut Shown,
 ) -> Result<State> {
     let address = url.strip_prefix("http://").unwrap_or(url).trim_end_matches('/');
-    let mut progress = Progress { name: name.to_owned(), done: 0, total: bytes.len() };
+    let mut progress = Progress { name: file.name.to_owned(), done: 0, total: file.bytes.len() };
     loop {
         progress.done = 0;
-        let state = once(address, bytes, &mut progress, stopped, shown)?;
+        let state = once(address, file, &mut progress, stopped, shown)?;
         shown.tell(&state, &progress);
         if state.is_over() {
             return Ok(state);
@@ -47,7 +54,7 @@ pub fn send_over_network(
 /// One attempt; held when the machine moves.
 fn once(
     address: &str,
-    bytes: &[u8],
+    file: &Sent,
     progress: &mut Progress,
     stopped: &dyn Fn() -> bool,
     shown: &mut Shown,
@@ -59,8 +66,8 @@ fn once(
     stream.set_read_timeout(Some(LOST))?;
     stream.set_write_timeout(Some(LOST))?;
     // The server is asked first whether it takes it: a machine that moves takes no byte.
-    stream.write_all(head(address, &progress.name, bytes).as_bytes()).with_context(reached)?;
-    for piece in bytes.chunks(PIECE) {
+    stream.write_all(head(address, file).as_bytes()).with_context(reached)?;
+    for piece in file.bytes.chunks(PIECE) {
         if stopped() {
             return Ok(State::Stopped);
         }
@@ -79,14 +86,15 @@ fn once(
     Ok(answered(&String::from_utf8_lossy(&answer)))
 }
 
-fn head(address: &str, name: &str, bytes: &[u8]) -> String {
+fn head(address: &str, file: &Sent) -> String {
     let token = std::env::var("KERF_TOKEN").ok().filter(|token| !token.is_empty());
     let token = token.map(|token| format!("Authorization: Bearer {token}\r\n")).unwrap_or_default();
-    let (length, crc) = (bytes.len(), crc32fast::hash(bytes));
+    let (length, crc) = (file.bytes.len(), crc32fast::hash(file.bytes));
+    let leave = if file.replaces { "?replace=1" } else { "" };
     format!(
-        "PUT /api/files/{} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{token}\
+        "PUT /api/files/{}{leave} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{token}\
          Content-Type: application/octet-stream\r\nKerf-Crc32: {crc:08x}\r\nContent-Length: {length}\r\n\r\n",
-        encoded(name)
+        encoded(file.name)
     )
 }
 
@@ -104,6 +112,9 @@ fn answered(answer: &str) -> State {
     let text = problem["text"].as_str().unwrap_or(body).to_owned();
     match head.split(' ').nth(1) {
         Some("200") => State::Done,
+        Some("409") if problem["why"] == "replaces" => {
+            State::Failed(format!("{text}; kerf send --force replaces it"))
+        }
         Some("409") => State::Held,
         Some(_) if !text.is_empty() => State::Failed(text),
         _ => State::Failed("the server does not answer as one of Kerf".into()),
@@ -123,6 +134,9 @@ mod tests {
     fn answers_say_how_it_ended() {
         assert_eq!(answered("HTTP/1.1 200 OK\r\n\r\nnull"), State::Done);
         assert_eq!(answered("HTTP/1.1 409 Conflict\r\n\r\n{}"), State::Held);
+        let there = "HTTP/1.1 409 Conflict\r\n\r\n{\"why\":\"replaces\",\"text\":\"it is there\"}";
+        let told = "it is there; kerf send --force replaces it";
+        assert_eq!(answered(there), State::Failed(told.into()));
         let no = answered("HTTP/1.1 403 Forbidden\r\n\r\n{\"text\":\"pair first\"}");
         assert_eq!(no, State::Failed("pair first".into()));
     }

@@ -4,6 +4,7 @@ use super::Shown;
 use anyhow::Result;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_control::transfer::{Receiver, Sender, State};
+use kerf_control::versions::Versions;
 use kerf_serial::Port;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -44,6 +45,8 @@ pub struct Folder<'a> {
     pub path: &'a Path,
     /// Whether the machine moves.
     pub moves: &'a dyn Fn() -> bool,
+    /// What a file was that is written over is kept here.
+    pub versions: &'a Versions,
     /// A file was kept.
     pub kept: &'a dyn Fn(),
 }
@@ -52,8 +55,10 @@ impl Folder<'_> {
     /// Keeps a file: whole, or not at all.
     fn keep(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, String> {
         let path = self.path.join(name);
-        let kept = RealDisk.write(&path, bytes);
-        kept.map_err(|error| format!("{name} cannot be kept: {error}"))?;
+        // Nobody sits here who could be asked: what was there comes back from its versions.
+        let kept = if path.is_file() { self.versions.keep(name, &path) } else { Ok(()) };
+        kept.and_then(|()| RealDisk.write(&path, bytes))
+            .map_err(|error| format!("{name} cannot be kept: {error}"))?;
         (self.kept)();
         Ok(path)
     }

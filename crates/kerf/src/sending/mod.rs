@@ -4,7 +4,7 @@ mod http;
 mod line;
 mod shown;
 
-pub use http::send_over_network;
+pub use http::{Sent, send_over_network};
 pub use line::{Folder, receive_over_line, send_over_line};
 pub use shown::Shown;
 

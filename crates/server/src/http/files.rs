@@ -3,11 +3,12 @@
 use super::guard::Caller;
 use super::rest::demand;
 use super::{Refused, aside, soon};
-use crate::app::App;
+use crate::app::{App, hash};
+use crate::saving::{self, Leave};
 use axum::body::Bytes;
 use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, HeaderValue, header};
-use axum::response::IntoResponse;
+use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use kerf_control::parts;
 use kerf_wire::{self as wire, FileInfo, Problem, Role, Why};
@@ -73,34 +74,102 @@ fn file_name(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or(name)
 }
 
-/// A file as it is.
+/// What is wanted of a file besides its bytes.
+#[derive(Debug, Default, Deserialize)]
+pub struct Look {
+    /// What it is, and its hash.
+    about: Option<String>,
+    /// What is kept of what it was.
+    versions: Option<String>,
+    /// The bytes of one of those.
+    version: Option<u32>,
+}
+
+/// A file as it is, what it is, or what it was.
 pub async fn read(
     State(app): State<Arc<App>>,
     Path(name): Path<String>,
+    Query(look): Query<Look>,
+) -> Result<Response, Refused> {
+    let look = move || {
+        if look.about.is_some() {
+            return Ok(Json(saving::about(&app.parts, &name)?).into_response());
+        }
+        if look.versions.is_some() {
+            return Ok(Json(app.saves.versions(&app.parts, &name)?).into_response());
+        }
+        let bytes = match look.version {
+            Some(number) => app.saves.version(&app.parts, &name, number)?,
+            None => app.parts.read(&name)?,
+        };
+        let tag = tagged(&hash(&bytes));
+        // Never taken for a page, whatever is in it.
+        let plain = (header::CONTENT_TYPE, "application/octet-stream".to_owned());
+        Ok(([plain, (header::ETAG, tag)], bytes).into_response())
+    };
+    aside(look).await
+}
+
+/// A hash as an entity tag.
+fn tagged(hash: &str) -> String {
+    format!("\"{hash}\"")
+}
+
+/// How a file is written that is there already.
+#[derive(Debug, Default, Deserialize)]
+pub struct Writing {
+    /// `1` where any file may be replaced.
+    replace: Option<String>,
+}
+
+impl Writing {
+    /// The leave that a request carries: `?replace=1`, or an If-Match.
+    fn leave(&self, headers: &HeaderMap) -> Leave {
+        let matched = headers.get(header::IF_MATCH).and_then(|tag| tag.to_str().ok());
+        let any = self.replace.as_deref().filter(|replace| *replace == "1").map(|_| "*");
+        Leave::of(any.or(matched.map(|tag| tag.trim_matches('"'))))
+    }
+}
+
+/// Which of its versions a file becomes again.
+#[derive(Debug, Deserialize)]
+pub struct Restoring {
+    /// The number of the version.
+    restore: u32,
+}
+
+/// Puts an earlier content of a file in its place, which is a save as any other.
+pub async fn restore(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Path(name): Path<String>,
+    Query(Restoring { restore }): Query<Restoring>,
 ) -> Result<impl IntoResponse, Refused> {
-    let bytes = aside(move || app.parts.read(&name)).await?;
-    // Never taken for a page, whatever is in it.
-    Ok(([(header::CONTENT_TYPE, "application/octet-stream")], bytes))
+    demand(&caller, Role::Operator)?;
+    let parts = app.clone();
+    let hash = aside(move || parts.saves.restore(&parts.parts, &name, restore)).await?;
+    app.files_changed();
+    Ok(([(header::ETAG, tagged(&hash))], Json(())))
 }
 
 /// The checksum of a file that is sent from another computer, as eight hexadecimal digits. Such a file is
 /// taken only while the machine stands.
 const CHECKSUM: &str = "kerf-crc32";
 
-/// Writes a file.
+/// Writes a file; another one that lies there is replaced only with leave.
 pub async fn write(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
     Path(name): Path<String>,
+    Query(writing): Query<Writing>,
     headers: HeaderMap,
     bytes: Bytes,
-) -> Result<Json<()>, Refused> {
+) -> Result<impl IntoResponse, Refused> {
     demand(&caller, Role::Operator)?;
     if let Some(told) = headers.get(CHECKSUM) {
         may_be_sent(&app, told, &bytes)?;
     }
-    let parts = app.clone();
-    aside(move || parts.parts.write(&name, &bytes)).await?;
-    app.files_changed();
-    Ok(Json(()))
+    let leave = writing.leave(&headers);
+    let hash = aside(move || app.save(&name, &bytes, &leave)).await?;
+    Ok(([(header::ETAG, tagged(&hash))], Json(())))
 }

@@ -19,6 +19,7 @@ mod registry;
 mod rest;
 mod routes;
 mod socket;
+mod texts;
 
 pub use allowance::Allowance;
 pub use bodies::Bodies;
@@ -49,7 +50,7 @@ impl IntoResponse for Refused {
             Why::Password => StatusCode::UNAUTHORIZED,
             Why::Role | Why::Lease | Why::Disarmed => StatusCode::FORBIDDEN,
             Why::File => StatusCode::NOT_FOUND,
-            Why::State | Why::Changed | Why::Late => StatusCode::CONFLICT,
+            Why::State | Why::Changed | Why::Replaces | Why::Late => StatusCode::CONFLICT,
             Why::Mistake => StatusCode::UNPROCESSABLE_ENTITY,
             Why::Server => StatusCode::INTERNAL_SERVER_ERROR,
             Why::Full => StatusCode::INSUFFICIENT_STORAGE,

@@ -2,7 +2,7 @@
 
 use super::language::{Formatted, Spot};
 use super::{
-    assets, bodies, files, guard, language, media, people, preview, registry, rest, socket,
+    assets, bodies, files, guard, language, media, people, preview, registry, rest, socket, texts,
 };
 use crate::app::App;
 use axum::Router;
@@ -15,12 +15,15 @@ use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_wire::preview::{PreviewInfo, Timing};
 use kerf_wire::{
     Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
-    OperationEntry, PortBit, Reply, SettingArea, ShapeList, Snapshot, ToolPaths, Values,
+    OperationEntry, PortBit, Reply, SettingArea, ShapeList, Snapshot, TextDraft, ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Map, Value, json};
 use std::sync::{Arc, LazyLock};
+
+/// Bytes that a draft of the editor has at most.
+const MOST_TEXT: usize = 32 << 20;
 
 /// Every route; everything passes the guard.
 pub fn router(app: Arc<App>) -> Router {
@@ -41,13 +44,15 @@ pub fn paths() -> Vec<&'static str> {
 /// What is served where. This is the one list.
 fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
     let most = DefaultBodyLimit::max;
-    let upload = get(files::read).put(files::write).layer(most(bodies::FILE));
+    let upload = get(files::read).put(files::write).post(files::restore).layer(most(bodies::FILE));
+    let texts = get(texts::list).put(texts::keep).delete(texts::end);
     vec![
         ("/ws", any(socket::socket)),
         ("/api/state", get(rest::state)),
         ("/api/do/{act}", post(rest::act).layer(most(bodies::ACT))),
         ("/api/files", get(files::list)),
         ("/api/files/{*name}", upload),
+        ("/api/texts", texts.layer(most(MOST_TEXT))),
         ("/api/media/{*name}", get(media::sound)),
         ("/api/preview/{key}", get(preview::info)),
         ("/api/preview/{key}/timing", get(preview::timing)),
@@ -126,11 +131,43 @@ fn routes() -> Vec<Route> {
             "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?",
             Some(list),
         ),
-        looks("/api/files/{name}", "A file of the part folder", None),
+        looks(
+            "/api/files/{name}",
+            "A file of the part folder; with ?about what it is, with ?versions what it was before the last \
+             saves, with ?version=NUMBER one of those",
+            None,
+        ),
         Route {
             path: "/api/files/{name}",
             method: "put",
-            doc: "Writes a file into the part folder",
+            doc: "Writes a file into the part folder; another one that is there is replaced only with \
+                  If-Match: its hash, or with ?replace=1",
+            body: None,
+            answer: None,
+        },
+        Route {
+            path: "/api/files/{name}",
+            method: "post",
+            doc: "Brings a version back: ?restore=NUMBER",
+            body: None,
+            answer: None,
+        },
+        looks(
+            "/api/texts",
+            "Text of the editor that is not saved, a draft for each file, the newest first",
+            Some(schema::<Vec<TextDraft>>),
+        ),
+        Route {
+            path: "/api/texts",
+            method: "put",
+            doc: "Keeps a draft in the place of an earlier one of the same file",
+            body: Some(schema::<TextDraft>),
+            answer: None,
+        },
+        Route {
+            path: "/api/texts",
+            method: "delete",
+            doc: "Ends the draft of a file: ?name=NAME",
             body: None,
             answer: None,
         },

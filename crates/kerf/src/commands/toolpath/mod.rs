@@ -6,6 +6,7 @@ mod report;
 use crate::args::{Format, RunArgs};
 use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
+use crate::outputs::Outputs;
 use crate::picture::{self, Format as Picture};
 use crate::{drawings, job_options, out, parse, setup};
 use anyhow::{Result, bail};
@@ -54,13 +55,21 @@ pub struct ToolpathArgs {
     /// The path with which the job begins, from 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     begin_with: Option<u32>,
-    /// Writes over a job whose paths were changed by hand
+    /// Replaces the file that is written without a question, whoever made it, also a job whose paths were
+    /// changed by hand
     #[arg(long)]
     force: bool,
     #[command(flatten)]
     heights: HeightArgs,
     #[command(flatten)]
     run: Box<RunArgs>,
+}
+
+impl ToolpathArgs {
+    /// The files that it writes.
+    pub fn outputs(&self) -> Outputs {
+        Outputs::of([self.written().as_path()], self.force, Some(&self.run.place.data))
+    }
 }
 
 /// Heights of the machine, as Z above its home; what is not said is the machine's, in a part program 10, 0 and
@@ -98,7 +107,7 @@ impl HeightArgs {
 }
 
 pub fn run(args: &ToolpathArgs) -> Result<Exit> {
-    let output = args.output.clone().unwrap_or_else(|| args.drawing.with_extension("rsm"));
+    let output = args.written();
     let kind = Kind::of(&output)?;
     job_options::refuse_all(&args.run)?;
     let machine = setup::machine_of(&args.run.place, true)?;
@@ -183,6 +192,11 @@ fn work(
 }
 
 impl ToolpathArgs {
+    /// The file that is written.
+    fn written(&self) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| self.drawing.with_extension("rsm"))
+    }
+
     /// The job where it is cut, and where it begins.
     fn placed(&self, mut job: Job) -> Result<Job> {
         let point = |[x, y]: [f64; 2]| Point2::new(x, y);

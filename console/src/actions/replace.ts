@@ -1,0 +1,47 @@
+/** Writes files, and asks before one is replaced. */
+
+import { fileAddress, getJson } from "../link/http";
+import type { FileAbout, Problem } from "../wire/messages";
+import type { World } from "./action";
+
+/** Tries to write; the hash names the file that may be replaced. Gives why nothing was written. */
+export type Attempt = (replaces: string | null) => Promise<Problem | null>;
+
+/**
+ * Writes under a name. Where another file would be replaced, the person is asked first, and once more
+ * when that one is changed meanwhile. Tells whether it was written.
+ */
+export async function writing(world: World, name: string, attempt: Attempt): Promise<boolean> {
+  let replaces: string | null = null;
+  for (;;) {
+    const problem = await attempt(replaces);
+    if (!problem) return true;
+    if (problem.why !== "replaces") {
+      world.screen.tell(problem.text);
+      return false;
+    }
+    const about = await aboutFile(name);
+    if (!(await asked(world, about))) return false;
+    replaces = about.hash;
+  }
+}
+
+/** Whether the person says that the file under a name may be replaced. */
+export const mayReplace = async (world: World, name: string): Promise<boolean> =>
+  asked(world, await aboutFile(name));
+
+const aboutFile = (name: string): Promise<FileAbout> =>
+  getJson<FileAbout>(`${fileAddress(name)}?about`);
+
+/** Asks; another sheet in the way is no leave. */
+function asked({ screen }: World, about: FileAbout): Promise<boolean> {
+  return new Promise((answer) => {
+    const sheet = { kind: "replace", about, answer } as const;
+    screen.open(sheet);
+    const unwatch = screen.watch(() => {
+      if (screen.get().sheet === sheet) return;
+      unwatch();
+      answer(false);
+    });
+  });
+}

@@ -1,0 +1,55 @@
+import { useEffect, useState } from "react";
+import { ask } from "../actions/ask";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { fileAddress, getJson, restoreFile } from "../link/http";
+import { sizeText, timeText } from "../operator/fileWords";
+import { Button } from "../ui/Button";
+import { Sheet } from "../ui/Sheet";
+import type { FileVersion } from "../wire/messages";
+
+/** What a file was before its last saves, and the way back to each. */
+export function VersionsSheet({ name, onClose }: { name: string; onClose: () => void }) {
+  const hands = useHands();
+  const opened = useSnapshot("opened")?.name;
+  const files = useSnapshot("files");
+  const [versions, setVersions] = useState<readonly FileVersion[]>([]);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: read again when files change
+  useEffect(() => {
+    getJson<FileVersion[]>(`${fileAddress(name)}?versions`).then(setVersions, (error: Error) =>
+      hands.screen.tell(error.message),
+    );
+  }, [name, files, hands]);
+  const restore = async (version: FileVersion) => {
+    try {
+      await restoreFile(name, version.number);
+      hands.screen.tell(`${name} is again what it was ${timeText(version.changed)}.`);
+      if (opened === name) await ask(worldOf(hands), { do: "open", name });
+    } catch (error) {
+      hands.screen.tell((error as Error).message);
+    }
+  };
+  return (
+    <Sheet title={`Versions of ${name}`} onClose={onClose}>
+      <p className="tool-words">
+        What the file was before Kerf wrote over it, the last 20 times. The one that is brought back
+        is a save as any other: what it takes the place of is kept too.
+      </p>
+      {versions.length === 0 && <p className="tail-empty">Kerf has not written over it yet.</p>}
+      <ol className="versions" aria-label="Versions">
+        {versions.map((version) => (
+          <li key={version.number}>
+            <span>{timeText(version.changed)}</span>
+            <span className="versions-size">{sizeText(version.bytes)}</span>
+            <Button
+              size="small"
+              onPress={() => void restore(version)}
+              aria-label={`Bring version ${version.number} back`}
+            >
+              Bring back
+            </Button>
+          </li>
+        ))}
+      </ol>
+    </Sheet>
+  );
+}

@@ -1,0 +1,43 @@
+//! Text of the editor that is not saved.
+
+use super::guard::Caller;
+use super::rest::demand;
+use super::{Refused, aside};
+use crate::app::App;
+use axum::extract::{Query, State};
+use axum::{Extension, Json};
+use kerf_wire::{Role, TextDraft};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// Which file a draft is of.
+#[derive(Debug, Deserialize)]
+pub struct Of {
+    /// Its name below the part folder; empty for a new one.
+    name: String,
+}
+
+/// Every draft, the newest first.
+pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<TextDraft>>, Refused> {
+    Ok(Json(aside(move || app.texts.list(&app.parts)).await?))
+}
+
+/// Keeps a draft.
+pub async fn keep(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Json(draft): Json<TextDraft>,
+) -> Result<Json<()>, Refused> {
+    demand(&caller, Role::Operator)?;
+    Ok(Json(aside(move || app.texts.keep(&draft)).await?))
+}
+
+/// Ends a draft.
+pub async fn end(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Query(Of { name }): Query<Of>,
+) -> Result<Json<()>, Refused> {
+    demand(&caller, Role::Operator)?;
+    Ok(Json(aside(move || app.texts.end(&name)).await?))
+}

@@ -1,0 +1,54 @@
+//! Files of the part folder that are written: what would be lost, earlier contents, text that is not saved.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// What a file is that would be replaced.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct FileAbout {
+    /// Its name below the part folder.
+    pub name: String,
+    /// What it is: `a part program of 412 lines`.
+    pub what: String,
+    /// Bytes.
+    #[ts(type = "number")]
+    pub bytes: u64,
+    /// When it was changed: seconds since 1970.
+    #[ts(type = "number")]
+    pub changed: u64,
+    /// SHA-256 of its content, in hexadecimal digits: who saw it names it as what may be replaced.
+    pub hash: String,
+}
+
+/// An earlier content of a file that Kerf wrote over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct FileVersion {
+    /// Grows with each save of the file, from 1.
+    pub number: u32,
+    /// The file had this content since then: seconds since 1970.
+    #[ts(type = "number")]
+    pub changed: u64,
+    /// Bytes.
+    #[ts(type = "number")]
+    pub bytes: u64,
+}
+
+/// Text of the editor that is not saved.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct TextDraft {
+    /// The file below the part folder that it is of; empty for a new one.
+    pub name: String,
+    /// The text; its lines end with a line feed.
+    pub text: String,
+    /// What the lines of the file end with.
+    pub ends: String,
+    /// SHA-256 of the file as it was read; empty for a new one.
+    pub base: String,
+    /// Whether the file is another by now.
+    #[serde(default)]
+    pub changed_on_disk: bool,
+}
