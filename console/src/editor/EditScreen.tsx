@@ -7,21 +7,26 @@ import { readFile, writeFile } from "../link/http";
 import { useRunningLine } from "../operator/useRunningLine";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
-import type { Finding } from "../wire/messages";
+import type { Opened } from "../wire/messages";
 import { CodeEditor } from "./CodeEditor";
+import { type Check, checking } from "./check";
 import { DebugBar } from "./DebugBar";
 import { type EditedFile, edited, isChanged, newFile, opened, saved, written } from "./document";
 import "./edit-screen.css";
 import { FindingList } from "./FindingList";
 import { SaveAs } from "./SaveAs";
 
+/** What was found in the whole file when it was opened; nothing where the text is not that of the file. */
+function savedFindings(open: Opened | null | undefined, { name }: EditedFile) {
+  return open?.name === name && open?.preview.state === "ready" ? open.findings : null;
+}
+
 /** The editor of part files (FE), and the debugger in it (FG). */
 export function EditScreen() {
   const hands = useHands();
   const open = useSnapshot("opened");
-  const running = useRunningLine();
   const [file, setFile] = useState<EditedFile>(newFile);
-  const [findings, setFindings] = useState<readonly Finding[]>([]);
+  const [check, setCheck] = useState<Check>(checking);
   const [naming, setNaming] = useState(false);
 
   const name = open?.name;
@@ -44,6 +49,22 @@ export function EditScreen() {
     );
   }, [asked, hands]);
 
+  const running = useRunningLine(file.name ?? undefined);
+  const spot = useScreen("spot");
+  // biome-ignore lint/correctness/useExhaustiveDependencies: reads another file only when it is asked for
+  useEffect(() => {
+    if (!spot || spot.file === file.name) return;
+    if (isChanged(file)) {
+      hands.screen.tell(`Save ${file.name ?? "the new file"} first: then ${spot.file} is shown.`);
+      return hands.screen.lineShown();
+    }
+    readFile(spot.file).then(
+      (text) => setFile(opened(spot.file, text)),
+      (error: Error) => hands.screen.tell(error.message),
+    );
+  }, [spot, hands]);
+  const marks = useScreen("breakpoints").filter((mark) => mark.file === file.name);
+
   const save = async (as: string | null) => {
     if (as === null) return setNaming(true);
     try {
@@ -56,6 +77,7 @@ export function EditScreen() {
       hands.screen.tell(String(error));
     }
   };
+  const kept = check.is === "unchecked" && !isChanged(file) ? savedFindings(open, file) : null;
   return (
     <div className="edit">
       <header className="edit-head">
@@ -73,7 +95,7 @@ export function EditScreen() {
         </Button>
       </header>
       {naming && <SaveAs first={file.name ?? ""} onSave={save} onCancel={() => setNaming(false)} />}
-      <DebugBar changed={isChanged(file)} />
+      <DebugBar changed={isChanged(file)} file={file.name ?? ""} />
       <div className="edit-body">
         <CodeEditor
           key={file.name}
@@ -81,13 +103,20 @@ export function EditScreen() {
           text={file.text}
           running={running}
           onChange={(text) => setFile((now) => edited(now, text))}
-          onFindings={setFindings}
-          onBreakpoints={hands.screen.mark}
+          spot={spot !== null && spot.file === file.name ? spot.line : null}
+          onSpotShown={hands.screen.lineShown}
+          breakpoints={marks.map(({ line }) => line)}
+          onCheck={setCheck}
+          onBreakpoints={(lines) => hands.screen.mark(file.name ?? "", lines)}
           onSave={() => void save(file.name)}
         />
         <Watched />
       </div>
-      <FindingList findings={findings} />
+      <FindingList
+        check={kept ? { is: "checked", findings: kept } : check}
+        file={file.name ?? ""}
+        onShow={hands.screen.showLine}
+      />
     </div>
   );
 }

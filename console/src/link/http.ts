@@ -3,11 +3,19 @@
 import type { Problem } from "../wire/messages";
 
 /** A refusal of the server, in its own words. */
-export class Refused extends Error {}
+export class Refused extends Error {
+  /** As HTTP has it. */
+  readonly status: number;
+
+  constructor(words: string, status: number) {
+    super(words);
+    this.status = status;
+  }
+}
 
 async function request(path: string, init: RequestInit): Promise<Response> {
   const response = await fetch(path, init);
-  if (!response.ok) throw new Refused(await refusal(response));
+  if (!response.ok) throw new Refused(await refusal(response), response.status);
   return response;
 }
 

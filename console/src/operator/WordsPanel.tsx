@@ -1,10 +1,12 @@
 import { useState } from "react";
 import { clearPrinted } from "../actions/job";
-import { useSnapshot } from "../app/context";
+import { useHands, useSnapshot } from "../app/context";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
+import { FindingPlace } from "./FindingPlace";
+import { placeOf } from "./fileStatus";
 import "./words-panel.css";
 
 type Kind = "messages" | "printed" | "notes";
@@ -17,7 +19,12 @@ const kinds: readonly { value: Kind; words: string }[] = [
 
 /** What the program and the machine say. */
 export function WordsPanel() {
-  const [kind, setKind] = useState<Kind>("messages");
+  // What keeps the file from running comes first, until somebody looks for something else.
+  const opened = useSnapshot("opened");
+  const [chosen, setChosen] = useState<{ kind: Kind; hash: string | undefined } | null>(null);
+  const own = chosen && (chosen.hash === opened?.hash || !opened?.broken);
+  const kind = own ? chosen.kind : opened?.broken ? "notes" : "messages";
+  const setKind = (kind: Kind) => setChosen({ kind, hash: opened?.hash });
   return (
     <Panel
       title="Words"
@@ -63,6 +70,7 @@ function Printed() {
 
 /** What the head of the file tells, and what is wrong with it. */
 function FileNotes() {
+  const { screen } = useHands();
   const opened = useSnapshot("opened");
   if (!opened) return <p className="tail-empty">No file is open.</p>;
   return (
@@ -73,7 +81,12 @@ function FileNotes() {
           key={`${finding.code}${finding.line}${finding.column}`}
           className={`word word-${finding.level}`}
         >
-          Line {finding.line}: {finding.message}
+          <FindingPlace
+            place={placeOf(finding, opened)}
+            file={opened.name}
+            onShow={screen.showLine}
+          />
+          : {finding.message}
           {finding.hint && " – "}
           <em>{finding.hint}</em>
         </p>

@@ -4,6 +4,7 @@ import { openTiming } from "../actions/go";
 import { clearPreview } from "../actions/machine";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
+import { mistakesText } from "../operator/fileStatus";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
@@ -140,6 +141,7 @@ function PathWords({ path, opened }: PathWordsProps) {
 function wordsFor(path: ToolPath | null, opened: PathWordsProps["opened"]): string | undefined {
   if (!opened) return "Choose a file to see its tool path.";
   if (opened.preview.state === "failed") return opened.preview.why;
+  if (opened.broken) return `No tool path: ${mistakesText(opened)}.`;
   if (opened.cleared) return "The preview is cleared. Start draws the file again.";
   return path === null ? "Reading…" : undefined;
 }

@@ -1,7 +1,8 @@
 //! What every page shows, and who is told when it changes.
 
 use crate::problems::ProblemLog;
-use kerf_wire::{Change, Message, Opened, Snapshot, ToPage, Tone};
+use crate::ran::{Ran, now_s};
+use kerf_wire::{Change, Job, LastRun, Message, Opened, Snapshot, ToPage, Tone};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use tokio::sync::broadcast;
 
@@ -14,6 +15,8 @@ pub struct Hub {
     snapshot: Mutex<Snapshot>,
     pages: broadcast::Sender<Arc<str>>,
     problems: OnceLock<ProblemLog>,
+    /// How files ran.
+    pub ran: Ran,
 }
 
 impl Hub {
@@ -23,6 +26,7 @@ impl Hub {
             snapshot: Mutex::new(snapshot),
             pages: broadcast::channel(BEHIND).0,
             problems: OnceLock::new(),
+            ran: Ran::default(),
         }
     }
 
@@ -65,6 +69,23 @@ impl Hub {
                 vec![Change::Opened { opened }]
             }
             _ => Vec::new(),
+        });
+    }
+
+    /// A run is over: it is the last one of its file.
+    pub fn ended(&self, job: Job) {
+        self.changing(|now| {
+            let mut changes = Vec::new();
+            if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
+                let line = now.motion.line;
+                let last = LastRun { ended: ended.clone(), at: now_s(), line };
+                self.ran.put(hash, last.clone());
+                let opened = now.opened.clone().filter(|opened| opened.hash == *hash);
+                let ran = opened.map(|opened| Opened { ran: Some(last), ..opened });
+                changes.extend(ran.map(|opened| Change::Opened { opened: Some(opened) }));
+            }
+            changes.push(Change::Job { job: Some(job) });
+            changes
         });
     }
 

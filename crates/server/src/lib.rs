@@ -36,6 +36,7 @@ mod people;
 mod preview;
 mod problems;
 mod protect;
+mod ran;
 mod setup;
 mod shop;
 mod told;

@@ -111,6 +111,7 @@ const fn is_slow(act: &Act) -> bool {
             | Act::TakeShapeBack
             | Act::Set { .. }
             | Act::Run { .. }
+            | Act::TakeUp { .. }
             | Act::Command { .. }
             | Act::Draw { .. }
     )

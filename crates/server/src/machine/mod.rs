@@ -12,10 +12,11 @@ mod company;
 mod left;
 pub mod link;
 mod owner;
+mod planned;
 mod ports;
 mod reach;
 
-pub use board::{PathEnd, Planned};
+pub use planned::{Planned, Planning};
 pub use left::Left;
 pub use link::{Link, Stops};
 pub use owner::{Order, Owner};
