@@ -115,7 +115,7 @@ export function EditScreen() {
       <FindingList
         check={kept ? { is: "checked", findings: kept } : check}
         file={file.name ?? ""}
-        onShow={hands.screen.showLine}
+        onShow={(place) => hands.screen.showLine(place)}
       />
     </div>
   );

@@ -1,4 +1,5 @@
 import type { Spot } from "../app/screen";
+import { useWords } from "../app/useWords";
 import { FindingPlace } from "../operator/FindingPlace";
 import type { Finding } from "../wire/messages";
 import type { Check } from "./check";
@@ -28,6 +29,7 @@ interface FoundProps {
 }
 
 function Found({ findings, file, onShow }: FoundProps) {
+  const words = useWords();
   if (findings.length === 0) return <p className="findings-none">No mistakes found.</p>;
   return (
     <ul>
@@ -37,9 +39,9 @@ function Found({ findings, file, onShow }: FoundProps) {
           className={`word word-${finding.level}`}
         >
           <FindingPlace place={placeIn(finding, file)} file={file} onShow={onShow} />{" "}
-          {finding.message}
+          {words(finding.message)}
           {finding.hint && " – "}
-          <em>{finding.hint}</em>
+          <em>{words(finding.hint)}</em>
         </li>
       ))}
     </ul>

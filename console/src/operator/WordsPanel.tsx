@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { clearPrinted } from "../actions/job";
 import { useHands, useSnapshot } from "../app/context";
+import { useWords } from "../app/useWords";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
@@ -40,12 +41,14 @@ export function WordsPanel() {
 
 function Messages() {
   const messages = useSnapshot("messages") ?? [];
+  const words = useWords();
   return (
     <Tail label="Messages" empty="Nothing to report." count={messages.length}>
       {messages.map((message, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: messages have no name of their own
         <p key={n} className={`word word-${message.tone}`}>
-          {message.text}
+          {/* A comment of the program stays as it was written. */}
+          {message.tone === "program" ? message.text : words(message.text)}
         </p>
       ))}
     </Tail>
@@ -71,6 +74,7 @@ function Printed() {
 /** What the head of the file tells, and what is wrong with it. */
 function FileNotes() {
   const { screen } = useHands();
+  const words = useWords();
   const opened = useSnapshot("opened");
   if (!opened) return <p className="tail-empty">No file is open.</p>;
   return (
@@ -84,11 +88,11 @@ function FileNotes() {
           <FindingPlace
             place={placeOf(finding, opened)}
             file={opened.name}
-            onShow={screen.showLine}
+            onShow={(place) => screen.showLine(place)}
           />
-          : {finding.message}
+          : {words(finding.message)}
           {finding.hint && " – "}
-          <em>{finding.hint}</em>
+          <em>{words(finding.hint)}</em>
         </p>
       ))}
     </Tail>

@@ -4,6 +4,7 @@ import { openTiming } from "../actions/go";
 import { clearPreview } from "../actions/machine";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
+import { useWords } from "../app/useWords";
 import { mistakesText } from "../operator/fileStatus";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
@@ -134,8 +135,9 @@ interface PathWordsProps {
 
 /** What is said where there is no picture yet. */
 function PathWords({ path, opened }: PathWordsProps) {
+  const inUnits = useWords();
   const words = wordsFor(path, opened);
-  return words === undefined ? null : <p className="path-words">{words}</p>;
+  return words === undefined ? null : <p className="path-words">{inUnits(words)}</p>;
 }
 
 function wordsFor(path: ToolPath | null, opened: PathWordsProps["opened"]): string | undefined {
