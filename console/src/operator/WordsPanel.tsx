@@ -7,7 +7,7 @@ import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
 import { FindingPlace } from "./FindingPlace";
-import { placeOf } from "./fileStatus";
+import { errorsOf, placeOf } from "./fileStatus";
 import "./words-panel.css";
 
 type Kind = "messages" | "printed" | "notes";
@@ -23,8 +23,9 @@ export function WordsPanel() {
   // What keeps the file from running comes first, until somebody looks for something else.
   const opened = useSnapshot("opened");
   const [chosen, setChosen] = useState<{ kind: Kind; hash: string | undefined } | null>(null);
-  const own = chosen && (chosen.hash === opened?.hash || !opened?.broken);
-  const kind = own ? chosen.kind : opened?.broken ? "notes" : "messages";
+  const errors = opened ? errorsOf(opened).length > 0 : false;
+  const own = chosen && (chosen.hash === opened?.hash || !errors);
+  const kind = own ? chosen.kind : errors ? "notes" : "messages";
   const setKind = (kind: Kind) => setChosen({ kind, hash: opened?.hash });
   return (
     <Panel

@@ -73,6 +73,7 @@ describe("how far it is", () => {
     const typed = job && { ...job, hash: null, seconds: 0, command: "MX,3" };
     const shown = progressOf(told({}, { job: typed }));
     expect(shown).toMatchObject({ name: "MX,3", part: undefined, seconds: undefined });
-    expect(progressOf(told({ broken: true })).seconds).toBeUndefined();
+    const ends = { broken: true, findings: [error(3)] };
+    expect(progressOf(told(ends)).seconds).toBeUndefined();
   });
 });

@@ -1,6 +1,7 @@
 /** How the open file stands, and how far what runs is: what is told beside its name. */
 
 import type { Spot } from "../app/screen";
+import type { Shown } from "../link/shown";
 import type { Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
 
 export interface FileStatus {
@@ -18,6 +19,10 @@ export const isUnderWay = (job: Job | null): job is Job => job !== null && job.e
 /** Whether what runs, or ran last, is the file that is open. */
 const isOpenFile = ({ job, opened }: Told): boolean =>
   job !== null && job.hash !== null && job.hash === opened?.hash;
+
+/** Moves of the open file that were made in its run; of what else runs none belong to it. */
+export const movesMade = ({ snapshot }: Shown): number =>
+  snapshot && isOpenFile(snapshot) ? snapshot.motion.made : 0;
 
 export const errorsOf = ({ findings }: Opened): Finding[] =>
   findings.filter(({ level }) => level === "error");
@@ -121,7 +126,8 @@ export function progressOf(told: Told): RunProgress {
       seconds: known ? motion.remaining : undefined,
     };
   }
-  const ready = opened?.preview.state === "ready" && !opened.broken;
+  // A preview that ended at an error is no plan of the whole file.
+  const ready = opened?.preview.state === "ready" && errorsOf(opened).length === 0;
   return {
     name,
     part: isOpenFile(told) ? motion.progress : 0,

@@ -9,7 +9,8 @@ use crate::shop;
 use kerf_control::{Jog, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Change, Interrupted, Lease, Machine, Overrides, Problem, Role, Snapshot, StartUp, State, Who, Why,
+    Act, Change, Finding, Interrupted, Lease, Level, Machine, Overrides, Problem, Role, Snapshot,
+    StartUp, State, Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -376,7 +377,7 @@ impl App {
             return Err(problem(Why::State, "the preview is not ready"));
         };
         if preview.failed {
-            return Err(problem(Why::Mistake, "the file has mistakes; see its messages"));
+            return Err(problem(Why::Mistake, mistakes(&preview)));
         }
         self.unchanged(&open, &preview)?;
         let (work, planned) = (Box::new(self.work(&open)?), preview.planned.clone());
@@ -528,6 +529,14 @@ impl App {
         self.pages.jog_over(who.client, seq);
         self.link.release(|held| held.client == who.client && held.seq == seq);
     }
+}
+
+/// Why a file that has mistakes is not started.
+fn mistakes(preview: &Preview) -> String {
+    let first = preview.findings.iter().find(|found| found.level == Level::Error);
+    first.map_or("the file cannot run".into(), |Finding { line, message, .. }| {
+        format!("the file has mistakes, the first in line {line}: {message}")
+    })
 }
 
 /// Whether somebody may do what takes so much.

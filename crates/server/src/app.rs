@@ -16,7 +16,9 @@ use kerf_control::journal::Journal;
 use kerf_control::timing::Begun;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
-use kerf_wire::{Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Why};
+use kerf_wire::{
+    Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Why,
+};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};

@@ -218,7 +218,9 @@ impl Board {
 
     /// A line of the message area.
     pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
-        self.messages.push(Message { tone, text: text.into(), run: self.run });
+        // Pages know files by their names below the part folder.
+        let text = self.parts.named_in(&text.into());
+        self.messages.push(Message { tone, text, run: self.run });
     }
 
     /// A comment of the program: the text of a pause that comes next.

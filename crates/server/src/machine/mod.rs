@@ -16,9 +16,9 @@ mod planned;
 mod ports;
 mod reach;
 
-pub use planned::{Planned, Planning};
 pub use left::Left;
 pub use link::{Link, Stops};
 pub use owner::{Order, Owner};
+pub use planned::{Planned, Planning};
 pub use ports::{bits, ports};
 pub use reach::reach;

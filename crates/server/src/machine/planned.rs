@@ -137,7 +137,8 @@ impl Course {
         let end_s = going.t0_s + going.plan.span_s(going.index + parts).1;
         let cuts = moves.first().is_some_and(|part| part.kind == MoveKind::Cut);
         let share = if cuts { feed.max(LEAST_FEED) } else { 1.0 };
-        self.left_s = Some(((end_s - t_s).max(0.0) * share).min(self.present_s(&self.planned.times)));
+        self.left_s =
+            Some(((end_s - t_s).max(0.0) * share).min(self.present_s(&self.planned.times)));
     }
 
     /// How long the next move is in a list of sums.

@@ -161,12 +161,7 @@ fn unattended(work: Work) -> (Work, Option<Arc<Configuration>>) {
     (Work::Job(job, Arc::new(alone)), Some(machine))
 }
 
-fn finish(
-    sink: Collector,
-    summary: &Summary,
-    start: (Settings, Frame),
-    is_job: bool,
-) -> Preview {
+fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame), is_job: bool) -> Preview {
     let mut info = info(&sink, summary, &start);
     let paths = details(sink.path);
     info.details = paths.iter().map(Path::detail).collect();
