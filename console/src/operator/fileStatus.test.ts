@@ -19,6 +19,12 @@ const error = (line: number, file = ""): Finding => ({
   hint: "",
 });
 
+/** A line that somebody typed. */
+const typed = (ended: string | null): Snapshot["job"] => {
+  const job = states.running?.job;
+  return job ? { ...job, hash: null, command: "MX,3", ended } : null;
+};
+
 const told = (change: Partial<Opened>, other: Partial<Snapshot> = {}): Snapshot => ({
   ...firstSnapshot,
   ...other,
@@ -38,6 +44,9 @@ describe("how the open file stands", () => {
   };
   it.each<[string, Snapshot]>([
     ["", { ...firstSnapshot, opened: null }],
+    ["finished", { ...firstSnapshot, opened: null, job: typed("ok") }],
+    ["running", told({}, { job: typed(null) })],
+    ["ready", told({}, { job: typed("ok") })],
     ["ready", told({})],
     ["being checked", told({ preview: { state: "working" } })],
     ["1 mistake: see line 12", told({ broken: true, findings: [error(12)] })],

@@ -14,7 +14,8 @@ export interface FileStatus {
 type Told = Pick<Snapshot, "opened" | "job" | "interrupted" | "machine" | "motion">;
 
 /** Whether a job is under way. */
-export const isUnderWay = (job: Job | null): job is Job => job !== null && job.ended === null;
+export const isUnderWay = (job: Job | null): job is Job & { ended: null } =>
+  job !== null && job.ended === null;
 
 /** Whether what runs, or ran last, is the file that is open. */
 const isOpenFile = ({ job, opened }: Told): boolean =>
@@ -54,11 +55,18 @@ const running: Partial<Record<State, string>> = {
   stopped: "stopped: it waits",
 };
 
-/** How the file that is open stands. */
+/** How a run ended that belongs to no open file. */
+const outcomes: Record<string, string> = {
+  ok: "finished",
+  ended: "ended by itself",
+  limit: "ended at a limit",
+};
+
+/** How what runs stands, else the file that is open; where none is, what ran last. */
 export function fileStatus(told: Told, now = new Date()): FileStatus {
   const { opened, job, machine, interrupted } = told;
-  if (!opened) return plain("");
-  if (isUnderWay(job) && isOpenFile(told)) return plain(running[machine.state] ?? "running");
+  if (isUnderWay(job)) return plain(running[machine.state] ?? "running");
+  if (!opened) return plain(job?.ended ? (outcomes[job.ended] ?? job.ended) : "");
   if (opened.kind === "drawing") return plain("no tool path yet");
   if (opened.preview.state === "working") return plain("being checked");
   if (opened.broken) return broken(opened);
@@ -116,11 +124,12 @@ export interface RunProgress {
 /** How far what runs is; else the file that is open, as far as it was made last. */
 export function progressOf(told: Told): RunProgress {
   const { opened, job, motion } = told;
-  const name = opened?.name ?? "No file is open";
+  const ran = job && (job.command ?? job.file);
+  const name = opened?.name ?? ran ?? "No file is open";
   if (isUnderWay(job)) {
     const known = job.seconds > 0;
     return {
-      name: isOpenFile(told) ? name : (job.command ?? job.file),
+      name: isOpenFile(told) ? name : (ran ?? name),
       part: known ? motion.progress : undefined,
       words: "left",
       seconds: known ? motion.remaining : undefined,

@@ -210,3 +210,18 @@ it("one line is told everywhere: that of the move which the tool makes", async (
     .filter({ hasText: /interrupted behind line \d+/ })
     .waitFor();
 });
+
+it("lengths are in the unit of the page, in sentences and for those who see no picture too", async () => {
+  await opens("good.sbp");
+  await page.getByLabel(/^Tool path of 3 moves, \d+ in of cuts$/).waitFor();
+  await script(workshop, "draw", { op: { op: "do", clauses: "point 0,0; set black height=-13" } });
+  await page.getByRole("link", { name: "Draw" }).click();
+  await page.getByRole("button", { name: "Make the part program" }).click();
+  const asks = page.getByRole("dialog").getByRole("textbox").first();
+  await asks.fill("deep.sbp");
+  await page.keyboard.press("Enter");
+  const told = page.getByText(/it would be cut at -1\.2992 in, below ZBottom at -1\.1811 in/);
+  await told.first().waitFor();
+  expect(await page.getByText(/below ZBottom at -\d+ mm/).count()).toBe(0);
+  workshop.mistakes.length = 0;
+});
