@@ -1,16 +1,17 @@
 //! What pages ask for: who may, when, and what is done.
 
-use crate::app::{self, App, Open, lock, problem};
+use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
+use crate::interrupted;
 use crate::machine::link::{Held, Wanted};
-use crate::machine::{Order, Planned, reach};
-use crate::preview::{self, Preview};
+use crate::machine::{Order, reach};
+use crate::preview::Preview;
 use crate::shop;
 use kerf_control::{Jog, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Change, Finding, Interrupted, Lease, Level, Machine, Overrides, Problem, Role, Snapshot,
-    StartUp, State, Who, Why,
+    Act, Change, Finding, Lease, Level, Machine, Overrides, Problem, Role, Snapshot, StartUp,
+    State, Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -414,27 +415,12 @@ impl App {
         let Some(interrupted) = self.hub.read(|now| now.interrupted.clone()) else {
             return Err(problem(Why::State, "no run was cut short"));
         };
-        let hash = self.hash_of_interrupted(&interrupted);
+        let hash = interrupted::hash_of_open(&interrupted, lock(&self.open).clone());
+        let shelf = self.preview_shelf().ok();
+        let plan = self.journal().zip(shelf);
         // Without a plan it runs as well; how far it is is not known then.
-        let planned = self.plan_of_interrupted().unwrap_or_default();
-        self.order_of(asker, Order::TakeUp { hash, planned })
-    }
-
-    /// What the open file is known by, where it is what was cut short.
-    fn hash_of_interrupted(&self, interrupted: &Interrupted) -> Option<String> {
-        let open = lock(&self.open).clone();
-        let same = open.name == interrupted.file
-            && interrupted.hash.as_ref().is_none_or(|hash| *hash == app::hash(&open.bytes));
-        same.then_some(open.hash)
-    }
-
-    /// The plan of the run that was cut short, from its beginning.
-    fn plan_of_interrupted(&self) -> Option<Planned> {
-        let journal = self.journal()?;
-        let cut = journal.cut_short().ok()??;
-        let mut shelf = self.preview_shelf().ok()?;
-        let (work, options, session) = journal.begun(&cut, &mut shelf).ok()?;
-        Some(preview::plan(work, options, session, &mut shelf))
+        let planned = plan.and_then(|(journal, mut shelf)| interrupted::plan(&journal, &mut shelf));
+        self.order_of(asker, Order::TakeUp { hash, planned: planned.unwrap_or_default() })
     }
 
     fn command(&self, asker: &Asker, line: String) -> Result<(), Problem> {

@@ -27,6 +27,7 @@ mod files;
 mod handconsole;
 mod http;
 mod hub;
+mod interrupted;
 mod job;
 mod job_by_hand;
 mod machine;
