@@ -35,6 +35,8 @@ export interface Action {
   readonly everywhere?: boolean;
   /** Why it cannot be done now; nothing when it can. */
   readonly refused?: (world: World) => string | undefined;
+  /** Goes to what keeps it from being done, where a person can mend that: a press on its button does. */
+  readonly mends?: (world: World) => void;
   /** Its keys say why it cannot be done now; those of others do nothing then. */
   readonly keysTell?: boolean;
   /** What a person has to know before he lets it happen. */

@@ -1,5 +1,6 @@
 /** The file that is open and the job that runs it. */
 
+import { errorsOf, mistakesText, placeOf } from "../operator/fileStatus";
 import { type Action, attempt, type World } from "./action";
 import { ask, drive } from "./ask";
 import { unless, unlessReady, whenIdle } from "./machine";
@@ -12,12 +13,19 @@ function notPreviewed(world: World): string | undefined {
   if (!opened) return "Open a file first.";
   switch (opened.preview.state) {
     case "working":
-      return "Its preview is being made.";
+      return "It is being checked: its preview is made.";
     case "failed":
       return opened.preview.why;
     case "ready":
-      return undefined;
+      return opened.broken ? mistakesText(opened) : undefined;
   }
+}
+
+/** Goes to the first mistake of the open file. */
+function showMistake(world: World): void {
+  const opened = openedOf(world);
+  const place = opened?.broken && placeOf(errorsOf(opened)[0], opened);
+  if (place) world.screen.showLine(place);
 }
 
 /** A simulated machine hurts nobody: it is armed by starting. */
@@ -47,6 +55,7 @@ export const start: Action = {
   title: "Start",
   section: "job",
   refused: whenStartable,
+  mends: showMistake,
   run: (world) => void run(false)(world),
 };
 
@@ -55,6 +64,7 @@ export const singleStep: Action = {
   title: "Single step",
   section: "job",
   refused: whenReady,
+  mends: showMistake,
   run: (world) => void run(true)(world),
 };
 

@@ -1,6 +1,7 @@
 import { lazy, Suspense } from "react";
 import { OperatorScreen } from "../operator/OperatorScreen";
 import "./app.css";
+import { StepBar } from "../debugger/StepBar";
 import { HandConsole } from "../handconsole/HandConsole";
 import { HelpScreen } from "../help/HelpScreen";
 import { otherVersion } from "../link/version";
@@ -91,6 +92,9 @@ function Body() {
       </Guard>
       <Guard about={sheet?.kind}>{sheet && <OpenSheet sheet={sheet} />}</Guard>
       <Guard about={asked?.number}>{asked && <Asking asked={asked} />}</Guard>
+      <Guard>
+        <StepBar />
+      </Guard>
       <Guard about={calculator?.field}>
         {calculator && <CalculatorSheet field={calculator.field} />}
       </Guard>

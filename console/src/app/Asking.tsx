@@ -1,5 +1,4 @@
 import { ask } from "../actions/ask";
-import { StepBar } from "../debugger/StepBar";
 import { EditorBar } from "../editor/EditorBar";
 import { PausedDialog } from "../job/PausedDialog";
 import { KeypadSheet } from "../keypad/KeypadSheet";
@@ -15,8 +14,9 @@ export function Asking({ asked }: { asked: Asked }) {
   const answer = () =>
     void ask(worldOf(hands), { do: "answer", question: asked.number, answer: usual });
   switch (asked.kind) {
+    // It has a bar of its own, which stays between two lines.
     case "step":
-      return <StepBar asked={asked} />;
+      return null;
     case "keypad":
       return <KeypadSheet words={asked.text} onClose={answer} />;
     case "editor":

@@ -1,16 +1,18 @@
 import { Button } from "../ui/Button";
 import { useHands, useScreen } from "./context";
 import "./notices.css";
+import { useWords } from "./useWords";
 
 /** What was just refused, and why. */
 export function Notices() {
   const { screen } = useHands();
   const notices = useScreen("notices");
+  const words = useWords();
   return (
     <div className="notices" role="status" aria-live="polite">
       {notices.map(({ id, text }) => (
         <div className="notice" key={id}>
-          <p className="notice-words">{text}</p>
+          <p className="notice-words">{words(text)}</p>
           <Button look="quiet" size="small" onPress={() => screen.dismiss(id)}>
             Dismiss
           </Button>

@@ -1,6 +1,7 @@
 import type { State } from "../wire/messages";
 import { useShown } from "./context";
 import "./state-word.css";
+import { useWords } from "./useWords";
 
 const words: Record<State, string> = {
   idle: "Idle",
@@ -33,11 +34,12 @@ export function StateWord() {
 }
 
 function Word({ tone, word, why }: { tone: string; word: string; why?: string | null }) {
+  const words = useWords();
   return (
     <div className={`state state-${tone}`} role="status">
       <span className="state-dot" aria-hidden="true" />
       <strong>{word}</strong>
-      {why && <span className="state-why">{why}</span>}
+      {why && <span className="state-why">{words(why)}</span>}
     </div>
   );
 }

@@ -41,8 +41,12 @@ export interface ScreenState {
   readonly calculator: { readonly field: HTMLInputElement | null } | null;
   /** The hand console lies over whatever is open. */
   readonly handConsole: boolean;
-  /** Lines of the open file at which going line by line halts. */
-  readonly breakpoints: readonly number[];
+  /** Lines at which going line by line halts. */
+  readonly breakpoints: readonly Breakpoint[];
+  /** The run that this page steps on by itself until a line with a breakpoint is due. */
+  readonly steppedRun: number | null;
+  /** The line that the editor was asked to show, until it does. */
+  readonly spot: Spot | null;
   /** The tool path takes the whole screen. */
   readonly large: boolean;
   /** The page of the help that was asked for: the letters of its command. */
@@ -54,6 +58,14 @@ export interface ScreenState {
   /** What the person has to know of what was just refused; the newest last. */
   readonly notices: readonly Notice[];
 }
+
+/** A line of a file of the part folder. */
+export interface Spot {
+  readonly file: string;
+  readonly line: number;
+}
+
+export type Breakpoint = Spot;
 
 export interface Notice {
   readonly id: number;
@@ -76,7 +88,14 @@ export interface Screen extends Store<ScreenState> {
   explain(topic: string): void;
   /** Goes to the editor with a file. */
   edit(name: string): void;
-  mark(breakpoints: readonly number[]): void;
+  /** Goes to the editor and shows a line there. */
+  showLine(spot: Spot): void;
+  /** The editor shows the line that it was asked for. */
+  lineShown(): void;
+  /** The lines of a file at which going line by line halts. */
+  mark(file: string, lines: readonly number[]): void;
+  /** Steps on by itself in this run, or no more. */
+  stepOn(run: number | null): void;
   /** Shows a notice for a while. */
   tell(text: string): void;
   dismiss(id: number): void;
@@ -98,6 +117,8 @@ export function createScreen(): Screen {
     calculator: null,
     handConsole: false,
     breakpoints: [],
+    steppedRun: null,
+    spot: null,
     large: false,
     topic: "HQ",
     edits: null,
@@ -144,7 +165,17 @@ export function createScreen(): Screen {
       this.go("/edit");
       store.update((now) => ({ ...now, edits: { name } }));
     },
-    mark: (breakpoints) => store.update((now) => ({ ...now, breakpoints })),
+    showLine(spot) {
+      this.go("/edit");
+      store.update((now) => ({ ...now, spot: { ...spot } }));
+    },
+    lineShown: () => store.update((now) => ({ ...now, spot: null })),
+    mark: (file, lines) =>
+      store.update((now) => {
+        const others = now.breakpoints.filter((one) => one.file !== file);
+        return { ...now, breakpoints: [...others, ...lines.map((line) => ({ file, line }))] };
+      }),
+    stepOn: (steppedRun) => store.update((now) => ({ ...now, steppedRun })),
     tell(text) {
       notices += 1;
       const notice = { id: notices, text };

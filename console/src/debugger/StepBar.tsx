@@ -1,47 +1,62 @@
 import { useState } from "react";
-import { ask } from "../actions/ask";
-import { useHands, useScreen, worldOf } from "../app/context";
+import { useScreen, useShown } from "../app/context";
 import { GoesOn } from "../operator/GoesOn";
 import { Button } from "../ui/Button";
 import type { Asked } from "../wire/messages";
 import "./step-bar.css";
-import { useRunToBreakpoint } from "./useRunToBreakpoint";
+import { useStepsOn } from "./useStepsOn";
 
-/** What is done with the line that is due, while a file is gone through line by line (FG). */
-export function StepBar({ asked }: { asked: Asked }) {
-  const hands = useHands();
-  const breakpoints = useScreen("breakpoints");
-  const answer = (words: string) =>
-    ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
-  const run = useRunToBreakpoint(asked, breakpoints, () => answer("Step"));
+/**
+ * What is done with the line that is due, while a file is gone through line by line (FG). It stays while
+ * this page steps on by itself, also between two lines.
+ */
+export function StepBar() {
+  const due = useShown(({ snapshot }) =>
+    snapshot?.asked?.kind === "step" ? snapshot.asked : null,
+  );
+  const step = useStepsOn(due);
+  if (!due && !step.runs) return null;
   return (
     <section className="step" aria-label="Line by line" data-react-aria-top-layer="true">
       <p className="step-line">
-        <span>Line {asked.line}</span>
-        <code>{asked.text}</code>
+        <span>{due ? `Line ${due.line}` : "On to a breakpoint"}</span>
+        <code>{due?.text}</code>
       </p>
       <GoesOn />
-      {run.runs ? (
-        <Button look="hold" onPress={run.halt}>
+      {step.runs ? (
+        <Button look="hold" onPress={step.halt}>
           Halt
         </Button>
       ) : (
-        <>
-          <Button look="primary" onPress={() => void answer("Step")} autoFocus>
-            Step
-          </Button>
-          <Button isDisabled={breakpoints.length === 0} onPress={run.begin}>
-            To breakpoint
-          </Button>
-          <Button onPress={() => void answer("Run")}>Run on</Button>
-          {asked.prefill && (
-            <Button onPress={() => void answer(`${asked.prefill}`)}>Back to {asked.prefill}</Button>
-          )}
-          <GoToLine onGo={(words) => void answer(words)} />
-          <Button onPress={() => void answer("Quit")}>Quit</Button>
-        </>
+        due && <Steps due={due} onAnswer={step.answer} onBegin={step.begin} />
       )}
     </section>
+  );
+}
+
+interface StepsProps {
+  due: Asked;
+  onAnswer: (words: string) => void;
+  onBegin: () => void;
+}
+
+function Steps({ due, onAnswer, onBegin }: StepsProps) {
+  const breakpoints = useScreen("breakpoints");
+  return (
+    <>
+      <Button look="primary" onPress={() => onAnswer("Step")} autoFocus>
+        Step
+      </Button>
+      <Button isDisabled={breakpoints.length === 0} onPress={onBegin}>
+        To breakpoint
+      </Button>
+      <Button onPress={() => onAnswer("Run")}>Run on</Button>
+      {due.prefill && (
+        <Button onPress={() => onAnswer(`${due.prefill}`)}>Back to {due.prefill}</Button>
+      )}
+      <GoToLine onGo={onAnswer} />
+      <Button onPress={() => onAnswer("Quit")}>Quit</Button>
+    </>
   );
 }
 

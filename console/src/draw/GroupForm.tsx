@@ -61,11 +61,11 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
       <LeadRow name="lead-in" label="Lead-in" lead={group.leadIn} mm={mm} set={set} />
       <LeadRow name="lead-out" label="Lead-out" lead={group.leadOut} mm={mm} set={set} />
       <Entry
-        label="Speed, mm/min"
+        label={`Speed, ${mm === 1 ? "mm" : "in"}/min`}
         title="Cutting speed; max is the machine's cutting speed"
-        text={group.speedMmMin === null ? "max" : shown(group.speedMmMin, 1)}
+        text={group.speedMmMin === null ? "max" : shown(group.speedMmMin, mm)}
         onText={(text) => {
-          const read = readNumber(text);
+          const read = readLength(text, mm);
           set(`speed=${isWrong(read) ? "max" : num(read.value)}`);
         }}
       />

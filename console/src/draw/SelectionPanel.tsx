@@ -1,4 +1,5 @@
 import { useSnapshot } from "../app/context";
+import { useWords } from "../app/useWords";
 import { Panel } from "../ui/Panel";
 import { boxOfShapes, type Shape } from "./geometry/shape";
 import { isEmpty } from "./geometry/vec";
@@ -15,6 +16,7 @@ interface SelectionPanelProps {
 export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
   const units = useSnapshot("units");
   const drawing = useSnapshot("drawing");
+  const words = useWords();
   const [mm, unit] = [units?.mm ?? 1, units?.linear ?? "mm"];
   const chosen = scene.shapes.filter(({ number }) => scene.selected.has(number));
   const told = [...(drawing?.notes ?? []), ...notes];
@@ -34,7 +36,7 @@ export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
       {told.length > 0 && (
         <ul className="told">
           {told.slice(0, 6).map((note) => (
-            <li key={note}>{note}</li>
+            <li key={note}>{words(note)}</li>
           ))}
           {told.length > 6 && <li>and {told.length - 6} more</li>}
         </ul>

@@ -11,9 +11,9 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { useEffect, useRef } from "react";
-import type { Finding } from "../wire/messages";
 import { assistance } from "./assistance";
 import { breakpoints, toggleBreakpoint } from "./breakpoints";
+import type { Check } from "./check";
 import { look } from "./look";
 import { openSbp } from "./opensbp";
 import { markRunning, runningLineMark } from "./running";
@@ -25,7 +25,12 @@ export interface CodeEditorProps {
   /** The line that runs; 0 when none does. */
   running: number;
   onChange: (text: string) => void;
-  onFindings: (findings: readonly Finding[]) => void;
+  /** The line that is to be shown; nothing once it is. */
+  spot: number | null;
+  onSpotShown: () => void;
+  /** Lines at which going line by line halts, when it begins. */
+  breakpoints: readonly number[];
+  onCheck: (check: Check) => void;
   onBreakpoints: (lines: number[]) => void;
   onSave: () => void;
 }
@@ -47,7 +52,21 @@ export function CodeEditor(props: CodeEditorProps) {
   useEffect(() => {
     if (view.current) markRunning(view.current, props.running);
   }, [props.running]);
+  useEffect(() => {
+    if (!view.current || props.spot === null) return;
+    showLine(view.current, props.spot);
+    latest.current.onSpotShown();
+  }, [props.spot]);
   return <div className="code-editor" ref={box} />;
+}
+
+/** Puts the cursor on a line and brings it into sight. */
+function showLine(view: EditorView, line: number): void {
+  const { doc } = view.state;
+  const anchor = doc.line(Math.min(Math.max(line, 1), doc.lines)).from;
+  const effects = EditorView.scrollIntoView(anchor, { y: "center" });
+  view.dispatch({ selection: { anchor }, effects });
+  view.focus();
 }
 
 /** What allows the style sheets that the editor makes. */
@@ -63,7 +82,7 @@ function firstState(latest: { readonly current: CodeEditorProps }): EditorState 
   return EditorState.create({
     doc: text,
     extensions: [
-      breakpoints((lines) => latest.current.onBreakpoints(lines)),
+      breakpoints(latest.current.breakpoints, (lines) => latest.current.onBreakpoints(lines)),
       lineNumbers(),
       lintGutter(),
       history(),
@@ -74,7 +93,7 @@ function firstState(latest: { readonly current: CodeEditorProps }): EditorState 
       openSbp,
       look,
       runningLineMark,
-      assistance(name, (findings) => latest.current.onFindings(findings)),
+      assistance(name, (check) => latest.current.onCheck(check)),
       keymap.of([
         { key: "Mod-s", run: save },
         { key: "F9", run: toggleBreakpoint },

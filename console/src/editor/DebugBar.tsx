@@ -1,23 +1,27 @@
 import { singleStep } from "../actions/job";
 import { useScreen } from "../app/context";
+import type { Breakpoint } from "../app/screen";
 import { ActionButton } from "../ui/ActionButton";
 
 /** Begins to go through the open file line by line (FG); `changed`: the text is not what would run. */
-export function DebugBar({ changed }: { changed: boolean }) {
+export function DebugBar({ changed, file }: { changed: boolean; file: string }) {
   const breakpoints = useScreen("breakpoints");
   return (
     <div className="debug" role="toolbar" aria-label="Debugger">
       <ActionButton action={singleStep} size="small">
         Go line by line
       </ActionButton>
-      <span className="debug-words">{words(changed, breakpoints)}</span>
+      <span className="debug-words">{words(changed, breakpoints, file)}</span>
     </div>
   );
 }
 
-function words(changed: boolean, breakpoints: readonly number[]): string {
+function words(changed: boolean, breakpoints: readonly Breakpoint[], file: string): string {
   if (changed) return "Save before running: what runs is the file.";
   return breakpoints.length > 0
-    ? `Breakpoints: ${breakpoints.join(", ")}`
+    ? `Breakpoints: ${breakpoints.map((one) => lineText(one, file)).join(", ")}`
     : "A click beside a line number, or F9, sets a breakpoint.";
 }
+
+const lineText = ({ file: own, line }: Breakpoint, file: string): string =>
+  own === file ? `${line}` : `${line} of ${own}`;

@@ -1,33 +1,47 @@
-import { useState } from "react";
+import { useEffect, useState } from "react";
 import { openFiles } from "../actions/go";
-import { useHands } from "../app/context";
+import { useHands, useScreen, useSnapshot } from "../app/context";
 import { Watched } from "../debugger/Watched";
 import { useRunningLine } from "../operator/useRunningLine";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
-import type { Finding } from "../wire/messages";
+import type { Opened } from "../wire/messages";
 import { CodeEditor } from "./CodeEditor";
+import { type Check, checking } from "./check";
 import { DebugBar } from "./DebugBar";
 import { DropChanges } from "./DropChanges";
-import { isChanged } from "./document";
+import { type EditedFile, isChanged } from "./document";
 import "./edit-screen.css";
 import { FindingList } from "./FindingList";
 import { NotSaved } from "./NotSaved";
 import { SaveAs } from "./SaveAs";
 import { useEdited } from "./useEdited";
 
+/** What was found in the whole file when it was opened; nothing where the text is not that of the file. */
+function savedFindings(open: Opened | null | undefined, { name }: EditedFile) {
+  return open?.name === name && open?.preview.state === "ready" ? open.findings : null;
+}
+
 /** The editor of part files (FE), and the debugger in it (FG). */
 export function EditScreen() {
   const hands = useHands();
-  const running = useRunningLine();
+  const open = useSnapshot("opened");
   const { file, shown, others, show, change, save, drop } = useEdited();
-  const [findings, setFindings] = useState<readonly Finding[]>([]);
+  const running = useRunningLine(file.name ?? undefined);
+  const [check, setCheck] = useState<Check>(checking);
   const [asking, setAsking] = useState<"name" | "drop" | null>(null);
+  const spot = useScreen("spot");
+  // biome-ignore lint/correctness/useExhaustiveDependencies: shows another file only when it is asked for
+  useEffect(() => {
+    if (spot && spot.file !== file.name) void show(spot.file);
+  }, [spot]);
+  const marks = useScreen("breakpoints").filter((mark) => mark.file === file.name);
   const saveAs = async (as: string | null) => {
     if (as === null) setAsking("name");
     else if (await save(as)) setAsking(null);
   };
   const changed = isChanged(file);
+  const kept = check.is === "unchecked" && !changed ? savedFindings(open, file) : null;
   return (
     <div className="edit">
       <header className="edit-head">
@@ -62,7 +76,7 @@ export function EditScreen() {
           onClose={() => setAsking(null)}
         />
       )}
-      <DebugBar changed={changed} />
+      <DebugBar changed={changed} file={file.name ?? ""} />
       <div className="edit-body">
         <CodeEditor
           key={`${file.name} ${shown}`}
@@ -70,13 +84,20 @@ export function EditScreen() {
           text={file.text}
           running={running}
           onChange={change}
-          onFindings={setFindings}
-          onBreakpoints={hands.screen.mark}
+          spot={spot !== null && spot.file === file.name ? spot.line : null}
+          onSpotShown={hands.screen.lineShown}
+          breakpoints={marks.map(({ line }) => line)}
+          onCheck={setCheck}
+          onBreakpoints={(lines) => hands.screen.mark(file.name ?? "", lines)}
           onSave={() => void saveAs(file.name)}
         />
         <Watched />
       </div>
-      <FindingList findings={findings} />
+      <FindingList
+        check={kept ? { is: "checked", findings: kept } : check}
+        file={file.name ?? ""}
+        onShow={(place) => hands.screen.showLine(place)}
+      />
     </div>
   );
 }

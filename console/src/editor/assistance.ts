@@ -7,8 +7,9 @@ import {
 } from "@codemirror/autocomplete";
 import { type Diagnostic, linter } from "@codemirror/lint";
 import type { Extension, Text } from "@codemirror/state";
-import { type EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
+import { EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
 import type { Finding, Level } from "../wire/messages";
+import { type Check, checker, checking } from "./check";
 import { type At, checkText, completionsAt, hoverAt } from "./language";
 
 /** How long a person has to pause before the text is checked, milliseconds. */
@@ -40,16 +41,29 @@ function placeIn(text: Text, position: number, name: string): At {
   return { name, text: text.toString(), line: line.number, column: position - line.from + 1 };
 }
 
-const checking = (name: string, told: (findings: readonly Finding[]) => void) =>
-  linter(
-    async (view) => {
-      const { findings } = await checkText(name, view.state.doc.toString());
-      const own = findings.filter((finding) => finding.file === "" || finding.file === name);
-      told(findings);
-      return own.map((finding) => diagnosticOf(finding, view.state.doc));
-    },
-    { delay: checkAfterMs },
-  );
+/** Checks the text after each pause in typing, and tells how far that is. */
+function checks(name: string, told: (check: Check) => void): Extension {
+  const check = checker((text) => checkText(name, text));
+  return [
+    EditorView.updateListener.of((update) => {
+      if (update.docChanged) told(checking);
+    }),
+    linter(
+      async (view) => {
+        const { doc } = view.state;
+        told(checking);
+        const outcome = await check(doc.length, () => doc.toString());
+        // Another text is checked anew: what is told is of the one that stands there.
+        if (view.state.doc !== doc) return [];
+        told(outcome);
+        if (outcome.is !== "checked") return [];
+        const own = outcome.findings.filter(({ file }) => file === "" || file === name);
+        return own.map((finding) => diagnosticOf(finding, doc));
+      },
+      { delay: checkAfterMs },
+    ),
+  ];
+}
 
 const completing = (name: string) => async (context: CompletionContext) => {
   const word = context.matchBefore(/[&$%]?\w*/);
@@ -82,11 +96,8 @@ const hovering = (name: string) =>
   });
 
 /** Everything the server helps with, for a file of this name. */
-export const assistance = (
-  name: string,
-  told: (findings: readonly Finding[]) => void,
-): Extension => [
-  checking(name, told),
+export const assistance = (name: string, told: (check: Check) => void): Extension => [
+  checks(name, told),
   autocompletion({ override: [completing(name)] }),
   hovering(name),
 ];

@@ -5,16 +5,19 @@ import type { Problem, TextDraft } from "../wire/messages";
 /** A refusal of the server, in its own words. */
 export class Refused extends Error {
   readonly problem: Problem;
+  /** As HTTP has it. */
+  readonly status: number;
 
-  constructor(problem: Problem) {
+  constructor(problem: Problem, status: number) {
     super(problem.text);
     this.problem = problem;
+    this.status = status;
   }
 }
 
 async function request(path: string, init: RequestInit): Promise<Response> {
   const response = await fetch(path, init);
-  if (!response.ok) throw new Refused(await refusal(response));
+  if (!response.ok) throw new Refused(await refusal(response), response.status);
   return response;
 }
 

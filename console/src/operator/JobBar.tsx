@@ -1,10 +1,11 @@
 import { asking } from "../actions/action";
 import { start, takeUp } from "../actions/job";
 import { acknowledge } from "../actions/machine";
-import { useShown, useSnapshot } from "../app/context";
+import { useHands, useShown, useSnapshot } from "../app/context";
 import { durationText } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { FeedOverride } from "./FeedOverride";
+import { errorsOf, fileStatus, progressOf } from "./fileStatus";
 import "./job-bar.css";
 
 /** How far the job is, how long it takes, and what starts it. */
@@ -37,51 +38,59 @@ function Interrupted() {
 }
 
 function Progress() {
-  const motion = useSnapshot("motion");
-  const opened = useSnapshot("opened");
-  const job = useSnapshot("job");
-  const runs = job !== null && job !== undefined && job.ended === null;
-  const part = runs ? (motion?.progress ?? 0) : job?.ended === "ok" ? 1 : 0;
-  const left = runs ? (motion?.remaining ?? 0) : (opened?.seconds ?? 0);
+  const snapshot = useShown((shown) => shown.snapshot);
+  if (!snapshot) return null;
+  const { name, part, words, seconds } = progressOf(snapshot);
   return (
     <div className="job-progress">
       <p className="job-name">
-        <strong>{opened?.name ?? job?.command ?? "No file open"}</strong>
-        <span>{outcome(job?.ended)}</span>
+        <strong>{name}</strong>
+        <Status />
       </p>
-      <progress value={part} max={1} aria-label="Progress" />
+      <progress value={part ?? 0} max={1} aria-label="Progress" />
       <p className="job-times">
         <span>
-          <b>{Math.floor(part * 100)}</b> %
+          <b>{part === undefined ? "–" : Math.floor(part * 100)}</b> %
         </span>
         <span>
-          {runs ? "left " : "planned "}
-          <b className="job-left">{durationText(left)}</b>
+          {words} <b className="job-left">{seconds === undefined ? "–" : durationText(seconds)}</b>
         </span>
       </p>
     </div>
   );
 }
 
-const outcomes: Record<string, string> = {
-  ok: "finished",
-  ended: "ended by itself",
-  failed: "failed",
-  stopped: "stopped",
-  limit: "ended at a limit",
-};
+/** How the open file stands; where it has mistakes, a way to them. */
+function Status() {
+  const { screen } = useHands();
+  const snapshot = useShown((shown) => shown.snapshot);
+  if (!snapshot) return null;
+  const { words, look, place } = fileStatus(snapshot);
+  const name = `job-status job-status-${look}`;
+  return place ? (
+    <button type="button" className={name} onClick={() => screen.showLine(place)}>
+      {words}
+    </button>
+  ) : (
+    <span className={name}>{words}</span>
+  );
+}
 
-const outcome = (ended: string | null | undefined): string =>
-  ended ? (outcomes[ended] ?? ended) : "";
-
-/** One after the other in the same place: acknowledge, then start. */
+/** One after the other in the same place: acknowledge, then start. Green only where nothing was found. */
 function StartButtons() {
   const alarm = useShown((shown) => shown.snapshot?.machine.state === "alarm");
+  const opened = useSnapshot("opened");
+  const doubtful = opened ? errorsOf(opened).length > 0 : false;
   return alarm ? (
     <ActionButton action={acknowledge} look="hold" size="large" className="job-start">
       Acknowledge
     </ActionButton>
   ) : (
-    <ActionButton action={start} look="go" size="large" className="job-start" />
+    <ActionButton
+      action={start}
+      look={doubtful ? "hold" : "go"}
+      size="large"
+      className="job-start"
+    />
   );
 }

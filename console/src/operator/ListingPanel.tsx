@@ -1,13 +1,14 @@
-import { useHands, useSnapshot } from "../app/context";
+import { useHands, useShown, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Opened } from "../wire/messages";
 import { Listing } from "./Listing";
+import { filesOfTool, toolLine } from "./toolLine";
 import { useRunningLine } from "./useRunningLine";
 
 /** The open file with the line that runs. */
 export function ListingPanel() {
   const opened = useSnapshot("opened");
-  const line = useRunningLine();
+  const line = useRunningLine(opened?.name);
   return (
     <Panel
       title="Program"
@@ -45,16 +46,18 @@ function NoLines({ kind }: { kind: "job" | "drawing" }) {
   );
 }
 
-/** The files that run, the outermost first, each with its line. */
+/** The files that run, the outermost first; the last one with the line of the tool. */
 function OpenFiles() {
-  const job = useSnapshot("job");
-  if (!job || job.ended !== null || job.calls.length === 0) return null;
+  const snapshot = useShown((shown) => shown.snapshot);
+  const tool = snapshot && toolLine(snapshot);
+  if (!tool) return null;
+  const files = filesOfTool(snapshot);
   return (
     <ol className="listing-calls" aria-label="Files that run">
-      {job.calls.map(({ file, line }, n) => (
+      {files.map((file, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: a file can call itself
         <li key={n}>
-          {file || "command line"} <b>line {line}</b>
+          {file || "command line"} {n === files.length - 1 && <b>line {tool.line}</b>}
         </li>
       ))}
     </ol>

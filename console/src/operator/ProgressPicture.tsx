@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from "react";
-import { useHands, useScreen, useSnapshot } from "../app/context";
+import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
 import { timeOfMoves } from "../view/place";
 import { paletteOf } from "../view/scene/palette";
@@ -7,6 +7,7 @@ import { useSize } from "../view/useSize";
 import { useToolPath } from "../view/useToolPath";
 import "./progress-picture.css";
 import { Panel } from "../ui/Panel";
+import { movesMade } from "./fileStatus";
 import { cutsIn } from "./progressPicture";
 
 /** The path done so far, small and from the top (VD); a right click leads to its settings. */
@@ -20,7 +21,7 @@ function Picture() {
   const { screen } = useHands();
   const preview = useSnapshot("opened")?.preview;
   const path = useToolPath(preview?.state === "ready" ? preview.key : undefined);
-  const made = useSnapshot("motion")?.made ?? 0;
+  const made = useShown(movesMade);
   const theme = useScreen("theme");
   const box = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);

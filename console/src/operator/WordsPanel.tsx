@@ -1,10 +1,13 @@
 import { useState } from "react";
 import { clearPrinted } from "../actions/job";
-import { useSnapshot } from "../app/context";
+import { useHands, useSnapshot } from "../app/context";
+import { useWords } from "../app/useWords";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
+import { FindingPlace } from "./FindingPlace";
+import { errorsOf, placeOf } from "./fileStatus";
 import "./words-panel.css";
 
 type Kind = "messages" | "printed" | "notes";
@@ -17,7 +20,13 @@ const kinds: readonly { value: Kind; words: string }[] = [
 
 /** What the program and the machine say. */
 export function WordsPanel() {
-  const [kind, setKind] = useState<Kind>("messages");
+  // What keeps the file from running comes first, until somebody looks for something else.
+  const opened = useSnapshot("opened");
+  const [chosen, setChosen] = useState<{ kind: Kind; hash: string | undefined } | null>(null);
+  const errors = opened ? errorsOf(opened).length > 0 : false;
+  const own = chosen && (chosen.hash === opened?.hash || !errors);
+  const kind = own ? chosen.kind : errors ? "notes" : "messages";
+  const setKind = (kind: Kind) => setChosen({ kind, hash: opened?.hash });
   return (
     <Panel
       title="Words"
@@ -33,12 +42,14 @@ export function WordsPanel() {
 
 function Messages() {
   const messages = useSnapshot("messages") ?? [];
+  const words = useWords();
   return (
     <Tail label="Messages" empty="Nothing to report." count={messages.length}>
       {messages.map((message, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: messages have no name of their own
         <p key={n} className={`word word-${message.tone}`}>
-          {message.text}
+          {/* A comment of the program stays as it was written. */}
+          {message.tone === "program" ? message.text : words(message.text)}
         </p>
       ))}
     </Tail>
@@ -63,6 +74,8 @@ function Printed() {
 
 /** What the head of the file tells, and what is wrong with it. */
 function FileNotes() {
+  const { screen } = useHands();
+  const words = useWords();
   const opened = useSnapshot("opened");
   if (!opened) return <p className="tail-empty">No file is open.</p>;
   return (
@@ -73,9 +86,14 @@ function FileNotes() {
           key={`${finding.code}${finding.line}${finding.column}`}
           className={`word word-${finding.level}`}
         >
-          Line {finding.line}: {finding.message}
+          <FindingPlace
+            place={placeOf(finding, opened)}
+            file={opened.name}
+            onShow={(place) => screen.showLine(place)}
+          />
+          : {words(finding.message)}
           {finding.hint && " – "}
-          <em>{finding.hint}</em>
+          <em>{words(finding.hint)}</em>
         </p>
       ))}
     </Tail>

@@ -1,12 +1,14 @@
+import { useCallback } from "react";
 import { useShown } from "../app/context";
 import type { Shown } from "../link/shown";
+import { toolLine } from "./toolLine";
 
-/** The line of the open file that makes the present move; 0 when it does not run. */
-export const useRunningLine = (): number => useShown(runningLine);
+/** The line of a file at which the tool is; 0 when it is in none of this file. */
+export function useRunningLine(file: string | undefined): number {
+  return useShown(useCallback((shown: Shown) => lineIn(shown, file), [file]));
+}
 
-export function runningLine({ snapshot }: Shown): number {
-  const job = snapshot?.job;
-  if (!snapshot || !job || job.ended !== null || job.command !== null) return 0;
-  const { line } = snapshot.motion;
-  return line > 0 ? line : (job.calls[0]?.line ?? 0);
+function lineIn({ snapshot }: Shown, file: string | undefined): number {
+  const tool = snapshot && toolLine(snapshot);
+  return tool && tool.file === file ? tool.line : 0;
 }

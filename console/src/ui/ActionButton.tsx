@@ -27,7 +27,11 @@ export function ActionButton({ action, children, ...rest }: ActionButtonProps) {
     <span
       className="action-place"
       title={refused}
-      onClick={() => refused !== undefined && screen.tell(refused)}
+      onClick={() => {
+        if (refused === undefined) return;
+        screen.tell(refused);
+        action.mends?.(worldOf(hands));
+      }}
     >
       <Button
         {...rest}

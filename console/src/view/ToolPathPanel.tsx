@@ -4,6 +4,8 @@ import { openTiming } from "../actions/go";
 import { clearPreview } from "../actions/machine";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
+import { useWords } from "../app/useWords";
+import { mistakesText, movesMade } from "../operator/fileStatus";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
@@ -35,6 +37,7 @@ export function ToolPathPanel() {
   const opened = useSnapshot("opened");
   const motion = useSnapshot("motion");
   const units = useSnapshot("units");
+  const moves = useShown(movesMade);
   const preview = opened?.preview;
   const shows = preview?.state === "ready" && !opened?.cleared;
   const path = useToolPath(shows ? preview.key : undefined);
@@ -59,10 +62,10 @@ export function ToolPathPanel() {
   const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(
-    () => marksOf(path, motion, units ?? { mm: 1, linear: "mm" }, film),
-    [path, motion, units, film],
+    () => marksOf(path, motion, moves, units ?? { mm: 1, linear: "mm" }, film),
+    [path, motion, moves, units, film],
   );
-  const now = playback.at ?? (path && motion ? timeOfMoves(path.coarse, motion.made) : 0);
+  const now = playback.at ?? (path ? timeOfMoves(path.coarse, moves) : 0);
   return (
     <Panel
       title="Tool path"
@@ -120,8 +123,10 @@ export function ToolPathPanel() {
         />
         <PathWords path={path} opened={opened} />
       </div>
-      {path && units && <PathFacts info={path.info} units={units} />}
-      {path && <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />}
+      {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
+      {path && !opened?.broken && (
+        <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />
+      )}
     </Panel>
   );
 }
@@ -133,13 +138,15 @@ interface PathWordsProps {
 
 /** What is said where there is no picture yet. */
 function PathWords({ path, opened }: PathWordsProps) {
+  const inUnits = useWords();
   const words = wordsFor(path, opened);
-  return words === undefined ? null : <p className="path-words">{words}</p>;
+  return words === undefined ? null : <p className="path-words">{inUnits(words)}</p>;
 }
 
 function wordsFor(path: ToolPath | null, opened: PathWordsProps["opened"]): string | undefined {
   if (!opened) return "Choose a file to see its tool path.";
   if (opened.preview.state === "failed") return opened.preview.why;
+  if (opened.broken) return `No tool path: ${mistakesText(opened)}.`;
   if (opened.cleared) return "The preview is cleared. Start draws the file again.";
   return path === null ? "Reading…" : undefined;
 }
@@ -163,6 +170,7 @@ function boundsOf(info: PreviewInfo): Bounds {
 function marksOf(
   path: ToolPath | null,
   motion: Motion | undefined,
+  moves: number,
   units: { mm: number; linear: string },
   film: Vec3 | undefined,
 ): Marks {
@@ -176,9 +184,9 @@ function marksOf(
   ];
   const tool = motion && from(motion.at.machine);
   // A film shows the plan: how far the machine has come belongs to the run.
-  const made = film || !tool ? undefined : madeOf(path, motion, tool);
+  const made = film || !tool ? undefined : madeOf(path, moves, tool);
   return { tool: film ?? tool, zero: from(zero), made, cutter, unit };
 }
 
-const madeOf = (path: ToolPath, { made }: Motion, tool: Vec3) =>
+const madeOf = (path: ToolPath, made: number, tool: Vec3) =>
   stretches(path.coarse, timeOfMoves(path.coarse, made), tool).find((stretch) => stretch.made);

@@ -1,5 +1,7 @@
 import { useEffect, useRef, useState } from "react";
-import { useScreen } from "../app/context";
+import { useScreen, useSnapshot } from "../app/context";
+import { lengthText } from "../app/units";
+import type { Units } from "../wire/messages";
 import type { Camera, Size } from "./camera";
 import { type Marks, paintMarks } from "./overlay";
 import type { Told } from "./scene/orders";
@@ -36,6 +38,7 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
   useEffect(() => {
     if (above.current && palette) paintMarks(above.current, size, camera, marks, palette);
   }, [palette, size, camera, marks]);
+  const units = useSnapshot("units");
   return (
     <>
       <div
@@ -45,7 +48,7 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
         data-pictures={told.pictures}
         data-bared={told.bared ? baredWords(told.bared) : ""}
         role="img"
-        aria-label={describe(path)}
+        aria-label={describe(path, units)}
       />
       <canvas ref={above} className="path-marks" />
     </>
@@ -74,8 +77,9 @@ const baredWords = ({ area, min, max }: Bared): string =>
   [area, max[0] - min[0], max[1] - min[1]].map((mm) => mm.toFixed(2)).join(" ");
 
 /** What somebody who does not see the picture is told of it. */
-function describe(path: ToolPath | null): string {
+function describe(path: ToolPath | null, units: Units | undefined): string {
   if (!path) return "No tool path";
   const { moves, cut } = path.info;
-  return `Tool path of ${moves} moves, ${Math.round(cut)} millimetres of cuts`;
+  const long = units ? `, ${lengthText(cut, units, 0)} of cuts` : "";
+  return `Tool path of ${moves} moves${long}`;
 }

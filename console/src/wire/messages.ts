@@ -450,6 +450,10 @@ raise: boolean, };
 export type Interrupted = {
 /** The part file. */
 file: string,
+/** The text of a part file: SHA-256, in hexadecimal digits. Nothing of a job. */
+hash: string | null,
+/** The line of the last move that was made, or the path of a job; 0 before the first. */
+line: number,
 /** Which run it was and where it ended, in a sentence. */
 text: string,
 /** The operator stopped it; else Kerf was killed or the power failed. */
@@ -480,6 +484,8 @@ command: string | null,
 seconds: number,
 /** The open files, outermost first, with the line that is read. */
 calls: Array<Call>,
+/** The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to its end; empty before the first move. */
+toolFile: string,
 /** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they are in force in a job. Pauses and height control change them. */
 heights: [number, number, number] | null,
 /** What a pause has changed for the rest of a job; nothing while it is as it was set. */
@@ -558,6 +564,15 @@ on: boolean,
 label: string,
 /** What it is assigned to, when it is an input. */
 duty: Duty, };
+
+/** The last run of a file, when it is over. */
+export type LastRun = {
+/** How it ended, as [`Job`] has it. */
+ended: string,
+/** When: seconds since 1970. */
+at: number,
+/** The line of the last move; the path of a job. */
+line: number, };
 
 /** Who drives: one at a time. Every command that moves the machine carries the number. */
 export type Lease = {
@@ -655,6 +670,8 @@ export type Opened = {
 name: string,
 /** What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are others than the usual, or when the preview is ready and knows the program files that it calls. */
 hash: string,
+/** SHA-256 of its bytes alone. */
+content: string,
 /** What sort of file it is. */
 kind: FileKind,
 /** How it is run, when it is a part program. */
@@ -673,6 +690,10 @@ preview: PreviewState,
 seconds: number,
 /** What is wrong with it or worth knowing. */
 findings: Array<Finding>,
+/** It has mistakes that keep it from running: the first errors of the findings. */
+broken: boolean,
+/** Its last run since Kerf began, as the file is now; nothing where it has not run. */
+ran: LastRun | null,
 /** The picture was cleared (SP given in preview): it is empty until the file is drawn again. */
 cleared: boolean, };
 

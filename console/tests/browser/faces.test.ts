@@ -2,7 +2,16 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { arm, command, fullFace, location, openWorkshop, until, type Workshop } from "./workshop";
+import {
+  arm,
+  command,
+  fullFace,
+  location,
+  openWorkshop,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -38,7 +47,9 @@ it("sbp_con_easy: every button shows the command that does the same, and does it
   ]);
   await page.getByRole("button", { name: /^Zero X Y/ }).click();
   await page.getByRole("dialog").getByRole("button", { name: "Zero X and Y" }).click();
-  await page.locator(".job-name", { hasText: "finished" }).waitFor();
+  await until(async () => (await stateOf(workshop)).job?.ended === "ok", "it is zeroed");
+  // The command is done; the file that is open is not.
+  expect(await page.locator(".job-name", { hasText: "finished" }).count()).toBe(0);
   await ready();
 });
 

@@ -3,6 +3,7 @@
 import { existsSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, expect, it } from "vitest";
+import type { Snapshot } from "../../src/wire/messages";
 import { arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -14,7 +15,7 @@ const state = (wanted: string) =>
   until(async () => (await stateOf(workshop)).machine.state === wanted, wanted);
 
 /** The server dies in the middle of the second cut; another one begins where it was. */
-async function powerCut(): Promise<void> {
+async function powerCut(): Promise<Snapshot> {
   workshop = await openWorkshop({ rate: 3 });
   const folder = workshop.parts;
   writeFileSync(join(folder, "cut.sbp"), cutting);
@@ -26,12 +27,14 @@ async function powerCut(): Promise<void> {
   await page.getByText("The spindle is about to start.").waitFor();
   await page.getByRole("button", { name: "OK" }).click();
   await until(async () => (await stateOf(workshop)).motion.at.working[1] > 20, "the second cut");
+  const before = await stateOf(workshop);
   await workshop.kill();
   workshop = await openWorkshop({ rate: 3, folder });
+  return before;
 }
 
 it("a run that a power cut ended is taken up after the safe way back, in each browser's sight", async () => {
-  await powerCut();
+  const before = await powerCut();
   const { interrupted, machine } = await stateOf(workshop);
   expect(interrupted).toMatchObject({ file: "cut.sbp", stopped: false, moved: true });
   expect(machine.armed).toBe(false);
@@ -50,10 +53,24 @@ it("a run that a power cut ended is taken up after the safe way back, in each br
   // The tool is up; nothing turns before somebody says that all is ready.
   await state("stopped");
   for (const one of [page, other]) await one.getByText("Is everything ready?").waitFor();
-  const { motion, io } = await stateOf(workshop);
+  const { motion, io, job } = await stateOf(workshop);
   expect(motion.at.working[2]).toBeGreaterThan(0);
   expect(io.outputs[0]?.on).toBe(false);
+  // The plan is that of all of it: what was made before is made, and the rest is left.
+  expect(job?.seconds).toBeCloseTo(before.job?.seconds ?? 0, 3);
+  expect(motion.progress).toBeGreaterThan(0.2);
+  expect(motion.remaining).toBeCloseTo((job?.seconds ?? 0) * (1 - motion.progress), 3);
+  expect(await page.locator(".job-name strong").textContent()).toBe("cut.sbp");
+  expect(await page.locator(".job-left").textContent()).not.toMatch(/–|0:00/);
   await page.getByRole("button", { name: "Resume" }).last().click();
+  // As soon as it cuts on, it is as far as it was, and not further.
+  const shares: number[] = [];
+  await until(async () => {
+    const now = await stateOf(workshop);
+    if (now.motion.cutting && now.motion.speedMmS > 0) shares.push(now.motion.progress);
+    return shares.length > 0 && now.motion.progress > before.motion.progress + 0.1;
+  }, "it cuts on");
+  expect(Math.min(...shares)).toBeGreaterThanOrEqual(motion.progress);
   await until(async () => (await stateOf(workshop)).job?.ended === "ok", "it is done");
   const after = await stateOf(workshop);
   expect(after.interrupted).toBeNull();

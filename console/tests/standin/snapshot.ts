@@ -75,6 +75,7 @@ export const firstSnapshot: Snapshot = {
   opened: {
     name: "first-cut.sbp",
     hash: "abc",
+    content: "abc",
     kind: "program",
     choice: { start: null, offset: 0, origin: null, finish: null, lift: 0 },
     added: 0,
@@ -84,6 +85,8 @@ export const firstSnapshot: Snapshot = {
     preview: { state: "ready", key: "first" },
     seconds: 31.4,
     findings: [],
+    broken: false,
+    ran: null,
     cleared: false,
   },
   job: null,

@@ -99,6 +99,10 @@ impl Sink for Whole<'_> {
         self.sink.made(made);
     }
 
+    fn made_before(&mut self, made: &Made<'_>) {
+        self.sink.made_before(made);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         self.sink.standing(standing);
     }

@@ -160,7 +160,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 let going = Going { plan: &plan, index, t0_s, until, part: 0.0 };
                 let until = self.driven_until(&watched, going, driven);
                 let Some((t_s, why, ramped)) = until else {
-                    self.make_one(&plan, index, t0_s);
+                    self.make_one(&plan, index, t0_s, true);
                     index += 1;
                     continue;
                 };

@@ -178,7 +178,7 @@ impl<I: Interpreter> Runner<'_, I> {
                     }
                 }
             }
-            self.make_one(&plan, index, t0_s);
+            self.make_one(&plan, index, t0_s, false);
             if turned.as_ref().is_none_or(|(stop, ..)| index < stop.whole()) {
                 self.stack.made_one(&plan.moves()[index]);
             }
@@ -252,7 +252,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.world.machine.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
     }
 
-    pub(crate) fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64) {
+    pub(crate) fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64, beside: bool) {
         let Some(span) = plan.span(index) else { return };
         self.last_move = span.made.at;
         self.trail.moves(span.made.at);
@@ -262,7 +262,7 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.tell(&event);
         }
         let alone = self.world.machine.alone();
-        self.world.tell_made(&Made { plan, span: &span, t0_s, alone });
+        self.world.tell_made(&Made { plan, span: &span, t0_s, alone, beside });
         let frame = self.world.machine.frame();
         self.world.tally.made(span.made, end_s - begin_s, frame);
         self.world.machine.make(t0_s, plan, &span);

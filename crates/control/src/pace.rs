@@ -4,6 +4,7 @@ use kerf_motion::{Move, Plan, State};
 use kerf_program::{At, Axes};
 use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// What the operator wants of a machine that runs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -48,6 +49,15 @@ pub struct Doing<'a> {
     pub machine: &'a Machine,
     /// The move that it is about to make; `None` while it stands.
     pub going: Option<Going<'a>>,
+    /// The files of the run, in the order in which they were opened first.
+    pub files: &'a [Arc<str>],
+}
+
+impl Doing<'_> {
+    /// The file that a place is in; nothing where no file stands for it.
+    pub fn file(&self, at: At) -> Option<&Arc<str>> {
+        self.files.get(at.file as usize)
+    }
 }
 
 /// A move that the machine is about to make.

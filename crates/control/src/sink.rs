@@ -15,6 +15,8 @@ pub struct Made<'a> {
     pub t0_s: f64,
     /// The motor that makes it while the others of its axis stand, by its place among them; `None` for all.
     pub alone: Option<(Axis, usize)>,
+    /// It is none of the program: by hand, away from a place where the run stands and back to it.
+    pub beside: bool,
 }
 
 /// Takes the events of a run, in order of machine time.
@@ -30,6 +32,9 @@ pub trait Sink {
 
     /// A move is made: how every axis goes is in its plan.
     fn made(&mut self, _: &Made<'_>) {}
+
+    /// A move was made before the run was cut short that is taken up: it is gone through in silence.
+    fn made_before(&mut self, _: &Made<'_>) {}
 
     /// The run stands somewhere else: it goes on to other lines, waits, or is over.
     fn standing(&mut self, _: &Standing) {}
@@ -77,6 +82,11 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.1.made(made);
     }
 
+    fn made_before(&mut self, made: &Made<'_>) {
+        self.0.made_before(made);
+        self.1.made_before(made);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         self.0.standing(standing);
         self.1.standing(standing);
@@ -102,6 +112,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn made(&mut self, made: &Made<'_>) {
         (**self).made(made);
+    }
+
+    fn made_before(&mut self, made: &Made<'_>) {
+        (**self).made_before(made);
     }
 
     fn standing(&mut self, standing: &Standing) {
@@ -132,6 +146,12 @@ impl<S: Sink> Sink for Option<S> {
     fn made(&mut self, made: &Made<'_>) {
         if let Some(sink) = self {
             sink.made(made);
+        }
+    }
+
+    fn made_before(&mut self, made: &Made<'_>) {
+        if let Some(sink) = self {
+            sink.made_before(made);
         }
     }
 

@@ -200,7 +200,8 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Wish)> {
-        self.pace.watch(from_s, to_s, &Doing { machine: &self.world.machine, going })
+        let doing = Doing { machine: &self.world.machine, going, files: self.world.files() };
+        self.pace.watch(from_s, to_s, &doing)
     }
 
     /// While time passes as it does in the world, how far a move has come is on record: what is made

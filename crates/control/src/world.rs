@@ -129,7 +129,9 @@ impl<'a> World<'a> {
 
     /// Tells that a move is made, and by which plan.
     pub fn tell_made(&mut self, made: &Made<'_>) {
-        if !self.silent {
+        if self.silent {
+            self.sink.made_before(made);
+        } else {
             self.sink.made(made);
         }
     }
@@ -210,6 +212,11 @@ impl<'a> World<'a> {
     /// The name of a file.
     pub fn file(&self, at: At) -> Arc<str> {
         self.files.get(at.file as usize).cloned().unwrap_or_default()
+    }
+
+    /// The files of the run, in the order in which they were opened first.
+    pub fn files(&self) -> &[Arc<str>] {
+        &self.files
     }
 
     /// Internal units in a user unit of an axis.

@@ -112,7 +112,7 @@ fn what_a_waiting_job_refuses_is_shown() {
     let shop = shop("");
     shop.write("answers", b"zbottom 20\nabort\n");
     let did = shop.kerf("run job.rsm --config machine.toml --hold-at 0.2 --answers answers");
-    did.exits(3).says("ZBottom would be at -10.000, above ZSurface at -20.000");
+    did.exits(3).says("ZBottom would be at -10.000 mm, above ZSurface at -20.000 mm");
     shop.write("answers", b"# note\ncut 0\nresume\n");
     let did = shop.kerf("run job.rsm --config machine.toml --hold-at 0.2 --answers answers");
     did.exits(1).complains("line 2 of the answers: 'cut 0' tells a job that waits nothing");

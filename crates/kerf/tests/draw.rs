@@ -222,7 +222,7 @@ fn a_job_below_z_bottom_is_refused_with_its_shape() {
     let made = kerf(folder.path(), &["toolpath", "job.rsg", "-o", "job.sbp"]);
     assert_eq!(made.status.code(), Some(1));
     assert!(
-        told(&made).contains("shape 1 at 0,0: it would be cut at -13, below ZBottom"),
+        told(&made).contains("shape 1 at 0,0: it would be cut at -13 mm, below ZBottom"),
         "{}",
         told(&made)
     );

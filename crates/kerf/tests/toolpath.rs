@@ -66,7 +66,7 @@ fn a_job_too_deep_for_the_machine_is_told_when_it_is_made() {
         let made = shop.kerf(&format!("toolpath job.rsg {options}"));
         made.exits(0).err()
     };
-    let why = "shape 1 at 0,0: it would be cut at -32, below ZBottom: -32 < -30";
+    let why = "shape 1 at 0,0: it would be cut at -32 mm, below ZBottom at -30 mm";
     assert_eq!(warned("").trim_end(), format!("job.rsg: warning: {why}"), "once for nine copies");
     assert_eq!(warned("--z-bottom -40"), "");
     assert_eq!(warned("--z-surface=-18 --z-top=-5"), "");

@@ -3,6 +3,7 @@
 use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
 use crate::gate::{STOP_KEY, Way, driven_by};
+use crate::interrupted;
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::people::{Grip, GripError};
@@ -12,7 +13,8 @@ use crate::stop::Halt;
 use kerf_control::{Jog, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Asked, Change, Lease, Machine, Overrides, Problem, StartUp, State, Tone, Who, Why,
+    Act, Asked, Change, Finding, Lease, Level, Machine, Overrides, Problem, StartUp, State, Tone,
+    Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -238,7 +240,7 @@ impl App {
             return Err(problem(Why::State, "the preview is not ready"));
         };
         if preview.failed {
-            return Err(problem(Why::Mistake, "the file has mistakes; see its messages"));
+            return Err(problem(Why::Mistake, mistakes(&preview)));
         }
         self.unchanged(&open, &preview)?;
         let (work, planned) = (Box::new(self.work(&open)?), preview.planned.clone());
@@ -272,10 +274,15 @@ impl App {
 
     /// Goes on with the run that was cut short.
     fn take_up(&self, asker: &Asker) -> Result<(), Problem> {
-        if self.hub.read(|now| now.interrupted.is_none()) {
+        let Some(interrupted) = self.hub.read(|now| now.interrupted.clone()) else {
             return Err(problem(Why::State, "no run was cut short"));
-        }
-        self.order_of(asker, Order::TakeUp)
+        };
+        let hash = interrupted::hash_of_open(&interrupted, lock(&self.open).clone());
+        let shelf = self.preview_shelf().ok();
+        let plan = self.journal().zip(shelf);
+        // Without a plan it runs as well; how far it is is not known then.
+        let planned = plan.and_then(|(journal, mut shelf)| interrupted::plan(&journal, &mut shelf));
+        self.order_of(asker, Order::TakeUp { hash, planned: planned.unwrap_or_default() })
     }
 
     fn command(&self, asker: &Asker, line: String) -> Result<(), Problem> {
@@ -394,6 +401,14 @@ impl App {
         self.pages.jog_over(client, seq);
         self.link.release(|held| held.client == client && held.seq == seq);
     }
+}
+
+/// Why a file that has mistakes is not started.
+fn mistakes(preview: &Preview) -> String {
+    let first = preview.findings.iter().find(|found| found.level == Level::Error);
+    first.map_or("the file cannot run".into(), |Finding { line, message, .. }| {
+        format!("the file has mistakes, the first in line {line}: {message}")
+    })
 }
 
 /// The machine is disarmed from now on. The reason of an alarm is what a person has to know, whoever comes or goes.

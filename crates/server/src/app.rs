@@ -24,7 +24,7 @@ use kerf_control::timing::Begun;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{
-    Change, FileKind, FileParameters, JobChoice, Opened, PreviewState, Problem, Tone, Why,
+    Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Tone, Why,
 };
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
@@ -332,10 +332,12 @@ impl App {
         let opened = Opened {
             name: open.name.clone(),
             hash: open.hash.clone(),
+            content: hash(&open.bytes),
             kind: kind_of(&open.name),
             parameters: open.parameters,
             choice: open.choice,
             added: open.unsaved.len() as u32,
+            ran: self.hub.ran.of(&open.hash),
             ..Opened::default()
         };
         if opened.kind != FileKind::Program {
@@ -432,8 +434,15 @@ impl App {
         self.hub.changing(|now| {
             let Some(opened) = now.opened.clone() else { return Vec::new() };
             let opened = match &made {
-                Ok(preview) => Opened { hash: job, ..with_preview(opened, open, preview) },
-                Err(why) => Opened { preview: PreviewState::Failed { why: why.clone() }, ..opened },
+                Ok(preview) => {
+                    let ran = self.hub.ran.of(&job);
+                    let opened = with_preview(opened, open, preview, &self.parts);
+                    Opened { hash: job, ran, ..opened }
+                }
+                Err(why) => {
+                    let preview = PreviewState::Failed { why: why.clone() };
+                    Opened { preview, broken: true, ..opened }
+                }
             };
             vec![Change::Opened { opened: Some(opened) }]
         });
@@ -471,11 +480,13 @@ impl App {
     }
 }
 
-fn with_preview(opened: Opened, open: &Open, preview: &Preview) -> Opened {
+fn with_preview(opened: Opened, open: &Open, preview: &Preview, parts: &PartFolder) -> Opened {
+    let named = |found: &Finding| Finding { file: parts.name_of(&found.file), ..found.clone() };
     Opened {
         preview: PreviewState::Ready { key: open.key.clone() },
         seconds: preview.info.seconds,
-        findings: preview.findings.clone(),
+        findings: preview.findings.iter().map(named).collect(),
+        broken: preview.failed,
         ..opened
     }
 }

@@ -163,7 +163,7 @@ mod tests {
                 parameters: FileParameters::default(),
                 opened: false,
             },
-            Order::TakeUp,
+            Order::TakeUp { hash: None, planned: Planned::default() },
             command(),
             Order::Jog { direction: [1.0; AXES], distance: None, speed: 1.0 },
             Order::Hand { errand: Errand::Keypad(keypad), machine, tells },

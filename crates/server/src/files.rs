@@ -139,6 +139,11 @@ impl PartFolder {
         let below = Path::new(path).strip_prefix(&self.root);
         below.map_or_else(|_| path.to_owned(), |name| name.display().to_string())
     }
+
+    /// A sentence in which files are named as pages know them.
+    pub fn named_in(&self, text: &str) -> String {
+        text.replace(&format!("{}/", self.root.display()), "")
+    }
 }
 
 fn info(folder: &str, entry: &fs::DirEntry) -> Option<FileInfo> {

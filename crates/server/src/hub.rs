@@ -1,8 +1,9 @@
 //! What every page shows, and who is told when it changes.
 
 use crate::problems::ProblemLog;
+use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
-use kerf_wire::{Change, Message, Opened, Snapshot, ToPage, Tone};
+use kerf_wire::{Change, Job, LastRun, Message, Opened, Snapshot, ToPage, Tone};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use tokio::sync::broadcast;
 
@@ -15,6 +16,8 @@ pub struct Hub {
     snapshot: Mutex<Arc<Snapshot>>,
     pages: broadcast::Sender<Arc<Told>>,
     problems: OnceLock<ProblemLog>,
+    /// How files ran.
+    pub ran: Ran,
 }
 
 /// A message for every page. Its text is made once, by whoever sends it first, and never while others wait to change
@@ -39,6 +42,7 @@ impl Hub {
             snapshot: Mutex::new(Arc::new(snapshot)),
             pages: broadcast::channel(BEHIND).0,
             problems: OnceLock::new(),
+            ran: Ran::default(),
         }
     }
 
@@ -111,6 +115,23 @@ impl Hub {
                 vec![Change::Opened { opened }]
             }
             _ => Vec::new(),
+        });
+    }
+
+    /// A run is over: it is the last one of its file.
+    pub fn ended(&self, job: Job) {
+        self.changing(|now| {
+            let mut changes = Vec::new();
+            if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
+                let line = now.motion.line;
+                let last = LastRun { ended: ended.clone(), at: now_s(), line };
+                self.ran.put(hash, last.clone());
+                let opened = now.opened.clone().filter(|opened| opened.hash == *hash);
+                let ran = opened.map(|opened| Opened { ran: Some(last), ..opened });
+                changes.extend(ran.map(|opened| Change::Opened { opened: Some(opened) }));
+            }
+            changes.push(Change::Job { job: Some(job) });
+            changes
         });
     }
 

@@ -75,7 +75,7 @@ mod tests {
         assert_eq!(along(&[0.0, 5.0, -10.0]), Ok(Depths::Along(-20.0)));
         assert_eq!(along(&[]), Ok(Depths::Along(-20.0)));
         let told = along(&[0.0, -10.5]).unwrap_err().to_string();
-        assert_eq!(told, "it would be cut at -30.5, below ZBottom: -30.5 < -30");
+        assert_eq!(told, "it would be cut at -30.5 mm, below ZBottom at -30 mm");
     }
 
     #[test]

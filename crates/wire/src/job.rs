@@ -100,6 +100,8 @@ pub struct Opened {
     /// What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are
     /// others than the usual, or when the preview is ready and knows the program files that it calls.
     pub hash: String,
+    /// SHA-256 of its bytes alone.
+    pub content: String,
     /// What sort of file it is.
     pub kind: FileKind,
     /// How it is run, when it is a part program.
@@ -118,8 +120,25 @@ pub struct Opened {
     pub seconds: f64,
     /// What is wrong with it or worth knowing.
     pub findings: Vec<Finding>,
+    /// It has mistakes that keep it from running: the first errors of the findings.
+    pub broken: bool,
+    /// Its last run since Kerf began, as the file is now; nothing where it has not run.
+    pub ran: Option<LastRun>,
     /// The picture was cleared (SP given in preview): it is empty until the file is drawn again.
     pub cleared: bool,
+}
+
+/// The last run of a file, when it is over.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct LastRun {
+    /// How it ended, as [`Job`] has it.
+    pub ended: String,
+    /// When: seconds since 1970.
+    #[ts(type = "number")]
+    pub at: u64,
+    /// The line of the last move; the path of a job.
+    pub line: u32,
 }
 
 /// Whether a preview is there.
@@ -147,6 +166,10 @@ pub enum PreviewState {
 pub struct Interrupted {
     /// The part file.
     pub file: String,
+    /// The text of a part file: SHA-256, in hexadecimal digits. Nothing of a job.
+    pub hash: Option<String>,
+    /// The line of the last move that was made, or the path of a job; 0 before the first.
+    pub line: u32,
     /// Which run it was and where it ended, in a sentence.
     pub text: String,
     /// The operator stopped it; else Kerf was killed or the power failed.
@@ -171,6 +194,9 @@ pub struct Job {
     pub seconds: f64,
     /// The open files, outermost first, with the line that is read.
     pub calls: Vec<Call>,
+    /// The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to
+    /// its end; empty before the first move.
+    pub tool_file: String,
     /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they
     /// are in force in a job. Pauses and height control change them.
     pub heights: Option<[f64; 3]>,

@@ -47,8 +47,8 @@ pub use drawing::{
 pub use file::{FileAbout, FileVersion, TextDraft};
 pub use hand_console::HandConsole;
 pub use job::{
-    Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, Message, Opened,
-    Overrides, Pause, PreviewState, Recorder, RunSummary, Sound, Tone,
+    Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, LastRun, Message,
+    Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, Sound, Tone,
 };
 pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{

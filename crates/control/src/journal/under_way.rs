@@ -10,7 +10,7 @@ use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::files::Folders;
 use crate::machine_file::MACHINE_FILE;
 use crate::switches::{self, SWITCHES, Switches};
-use crate::{RunOptions, Session, Shell, Summary, Work};
+use crate::{RunOptions, Session, Shelf, Shell, Summary, Work};
 use kerf_program::{Settings, Status};
 use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
@@ -134,7 +134,7 @@ impl RunUnderWay {
         work: &KeptWork<'_>,
         options: &RunOptions,
         settings: Option<Settings>,
-        shelf: &crate::Shelf,
+        shelf: &Shelf,
     ) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
@@ -228,6 +228,22 @@ impl Journal {
         Ok(Some(CutShort { run, reached }))
     }
 
+    /// What a run that was cut short was begun from: its work, how it was run, and the session; the shelf is as it was.
+    ///
+    /// # Errors
+    /// As the file cannot be read, or its text was not kept.
+    pub fn begun(
+        &self,
+        cut: &CutShort,
+        shelf: &mut Shelf,
+    ) -> Result<(Work, RunOptions, Session), JournalError> {
+        let work = cut.work(&self.read(|rows| rows.contents())?)?;
+        let run = &cut.run;
+        shelf.as_it_was(&run.folders, run.shell);
+        shelf.stored.begin_from(run.values.clone());
+        Ok((work, run.options.clone(), cut.session()))
+    }
+
     /// What a run carried out that was cut short, and the tape of what the world told it. The machine is at
     /// this place now, its switches are so; how far the run is, is told by its own progress again.
     pub(crate) fn take_up(
@@ -269,7 +285,7 @@ impl Journal {
 
 impl RunUnderWay {
     /// Hash of what it carries out.
-    pub(super) fn hash(&self) -> &str {
+    pub fn hash(&self) -> &str {
         &self.hash
     }
 

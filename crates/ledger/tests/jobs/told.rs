@@ -19,9 +19,12 @@ fn pro_pause_adjust_zb__no_higher_than_the_sheet_and_no_lower_than_z_goes() {
     for (words, why) in [
         (
             "zbottom 20",
-            "ZBottom would be at -10.000, above ZSurface at -20.000: it stays at -30.000",
+            "ZBottom would be at -10.000 mm, above ZSurface at -20.000 mm: it stays at -30.000 mm",
         ),
-        ("zbottom -130", "ZBottom would be at -160.000, Z ends at -150.000: it stays at -30.000"),
+        (
+            "zbottom -130",
+            "ZBottom would be at -160.000 mm, Z ends at -150.000 mm: it stays at -30.000 mm",
+        ),
     ] {
         let trace = stopped(&format!("{words} ⏎ zbottom -0.5 ⏎ resume"));
         assert!(trace.messages().iter().any(|told| told == why), "{:?}", trace.messages());

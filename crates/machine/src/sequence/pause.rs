@@ -321,12 +321,12 @@ impl Sequence {
         let surface_mm = self.heights.surface_mm;
         let end = self.reach(Axis::Z).map(|[low, _]| low).filter(|low| z_mm < *low);
         let why = match end {
-            Some(end) => format!("Z ends at {end:.3}"),
-            None if z_mm > surface_mm => format!("above ZSurface at {surface_mm:.3}"),
+            Some(end) => format!("Z ends at {end:.3} mm"),
+            None if z_mm > surface_mm => format!("above ZSurface at {surface_mm:.3} mm"),
             None => return None,
         };
         let stays = self.heights.bottom_mm;
-        Some(format!("ZBottom would be at {z_mm:.3}, {why}: it stays at {stays:.3}"))
+        Some(format!("ZBottom would be at {z_mm:.3} mm, {why}: it stays at {stays:.3} mm"))
     }
 
     /// A place that an axis may go to, nearest to one that is asked for. Z goes to ZBottom at the

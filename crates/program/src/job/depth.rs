@@ -40,7 +40,7 @@ impl Default for Heights {
 
 /// A cut below ZBottom.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[error("it would be cut at {z_mm}, below ZBottom: {z_mm} < {bottom_mm}")]
+#[error("it would be cut at {z_mm} mm, below ZBottom at {bottom_mm} mm")]
 pub struct LowError {
     /// Where it would be cut.
     pub z_mm: f64,

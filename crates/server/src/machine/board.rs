@@ -1,12 +1,14 @@
 //! What a run has to tell the pages, gathered so that they are told some thirty times a second and
 //! not a thousand.
 
+use super::planned::{Course, Planned};
 use super::ports;
+use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
 use kerf_control::{Doing, Made};
 use kerf_machine::Configuration;
-use kerf_program::{Axes, MoveKind};
+use kerf_program::{At, Axes, MoveKind};
 use kerf_sim::Machine;
 use kerf_wire::{
     Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound,
@@ -20,39 +22,6 @@ pub const TELL: Duration = Duration::from_millis(33);
 
 /// Lines of the print window that wait to be told, at most.
 const PRINTED: usize = 1000;
-
-/// The moves of a run as they were planned in its preview.
-#[derive(Clone, Debug, Default)]
-pub struct Planned {
-    /// When each is over, seconds.
-    pub times: Arc<[f32]>,
-    /// Which path of a job each belongs to, and where it ends in the plane; empty for a part program.
-    pub ends: Arc<[PathEnd]>,
-}
-
-/// Number of a path, and where a move of it ends, X and Y of the machine frame.
-pub type PathEnd = (u32, [f64; 2]);
-
-/// Two sums of the same way may differ in the last digits, mm.
-const SAME_MM: f64 = 1e-6;
-
-impl Planned {
-    /// How many of the moves are made behind one that ends there, when so many were before. What a pause
-    /// adds to a job, and moves by hand, are not in its plan.
-    fn made(&self, before: u32, (path, [x, y]): PathEnd) -> u32 {
-        if self.ends.is_empty() {
-            return before + 1;
-        }
-        let same = |at: &usize| {
-            let (number, [px, py]) = self.ends[*at];
-            number == path && (px - x).abs() < SAME_MM && (py - y).abs() < SAME_MM
-        };
-        let (from, all) = ((before as usize).min(self.ends.len()), self.ends.len());
-        // Behind the present place first; a jig may be cut before another.
-        let found = (from..all).find(same).or_else(|| (0..from).find(same));
-        found.map_or(before, |at| at as u32 + 1)
-    }
-}
 
 /// Gathers.
 #[derive(Debug)]
@@ -73,8 +42,11 @@ pub struct Board {
     comment: Option<Arc<str>>,
     /// Number of the run.
     run: u32,
-    planned: Planned,
+    course: Course,
     machine: Configuration,
+    parts: PartFolder,
+    /// The file that the tool's line is in, and as pages know it.
+    tool_file: (Arc<str>, String),
     /// Positions are told up to this speed, mm/s; nothing for never in motion.
     live_mm_s: Option<f64>,
     /// A job runs, no part program.
@@ -85,15 +57,19 @@ pub struct Board {
     heights: Option<[f64; 3]>,
     /// What else a pause has changed of it.
     in_force: Option<InForce>,
-    /// Moves that were made.
-    made: u32,
     /// Share of the speed asked for.
     pub feed: f64,
 }
 
 impl Board {
     /// For a run with this plan.
-    pub fn new(hub: Arc<Hub>, run: u32, planned: Planned, machine: Configuration) -> Self {
+    pub fn new(
+        hub: Arc<Hub>,
+        run: u32,
+        planned: Planned,
+        machine: Configuration,
+        parts: PartFolder,
+    ) -> Self {
         let (units, speeds, io) = hub.read(|now| (now.units.clone(), now.speeds, now.io.clone()));
         let motion = hub.read(|now| Motion { at: now.motion.at, ..Motion::default() });
         Self {
@@ -111,14 +87,15 @@ impl Board {
             sound: None,
             comment: None,
             run,
-            planned,
+            course: Course::new(planned),
+            parts,
+            tool_file: Default::default(),
             live_mm_s: ports::live_mm_s(&machine),
             machine,
             seen: None,
             heights: None,
             in_force: None,
             is_job: false,
-            made: 0,
             feed: 1.0,
         }
     }
@@ -144,10 +121,26 @@ impl Board {
         let live = doing.going.is_none() || self.live_mm_s.is_some_and(|most| speed_mm_s <= most);
         let before = (self.motion.at, self.motion.speed_mm_s, self.motion.cutting);
         let (at, speed_mm_s, cutting) = if live { (at, speed_mm_s, cutting) } else { before };
-        let line = going.map_or(self.motion.line, |made| made.at.line);
-        let (progress, remaining) = self.progress();
+        if let Some(going) = &doing.going {
+            self.course.goes(going, t_s, self.feed);
+        }
+        if let Some(made) = going {
+            self.stands_in(made.at.line);
+            self.tool_is_in(doing, made.at);
+        }
+        let progress = self.course.progress();
+        let remaining = self.course.remaining_s(self.feed);
         self.motion =
-            Motion { at, speed_mm_s, t: t_s, cutting, line, made: self.made, progress, remaining };
+            Motion { at, speed_mm_s, t: t_s, cutting, progress, remaining, ..self.motion };
+    }
+
+    /// The move that is made is one of this file.
+    fn tool_is_in(&mut self, doing: &Doing<'_>, at: At) {
+        if let Some(file) = doing.file(at)
+            && self.tool_file.0 != *file
+        {
+            self.tool_file = (file.clone(), self.parts.name_of(file));
+        }
     }
 
     /// The machine stands.
@@ -177,23 +170,23 @@ impl Board {
         ports::reads(&mut self.io.ports, number, on);
     }
 
-    /// How far the job is and how long it takes from here, by its plan.
-    fn progress(&self) -> (f64, f64) {
-        let times = &self.planned.times;
-        let total = times.last().copied().map_or(0.0, f64::from);
-        if total <= 0.0 {
-            return (0.0, 0.0);
-        }
-        let made = (self.made as usize).min(times.len());
-        let done = made.checked_sub(1).map_or(0.0, |last| f64::from(times[last]));
-        (done / total, (total - done) / self.feed.max(0.1))
-    }
-
     /// A move was made.
     pub fn made(&mut self, made: &Made<'_>) {
-        let step = made.span.made;
-        let [x, y, _] = step.to.first3();
-        self.made = self.planned.made(self.made, (step.at.line, [x, y]));
+        self.course.made(made);
+        self.motion.made = self.course.moves();
+    }
+
+    /// A move was made before the run was cut short that is taken up.
+    pub fn made_before(&mut self, made: &Made<'_>) {
+        self.made(made);
+        self.stands_in(made.span.made.at.line);
+    }
+
+    /// The line of the tool: where no line stands for a move, it is that of the one before.
+    const fn stands_in(&mut self, line: u32) {
+        if line > 0 {
+            self.motion.line = line;
+        }
     }
 
     /// A job begins.
@@ -225,7 +218,9 @@ impl Board {
 
     /// A line of the message area.
     pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
-        self.messages.push(Message { tone, text: text.into(), run: self.run });
+        // Pages know files by their names below the part folder.
+        let text = self.parts.named_in(&text.into());
+        self.messages.push(Message { tone, text, run: self.run });
     }
 
     /// A comment of the program: the text of a pause that comes next.
@@ -253,6 +248,8 @@ impl Board {
     /// The run is over.
     pub fn ends(&mut self) {
         self.goes_on();
+        self.motion.progress = self.course.progress();
+        self.motion.remaining = self.course.remaining_s(self.feed);
         self.tell();
     }
 
@@ -294,7 +291,9 @@ impl Board {
             let calls = self.calls.take().unwrap_or_else(|| job.calls.clone());
             let heights = self.heights.or(job.heights);
             let in_force = self.in_force.or(job.in_force);
-            let job = Some(kerf_wire::Job { calls, heights, in_force, ..job.clone() });
+            let tool_file = self.tool_file.1.clone();
+            let job = kerf_wire::Job { calls, tool_file, heights, in_force, ..job.clone() };
+            let job = Some(job);
             put(now.job != job, Change::Job { job });
         }
         let pause = self.pause.clone();

@@ -193,6 +193,8 @@ impl Owner {
         let name = |path: &str| self.parts.name_of(path);
         Some(Interrupted {
             file: name(cut.file()),
+            hash: (!cut.is_job()).then(|| cut.run.hash().to_owned()),
+            line: cut.last_move().1,
             text: cut.told_by(name),
             stopped: cut.stopped(),
             moved: cut.moved(),

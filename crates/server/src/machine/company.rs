@@ -358,6 +358,10 @@ impl Sink for Teller {
         self.shared.board.borrow_mut().made(made);
     }
 
+    fn made_before(&mut self, made: &Made<'_>) {
+        self.shared.board.borrow_mut().made_before(made);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         let parts = &self.shared.parts;
         let call = |open: &OpenFile| Call { file: parts.name_of(&open.file), line: open.line };

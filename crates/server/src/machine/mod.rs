@@ -13,13 +13,14 @@ mod company;
 mod left;
 pub mod link;
 mod owner;
+mod planned;
 mod ports;
 mod reach;
 
 pub use arrived::Stops;
-pub use board::{PathEnd, Planned};
 pub use left::Left;
 pub use link::Link;
 pub use owner::{Order, Owner};
+pub use planned::{Planned, Planning};
 pub use ports::{bits, ports};
 pub use reach::reach;

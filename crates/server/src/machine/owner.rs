@@ -1,10 +1,11 @@
 //! The owner of the machine, on its thread.
 
 use super::arrived::Stops;
-use super::board::{Board, Planned};
+use super::board::Board;
 use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
+use super::planned::Planned;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
@@ -43,7 +44,12 @@ pub enum Order {
         opened: bool,
     },
     /// Take up the run that was cut short.
-    TakeUp,
+    TakeUp {
+        /// What pages know the open file by, where it is that which runs.
+        hash: Option<String>,
+        /// The plan of all of it.
+        planned: Planned,
+    },
     /// Carry out lines of OpenSBP.
     Command {
         /// The lines.
@@ -109,7 +115,7 @@ impl Order {
     pub const fn moves(&self) -> bool {
         match self {
             Self::File { .. }
-            | Self::TakeUp
+            | Self::TakeUp { .. }
             | Self::Command { .. }
             | Self::Jog { .. }
             | Self::Hand { .. }
@@ -218,7 +224,7 @@ impl Owner {
                     let job = Job { file: name, hash, ..Job::default() };
                     self.run(*work, options, job, planned);
                 }
-                Order::TakeUp => self.take_up(),
+                Order::TakeUp { hash, planned } => self.take_up(hash, planned),
                 Order::Command { line, opened } => self.command(&line, opened),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
@@ -250,15 +256,15 @@ impl Owner {
     }
 
     /// Goes on with the run that was cut short, whatever file is open.
-    fn take_up(&mut self) {
+    fn take_up(&mut self, hash: Option<String>, planned: Planned) {
         let cut = match self.cut_short() {
             Ok(Some(cut)) => cut,
             Ok(None) => return self.rest(State::Idle, None),
             Err(error) => return self.rest(State::Idle, Some(error.to_string())),
         };
         let file = self.parts.name_of(cut.file());
-        let job = self.tell_begun(Job { file, ..Job::default() }, &Planned::default());
-        let driven = self.accompanied(Planned::default(), |workshop, company| {
+        let job = self.tell_begun(Job { file, hash, ..Job::default() }, &planned);
+        let driven = self.accompanied(planned, |workshop, company| {
             workshop.session.resume(&cut, &mut workshop.shelf, company)
         });
         self.tell_ended(job, driven);
@@ -266,8 +272,7 @@ impl Owner {
 
     fn tell_begun(&mut self, job: Job, planned: &Planned) -> Job {
         self.run += 1;
-        let seconds = planned.times.last().copied().map_or(0.0, f64::from);
-        let job = Job { run: self.run, seconds, ..job };
+        let job = Job { run: self.run, seconds: planned.seconds(), ..job };
         if job.command.is_none() {
             self.hub.cleared(false);
         }
@@ -285,7 +290,7 @@ impl Owner {
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
         let summary = driven.as_ref().ok().map(told::summary);
-        self.hub.change(vec![Change::Job { job: Some(Job { ended, error, summary, ..job }) }]);
+        self.hub.ended(Job { ended, error, summary, ..job });
         self.come_to_rest(driven);
     }
 
@@ -312,7 +317,7 @@ impl Owner {
         runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
     ) -> Result<Summary, JournalError> {
         let machine = self.workshop.session.configuration();
-        let board = Board::new(self.hub.clone(), self.run, planned, machine);
+        let board = Board::new(self.hub.clone(), self.run, planned, machine, self.parts.clone());
         let board = Rc::new(RefCell::new(board));
         let shared = Shared {
             board: board.clone(),

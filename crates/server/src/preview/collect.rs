@@ -1,7 +1,7 @@
 //! The path of a run.
 
 use super::path::{Path, Segment};
-use crate::machine::PathEnd;
+use crate::machine::Planning;
 use kerf_control::{Event, Made, Sink};
 use kerf_diag::Diagnostic;
 use kerf_motion::{Move, Path as Way};
@@ -22,10 +22,8 @@ const JUMP_MM: f64 = 1e-3;
 pub struct Collector {
     /// The path.
     pub path: Path,
-    /// When each move is over, seconds.
-    pub times: Vec<f32>,
-    /// Of a job: which path each belongs to, and where it ends.
-    pub ends: Vec<PathEnd>,
+    /// When each move is over.
+    pub plan: Planning,
     /// What was found.
     pub findings: Vec<Diagnostic>,
     at: [f64; 3],
@@ -37,11 +35,11 @@ impl Collector {
     /// A path that begins at a place, machine frame.
     pub fn new(start: [f64; 3]) -> Self {
         let path = Path::new(start, CHORD_MM);
-        Self { path, times: Vec::new(), ends: Vec::new(), findings: Vec::new(), at: start, line: 0 }
+        Self { path, plan: Planning::default(), findings: Vec::new(), at: start, line: 0 }
     }
 
     fn clear(&mut self) {
-        let made = self.times.len() as u32;
+        let made = self.plan.moves();
         self.path = Path::new(self.at, CHORD_MM);
         let gap = Segment { end_s: 0.0, line: 0, made, kind: GAP };
         self.path.push(self.at, gap);
@@ -54,7 +52,7 @@ impl Collector {
         if step.at.file == 0 {
             self.line = step.at.line;
         }
-        let number = self.times.len() as u32;
+        let number = self.plan.moves();
         let kind = if step.kind == MoveKind::Cut { CUT } else { JOG };
         let segment = |end_s: f64, kind: u8| Segment {
             end_s: end_s as f32,
@@ -73,8 +71,7 @@ impl Collector {
             self.path.push(step.position(share).first3(), segment(end_s, kind));
         }
         self.at = step.to.first3();
-        self.times.push(t1_s as f32);
-        self.ends.push((step.at.line, [self.at[0], self.at[1]]));
+        self.plan.add(made);
     }
 }
 

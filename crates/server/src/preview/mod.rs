@@ -114,11 +114,19 @@ pub fn make(
     let mut sink = Collector::new(session.memory.position.first3());
     let summary = silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
-    if !is_job {
-        sink.ends.clear();
-    }
     let called = shelf.take_called();
-    Some(Preview { failed, machine, called, ..finish(sink, &summary, start) })
+    Some(Preview { failed, machine, called, ..finish(sink, &summary, start, is_job) })
+}
+
+/// The plan of a run from its beginning, for whoever goes on with it; answers are as they are by default.
+pub fn plan(work: Work, options: RunOptions, session: Session, shelf: &mut Shelf) -> Planned {
+    let (work, machine) = unattended(work);
+    let mut options = RunOptions { controller: None, ..options };
+    (options.program.preview, options.program.max_lines) = (true, MOST_LINES);
+    options.program.file.stepped = false;
+    let mut sink = Collector::new(session.memory.position.first3());
+    silently(work, options, session, shelf, &AtomicBool::new(false), &mut sink);
+    sink.plan.finish(machine.is_some())
 }
 
 /// How a preview runs.
@@ -153,14 +161,14 @@ fn unattended(work: Work) -> (Work, Option<Arc<Configuration>>) {
     (Work::Job(job, Arc::new(alone)), Some(machine))
 }
 
-fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame)) -> Preview {
+fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame), is_job: bool) -> Preview {
     let mut info = info(&sink, summary, &start);
     let paths = details(sink.path);
     info.details = paths.iter().map(Path::detail).collect();
     Preview {
         info,
         paths,
-        planned: Planned { times: sink.times.into(), ends: sink.ends.into() },
+        planned: sink.plan.finish(is_job),
         findings: sink.findings.iter().map(kerf_language::finding).collect(),
         failed: false,
         start,
@@ -209,7 +217,7 @@ fn info(sink: &Collector, summary: &Summary, (settings, frame): &(Settings, Fram
         seconds: summary.seconds,
         cut: tally.cut_mm,
         jog: tally.jog_mm,
-        moves: sink.times.len() as u32,
+        moves: sink.plan.moves(),
         details: vec![Detail::default()],
         toolpaths: tally.toolpaths.iter().map(toolpath).collect(),
     }

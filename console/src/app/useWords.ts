@@ -1,0 +1,8 @@
+import { useSnapshot } from "./context";
+import { inUnits } from "./inUnits";
+
+/** Puts sentences of the server into the unit of the page. */
+export function useWords(): (text: string) => string {
+  const units = useSnapshot("units");
+  return (text) => inUnits(text, units);
+}

@@ -1,0 +1,21 @@
+import type { Spot } from "../app/screen";
+
+interface FindingPlaceProps {
+  /** Nothing where the finding has no line. */
+  place: Spot | undefined;
+  /** The file that is shown beside it, whose name need not be told. */
+  file?: string | undefined;
+  onShow: (place: Spot) => void;
+}
+
+/** The line of a finding; a click leads there in the editor. */
+export function FindingPlace({ place, file, onShow }: FindingPlaceProps) {
+  if (!place) return <b>All of it</b>;
+  const words = file === place.file ? "" : ` of ${place.file}`;
+  return (
+    <button type="button" className="finding-place" onClick={() => onShow(place)}>
+      Line {place.line}
+      {words}
+    </button>
+  );
+}

@@ -1,0 +1,88 @@
+import { describe, expect, it } from "vitest";
+import { firstSnapshot } from "../../tests/standin/snapshot";
+import { states } from "../../tests/standin/states";
+import type { Finding, Opened, Snapshot } from "../wire/messages";
+import { fileStatus, progressOf } from "./fileStatus";
+
+const opened = firstSnapshot.opened as Opened;
+const now = new Date(2026, 10, 24, 15, 0);
+const at = new Date(2026, 10, 24, 14, 3).getTime() / 1000;
+
+const error = (line: number, file = ""): Finding => ({
+  level: "error",
+  code: "S002",
+  file,
+  line,
+  column: 1,
+  length: 3,
+  message: "unknown command FOO",
+  hint: "",
+});
+
+/** A line that somebody typed. */
+const typed = (ended: string | null): Snapshot["job"] => {
+  const job = states.running?.job;
+  return job ? { ...job, hash: null, command: "MX,3", ended } : null;
+};
+
+const told = (change: Partial<Opened>, other: Partial<Snapshot> = {}): Snapshot => ({
+  ...firstSnapshot,
+  ...other,
+  opened: { ...opened, ...change },
+});
+
+describe("how the open file stands", () => {
+  const words = (snapshot: Snapshot) => fileStatus(snapshot, now).words;
+  const ran = (ended: string, line = 0) => told({ ran: { ended, at, line } });
+  const interrupted = {
+    file: opened.name,
+    hash: opened.content,
+    line: 9,
+    text: "",
+    stopped: true,
+    moved: false,
+  };
+  it.each<[string, Snapshot]>([
+    ["", { ...firstSnapshot, opened: null }],
+    ["finished", { ...firstSnapshot, opened: null, job: typed("ok") }],
+    ["running", told({}, { job: typed(null) })],
+    ["ready", told({}, { job: typed("ok") })],
+    ["ready", told({})],
+    ["being checked", told({ preview: { state: "working" } })],
+    ["1 mistake: see line 12", told({ broken: true, findings: [error(12)] })],
+    [
+      "2 mistakes: see line 3 of a.sbp",
+      told({ broken: true, findings: [error(3, "a.sbp"), error(4)] }),
+    ],
+    ["its preview ends at line 5", told({ findings: [error(5)] })],
+    ["running", told({}, states.running)],
+    ["held", told({}, states.held)],
+    ["finished at 14:03", ran("ok", 20)],
+    ["failed behind line 7 at 14:03", ran("failed", 7)],
+    ["interrupted behind line 9", told({}, { interrupted })],
+    ["ready", told({ content: "another" }, { interrupted })],
+    ["ready", told({ name: "other.sbp" }, { interrupted })],
+  ])("%s", (wanted, snapshot) => expect(words(snapshot)).toBe(wanted));
+
+  it("leads to the first mistake", () => {
+    const { place, look } = fileStatus(told({ broken: true, findings: [error(12), error(14)] }));
+    expect([place, look]).toEqual([{ file: opened.name, line: 12 }, "error"]);
+  });
+});
+
+describe("how far it is", () => {
+  const job = states.running?.job ?? null;
+  it("is that of the file that ran, and of no other", () => {
+    const done = { ...firstSnapshot.motion, progress: 1 };
+    const over = job && { ...job, ended: "ok" };
+    expect(progressOf(told({}, { job: over, motion: done })).part).toBe(1);
+    expect(progressOf(told({ hash: "other" }, { job: over, motion: done })).part).toBe(0);
+  });
+  it("is not told without a plan", () => {
+    const typed = job && { ...job, hash: null, seconds: 0, command: "MX,3" };
+    const shown = progressOf(told({}, { job: typed }));
+    expect(shown).toMatchObject({ name: "MX,3", part: undefined, seconds: undefined });
+    const ends = { broken: true, findings: [error(3)] };
+    expect(progressOf(told(ends)).seconds).toBeUndefined();
+  });
+});

@@ -1,0 +1,146 @@
+/** How the open file stands, and how far what runs is: what is told beside its name. */
+
+import type { Spot } from "../app/screen";
+import type { Shown } from "../link/shown";
+import type { Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
+
+export interface FileStatus {
+  readonly words: string;
+  readonly look: "plain" | "warning" | "error";
+  /** Where that is mended. */
+  readonly place?: Spot | undefined;
+}
+
+type Told = Pick<Snapshot, "opened" | "job" | "interrupted" | "machine" | "motion">;
+
+/** Whether a job is under way. */
+export const isUnderWay = (job: Job | null): job is Job & { ended: null } =>
+  job !== null && job.ended === null;
+
+/** Whether what runs, or ran last, is the file that is open. */
+const isOpenFile = ({ job, opened }: Told): boolean =>
+  job !== null && job.hash !== null && job.hash === opened?.hash;
+
+/** Moves of the open file that were made in its run; of what else runs none belong to it. */
+export const movesMade = ({ snapshot }: Shown): number =>
+  snapshot && isOpenFile(snapshot) ? snapshot.motion.made : 0;
+
+export const errorsOf = ({ findings }: Opened): Finding[] =>
+  findings.filter(({ level }) => level === "error");
+
+/** The place of a finding in the part folder; nothing where it has none. */
+export function placeOf(finding: Finding | undefined, opened: Opened): Spot | undefined {
+  if (!finding || finding.line === 0) return undefined;
+  return { file: finding.file || opened.name, line: finding.line };
+}
+
+const lineText = (place: Spot, opened: Opened): string =>
+  place.file === opened.name ? `line ${place.line}` : `line ${place.line} of ${place.file}`;
+
+/** `3 mistakes: see line 12`. */
+export function mistakesText(opened: Opened): string {
+  const errors = errorsOf(opened);
+  const count = errors.length === 1 ? "1 mistake" : `${errors.length} mistakes`;
+  const place = placeOf(errors[0], opened);
+  return place ? `${count}: see ${lineText(place, opened)}` : count;
+}
+
+const plain = (words: string): FileStatus => ({ words, look: "plain" });
+const warning = (words: string, place?: Spot): FileStatus => ({ words, look: "warning", place });
+
+/** How a run of the open file that is under way stands. */
+const running: Partial<Record<State, string>> = {
+  held: "held",
+  asking: "waits for an answer",
+  stopped: "stopped: it waits",
+};
+
+/** How a run ended that belongs to no open file. */
+const outcomes: Record<string, string> = {
+  ok: "finished",
+  ended: "ended by itself",
+  limit: "ended at a limit",
+};
+
+/** How what runs stands, else the file that is open; where none is, what ran last. */
+export function fileStatus(told: Told, now = new Date()): FileStatus {
+  const { opened, job, machine, interrupted } = told;
+  if (isUnderWay(job)) return plain(running[machine.state] ?? "running");
+  if (!opened) return plain(job?.ended ? (outcomes[job.ended] ?? job.ended) : "");
+  if (opened.kind === "drawing") return plain("no tool path yet");
+  if (opened.preview.state === "working") return plain("being checked");
+  if (opened.broken) return broken(opened);
+  const same = interrupted?.hash === null || interrupted?.hash === opened.content;
+  if (interrupted?.file === opened.name && same) return warning(behind(interrupted.line, opened));
+  if (opened.ran) return ranStatus(opened.ran, opened, now);
+  const place = placeOf(errorsOf(opened)[0], opened);
+  return place ? warning(`its preview ends at ${lineText(place, opened)}`, place) : plain("ready");
+}
+
+function broken(opened: Opened): FileStatus {
+  const [first] = errorsOf(opened);
+  const words = first ? mistakesText(opened) : "it cannot run";
+  return { words, look: "error", place: placeOf(first, opened) };
+}
+
+const unitOf = ({ kind }: Opened): string => (kind === "job" ? "path" : "line");
+
+const behind = (line: number, opened: Opened): string =>
+  line > 0 ? `interrupted behind ${unitOf(opened)} ${line}` : "interrupted before its first move";
+
+function ranStatus({ ended, at, line }: LastRun, opened: Opened, now: Date): FileStatus {
+  const when = timeText(new Date(at * 1000), now);
+  const place = line > 0 ? ` behind ${unitOf(opened)} ${line}` : "";
+  switch (ended) {
+    case "ok":
+      return plain(`finished at ${when}`);
+    case "ended":
+      return plain(`ended by itself${place} at ${when}`);
+    case "limit":
+      return warning(`ended at a limit${place} at ${when}`);
+    default:
+      return warning(`${ended}${place} at ${when}`);
+  }
+}
+
+/** `14:03`, with the day where it is another. */
+function timeText(then: Date, now: Date): string {
+  const time = then.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", hour12: false });
+  const today = then.toDateString() === now.toDateString();
+  return today ? time : `${time}, ${then.toLocaleDateString()}`;
+}
+
+export interface RunProgress {
+  /** What runs, or what is open. */
+  readonly name: string;
+  /** How far it is, 0 … 1; nothing where no plan says. */
+  readonly part: number | undefined;
+  /** What the seconds are. */
+  readonly words: "left" | "planned";
+  /** Nothing where no plan says. */
+  readonly seconds: number | undefined;
+}
+
+/** How far what runs is; else the file that is open, as far as it was made last. */
+export function progressOf(told: Told): RunProgress {
+  const { opened, job, motion } = told;
+  const ran = job && (job.command ?? job.file);
+  const name = opened?.name ?? ran ?? "No file is open";
+  if (isUnderWay(job)) {
+    const known = job.seconds > 0;
+    return {
+      name: isOpenFile(told) ? name : (ran ?? name),
+      part: known ? motion.progress : undefined,
+      words: "left",
+      seconds: known ? motion.remaining : undefined,
+    };
+  }
+  // A preview that ended at an error is no plan of the whole file.
+  const ready = opened?.preview.state === "ready" && errorsOf(opened).length === 0;
+  return {
+    name,
+    part: isOpenFile(told) ? motion.progress : 0,
+    words: "planned",
+    seconds: ready ? opened.seconds : undefined,
+  };
+}

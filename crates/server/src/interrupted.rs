@@ -1,0 +1,22 @@
+//! The run that was cut short, as it is taken up: what it is known by, and how far it is in its plan.
+
+use crate::app::{Open, hash};
+use crate::machine::Planned;
+use crate::preview;
+use kerf_control::Shelf;
+use kerf_control::journal::Journal;
+use kerf_wire::Interrupted;
+
+/// What the open file is known by, where it is what was cut short: pages show it as that which runs.
+pub fn hash_of_open(interrupted: &Interrupted, open: Open) -> Option<String> {
+    let same_text = interrupted.hash.as_ref().is_none_or(|text| *text == hash(&open.bytes));
+    (open.name == interrupted.file && same_text).then_some(open.hash)
+}
+
+/// The plan of the run that was cut short, from its beginning. Where it is not known what that was, there is none:
+/// the run says itself why it cannot be taken up.
+pub fn plan(journal: &Journal, shelf: &mut Shelf) -> Option<Planned> {
+    let cut = journal.cut_short().ok()??;
+    let (work, options, session) = journal.begun(&cut, shelf).ok()?;
+    Some(preview::plan(work, options, session, shelf))
+}
