@@ -71,7 +71,11 @@ speedShare: number, } | { "do": "jogRenew",
 /** Number of the lease. */
 lease: number,
 /** Of the jog. */
-seq: number, } | { "do": "jogStop",
+seq: number, } | { "do": "lift",
+/** Number of the lease. */
+lease: number,
+/** Number of the question. */
+question: number, } | { "do": "jogStop",
 /** Of the jog. */
 seq: number, } | { "do": "key",
 /** Number of the lease. */

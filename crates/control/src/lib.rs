@@ -17,6 +17,7 @@
 
 pub mod answers;
 mod at_rest;
+mod away;
 mod before;
 mod beside;
 mod by_hand;
@@ -77,6 +78,7 @@ mod warning;
 mod work;
 mod world;
 
+pub use away::LIFT;
 pub use before::Before;
 pub use by_hand::Jog;
 pub use check::{Checked, check};

@@ -6,7 +6,7 @@ use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::preview::Preview;
 use crate::shop;
-use kerf_control::{Jog, answers};
+use kerf_control::{Jog, LIFT, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
     Act, Change, Lease, Machine, Overrides, Problem, Role, Snapshot, StartUp, State, Who, Why,
@@ -47,6 +47,9 @@ const STOP_KEY: char = kerf_handconsole::Key::Stop.character();
 const DRAWING_ONLY: &str =
     "this is not available in the editing version: only drawings are worked on here";
 
+/// The questions of programs in which the tool may be lifted and moved, and goes back by itself.
+const PROGRAM_ASKS: [&str; 2] = ["pause", "msgbox"];
+
 /// Whether an act leaves the machine alone: it is about drawings and files, or it only stops.
 const fn is_of_drawings(act: &Act) -> bool {
     matches!(
@@ -77,7 +80,11 @@ fn is_by_hand(act: &Act) -> bool {
             let letters: String = line.trim().chars().take(2).collect();
             line.lines().count() != 1 || !letters.eq_ignore_ascii_case("FP")
         }
-        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } | Act::Key { .. } => true,
+        Act::JogStart { .. }
+        | Act::JogRenew { .. }
+        | Act::Lift { .. }
+        | Act::Nudge { .. }
+        | Act::Key { .. } => true,
         _ => false,
     }
 }
@@ -94,6 +101,7 @@ fn needs(act: &Act) -> Need {
         | Act::TakeUp { lease }
         | Act::JogStart { lease, .. }
         | Act::JogRenew { lease, .. }
+        | Act::Lift { lease, .. }
         | Act::Nudge { lease, .. } => drive(*lease),
         Act::Command { lease, line } if changes_settings(line) => {
             Need { role: Role::Setter, ..drive(*lease) }
@@ -199,6 +207,7 @@ impl App {
                 self.jog(asker, seq, order)?;
             }
             Act::JogRenew { seq, .. } => self.renew(who, seq)?,
+            Act::Lift { question, .. } => self.lift(asker, question)?,
             Act::JogStop { seq } => self.jog_stop(who, seq),
             Act::Key { seq, key, .. } => self.press_key(asker, seq, key)?,
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
@@ -386,8 +395,10 @@ impl App {
         let Open { name, hash, key, .. } = open;
         let opened = self.opened(&asker.who, None).is_ok();
         let order = Order::File { work, name, hash, planned, parameters, opened };
-        *lock(&self.taken) = taken.map(|at| (key, at));
-        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = None)
+        let taken = taken.map(|at| (key, at));
+        let before = std::mem::replace(&mut *lock(&self.taken), taken);
+        // A job that runs keeps the origin that it took when somebody presses Start again.
+        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = before)
     }
 
     /// What was previewed is what runs: the file, and those that it calls.
@@ -461,12 +472,27 @@ impl App {
         }
     }
 
-    /// The question that lets the tool be moved while it is open: the keypad, or the one after a stop.
+    /// Lifting is an answer to a question of the program; afterwards it is asked again.
+    fn lift(&self, asker: &Asker, question: u32) -> Result<(), Problem> {
+        let open = self.hub.read(|now| {
+            let asked = now.asked.as_ref().filter(|asked| asked.number == question);
+            asked.is_some_and(|asked| PROGRAM_ASKS.contains(&asked.kind.as_str()))
+        });
+        let counts = open && self.want_of(asker, |wanted| wanted.give(question, LIFT.into()))?;
+        let late = || problem(Why::Late, "no program asks this any more: nothing is lifted");
+        counts.then_some(()).ok_or_else(late)
+    }
+
+    /// The question that lets the tool be moved while it is open: the keypad, the one after a stop, or one of a program
+    /// that waits.
     fn question_for_hands(&self) -> Option<u32> {
         self.hub.read(|now| {
             let stands = matches!(now.machine.state, State::Asking | State::Stopped);
             let asked = now.asked.as_ref().filter(|_| stands)?;
-            ["keypad", "hold", "paused"].contains(&asked.kind.as_str()).then_some(asked.number)
+            let kind = asked.kind.as_str();
+            let hands =
+                ["keypad", "hold", "paused"].contains(&kind) || PROGRAM_ASKS.contains(&kind);
+            hands.then_some(asked.number)
         })
     }
 
