@@ -4,6 +4,7 @@ import { PausedDialog } from "../job/PausedDialog";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { QuestionDialog } from "../operator/QuestionDialog";
 import { StoppedDialog } from "../operator/StoppedDialog";
+import { WaitingDialog } from "../operator/WaitingDialog";
 import type { Asked } from "../wire/messages";
 import { useHands, worldOf } from "./context";
 
@@ -23,6 +24,9 @@ export function Asking({ asked }: { asked: Asked }) {
       return <EditorBar key={asked.number} asked={asked} />;
     case "hold":
       return <StoppedDialog key={asked.number} asked={asked} />;
+    case "pause":
+    case "msgbox":
+      return <WaitingDialog key={asked.number} asked={asked} />;
     case "paused":
       // What is said to it changes the question, not the dialog.
       return <PausedDialog asked={asked} />;

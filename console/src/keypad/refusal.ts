@@ -14,10 +14,10 @@ export function refusal({ status, snapshot, who }: Shown): string | undefined {
   const { lease } = snapshot;
   if (lease && lease.client !== who?.client) return "Somebody else drives: take control first.";
   if (!armed) return "Arm the machine first.";
-  const kind = snapshot.asked?.kind;
+  const kind = snapshot.asked?.kind ?? "";
   const inFile =
-    (state === "asking" && (kind === "keypad" || kind === "paused")) ||
-    (state === "stopped" && (kind === "hold" || kind === "paused"));
+    (state === "asking" && ["keypad", "paused", "pause", "msgbox"].includes(kind)) ||
+    (state === "stopped" && ["hold", "paused"].includes(kind));
   if (state === "idle" || state === "jogging" || inFile) return undefined;
   return busy;
 }

@@ -75,7 +75,11 @@ lease: number,
 /** Of the jog. */
 seq: number,
 /** As that of the start. */
-clockMs: number, } | { "do": "jogStop",
+clockMs: number, } | { "do": "lift",
+/** Number of the lease. */
+lease: number,
+/** Number of the question. */
+question: number, } | { "do": "jogStop",
 /** Of the jog. */
 seq: number, } | { "do": "key",
 /** Number of the lease. */

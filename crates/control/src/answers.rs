@@ -6,6 +6,7 @@
 //! begin with `#` are notes. A box that comes back for as long as nothing leads on gets the answer of
 //! its kind a thousand times; then it is as if nobody were there.
 
+use crate::away::Aside;
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::pendant::KEY;
@@ -76,7 +77,9 @@ impl Answers {
     /// The answer to all questions of a kind.
     fn for_kind(&mut self, question: &Question, asks: u32) -> Option<Line> {
         let line = self.by_kind.get(kind_word(question.kind))?.clone();
-        if matches!(question.kind, QuestionKind::Paused | QuestionKind::Keypad) {
+        let returns = matches!(question.kind, QuestionKind::Paused | QuestionKind::Keypad)
+            || Aside::is_for(question.kind) && Aside::read(&line.answer).is_some();
+        if returns {
             let (text, at, times) = &mut self.again;
             let same = *text == question.text && *at == asks;
             (*text, *at, *times) = (question.text.clone(), asks, if same { *times + 1 } else { 1 });
@@ -200,6 +203,7 @@ fn command(question: &Question, words: &str) -> bool {
         QuestionKind::Hold => Nudge::read(words).is_some() || Jog::read(words).is_some(),
         QuestionKind::Keypad => words == KEY || Jog::read(words).is_some(),
         QuestionKind::Paused => is_word(words),
+        kind if Aside::is_for(kind) => Aside::read(words).is_some(),
         QuestionKind::Step => GoTo::read(words, question.prefill.parse().ok()).is_some(),
         _ => false,
     }

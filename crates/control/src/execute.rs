@@ -42,6 +42,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.stack.waiting.is_empty() {
             return Ok(());
         }
+        self.heed_limit()?;
         let t0_s = self.set_off()?;
         let waiting = std::mem::take(&mut self.stack.waiting);
         let planner = planner(self.world.machine.settings());
@@ -363,6 +364,7 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Stop(n) => self.blocked(n).map_err(Halted::Over),
             HaltCause::Limit(n) => {
                 let message = format!("stopped by limit input {n}");
+                self.world.limit = Some(n);
                 self.limited(self.last_move, Code::InputStop, message).map_err(Halted::Over)
             }
             HaltCause::Watch(_) => Ok(()),

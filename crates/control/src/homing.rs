@@ -33,15 +33,18 @@ impl<I: Interpreter> Runner<'_, I> {
             // Its motors may stand differently.
             Err(_) => found.lost = found.zeroed.without(found.done),
         }
-        found.over = over.or_else(|| ended.err().map(|missing| self.misses_switch(&missing)));
+        found.over = over.or_else(|| ended.err().map(|missing| self.misses_switch(&missing, at)));
         homed.retain(|it| found.done.contains(it.axis));
         self.tell_homed(&homed);
         found
     }
 
-    fn misses_switch(&self, missing: &NotFound) -> Over {
+    fn misses_switch(&self, missing: &NotFound, axis: Option<Axis>) -> Over {
         let place = Place::line(self.world.file(At::default()), 0);
-        let hint = "nothing moves on; look at the switch and at the length of the axis";
+        let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
+        let hint = format!(
+            "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
+        );
         let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
         Over { status: Status::Failed, diagnostic: Some(Box::new(why)) }
     }

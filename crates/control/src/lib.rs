@@ -17,6 +17,7 @@
 
 pub mod answers;
 mod at_rest;
+mod away;
 mod before;
 mod beside;
 mod by_hand;
@@ -79,6 +80,7 @@ mod work;
 mod world;
 mod world_clock;
 
+pub use away::LIFT;
 pub use before::Before;
 pub use by_hand::Jog;
 pub use check::{Checked, check};

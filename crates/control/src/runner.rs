@@ -59,6 +59,8 @@ pub(crate) struct Runner<'a, I> {
     pub state: State,
     /// Where a run that was stopped comes back to.
     pub kept: Kept,
+    /// The operator took the tool out of the cut while the program waits.
+    pub away: bool,
     /// A job has switched off what it leaves.
     settled: bool,
     /// What ended the run while the machine moved beside the program.
@@ -116,6 +118,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             trail: Trail::default(),
             state: State::Idle,
             kept: Kept::default(),
+            away: false,
             settled: false,
             ends: None,
             reentry: None,
@@ -362,6 +365,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// A move joins the stack; a jog is a stack of its own.
     fn take_move(&mut self, mut made: Move, number: u64) -> Flow {
+        if let Err(over) = self.back_in_the_cut() {
+            return Flow::Over(over);
+        }
         let jog = made.kind == MoveKind::Jog;
         let apart = jog && !self.stack.is_empty() || self.leaves_table(&made);
         let flow = if apart { self.flush_before(|by| made.shift(by)) } else { Flow::On };
@@ -531,6 +537,10 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.pace.heard();
         self.world.machine.land_torch();
         let stands = self.world.machine.position();
+        self.world.limit = match by {
+            StoppedBy::Limit(input) => Some(input),
+            _ => None,
+        };
         self.interpreter.stopped(by, &kerf_program::Halted { stands, ..*at });
         self.world.shelf.tape.goes_on();
         self.begin_anew(stands);

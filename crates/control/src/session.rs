@@ -3,6 +3,7 @@
 use crate::answers::Operator;
 use crate::before::{Before, Door, Whole};
 use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
+use crate::heights;
 use crate::journal::Placed;
 use crate::nudge::{Nudge, Outside};
 use crate::part_log::{PartLog, Started};
@@ -303,14 +304,16 @@ impl Session {
         };
         if before.door != Door::Only {
             self.tell_not_homed(machine, &options, sink);
+            heights::tell_no_sheet(&name, &sequence, &options, sink);
         }
+        let sheet = options.sheet.or_else(|| heights::planned_sheet(&sequence, preview));
         let settings =
             std::mem::replace(&mut self.memory.settings, (**sequence.settings()).clone());
         let frame = std::mem::take(&mut self.memory.frame);
         let simulated = self
             .machine_like(machine, options.inputs, AxisSet::first(AXES))
             .begun_at(before.ends_s)
-            .with_sheet(options.sheet)
+            .with_sheet(sheet)
             .with_touches(&options.touches)
             .pushed(options.pushes)
             .doubting(unverified(shelf));

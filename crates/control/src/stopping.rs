@@ -31,7 +31,7 @@ pub(crate) struct Kept {
     /// Where the commands that were read lead to.
     ahead: Axes,
     /// To where the tool was lifted.
-    lifted_mm: f64,
+    pub lifted_mm: f64,
     /// How far the workpiece was nudged since.
     pub nudged: Axes,
     /// What turned.
@@ -55,7 +55,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell_log();
     }
 
-    fn carry_out(&mut self, effect: Effect) {
+    pub(crate) fn carry_out(&mut self, effect: Effect) {
         match effect {
             // The planner has done the slowing down.
             Effect::SlowDown | Effect::Halt => self.world.machine.stopped(),

@@ -1,12 +1,13 @@
 //! What may not move: moves that would leave the table, anything while a stop input is active or the
 //! enclosure is open.
 
+use crate::execute::Halted;
 use crate::runner::{Over, Runner};
 use crate::session::LimitPolicy;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::lines::{Input, Output};
 use kerf_motion::{Move, Queue};
-use kerf_program::{At, Command, Independent, Interpreter, Status, Turn};
+use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};
 use kerf_sim::{Violation, Watched};
 
 /// What is told when the interlock forbids motion or a spindle.
@@ -31,6 +32,21 @@ impl<I: Interpreter> Runner<'_, I> {
             return Err(self.over(Status::Failed, Code::Controller, at, why));
         }
         self.may_move(first.at)
+    }
+
+    /// A limit switch that is on already when a file begins to move, or whose wire is broken, stops it as one that comes
+    /// on the way. By hand the tool may be moved away from it.
+    pub(crate) fn heed_limit(&mut self) -> Result<(), Halted> {
+        let by_hand = self.world.typed_files > 0 || self.is_open_for_take_up();
+        let Some(input) = self.world.machine.limit_input().filter(|_| !by_hand) else {
+            return Ok(());
+        };
+        if self.interpreter.takes_stops() {
+            return Err(Halted::Taken { by: StoppedBy::Limit(input), at: self.stood() });
+        }
+        let message = format!("limit input {input} is active before anything moves");
+        self.world.limit = Some(input);
+        self.limited(self.last_move, Code::InputStop, message).map_err(Halted::Over)
     }
 
     /// Nothing moves without a controller, or while a stop input is active. A run that has not moved

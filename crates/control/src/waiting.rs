@@ -1,6 +1,7 @@
 //! What a run waits for: time, answers, inputs, the operator.
 
 use crate::answers;
+use crate::away::Aside;
 use crate::by_hand::Jog;
 use crate::journal::{Kind, Placed, Turn};
 use crate::pendant::KEY;
@@ -111,7 +112,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Where the machine stands, with nothing left to make.
-    fn stood(&self) -> Halted {
+    pub(crate) fn stood(&self) -> Halted {
         let position = self.world.machine.position();
         Halted { motion: None, began: position, stands: position }
     }
@@ -409,7 +410,11 @@ impl<I: Interpreter> Runner<'_, I> {
         match self.answer_or_give_up(at) {
             Ok(answer) => {
                 self.world.answer = answer;
-                self.goes_on_after_question().map_or_else(Flow::Over, |()| Flow::On)
+                let goes_on = self
+                    .heeded()
+                    .and_then(|()| self.goes_on_after_question())
+                    .and_then(|()| self.goes_back_after());
+                goes_on.map_or_else(Flow::Over, |()| Flow::On)
             }
             Err(why) => Flow::Over(self.unanswered(at, why)),
         }
@@ -450,6 +455,15 @@ impl<I: Interpreter> Runner<'_, I> {
         loop {
             let answer = self.world.ask_now(&question, at)?;
             match &answer {
+                Answer::Text(words) if Aside::is_for(question.kind) => match Aside::read(words) {
+                    Some(aside) => {
+                        self.set_aside(aside);
+                        if self.ends.is_some() {
+                            return Ok(None);
+                        }
+                    }
+                    None => return Ok(Some(answer)),
+                },
                 Answer::Text(words) if words == KEY && question.kind == QuestionKind::Keypad => {
                     if self.follow_pendant() {
                         self.world.answered();

@@ -83,6 +83,8 @@ pub(crate) struct World<'a> {
     spindle_switched: bool,
     /// What a stop input stopped while somebody was asked.
     pub stopped: Turning,
+    /// The limit switch that the next question about limits is about; without one it is about the table.
+    pub limit: Option<u8>,
 }
 
 impl<'a> World<'a> {
@@ -117,6 +119,7 @@ impl<'a> World<'a> {
             laser_hz: None,
             spindle_switched: false,
             stopped: Turning::default(),
+            limit: None,
         }
     }
 
@@ -460,7 +463,11 @@ impl<'a> World<'a> {
         };
         self.told_question(question, &answer, scripted, at);
         if question.kind == QuestionKind::Limit && answer == Answer::Button(Button::Continue) {
-            self.machine.override_limits();
+            // Going on beyond the table says nothing of the switches, and one switch nothing of the others.
+            match self.limit.take() {
+                Some(input) => self.machine.override_switch(input),
+                None => self.machine.override_table(),
+            }
         }
         Ok(answer)
     }

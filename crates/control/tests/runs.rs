@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
-use kerf_control::{Event, Outcome, TextOptions, run_text};
+use kerf_control::files::MemoryDisk;
+use kerf_control::{
+    Company, Event, Outcome, RunOptions, Script, Session, Shelf, TextOptions, Wish, run_text,
+};
 use kerf_program::Settings;
 use kerf_sbp::Status;
 
@@ -109,4 +112,63 @@ fn the_next_run_starts_where_the_last_one_stopped() {
     assert!(stood > 1.0 && stood < 10.0, "{stood}");
     let failed = run("MX,3\nPAUSE 0\nMX,9\nMY,1/0\n", TextOptions::default());
     assert!((failed.session.memory.position.0[0] / 25.4 - 3.0).abs() < 1e-9);
+}
+
+/// A table of ten inches whose limits are checked, with switches on input 2; the first file leaves it on the way.
+const LEAVES: &str = "VL,0,10\nSF,1\nVN,1,0,0,0,1\nMX,5\nMX,12\nMX,20\n";
+
+#[test]
+fn going_on_beyond_the_table_leaves_the_switches() {
+    let options = TextOptions::default().answers("limit=Continue");
+    let outcome = run(LEAVES, options.clone());
+    assert_eq!(moves(&outcome).last(), Some(&(2.0, 20.0)), "it goes beyond the table");
+    let asked = |outcome: &Outcome| {
+        let asked = outcome.events.iter().filter_map(|event| match event {
+            Event::Ask(ask) => Some(ask.text.clone()),
+            _ => None,
+        });
+        asked.collect::<Vec<_>>()
+    };
+    let switched = run(LEAVES, options.input(2, 8.0, true));
+    let [table, switch] = &asked(&switched)[..] else { panic!("{:?}", asked(&switched)) };
+    assert!(table.contains("table limit") && switch.contains("limit input 2"), "{table} {switch}");
+}
+
+#[test]
+fn a_switch_that_is_on_before_anything_moves_is_noticed() {
+    // Normally closed, with a broken wire: it is on from the beginning.
+    let broken = |answers: &str| {
+        let options = TextOptions::default().answers(answers).input(2, 0.0, false);
+        run("VN,,,,,2\nPAUSE 1\nMX,5\nMX,10\n", options)
+    };
+    let refused = broken("");
+    assert_eq!(refused.summary.status, Status::Limit);
+    let told = refused.summary.error.as_ref().expect("why").message.clone();
+    assert_eq!(told, "limit input 2 is active before anything moves");
+    assert!(moves(&refused).is_empty());
+    let goes_on = broken("limit=Continue");
+    assert_eq!((goes_on.summary.status, moves(&goes_on).len()), (Status::Ok, 2));
+}
+
+#[test]
+fn an_output_that_follows_motion_comes_back_after_a_hold() {
+    for (mode, expected) in [
+        (-1, vec![true, false]),
+        (-2, vec![true, false, true, false]),
+        (-3, vec![true, false, true, false]),
+    ] {
+        let mut events = Vec::new();
+        let mut pace = Script::new(vec![(2.0, Wish::Hold)], vec![4.0]);
+        let company = Company { sink: &mut events, operator: &mut (), pace: &mut pace };
+        let text = format!("SO,4,{mode}\nMX,10\n");
+        let program = kerf_sbp::read("a.sbp".into(), text.as_bytes());
+        let mut shelf = Shelf::in_memory(MemoryDisk::default());
+        let summary = Session::default().run(program, RunOptions::default(), &mut shelf, company);
+        assert_eq!(summary.status, Status::Ok);
+        let switched = events.iter().filter_map(|event| match event {
+            Event::Output { n: 4, on, .. } => Some(*on),
+            _ => None,
+        });
+        assert_eq!(switched.collect::<Vec<_>>(), expected, "SO,4,{mode}");
+    }
 }

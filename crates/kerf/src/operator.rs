@@ -113,8 +113,11 @@ impl Keyboard {
             if meaning(question, line).is_some() {
                 return Some(line.to_owned());
             }
-            let or =
-                if question.kind == QuestionKind::Step { ", or the number of a line" } else { "" };
+            let or = match question.kind {
+                QuestionKind::Step => ", or the number of a line",
+                QuestionKind::Pause | QuestionKind::Msgbox => ", or lift",
+                _ => "",
+            };
             eprintln!("  answer one of {}{or}", buttons.join(", "));
         }
     }

@@ -67,6 +67,23 @@ fn heights_need_a_sheet_and_readings() {
         .complains("no reading came");
 }
 
+#[test]
+fn a_run_without_a_sheet_cuts_nothing_and_says_so() {
+    let shop = Shop::new(&[]);
+    let job = format!("{FIGURES}/wave.rsg --config {FIGURES}/height-error.toml --start fresh");
+    let run = shop.kerf(&format!("run {job} --trace out.jsonl"));
+    run.exits(3).complains("no sheet lies on the simulated table");
+    let trace = shop.read("out.jsonl");
+    assert!(
+        trace.contains("no height readings") && !trace.contains("\"name\":\"cut1\""),
+        "{trace}"
+    );
+    // A plan takes the sheet to lie where the tool cuts at ZSurface.
+    shop.kerf(&format!("time {FIGURES}/wave.rsg --config {FIGURES}/height-error.toml"))
+        .exits(0)
+        .complains("no sheet lies on the simulated table");
+}
+
 /// A pseudo terminal that passes bytes as they are.
 #[cfg(unix)]
 fn serial_line() -> (std::fs::File, std::path::PathBuf, std::os::fd::OwnedFd) {

@@ -295,16 +295,27 @@ fn moves_by_hand_go_on_where_the_last_ended() {
 #[test]
 fn homing_that_fails_says_what_failed_and_what_to_look_at() {
     let folder = sim();
-    let look = "; nothing moves on; look at the switch and at the length of the axis";
+    let look = |input: &str| {
+        let switch = format!("look at the switch on input {input} (homing)");
+        format!("; nothing moves on; {switch}, and at the length of the axis (axis.length)")
+    };
     told(folder.path(), &["set", "sim.switch_at", "[\"none\", -3, 3]"]);
-    fails(folder.path(), &["home", "x"], &format!("x home not found{look}"));
+    fails(folder.path(), &["home", "x"], &format!("x home not found{}", look("xhome")));
     told(folder.path(), &["set", "sim.switch_at", "[-3, -3, 3]"]);
     told(folder.path(), &["set", "sim.hysteresis", "9e9"]);
-    fails(folder.path(), &["home", "z"], &format!("z home not found: its switch stays on{look}"));
+    fails(
+        folder.path(),
+        &["home", "z"],
+        &format!("z home not found: its switch stays on{}", look("zhome")),
+    );
     let two = sim();
     told(two.path(), &["use", "router-96x48"]);
     told(two.path(), &["set", "homing.separate_x", "true"]);
-    fails(two.path(), &["home", "x"], &format!("x home not found with motor W alone{look}"));
+    fails(
+        two.path(),
+        &["home", "x"],
+        &format!("x home not found with motor W alone{}", look("xhome")),
+    );
 }
 
 #[test]

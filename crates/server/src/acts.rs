@@ -10,7 +10,7 @@ use crate::people::{Grip, GripError};
 use crate::preview::Preview;
 use crate::shop;
 use crate::stop::Halt;
-use kerf_control::{Jog, Nudge, answers};
+use kerf_control::{Jog, LIFT, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
     Act, Asked, Change, Finding, Lease, Level, Machine, Overrides, Problem, StartUp, State, Tone,
@@ -21,6 +21,9 @@ use std::sync::Arc;
 
 /// What came of an act: what was noticed, or why it was not done.
 pub type Done = Result<Vec<String>, Problem>;
+
+/// The questions of programs in which the tool may be lifted and moved, and goes back by itself.
+const PROGRAM_ASKS: [&str; 2] = ["pause", "msgbox"];
 
 fn typed(lines: &str) -> kerf_sbp::Program {
     kerf_sbp::read_typed("command".into(), &format!("{lines}\n"))
@@ -88,6 +91,7 @@ impl App {
                 let grip = stamp.map_or(Ok(Grip::now(seq)), |ms| self.grip(who, seq, ms))?;
                 self.press_key(asker, grip, key)?;
             }
+            Act::Lift { question, .. } => self.lift(asker, question)?,
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
@@ -250,8 +254,10 @@ impl App {
         let Open { name, hash, key, .. } = open;
         let opened = self.opened(&asker.who, None).is_ok();
         let order = Order::File { work, name, hash, planned, parameters, opened };
-        *lock(&self.taken) = taken.map(|at| (key, at));
-        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = None)
+        let taken = taken.map(|at| (key, at));
+        let before = std::mem::replace(&mut *lock(&self.taken), taken);
+        // A job that runs keeps the origin that it took when somebody presses Start again.
+        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = before)
     }
 
     /// What was previewed is what runs: the file, and those that it calls.
@@ -344,10 +350,22 @@ impl App {
         if self.link.lock().jog.is_some() {
             return Err(problem(Why::State, "another jog is not over yet"));
         }
-        match self.question_for_hands("keypad hold paused") {
+        match self.question_for_hands("keypad hold paused pause msgbox") {
             Some(question) => self.jog_in_question(asker, question, held, &order),
             None => self.order_held(asker, order, held),
         }
+    }
+
+    /// Lifting is an answer to a question of the program; afterwards it is asked again.
+    fn lift(&self, asker: &Asker, question: u32) -> Result<(), Problem> {
+        let open = self.hub.read(|now| {
+            let asked = now.asked.as_ref().filter(|asked| asked.number == question);
+            asked.is_some_and(|asked| PROGRAM_ASKS.contains(&asked.kind.as_str()))
+        });
+        let counts =
+            open && self.want_of(asker, Way::GoOn, |wanted| wanted.give(question, LIFT.into()))?;
+        let late = || problem(Why::Late, "no program asks this any more: nothing is lifted");
+        counts.then_some(()).ok_or_else(late)
     }
 
     /// The number of the question that lets the tool be moved while it is open, where it is of one of these kinds.

@@ -117,6 +117,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::TakeUp { lease }
         | Act::JogStart { lease, .. }
         | Act::JogRenew { lease, .. }
+        | Act::Lift { lease, .. }
         | Act::Nudge { lease, .. } => driving(Turn::Number(*lease)),
         Act::Command { lease, line } if changes_settings(line) => {
             setting(driving(Turn::Number(*lease)))
@@ -311,7 +312,11 @@ fn is_by_hand(act: &Act) -> bool {
             let letters: String = line.trim().chars().take(2).collect();
             line.lines().count() != 1 || !letters.eq_ignore_ascii_case("FP")
         }
-        Act::JogStart { .. } | Act::JogRenew { .. } | Act::Nudge { .. } | Act::Key { .. } => true,
+        Act::JogStart { .. }
+        | Act::JogRenew { .. }
+        | Act::Lift { .. }
+        | Act::Nudge { .. }
+        | Act::Key { .. } => true,
         _ => false,
     }
 }

@@ -27,9 +27,9 @@ impl Lanes for Act {
             | Self::TakeLease { .. }
             | Self::GiveLease { .. }
             | Self::Arm { .. }
-            | Self::TakeUp { .. }
             | Self::JogStart { .. }
             | Self::JogRenew { .. }
+            | Self::Lift { .. }
             | Self::Key { .. }
             | Self::Nudge { .. }
             | Self::Override { .. }

@@ -72,6 +72,11 @@ impl Follower {
         reading
     }
 
+    /// One tick in which a reading is missing, or not.
+    pub fn listen(&mut self, missing: bool) {
+        self.silent_s = if missing { self.silent_s + TICK_S } else { 0.0 };
+    }
+
     /// Whether readings have been missing for too long.
     pub fn is_lost(&self) -> bool {
         self.silent_s > SILENCE_S - 1e-9
@@ -82,8 +87,7 @@ impl Follower {
         let Gauge::Proportional { gain_mm, interval_s, .. } = law.gauge else {
             return None;
         };
-        let missing = sensed.silent && sensed.active;
-        self.silent_s = if missing { self.silent_s + TICK_S } else { 0.0 };
+        self.listen(sensed.silent && sensed.active);
         let here = !sensed.silent && t_s + 1e-9 >= self.reading_s;
         let gap_mm = sensed.gap_mm.filter(|_| here)? - law.raised_mm.unwrap_or_default();
         // The line is never idle: a reading that was taken late does not put off the next.

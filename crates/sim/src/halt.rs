@@ -2,6 +2,7 @@
 
 use crate::inputs::{self, Duty, Inputs};
 use kerf_program::settings::IoModes;
+use std::collections::BTreeSet;
 
 /// A change of an input that a program waits for (ON INPUT).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,16 +46,19 @@ pub enum HaltCause {
 
 /// What stops a machine beside stops and what is watched.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Heeds {
-    /// Limits.
+pub(crate) struct Heeds<'a> {
+    /// Limits; where nothing moves they have nothing to stop.
     pub limits: bool,
     /// Motors that stall.
     pub stalls: bool,
+    /// Limit switches that do not stop.
+    pub past: &'a BTreeSet<u8>,
 }
 
-impl Heeds {
-    /// Nothing moves: a limit has nothing to stop, and no motor stalls.
-    pub const AT_REST: Self = Self { limits: false, stalls: false };
+impl Heeds<'_> {
+    fn limit(&self, input: u8) -> bool {
+        self.limits && !self.past.contains(&input)
+    }
 }
 
 /// The first change of the script, not later than a time, or the first state that is looked at from
@@ -64,7 +68,7 @@ pub(crate) fn first(
     until_s: f64,
     modes: &IoModes,
     watches: &[Watched],
-    heeds: Heeds,
+    heeds: Heeds<'_>,
 ) -> Option<Halt> {
     let level = first_level(inputs, until_s, modes, watches);
     let change = first_change(inputs, until_s, modes, watches, heeds);
@@ -95,7 +99,7 @@ fn first_change(
     until_s: f64,
     modes: &IoModes,
     watches: &[Watched],
-    heeds: Heeds,
+    heeds: Heeds<'_>,
 ) -> Option<Halt> {
     let mut inputs = inputs.clone();
     while let Some(change) = inputs.step(until_s, modes) {
@@ -104,7 +108,9 @@ fn first_change(
             Duty::Stop if triggered => Some(HaltCause::Stop(change.input)),
             Duty::Cable if triggered => Some(HaltCause::LinkLost),
             Duty::Stall if triggered && heeds.stalls => Some(HaltCause::Stall),
-            Duty::Limit if triggered && heeds.limits => Some(HaltCause::Limit(change.input)),
+            Duty::Limit if triggered && heeds.limit(change.input) => {
+                Some(HaltCause::Limit(change.input))
+            }
             _ => watching(change.input, change.on, modes, watches).map(HaltCause::Watch),
         };
         if let Some(cause) = cause {
@@ -132,7 +138,7 @@ mod tests {
     use crate::Change;
     use kerf_program::Settings;
 
-    const ALL: Heeds = Heeds { limits: true, stalls: true };
+    const ALL: Heeds<'_> = Heeds { limits: true, stalls: true, past: &BTreeSet::new() };
 
     fn check(input: u8, on: bool, mode: u8, watched: bool, expected: Option<HaltCause>) {
         let mut modes = Settings::default().io;
@@ -166,6 +172,11 @@ mod tests {
         let inputs = Inputs::new(vec![Change { input: 2, at_s: 1.0, on: true }]);
         assert!(first(&inputs, 5.0, &modes, &[], ALL).is_some());
         assert!(first(&inputs, 5.0, &modes, &[], Heeds { limits: false, ..ALL }).is_none());
+        let past = |input: u8| {
+            let past = BTreeSet::from([input]);
+            first(&inputs, 5.0, &modes, &[], Heeds { past: &past, ..ALL }).is_none()
+        };
+        assert!(past(2) && !past(3), "one switch that is overridden leaves the others");
         modes.limits_active = false;
         assert!(first(&inputs, 5.0, &modes, &[], ALL).is_none());
     }

@@ -4,7 +4,7 @@ use kerf_machine::lines::Input;
 use kerf_machine::settings::io::IoMap;
 use kerf_program::settings::{IoModes, LINES};
 use serde::{Deserialize, Serialize};
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::str::FromStr;
 
 /// An input changes.
@@ -159,6 +159,12 @@ impl Inputs {
         self.script.insert(place, change);
     }
 
+    /// Whether a script moves an input, or somebody has by hand: nothing that is simulated does then.
+    pub(crate) fn is_told(&self, number: u8) -> bool {
+        let by_hand = index(number).and_then(|i| self.by_hand.get(i)).is_some_and(Option::is_some);
+        by_hand || self.script.iter().any(|change| change.input == number)
+    }
+
     /// What a program reads: ON or OFF. The emergency stop reads ON when it is pressed, however it
     /// is wired.
     pub fn reads(&self, number: u8, modes: &IoModes) -> bool {
@@ -189,6 +195,15 @@ impl Inputs {
             duty(*n, modes) == Duty::Stop && triggers(*n, self.closed(i, modes), modes)
         };
         (1..=LINES as u8).find(active)
+    }
+
+    /// A limit switch that is on, or whose wire is broken, but for those that are passed over.
+    pub(crate) fn limiting(&self, modes: &IoModes, past: &BTreeSet<u8>) -> Option<u8> {
+        let active = |n: &u8| {
+            let i = usize::from(*n) - 1;
+            duty(*n, modes) == Duty::Limit && triggers(*n, self.closed(i, modes), modes)
+        };
+        (1..=LINES as u8).filter(|n| !past.contains(n)).find(active)
     }
 
     /// The next change that has an effect, not later than a time; of a pin, what its input reads from then on.

@@ -3,6 +3,16 @@
 use kerf_motion::Move;
 use kerf_program::settings::Limits;
 use kerf_program::{AXES, Axes, Axis};
+use std::collections::BTreeSet;
+
+/// Limits that the operator has overridden.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Overridden {
+    /// The table and the lengths of the axes.
+    pub table: bool,
+    /// Limit switches, by their inputs.
+    pub switches: BTreeSet<u8>,
+}
 
 /// A move would leave the table.
 #[derive(Clone, Copy, Debug, PartialEq)]

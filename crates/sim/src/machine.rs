@@ -17,6 +17,7 @@ use crate::heater::Heater;
 use crate::independent::Spin;
 use crate::inputs::{CABLE, Inputs, STALL};
 use crate::laser;
+use crate::limits::Overridden;
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::Outputs;
@@ -73,8 +74,8 @@ pub struct Machine {
     light: bool,
     /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
     come_back: Vec<u8>,
-    /// Limits were overridden until the file ends.
-    overridden: bool,
+    /// Limits that do not hold until the file ends.
+    overridden: Overridden,
     /// Commands are only drawn (SP): where the machine really stands.
     drawing_from: Option<Axes>,
     log: Log,
@@ -119,7 +120,7 @@ impl Machine {
             intensity: (0, false),
             light: false,
             come_back: Vec::new(),
-            overridden: false,
+            overridden: Overridden::default(),
             drawing_from: None,
             log: Log::default(),
         }
@@ -286,9 +287,14 @@ impl Machine {
         self.position = position;
     }
 
-    /// Limits do not stop motion any more, until the file ends.
-    pub const fn override_limits(&mut self) {
-        self.overridden = true;
+    /// The table and the lengths of the axes do not end motion any more, until the file ends.
+    pub const fn override_table(&mut self) {
+        self.overridden.table = true;
+    }
+
+    /// The limit switch of an input does not stop motion any more, until the file ends; the others do.
+    pub fn override_switch(&mut self, input: u8) {
+        self.overridden.switches.insert(input);
     }
 
     /// Lets an axis move beside the others.

@@ -175,6 +175,14 @@ pub enum Act {
         /// As that of the start.
         clock_ms: f64,
     },
+    /// Lifts the tool out of the cut while a program asks (PAUSE, MSGBOX, M0, a tool change): what turns stops, the
+    /// tool rises to Safe-Z. When the program goes on it goes back by itself.
+    Lift {
+        /// Number of the lease.
+        lease: u32,
+        /// Number of the question.
+        question: u32,
+    },
     /// Ends a jog.
     JogStop {
         /// Of the jog.

@@ -95,6 +95,12 @@ impl Context<'_> {
         self.hold_for(QuestionKind::Pause, text, until)
     }
 
+    /// Holds outside a block until the operator lets the program go on.
+    pub(super) fn hold_at_once(&mut self, text: &str) -> Result<(), Stop> {
+        let answer = self.ask_at_once(&box_of(QuestionKind::Pause, text, None))?;
+        goes_on(&answer)
+    }
+
     /// The same with a box of some kind; Cancel ends the run.
     pub(super) fn hold_for(
         &mut self,
@@ -102,20 +108,8 @@ impl Context<'_> {
         text: &str,
         until: Option<(u8, bool)>,
     ) -> Result<(), Stop> {
-        let question = Question {
-            kind,
-            text: text.into(),
-            title: "G-code".into(),
-            buttons: vec![Button::OK, Button::Cancel],
-            default: 0,
-            prefill: String::new(),
-            icon: 0,
-            until,
-        };
-        match self.ask(&question)? {
-            Answer::Button(Button::Cancel) => Err(Stop::Finished(Status::Stopped)),
-            _ => Ok(()),
-        }
+        let answer = self.ask(&box_of(kind, text, until))?;
+        goes_on(&answer)
     }
 
     /// An error at the block.
@@ -196,5 +190,27 @@ impl Context<'_> {
             let frame = self.core.frame;
             self.emit(Command::Location { frame, working, base: AxisSet::EMPTY });
         }
+    }
+}
+
+/// A box that holds a program.
+fn box_of(kind: QuestionKind, text: &str, until: Option<(u8, bool)>) -> Question {
+    Question {
+        kind,
+        text: text.into(),
+        title: "G-code".into(),
+        buttons: vec![Button::OK, Button::Cancel],
+        default: 0,
+        prefill: String::new(),
+        icon: 0,
+        until,
+    }
+}
+
+/// Goes on, or ends the run at Cancel.
+const fn goes_on(answer: &Answer) -> Result<(), Stop> {
+    match answer {
+        Answer::Button(Button::Cancel) => Err(Stop::Finished(Status::Stopped)),
+        _ => Ok(()),
     }
 }

@@ -52,6 +52,9 @@ pub(super) struct Core {
     /// A tool change has begun: the spindle was stopped, the operator is asked next.
     #[serde(default)]
     pub(super) changing: bool,
+    /// The block at hand was carried out, and holds the program with these words.
+    #[serde(default)]
+    pub(super) holding: Option<String>,
     /// Answers given in the present block, which begins again for each question; how many of them the
     /// present attempt has taken.
     #[serde(default)]
@@ -151,6 +154,7 @@ impl Core {
             beside: None,
             probing: None,
             changing: false,
+            holding: None,
             asked: Vec::new(),
             taken: 0,
             motions: 0,

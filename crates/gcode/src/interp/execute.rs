@@ -210,8 +210,5 @@ impl Context<'_> {
 
 /// Whether a block waits for the machine, the operator or an input.
 fn stops(g: &Gathered) -> bool {
-    matches!(g.m[STOP], Some(0 | 1 | 60))
-        || g.m[TOOL] == Some(6)
-        || g.m[IO] == Some(66)
-        || matches!(g.g[MOTION], Some(382..=385))
+    g.m[TOOL] == Some(6) || g.m[IO] == Some(66) || matches!(g.g[MOTION], Some(382..=385))
 }

@@ -79,6 +79,7 @@ impl Core {
         self.compensator = None;
         self.beside = None;
         self.probing = None;
+        self.holding = None;
         self.over = true;
     }
 }
@@ -94,13 +95,18 @@ impl Context<'_> {
             return Err(Stop::Finished(Status::Ok));
         }
         let Some(node) = node else { return self.end_of_file() };
-        if self.steps_over(program, node)? {
+        if self.core.holding.is_none() && self.steps_over(program, node)? {
             return Ok(());
         }
         self.core.lines += 1;
         self.go_on_at(self.at.line);
-        let outcome = self.node(program, node);
-        if matches!(outcome, Err(Stop::Waiting | Stop::Again)) {
+        let outcome = match self.core.holding.clone() {
+            Some(text) => self.hold(&text),
+            None => self.node(program, node),
+        };
+        // A block that holds the program is the one at hand until somebody has answered.
+        let holds = outcome.is_ok() && self.core.holding.is_some();
+        if holds || matches!(outcome, Err(Stop::Waiting | Stop::Again)) {
             self.core.lines -= 1;
             self.go_on_at(self.at.line - 1);
         } else {

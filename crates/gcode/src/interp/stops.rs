@@ -62,9 +62,9 @@ impl Context<'_> {
     /// M0, M1, M2, M30, M60, M98, M99.
     pub(super) fn stop(&mut self, g: &Gathered) -> Result<(), Stop> {
         match g.m[STOP] {
-            Some(0) => self.hold("program stop (M0)"),
-            Some(60) => self.hold("program stop (M60)"),
-            Some(1) if self.core.options.optional_stop => self.hold("optional stop (M1)"),
+            Some(0) => self.holds_after("program stop (M0)"),
+            Some(60) => self.holds_after("program stop (M60)"),
+            Some(1) if self.core.options.optional_stop => self.holds_after("optional stop (M1)"),
             Some(2 | 30) => self.end_program(),
             Some(98) => self.call_numbered(g),
             Some(99) => self.leave_numbered(),
@@ -72,9 +72,21 @@ impl Context<'_> {
         }
     }
 
-    fn hold(&mut self, text: &str) -> Result<(), Stop> {
+    /// The block holds the program when all else of it is done: what moves in it is made before anybody is
+    /// asked.
+    fn holds_after(&mut self, text: &str) -> Result<(), Stop> {
         let text = self.message_above().unwrap_or_else(|| text.into());
-        self.pause(&text, None)
+        self.core.holding = Some(text);
+        Ok(())
+    }
+
+    /// Holds behind a block that was carried out.
+    pub(super) fn hold(&mut self, text: &str) -> Result<(), Stop> {
+        let held = self.hold_at_once(text);
+        if !matches!(held, Err(Stop::Waiting)) {
+            self.core.holding = None;
+        }
+        held
     }
 
     /// The message in this line, for the box that M0 opens.

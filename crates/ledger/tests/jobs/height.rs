@@ -434,3 +434,55 @@ fn pro_height_prop_scale__in_a_pause() {
     // Ten units of 0.038 mm.
     assert!((gap("height 0.38 \u{23ce} ") - gap("") - 0.38).abs() < 0.04);
 }
+
+/// JOB-T1 with height control over no sheet at all.
+fn over_nothing(mode: HeightMode) -> JobRun {
+    JobRun::new(t1()).with(|machine| (machine.height.on, machine.height.mode) = (true, mode))
+}
+
+#[test]
+fn nothing_is_cut_in_the_air_where_no_sheet_is_sensed() {
+    for (mode, why) in [
+        (HeightMode::Proportional, "paused: no height readings"),
+        (HeightMode::Simple, "paused: no height readings: zhigh is off at Z top"),
+    ] {
+        let trace = over_nothing(mode).say("resume ⏎ abort").run();
+        let states = trace.states();
+        let paused = states.iter().filter(|state| state.ends_with(why)).count();
+        assert_eq!(paused, 2, "whoever goes on is asked again: {states:?}");
+        let cuts = trace.edges().into_iter().filter(|edge| edge.contains("cut1")).count();
+        assert_eq!((cuts, trace.cutting_speeds().len()), (0, 0), "{:?}", trace.edges());
+        assert_eq!(trace.rests(), [0.0, 0.0, -10.0], "the tool is up");
+        assert_eq!(trace.summary.status, kerf_program::Status::Stopped);
+    }
+}
+
+#[test]
+fn a_sheet_that_is_missing_is_told_before_anything_moves() {
+    let told = |run: JobRun| {
+        let trace = run.run();
+        let first = |event: &Event| matches!(event, Event::Move(_));
+        let moves = trace.events.iter().position(first).expect("moves");
+        let before = trace.events[..moves].iter().filter_map(|event| match event {
+            Event::Diag(told) => Some(told.message.clone()),
+            _ => None,
+        });
+        before.collect::<Vec<_>>()
+    };
+    let missing = "height control is on (height.on), and no sheet lies on the simulated table";
+    assert_eq!(told(over_nothing(HeightMode::Simple)), [missing]);
+    assert_eq!(told(over_nothing(HeightMode::Proportional)), [missing]);
+    assert!(told(over(rising(0.01))).is_empty() && told(JobRun::new(t1())).is_empty());
+    // A script that moves the switch is a sheet of its own.
+    assert!(told(simple()).is_empty());
+}
+
+#[test]
+fn two_switches_lead_the_head_along_a_sheet() {
+    let run = over_nothing(HeightMode::Simple).sheet(rising(0.03));
+    let trace = run.run();
+    assert!(trace.states().iter().all(|state| !state.contains("paused")), "{:?}", trace.states());
+    // Between 3.7 and 4.3 mm over a sheet that rises by 3 mm; up by 10 mm behind it.
+    let top = trace.rests()[2];
+    assert!((top + 7.0).abs() < 0.7, "{top}");
+}

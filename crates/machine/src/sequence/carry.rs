@@ -1,6 +1,7 @@
 //! Carrying out small steps: which commands each gives, and when it is over.
 
 use super::forbidden::Forbids;
+use super::height::NOTHING_FELT;
 use super::place::Along;
 use super::small::Small;
 use super::start::PATIENCE_S;
@@ -33,6 +34,15 @@ impl Sequence {
             }
             self.pop();
             return Step::Ran;
+        }
+        if !self.given && matches!(small, Small::Lower(_)) && self.is_simple() {
+            if host.settle().is_pending() {
+                return Step::Waiting;
+            }
+            if self.feels_nothing(host) {
+                self.fault(NOTHING_FELT);
+                return Step::Ran;
+            }
         }
         if self.given {
             if host.settle().is_pending() {

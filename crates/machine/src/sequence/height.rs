@@ -8,7 +8,7 @@ use crate::lines::Input;
 use crate::settings::height::HeightMode;
 use kerf_geom::{Point2, Vec2};
 use kerf_program::job::{Depth, Heights, JobShape};
-use kerf_program::{Axis, Gauge, HeightLaw};
+use kerf_program::{Axis, Gauge, HeightLaw, Host};
 use std::sync::Arc;
 
 /// Bits of one reading on the line: start, eight of data, stop.
@@ -80,6 +80,24 @@ impl Sequence {
         // A reading says where the head is; two inputs cannot tell how far it ran on.
         steps.extend(proportional.then_some(Small::AboveSensed(0.0)));
         steps
+    }
+
+    /// How Z follows the sheet in the first shape in which it does.
+    pub fn follows_sheet(&self) -> Option<HeightLaw> {
+        self.job.shapes.iter().find_map(|shape| self.height_law(shape))
+    }
+
+    /// Height control goes by two switches.
+    pub(super) fn is_simple(&self) -> bool {
+        self.law.as_ref().is_some_and(|law| matches!(law.gauge, Gauge::Simple { .. }))
+    }
+
+    /// Above the sheet a head is too high: where no switch says so it is not connected, or there is no sheet,
+    /// and the cut would be one in the air.
+    pub(super) fn feels_nothing(&self, host: &mut dyn Host) -> bool {
+        let travels = self.travel_mm() > self.heights.surface_mm + CARRIED_MM
+            && self.position[Axis::Z] > self.travel_mm() - CARRIED_MM;
+        travels && !host.input(Input::ZHigh.number()) && !host.input(Input::ZLow.number())
     }
 
     /// Down until the sensor says that the head is at its height, at the lowest to a height.
@@ -195,6 +213,9 @@ impl Sequence {
         if self.controlled { &FAULTS } else { &[] }
     }
 }
+
+/// What is said where two switches do not tell that the head is too high, high above the sheet.
+pub(super) const NOTHING_FELT: &str = "no height readings: zhigh is off at Z top";
 
 /// What the controller notices of height control, and what is said.
 pub(super) const FAULTS: [(Input, &str); 3] = [

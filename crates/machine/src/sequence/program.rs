@@ -142,7 +142,10 @@ impl Sequence {
             Some(Small::Await(awaited)) => vec![Watch::level(awaited.input.number(), true, 0.0)],
             Some(Small::AwaitJig) => self.jig_watches().into(),
             Some(Small::Release) => vec![self.release()],
-            Some(Small::Lower(_)) => vec![Watch::level(Input::ZHigh.number(), false, 0.0)],
+            Some(Small::Lower(_)) => vec![
+                Watch::level(Input::ZHigh.number(), false, 0.0),
+                Watch::level(Input::HeightSilent.number(), true, 0.0),
+            ],
             Some(Small::Feel(_)) => vec![Watch::level(close, true, 0.0)],
             Some(Small::Follow) => {
                 let mut watches = Vec::new();

@@ -154,11 +154,15 @@ impl Context<'_> {
             let message = format!("the offset of the file for {ended} ends here");
             self.warn(Code::Unusual, message, "locations that follow count from the new zero");
         }
-        let lost = self.lost_axes();
-        self.remember_lost(
-            lost.iter().filter(|a| !base.contains(*a)).fold(AxisSet::EMPTY, AxisSet::with),
-        );
+        self.is_certain_of(base);
         self.location_changed(working, base);
+    }
+
+    /// Somebody has said where these axes are: their locations count again.
+    pub(crate) fn is_certain_of(&mut self, axes: AxisSet) {
+        let lost = self.lost_axes().iter().filter(|axis| !axes.contains(*axis));
+        let lost = lost.fold(AxisSet::EMPTY, AxisSet::with);
+        self.remember_lost(lost);
     }
 
     /// A move without any location.

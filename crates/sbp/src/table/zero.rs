@@ -57,6 +57,8 @@ fn zero_working(c: &mut Context<'_>, axes: AxisSet) -> Result<(), Stop> {
     for axis in axes.iter() {
         c.set_working(axis, 0.0);
     }
+    // Whoever zeroes an axis has looked where it is.
+    c.is_certain_of(axes);
     c.location_set(axes, AxisSet::EMPTY);
     Ok(())
 }
@@ -100,5 +102,20 @@ mod tests {
         assert_eq!(base.0[0], 12.0);
         let told = format!("{:?}", ran.commands);
         assert!(told.contains("the offset of the file for X ends here"), "{told}");
+    }
+
+    #[test]
+    fn whoever_zeroes_an_axis_says_where_it_is() {
+        let lost = |program: &str| {
+            let mut host = FakeHost::default();
+            host.stored.insert("PositionLost".into(), "XYZ".into());
+            let ran = run_with(program, host, Session::default());
+            ran.host.stored.get("PositionLost").cloned()
+        };
+        assert_eq!(lost("ZX"), Some("YZ".into()));
+        assert_eq!(lost("Z2"), Some("Z".into()));
+        assert_eq!((lost("ZX⏎ZY⏎ZZ"), lost("ZT")), (None, None));
+        // The base coordinates are what may be wrong: going by them makes nothing certain.
+        assert_eq!(lost("ST"), Some("XYZ".into()));
     }
 }

@@ -8,7 +8,9 @@ use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
 use kerf_control::answers::{self, Operator};
-use kerf_control::{Doing, Event, Jog, Made, OpenFile, Pace, Sink, Standing, Wish, WorldClock};
+use kerf_control::{
+    Doing, Event, Jog, LIFT, Made, OpenFile, Pace, Sink, Standing, Wish, WorldClock,
+};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::{Asked, Call, Change, InForce, Machine, State, Tone};
 use std::cell::RefCell;
@@ -246,7 +248,8 @@ impl Operator for Pages {
         let asked = asked(self.asked, question, file, line);
         self.show(Some(Asked { edits, ..asked }));
         let answer = self.wait(question);
-        self.jogged = answer.as_deref().is_some_and(|words| Jog::read(words).is_some());
+        let moves = |words: &str| words == LIFT || Jog::read(words).is_some();
+        self.jogged = answer.as_deref().is_some_and(moves);
         if !self.jogged && !self.pressed {
             self.answered();
         }

@@ -51,6 +51,7 @@ fn every() -> Vec<Act> {
         },
         Act::JogRenew { lease, seq: 0, clock_ms: 0.0 },
         Act::Nudge { lease, axis: 'X', distance: 0.0 },
+        Act::Lift { lease, question: 0 },
         Act::Key { lease, seq: 0, key: '9', clock_ms: None },
         Act::Input { lease, number: 10, on: true },
         Act::Override { lease, feed_percent: 100.0 },

@@ -263,8 +263,10 @@ impl Walk {
 
 /// Whether something that whoever drives asks for may move the machine.
 fn may_move(name: &str) -> bool {
-    let acts =
-        ["run", "takeUp", "resume", "command", "jogStart", "jogRenew", "nudge", "key", "input"];
+    let acts = [
+        "run", "takeUp", "resume", "command", "jogStart", "jogRenew", "lift", "nudge", "key",
+        "input",
+    ];
     name.starts_with("answer ") || acts.iter().any(|act| name.starts_with(&format!("act `{act}`")))
 }
 

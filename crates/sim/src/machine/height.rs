@@ -27,6 +27,8 @@ pub(super) struct Tick {
     /// Where the tool is, Z of the machine frame, mm.
     z_mm: f64,
     reading: Option<Reading>,
+    /// The sensor sends nothing.
+    silent: bool,
     /// What the controller notices.
     faults: [(Input, bool); 3],
 }
@@ -41,16 +43,43 @@ impl Following<'_> {
         from_s: f64,
         each: &mut dyn FnMut(&Tick),
     ) {
-        if !self.law.acts_in(span) {
+        let acts = self.law.acts_in(span);
+        if !acts && !self.law.listens_in(span) {
             return;
         }
         let begin_s = span.t0_s.max(from_s);
         let ticks = ((span.t1_s - begin_s) / TICK_S).round().max(1.0) as u64;
         for tick in 0..ticks {
             let at_s = begin_s + tick as f64 * TICK_S;
-            let tick = self.tick(t0_s + at_s, &plan.at(at_s), span.made.speed_mm_s);
+            let (t_s, state) = (t0_s + at_s, plan.at(at_s));
+            let tick = if acts {
+                self.tick(t_s, &state, span.made.speed_mm_s)
+            } else {
+                self.listen(t_s, &state)
+            };
             each(&tick);
         }
+    }
+
+    /// On the way down to the sheet Z is the plan's: the controller only misses readings.
+    fn listen(&mut self, t_s: f64, state: &State) -> Tick {
+        while self.inputs.step(t_s, &self.machine.settings.io).is_some() {}
+        let silent = self.is_silent();
+        self.follower.listen(silent);
+        let offset_mm = self.follower.offset_mm;
+        let faults = [
+            (Input::HeightSilent, self.follower.is_lost()),
+            (Input::HeightConflict, false),
+            (Input::HeightAtZero, false),
+        ];
+        let z_mm = state.position[Axis::Z] + offset_mm;
+        Tick { t_s, offset_mm, z_mm, reading: None, silent, faults }
+    }
+
+    /// Whether the sensor sends nothing: its cable is broken, or there is no sheet that it could read.
+    fn is_silent(&self) -> bool {
+        let modes = &self.machine.settings.io;
+        self.machine.sheet.is_none() || self.inputs.reads(Input::NoReadings.number(), modes)
     }
 
     fn tick(&mut self, t_s: f64, state: &State, full_mm_s: f64) -> Tick {
@@ -64,20 +93,24 @@ impl Following<'_> {
             (Input::HeightConflict, sensed.high && sensed.low && sensed.active),
             (Input::HeightAtZero, z_mm >= self.law.ceiling_mm - 1e-9),
         ];
-        Tick { t_s, offset_mm: self.follower.offset_mm, z_mm, reading, faults }
+        let offset_mm = self.follower.offset_mm;
+        Tick { t_s, offset_mm, z_mm, reading, silent: sensed.silent, faults }
     }
 
     fn sense(&self, state: &State, full_mm_s: f64) -> Sensed {
         let [x, y, z] = state.position.first3();
         let [vx, vy, _] = state.velocity.first3();
-        let reads = |number: u8| self.inputs.reads(number, &self.machine.settings.io);
-        let (high, low) = match self.law.gauge {
-            Gauge::Simple { high, low } => (reads(high), reads(low)),
-            Gauge::Proportional { .. } => (false, false),
-        };
         let over = z + self.follower.offset_mm;
         let gap_mm = self.machine.sheet.map(|sheet| over - sheet.height_mm(x, y));
-        let silent = reads(Input::NoReadings.number());
+        let felt = |number: u8, felt: fn(f64) -> bool| match gap_mm {
+            Some(gap_mm) if !self.inputs.is_told(number) => felt(gap_mm),
+            _ => self.inputs.reads(number, &self.machine.settings.io),
+        };
+        let (high, low) = match self.law.gauge {
+            Gauge::Simple { high, low } => (felt(high, is_high), felt(low, is_low)),
+            Gauge::Proportional { .. } => (false, false),
+        };
+        let silent = self.is_silent();
         let active = state.path_speed_mm_s >= self.law.activation * full_mm_s;
         Sensed { gap_mm, silent, high, low, way: [vx, vy], active }
     }
@@ -88,6 +121,9 @@ trait Acts {
     /// Whether Z follows during a move: a cut whose Z is the plan's own, or a jog in the plane where the law
     /// is for travel.
     fn acts_in(&self, span: &Span<'_>) -> bool;
+
+    /// Whether readings are awaited during a move on which Z is the plan's own: the way down to the sheet.
+    fn listens_in(&self, span: &Span<'_>) -> bool;
 }
 
 impl Acts for HeightLaw {
@@ -96,6 +132,36 @@ impl Acts for HeightLaw {
         let wanted = if self.raised_mm.is_some() { MoveKind::Jog } else { MoveKind::Cut };
         made.kind == wanted && made.from[Axis::Z] == made.to[Axis::Z]
     }
+
+    fn listens_in(&self, span: &Span<'_>) -> bool {
+        let made = span.made;
+        let reads = matches!(self.gauge, Gauge::Proportional { .. }) && self.raised_mm.is_none();
+        reads && made.kind == MoveKind::Cut && made.to[Axis::Z] < made.from[Axis::Z]
+    }
+}
+
+/// The gap between which and which the two switches of the simulated head leave it as it is, mm.
+const BAND_MM: [f64; 2] = [3.7, 4.3];
+
+/// The switch "too low" of the simulated head at a gap, mm.
+fn is_low(gap_mm: f64) -> bool {
+    gap_mm < BAND_MM[0]
+}
+
+/// The switch "too high" of the simulated head at a gap, mm.
+fn is_high(gap_mm: f64) -> bool {
+    gap_mm > BAND_MM[1]
+}
+
+impl Sheet {
+    /// A flat sheet over which height control keeps the tool at a height, mm, machine frame.
+    pub fn followed_at(z_mm: f64, law: &HeightLaw) -> Self {
+        let gap_mm = match law.gauge {
+            Gauge::Simple { .. } => 0.5 * (BAND_MM[0] + BAND_MM[1]),
+            Gauge::Proportional { set_points: [x, _], .. } => law.gap_mm(x),
+        };
+        Self::flat(z_mm - gap_mm)
+    }
 }
 
 impl Machine {
@@ -103,6 +169,26 @@ impl Machine {
     pub fn height_control(&mut self, law: Option<HeightLaw>) {
         self.land_torch();
         self.law = law;
+        let at = self.true_position();
+        for (input, feels) in self.switches_of_head() {
+            self.inputs.put(input.number(), feels.at(&at, false));
+        }
+    }
+
+    /// What the switches of the head go by while height control is on, as far as no script moves them.
+    fn switches_of_head(&self) -> Vec<(Input, Feels)> {
+        let Some(law) = self.law.filter(|_| !self.draws()) else { return Vec::new() };
+        let feels = |felt: Felt| Feels { sheet: self.sheet, felt };
+        match (law.gauge, self.sheet) {
+            (Gauge::Proportional { .. }, _) => vec![(Input::ZHigh, feels(Felt::Above(law)))],
+            (Gauge::Simple { .. }, Some(_)) => {
+                let both = [(Input::ZHigh, Felt::High), (Input::ZLow, Felt::Low)].into_iter();
+                let free = both.filter(|(input, _)| !self.inputs.is_told(input.number()));
+                free.map(|(input, felt)| (input, feels(felt))).collect()
+            }
+            // Two switches over no sheet feel nothing.
+            (Gauge::Simple { .. }, None) => Vec::new(),
+        }
     }
 
     fn following(&self) -> Option<Following<'_>> {
@@ -162,25 +248,15 @@ impl Machine {
         all
     }
 
-    /// What the sensors of the head will tell of a sheet.
-    pub(super) fn foreseen_sensors(
-        &self,
-        plan: &Plan,
-        t0_s: f64,
-        sheet: Sheet,
-        ticks: &[Tick],
-    ) -> Vec<Change> {
+    /// What the sensors of the head will tell, of a sheet or of none.
+    pub(super) fn foreseen_sensors(&self, plan: &Plan, t0_s: f64, ticks: &[Tick]) -> Vec<Change> {
         let at = |t_s: f64| {
             let mut at = plan.at(t_s).position;
             // Where height control carries the head.
             let behind = ticks.partition_point(|tick| tick.t_s <= t0_s + t_s);
             let tick = behind.checked_sub(1).and_then(|i| ticks.get(i));
             at[Axis::Z] += tick.map_or(self.follower.offset_mm, |tick| tick.offset_mm);
-            at
-        };
-        let close = |t_s: f64| {
-            let at = at(t_s);
-            at[Axis::Z] <= sheet.height_mm(at[Axis::X], at[Axis::Y])
+            (at, tick.is_some_and(|tick| tick.silent))
         };
         let (from_s, to_s) = (self.clock_s - t0_s, plan.duration_s());
         let changes = |input: Input, is: &dyn Fn(f64) -> bool| -> Vec<Change> {
@@ -188,21 +264,63 @@ impl Machine {
             let change = |(t_s, on)| Change { input: input.number(), at_s: t0_s + t_s, on };
             flips.map(change).collect()
         };
-        let mut all = changes(Input::WHome, &close);
-        if matches!(self.law, Some(HeightLaw { gauge: Gauge::Proportional { .. }, .. })) {
-            let high = |t_s: f64| self.above_band(&sheet, &at(t_s));
-            all.extend(changes(Input::ZHigh, &high));
+        let mut all = Vec::new();
+        if let Some(sheet) = self.sheet {
+            let close = |t_s: f64| {
+                let (at, _) = at(t_s);
+                at[Axis::Z] <= sheet.height_mm(at[Axis::X], at[Axis::Y])
+            };
+            all.extend(changes(Input::WHome, &close));
+        }
+        for (input, feels) in self.switches_of_head() {
+            let is = |t_s: f64| {
+                let (at, silent) = at(t_s);
+                feels.at(&at, silent)
+            };
+            all.extend(changes(input, &is));
         }
         all
     }
+}
 
-    /// Whether the reading says that the head is above the band it is to keep.
-    fn above_band(&self, sheet: &Sheet, at: &Axes) -> bool {
-        let Some(law) = self.law else { return false };
-        let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
-        let gap_mm = at[Axis::Z] - sheet.height_mm(at[Axis::X], at[Axis::Y]);
-        (law.reading(gap_mm) - set_points[0]) * gain_mm.signum() >= 1.0
+/// A switch of the head, or what a reading of its sensor stands for.
+#[derive(Clone, Copy, Debug)]
+enum Felt {
+    /// The reading says that the head is above the band it is to keep; no reading does not say otherwise.
+    Above(HeightLaw),
+    /// The switch "too high".
+    High,
+    /// The switch "too low".
+    Low,
+}
+
+/// How an input of the head depends on where the head is.
+#[derive(Clone, Copy, Debug)]
+struct Feels {
+    sheet: Option<Sheet>,
+    felt: Felt,
+}
+
+impl Feels {
+    /// What the input reads at a place, with the sensor silent or not.
+    fn at(&self, at: &Axes, silent: bool) -> bool {
+        let gap_mm = self.sheet.map(|sheet| {
+            let [x, y, z] = at.first3();
+            z - sheet.height_mm(x, y)
+        });
+        match (self.felt, gap_mm) {
+            (Felt::Above(law), Some(gap_mm)) => silent || is_above_band(&law, gap_mm),
+            (Felt::Above(_), None) => true,
+            (Felt::High, gap_mm) => gap_mm.is_some_and(is_high),
+            (Felt::Low, gap_mm) => gap_mm.is_some_and(is_low),
+        }
     }
+}
+
+/// Whether the reading says that the head is above the band it is to keep.
+fn is_above_band(law: &HeightLaw, gap_mm: f64) -> bool {
+    let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
+    (law.reading(gap_mm) - set_points[0]) * gain_mm.signum() >= 1.0
 }
 
 /// When something becomes true or false in a stretch of time, the state at its beginning first.

@@ -92,7 +92,7 @@ impl Machine {
     /// The first move of a stack that would leave the table, or the lengths of the axes, unless limits
     /// are off or overridden.
     pub fn first_outside(&self, moves: &[Move]) -> Option<Violation> {
-        if self.overridden {
+        if self.overridden.table {
             return None;
         }
         let axes = usize::from(self.settings.axis_count);
@@ -113,7 +113,7 @@ impl Machine {
         let (mut low, mut high) =
             self.bounds[axis.index()].unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let limits = &self.settings.limits;
-        if limits.check && !self.overridden {
+        if limits.check && !self.overridden.table {
             let zero = self.frame.base_zero[axis];
             (low, high) = (low.max(limits.low[axis] + zero), high.min(limits.high[axis] + zero));
         }

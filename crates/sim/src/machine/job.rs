@@ -77,9 +77,7 @@ impl Machine {
         }
         let ticks = self.foreseen_ticks(plan, t0_s);
         let mut all = self.foreseen_switches(plan, t0_s);
-        if let Some(sheet) = self.sheet {
-            all.extend(self.foreseen_sensors(plan, t0_s, sheet, &ticks));
-        }
+        all.extend(self.foreseen_sensors(plan, t0_s, &ticks));
         all.extend(self.foreseen_touches(plan, t0_s));
         all.extend(self.foreseen_faults(&ticks));
         all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));

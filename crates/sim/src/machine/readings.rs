@@ -4,6 +4,7 @@ use super::Machine;
 use crate::halt::{self, Halt, Heeds, Watched};
 use crate::inputs::{CABLE, Change};
 use kerf_program::Settings;
+use std::collections::BTreeSet;
 
 impl Machine {
     /// What an input, 1 … 12, reads.
@@ -57,14 +58,16 @@ impl Machine {
         if self.draws() {
             return None;
         }
-        let heeds = Heeds { limits: !self.overridden, stalls: true };
+        let heeds = Heeds { limits: true, stalls: true, past: &self.overridden.switches };
         halt::first(&self.inputs, until_s, &self.settings.io, watches, heeds)
     }
 
     /// The same while nothing moves.
     pub fn first_halt_at_rest(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
-        let watched =
-            || halt::first(&self.inputs, until_s, &self.settings.io, watches, Heeds::AT_REST);
+        let watched = || {
+            let at_rest = Heeds { limits: false, stalls: false, past: &BTreeSet::new() };
+            halt::first(&self.inputs, until_s, &self.settings.io, watches, at_rest)
+        };
         (!self.draws()).then(watched).flatten()
     }
 
@@ -74,6 +77,14 @@ impl Machine {
             return None;
         }
         self.inputs.stopping(&self.settings.io)
+    }
+
+    /// A limit switch that is on now, or whose wire is broken, and that nobody has overridden.
+    pub fn limit_input(&self) -> Option<u8> {
+        if self.draws() {
+            return None;
+        }
+        self.inputs.limiting(&self.settings.io, &self.overridden.switches)
     }
 
     /// Whether the controller answers. What is only drawn needs none.

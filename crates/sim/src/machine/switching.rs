@@ -3,6 +3,7 @@
 use super::Machine;
 use crate::follower::Follower;
 use crate::heater;
+use crate::limits::Overridden;
 use crate::log::What;
 use crate::outputs::{MOTION_OUTPUT, Occasion, switched};
 use kerf_program::settings::{LINES, SWITCHES};
@@ -59,7 +60,7 @@ impl Machine {
     /// Lines that somebody typed begin.
     pub fn begin_lines(&mut self) {
         self.advance(self.clock_s);
-        self.overridden = false;
+        self.overridden = Overridden::default();
     }
 
     /// The part file is over.
@@ -72,7 +73,7 @@ impl Machine {
     pub fn end_lines(&mut self) {
         self.set_light(false);
         self.land_torch();
-        self.overridden = false;
+        self.overridden = Overridden::default();
     }
 
     /// Motion was stopped: outputs do what their modes say.
@@ -131,6 +132,10 @@ impl Machine {
             self.output(number, true, OutputReason::Mode);
         }
         self.by_mode(Occasion::Resume, OutputReason::Mode);
+        // Where nobody was asked the light of the warning shines on: what follows it comes back.
+        if self.light && self.settings.io.output4 != -4 {
+            self.output(MOTION_OUTPUT, true, OutputReason::Motion);
+        }
     }
 
     /// The power was off: nothing is on, and it stands somewhere. Tells what was on, but for what comes

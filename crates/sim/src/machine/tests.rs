@@ -124,7 +124,9 @@ fn an_override_of_limits_ends_with_the_file() {
     };
     let mut m = machine(limits, &[Change { input: 2, at_s: 1.0, on: true }]);
     assert!(m.first_halt(2.0, &[]).is_some());
-    m.override_limits();
+    m.override_table();
+    assert!(m.first_halt(2.0, &[]).is_some(), "the table is no switch");
+    m.override_switch(2);
     assert!(m.first_halt(2.0, &[]).is_none());
     m.end_file();
     assert!(m.first_halt(2.0, &[]).is_some());

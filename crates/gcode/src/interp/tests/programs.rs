@@ -165,3 +165,54 @@ fn a_step_that_waits_has_no_effect() {
         assert_eq!(ran.host.asked, calm.host.asked);
     }
 }
+
+#[test]
+fn a_block_that_holds_the_program_is_carried_out_first() {
+    let cases = [
+        ("G0 Z50 M0", 2),
+        ("G4 P1 M60", 1),
+        ("G2 X2 I1 M0", 2),
+        ("G81 X3 Z-7 R5 M0", 5),
+        ("M0", 1),
+    ];
+    for (block, moves) in cases {
+        let text = format!("G21 F100⏎G1 Z-5⏎#1=1⏎{block} #1=[#1+1] (MSG, look)⏎(PRINT,#1)⏎G0 X99");
+        let said = |button| {
+            let host = FakeHost { answers: vec![Answer::Button(button)], ..FakeHost::default() };
+            run_with(&text, host, metric(), Options::default())
+        };
+        let ran = said(Button::Cancel);
+        let path = ran.path();
+        assert_eq!(
+            (ran.status, path.split(' ').count()),
+            (Status::Stopped, moves),
+            "{block}: {path}"
+        );
+        let asked: Vec<&str> = ran.host.asked.iter().map(|asked| asked.text.as_str()).collect();
+        assert_eq!(asked, ["look"], "{block}");
+        assert_eq!(ran.others().contains("wait=1"), block.starts_with("G4"), "{block}");
+        let ran = said(Button::OK);
+        let told = ran.others();
+        assert!(told.contains("message=look ") && told.ends_with("print=2.000000"), "{told}");
+        assert_eq!(ran.path().split(' ').count(), moves + 1, "{block}: {}", ran.path());
+    }
+}
+
+#[test]
+fn a_block_that_holds_is_answered_at_its_own_line() {
+    let mut interpreter = crate::Interpreter::new(
+        crate::testing::program("G21 F100⏎G0 X1 M0⏎G0 X2"),
+        metric(),
+        Options::default(),
+    );
+    let (mut host, mut out) = (FakeHost::default(), Vec::new());
+    // The block, and what it waits for: the machine still moves.
+    for _ in 0..4 {
+        host.busy = 1;
+        if interpreter.step(&mut host, &mut out) == kerf_program::Step::Waiting {
+            break;
+        }
+    }
+    assert_eq!(interpreter.call_stack().last().map(|at| at.line), Some(2));
+    assert_eq!(host.asked.len(), 0);
+}
