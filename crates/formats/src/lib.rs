@@ -6,14 +6,17 @@
 
 pub mod bitmap;
 pub mod dxf;
+mod effort;
 mod finding;
 pub mod hpgl;
+mod layers;
 pub mod motion;
 mod places;
 pub mod rsg;
 pub mod svg;
 mod tidy;
 
+pub use effort::{Ended, MOST_PLACED, MOST_PLACED_VERTICES};
 pub use finding::{Finding, Weight};
 
 use kerf_drawing::Drawing;
@@ -30,4 +33,6 @@ pub struct Imported {
     pub layers: Vec<(String, Vec<usize>)>,
     /// What was skipped, as `TEXT 4`, by name.
     pub skipped: Option<String>,
+    /// Why the drawing is empty where its reading ended early.
+    pub ended: Option<Ended>,
 }
