@@ -9,6 +9,7 @@ use crate::machine::{Left, Link, Order};
 use crate::people::{Devices, Pages};
 use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
+use crate::reading::Readings;
 use crate::setup::{Builders, Options};
 use crate::shop;
 use kerf_control::Shelf;
@@ -51,6 +52,8 @@ pub struct App {
     pub pages: Pages,
     /// The drawing that is open.
     pub desk: Mutex<Desk>,
+    /// The drawing that is being read to be opened.
+    pub reading: Readings,
     /// Who keeps drafts of it is told here that it changed.
     pub changed: OnceLock<Sender<()>>,
     /// The hand console: what happens to it.
@@ -164,6 +167,7 @@ impl App {
             pages: Pages::default(),
             unlocked: Unlocked::default(),
             desk: Mutex::default(),
+            reading: Readings::default(),
             changed: OnceLock::new(),
             hand_console: OnceLock::new(),
             open: Mutex::default(),

@@ -2,6 +2,7 @@
 
 use crate::acts::Done;
 use crate::app::{App, lock, problem};
+use crate::reading;
 use kerf_drawing::{Drawing, Editor, Operation, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
@@ -30,25 +31,35 @@ pub struct Desk {
 }
 
 impl App {
-    /// Changes the drawing.
+    /// Changes the drawing. Files are read before anybody has to wait for the desk.
     ///
     /// # Errors
     /// Why it stays as it was.
     pub fn draw(self: &Arc<Self>, op: Op) -> Done {
-        let mut desk = lock(&self.desk);
-        let notes = match op {
-            Op::New => self.begin(&mut desk, Drawing::default(), None, Vec::new()),
-            Op::Open { name } => self.open_drawing(&mut desk, name)?,
-            Op::Save { name } => self.save_drawing(&mut desk, name)?,
+        match op {
+            Op::Open { name } => {
+                let opened = self.read_to_open(&name)?;
+                self.on_desk(|desk| Ok(self.open_drawing(desk, name, opened)))
+            }
             Op::Do { clauses } => {
                 let operations = self.operations(&clauses)?;
-                self.carry_out(&mut desk, &operations)?
+                self.on_desk(|desk| self.carry_out(desk, &operations))
             }
-            Op::Undo => desk.step(Editor::undo)?,
-            Op::Redo => desk.step(Editor::redo)?,
-            Op::Finish { at } => desk.finish_at(at)?,
-            Op::Program { name } => self.write_program(&desk, &name)?,
-        };
+            Op::New => {
+                self.on_desk(|desk| Ok(self.begin(desk, Drawing::default(), None, Vec::new())))
+            }
+            Op::Save { name } => self.on_desk(|desk| self.save_drawing(desk, name)),
+            Op::Undo => self.on_desk(|desk| desk.step(Editor::undo)),
+            Op::Redo => self.on_desk(|desk| desk.step(Editor::redo)),
+            Op::Finish { at } => self.on_desk(|desk| desk.finish_at(at)),
+            Op::Program { name } => self.on_desk(|desk| self.write_program(desk, &name)),
+        }
+    }
+
+    /// Changes what lies on the desk, and tells everybody.
+    fn on_desk(&self, change: impl FnOnce(&mut Desk) -> Done) -> Done {
+        let mut desk = lock(&self.desk);
+        let notes = change(&mut desk)?;
         desk.notes.clone_from(&notes);
         let drawing = Some(desk.state(&self.heights()));
         self.hub.change(vec![Change::Drawing { drawing }]);
@@ -62,13 +73,7 @@ impl App {
     /// # Errors
     /// Why it cannot be drawn.
     pub fn draw_shape(self: &Arc<Self>, operation: Operation) -> Result<(), Problem> {
-        let mut desk = lock(&self.desk);
-        desk.notes = self.carry_out(&mut desk, &[(1, operation)])?;
-        let drawing = Some(desk.state(&self.heights()));
-        self.hub.change(vec![Change::Drawing { drawing }]);
-        drop(desk);
-        self.drawn();
-        Ok(())
+        self.on_desk(|desk| self.carry_out(desk, &[(1, operation)])).map(drop)
     }
 
     /// The heights that the machine is set to.
@@ -105,13 +110,22 @@ impl App {
         Ok(notes)
     }
 
-    fn open_drawing(&self, desk: &mut Desk, name: String) -> Done {
-        let Imported { drawing, findings, .. } = self.read_drawing(&name)?;
-        let notes = findings.into_iter().map(|found| found.text).collect();
-        let finish = self.finish_of(&name)?;
-        let notes = self.begin(desk, drawing, Some(name), notes);
+    /// Reads a drawing that is to be opened; one that is still being read is given up.
+    fn read_to_open(&self, name: &str) -> Result<(Imported, Option<Point2>), Problem> {
+        let reading = self.reading.begin();
+        Ok((self.read_drawing_until(name, &|| reading.is_given_up())?, self.finish_of(name)?))
+    }
+
+    fn open_drawing(
+        &self,
+        desk: &mut Desk,
+        name: String,
+        (read, finish): (Imported, Option<Point2>),
+    ) -> Vec<String> {
+        let notes = read.findings.into_iter().map(|found| found.text).collect();
+        let notes = self.begin(desk, read.drawing, Some(name), notes);
         desk.finish = finish;
-        Ok(notes)
+        notes
     }
 
     /// Where the head goes at the end of a job in a file; at its origin where it says nothing.
@@ -122,18 +136,28 @@ impl App {
     }
 
     pub(crate) fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
+        self.read_drawing_until(name, &|| false)
+    }
+
+    fn read_drawing_until(
+        &self,
+        name: &str,
+        given_up: &dyn Fn() -> bool,
+    ) -> Result<Imported, Problem> {
         let read = |bytes: &[u8]| match extension(name).as_str() {
             "dxf" => {
                 let options = dxf::Options { scale: true, explode: true, ..Default::default() };
-                Some(dxf::read(bytes, &options))
+                Some(dxf::read_until(bytes, &options, given_up))
             }
-            "rsg" => Some(rsg::read(bytes)),
+            "rsg" => Some(rsg::read_until(bytes, given_up)),
             "rsm" => Some(rsg::read_with(bytes).0),
-            "svg" => Some(svg::read(bytes)),
+            "svg" => Some(svg::read_until(bytes, given_up)),
             _ => None,
         };
         let bytes = self.parts.read(name)?;
-        read(&bytes).ok_or_else(|| problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm"))
+        let read = read(&bytes)
+            .ok_or_else(|| problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm"))?;
+        reading::whole(name, read)
     }
 
     /// The operations of clauses, with what the files of the part folder hold that they name.

@@ -36,6 +36,7 @@ mod people;
 mod preview;
 mod problems;
 mod protect;
+mod reading;
 mod setup;
 mod shop;
 mod told;

@@ -4,7 +4,7 @@ use crate::gouge::Contours;
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, crosses};
-use kerf_geom::BoxTree;
+use kerf_geom::{BoxTree, Polyarc, Segment};
 use std::collections::BTreeSet;
 
 /// Warns of shapes into which the tool cuts on its way round another one: they lie nearer to each other
@@ -55,15 +55,71 @@ pub(crate) fn crossing(drawing: &Drawing, twins: &[Option<usize>], warnings: &mu
     let boxes: Vec<_> = parts.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
     let parts: Vec<usize> = BoxTree::order(&boxes).into_iter().map(|place| parts[place]).collect();
     let path = |n: usize| &drawing.shapes[parts[n]].path;
-    let tree = BoxTree::new((0..parts.len()).map(|n| path(n).bounds()));
-    let mut crossed = Vec::new();
-    tree.own_pairs(|a, b| {
-        if crosses(path(a), path(b)) {
-            let (a, b) = (parts[a], parts[b]);
-            crossed.push((a.min(b) + 1, a.max(b) + 1));
-        }
-    });
+    let paths: Vec<&Polyarc> = (0..parts.len()).map(path).collect();
+    let near = near_pairs(&paths).into_iter();
+    let across = near.filter(|(a, b)| crosses(paths[*a], paths[*b]));
+    let number = |(a, b): (usize, usize)| (parts[a].min(parts[b]) + 1, parts[a].max(parts[b]) + 1);
+    let mut crossed: Vec<_> = across.map(number).collect();
     crossed.sort_unstable();
     let told = |(a, b)| Warning::new(a, format!("it crosses shape {b}: the parts overlap"));
     warnings.extend(crossed.into_iter().map(told));
+}
+
+/// Paths that come no nearer to each other than this do not cross, millimetres: well above what the crossing of
+/// two segments is found by.
+const NEAR_MM: f64 = 1e-3;
+
+/// Arcs are looked at in pieces of so much, radians: the boxes of half circles within each other all meet.
+const PIECE_RAD: f64 = std::f64::consts::PI / 16.0;
+
+/// Pairs of paths, the lower number first, of which segments come near to each other. The boxes of the paths say
+/// little: those of a thousand frames within each other are half a million pairs, of which none is near.
+fn near_pairs(paths: &[&Polyarc]) -> BTreeSet<(usize, usize)> {
+    let of = |(n, path): (usize, &&Polyarc)| -> Vec<(usize, Segment)> {
+        path.segments().flat_map(pieces).map(|piece| (n, piece)).collect()
+    };
+    let pieces: Vec<(usize, Segment)> = paths.iter().enumerate().flat_map(of).collect();
+    let boxes: Vec<_> = pieces.iter().map(|(_, piece)| piece.bounds().grown(NEAR_MM)).collect();
+    let order = BoxTree::order(&boxes);
+    let tree = BoxTree::new(order.iter().map(|place| boxes[*place]));
+    let mut pairs = BTreeSet::new();
+    tree.own_pairs(|a, b| {
+        let ((one, first), (other, second)) = (pieces[order[a]], pieces[order[b]]);
+        let pair = (one.min(other), one.max(other));
+        if one != other && !pairs.contains(&pair) && first.distance_to(&second) <= NEAR_MM {
+            pairs.insert(pair);
+        }
+    });
+    pairs
+}
+
+fn pieces(segment: Segment) -> impl Iterator<Item = Segment> {
+    let turn_rad = segment.arc().map_or(0.0, |arc| arc.sweep_rad.abs());
+    let count = (turn_rad / PIECE_RAD).ceil().max(1.0) as u32;
+    let share = move |n: u32| f64::from(n) / f64::from(count);
+    (0..count).map(move |n| segment.part(share(n), share(n + 1)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_geom::Point2;
+
+    #[test]
+    fn frames_and_rings_within_each_other_are_no_pairs() {
+        let rectangle =
+            |by: f64| Polyarc::rounded_rectangle(Point2::new(-by, -by), Point2::new(by, by), 0.5);
+        let within: Vec<Polyarc> = (1..200)
+            .flat_map(|n| {
+                [rectangle(f64::from(n)), Polyarc::circle(Point2::default(), f64::from(n) - 0.5)]
+            })
+            .collect();
+        let mut paths: Vec<&Polyarc> = within.iter().collect();
+        // A circle of that size lies within its frame; the next frame is apart.
+        let pairs = near_pairs(&paths);
+        assert!(pairs.is_empty(), "{pairs:?}");
+        let last = Polyarc::circle(Point2::new(3.0, 0.0), 7.0);
+        paths.push(&last);
+        assert!(!near_pairs(&paths).is_empty());
+    }
 }
