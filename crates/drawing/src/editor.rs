@@ -313,13 +313,15 @@ mod tests {
 
     #[test]
     fn copies_of_copies_end_at_a_million_shapes() {
-        let arrays = "rect 0,0 1,1; select all; array rect 400x400; select all; copy 500,0; select all; copy 0,900";
-        assert_eq!(after(arrays).unwrap().drawing.shapes.len(), 640_000);
-        let told = after(&format!("{arrays}; select all; copy 9,9")).unwrap_err();
-        assert_eq!(
-            told,
-            "the number of shapes of the drawing is 1280000: it must be a million at the most"
-        );
+        let mut editor = after("rect 0,0 1,1; select all").unwrap();
+        let one = editor.drawing.shapes[0].clone();
+        editor.drawing.shapes = vec![one; MOST_SHAPES - 1];
+        let copy = || Operation::Copy { by: kerf_geom::Vec2::new(9.0, 0.0) };
+        editor.apply(&copy()).unwrap();
+        let told = editor.apply(&copy()).unwrap_err().to_string();
+        let expected =
+            "the number of shapes of the drawing is 1000001: it must be a million at the most";
+        assert_eq!(told, expected);
     }
 
     #[test]

@@ -105,21 +105,22 @@ mod tests {
     use super::*;
     use kerf_geom::Point2;
 
+    fn check(within: impl Fn(f64) -> Polyarc, across: &Polyarc) {
+        let all: Vec<Polyarc> = (1..200).map(|n| within(f64::from(n))).collect();
+        let mut paths: Vec<&Polyarc> = all.iter().collect();
+        assert!(near_pairs(&paths).is_empty());
+        paths.push(across);
+        let pairs = near_pairs(&paths);
+        assert!(!pairs.is_empty() && pairs.iter().all(|(_, b)| *b == 199), "{} pairs", pairs.len());
+    }
+
     #[test]
     fn frames_and_rings_within_each_other_are_no_pairs() {
-        let rectangle =
+        let frame =
             |by: f64| Polyarc::rounded_rectangle(Point2::new(-by, -by), Point2::new(by, by), 0.5);
-        let within: Vec<Polyarc> = (1..200)
-            .flat_map(|n| {
-                [rectangle(f64::from(n)), Polyarc::circle(Point2::default(), f64::from(n) - 0.5)]
-            })
-            .collect();
-        let mut paths: Vec<&Polyarc> = within.iter().collect();
-        // A circle of that size lies within its frame; the next frame is apart.
-        let pairs = near_pairs(&paths);
-        assert!(pairs.is_empty(), "{pairs:?}");
-        let last = Polyarc::circle(Point2::new(3.0, 0.0), 7.0);
-        paths.push(&last);
-        assert!(!near_pairs(&paths).is_empty());
+        let ring = |radius: f64| Polyarc::circle(Point2::default(), radius);
+        let across = Polyarc::circle(Point2::new(3.0, 0.0), 7.2);
+        check(frame, &across);
+        check(ring, &across);
     }
 }
