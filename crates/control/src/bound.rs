@@ -3,7 +3,7 @@
 
 use kerf_diag::with_commas;
 
-/// How many commands are carried out, at the most: moves, switches, words to the operator.
+/// A bound on the commands that are carried out: moves, switches, words to the operator.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Bound {
     /// The most; 0 for no bound.

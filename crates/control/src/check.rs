@@ -69,7 +69,7 @@ struct Findings {
     list: Vec<Diagnostic>,
     /// Names of the files that were read, in order.
     files: Vec<Arc<str>>,
-    /// What the dry run found again and again.
+    /// Findings of the dry run that come again and again.
     again: Repetitions,
 }
 

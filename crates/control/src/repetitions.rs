@@ -1,4 +1,4 @@
-//! What is found again and again at one place: a loop finds what it finds a million times.
+//! Findings that come again and again at one place: a loop finds what it finds a million times.
 
 use kerf_diag::{Code, Diagnostic, Severity, with_commas};
 use std::collections::BTreeMap;

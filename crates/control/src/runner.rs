@@ -68,7 +68,7 @@ pub(crate) struct Runner<'a, I> {
     pub reentry: Option<Placed>,
     /// Up to here it is on record how far a move has come, machine time.
     pub recorded_s: f64,
-    /// How much is carried out.
+    /// The bound on what is carried out.
     pub bound: Bound,
 }
 
@@ -367,7 +367,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.take_move(made, number)
     }
 
-    /// What was read up to here is made, and the run is over.
+    /// Makes what was read up to here; then the run is over.
     fn looked_enough(&mut self, at: At) -> Flow {
         match self.flush() {
             Flow::On => {

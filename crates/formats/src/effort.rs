@@ -12,7 +12,7 @@ pub const MOST_PLACED: u64 = 200_000;
 /// The vertices of all that is placed, at the most, beyond one for every pair or byte that the file writes.
 pub const MOST_PLACED_VERTICES: u64 = 5_000_000;
 
-/// Why nothing of a drawing was read.
+/// The reason for which nothing of a drawing was read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ended {
     /// Nobody waits for it any more.
@@ -21,7 +21,7 @@ pub enum Ended {
     TooMuch,
 }
 
-/// What a reading may still draw by placing things again.
+/// The rest that a reading may still draw by placing things again.
 pub(crate) struct Effort<'a> {
     given_up: &'a dyn Fn() -> bool,
     most_placed: u64,
@@ -78,7 +78,7 @@ impl<'a> Effort<'a> {
         }
     }
 
-    /// Why the reading ended early.
+    /// The reason for which the reading ended early.
     pub const fn ended(&self) -> Option<Ended> {
         self.ended
     }

@@ -33,6 +33,6 @@ pub struct Imported {
     pub layers: Vec<(String, Vec<usize>)>,
     /// What was skipped, as `TEXT 4`, by name.
     pub skipped: Option<String>,
-    /// Why the drawing is empty where its reading ended early.
+    /// The reason for which the drawing is empty, where its reading ended early.
     pub ended: Option<Ended>,
 }

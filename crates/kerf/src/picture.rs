@@ -46,7 +46,7 @@ pub struct Picture {
     mm: f64,
     /// Segments that were cleared away.
     cleared: usize,
-    /// What was found again and again.
+    /// Findings that come again and again.
     again: Repetitions,
 }
 

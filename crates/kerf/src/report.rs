@@ -10,7 +10,7 @@ use std::{env, io};
 
 /// Writes diagnostics to the error stream, drawn like a compiler does.
 ///
-/// What a loop finds again at a line is told once, and at the end how often.
+/// Findings that a loop makes again at a line are told once, and at the end counted.
 #[derive(Default)]
 pub struct Diagnostics {
     lines: FileLines,

@@ -11,7 +11,7 @@ use shop::bounded::{Ended, bounded};
 /// Memory a command may address, KiB.
 const MOST_KIB: u64 = 1 << 20;
 
-/// What `kerf` says of a file, given the arguments around its name.
+/// Runs `kerf` on a file, with these arguments.
 fn look(name: &str, text: &str, args: &str) -> Ended {
     let shop = Shop::new(&[(name, text)]);
     let did = bounded(&shop, MOST_KIB, args);

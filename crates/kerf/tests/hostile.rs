@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 /// Memory a command may address, KiB.
 const MOST_KIB: u64 = 2 << 20;
 
-/// What a bounded command did.
+/// The end of a bounded command.
 struct Ended {
     code: Option<i32>,
     events: Vec<Value>,

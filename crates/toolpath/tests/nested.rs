@@ -14,7 +14,7 @@ fn ring(by_mm: f64) -> Shape {
     Shape::flat(Polyarc::circle(Point2::default(), by_mm))
 }
 
-/// What is told of shapes within each other.
+/// The warnings of shapes within each other.
 fn told(shape: fn(f64) -> Shape, count: u32) -> Vec<String> {
     let drawing = Drawing::of((1..=count).map(|n| shape(f64::from(n))));
     let (job, warnings) = kerf_toolpath::job(&drawing).unwrap();

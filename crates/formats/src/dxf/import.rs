@@ -199,7 +199,7 @@ impl<'f, 'a> Import<'f, 'a, '_> {
         goes_on
     }
 
-    /// Whether nothing more is drawn.
+    /// True when nothing more is drawn.
     pub const fn is_over(&self) -> bool {
         self.effort.ended().is_some()
     }

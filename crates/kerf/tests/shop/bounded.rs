@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 /// No command takes longer, even unoptimised on a busy machine.
 const MOST_TIME: Duration = Duration::from_secs(240);
 
-/// What a bounded command did.
+/// The end of a bounded command.
 pub struct Ended {
     pub code: Option<i32>,
     /// The signal that ended it.

@@ -10,7 +10,7 @@ pub struct Made {
     pub commands: Vec<String>,
 }
 
-/// What belongs to a seed.
+/// Makes the files of a seed.
 pub fn by_seed(seed: u64) -> Made {
     let mut dice = Dice::new(seed);
     match seed % 6 {

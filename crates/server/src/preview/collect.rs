@@ -28,7 +28,7 @@ pub struct Collector {
     pub ends: Vec<PathEnd>,
     /// What was found.
     pub findings: Vec<Diagnostic>,
-    /// What was found again and again.
+    /// Findings that come again and again.
     again: Repetitions,
     at: [f64; 3],
     /// Line of the part file itself that was made last: what a file it calls does belongs to it.
