@@ -35,14 +35,17 @@ soak: prepare ## RUNS (1000000) random runs in the simulation, then the process 
 	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
 	  $(CARGO) test --locked --package kerf --test killed -- --nocapture
 
-fuzz: ## throw bytes at everything that reads them, FUZZ_SECONDS (60) for each target
+fuzz: prepare console ## throw bytes at all that reads them, FUZZ_SECONDS (60) a target; look at FUZZ_MADE (600) made things in 1 GiB
 	@cargo-fuzz --version >/dev/null 2>&1 || $(CARGO) install cargo-fuzz --locked
 	@rustup toolchain list | grep -q '^nightly' || rustup toolchain install nightly --profile minimal
 	@for target in $$(sed -n 's/^path = "fuzz_targets\/\(.*\)\.rs"/\1/p' fuzz/Cargo.toml); do \
 	  mkdir -p fuzz/corpus/$$target; \
 	  $(CARGO) +nightly fuzz run $$target fuzz/corpus/$$target fuzz/seeds/$$target -- \
-	    -max_total_time=$${FUZZ_SECONDS:-60} -timeout=20 -rss_limit_mb=2048; \
+	    -max_total_time=$${FUZZ_SECONDS:-60} -timeout=20 -rss_limit_mb=2048 || exit 1; \
 	done
+	seed=$${SEED:-$$(date +%s)}; echo "KERF_FUZZ_SEED=$$seed"; \
+	KERF_FUZZ_SEED=$$seed KERF_FUZZ_RUNS=$${FUZZ_MADE:-600} KERF_FUZZ_WHOLE=1 \
+	  $(CARGO) test --release --locked --package kerf --test structured -- --nocapture
 
 format: ## format every source file
 	$(CARGO) fmt --all

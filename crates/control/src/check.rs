@@ -4,6 +4,7 @@
 use crate::Work;
 use crate::answers::Operator;
 use crate::event::Event;
+use crate::repetitions::Repetitions;
 use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::sink::Sink;
@@ -68,11 +69,14 @@ struct Findings {
     list: Vec<Diagnostic>,
     /// Names of the files that were read, in order.
     files: Vec<Arc<str>>,
+    /// Findings of the dry run that come again and again.
+    again: Repetitions,
 }
 
 impl Findings {
     /// What was found; a run with errors has no summary.
-    fn checked(self, summary: Option<Summary>) -> Checked {
+    fn checked(mut self, summary: Option<Summary>) -> Checked {
+        self.list.extend(self.again.told());
         let summary = summary.filter(|_| !self.list.iter().any(Diagnostic::is_error));
         Checked { diagnostics: self.sorted(), summary }
     }
@@ -146,7 +150,9 @@ impl Findings {
 
 impl Sink for Findings {
     fn event(&mut self, event: &Event) {
-        if let Event::Diag(diagnostic) = event {
+        if let Event::Diag(diagnostic) = event
+            && self.again.is_new(diagnostic)
+        {
             self.add(diagnostic);
         }
     }

@@ -6,6 +6,7 @@
 //!        └── World: answers ┴──────────► carried out                  └─ input: interrupt
 //! ```
 
+use crate::bound::Bound;
 use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::session::LimitPolicy;
@@ -69,6 +70,8 @@ pub(crate) struct Runner<'a, I> {
     pub reentry: Option<Placed>,
     /// Up to here it is on record how far a move has come, machine time.
     pub recorded_s: f64,
+    /// The bound on what is carried out.
+    pub bound: Bound,
 }
 
 /// Whether a run goes on.
@@ -123,6 +126,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             ends: None,
             reentry: None,
             recorded_s: 0.0,
+            bound: Bound::default(),
         }
     }
 
@@ -339,6 +343,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     fn take(&mut self, mut sourced: Sourced, number: u64) -> Flow {
+        if !self.bound.takes_one() {
+            return self.looked_enough(sourced.at);
+        }
         if self.leaves_torch(&sourced.command) {
             match self.flush() {
                 Flow::On => self.world.machine.land_torch(),
@@ -361,6 +368,19 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         };
         let Some(made) = made else { return Flow::On };
         self.take_move(made, number)
+    }
+
+    /// Makes what was read up to here; then the run is over.
+    fn looked_enough(&mut self, at: At) -> Flow {
+        match self.flush() {
+            Flow::On => {
+                let (message, hint) = self.bound.told();
+                let mut over = self.over(Status::Limit, Code::LineLimit, at, message);
+                over.diagnostic = over.diagnostic.map(|told| Box::new(told.hint(hint)));
+                Flow::Over(over)
+            }
+            flow => flow,
+        }
     }
 
     /// A move joins the stack; a jog is a stack of its own.

@@ -2,6 +2,7 @@
 
 use crate::answers::Operator;
 use crate::before::{Before, Door, Whole};
+use crate::bound::Bound;
 use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
 use crate::heights;
 use crate::journal::Placed;
@@ -59,6 +60,10 @@ pub struct RunOptions {
     /// What came before the run, which goes on from there.
     #[serde(default)]
     pub before: Before,
+    /// Carry out so many commands at the most, moves and all others; 0 for no bound. What only looks at a
+    /// program has one: a program may go round for ever on purpose.
+    #[serde(default)]
+    pub most_commands: u64,
     /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
     /// on it.
     pub lines_at_once: u64,
@@ -250,6 +255,7 @@ impl Session {
             Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
         runner.trail = Trail::new(depth);
+        runner.bound = Bound::of(options.most_commands);
         runner.reentry = stands;
         let over = runner.run();
         if let Some(log) = log {

@@ -11,8 +11,11 @@ use kerf_program::{
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// More than this is a loop without an end; some gigabytes.
-const MOST_ITEMS: usize = 20_000_000;
+/// More than this, and than a few for each line, is a loop without an end; some hundred megabytes.
+const MOST_ITEMS: usize = 2_000_000;
+
+/// Items of a line, as many as a long program without loops may need.
+const ITEMS_A_LINE: usize = 8;
 
 /// What following needs of a language besides [`Interpreter`].
 pub trait Language: Interpreter {
@@ -31,7 +34,8 @@ pub trait Language: Interpreter {
 }
 
 /// Follows a program to its end.
-pub fn follow<I: Language>(mut interpreter: I, behind: &mut dyn Host) -> Passage {
+pub fn follow<I: Language>(mut interpreter: I, lines: usize, behind: &mut dyn Host) -> Passage {
+    let most_items = MOST_ITEMS.max(ITEMS_A_LINE.saturating_mul(lines));
     let mut host = Paper::new(behind, interpreter.position().0);
     let mut follower = Follower::default();
     follower.passage.start = interpreter.position();
@@ -63,7 +67,7 @@ pub fn follow<I: Language>(mut interpreter: I, behind: &mut dyn Host) -> Passage
         // A line that asks does it last, but for a change of tools.
         seen.for_each(|seen| follower.seen(seen, at));
         match step {
-            Step::Ran if follower.passage.items.len() > MOST_ITEMS => {
+            Step::Ran if follower.passage.items.len() > most_items => {
                 let at = Place::line(interpreter.file_name(at.file).unwrap_or_default(), at.line);
                 let message = "the program does not come to an end";
                 let diagnostic = Diagnostic::new(Code::LineLimit, at, message)

@@ -149,7 +149,9 @@ pub(crate) fn run(
                 ..kerf_sbp::Session::default()
             };
             let options = kerf_sbp::Options { preview: true, ..how.sbp.clone() };
-            let mut passage = follow(kerf_sbp::Interpreter::new(program, session, options), host);
+            let lines = program.lines.len();
+            let mut passage =
+                follow(kerf_sbp::Interpreter::new(program, session, options), lines, host);
             passage.diagnostics.splice(0..0, diagnostics);
             passage
         }
@@ -173,7 +175,9 @@ pub(crate) fn run(
                 tolerance_mm: if path_only { DRAWN_MM } else { plain.tolerance_mm },
                 ..plain
             };
-            let mut passage = follow(kerf_gcode::Interpreter::new(program, session, options), host);
+            let lines = program.line_count() as usize;
+            let mut passage =
+                follow(kerf_gcode::Interpreter::new(program, session, options), lines, host);
             passage.diagnostics.splice(0..0, diagnostics);
             passage
         }

@@ -144,8 +144,9 @@ codes! {
         "This statement has no meaning outside a part file.";
     Geometry "R013" Error "the shape cannot be cut"
         "The values give no shape: a cutter larger than the hole, an end that is not on the circle.";
-    LineLimit "R014" Error "too many lines executed"
-        "The bound of --max-lines was reached. Is there a loop that never ends?";
+    LineLimit "R014" Error "too many lines executed, or too many moves for a look"
+        "The bound of --max-lines was reached, or a check, a preview or an estimate came to its bound of moves and \
+         other commands. Is there a loop that never ends? A machine runs such a program until it is stopped.";
     Terminated "R015" Error "terminated by the user"
         "A question was answered with Cancel, or a value was missing.";
     NotEnabled "R016" Error "not enabled"

@@ -14,4 +14,4 @@ pub use codes::{Code, Explanation, explain};
 pub use diagnostic::{Diagnostic, Place, Severity};
 pub use render::{Sources, render_text};
 pub use suggest::did_you_mean;
-pub use text::decode;
+pub use text::{decode, with_commas};

@@ -1,4 +1,4 @@
-//! Bytes to text: old program files come in several encodings.
+//! Bytes and numbers to text: old program files come in several encodings.
 
 use std::borrow::Cow;
 
@@ -57,6 +57,13 @@ fn windows_1252(byte: u8) -> char {
     }
 }
 
+/// A whole number with commas between its thousands: `1,204,332`.
+pub fn with_commas(number: u64) -> String {
+    let digits = number.to_string();
+    let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
+    groups.collect::<Vec<_>>().join(",")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -75,5 +82,11 @@ mod tests {
         }
         assert_eq!(decode(b"MX,1\n\0"[..].into()), Err(2));
         assert_eq!(decode(b"\xFF\xFEM\0\n\0\0\0"[..].into()), Err(2));
+    }
+
+    #[test]
+    fn thousands_are_parted_by_commas() {
+        let written = [7, 1000, 200_000, 1_204_332].map(with_commas);
+        assert_eq!(written, ["7", "1,000", "200,000", "1,204,332"]);
     }
 }

@@ -90,6 +90,9 @@ impl Editor {
             other => other,
         };
         let outcome = act(draft, operation).map_err(placed)?;
+        if draft.drawing.shapes.len() > before.len() {
+            fits(&draft.drawing)?;
+        }
         for (place, shape) in draft.drawing.shapes.iter().enumerate() {
             // Shapes that were not touched are the same ones, and were looked at before.
             if before.get(place).is_some_and(|old| Arc::ptr_eq(old, shape)) {
@@ -252,6 +255,31 @@ impl Editor {
     }
 }
 
+/// The most shapes of a drawing to which an operation adds some: copies of copies double without bound.
+const MOST_SHAPES: usize = 1_000_000;
+
+/// The most vertices of them.
+const MOST_VERTICES: usize = 10_000_000;
+
+/// A drawing that was made larger is refused where it is larger than anybody cuts.
+fn fits(drawing: &Drawing) -> Result<(), OpError> {
+    let shapes = drawing.shapes.len();
+    let vertices: usize = drawing.shapes.iter().map(|shape| shape.path.vertices.len()).sum();
+    let bounds = [
+        ("the number of shapes of the drawing", shapes, MOST_SHAPES, "a million at the most"),
+        (
+            "the number of vertices of the drawing",
+            vertices,
+            MOST_VERTICES,
+            "10 million at the most",
+        ),
+    ];
+    match bounds.into_iter().find(|(_, count, most, _)| count > most) {
+        Some((what, count, _, bound)) => Err(OpError::Bound { what, value: count as f64, bound }),
+        None => Ok(()),
+    }
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -281,6 +309,19 @@ mod tests {
             assert!(told.starts_with("shape ") && told.contains("vertex"), "{clauses}: {told}");
         }
         assert!(told("point 2e9,0").contains(far), "{}", told("point 2e9,0"));
+    }
+
+    #[test]
+    fn copies_of_copies_end_at_a_million_shapes() {
+        let mut editor = after("rect 0,0 1,1; select all").unwrap();
+        let one = editor.drawing.shapes[0].clone();
+        editor.drawing.shapes = vec![one; MOST_SHAPES - 1];
+        let copy = || Operation::Copy { by: kerf_geom::Vec2::new(9.0, 0.0) };
+        editor.apply(&copy()).unwrap();
+        let told = editor.apply(&copy()).unwrap_err().to_string();
+        let expected =
+            "the number of shapes of the drawing is 1000001: it must be a million at the most";
+        assert_eq!(told, expected);
     }
 
     #[test]

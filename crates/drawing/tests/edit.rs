@@ -263,8 +263,8 @@ fn pro_array_sel_rect() {
         editor.drawing.shapes.iter().map(|s| (s.start().x, s.start().y)).collect();
     let row = |y: f64| [0.0, 15.0, 30.0].map(|x| (x, y));
     assert_eq!(corners, [row(0.0), row(18.0)].concat());
-    assert!(refused("rect 0,0 1,1; select all", "array rect 0x3").contains("1 to a million"));
-    assert!(refused("rect 0,0 1,1; select all", "array rect 9999x9999").contains("1 to a million"));
+    assert!(refused("rect 0,0 1,1; select all", "array rect 0x3").contains("1 to 200,000"));
+    assert!(refused("rect 0,0 1,1; select all", "array rect 9999x9999").contains("1 to 200,000"));
 }
 
 #[test]

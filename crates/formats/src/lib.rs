@@ -6,8 +6,10 @@
 
 pub mod bitmap;
 pub mod dxf;
+mod effort;
 mod finding;
 pub mod hpgl;
+mod layers;
 pub mod motion;
 mod places;
 pub mod rsg;
@@ -15,6 +17,7 @@ pub mod svg;
 mod tidy;
 mod unkept;
 
+pub use effort::{Ended, MOST_PLACED, MOST_PLACED_VERTICES};
 pub use finding::{Finding, Weight};
 pub use unkept::unkept;
 
@@ -32,4 +35,6 @@ pub struct Imported {
     pub layers: Vec<(String, Vec<usize>)>,
     /// What was skipped, as `TEXT 4`, by name.
     pub skipped: Option<String>,
+    /// The reason for which the drawing is empty, where its reading ended early.
+    pub ended: Option<Ended>,
 }

@@ -27,6 +27,7 @@ pub fn read<'a>(commands: impl IntoIterator<Item = &'a Sourced>, start: Axes) ->
         findings: findings.finish(),
         layers: Vec::new(),
         skipped: None,
+        ended: None,
     }
 }
 

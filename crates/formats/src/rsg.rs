@@ -104,7 +104,12 @@ fn extra(shape: &Shape) -> Extra {
 
 /// Reads an RSG file, or any DXF.
 pub fn read(bytes: &[u8]) -> Imported {
-    read_as(bytes, false).0
+    read_until(bytes, &|| false)
+}
+
+/// The same, until it is given up: then nothing is read.
+pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> Imported {
+    read_as(bytes, false, given_up).0
 }
 
 /// What a file has that only Kerf writes.
@@ -120,12 +125,12 @@ pub enum Own {
 
 /// Reads an RSG or RSM file with the data of its job, its paths to the letter.
 pub fn read_with(bytes: &[u8]) -> (Imported, Own) {
-    read_as(bytes, true)
+    read_as(bytes, true, &|| false)
 }
 
-fn read_as(bytes: &[u8], as_written: bool) -> (Imported, Own) {
+fn read_as(bytes: &[u8], as_written: bool, given_up: &dyn Fn() -> bool) -> (Imported, Own) {
     let options = Options { scale: false, as_written, ..Options::default() };
-    let (mut read, notes) = dxf::read_with_notes(bytes, &options);
+    let (mut read, notes) = dxf::read_with_notes(bytes, &options, given_up);
     let head: String = notes.head.iter().filter_map(|line| line.strip_prefix(MARK)).collect();
     if head.is_empty() && !notes.shapes.iter().any(|note| note.starts_with(MARK)) {
         return (read, Own::Nothing);

@@ -331,25 +331,6 @@ fn blocks_on_layers_that_are_not_seen() {
 }
 
 #[test]
-fn blocks_that_multiply_nothing_end() {
-    let block = |n: u32| {
-        let insert = format!("0 INSERT/2 b{}/10 0/20 0/70 100/71 100/44 1/45 1/", n.max(1) - 1);
-        let body = if n == 0 { "0 TEXT/1 x/".into() } else { insert };
-        format!("0 BLOCK/2 b{n}/10 0/20 0/{body}0 ENDBLK/")
-    };
-    let (blocks, options) = (
-        (0..6).map(block).collect::<String>(),
-        Options { most_shapes: 1000, ..Options::default() },
-    );
-    let (drawn, told) = on_layers(&[], &blocks, "0 INSERT/2 b5/10 0/20 0", options);
-    assert_eq!(drawn, [0.0; 0]);
-    assert!(
-        told[0].starts_with("more than 1000 shapes, or eight times as many entities"),
-        "{told:?}"
-    );
-}
-
-#[test]
 fn no_bytes_make_it_panic() {
     let whole =
         file(&format!("{LINE}/{}", polyline(1, &[(0.0, 0.0, 0.0, 1.0), (9.0, 0.0, 0.0, 1.0)])));

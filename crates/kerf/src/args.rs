@@ -40,9 +40,10 @@ pub struct RunArgs {
     /// Which reading of the language: sb3, fabmo or strict; of G-code generic, linuxcnc or grbl
     #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
     pub dialect: Dialects,
-    /// Bound on executed lines; 0 for none
-    #[arg(long, value_name = "N", default_value_t = 50_000_000)]
-    pub max_lines: u64,
+    /// Bound on executed lines; 0 for none [default: 50 million]. What only looks at a program also stops after
+    /// so many moves and other commands [default: 2 million, or twice the lines of the file where that is more]
+    #[arg(long, value_name = "N")]
+    pub max_lines: Option<u64>,
     /// Runs a file with errors up to the first bad line that is reached
     #[arg(long)]
     pub allow_errors: bool,

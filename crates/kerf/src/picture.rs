@@ -7,7 +7,7 @@ use crate::report::Diagnostics;
 use crate::setup::Job;
 use anyhow::{Result, bail};
 use kerf_control::event::{ArcEvent, MoveEvent, Place};
-use kerf_control::{Company, Event, Session, Sink, Summary, ToolPathTime, Work};
+use kerf_control::{Company, Event, Repetitions, Session, Sink, Summary, ToolPathTime, Work};
 use kerf_diag::Severity;
 use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath};
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
@@ -46,13 +46,20 @@ pub struct Picture {
     mm: f64,
     /// Segments that were cleared away.
     cleared: usize,
+    /// Findings that come again and again.
+    again: Repetitions,
 }
 
 impl Picture {
     /// An empty scene with a heading.
     pub fn new(title: &Path) -> Self {
         let title = title.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Self { scene: Scene { title, ..Scene::default() }, mm: MM_PER_INCH, cleared: 0 }
+        Self {
+            scene: Scene { title, ..Scene::default() },
+            mm: MM_PER_INCH,
+            cleared: 0,
+            again: Repetitions::default(),
+        }
     }
 
     /// Runs what is prepared, with its findings told, and takes the picture of it.
@@ -149,11 +156,13 @@ impl Sink for Picture {
                 self.scene.times_s.clear();
                 self.scene.turns_deg.clear();
             }
-            Event::Diag(d) if d.severity != Severity::Note => self.scene.findings.push(Finding {
-                severity: d.severity,
-                text: d.message.clone(),
-                line: d.place.line,
-            }),
+            Event::Diag(d) if d.severity != Severity::Note && self.again.is_new(d) => {
+                self.scene.findings.push(Finding {
+                    severity: d.severity,
+                    text: d.message.clone(),
+                    line: d.place.line,
+                })
+            }
             _ => {}
         }
     }

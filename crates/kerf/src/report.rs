@@ -2,22 +2,25 @@
 
 use crate::sources::FileLines;
 use kerf_control::event::AskEvent;
-use kerf_control::{Event, Sink};
+use kerf_control::{Event, Repetitions, Sink};
 use kerf_diag::{Diagnostic, render_text};
 use std::io::{IsTerminal, Write};
 use std::sync::Arc;
 use std::{env, io};
 
 /// Writes diagnostics to the error stream, drawn like a compiler does.
+///
+/// Findings that a loop makes again at a line are told once, and at the end counted.
 #[derive(Default)]
 pub struct Diagnostics {
     lines: FileLines,
+    again: Repetitions,
 }
 
 impl Diagnostics {
     /// With the lines of what runs.
-    pub const fn with(lines: FileLines) -> Self {
-        Self { lines }
+    pub fn with(lines: FileLines) -> Self {
+        Self { lines, again: Repetitions::default() }
     }
 
     /// Writes one.
@@ -28,13 +31,21 @@ impl Diagnostics {
 
 impl Sink for Diagnostics {
     fn event(&mut self, event: &Event) {
-        if let Event::Diag(diagnostic) = event {
+        if let Event::Diag(diagnostic) = event
+            && self.again.is_new(diagnostic)
+        {
             self.show(diagnostic);
         }
     }
 
     fn looks_at_motion(&self) -> bool {
         false
+    }
+}
+
+impl Drop for Diagnostics {
+    fn drop(&mut self) {
+        self.again.told().iter().for_each(|diagnostic| self.show(diagnostic));
     }
 }
 

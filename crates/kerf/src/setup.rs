@@ -104,6 +104,9 @@ pub fn job_of(
     }
     match &mut work {
         Work::Part(program) => {
+            if preview {
+                options.most_commands = most_commands(args, program.line_count());
+            }
             options.program.file.from = from_line(&args.file, program, &shelf)?;
         }
         // A job takes what the options say of motion from the settings, the rest from the machine.
@@ -286,6 +289,17 @@ pub fn settings(place: &PlaceArgs, present: Settings) -> Result<Settings> {
     }
 }
 
+/// The bound on executed lines.
+const MOST_LINES: u64 = 50_000_000;
+
+/// Commands that are looked at, at the least; the picture of so many takes 400 MB.
+const MOST_COMMANDS: u64 = 2_000_000;
+
+/// The bound on commands of what only looks at a program of so many lines. A long file without loops ends before.
+pub fn most_commands(args: &RunArgs, lines: usize) -> u64 {
+    args.max_lines.unwrap_or_else(|| MOST_COMMANDS.max(2 * lines as u64))
+}
+
 /// How the program is run.
 pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions {
     let file = &args.file;
@@ -301,7 +315,7 @@ pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOpt
     };
     let program = kerf_sbp::Options {
         dialect: args.dialect.sbp,
-        max_lines: args.max_lines,
+        max_lines: args.max_lines.unwrap_or(MOST_LINES),
         seed: args.seed,
         file: parameters,
         allow_errors: args.allow_errors,

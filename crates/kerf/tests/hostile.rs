@@ -15,46 +15,18 @@ use std::time::{Duration, Instant};
 /// Memory a command may address, KiB.
 const MOST_KIB: u64 = 2 << 20;
 
-/// No command takes longer, even unoptimised on a busy machine.
-const MOST_TIME: Duration = Duration::from_secs(120);
-
-/// What a bounded command did.
+/// The end of a bounded command.
 struct Ended {
     code: Option<i32>,
     events: Vec<Value>,
     err: String,
 }
 
-/// Runs `kerf` with its memory bounded; panics when it takes too long.
+/// Runs `kerf` with its memory bounded, and takes what it prints for events.
 fn bounded(shop: &Shop, args: &str) -> Ended {
-    let (out, err) = (shop.file("data/out"), shop.file("data/err"));
-    fs::create_dir_all(shop.file("data")).unwrap();
-    let line = format!("ulimit -v {MOST_KIB}; exec '{}' {args}", env!("CARGO_BIN_EXE_kerf"));
-    let mut child = Command::new("sh")
-        .args(["-c", &line])
-        .current_dir(shop.path())
-        .env("KERF_DATA", shop.file("data"))
-        .stdin(Stdio::null())
-        .stdout(fs::File::create(&out).unwrap())
-        .stderr(fs::File::create(&err).unwrap())
-        .spawn()
-        .unwrap();
-    let begin = Instant::now();
-    let status = loop {
-        if let Some(status) = child.try_wait().unwrap() {
-            break status;
-        }
-        if begin.elapsed() > MOST_TIME {
-            child.kill().unwrap();
-            panic!("kerf {args} does not end");
-        }
-        std::thread::sleep(Duration::from_millis(5));
-    };
-    let text = fs::read_to_string(&out).unwrap();
-    let events = text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
-    let err = fs::read_to_string(&err).unwrap();
-    assert!(!err.contains("panicked") && !err.contains("memory"), "{args}: {err}");
-    Ended { code: status.code(), events, err }
+    let did = shop::bounded::bounded(shop, MOST_KIB, args);
+    let events = did.out.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    Ended { code: did.code, events, err: did.err }
 }
 
 /// The program ends with this error, which points to a line of it, or without one where the

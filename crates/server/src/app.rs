@@ -12,6 +12,7 @@ use crate::people::{Devices, Here, Pages, Tries};
 use crate::pool::{KERF, Lane, Pool};
 use crate::preview::{self, Called, Charts, Preview};
 use crate::protect::Unlocked;
+use crate::reading::Readings;
 use crate::saving::{Leave, Saves};
 use crate::setup::{Builders, Options};
 use crate::shop;
@@ -73,6 +74,8 @@ pub struct App {
     pub uptime: Uptime,
     /// The drawing that is open.
     pub desk: Mutex<Desk>,
+    /// The drawing that is being read to be opened.
+    pub reading: Readings,
     /// Who keeps drafts of it is told here that it changed.
     pub changed: OnceLock<Sender<()>>,
     /// The hand console: what happens to it.
@@ -202,6 +205,7 @@ impl App {
             uptime: Uptime::default(),
             unlocked: Unlocked::default(),
             desk: Mutex::default(),
+            reading: Readings::default(),
             changed: OnceLock::new(),
             hand_console: OnceLock::new(),
             open: Mutex::default(),

@@ -2,6 +2,7 @@
 
 use crate::acts::Done;
 use crate::app::{App, hash, lock, problem};
+use crate::reading;
 use crate::saving::Leave;
 use kerf_drawing::{Drawing, Editor, Operation, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
@@ -38,30 +39,50 @@ pub struct Desk {
     pub(crate) finish: Option<Point2>,
 }
 
+/// A drawing that was read to be opened.
+struct Read {
+    /// The job, where the file holds one.
+    job: Option<Job>,
+    imported: Imported,
+    /// The hash of the file, where the drawing is all that it holds.
+    kept: Option<String>,
+}
+
 impl App {
-    /// Changes the drawing.
+    /// Changes the drawing. Files are read before anybody has to wait for the desk.
     ///
     /// # Errors
     /// Why it stays as it was.
     pub fn draw(self: &Arc<Self>, op: Op) -> Done {
-        let mut desk = lock(&self.desk);
-        let notes = match op {
-            Op::New => self.begin(&mut desk, Drawing::default(), None, Vec::new()),
-            Op::Open { name } => self.open_drawing(&mut desk, name)?,
-            Op::Save { name, replaces } => {
-                self.save_drawing(&mut desk, name, replaces.as_deref())?
+        match op {
+            Op::Open { name } => {
+                let opened = self.read_to_open(&name)?;
+                self.on_desk(|desk| Ok(self.open_drawing(desk, name, opened)))
             }
             Op::Do { clauses } => {
                 let operations = self.operations(&clauses)?;
-                self.carry_out(&mut desk, &operations)?
+                self.on_desk(|desk| self.carry_out(desk, &operations))
             }
-            Op::Undo => desk.step(Editor::undo)?,
-            Op::Redo => desk.step(Editor::redo)?,
-            Op::Finish { at } => desk.finish_at(at)?,
+            Op::New => {
+                self.on_desk(|desk| Ok(self.begin(desk, Drawing::default(), None, Vec::new())))
+            }
+            Op::Save { name, replaces } => {
+                self.on_desk(|desk| self.save_drawing(desk, name, replaces.as_deref()))
+            }
+            Op::Undo => self.on_desk(|desk| desk.step(Editor::undo)),
+            Op::Redo => self.on_desk(|desk| desk.step(Editor::redo)),
+            Op::Finish { at } => self.on_desk(|desk| desk.finish_at(at)),
             Op::Program { name, replaces } => {
-                self.write_program(&desk, &name, &Leave::of(replaces.as_deref()))?
+                let leave = Leave::of(replaces.as_deref());
+                self.on_desk(|desk| self.write_program(desk, &name, &leave))
             }
-        };
+        }
+    }
+
+    /// Changes what lies on the desk, and tells everybody.
+    fn on_desk(&self, change: impl FnOnce(&mut Desk) -> Done) -> Done {
+        let mut desk = lock(&self.desk);
+        let notes = change(&mut desk)?;
         desk.notes.clone_from(&notes);
         let drawing = Some(desk.state(&self.heights()));
         self.hub.change(vec![Change::Drawing { drawing }]);
@@ -75,13 +96,7 @@ impl App {
     /// # Errors
     /// Why it cannot be drawn.
     pub fn draw_shape(self: &Arc<Self>, operation: Operation) -> Result<(), Problem> {
-        let mut desk = lock(&self.desk);
-        desk.notes = self.carry_out(&mut desk, &[(1, operation)])?;
-        let drawing = Some(desk.state(&self.heights()));
-        self.hub.change(vec![Change::Drawing { drawing }]);
-        drop(desk);
-        self.drawn();
-        Ok(())
+        self.on_desk(|desk| self.carry_out(desk, &[(1, operation)])).map(drop)
     }
 
     /// The heights that the machine is set to.
@@ -118,21 +133,31 @@ impl App {
         Ok(notes)
     }
 
-    fn open_drawing(&self, desk: &mut Desk, name: String) -> Done {
-        let bytes = self.parts.read(&name)?;
-        let job = (extension(&name) == "rsm").then(|| kerf_toolpath::read(&bytes));
-        let Imported { drawing, findings, .. } = match &job {
-            Some((job, read)) => Imported { drawing: job.as_drawing(), ..read.clone() },
-            None => drawing_in(&name, &bytes)?,
+    /// Reads a drawing that is to be opened; one that is still being read is given up.
+    fn read_to_open(&self, name: &str) -> Result<Read, Problem> {
+        let (reading, bytes) = (self.reading.begin(), self.parts.read(name)?);
+        let job = (extension(name) == "rsm").then(|| kerf_toolpath::read(&bytes));
+        let (job, imported) = match job {
+            Some((job, read)) => {
+                let imported = Imported { drawing: job.as_drawing(), ..read };
+                (Some(job), imported)
+            }
+            None => (None, drawing_until(name, &bytes, &|| reading.is_given_up())?),
         };
+        // What was imported is not what the file holds: who writes over that is asked.
+        let kept = ["rsg", "rsm"].contains(&extension(name).as_str()).then(|| hash(&bytes));
+        Ok(Read { job, imported, kept })
+    }
+
+    fn open_drawing(&self, desk: &mut Desk, name: String, read: Read) -> Vec<String> {
+        let Read { job, imported: Imported { drawing, findings, .. }, kept } = read;
         let mut notes: Vec<_> = findings.into_iter().map(|found| found.text).collect();
         notes.splice(0..0, job.is_some().then(|| BY_HAND.into()));
-        let notes = self.begin(desk, drawing, Some(name.clone()), notes);
-        // What was imported is not what the file holds: who writes over that is asked.
-        desk.kept = ["rsg", "rsm"].contains(&extension(&name).as_str()).then(|| hash(&bytes));
-        desk.finish = job.as_ref().and_then(|(job, _)| job.finish);
-        desk.job = job.map(|(job, _)| job);
-        Ok(notes)
+        let notes = self.begin(desk, drawing, Some(name), notes);
+        desk.kept = kept;
+        desk.finish = job.as_ref().and_then(|job| job.finish);
+        desk.job = job;
+        notes
     }
 
     pub(crate) fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
@@ -253,16 +278,26 @@ impl Desk {
 
 /// What a file holds of drawings.
 pub(crate) fn drawing_in(name: &str, bytes: &[u8]) -> Result<Imported, Problem> {
-    match extension(name).as_str() {
+    drawing_until(name, bytes, &|| false)
+}
+
+/// The same, until it is given up.
+fn drawing_until(
+    name: &str,
+    bytes: &[u8],
+    given_up: &dyn Fn() -> bool,
+) -> Result<Imported, Problem> {
+    let read = match extension(name).as_str() {
         "dxf" => {
             let options = dxf::Options { scale: true, explode: true, ..Default::default() };
-            Ok(dxf::read(bytes, &options))
+            dxf::read_until(bytes, &options, given_up)
         }
-        "rsg" => Ok(rsg::read(bytes)),
-        "rsm" => Ok(rsg::read_with(bytes).0),
-        "svg" => Ok(svg::read(bytes)),
-        _ => Err(problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm")),
-    }
+        "rsg" => rsg::read_until(bytes, given_up),
+        "rsm" => rsg::read_with(bytes).0,
+        "svg" => svg::read_until(bytes, given_up),
+        _ => return Err(problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm")),
+    };
+    reading::whole(name, read)
 }
 
 /// What is lost of a drawing in a file of this name.

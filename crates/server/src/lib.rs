@@ -48,6 +48,7 @@ mod priority;
 mod problems;
 mod protect;
 mod ran;
+mod reading;
 mod saving;
 mod setup;
 mod shop;

@@ -2,7 +2,7 @@
 
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Kind, Shape, crosses};
-use kerf_geom::{Bounds2, BoxTree, Indexed, Point2, Polyarc, Segment};
+use kerf_geom::{Bounds2, BoxTree, Point2, Polyarc, Segment};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -24,16 +24,13 @@ pub(crate) struct Tool {
 /// All contours of a drawing, to be asked what is near.
 pub(crate) struct Contours {
     shapes: Vec<Arc<Shape>>,
-    outlines: Vec<Outline>,
-    /// The boxes of the outlines.
+    /// The closed shapes, neighbours in the plane beside each other.
+    outlines: Vec<usize>,
+    /// Their segments, each with the place of its outline. The boxes of whole outlines say little: those of
+    /// frames within each other all meet.
+    segments: Vec<(usize, Segment)>,
+    /// The boxes of the segments.
     tree: BoxTree,
-}
-
-/// The segments of a shape, apart from those of all others: a path has many of its own shape near, and is
-/// seldom asked about them.
-struct Outline {
-    shape: usize,
-    indexed: Indexed,
 }
 
 impl Contours {
@@ -45,12 +42,17 @@ impl Contours {
         };
         let shapes: Vec<usize> = (0..drawing.shapes.len()).filter(closed).collect();
         let boxes: Vec<Bounds2> = shapes.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
-        let outline =
-            |shape: usize| Outline { shape, indexed: Indexed::new([&drawing.shapes[shape].path]) };
         let order = BoxTree::order(&boxes).into_iter();
-        let outlines: Vec<Outline> = order.map(|place| outline(shapes[place])).collect();
-        let tree = BoxTree::new(outlines.iter().map(|outline| outline.indexed.tree().bounds()));
-        Self { shapes: drawing.shapes.clone(), outlines, tree }
+        let outlines: Vec<usize> = order.map(|place| shapes[place]).collect();
+        let of = |(place, shape): (usize, &usize)| {
+            drawing.shapes[*shape].path.segments().map(move |segment| (place, segment))
+        };
+        let segments: Vec<(usize, Segment)> = outlines.iter().enumerate().flat_map(of).collect();
+        let boxes: Vec<Bounds2> = segments.iter().map(|(_, segment)| segment.bounds()).collect();
+        let order = BoxTree::order(&boxes);
+        let segments = order.iter().map(|n| segments[*n]).collect();
+        let tree = BoxTree::new(order.iter().map(|n| boxes[*n]));
+        Self { shapes: drawing.shapes.clone(), outlines, segments, tree }
     }
 
     /// Calls `visit` with every wanted shape of which a segment near an area is `hit`, until it returns false.
@@ -59,15 +61,17 @@ impl Contours {
         area: &Bounds2,
         wanted: impl Fn(usize) -> bool,
         hit: impl Fn(&Segment) -> bool,
-        mut visit: impl FnMut(usize) -> bool,
+        visit: impl FnMut(usize) -> bool,
     ) {
-        let meets = |b: &Bounds2| b.meets(area);
-        let look = |n: usize| {
-            let Outline { shape, indexed } = &self.outlines[n];
-            let missed = |k: usize| !hit(&indexed.segments()[k]);
-            !wanted(*shape) || indexed.tree().search(meets, missed) || visit(*shape)
-        };
-        self.tree.search(meets, look);
+        let mut found = BTreeSet::new();
+        self.tree.meeting(area, |n| {
+            let (outline, segment) = &self.segments[n];
+            if wanted(self.outlines[*outline]) && !found.contains(outline) && hit(segment) {
+                found.insert(*outline);
+            }
+        });
+        // One that stops early is given the first in the order of the plane.
+        _ = found.into_iter().map(|outline| self.outlines[outline]).all(visit);
     }
 
     /// The first shape whose contour a tool of that radius would cut into on a lead.

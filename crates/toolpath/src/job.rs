@@ -20,8 +20,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use thiserror::Error;
 
-/// The most paths of a job: what is more is a slip in the number of rows, not a job.
-pub const MOST_PATHS: u64 = 10_000_000;
+/// The most paths that arrays add to those of the drawing itself: what is more is a slip in the number of rows,
+/// not a job.
+pub const MOST_PATHS: u64 = 200_000;
+
+/// The most vertices of them.
+const MOST_VERTICES: u64 = 5_000_000;
 
 /// One path of a job.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +65,8 @@ pub struct Job {
 pub enum JobError {
     /// Arrays without bound.
     #[error(
-        "{paths} paths: the arrays make {copies} copies of the drawing; 10 million paths at the most"
+        "the arrays make {copies} copies of the drawing, which come to {paths} paths: 200,000 paths and 5 million \
+         vertices at the most beyond the drawing's own; give the arrays fewer rows and columns"
     )]
     TooMany {
         /// Paths of the whole.
@@ -125,10 +130,7 @@ pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warni
     let block = block(drawing, shaping, &mut warnings);
     let warnings = warnings.into_iter().map(|told: Warning| told.placed(&drawing.shapes)).collect();
     let copies = drawing.arrays.count();
-    let paths = copies.saturating_mul(block.len() as u64);
-    if paths > MOST_PATHS {
-        return Err(JobError::TooMany { paths, copies });
-    }
+    fits(copies, &block)?;
     let size = drawing.bounds().map_or(Vec2::default(), |bounds| bounds.size());
     drawing.arrays.check(size)?;
     let places = drawing.arrays.placements(size);
@@ -142,6 +144,17 @@ pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warni
         ..Job::default()
     };
     Ok((job, warnings))
+}
+
+/// Arrays that lay out more than anybody cuts are refused.
+fn fits(copies: u64, block: &[CutPath]) -> Result<(), JobError> {
+    let vertices = block.iter().map(|path| path.shape.path.vertices.len() as u64).sum::<u64>();
+    let added = |each: u64| copies.saturating_sub(1).saturating_mul(each);
+    if added(block.len() as u64) > MOST_PATHS || added(vertices) > MOST_VERTICES {
+        let paths = copies.saturating_mul(block.len() as u64);
+        return Err(JobError::TooMany { paths, copies });
+    }
+    Ok(())
 }
 
 /// The paths of the basic block.

@@ -6,8 +6,11 @@ use kerf_geom::{Point2, Transform2, Vec2};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// The most shapes that an array may add: more are a slip of a digit.
-const MOST_SHAPES: u64 = 1_000_000;
+/// The most shapes that an array may come to: more are a slip of a digit.
+const MOST_SHAPES: u64 = 200_000;
+
+/// The most vertices of them.
+const MOST_VERTICES: u64 = 5_000_000;
 
 /// Spacing is the gap between neighbouring boxes (Profiler notes, 25).
 pub(super) fn in_rows(
@@ -24,7 +27,7 @@ pub(super) fn in_rows(
         ..ArrayLevel::default()
     };
     let shapes = selected_shapes(draft)?;
-    fits(array.count(), shapes.len())?;
+    fits(array.count(), &shapes)?;
     let size = bounds_of(shapes.iter().map(Arc::as_ref)).map_or(Vec2::default(), |b| b.size());
     let pitch = array.pitch(size);
     let by = |n| {
@@ -38,7 +41,7 @@ pub(super) fn in_rows(
 /// The number counts the original; each copy is turned with its angle (Profiler notes, 24).
 pub(super) fn round(draft: &mut Editor, count: u32, centre: Point2) -> Result<(), OpError> {
     let shapes = selected_shapes(draft)?;
-    fits(u64::from(count), shapes.len())?;
+    fits(u64::from(count), &shapes)?;
     let turn = |n| Transform2::turned(centre, TAU * f64::from(n) / f64::from(count));
     add(draft, &shapes, (1..count).map(turn));
     Ok(())
@@ -48,13 +51,18 @@ fn selected_shapes(draft: &Editor) -> Result<Vec<Arc<Shape>>, OpError> {
     Ok(draft.selected()?.into_iter().map(|n| draft.drawing.shapes[n].clone()).collect())
 }
 
-fn fits(copies: u64, shapes: usize) -> Result<(), OpError> {
-    let total = copies.saturating_mul(shapes as u64);
-    if (1..=MOST_SHAPES).contains(&total) {
-        return Ok(());
+fn fits(copies: u64, shapes: &[Arc<Shape>]) -> Result<(), OpError> {
+    let vertices = shapes.iter().map(|shape| shape.path.vertices.len()).sum::<usize>();
+    let total = |each: usize| copies.saturating_mul(each as u64);
+    if !(1..=MOST_SHAPES).contains(&total(shapes.len())) {
+        let (what, bound) = ("the number of shapes", "1 to 200,000");
+        return Err(OpError::Bound { what, value: total(shapes.len()) as f64, bound });
     }
-    let (what, bound) = ("the number of shapes", "1 to a million");
-    Err(OpError::Bound { what, value: total as f64, bound })
+    if total(vertices) > MOST_VERTICES {
+        let (what, bound) = ("the number of vertices", "5 million at the most");
+        return Err(OpError::Bound { what, value: total(vertices) as f64, bound });
+    }
+    Ok(())
 }
 
 fn add(draft: &mut Editor, shapes: &[Arc<Shape>], maps: impl Iterator<Item = Transform2>) {

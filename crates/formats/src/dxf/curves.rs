@@ -10,7 +10,7 @@ use kerf_geom::{Point2, Polyarc, Segment, Vec2};
 use std::f64::consts::TAU;
 
 pub(super) fn ellipse<'f, 'a>(
-    import: &mut Import<'f, 'a>,
+    import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     place: &Place<'a>,
 ) {
@@ -62,7 +62,7 @@ const SLANTED_CHORDS: usize = 720;
 const CLOSED: i64 = 1;
 
 pub(super) fn spline<'f, 'a>(
-    import: &mut Import<'f, 'a>,
+    import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     place: &Place<'a>,
 ) {
@@ -104,7 +104,7 @@ pub(super) fn spline<'f, 'a>(
 }
 
 fn lines<'f, 'a>(
-    import: &mut Import<'f, 'a>,
+    import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     place: &Place<'a>,
     world: Vec<Vec3>,
@@ -146,7 +146,7 @@ struct Parts {
     ends: [Option<Vec3>; 2],
 }
 
-fn parts<'f, 'a>(import: &mut Import<'f, 'a>, entity: &Entity<'f, 'a>) -> Option<Parts> {
+fn parts<'f, 'a>(import: &mut Import<'f, 'a, '_>, entity: &Entity<'f, 'a>) -> Option<Parts> {
     let mut parts = Parts::default();
     for tag in entity.tags {
         if !matches!(tag.code, 10..=33 | 40 | 41) {

@@ -7,7 +7,9 @@ use super::unseen::Unseen;
 use super::write::Notes;
 use super::{curves, insert, polyline, skipped, units};
 use crate::Imported;
+use crate::effort::{Effort, MOST_PLACED};
 use crate::finding::Findings;
+use crate::layers::Layers;
 use crate::rsg::MARK;
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Point2, Polyarc, fit, tol};
@@ -26,15 +28,16 @@ pub struct Options {
     pub as_written: bool,
     /// How far arcs may stray from ellipses and splines, millimetres.
     pub tolerance_mm: f64,
-    /// The most shapes that are made: nested blocks can multiply without bound.
-    pub most_shapes: usize,
+    /// Entities that INSERT draws, at the most, beyond those that the file writes: blocks in blocks can multiply without
+    /// bound.
+    pub most_placed: u64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        let (tolerance_mm, most_shapes) = (tol::FIT_MM, 5_000_000);
+        let (tolerance_mm, most_placed) = (tol::FIT_MM, MOST_PLACED);
         let (unseen, as_written) = (false, false);
-        Self { explode: true, scale: true, unseen, as_written, tolerance_mm, most_shapes }
+        Self { explode: true, scale: true, unseen, as_written, tolerance_mm, most_placed }
     }
 }
 
@@ -47,11 +50,20 @@ impl Default for Options {
 /// assert!(read.findings.is_empty());
 /// ```
 pub fn read(bytes: &[u8], options: &Options) -> Imported {
-    read_with_notes(bytes, options).0
+    read_until(bytes, options, &|| false)
+}
+
+/// The same, until it is given up: then nothing is read.
+pub fn read_until(bytes: &[u8], options: &Options, given_up: &dyn Fn() -> bool) -> Imported {
+    read_with_notes(bytes, options, given_up).0
 }
 
 /// Reads a DXF file with the comments at its head and in its entities.
-pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Notes) {
+pub(crate) fn read_with_notes(
+    bytes: &[u8],
+    options: &Options,
+    given_up: &dyn Fn() -> bool,
+) -> (Imported, Notes) {
     let mut findings = Findings::default();
     let tags = tags(bytes, &mut findings);
     if tags.is_empty() {
@@ -65,12 +77,11 @@ pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Not
         options: *options,
         findings,
         shapes: Vec::new(),
-        layers: Vec::new(),
+        layers: Layers::default(),
         notes: Vec::new(),
         open_blocks: Vec::new(),
         unseen: Unseen::default(),
-        seen: 0,
-        full: false,
+        effort: effort(&tags, options, given_up),
     };
     let world = Place { map: Map3::scaled(unit, unit, unit), layer: None };
     for section in &file.entities {
@@ -79,6 +90,12 @@ pub(crate) fn read_with_notes(bytes: &[u8], options: &Options) -> (Imported, Not
     import.unseen.tell(&file.unseen, &mut import.findings);
     let head = tags.iter().take_while(|tag| tag.code == 999).map(Tag::text).collect();
     import.finish(head)
+}
+
+/// INSERT may draw as many entities as the file writes for nothing.
+fn effort<'g>(tags: &[Tag], options: &Options, given_up: &'g dyn Fn() -> bool) -> Effort<'g> {
+    let entities = tags.iter().filter(|tag| tag.code == 0).count();
+    Effort::of(entities, tags.len(), given_up).at_most(options.most_placed)
 }
 
 fn unit(file: &File, options: &Options, findings: &mut Findings) -> f64 {
@@ -111,30 +128,42 @@ impl<'a> Place<'a> {
     }
 }
 
+/// A block that is being drawn.
+pub(super) struct OpenBlock<'f, 'a> {
+    /// Its name in the table of blocks.
+    pub key: &'f [u8],
+    /// Its name as the INSERT has it.
+    pub name: &'a [u8],
+    /// The line of the INSERT.
+    pub line: u32,
+}
+
 /// What is being made of a file.
-pub(super) struct Import<'f, 'a> {
+pub(super) struct Import<'f, 'a, 'g> {
     pub file: &'f File<'f, 'a>,
     pub options: Options,
     pub findings: Findings,
     shapes: Vec<Shape>,
-    layers: Vec<(&'a [u8], Vec<usize>)>,
+    layers: Layers,
     /// The comment in the entity of each shape, empty where there is none.
     notes: Vec<String>,
-    /// Names of the blocks being drawn, outermost first.
-    pub open_blocks: Vec<&'f [u8]>,
+    /// The blocks being drawn, outermost first.
+    pub open_blocks: Vec<OpenBlock<'f, 'a>>,
     unseen: Unseen<'a>,
-    /// Entities so far, those of blocks as often as they are placed.
-    seen: usize,
-    pub full: bool,
+    effort: Effort<'g>,
 }
 
-impl<'f, 'a> Import<'f, 'a> {
-    fn finish(self, head: Vec<String>) -> (Imported, Notes) {
-        let layers = self.layers.into_iter();
-        let layers = layers.map(|(name, shapes)| (super::tag::decoded(name), shapes)).collect();
+impl<'f, 'a> Import<'f, 'a, '_> {
+    fn finish(mut self, head: Vec<String>) -> (Imported, Notes) {
+        let ended = self.effort.ended();
+        if ended.is_some() {
+            (self.shapes, self.layers, self.notes) = Default::default();
+        }
+        let layers = self.layers.list;
         let skipped = self.findings.skipped();
         let drawing = Drawing::of(self.shapes);
-        let read = Imported { drawing, findings: self.findings.finish(), layers, skipped };
+        let findings = self.findings.finish();
+        let read = Imported { drawing, findings, layers, skipped, ended };
         (read, Notes { head, shapes: self.notes, layers: false })
     }
 
@@ -142,7 +171,7 @@ impl<'f, 'a> Import<'f, 'a> {
     pub fn entities(&mut self, tags: &'f [Tag<'a>], place: &Place<'a>) {
         let mut rest = entities(tags).peekable();
         while let Some(entity) = rest.next() {
-            if self.is_full(entity.line) {
+            if !self.goes_on() {
                 return;
             }
             // Paper space is the sheet around the drawing, not the drawing.
@@ -163,19 +192,24 @@ impl<'f, 'a> Import<'f, 'a> {
         }
     }
 
-    /// Whether more was read than anybody draws: blocks in blocks multiply also where they draw nothing.
-    fn is_full(&mut self, line: u32) -> bool {
-        let most = self.options.most_shapes;
-        self.seen += 1;
-        let full = self.shapes.len() >= most || self.seen > most.saturating_mul(8);
-        if full && !self.full {
-            let text = format!(
-                "more than {most} shapes, or eight times as many entities: the rest is left out"
-            );
-            self.findings.warn("full", line, text);
-        }
-        self.full |= full;
-        full
+    /// Counts an entity, or a copy of an empty block; nothing more is drawn when this is false.
+    pub fn goes_on(&mut self) -> bool {
+        let goes_on = self.effort.goes_on(!self.open_blocks.is_empty());
+        self.tell_too_much();
+        goes_on
+    }
+
+    /// True when nothing more is drawn.
+    pub const fn is_over(&self) -> bool {
+        self.effort.ended().is_some()
+    }
+
+    /// Tells of the block that draws too much, if that is so.
+    fn tell_too_much(&mut self) {
+        let Some(outermost) = self.open_blocks.first().filter(|_| self.is_over()) else { return };
+        let what = format!("INSERT of block `{}`", super::tag::decoded(outermost.name));
+        let mend = "give it and the blocks within it fewer rows and columns, or draw the shapes without blocks";
+        self.effort.tell(&what, (outermost.line, 0), mend, &mut self.findings);
     }
 
     fn single(&mut self, entity: &Entity<'f, 'a>, place: &Place<'a>) {
@@ -348,12 +382,12 @@ impl<'f, 'a> Import<'f, 'a> {
             return;
         }
         let layer = place.layer_of(entity);
-        let number = self.shapes.len();
-        match self.layers.iter_mut().find(|(name, _)| *name == layer) {
-            Some((_, shapes)) => shapes.push(number),
-            None => self.layers.push((layer, vec![number])),
-        }
+        self.layers.add(layer, self.shapes.len(), || super::tag::decoded(layer));
         self.notes.push(note);
+        if !self.open_blocks.is_empty() {
+            self.effort.drew(shape.path.vertices.len());
+            self.tell_too_much();
+        }
         self.shapes.push(shape);
     }
 

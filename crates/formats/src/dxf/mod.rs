@@ -21,7 +21,7 @@ mod units;
 mod unseen;
 mod write;
 
-pub use import::{Options, read};
+pub use import::{Options, read, read_until};
 pub use write::write;
 
 pub(crate) use import::read_with_notes;

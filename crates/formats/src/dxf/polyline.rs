@@ -21,7 +21,7 @@ mod flag {
 const FRAME_POINT: i64 = 16;
 
 pub(super) fn light<'f, 'a>(
-    import: &mut Import<'f, 'a>,
+    import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     place: &Place<'a>,
 ) {
@@ -52,7 +52,7 @@ pub(super) fn light<'f, 'a>(
 }
 
 pub(super) fn old<'f, 'a>(
-    import: &mut Import<'f, 'a>,
+    import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     rest: &mut Peekable<impl Iterator<Item = Entity<'f, 'a>>>,
     place: &Place<'a>,
@@ -112,7 +112,7 @@ fn told_broken(import: &mut Import, entity: &Entity) {
 }
 
 fn add<'f, 'a>(
-    import: &mut Import<'f, 'a>,
+    import: &mut Import<'f, 'a, '_>,
     entity: &Entity<'f, 'a>,
     place: &Place<'a>,
     vertices: Vec<Vertex>,

@@ -30,7 +30,7 @@ pub fn read(bytes: &[u8]) -> Imported {
         findings.warn("empty", 0, "nothing is drawn: no move with the pen down");
     }
     let skipped = findings.skipped();
-    Imported { drawing, findings: findings.finish(), layers, skipped }
+    Imported { drawing, findings: findings.finish(), layers, skipped, ended: None }
 }
 
 #[cfg(test)]

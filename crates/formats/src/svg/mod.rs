@@ -23,5 +23,5 @@ mod transform;
 mod unread;
 mod write;
 
-pub use read::read;
+pub use read::{read, read_until};
 pub use write::write;

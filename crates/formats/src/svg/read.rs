@@ -9,7 +9,9 @@ use super::text::text_of;
 use super::transform::transform;
 use super::unread;
 use crate::Imported;
+use crate::effort::{Effort, Ended};
 use crate::finding::{Findings, Weight};
+use crate::layers::Layers;
 use crate::places::Places;
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Polyarc, Transform2, Vec2, tol};
@@ -19,24 +21,19 @@ use std::collections::BTreeMap;
 /// Elements within elements, at the most.
 const DEEPEST: usize = 200;
 
-/// The most shapes of a file: `use` can multiply without bound.
-const MOST_SHAPES: usize = 1_000_000;
-
-/// The most elements for each of these, as often as they are used: groups within groups hold one shape.
-const MOST_TO_A_SHAPE: usize = 8;
-
 /// Reads an SVG file. A file that is no SVG gives an empty drawing and a finding that says so.
 pub fn read(bytes: &[u8]) -> Imported {
-    read_at_most(bytes, MOST_SHAPES)
+    read_until(bytes, &|| false)
 }
 
-fn read_at_most(bytes: &[u8], most: usize) -> Imported {
+/// The same, until it is given up: then nothing is read.
+pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> Imported {
     let mut findings = Findings::default();
     let text = match text_of(bytes) {
         Ok(text) => text,
         Err(why) => {
             findings.warn("xml", 1, why);
-            return imported(Vec::new(), Vec::new(), findings);
+            return imported(Vec::new(), Layers::default(), findings, None);
         }
     };
     let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
@@ -44,21 +41,30 @@ fn read_at_most(bytes: &[u8], most: usize) -> Imported {
         Ok(document) => document,
         Err(error) => {
             findings.warn("xml", error.pos().row, format!("the file is no SVG: {error}"));
-            return imported(Vec::new(), Vec::new(), findings);
+            return imported(Vec::new(), Layers::default(), findings, None);
         }
     };
     if document.root_element().tag_name().name() != "svg" {
         findings.warn("xml", 1, "the file is no SVG: it does not begin with <svg>");
-        return imported(Vec::new(), Vec::new(), findings);
+        return imported(Vec::new(), Layers::default(), findings, None);
     }
-    let mut reading = Reading::of(&document, findings, most);
+    let mut reading = Reading::of(&document, findings, given_up);
     reading.whole();
-    imported(reading.shapes, reading.layers, reading.findings)
+    let Reading { shapes, layers, findings, effort, .. } = reading;
+    match effort.ended() {
+        None => imported(shapes, layers, findings, None),
+        ended => imported(Vec::new(), Layers::default(), findings, ended),
+    }
 }
 
-fn imported(shapes: Vec<Shape>, layers: Vec<(String, Vec<usize>)>, findings: Findings) -> Imported {
-    let skipped = findings.skipped();
-    Imported { drawing: Drawing::of(shapes), findings: findings.finish(), layers, skipped }
+fn imported(
+    shapes: Vec<Shape>,
+    layers: Layers,
+    findings: Findings,
+    ended: Option<Ended>,
+) -> Imported {
+    let (skipped, layers) = (findings.skipped(), layers.list);
+    Imported { drawing: Drawing::of(shapes), findings: findings.finish(), layers, skipped, ended }
 }
 
 /// Where and how an element is drawn.
@@ -68,25 +74,23 @@ struct Place<'a> {
     layer: Option<&'a str>,
     depth: usize,
     inherited: Inherited,
+    /// The outermost `use` by way of which it is drawn.
+    user: Option<Node<'a, 'a>>,
 }
 
-struct Reading<'a> {
+struct Reading<'a, 'g> {
     document: &'a Document<'a>,
     places: Places<'a>,
     ids: BTreeMap<&'a str, Node<'a, 'a>>,
     sheet: Sheet<'a>,
     findings: Findings,
     shapes: Vec<Shape>,
-    layers: Vec<(String, Vec<usize>)>,
-    /// The most shapes.
-    most: usize,
-    /// Elements so far, as often as they are used.
-    seen: usize,
-    full: bool,
+    layers: Layers,
+    effort: Effort<'g>,
 }
 
-impl<'a> Reading<'a> {
-    fn of(document: &'a Document<'a>, findings: Findings, most: usize) -> Self {
+impl<'a, 'g> Reading<'a, 'g> {
+    fn of(document: &'a Document<'a>, findings: Findings, given_up: &'g dyn Fn() -> bool) -> Self {
         let mut ids = BTreeMap::new();
         for node in document.descendants() {
             if let Some(id) = node.attribute("id") {
@@ -95,10 +99,10 @@ impl<'a> Reading<'a> {
         }
         let places = Places::of(document.input_text());
         let (sheet, wrong) = Sheet::of(document);
-        let (shapes, layers) = (Vec::new(), Vec::new());
-        let (seen, full) = (0, false);
-        let mut reading =
-            Self { document, places, ids, sheet, findings, shapes, layers, most, seen, full };
+        let (shapes, layers) = (Vec::new(), Layers::default());
+        let elements = document.descendants().filter(Node::is_element).count();
+        let effort = Effort::of(elements, document.input_text().len(), given_up);
+        let mut reading = Self { document, places, ids, sheet, findings, shapes, layers, effort };
         wrong.into_iter().for_each(|(at, text)| reading.tell(Weight::Warning, "style", at, text));
         reading
     }
@@ -122,7 +126,7 @@ impl<'a> Reading<'a> {
         }
         let measure = Measure { room: page.room, page: page.sheet, letter, page_letter: letter };
         let inherited = Inherited { measure, ..inherited };
-        self.children(root, &Place { map: page.map, layer: None, depth: 0, inherited });
+        self.children(root, &Place { map: page.map, layer: None, depth: 0, inherited, user: None });
     }
 
     fn tell(&mut self, weight: Weight, kind: &'static str, at: usize, text: String) {
@@ -144,7 +148,7 @@ impl<'a> Reading<'a> {
     }
 
     fn element(&mut self, node: Node<'a, 'a>, place: &Place<'a>) {
-        if self.is_full(node) {
+        if !self.goes_on(place) {
             return;
         }
         if place.depth > DEEPEST {
@@ -174,19 +178,20 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Whether more was read than anybody draws: `use` multiplies also what draws nothing.
-    fn is_full(&mut self, node: Node) -> bool {
-        let most = self.most;
-        self.seen += 1;
-        let full = self.shapes.len() >= most || self.seen > MOST_TO_A_SHAPE * most;
-        if full && !self.full {
-            let text = format!(
-                "more than {most} shapes, or eight times as many elements: the rest is left out"
-            );
-            self.warn("full", node, text);
-        }
-        self.full |= full;
-        full
+    /// Counts an element; nothing more is drawn when this is false.
+    fn goes_on(&mut self, place: &Place<'a>) -> bool {
+        let goes_on = self.effort.goes_on(place.user.is_some());
+        self.tell_too_much(place);
+        goes_on
+    }
+
+    /// Tells of the `use` that draws too much, if that is so.
+    fn tell_too_much(&mut self, place: &Place<'a>) {
+        let Some(user) = place.user.filter(|_| self.effort.ended().is_some()) else { return };
+        let what = format!("<use> of `{}`", used_name(user));
+        let at = self.places.of_byte(user.range().start);
+        let mend = "use it fewer times, or draw the shapes without <use>";
+        self.effort.tell(&what, at, mend, &mut self.findings);
     }
 
     /// Whether nothing of an element is seen, which is told.
@@ -221,7 +226,7 @@ impl<'a> Reading<'a> {
             Ok(own) => {
                 let layer = place.layer.or_else(|| layer_name(look.node));
                 let map = own.then(&place.map);
-                Some(Place { map, layer, depth: place.depth + 1, inherited })
+                Some(Place { map, layer, depth: place.depth + 1, inherited, user: place.user })
             }
         }
     }
@@ -261,9 +266,7 @@ impl<'a> Reading<'a> {
 
     /// `use` draws an element again, moved by x and y.
     fn use_again(&mut self, look: &Look<'a>, place: &Place<'a>) {
-        let (node, xlink) = (look.node, ("http://www.w3.org/1999/xlink", "href"));
-        let name = node.attribute("href").or_else(|| node.attribute(xlink)).unwrap_or_default();
-        let name = name.trim().trim_start_matches('#');
+        let (node, name) = (look.node, used_name(look.node));
         let Some(found) = self.ids.get(name).copied() else {
             return self.warn("use", node, format!("<use> of `{name}`, which is not there"));
         };
@@ -275,7 +278,8 @@ impl<'a> Reading<'a> {
             }
         };
         let map = Transform2::moved(Vec2::new(x, y)).then(&place.map);
-        self.used(found, look, &Place { map, ..*place });
+        let user = place.user.or(Some(node));
+        self.used(found, look, &Place { map, user, ..*place });
     }
 
     fn used(&mut self, found: Node<'a, 'a>, user: &Look<'a>, place: &Place<'a>) {
@@ -338,7 +342,7 @@ impl<'a> Reading<'a> {
         }
     }
 
-    fn add(&mut self, node: Node, path: Polyarc, place: &Place) {
+    fn add(&mut self, node: Node, path: Polyarc, place: &Place<'a>) {
         if let Err(error) = path.check() {
             return self.warn("place", node, format!("{error}: left out"));
         }
@@ -348,14 +352,22 @@ impl<'a> Reading<'a> {
         }
     }
 
-    fn keep(&mut self, shape: Shape, place: &Place) {
-        let (number, layer) = (self.shapes.len(), place.layer.unwrap_or("0"));
-        match self.layers.iter_mut().find(|(name, _)| name == layer) {
-            Some((_, shapes)) => shapes.push(number),
-            None => self.layers.push((layer.to_owned(), vec![number])),
+    fn keep(&mut self, shape: Shape, place: &Place<'a>) {
+        let layer = place.layer.unwrap_or("0");
+        self.layers.add(layer.as_bytes(), self.shapes.len(), || layer.to_owned());
+        if place.user.is_some() {
+            self.effort.drew(shape.path.vertices.len());
+            self.tell_too_much(place);
         }
         self.shapes.push(shape);
     }
+}
+
+/// The id of what a `use` draws.
+fn used_name<'a>(user: Node<'a, 'a>) -> &'a str {
+    let xlink = ("http://www.w3.org/1999/xlink", "href");
+    let name = user.attribute("href").or_else(|| user.attribute(xlink)).unwrap_or_default();
+    name.trim().trim_start_matches('#')
 }
 
 /// Whether a way of a `<switch>` asks for nothing that Kerf has not.
@@ -372,33 +384,4 @@ fn layer_name<'a>(node: Node<'a, 'a>) -> Option<&'a str> {
     let inkscape = ("http://www.inkscape.org/namespaces/inkscape", "label");
     let is_group = node.tag_name().name() == "g";
     is_group.then(|| node.attribute(inkscape).or_else(|| node.attribute("id")))?
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Ten thousand millions of something.
-    fn used(what: &str) -> Imported {
-        let tenfold = |n: usize| {
-            let uses = format!("<use href='#a{}'/>", n - 1).repeat(10);
-            format!("<g id='a{n}'>{uses}</g>")
-        };
-        let groups: String = (1..11).map(tenfold).collect();
-        let body = format!("<defs><g id='a0'>{what}</g>{groups}</defs><use href='#a10'/>");
-        let text = format!("<svg xmlns='http://www.w3.org/2000/svg'>{body}</svg>");
-        read_at_most(text.as_bytes(), 1000)
-    }
-
-    #[test]
-    fn what_is_used_without_bound_ends() {
-        for (what, shapes) in [("", 0), ("<text/>", 0), ("<rect width='5' height='5'/>", 1000)] {
-            let read = used(what);
-            assert_eq!(read.drawing.shapes.len(), shapes, "{what}");
-            let full =
-                "more than 1000 shapes, or eight times as many elements: the rest is left out";
-            let told = read.findings.iter().filter(|found| found.text == full);
-            assert_eq!(told.count(), 1, "{what}");
-        }
-    }
 }

@@ -2,6 +2,8 @@
 
 #![allow(dead_code)]
 
+#[cfg(unix)]
+pub mod bounded;
 pub mod console;
 
 use serde_json::Value;

@@ -2,7 +2,7 @@
 
 use super::path::{Path, Segment};
 use crate::machine::Planning;
-use kerf_control::{Event, Made, Sink};
+use kerf_control::{Event, Made, Repetitions, Sink};
 use kerf_diag::Diagnostic;
 use kerf_motion::{Move, Path as Way};
 use kerf_program::MoveKind;
@@ -26,6 +26,8 @@ pub struct Collector {
     pub plan: Planning,
     /// What was found.
     pub findings: Vec<Diagnostic>,
+    /// Findings that come again and again.
+    again: Repetitions,
     at: [f64; 3],
     /// Line of the part file itself that was made last: what a file it calls does belongs to it.
     line: u32,
@@ -35,7 +37,13 @@ impl Collector {
     /// A path that begins at a place, machine frame.
     pub fn new(start: [f64; 3]) -> Self {
         let path = Path::new(start, CHORD_MM);
-        Self { path, plan: Planning::default(), findings: Vec::new(), at: start, line: 0 }
+        let (plan, findings, again) = Default::default();
+        Self { path, plan, findings, again, at: start, line: 0 }
+    }
+
+    /// Tells how often something was found again; nothing more comes.
+    pub fn tell_rest(&mut self) {
+        self.findings.extend(self.again.told());
     }
 
     fn clear(&mut self) {
@@ -97,7 +105,7 @@ impl Sink for Collector {
     fn event(&mut self, event: &Event) {
         match event {
             Event::Clear { .. } => self.clear(),
-            Event::Diag(found) => self.findings.push((**found).clone()),
+            Event::Diag(found) if self.again.is_new(found) => self.findings.push((**found).clone()),
             _ => {}
         }
     }

@@ -34,7 +34,7 @@ use std::sync::{Arc, Mutex};
 /// Segments that a page can turn smoothly.
 const FEW: usize = 40_000;
 
-/// Lines that a preview executes: a program that waits for something in a loop never ends by itself.
+/// Lines that a preview executes, and commands that it carries out: a program that waits for something in a loop never ends by itself.
 const MOST_LINES: u64 = 5_000_000;
 
 /// A preview that is ready.
@@ -135,6 +135,7 @@ fn options(parameters: FileParameters) -> RunOptions {
     options.program.preview = true;
     options.program.file = parameters;
     options.program.max_lines = MOST_LINES;
+    options.most_commands = MOST_LINES;
     options
 }
 
@@ -161,7 +162,13 @@ fn unattended(work: Work) -> (Work, Option<Arc<Configuration>>) {
     (Work::Job(job, Arc::new(alone)), Some(machine))
 }
 
-fn finish(sink: Collector, summary: &Summary, start: (Settings, Frame), is_job: bool) -> Preview {
+fn finish(
+    mut sink: Collector,
+    summary: &Summary,
+    start: (Settings, Frame),
+    is_job: bool,
+) -> Preview {
+    sink.tell_rest();
     let mut info = info(&sink, summary, &start);
     let paths = details(sink.path);
     info.details = paths.iter().map(Path::detail).collect();
