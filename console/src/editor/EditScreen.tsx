@@ -22,6 +22,16 @@ function savedFindings(open: Opened | null | undefined, { name }: EditedFile) {
   return open?.name === name && open?.preview.state === "ready" ? open.findings : null;
 }
 
+/** The line that somebody wants to see in the file of the editor; another file is shown for it. */
+function useSpot(name: string | null, show: (name: string) => Promise<void>): number | null {
+  const spot = useScreen("spot");
+  // biome-ignore lint/correctness/useExhaustiveDependencies: shows another file only when it is asked for
+  useEffect(() => {
+    if (spot && spot.file !== name) void show(spot.file);
+  }, [spot]);
+  return spot?.file === name ? (spot?.line ?? null) : null;
+}
+
 /** The editor of part files (FE), and the debugger in it (FG). */
 export function EditScreen() {
   const hands = useHands();
@@ -30,11 +40,7 @@ export function EditScreen() {
   const running = useRunningLine(file.name ?? undefined);
   const [check, setCheck] = useState<Check>(checking);
   const [asking, setAsking] = useState<"name" | "drop" | null>(null);
-  const spot = useScreen("spot");
-  // biome-ignore lint/correctness/useExhaustiveDependencies: shows another file only when it is asked for
-  useEffect(() => {
-    if (spot && spot.file !== file.name) void show(spot.file);
-  }, [spot]);
+  const spot = useSpot(file.name, show);
   const marks = useScreen("breakpoints").filter((mark) => mark.file === file.name);
   const saveAs = async (as: string | null) => {
     if (as === null) setAsking("name");
@@ -84,7 +90,7 @@ export function EditScreen() {
           text={file.text}
           running={running}
           onChange={change}
-          spot={spot !== null && spot.file === file.name ? spot.line : null}
+          spot={spot}
           onSpotShown={hands.screen.lineShown}
           breakpoints={marks.map(({ line }) => line)}
           onCheck={setCheck}

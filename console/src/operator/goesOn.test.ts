@@ -11,6 +11,7 @@ function shown(driver: number | null, armed: boolean): Shown {
     who: { client: 4, role: "operator", device: "" },
     snapshot: { ...firstSnapshot, lease, machine: { ...firstSnapshot.machine, armed } },
     roundTripMs: 1,
+    aheadMs: 0,
   };
 }
 

@@ -131,7 +131,8 @@ fn a_nudge_stays_on_the_table() {
     session.memory.settings.limits.check = true;
     let before = session.memory.clone();
     let high_mm = before.settings.limits.high[Axis::X];
-    assert_eq!(session.nudge(Axis::X, high_mm + 1.0).unwrap_err().axis, Axis::X);
+    let outside = session.nudge(Axis::X, high_mm + 1.0).unwrap_err();
+    assert!(matches!(outside, kerf_control::Outside::Table(Axis::X, _)), "{outside}");
     assert_eq!(session.memory, before);
 }
 

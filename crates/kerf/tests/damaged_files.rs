@@ -3,7 +3,7 @@
 //! --test damaged_files` writes it anew.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)]
 
 mod shop;
 

@@ -85,7 +85,7 @@ impl Driver {
     /// thrown out meanwhile.
     pub fn stop(&mut self, patience: Duration) -> Option<(Instant, Instant)> {
         self.turn += 1;
-        let way = if self.turn % 2 == 0 { WAY_IN } else { -WAY_IN };
+        let way = if self.turn.is_multiple_of(2) { WAY_IN } else { -WAY_IN };
         let begin = Instant::now();
         while self.command(&format!("MX,{way}")).is_some() {
             assert!(begin.elapsed() < PATIENCE, "a move is refused again and again");
