@@ -251,6 +251,9 @@ fn opened_after(
     (told, position.unwrap_or_default(), values, verified)
 }
 
+/// What becomes of the bytes of a file, or of a file that is not there.
+type Loss = Box<dyn Fn(&mut Option<Vec<u8>>)>;
+
 #[test]
 fn a_write_ahead_file_that_is_lost_is_told() {
     let files = killed();
@@ -259,7 +262,7 @@ fn a_write_ahead_file_that_is_lost_is_told() {
     let length = files[1].1.as_ref().unwrap().len();
     let flipped = |at: usize| move |it: &mut Option<Vec<u8>>| it.as_mut().unwrap()[at] ^= 4;
     let cut = |to: usize| move |it: &mut Option<Vec<u8>>| it.as_mut().unwrap().truncate(to);
-    let cases: [(&str, Box<dyn Fn(&mut Option<Vec<u8>>)>); 7] = [
+    let cases: [(&str, Loss); 7] = [
         ("gone", Box::new(|it| *it = None)),
         ("emptied", Box::new(cut(0))),
         ("halved", Box::new(cut(length / 2))),
