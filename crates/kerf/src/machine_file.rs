@@ -2,8 +2,9 @@
 
 use crate::args::DataArgs;
 use crate::exit::Usage;
-use crate::setup;
+use crate::{memory, setup};
 use anyhow::{Result, bail};
+use kerf_control::journal::JOURNAL_FILE;
 use kerf_control::machine_file::MachineFile;
 use kerf_machine::profile::{PROFILES, profile};
 use std::path::Path;
@@ -29,6 +30,16 @@ pub fn of(config: Option<&Path>, data: &DataArgs) -> Result<MachineFile> {
 /// The one of the data folder.
 pub fn of_data(data: &DataArgs) -> Result<MachineFile> {
     Ok(MachineFile::of_data(&setup::data_folder(data)?))
+}
+
+/// The same, to be changed: the journal knows what Kerf leaves in it, where there is one.
+pub fn of_data_to_change(data: &DataArgs) -> Result<MachineFile> {
+    let (file, folder) = (of_data(data)?, setup::data_folder(data)?);
+    if !folder.join(JOURNAL_FILE).exists() {
+        return Ok(file);
+    }
+    let journal = memory::journal(&folder, false)?;
+    Ok(journal.map_or(file.clone(), |journal| file.known_to(&journal)))
 }
 
 /// There is neither a file nor a ready-made machine of a name.

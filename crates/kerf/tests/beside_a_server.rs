@@ -130,7 +130,6 @@ fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
         ("--hold-at 1 --resume-at 2", "--hold-at, --resume-at are"),
         ("--override 50@1", "--override is"),
         ("--config sim", "--config is"),
-        ("--data elsewhere", "--data is"),
         ("--input 3@1=1", "--input is"),
         ("--set N=2", "--set is"),
         ("--units mm", "--units is"),

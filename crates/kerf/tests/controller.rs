@@ -59,7 +59,7 @@ impl Bench {
     }
 
     fn args(&self, words: &str) -> String {
-        format!("{words} --driver grbl:{} --trace t.jsonl", self.port)
+        format!("{words} --driver grbl:{} --trace t.jsonl --force", self.port)
     }
 
     fn run(&self, shop: &Shop, words: &str) -> Did {

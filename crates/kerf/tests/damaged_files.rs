@@ -249,6 +249,15 @@ the machine.
 |---|---|---|---|---|
 ";
 
+/// Without the line and column of a file that grows with every version of Kerf.
+fn without_places(page: &str) -> String {
+    let mut parts = page.split(" at line ");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |page, part| {
+        page + part.trim_start_matches(|c: char| c.is_ascii_digit() || " column".contains(c))
+    })
+}
+
 #[test]
 fn nothing_is_lost_without_a_word() {
     let (older, newer) = folders();
@@ -272,6 +281,7 @@ fn nothing_is_lost_without_a_word() {
         }
         page += &flipped(name, &newer, &older, &usual);
     }
+    let page = without_places(&page);
     println!("{page}");
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/damaged-files.md");
     if std::env::var_os("KERF_BLESS").is_some() {

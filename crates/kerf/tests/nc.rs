@@ -121,11 +121,11 @@ fn a_drawing_is_converted_to_a_program() {
         let output = run(&["convert", "hole.dxf", target]);
         assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         assert!(std::fs::read_to_string(folder.path().join(target)).unwrap().contains(word));
-        assert_eq!(
-            run(&["convert", "hole.dxf", target]).status.code(),
-            Some(2),
-            "never over a file"
-        );
+        assert_eq!(run(&["convert", "hole.dxf", target]).status.code(), Some(0), "its own file");
+        std::fs::write(folder.path().join(target), "'my own\n").unwrap();
+        let refused = run(&["convert", "hole.dxf", target]);
+        assert_eq!(refused.status.code(), Some(2), "never over a file of somebody else");
+        assert_eq!(std::fs::read_to_string(folder.path().join(target)).unwrap(), "'my own\n");
     }
 }
 

@@ -92,10 +92,12 @@ fn sbp_ctl_reg_ucommand_form__in_the_server() {
     let pass =
         |line: &str| shop.kerf(&format!("registry set uCommand {line} --server {}", console.url));
     let logged = |words: &str| until(words, || shop.read("data/SbSys.log").contains(words));
-    pass("QQ,1").exits(0);
-    logged(",one command of two letters expected not 'QQ 1',sim,");
-    pass("MX,1").exits(0);
-    logged(",MX 1 was passed in and not carried out: the machine is disarmed,sim,");
+    pass("QQ,1").exits(1).complains("one command of two letters expected");
+    logged(
+        ",QQ 1 was passed in and not carried out: one command of two letters expected not 'QQ 1',sim,",
+    );
+    pass("MX,1").exits(1).complains("take control first");
+    logged(",MX 1 was passed in and not carried out: nobody drives: take control first,sim,");
     shop.kerf("log verify").exits(0);
 }
 

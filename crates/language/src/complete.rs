@@ -92,7 +92,7 @@ mod tests {
         assert_eq!(labels_at("MX", 1, 3), ["MX"]);
         assert_eq!(labels_at("IF &a=1 THEN GOS", 1, 17), ["GOSUB"]);
         assert_eq!(labels_at("&size=1\nMX,&s", 2, 6), ["&size"]);
-        assert_eq!(labels_at("MX,SQ", 1, 6), ["SQR"]);
+        assert_eq!(labels_at("MX,SQ", 1, 6), ["SQR", "SQRT"]);
         assert_eq!(labels_at("AGAIN:\nGOTO AG", 2, 8), ["AGAIN"]);
         assert!(labels_at("MX,%", 1, 5).iter().any(|word| word == "%(1)"));
         assert!(labels_at("", 1, 1).len() > 100);

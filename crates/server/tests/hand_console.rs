@@ -153,6 +153,10 @@ fn pro_console_file_dir() {
     assert_eq!(hand.act(json!({ "do": "folder", "name": "doors", "mask": null })), None);
     hand.until("the folder", |page| page.shown["folder"]["name"] == "doors");
     hand.until_state("idle");
+    // The console looks at the folder some 30 times a second: a key waits for that.
+    hand.keys("F");
+    hand.shows("Select File (1):", "D.RSM");
+    hand.keys("F");
     assert_eq!(hand.act(json!({ "do": "folder", "name": "", "mask": null })), None);
     hand.until("the folder", |page| page.shown["folder"]["name"] == "");
     hand.until_state("idle");

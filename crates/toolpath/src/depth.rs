@@ -81,6 +81,6 @@ mod tests {
     #[test]
     fn pro_group_multi_limit() {
         let error = depths(Height::Mm(-13.0), None, -30.0).unwrap_err();
-        assert!(error.to_string().ends_with("-33 < -30"), "{error}");
+        assert!(error.to_string().ends_with("at -33 mm, below ZBottom at -30 mm"), "{error}");
     }
 }

@@ -24,7 +24,7 @@ pub(crate) const OWNER: u32 = 0o600;
 
 /// Takes an earlier file away from others. Who is not its owner leaves it as it is.
 #[cfg(unix)]
-fn keep(path: &Path) {
+pub(crate) fn keep(path: &Path) {
     use std::fs;
     use std::os::unix::fs::PermissionsExt;
     let others = |file: &fs::Metadata| file.permissions().mode() & 0o077 != 0;
@@ -32,3 +32,6 @@ fn keep(path: &Path) {
         drop(fs::set_permissions(path, fs::Permissions::from_mode(OWNER)));
     }
 }
+
+#[cfg(not(unix))]
+pub(crate) fn keep(_: &Path) {}

@@ -11,7 +11,7 @@
 //! write-ahead file is noticed as well: the seal knows the generation that the file had by itself.
 
 use super::rows::{Result, Rows, Table, Trouble, json};
-use crate::files::write_private;
+use crate::files::{private, write_private};
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};
@@ -87,6 +87,7 @@ impl Seal {
         if !there {
             return write_private(&path, line.repeat(2).as_bytes());
         }
+        private::keep(&path);
         let mut file = File::options().write(true).open(&path)?;
         if self.digest.is_none() {
             file.seek(SeekFrom::Start(self.mark.generation % 2 * LINE as u64))?;

@@ -4,10 +4,9 @@ use crate::args::DataArgs;
 use crate::commands::by_hand::{self, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
-use crate::{machine_file, memory, out, parse, setup};
+use crate::{machine_file, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
-use kerf_control::journal::JOURNAL_FILE;
 use kerf_control::machine_file::{MachineFile, told};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
@@ -64,17 +63,10 @@ impl Which {
         if let Ok(said) = file.read(&text) {
             protect::open(&said, self.password.as_deref())?;
         }
-        self.known(file)
-    }
-
-    /// The same, with the journal that knows what Kerf leaves in it, where there is one.
-    fn known(&self, file: MachineFile) -> Result<MachineFile> {
-        let data = setup::data_folder(&self.folder())?;
-        if self.config.is_some() || !data.join(JOURNAL_FILE).exists() {
-            return Ok(file);
+        match self.config {
+            Some(_) => Ok(file),
+            None => machine_file::of_data_to_change(&self.folder()),
         }
-        let journal = memory::journal(&data, false)?;
-        Ok(journal.map_or(file.clone(), |journal| file.known_to(&journal)))
     }
 
     /// The configuration's file.
@@ -172,7 +164,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Use { name } => {
             let text = named(name)?;
             args.which.to_change()?;
-            if let Some(kept) = machine_file::of_data(&args.which.folder())?.replace(text)? {
+            if let Some(kept) =
+                machine_file::of_data_to_change(&args.which.folder())?.replace(text)?
+            {
                 eprintln!("kerf: the machine as it was is kept in {}", kept.display());
             }
         }

@@ -122,6 +122,9 @@ impl Command {
 /// Does it, unless it would replace a file that may not be replaced.
 pub fn run(command: Result<Command>) -> Result<Exit> {
     let command = command?;
+    if let Command::Run(args) = &command {
+        args.spare_what_it_reads()?;
+    }
     let outputs = command.outputs();
     outputs.around(|| carry_out(command))
 }

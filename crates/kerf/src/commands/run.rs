@@ -396,7 +396,7 @@ fn keep_origin(at: [f64; 2], session: &Session, place: &PlaceArgs) -> Result<()>
     let Some(setting) = table::setting("job.origin_mm") else { bail!("no setting job.origin_mm") };
     let mut machine = session.configuration();
     machine.job.origin_mm = at.map(out::tidy);
-    Ok(machine_file::of_data(&place.data)?.keep_one(setting, &machine)?)
+    Ok(machine_file::of_data_to_change(&place.data)?.keep_one(setting, &machine)?)
 }
 
 /// What is shown of a run.
@@ -505,6 +505,11 @@ fn trace(path: &Path) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
 }
 
 impl RunCommand {
+    /// Refuses to write over what is run, or what the run reads, whatever leave there is to replace files.
+    pub fn spare_what_it_reads(&self) -> Result<()> {
+        self.file.as_deref().map_or(Ok(()), |file| self.machine.spare(file, &self.run))
+    }
+
     /// The files that it writes.
     pub fn outputs(&self) -> Outputs {
         self.machine.outputs(&self.run.place.data)

@@ -97,7 +97,7 @@ fn runs(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
 
 /// The port is a setting of the machine: it goes where those are, and every later start finds it there.
 fn keep_port(run: &RunArgs, port: u8) -> Result<()> {
-    let kept = machine_file::of_data(&run.place.data)?;
+    let kept = machine_file::of_data_to_change(&run.place.data)?;
     let began = kept.read(kept.text()?.as_deref().unwrap_or_default())?.program;
     let mut wanted = began.clone();
     wanted.driver.port = port;

@@ -28,20 +28,22 @@ pub fn by_seed(seed: u64) -> Made {
 
 fn programs(files: Vec<(&'static str, String)>) -> Made {
     let name = files[0].0;
-    let looks = ["check a MORE", "preview a -o a.svg MORE", "time a MORE"];
+    let looks = ["check a MORE", "preview a -o a.svg --force MORE", "time a MORE"];
     Made { commands: looks.map(|look| look.replace(" a", &format!(" {name}"))).to_vec(), files }
 }
 
 fn drawing(file: (&'static str, String)) -> Made {
     let name = file.0;
-    let commands =
-        vec![format!("toolpath {name} -o out.rsm"), format!("preview {name} -o a.svg MORE")];
+    let commands = vec![
+        format!("toolpath {name} -o out.rsm --force"),
+        format!("preview {name} -o picture.svg MORE"),
+    ];
     Made { files: vec![file], commands }
 }
 
 fn drawn(script: &str) -> Made {
     let commands = vec![
-        format!("draw --do '{script}' -o a.rsg"),
+        format!("draw --do '{script}' -o a.rsg --force"),
         "draw a.rsg --do 'select all' -o b.rsg".into(),
     ];
     let empty = ("a.rsg", String::new());

@@ -3,9 +3,10 @@
 use super::guard::Caller;
 use super::rest::demand;
 use super::{Refused, aside, soon};
-use crate::app::{App, hash};
+use crate::app::{App, hash, problem};
 use crate::saving::{self, Leave};
 use axum::body::Bytes;
+use axum::extract::rejection::QueryRejection;
 use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
@@ -143,9 +144,11 @@ pub async fn restore(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
     Path(name): Path<String>,
-    Query(Restoring { restore }): Query<Restoring>,
+    restoring: Result<Query<Restoring>, QueryRejection>,
 ) -> Result<impl IntoResponse, Refused> {
     demand(&caller, Role::Operator)?;
+    let Query(Restoring { restore }) =
+        restoring.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     let parts = app.clone();
     let hash = aside(move || parts.saves.restore(&parts.parts, &name, restore)).await?;
     app.files_changed();

@@ -6,6 +6,7 @@ use super::{Refused, soon};
 use crate::app::{App, lock, problem};
 use crate::asker::Asker;
 use crate::gate::Way;
+use crate::machine::Order;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
 use kerf_control::command_passing;
@@ -46,7 +47,8 @@ pub async fn set(
             return Err(problem(Why::Malformed, "the value is too long"));
         }
         if key == command_passing::COMMAND {
-            return app.pass_in(&asker, value.trim());
+            let passed = app.pass_in(&asker, value.trim());
+            return passed.inspect_err(|why| app.log_refused(value.trim(), why));
         }
         app.gate(&asker.who, Way::Value(key))?;
         let journal = app.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
@@ -58,6 +60,13 @@ pub async fn set(
 }
 
 impl App {
+    /// Enters in the system log that a command was refused, and why.
+    fn log_refused(&self, command: &str, why: &Problem) {
+        let told = format!("{command} was passed in and not carried out: {}", why.text);
+        // The machine's thread ends with the server.
+        drop(self.send(Order::Refused(told)));
+    }
+
     /// Carries a command out that came over the network, as if whoever drives had typed it: a script may where its
     /// device drives, at a page or by itself.
     fn pass_in(self: &Arc<Self>, asker: &Asker, command: &str) -> Result<(), Problem> {

@@ -3,10 +3,11 @@
 use super::guard::Caller;
 use super::rest::demand;
 use super::{Refused, aside};
-use crate::app::App;
+use crate::app::{App, problem};
+use axum::extract::rejection::{JsonRejection, QueryRejection};
 use axum::extract::{Query, State};
 use axum::{Extension, Json};
-use kerf_wire::{Role, TextDraft};
+use kerf_wire::{Role, TextDraft, Why};
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -26,9 +27,10 @@ pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<TextDraft>>, R
 pub async fn keep(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
-    Json(draft): Json<TextDraft>,
+    draft: Result<Json<TextDraft>, JsonRejection>,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
+    let Json(draft) = draft.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     Ok(Json(aside(move || app.texts.keep(&draft)).await?))
 }
 
@@ -36,8 +38,9 @@ pub async fn keep(
 pub async fn end(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
-    Query(Of { name }): Query<Of>,
+    of: Result<Query<Of>, QueryRejection>,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
+    let Query(Of { name }) = of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     Ok(Json(aside(move || app.texts.end(&name)).await?))
 }

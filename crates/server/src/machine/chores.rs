@@ -39,8 +39,7 @@ impl Owner {
             Ok(Some(Err(why))) => why,
             Err(error) => error.to_string(),
         };
-        let Workshop { session, shelf, .. } = &mut self.workshop;
-        session.log_refused_command(shelf, &told);
+        self.log_refused(&told);
         self.hub.say(Tone::Warning, format!("{}: {told}", command_passing::COMMAND));
         None
     }
@@ -58,6 +57,12 @@ impl Owner {
         if journal.is_some_and(nothing) {
             self.looked = Some(stops);
         }
+    }
+
+    /// Enters in the system log that a command was refused.
+    pub(super) fn log_refused(&mut self, told: &str) {
+        let Workshop { session, shelf, .. } = &mut self.workshop;
+        session.log_refused_command(shelf, told);
     }
 
     /// Another Kerf may have had the machine: it stands elsewhere, and whoever armed it here looks first.

@@ -108,6 +108,8 @@ pub enum Order {
     },
     /// Keep the configuration that holds; told how that went.
     Keep(Sender<Happening>),
+    /// Enter in the system log that a command was refused which came over the network.
+    Refused(String),
 }
 
 impl Order {
@@ -126,7 +128,8 @@ impl Order {
             | Self::Watched
             | Self::Configure { .. }
             | Self::Hold { .. }
-            | Self::Keep(_) => false,
+            | Self::Keep(_)
+            | Self::Refused(_) => false,
         }
     }
 }
@@ -237,6 +240,7 @@ impl Owner {
                 }
                 Order::Hold { wanted, tells } => self.hold(*wanted, &tells),
                 Order::Keep(tells) => self.keep(&tells),
+                Order::Refused(told) => self.log_refused(&told),
             }
             self.tell_shelf();
             let made = self.workshop.shelf.take_made();

@@ -101,7 +101,7 @@ const STOPS: [&str; 6] = [
 ];
 
 /// What moves the machine, or makes it go on.
-const MOVES: [&str; 17] = [
+const MOVES: [&str; 18] = [
     "act `run`",
     "act `takeUp`",
     "act `resume`",
@@ -110,6 +110,7 @@ const MOVES: [&str; 17] = [
     "act `jogStart`",
     "act `jogRenew`",
     "act `nudge`",
+    "act `lift`",
     "answer `Yes` to MSGBOX",
     "answer `OK` to PAUSE",
     "answer `OK` to the spindle's question",
