@@ -46,9 +46,6 @@ export function FilePicker() {
           onChange={setMask}
           first
         />
-        <Button onPress={() => setLooksBack(!looksBack)}>
-          {looksBack ? "Open a file" : "Versions…"}
-        </Button>
       </div>
       {looksBack && <p>Choose the file whose earlier versions are shown.</p>}
       <ListBox
@@ -71,6 +68,9 @@ export function FilePicker() {
           <FileRow key={file.name} file={file} />
         ))}
       </ListBox>
+      <Button onPress={() => setLooksBack(!looksBack)}>
+        {looksBack ? "Open a file" : "Versions…"}
+      </Button>
     </Sheet>
   );
 }

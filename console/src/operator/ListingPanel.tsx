@@ -2,7 +2,7 @@ import { useHands, useShown, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Opened } from "../wire/messages";
 import { Listing } from "./Listing";
-import { filesOfTool, toolLine } from "./toolLine";
+import { filesOfTool } from "./toolLine";
 import { useRunningLine } from "./useRunningLine";
 
 /** The open file with the line that runs. */
@@ -46,18 +46,17 @@ function NoLines({ kind }: { kind: "job" | "drawing" }) {
   );
 }
 
-/** The files that run, the outermost first; the last one with the line of the tool. */
+/** The files that run, the outermost first, each with its line; that of the last is the tool's. */
 function OpenFiles() {
   const snapshot = useShown((shown) => shown.snapshot);
-  const tool = snapshot && toolLine(snapshot);
-  if (!tool) return null;
-  const files = filesOfTool(snapshot);
+  const files = snapshot ? filesOfTool(snapshot) : [];
+  if (files.length === 0) return null;
   return (
     <ol className="listing-calls" aria-label="Files that run">
-      {files.map((file, n) => (
+      {files.map(({ file, line }, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: a file can call itself
         <li key={n}>
-          {file || "command line"} {n === files.length - 1 && <b>line {tool.line}</b>}
+          {file || "command line"} {line > 0 && <b>line {line}</b>}
         </li>
       ))}
     </ol>

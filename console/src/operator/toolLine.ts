@@ -22,11 +22,15 @@ export function toolLine({ job, asked, motion }: Told): ToolLine | null {
   return job.calls.at(-1) ?? null;
 }
 
-/** The files that are open round the tool, the outermost first; the last is that of its line. */
-export function filesOfTool(told: Told): string[] {
+/**
+ * The files that are open round the tool, the outermost first, each with the line that called the next; the last has
+ * that of the tool. A file that is read further already has no line.
+ */
+export function filesOfTool(told: Told): ToolLine[] {
   const tool = toolLine(told);
   if (!tool) return [];
-  const files = told.job?.calls.map(({ file }) => file) ?? [];
-  const at = files.lastIndexOf(tool.file);
-  return at >= 0 ? files.slice(0, at + 1) : [...files.slice(0, 1), tool.file];
+  const calls = told.job?.calls ?? [];
+  const at = calls.map(({ file }) => file).lastIndexOf(tool.file);
+  if (at >= 0) return [...calls.slice(0, at), tool];
+  return [...calls.slice(0, 1).map(({ file }) => ({ file, line: 0 })), tool];
 }
