@@ -86,6 +86,7 @@ fn check(text: &'static str, kind: &str, refused: &[(&str, &str)], free: Option<
         assert_eq!(other.act(answer(question, words)), because(why), "{kind}: {words}");
     }
     let Some(free) = free else { return };
+    page.until("the question", |page| page.shown["asked"]["number"] == question);
     assert_eq!(other.act(answer(question, free)), None, "{kind}: {free}");
     page.until("the next", |page| page.shown["asked"]["number"] != question);
 }

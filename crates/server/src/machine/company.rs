@@ -216,7 +216,7 @@ impl Pages {
             if let Some(words) = wanted.given()
                 && answers::meaning(question, &words).is_some()
             {
-                if Jog::read(&words).is_none() {
+                if Jog::read(&words).is_none() || question.kind == QuestionKind::Input {
                     wanted.close();
                 }
                 return Some(words);
@@ -248,7 +248,9 @@ impl Operator for Pages {
         let asked = asked(self.asked, question, file, line);
         self.show(Some(Asked { edits, ..asked }));
         let answer = self.wait(question);
-        let moves = |words: &str| words == LIFT || Jog::read(words).is_some();
+        // What is typed into INPUT is a value, whatever it reads like.
+        let takes_text = question.kind == QuestionKind::Input;
+        let moves = |words: &str| !takes_text && (words == LIFT || Jog::read(words).is_some());
         self.jogged = answer.as_deref().is_some_and(moves);
         if !self.jogged && !self.pressed {
             self.answered();
