@@ -286,7 +286,8 @@ pub fn words(answer: &Answer) -> String {
     }
 }
 
-fn takes_text(kind: QuestionKind) -> bool {
+/// Tells questions whose answer is a value, whatever it reads like.
+pub fn takes_text(kind: QuestionKind) -> bool {
     kind == QuestionKind::Input
 }
 

@@ -216,7 +216,7 @@ impl Pages {
             if let Some(words) = wanted.given()
                 && answers::meaning(question, &words).is_some()
             {
-                if Jog::read(&words).is_none() || question.kind == QuestionKind::Input {
+                if Jog::read(&words).is_none() || answers::takes_text(question.kind) {
                     wanted.close();
                 }
                 return Some(words);
@@ -248,8 +248,7 @@ impl Operator for Pages {
         let asked = asked(self.asked, question, file, line);
         self.show(Some(Asked { edits, ..asked }));
         let answer = self.wait(question);
-        // What is typed into INPUT is a value, whatever it reads like.
-        let takes_text = question.kind == QuestionKind::Input;
+        let takes_text = answers::takes_text(question.kind);
         let moves = |words: &str| !takes_text && (words == LIFT || Jog::read(words).is_some());
         self.jogged = answer.as_deref().is_some_and(moves);
         if !self.jogged && !self.pressed {
