@@ -6,7 +6,7 @@ mod support;
 
 use serde_json::{Value, json};
 use std::net::{SocketAddr, TcpStream};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use support::{Page, Shop, shop};
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket, client};
@@ -104,6 +104,24 @@ fn a_press_on_both_ways_counts_once_and_is_told_when_it_was_heard() {
         assert_eq!(page.reply(900), None);
         std::thread::sleep(Duration::from_millis(100));
     });
+}
+
+#[test]
+fn the_last_of_many_presses_waits_no_longer_than_the_first() {
+    let shop = shop(1.0, &[]);
+    let page = shop.driver();
+    let mut own = own_way(&shop, &page, shop.server.address).unwrap();
+    let press = |id| Message::text(format!(r#"{{"id":{id},"act":{{"do":"stop"}}}}"#));
+    // A key that repeats, and a page that sends each press again.
+    for id in 1..400 {
+        own.write(press(id)).unwrap();
+        own.flush().unwrap();
+    }
+    std::thread::sleep(Duration::from_millis(300));
+    let sent = Instant::now();
+    own.send(press(400)).unwrap();
+    while !matches!(own.read().unwrap(), Message::Text(text) if text.contains(r#""id":400"#)) {}
+    assert!(sent.elapsed() < Duration::from_secs(2), "{:?}", sent.elapsed());
 }
 
 #[test]

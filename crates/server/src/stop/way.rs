@@ -12,6 +12,7 @@ use axum::middleware::from_fn_with_state;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{any, post};
 use axum::{Extension, Json, Router};
+use futures_util::FutureExt;
 use kerf_wire::{Reply, ToPage, Why};
 use serde::Deserialize;
 use std::io;
@@ -30,9 +31,12 @@ const BEAT: Duration = Duration::from_secs(2);
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Longest message, bytes.
 const LONGEST: usize = 4096;
-/// Presses in a second, and at once.
+/// Crowds of messages in a second, and at once. What has come meanwhile is read as one crowd, so that no press waits
+/// longer than for the next: a late one would stop what was begun behind it.
 const A_SECOND: u32 = 20;
 const AT_ONCE: u32 = 20;
+/// Messages of a crowd at most.
+const CROWD: usize = 1000;
 /// Replies that a page is owed.
 const OWED: usize = 32;
 
@@ -177,16 +181,19 @@ impl Page {
         let revoked = Arc::<AtomicBool>::default();
         while last.elapsed() < PATIENCE && !revoked.load(Ordering::Relaxed) {
             let out = tokio::select! {
-                biased;
-                message = socket.recv() => match message {
-                    Some(Ok(message)) => {
-                        last = Instant::now();
+                message = socket.recv() => {
+                    let mut next = Some(message);
+                    let mut read = 0;
+                    while let Some(message) = next {
+                        let Some(Ok(message)) = message else { return };
                         self.hear(&message, &tell);
-                        allowance.take().await;
-                        continue;
+                        read += 1;
+                        next = if read < CROWD { socket.recv().now_or_never() } else { None };
                     }
-                    _ => return,
-                },
+                    last = Instant::now();
+                    allowance.take().await;
+                    continue;
+                }
                 Some(reply) = told.recv() => Message::Text(text(&ToPage::Reply(reply))),
                 _ = beat.tick() => {
                     self.look(&revoked);
@@ -223,7 +230,7 @@ impl Page {
         let tell = tell.clone();
         // It begins before anything else of this thread does.
         let mut pressing = Box::pin(pressing);
-        let first = futures_util::FutureExt::now_or_never(&mut pressing);
+        let first = (&mut pressing).now_or_never();
         if let Some(reply) = first {
             return drop(tell.try_send(reply));
         }
