@@ -5,6 +5,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used)]
 
+use kerf_ledger::traces::{self, Traces};
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -24,6 +25,20 @@ fn examples_are_free_of_warnings() {
         let told: Vec<Value> = trace(&folder).into_iter().filter(|e| e["e"] == "diag").collect();
         assert!(told.is_empty(), "{}: {told:?}", folder.display());
     }
+}
+
+/// With KERF_TRACES: the trace of each example is the recorded one.
+#[test]
+fn traces_are_the_recorded_ones() {
+    if traces::folder().is_none() {
+        return;
+    }
+    let mut traces = Traces::default();
+    for folder in example_folders() {
+        let lines: Vec<String> = trace(&folder).iter().map(Value::to_string).collect();
+        traces.add(&folder.file_name().unwrap().to_string_lossy(), lines);
+    }
+    traces.hold("examples.txt");
 }
 
 /// Folder of the example and name of the picture.

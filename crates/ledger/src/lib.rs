@@ -25,6 +25,7 @@ pub mod hand_console;
 pub mod jobs;
 mod read;
 mod run;
+pub mod traces;
 
 pub use case::{Case, at, gcode, run, sbp};
 pub use run::Run;

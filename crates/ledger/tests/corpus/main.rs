@@ -12,6 +12,7 @@ mod row;
 mod tree;
 
 use bench::{Ended, run, run_restored};
+use kerf_ledger::traces::{self, Traces};
 use row::{Row, rows};
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -62,6 +63,17 @@ fn files_end_as_their_line_says() {
         let ended = run(tree, row);
         if ended.is_as(row) { Ok(()) } else { Err(ended.difference(row)) }
     });
+}
+
+/// With KERF_TRACES: the trace of each file is the recorded one.
+#[test]
+fn traces_are_the_recorded_ones() {
+    let (Some(corpus), Some(_)) = (corpus(), traces::folder()) else { return };
+    let (tree, mut traces) = (Tree::build(&corpus), Traces::default());
+    for row in rows() {
+        traces.add(&row.file, run(&tree, &row).trace);
+    }
+    traces.hold("corpus.txt");
 }
 
 #[test]

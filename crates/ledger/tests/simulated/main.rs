@@ -23,6 +23,8 @@ mod programs;
 mod watch;
 
 use case::Case;
+use kerf_control::json;
+use kerf_ledger::traces::{self, Traces};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 
@@ -104,6 +106,20 @@ fn whole_runs_hold_what_is_promised() {
     let (count, failed) = (count.into_inner().unwrap(), failed.into_inner().unwrap());
     eprintln!("{count:?}");
     assert!(failed.is_empty(), "{} runs failed, seeds {failed:?}", failed.len());
+}
+
+/// With KERF_TRACES: the traces of 2,000 runs that nobody kills are those that were recorded.
+#[test]
+fn traces_are_the_recorded_ones() {
+    if traces::folder().is_none() {
+        return;
+    }
+    let mut traces = Traces::default();
+    for seed in (1..1001).chain(FIRST_WIDER..FIRST_WIDER + 1000) {
+        let events = life::events(&Case::of(seed));
+        traces.add(&seed.to_string(), events.iter().map(json::to_string));
+    }
+    traces.hold("runs.txt");
 }
 
 /// A wall clock that is set forward or back before or between runs changes dates in logs, nothing else.
