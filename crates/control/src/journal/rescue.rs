@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// Rows by the text of their key, each with the kind of file that it is from.
 type Found = BTreeMap<String, (Origin, Row)>;
 
-/// A journal whose bytes are gone, although there was one: it has a copy, or a seal.
+/// A journal whose bytes are gone, although there was one: it has a copy, a seal, or a write-ahead file with changes.
 pub(super) fn lost(folder: &Path, seal: &SealFound) -> Option<JournalError> {
     let path = folder.join(JOURNAL_FILE);
     let what = match fs::metadata(&path) {
@@ -26,7 +26,8 @@ pub(super) fn lost(folder: &Path, seal: &SealFound) -> Option<JournalError> {
         Err(error) if error.kind() == ErrorKind::NotFound => "it is gone",
         _ => return None,
     };
-    let was_there = folder.join(BACKUP_FILE).is_file() || seal.seal().is_some();
+    let log = fs::metadata(beside(&path, LOG)).is_ok_and(|log| log.len() > 0);
+    let was_there = log || folder.join(BACKUP_FILE).is_file() || seal.seal().is_some();
     was_there.then(|| JournalError::Damaged { path, what: what.into() })
 }
 
@@ -36,13 +37,17 @@ pub(super) fn rescue(folder: &Path, what: &str) -> Result<Vec<String>, JournalEr
     let aside = unused(folder);
     let moved = |error: std::io::Error| JournalError::of_disk(&file, &error);
     let seal = SealFound::in_folder(folder).map_err(moved)?.seal().cloned();
-    let there = file.exists();
-    if there {
-        move_with_log(&file, &aside).map_err(moved)?;
-    }
+    let (there, log) = (file.exists(), beside(&file, LOG).exists());
+    move_with_log(&file, &aside).map_err(moved)?;
     let sources = sources(&aside, &folder.join(BACKUP_FILE), seal.as_ref());
     let mut fresh = database::open(&file, Access::Write).map_err(|error| error.at(&file))?;
-    let kept = if there { format!("; it is kept as {}", aside.display()) } else { String::new() };
+    let kept = match (there, log) {
+        (true, _) => format!("; it is kept as {}", aside.display()),
+        (false, true) => {
+            format!("; its write-ahead file is kept as {}", beside(&aside, LOG).display())
+        }
+        (false, false) => String::new(),
+    };
     let mut told = vec![format!("the journal was damaged ({}: {what}){kept}", file.display())];
     let saved = rows::together(&mut fresh, |rows| {
         for table in Table::ALL {
@@ -179,13 +184,20 @@ fn reader(file: &Path) -> Option<Connection> {
     file.is_file().then(|| Connection::open_with_flags(file, flags).ok()).flatten()
 }
 
-/// Moves the file with what belongs to it: changes that are not in it yet.
+/// The ending of the write-ahead file: changes that are not in the file itself yet.
+const LOG: &str = "-wal";
+
+/// The file of a database that has this ending.
+fn beside(file: &Path, ending: &str) -> PathBuf {
+    PathBuf::from(format!("{}{ending}", file.display()))
+}
+
+/// Moves as much as there is of a file and of what belongs to it.
 fn move_with_log(file: &Path, to: &Path) -> std::io::Result<()> {
-    fs::rename(file, to)?;
-    for ending in ["-wal", "-shm"] {
-        let beside = |path: &Path| PathBuf::from(format!("{}{ending}", path.display()));
-        if beside(file).exists() {
-            fs::rename(beside(file), beside(to))?;
+    for ending in ["", LOG, "-shm"] {
+        let from = beside(file, ending);
+        if from.exists() {
+            fs::rename(from, beside(to, ending))?;
         }
     }
     Ok(())
@@ -194,5 +206,6 @@ fn move_with_log(file: &Path, to: &Path) -> std::io::Result<()> {
 /// A name that no file has.
 fn unused(folder: &Path) -> PathBuf {
     let name = |n: u32| folder.join(format!("journal.damaged-{n}.db"));
-    (1..u32::MAX).map(name).find(|path| !path.exists()).unwrap_or_else(|| name(0))
+    let free = |path: &PathBuf| !path.exists() && !beside(path, LOG).exists();
+    (1..u32::MAX).map(name).find(free).unwrap_or_else(|| name(0))
 }

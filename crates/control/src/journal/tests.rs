@@ -280,6 +280,18 @@ fn a_write_ahead_file_that_is_lost_is_told() {
 }
 
 #[test]
+fn a_write_ahead_file_that_is_left_alone_is_told_and_kept() {
+    let mut files = killed();
+    files.iter_mut().filter(|(name, _)| *name != "journal.db-wal").for_each(|it| it.1 = None);
+    let folder = folder_of(&files);
+    let (_journal, told) = opened(&folder);
+    assert!(told[0].contains("journal.db: it is gone"), "{told:?}");
+    assert!(told[0].contains("journal.damaged-1.db-wal"), "{told:?}");
+    let kept = fs::read(folder.path().join("journal.damaged-1.db-wal")).unwrap();
+    assert_eq!(Some(kept), files[1].1);
+}
+
+#[test]
 fn an_older_journal_in_the_place_of_a_newer_one_is_told() {
     let folder = tempdir().unwrap();
     run(&folder, "MX,1\n", "2026-11-21");

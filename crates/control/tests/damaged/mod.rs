@@ -62,17 +62,21 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
+/// Whether a file is there with something in it.
+fn holds(file: &Path) -> bool {
+    fs::metadata(file).is_ok_and(|file| file.len() > 0)
+}
+
 fn opens(folder: &Path) -> Result<(), String> {
     drop(
         Journal::look(folder)
             .and_then(|journal| journal.map_or(Ok(()), |it| it.values().map(drop))),
     );
+    // A folder in which nothing of a journal is left is that of a new machine.
+    let is_new = FILES.iter().all(|name| !holds(&folder.join(name)));
     let (journal, told) = Journal::open(folder).map_err(|error| error.to_string())?;
     let values = journal.values().map_err(|error| error.to_string())?;
     let kept = values.iter().filter(|(_, value)| value == "kept").count();
-    // A folder in which nothing of a journal is left is that of a new machine.
-    let is_new =
-        [SEAL_FILE, BACKUP_FILE].iter().all(|name| fs::metadata(folder.join(name)).is_err());
     assert!(kept == VALUES || !told.is_empty() || is_new, "lost without a word: {kept}");
     journal.remembered().map_err(|error| error.to_string())?;
     journal.cut_short().map_err(|error| error.to_string())?;
