@@ -54,6 +54,8 @@ pub(super) enum Found {
     None,
     /// Bytes that are no seal.
     Broken,
+    /// A seal of which a line is damaged: perhaps the newer one.
+    Half(Seal),
     /// A seal.
     Sound(Seal),
 }
@@ -66,14 +68,16 @@ impl Found {
             Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::None),
             Err(error) => return Err(error),
         };
-        let newest = bytes.chunks(LINE).filter_map(Seal::read).max_by_key(|it| it.mark.generation);
-        Ok(newest.map_or(Self::Broken, Self::Sound))
+        let lines: Vec<Seal> = bytes.chunks(LINE).filter_map(Seal::read).collect();
+        let whole = lines.len() == 2 && bytes.len() == 2 * LINE;
+        let newest = lines.into_iter().max_by_key(|it| it.mark.generation);
+        Ok(newest.map_or(Self::Broken, if whole { Self::Sound } else { Self::Half }))
     }
 
     /// The seal, when it is one.
     pub(super) const fn seal(&self) -> Option<&Seal> {
         match self {
-            Self::Sound(seal) => Some(seal),
+            Self::Half(seal) | Self::Sound(seal) => Some(seal),
             Self::None | Self::Broken => None,
         }
     }
@@ -206,6 +210,10 @@ pub(super) fn compare(journal: &Reached<'_>, found: &Found) -> Verdict {
     match (found, mark) {
         (Found::Broken, _) => Verdict::Doubtful("is damaged".into()),
         (Found::None, Some(_)) => Verdict::Doubtful("is gone".into()),
+        // A line that was torn while it was written is behind the change that it tells of.
+        (Found::Half(seal), _) if reached == seal.mark.generation => {
+            Verdict::Doubtful("is damaged in part".into())
+        }
         _ => Verdict::Whole,
     }
 }
@@ -241,7 +249,7 @@ mod tests {
             fs::write(&file, torn).unwrap();
             let found = Found::in_folder(folder.path()).unwrap();
             let left = if at < LINE { 5 } else { 4 };
-            assert_eq!(found, Found::Sound(seal(left, None)), "byte {at}");
+            assert_eq!(found, Found::Half(seal(left, None)), "byte {at}");
         }
         fs::write(&file, b"").unwrap();
         assert_eq!(Found::in_folder(folder.path()).unwrap(), Found::Broken);
@@ -271,5 +279,10 @@ mod tests {
         assert!(said.contains("older than its write-ahead file"), "{said}");
         check(at(5), Found::None, None, "Doubtful(\"is gone\")");
         check(at(5), Found::Broken, None, "Doubtful(\"is damaged\")");
+        let half =
+            |generation| Found::Half(Seal { mark: mark("a", generation), rested: 1, digest: None });
+        check(at(5), half(5), None, "Doubtful(\"is damaged in part\")");
+        check(at(5), half(4), None, "Whole");
+        check(at(5), half(6), None, "its last change:");
     }
 }
