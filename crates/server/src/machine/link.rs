@@ -199,8 +199,8 @@ impl Link {
         result
     }
 
-    /// Whoever waits looks again at what is wanted.
-    fn wake(&self) {
+    /// Whoever waits looks again at what is wanted, and for orders.
+    pub fn wake(&self) {
         if let Some(thread) = self.waits.get() {
             thread.unpark();
         }
@@ -272,6 +272,7 @@ impl Link {
     /// What was asked for and has not begun yet does not begin; what runs goes on.
     pub fn forestall(&self) {
         self.arrived.forestall();
+        self.wake();
     }
 
     /// How many stops have come.

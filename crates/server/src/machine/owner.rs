@@ -21,9 +21,10 @@ use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// What the machine is to do next.
 #[derive(Debug)]
@@ -198,24 +199,20 @@ impl Owner {
                 let Workshop { session, shelf, .. } = &mut self.workshop;
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
-            let order = match orders.recv_timeout(LOOK) {
+            let order = match self.next(orders, LOOK) {
                 Ok(order) => {
-                    self.stop_at_rest();
                     self.look_for_passed_in();
                     order
                 }
-                Err(RecvTimeoutError::Timeout) => {
-                    self.stop_at_rest();
-                    match self.passed_in() {
-                        Some(line) => Order::Command { line, opened: false },
-                        None => {
-                            self.catch_up();
-                            self.rest_journal();
-                            continue;
-                        }
+                Err(TryRecvError::Empty) => match self.passed_in() {
+                    Some(line) => Order::Command { line, opened: false },
+                    None => {
+                        self.catch_up();
+                        self.rest_journal();
+                        continue;
                     }
-                }
-                Err(RecvTimeoutError::Disconnected) => break,
+                },
+                Err(TryRecvError::Disconnected) => break,
             };
             let moved = self.move_switches();
             match order {
@@ -245,6 +242,26 @@ impl Owner {
             self.tell_shelf();
             let made = self.workshop.shelf.take_made();
             (self.done)(made.map(|path| self.parts.name_of(&path)));
+        }
+    }
+
+    /// Waits for the next order, so long at most. What is stopped meanwhile is off at once: a stop wakes this thread, as an
+    /// order does.
+    pub(super) fn next(
+        &mut self,
+        orders: &Receiver<Order>,
+        most: Duration,
+    ) -> Result<Order, TryRecvError> {
+        let begun = Instant::now();
+        loop {
+            let order = orders.try_recv();
+            // Behind the order: what was stopped before it is off before it begins.
+            self.stop_at_rest();
+            let left = most.saturating_sub(begun.elapsed());
+            if !matches!(order, Err(TryRecvError::Empty)) || left.is_zero() || self.link.lock().leaves {
+                return order;
+            }
+            thread::park_timeout(left);
         }
     }
 
