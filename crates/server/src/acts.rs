@@ -110,10 +110,9 @@ impl App {
 
     /// Carries out what the start-up line says, for whoever started Kerf here.
     pub fn start_up(&self) {
-        let who = Who::default();
-        for line in &self.options.begin_with {
-            let order = Order::Command { line: line.clone(), opened: false };
-            let sent = self.gate(&who, Way::StartUp).and_then(|()| self.send(order));
+        let lines = self.options.begin_with.clone();
+        if !lines.is_empty() {
+            let sent = self.send(Order::StartUp { lines, since: self.link.stops() });
             sent.unwrap_or_else(|why| self.hub.say(Tone::Error, why.text));
         }
     }

@@ -28,7 +28,7 @@ impl Owner {
         let taken = journal.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
-            Ok(Some(Ok(line))) => match self.may_run(arrived) {
+            Ok(Some(Ok(line))) => match self.may_run(Way::PassedIn, arrived) {
                 Ok(()) => {
                     let text = format!("{PASSED_IN}: {line}");
                     self.hub.say(Tone::Note, text);
@@ -86,11 +86,23 @@ impl Owner {
         }
     }
 
-    /// The machine is busy from now on, where a program on this computer may have it move; otherwise why not.
-    fn may_run(&self, arrived: Stops) -> Result<(), String> {
+    /// Carries out the start-up line. What a stop ends, or comes before, ends all of it.
+    pub(super) fn start_up(&mut self, lines: &[String], since: Stops) {
+        for line in lines {
+            if let Err(why) = self.may_run(Way::StartUp, since) {
+                let told = format!("{line} of the start-up line is not carried out: {why}");
+                self.log_refused(&told);
+                return self.hub.say(Tone::Warning, format!("{told}; start it here"));
+            }
+            self.command(line, false);
+        }
+    }
+
+    /// The machine is busy from now on, where nobody at a page asked for it and it may move all the same; otherwise why not.
+    fn may_run(&self, way: Way<'_>, arrived: Stops) -> Result<(), String> {
         let mut may = Ok(());
         self.hub.changing(|now| {
-            may = gate::pass(now, &Who::default(), Way::PassedIn).map(drop).map_err(|why| why.text);
+            may = gate::pass(now, &Who::default(), way).map(drop).map_err(|why| why.text);
             if may.is_ok() && now.machine.state != State::Idle {
                 may = Err("the machine is busy".into());
             } else if may.is_ok() && !self.link.begin(Some(arrived), None) {

@@ -58,6 +58,13 @@ pub enum Order {
         /// They may change settings.
         opened: bool,
     },
+    /// Carry out what whoever started Kerf wrote into the start-up line, one after the other, unless a stop comes.
+    StartUp {
+        /// The lines.
+        lines: Vec<String>,
+        /// Stops that had come when Kerf started.
+        since: Stops,
+    },
     /// Move for as long as the link says.
     Jog {
         /// Direction of each axis.
@@ -120,6 +127,7 @@ impl Order {
             Self::File { .. }
             | Self::TakeUp { .. }
             | Self::Command { .. }
+            | Self::StartUp { .. }
             | Self::Jog { .. }
             | Self::Hand { .. }
             | Self::Nudge(..) => true,
@@ -226,6 +234,7 @@ impl Owner {
                 }
                 Order::TakeUp { hash, planned } => self.take_up(hash, planned),
                 Order::Command { line, opened } => self.command(&line, opened),
+                Order::StartUp { lines, since } => self.start_up(&lines, since),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
@@ -427,7 +436,7 @@ impl Owner {
         });
     }
 
-    fn command(&mut self, line: &str, opened: bool) {
+    pub(super) fn command(&mut self, line: &str, opened: bool) {
         let program = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
         let mut options = RunOptions { opened, ..self.options() };
         options.program.typed = true;
