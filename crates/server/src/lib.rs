@@ -56,7 +56,6 @@ mod stop;
 mod texts;
 mod told;
 mod turn;
-mod uptime;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
