@@ -56,6 +56,9 @@ mod stop;
 mod texts;
 mod told;
 mod turn;
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod who_may_what;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
