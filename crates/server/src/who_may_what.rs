@@ -220,7 +220,7 @@ const HEAD: &str = "# Who may what: the hand console and questions
 
 What [Who may what](who-may-what.md) is for acts, values and routes, this page is for wishes of the hand console and for
 every kind of question, with the same words. Whoever presses a key of the hand console is who asks: a page, a script, or the console's own
-cable, which is an operator's. Each cell was tried; the page is made by a test (`KERF_WRITE_PAGES=1 cargo test -p kerf-server --lib
+cable, which is a setter's. Each cell was tried; the page is made by a test (`KERF_WRITE_PAGES=1 cargo test -p kerf-server --lib
 who_may_what`), which fails where one is another, and does not compile where a wish or a kind of question is missing.
 
 States: **D** disarmed, **A** armed and idle, **R** running, **J** a jog is made, **S** stopped in the middle, **Q** a question is
