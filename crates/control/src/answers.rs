@@ -150,7 +150,8 @@ pub fn kind_of(word: &str) -> Option<QuestionKind> {
     KINDS.into_iter().find(|kind| kind_word(*kind).eq_ignore_ascii_case(word.trim()))
 }
 
-const KINDS: [QuestionKind; 12] = [
+/// Every kind of question.
+pub const KINDS: [QuestionKind; 12] = [
     QuestionKind::Input,
     QuestionKind::Msgbox,
     QuestionKind::Pause,

@@ -31,6 +31,7 @@ pub mod drawn;
 mod errands;
 pub mod event;
 mod execute;
+pub mod facts;
 pub mod files;
 mod fonts;
 mod heights;

@@ -4,6 +4,7 @@
 //! Jobs and moves by hand know what they do when they are stopped, and ask the same table; the run of a
 //! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
 
+use crate::facts::Fact;
 use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
@@ -17,7 +18,7 @@ use kerf_program::{
 use kerf_sbp::SPINDLE_STATUS;
 
 /// The value that says of which axes the location is to be confirmed before anything is cut: letters.
-pub(crate) const CONFIRM: &str = "ConfirmLocation";
+pub(crate) const CONFIRM: &str = Fact::ConfirmLocation.key();
 
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
 /// (command reference, alpha tools).

@@ -1,27 +1,15 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
-//! keep under a key.
+//! keep under a key; and, read in the same way, what the machine says of itself.
 
-use crate::journal::{Journal, JournalError, Live};
+use crate::facts::{Fact, is_fact};
+use crate::journal::{Journal, JournalError};
 use crate::part_log::LAST_SHAPE;
-use crate::stopping::CONFIRM;
-use crate::switches::SWITCHES;
-use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS};
+use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, RECORDED, RECORDING};
 use std::collections::BTreeMap;
-
-/// Keys under which the machine says what is so: nobody else writes them.
-const FACTS: [&str; 4] = [SPINDLE_STATUS, POSITION_LOST, CONFIRM, SWITCHES];
-
-/// Keys of the controller that has the machine begin with this.
-const CONTROLLER: &str = "Controller";
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
 const OWN: [&str; 8] =
     [PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, RECORDED, RECORDING, "uAppPath", "uUsrPath"];
-
-/// Whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does.
-pub fn is_fact(key: &str) -> bool {
-    FACTS.contains(&key) || Live::tells(key) || key.starts_with(CONTROLLER)
-}
 
 /// Whether Kerf writes a key for itself, so that nobody writes it over the network. Values of the user, variables of
 /// programs and names that other software made up are free.
@@ -137,10 +125,13 @@ impl Stored {
         before.as_deref() != value
     }
 
-    /// Puts the value of a key into the journal.
+    /// Puts the value of a key into the journal: a fact of the machine where those are.
     pub(crate) fn keep(&mut self, key: &str) {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key));
-        let kept = journal.map(|journal| journal.set_value(key, self.get(key)));
+        let kept = journal.map(|journal| match Fact::of(key) {
+            Some(fact) => journal.state(fact, self.get(key)),
+            None => journal.set_value(key, self.get(key)),
+        });
         if let Some(Err(error)) = kept {
             self.trouble = Some(error.to_string());
         }

@@ -2,10 +2,11 @@
 //! and for a run that is taken up.
 
 use crate::Press;
+use crate::facts::Fact;
 use crate::journal::{Journal, JournalError};
 
 /// The value that holds them: `3:1 5:0`.
-pub(crate) const SWITCHES: &str = "SimulatedSwitches";
+pub(crate) const SWITCHES: &str = Fact::SimulatedSwitches.key();
 
 /// Switches that somebody moved, and whether each was left closed.
 pub(crate) type Switches = Vec<(u8, bool)>;
@@ -28,7 +29,7 @@ impl Journal {
         switches.retain(|(number, _)| *number != press.number);
         switches.push((press.number, press.on));
         switches.sort_unstable();
-        self.set_value(SWITCHES, write(&switches).as_deref())
+        self.state(Fact::SimulatedSwitches, write(&switches).as_deref())
     }
 }
 

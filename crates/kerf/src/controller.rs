@@ -6,6 +6,7 @@ use crate::report::Diagnostics;
 use crate::setup;
 use crate::stop::Stop;
 use anyhow::{Result, anyhow, bail};
+use kerf_control::facts::Fact;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Connection, Lacks, Line, Shared};
 use kerf_control::{Company, Firmware, RunOptions, Session, Shelf, Sink, Work};
@@ -168,7 +169,7 @@ pub fn ready(
 
 /// The value that says where a controller without homing was left: its port, its own place, and that of the
 /// machine. Runs on the simulated machine leave the location elsewhere.
-const LEFT: &str = "ControllerLeft";
+const LEFT: &str = Fact::ControllerLeft.key();
 
 /// Places closer than this are the same, mm: a controller tells thousandths.
 const SAME_MM: f64 = 0.01;
@@ -198,7 +199,7 @@ fn same(a: Axes, b: Axes) -> bool {
 }
 
 /// The value that names the port of a controller while it is driven.
-const DRIVEN: &str = "ControllerDriven";
+const DRIVEN: &str = Fact::ControllerDriven.key();
 
 /// Whether the last run on this controller has no end: the process was killed, or the power failed.
 fn was_abandoned(name: &DriverName, shelf: &Shelf) -> bool {

@@ -88,7 +88,7 @@ impl App {
             }
             Act::Key { seq, key, clock_ms, .. } => {
                 let stamp = clock_ms.filter(|_| key != STOP_KEY);
-                let grip = stamp.map_or(Ok(Grip::now(seq)), |ms| self.grip(who, seq, ms))?;
+                let grip = stamp.map_or(Ok(Grip { seq, at: self.clock.now() }), |ms| self.grip(who, seq, ms))?;
                 self.press_key(asker, grip, key)?;
             }
             Act::Lift { question, .. } => self.lift(asker, question)?,
@@ -110,10 +110,9 @@ impl App {
 
     /// Carries out what the start-up line says, for whoever started Kerf here.
     pub fn start_up(&self) {
-        let who = Who::default();
-        for line in &self.options.begin_with {
-            let order = Order::Command { line: line.clone(), opened: false };
-            let sent = self.gate(&who, Way::StartUp).and_then(|()| self.send(order));
+        let lines = self.options.begin_with.clone();
+        if !lines.is_empty() {
+            let sent = self.send(Order::StartUp { lines, since: self.link.stops() });
             sent.unwrap_or_else(|why| self.hub.say(Tone::Error, why.text));
         }
     }
@@ -343,7 +342,7 @@ impl App {
     pub fn jog(&self, asker: &Asker, grip: Grip, order: Order) -> Result<(), Problem> {
         let who = &asker.who;
         let held = Held::pressed(who.client, self.pages.jog_begins(who.client, grip)?);
-        if held.is_over() {
+        if held.is_over(self.clock.now()) {
             let text = "the key was pressed too long ago: the link is slow; press it anew";
             return Err(problem(Why::Late, text));
         }
@@ -403,14 +402,15 @@ impl App {
 
     /// A sign of the hand of a page, stamped with the clock of the server, ms.
     fn grip(&self, who: &Who, seq: u64, clock_ms: f64) -> Result<Grip, Problem> {
-        Ok(self.pages.grip(who.client, seq, clock_ms, self.uptime.ms())?)
+        Ok(self.pages.grip(who.client, seq, clock_ms, self.clock.now())?)
     }
 
     pub fn renew(&self, who: &Who, grip: Grip) -> Result<(), Problem> {
         self.pages.jog_holds(who.client, grip);
-        let renewed =
-            self.link.want(|wanted| wanted.jog.as_mut()?.renew(who.client, grip).then_some(()));
-        renewed.ok_or_else(|| problem(Why::Late, "this jog is over"))
+        let now = self.clock.now();
+        let renews = |held: &mut Held| held.renew(who.client, grip, now);
+        let renewed = self.link.want(|wanted| wanted.jog.as_mut().is_some_and(renews));
+        if renewed { Ok(()) } else { Err(problem(Why::Late, "this jog is over")) }
     }
 
     /// Lets go of a key of a page; of whatever is held where no jog is named.

@@ -1,5 +1,6 @@
 //! Everything that requests share.
 
+use crate::clock::Clock;
 use crate::desk::Desk;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
@@ -18,7 +19,6 @@ use crate::setup::{Builders, Options};
 use crate::shop;
 use crate::texts::Texts;
 use crate::turn::Turn;
-use crate::uptime::Uptime;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
 use kerf_control::timing::Begun;
@@ -70,8 +70,8 @@ pub struct App {
     pub pages: Pages,
     /// The turn at driving that goes on.
     pub turn: Turn,
-    /// The clock that pages reckon with.
-    pub uptime: Uptime,
+    /// The clock by which all ends that has to end in time; pages reckon with it.
+    pub clock: Clock,
     /// The drawing that is open.
     pub desk: Mutex<Desk>,
     /// The drawing that is being read to be opened.
@@ -189,7 +189,8 @@ impl App {
     /// The part folder or the list of devices cannot be read.
     pub fn new(options: Options, parts: Parts) -> std::io::Result<Self> {
         let Parts { hub, link, orders, left, builders } = parts;
-        let (devices, told) = Devices::read(&options.data)?;
+        let clock = link.clock().clone();
+        let (devices, told) = Devices::read(&options.data, clock.clone())?;
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
         let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
         let memory = Memory::default();
@@ -201,9 +202,9 @@ impl App {
             here,
             passwords: Mutex::default(),
             pages: Pages::default(),
-            turn: Turn::default(),
-            uptime: Uptime::default(),
-            unlocked: Unlocked::default(),
+            turn: Turn::by(clock.clone()),
+            unlocked: Unlocked::by(clock.clone()),
+            clock,
             desk: Mutex::default(),
             reading: Readings::default(),
             changed: OnceLock::new(),

@@ -123,6 +123,7 @@ impl App {
     /// It has ended.
     pub fn send(&self, order: Order) -> Result<(), Problem> {
         let sent = lock(&self.orders).send(order);
+        self.link.wake();
         sent.map_err(|_| problem(Why::Server, "the machine's thread has ended; start Kerf anew"))
     }
 }

@@ -5,10 +5,15 @@
 use crate::app::{App, Parts};
 use crate::hub::Hub;
 use crate::machine::{Link, Order};
-use crate::setup::{Builders, Options};
+use crate::machine_and_app;
+use crate::setup::{Builders, Options, Workshop};
+use kerf_control::files::{Folders, RealDisk};
+use kerf_control::stored::Stored;
+use kerf_control::{Session, Shelf};
 use kerf_wire::{Act, Change, Machine, Role, Snapshot, State, Who};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
+use std::thread::JoinHandle;
 use tempfile::TempDir;
 
 /// Pages of a machine that takes orders and does nothing.
@@ -19,6 +24,23 @@ pub struct Bench {
     pub driver: Who,
     pub other: Who,
     _folder: TempDir,
+}
+
+/// The same with a machine that moves; its thread ends with the second value.
+pub fn moving() -> (Bench, JoinHandle<()>) {
+    let folder = tempfile::tempdir().unwrap();
+    let (parts, data) = (folder.path().to_owned(), folder.path().join("data"));
+    let workshop = move || {
+        let folders = Folders::new(parts.clone(), Vec::new(), Vec::new());
+        let stored = Stored::in_memory(Default::default());
+        let shelf = Shelf::new(Box::new(RealDisk), folders, stored, data.clone());
+        Ok(Workshop { session: Session::default(), shelf, kept: false, started: || None })
+    };
+    let preview = || Err(std::io::Error::other("none"));
+    let builders = Builders { workshop: Arc::new(workshop), preview: Arc::new(preview) };
+    let made = machine_and_app(options(&folder), builders, Default::default(), None);
+    let (app, machine) = made.unwrap();
+    (driven(app, channel().1, folder), machine)
 }
 
 /// A page drives; the machine is armed.
@@ -33,7 +55,10 @@ pub fn bench() -> Bench {
     let hub = Arc::new(Hub::new(Snapshot::default()));
     let (link, left) = (Arc::<Link>::default(), Arc::default());
     let parts = Parts { hub, link, orders: sender, left, builders };
-    let app = Arc::new(App::new(options(&folder), parts).unwrap());
+    driven(Arc::new(App::new(options(&folder), parts).unwrap()), orders, folder)
+}
+
+fn driven(app: Arc<App>, orders: Receiver<Order>, folder: TempDir) -> Bench {
     let [driver, other] =
         [(); 2].map(|()| app.pages.enter(Role::Owner, String::new(), 0).unwrap().0);
     let bench = Bench { app, orders, driver, other, _folder: folder };

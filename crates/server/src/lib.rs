@@ -56,7 +56,9 @@ mod stop;
 mod texts;
 mod told;
 mod turn;
-mod uptime;
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod who_may_what;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};

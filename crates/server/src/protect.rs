@@ -1,42 +1,51 @@
 //! The password of the settings: who may change them.
 
 use crate::app::{App, lock, problem};
+use crate::clock::Clock;
 use crate::configure::PASSWORD;
 use kerf_control::password;
 use kerf_machine::{Value, table};
 use kerf_wire::{Problem, Tone, Who, Why};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, TryLockError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How long a page may change settings after it gave the password.
 const OPEN: Duration = Duration::from_secs(15 * 60);
 
 /// Pages and scripts that gave the password, and until when it counts.
-#[derive(Debug, Default)]
-pub struct Unlocked(Mutex<BTreeMap<u32, Instant>>);
+#[derive(Debug)]
+pub struct Unlocked {
+    clock: Clock,
+    until: Mutex<BTreeMap<u32, Duration>>,
+}
 
 impl Unlocked {
+    /// By a clock.
+    pub fn by(clock: Clock) -> Self {
+        Self { clock, until: Mutex::default() }
+    }
+
     /// Whether somebody has given it, and it still counts.
     pub fn has(&self, client: u32) -> bool {
-        lock(&self.0).get(&client).is_some_and(|until| *until > Instant::now())
+        lock(&self.until).get(&client).is_some_and(|until| *until > self.clock.now())
     }
 
     /// Somebody has given it.
     pub fn add(&self, client: u32) {
-        let now = Instant::now();
-        let mut open = lock(&self.0);
+        let now = self.clock.now();
+        let mut open = lock(&self.until);
         open.retain(|_, until| *until > now);
         open.insert(client, now + OPEN);
     }
 
     /// Somebody has gone, and so has what they were allowed.
     pub fn remove(&self, client: u32) {
-        lock(&self.0).remove(&client);
+        lock(&self.until).remove(&client);
     }
 
     fn clear(&self) {
-        lock(&self.0).clear();
+        lock(&self.until).clear();
     }
 }
 
@@ -102,7 +111,7 @@ impl App {
                 return Err(problem(Why::Password, text));
             }
         };
-        let (device, now) = (&who.device, Instant::now());
+        let (device, now) = (&who.device, self.clock.now());
         if let Some(seconds) = wrong.wait_s(device, now) {
             let text =
                 format!("wrong passwords were tried from here: wait {seconds} s, then try again");
@@ -112,7 +121,7 @@ impl App {
             wrong.right(device);
             return Ok(());
         }
-        let count = wrong.wrong(device, Instant::now());
+        let count = wrong.wrong(device, self.clock.now());
         drop(wrong);
         let from = if device.is_empty() { "at the machine" } else { device };
         let text =
@@ -135,4 +144,20 @@ fn kept(new: &str, again: &str) -> Result<String, Problem> {
     getrandom::fill(&mut salt)
         .map_err(|_| problem(Why::Server, "this computer gives no random numbers"))?;
     Ok(password::kept(new, salt))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_open_for_a_while_and_not_for_a_night_of_sleep() {
+        let clock = Clock::default();
+        let unlocked = Unlocked::by(clock.clone());
+        unlocked.add(7);
+        clock.forward(OPEN * 9 / 10);
+        assert!(unlocked.has(7) && !unlocked.has(8));
+        clock.forward(OPEN / 5);
+        assert!(!unlocked.has(7));
+    }
 }

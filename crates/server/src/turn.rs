@@ -16,7 +16,7 @@ pub const SILENCE: Duration = Duration::from_secs(10);
 const LOOK: Duration = Duration::from_millis(250);
 
 /// What is known of the turn that goes on.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Turn {
     clock: Clock,
     inner: Mutex<Inner>,
@@ -31,6 +31,11 @@ struct Inner {
 }
 
 impl Turn {
+    /// By a clock.
+    pub fn by(clock: Clock) -> Self {
+        Self { clock, inner: Mutex::default() }
+    }
+
     /// Whoever drives was heard.
     pub fn heard(&self) {
         lock(&self.inner).heard = self.clock.now();
@@ -48,12 +53,6 @@ impl Turn {
             inner.heard = self.clock.now();
         }
         self.clock.now().saturating_sub(inner.heard) > SILENCE
-    }
-
-    /// So much time has passed.
-    #[cfg(test)]
-    pub fn forward(&self, by: Duration) {
-        self.clock.forward(by);
     }
 }
 
@@ -128,11 +127,11 @@ mod tests {
     fn a_script_that_is_not_heard_drives_no_longer() {
         let (bench, who) = scripted();
         for _ in 0..3 {
-            bench.app.turn.forward(SILENCE * 9 / 10);
+            bench.app.clock.forward(SILENCE * 9 / 10);
             assert!(drives(&bench));
             bench.does(&who, Act::Ping);
         }
-        bench.app.turn.forward(SILENCE * 11 / 10);
+        bench.app.clock.forward(SILENCE * 11 / 10);
         assert!(!drives(&bench));
         assert_eq!(bench.app.hub.read(|now| now.lease.clone()), None);
     }
@@ -140,7 +139,7 @@ mod tests {
     #[test]
     fn a_page_drives_as_long_as_it_is_there() {
         let bench = bench();
-        bench.app.turn.forward(SILENCE * 100);
+        bench.app.clock.forward(SILENCE * 100);
         assert!(drives(&bench));
     }
 
@@ -148,12 +147,12 @@ mod tests {
     fn a_script_drives_while_its_own_run_goes_on() {
         let (bench, who) = scripted();
         bench.does(&who, Act::Command { lease: bench.lease(), line: "MX,1".into() });
-        bench.app.turn.forward(SILENCE * 100);
+        bench.app.clock.forward(SILENCE * 100);
         assert!(drives(&bench));
         bench.stands();
-        bench.app.turn.forward(SILENCE * 9 / 10);
+        bench.app.clock.forward(SILENCE * 9 / 10);
         assert!(drives(&bench), "it counts from the end of the run");
-        bench.app.turn.forward(SILENCE);
+        bench.app.clock.forward(SILENCE);
         assert!(!drives(&bench));
     }
 
@@ -164,7 +163,7 @@ mod tests {
         let who = Who { client: script(7), role: Role::Operator, device: "script".into() };
         bench.does(&who, Act::TakeLease { force: true });
         bench.does(&who, Act::Arm { lease: bench.lease() });
-        bench.app.turn.forward(SILENCE * 2);
+        bench.app.clock.forward(SILENCE * 2);
         assert!(!drives(&bench));
     }
 

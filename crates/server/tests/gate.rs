@@ -176,6 +176,42 @@ fn the_question_of_the_spindle_is_asked_anew_after_every_start() {
     assert_eq!(page.shown["io"]["outputs"][0]["on"], false);
 }
 
+/// The first half of a start-up line runs, and is stopped; whoever looks says how it goes on.
+fn stopped_start_up(answers: &str) -> Page {
+    let begin_with = vec!["MS,2,2\nMX,20", "MY,1"];
+    let shop = start(Wanted { begin_with, ..Wanted::default() });
+    let mut page = shop.page();
+    page.until("some way", |page| at(page)[0] > 5.0);
+    assert_eq!(page.act(json!({ "do": "stop" })), None);
+    let question = page.asked("hold");
+    if answers == "Resume" {
+        page.drive();
+    }
+    assert_eq!(page.act(answer(question, answers)), None);
+    page.until("what is left is told", |page| {
+        let messages = page.shown["messages"].as_array().unwrap();
+        messages.iter().any(|it| it["text"].as_str().unwrap().starts_with("MY,1 of the start-up"))
+    });
+    page.until_state("idle");
+    page
+}
+
+#[test]
+fn a_stop_ends_all_of_a_start_up_line() {
+    assert_eq!(at(&stopped_start_up("Quit"))[1], 0.0);
+    let page = stopped_start_up("Resume");
+    assert_eq!([at(&page)[0].round(), at(&page)[1]], [508.0, 0.0]);
+}
+
+#[test]
+fn a_start_up_line_that_nobody_stops_is_carried_out() {
+    let begin_with = vec!["MS,2,2\nMX,.1", "MY,.2"];
+    let shop = start(Wanted { rate: 20.0, begin_with, ..Wanted::default() });
+    let mut page = shop.page();
+    page.until("both", |page| (at(page)[1] - 0.2 * 25.4).abs() < 1e-6);
+    page.until_state("idle");
+}
+
 /// Outputs 1 and 7 are on, whatever follows switches them off, or not.
 fn rests(stays_on: bool, ends: impl Fn(&mut Page, &Shop)) {
     let shop = shop(20.0, &[]);

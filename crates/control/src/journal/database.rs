@@ -6,8 +6,11 @@ use rusqlite::{Connection, ErrorCode, OpenFlags, ffi};
 use std::path::Path;
 use std::time::Duration;
 
-/// Version of the tables.
-const VERSION: i64 = 1;
+/// Version of the tables. In the first one, what the machine says of itself is among the values.
+const VERSION: i64 = 2;
+
+/// The version before.
+const FIRST: i64 = 1;
 
 /// How long to wait for another process that writes.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -18,7 +21,7 @@ const TABLES: &str = "
     CREATE TABLE step    (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
     CREATE TABLE content (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL);
     CREATE TABLE history (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
-    PRAGMA user_version = 1;";
+    PRAGMA user_version = 2;";
 
 /// How a database is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,11 +103,11 @@ pub(super) fn open(file: &Path, access: Access) -> Result<Connection, Trouble> {
         synchronous(&connection, true)?;
     }
     sound(&connection)?;
-    match (connection.pragma_query_value(None, "user_version", |row| row.get(0))?, access) {
+    match (version(&connection)?, access) {
         (0, Access::Write) => connection
             .execute_batch(&format!("BEGIN IMMEDIATE; {TABLES} COMMIT;"))
             .or_else(|error| made_meanwhile(&connection, error))?,
-        (VERSION, _) | (0, Access::Look) => {}
+        (FIRST | VERSION, _) | (0, Access::Look) => {}
         _ => return Err(Trouble::Newer),
     }
     Ok(connection)
@@ -112,11 +115,11 @@ pub(super) fn open(file: &Path, access: Access) -> Result<Connection, Trouble> {
 
 /// Two processes that open a new file at once: one of them makes the tables.
 fn made_meanwhile(connection: &Connection, error: rusqlite::Error) -> Result<(), Trouble> {
-    let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
+    let made = version(connection)? == VERSION;
     if !connection.is_autocommit() {
         connection.execute_batch("ROLLBACK")?;
     }
-    if version == VERSION { Ok(()) } else { Err(error.into()) }
+    if made { Ok(()) } else { Err(error.into()) }
 }
 
 /// Where the folder cannot be written, readers cannot tell each other of themselves: then the file
@@ -158,8 +161,21 @@ pub(super) fn sound(connection: &Connection) -> Result<(), Trouble> {
 
 /// Tells a file that has something to read.
 pub(super) fn has_tables(connection: &Connection) -> Result<bool, Trouble> {
-    let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
-    Ok(version != 0)
+    Ok(version(connection)? != 0)
+}
+
+/// Tells a file in which what the machine says of itself is not among the values.
+pub(super) fn has_facts_apart(connection: &Connection) -> Result<bool, Trouble> {
+    Ok(version(connection)? != FIRST)
+}
+
+/// The file has it apart from now on: an earlier Kerf would look for it among the values.
+pub(super) fn facts_are_apart(connection: &Connection) -> Result<(), Trouble> {
+    Ok(connection.pragma_update(None, "user_version", VERSION)?)
+}
+
+fn version(connection: &Connection) -> rusqlite::Result<i64> {
+    connection.pragma_query_value(None, "user_version", |row| row.get(0))
 }
 
 /// Whether each commit waits for the disk.

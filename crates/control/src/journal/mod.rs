@@ -1,7 +1,8 @@
 //! The journal: the state of a machine that has to outlive the process, in one SQLite file.
 //!
 //! ```text
-//!  fact      place, homed axes, what G-code remembers, the run under way and how far it is
+//!  fact      place, homed axes, what G-code remembers, the run under way and how far it is; what the machine says of
+//!            itself, as which axes are not verified: nobody else writes there ([`stated`])
 //!  value     what programs and other software keep under a key
 //!  step      what the world told the run under way, in order
 //!  content   program files of that run, by the hash of their bytes
@@ -35,6 +36,7 @@ mod rescue;
 mod rows;
 mod seal;
 mod settings;
+mod stated;
 mod tape;
 mod under_way;
 
@@ -133,6 +135,7 @@ impl Journal {
             Ok((journal, None)) => (journal, Vec::new()),
             Err(error) => return Err(error),
         };
+        journal.part_facts()?;
         if let Some(wrong) = journal.wrong_copy()? {
             let copy = journal.folder.join(BACKUP_FILE).display().to_string();
             told.push(format!("{copy}, the copy of the journal, {wrong}: a new one was made"));
@@ -220,10 +223,10 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read.
     pub fn value(&self, key: &str) -> Result<Option<String>, JournalError> {
-        self.read(|rows| rows.text(Table::Value, key))
+        self.read(|rows| stated::value(rows, key))
     }
 
-    /// Gives a key a value; `None` removes it.
+    /// Gives a key a value; `None` removes it. What the machine says of itself is no value: see [`Journal::state`].
     ///
     /// # Errors
     /// As the file cannot be written.
@@ -236,7 +239,7 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read.
     pub fn values(&self) -> Result<Vec<(String, String)>, JournalError> {
-        self.read(|rows| rows.all(Table::Value))
+        self.read(stated::values)
     }
 
     /// Whether a commit has to survive a power cut at once, or the death of the process only.

@@ -5,10 +5,9 @@
 use super::database::{self, Access};
 use super::rows::{self, Row, Rows, Table, key_text};
 use super::seal::{self, Found as SealFound, Mark, Reached, SEAL_FILE, Seal, Verdict};
-use super::{BACKUP_FILE, JOURNAL_FILE, Journal, JournalError};
-use crate::stopping::CONFIRM;
+use super::{BACKUP_FILE, JOURNAL_FILE, Journal, JournalError, stated};
+use crate::facts::Fact;
 use kerf_program::Axis;
-use kerf_sbp::POSITION_LOST;
 use rusqlite::{Connection, OpenFlags};
 use std::collections::BTreeMap;
 use std::fs;
@@ -60,6 +59,7 @@ pub(super) fn rescue(folder: &Path, what: &str) -> Result<Vec<String>, JournalEr
                 rows.put(table, key, &bytes)?;
             }
         }
+        stated::part(rows)?;
         next(&sources, seal.as_ref()).put(rows)?;
         not_verified(rows)
     });
@@ -86,8 +86,8 @@ pub(super) fn doubt(journal: &Journal, why: &str) -> Result<Vec<String>, Journal
 /// Every axis has to be confirmed.
 fn not_verified(rows: &Rows<'_>) -> rows::Result<()> {
     let axes: String = Axis::ALL.into_iter().map(Axis::letter).collect();
-    rows.set(Table::Value, CONFIRM, Some(&axes))?;
-    rows.set(Table::Value, POSITION_LOST, Some(&axes))
+    let doubted = [Fact::ConfirmLocation, Fact::PositionLost];
+    doubted.into_iter().try_for_each(|fact| rows.set(Table::Fact, fact.key(), Some(&axes)))
 }
 
 /// The kind of file that rows are from.

@@ -1,6 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
+use crate::facts::Fact;
 use crate::files::{Folders, MemoryDisk};
 use crate::settings_text;
 use crate::stored::Stored;
@@ -100,6 +101,44 @@ fn values_are_seen_by_everybody_at_once() {
     assert_eq!(theirs.value("uValue").unwrap().as_deref(), Some("hello"));
     theirs.set_value("uValue", None).unwrap();
     assert_eq!(mine.values().unwrap(), []);
+}
+
+#[test]
+fn what_the_machine_says_of_itself_is_no_value_that_others_write() {
+    let folder = tempdir().unwrap();
+    let (journal, _) = opened(&folder);
+    journal.state(Fact::PositionLost, Some("XY")).unwrap();
+    for fact in Fact::ALL {
+        journal.set_value(fact.key(), Some("1")).unwrap();
+        let told = (fact == Fact::PositionLost).then_some("XY");
+        assert_eq!(journal.value(fact.key()).unwrap().as_deref(), told, "{fact:?}");
+    }
+    assert_eq!(journal.values().unwrap(), [("PositionLost".into(), "XY".into())]);
+    journal.set_value("PositionLost", None).unwrap();
+    assert_eq!(journal.value("PositionLost").unwrap().as_deref(), Some("XY"));
+}
+
+#[test]
+fn a_journal_of_the_first_version_keeps_what_the_machine_said() {
+    let folder = tempdir().unwrap();
+    let (journal, _) = opened(&folder);
+    journal.set_value("uValue", Some("hello")).unwrap();
+    let first = |rows: &Rows<'_>| {
+        rows.set(Table::Value, "PositionLost", Some("Z"))?;
+        Ok(rows.0.execute_batch("PRAGMA user_version = 1")?)
+    };
+    journal.write(first).unwrap();
+    journal.rest().unwrap();
+    drop(journal);
+    let kept = [("PositionLost".to_owned(), "Z".to_owned()), ("uValue".into(), "hello".into())];
+    let looked = Journal::look(folder.path()).unwrap().unwrap();
+    assert_eq!(looked.values().unwrap(), kept);
+    let (journal, told) = opened(&folder);
+    assert_eq!((journal.values().unwrap(), told), (kept.to_vec(), Vec::new()));
+    journal.set_value("PositionLost", None).unwrap();
+    assert_eq!(journal.value("PositionLost").unwrap().as_deref(), Some("Z"));
+    drop(journal);
+    assert_eq!(opened(&folder).0.values().unwrap(), kept);
 }
 
 #[test]

@@ -137,7 +137,7 @@ impl Link {
     /// A key that moves the tool and comes again is held.
     fn key(&mut self, app: &App, key: Key) {
         let again = self.last.replace(key) == Some(key);
-        if again && app.renew(&self.who, Grip::now(self.seq)).is_ok() {
+        if again && app.renew(&self.who, self.grip(app)).is_ok() {
             return;
         }
         self.seq += 1;
@@ -145,7 +145,12 @@ impl Link {
             self.drawn = None;
         }
         // It fails where the thread of the console has ended, and with it the server.
-        drop(app.press_key(&app.hears(&self.who), Grip::now(self.seq), key.character()));
+        drop(app.press_key(&app.hears(&self.who), self.grip(app), key.character()));
+    }
+
+    /// The sign of a hand that is nearer than any link.
+    fn grip(&self, app: &App) -> Grip {
+        Grip { seq: self.seq, at: app.clock.now() }
     }
 
     /// Sends the screen where it is another, as soon as the line is free.

@@ -193,7 +193,7 @@ const fn refused(id: u32, problem: Problem) -> Reply {
 
 fn answer(app: &Arc<App>, asker: &Asker, request: Request) -> Reply {
     let Request { id, act } = request;
-    let clock_ms = matches!(act, Act::Ping).then(|| app.uptime.ms());
+    let clock_ms = matches!(act, Act::Ping).then(|| app.clock.ms());
     match app.act(asker, act) {
         Ok(notes) => Reply { id, problem: None, notes, clock_ms },
         Err(problem) => Reply { clock_ms, ..refused(id, problem) },

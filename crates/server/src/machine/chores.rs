@@ -28,7 +28,7 @@ impl Owner {
         let taken = journal.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
-            Ok(Some(Ok(line))) => match self.may_run(arrived) {
+            Ok(Some(Ok(line))) => match self.may_run(Way::PassedIn, arrived) {
                 Ok(()) => {
                     let text = format!("{PASSED_IN}: {line}");
                     self.hub.say(Tone::Note, text);
@@ -86,11 +86,23 @@ impl Owner {
         }
     }
 
-    /// The machine is busy from now on, where a program on this computer may have it move; otherwise why not.
-    fn may_run(&self, arrived: Stops) -> Result<(), String> {
+    /// Carries out the start-up line. What a stop ends, or comes before, ends all of it.
+    pub(super) fn start_up(&mut self, lines: &[String], since: Stops) {
+        for line in lines {
+            if let Err(why) = self.may_run(Way::StartUp, since) {
+                let told = format!("{line} of the start-up line is not carried out: {why}");
+                self.log_refused(&told);
+                return self.hub.say(Tone::Warning, format!("{told}; start it here"));
+            }
+            self.command(line, false);
+        }
+    }
+
+    /// The machine is busy from now on, where nobody at a page asked for it and it may move all the same; otherwise why not.
+    fn may_run(&self, way: Way<'_>, arrived: Stops) -> Result<(), String> {
         let mut may = Ok(());
         self.hub.changing(|now| {
-            may = gate::pass(now, &Who::default(), Way::PassedIn).map(drop).map_err(|why| why.text);
+            may = gate::pass(now, &Who::default(), way).map(drop).map_err(|why| why.text);
             if may.is_ok() && now.machine.state != State::Idle {
                 may = Err("the machine is busy".into());
             } else if may.is_ok() && !self.link.begin(Some(arrived), None) {
@@ -255,10 +267,11 @@ mod tests {
     use crate::machine::{Link, Order};
     use kerf_control::files::{Folders, RealDisk};
     use kerf_control::stored::Stored;
-    use kerf_control::{Press, Session, Shelf};
+    use kerf_control::{Company, Press, RunOptions, Session, Shelf};
     use kerf_wire::Snapshot;
     use std::sync::Arc;
-    use std::sync::mpsc::channel;
+    use std::sync::mpsc::{TryRecvError, channel};
+    use std::time::{Duration, Instant};
 
     fn owner(folder: &Path, link: &Arc<Link>) -> Owner {
         let stored = Stored::in_memory(Default::default());
@@ -301,6 +314,67 @@ mod tests {
         let on = hub.read(|now| now.io.inputs.iter().filter(|lamp| lamp.on).count());
         let second = hub.read(|now| now.io.inputs[1].on);
         assert_eq!((on, second), (1, true), "the last of the first counts");
+    }
+
+    /// The machine stands with an output on, and looks for orders every hour; whatever happens then switches it off.
+    #[track_caller]
+    fn switches_off(happens: impl FnOnce(&Link, &Hub) + Send) {
+        let (folder, link) = (tempfile::tempdir().unwrap(), Arc::<Link>::default());
+        let mut owner = owner(folder.path(), &link);
+        let hub = owner.hub.clone();
+        let armed = |armed| Change::Machine { machine: Machine { armed, ..Machine::default() } };
+        hub.change(vec![armed(true)]);
+        let Workshop { session, shelf, .. } = &mut owner.workshop;
+        let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+        let program = kerf_sbp::read_typed("on".into(), "SO,7,1\n");
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        session.run(program, options, shelf, company);
+        owner.settle(Machine::clone);
+        let is_on = || hub.read(|now| now.io.outputs[6].on);
+        assert!(is_on());
+        let (orders, waiting) = channel::<Order>();
+        link.wakes_this_thread();
+        let off = std::thread::scope(|threads| {
+            let watcher = threads.spawn(|| {
+                // The machine's thread sleeps by then.
+                std::thread::sleep(Duration::from_millis(50));
+                happens(&link, &hub);
+                let begun = Instant::now();
+                while is_on() && begun.elapsed() < PATIENCE {
+                    std::thread::sleep(Duration::from_millis(1));
+                }
+                let off = !is_on();
+                link.leave();
+                off
+            });
+            assert!(matches!(owner.next(&waiting, HOUR), Err(TryRecvError::Empty)));
+            watcher.join().unwrap()
+        });
+        drop(orders);
+        assert!(off, "the machine's thread sleeps on");
+    }
+
+    const HOUR: Duration = Duration::from_secs(3600);
+    const PATIENCE: Duration = Duration::from_secs(10);
+
+    #[test]
+    fn what_is_stopped_or_disarmed_at_rest_is_off_at_once() {
+        switches_off(|link, _| _ = link.stop());
+        switches_off(|link, hub| {
+            link.disarm();
+            hub.changing(|now| {
+                link.arrived().disarmed();
+                vec![Change::Machine { machine: Machine { armed: false, ..now.machine.clone() } }]
+            });
+        });
+        // Whoever drove has gone.
+        switches_off(|link, hub| {
+            hub.changing(|now| {
+                link.forestall();
+                vec![Change::Machine { machine: Machine { armed: false, ..now.machine.clone() } }]
+            });
+        });
     }
 
     #[test]

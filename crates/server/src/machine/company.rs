@@ -22,6 +22,9 @@ use std::time::{Duration, Instant};
 /// A nap while machine time passes: pages see the machine move, a jog that nobody renews is noticed.
 const NAP: Duration = Duration::from_millis(15);
 
+/// A nap that takes so long is none: the computer slept, or everything on it stood still.
+const SLEPT: Duration = Duration::from_secs(5);
+
 /// Lamps follow their bits within a tenth of a second (Profiler reference, "I/O Card").
 const _: () = assert!(NAP.as_millis() + TELL.as_millis() < 100);
 
@@ -41,6 +44,16 @@ pub struct Shared {
 impl Shared {
     fn tell(&self) {
         self.board.borrow_mut().tell();
+    }
+
+    /// The computer slept in the middle of a move. Whoever wakes it does not know that: the machine stops.
+    fn slept(&self, slept: Duration) {
+        self.link.stop();
+        let text = format!(
+            "the computer slept for {} s while the machine moved: stopped. See to it that it does not sleep while Kerf runs",
+            slept.as_secs()
+        );
+        self.hub.say(Tone::Warning, text);
     }
 
     /// The name below the part folder of the server, of a file as a program names it.
@@ -136,8 +149,15 @@ impl Pace for Clock {
             if left_s <= 0.0 {
                 return None;
             }
+            let before = shared.link.clock().now();
             wanted = shared.link.lock();
             wanted = shared.link.wait(wanted, self.nap(left_s));
+            let slept = shared.link.clock().now().saturating_sub(before);
+            if slept > SLEPT {
+                drop(wanted);
+                shared.slept(slept);
+                wanted = shared.link.lock();
+            }
         }
     }
 
@@ -381,5 +401,38 @@ impl Sink for Teller {
 
     fn looks_at_standing(&self) -> bool {
         true
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::bench::{self, Bench};
+    use kerf_wire::Act;
+
+    /// Waits for something of a machine that runs.
+    #[track_caller]
+    fn until(bench: &Bench, what: &str, holds: impl Fn(&kerf_wire::Snapshot) -> bool) {
+        let begun = Instant::now();
+        while !bench.app.hub.read(&holds) {
+            assert!(begun.elapsed() < Duration::from_secs(20), "{what}");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    #[test]
+    fn a_computer_that_sleeps_in_the_middle_of_a_move_stops_the_machine() {
+        let (bench, _machine) = bench::moving();
+        let act = Act::Command { lease: bench.lease(), line: "MS,1,1\nMX,50".into() };
+        bench.does(&bench.driver, act);
+        until(&bench, "some way", |now| now.motion.at.machine[0] > 1.0);
+        bench.app.clock.forward(Duration::from_secs(3600));
+        until(&bench, "a question", |now| now.machine.state == State::Stopped);
+        let told = bench.app.hub.read(|now| now.messages.clone());
+        assert!(told.iter().any(|it| it.text.starts_with("the computer slept for 3600 s")), "{told:?}");
+        let stopped = bench.app.hub.read(|now| now.motion.at.machine[0]);
+        assert!(stopped < 40.0 * 25.4, "an hour of the move was not made: {stopped}");
+        bench.app.link.leave();
     }
 }

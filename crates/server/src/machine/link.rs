@@ -4,12 +4,13 @@
 //! neither: it is counted in [`Arrived`], and wakes the machine's thread.
 
 use super::arrived::{Arrived, Stops};
+use crate::clock::Clock;
 use crate::people::Grip;
 use kerf_control::{Press, Wish};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread::{self, Thread};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A jog ends when it is so long since its key was held for sure.
 pub const DEAD_MAN: Duration = Duration::from_millis(250);
@@ -18,6 +19,7 @@ pub const DEAD_MAN: Duration = Duration::from_millis(250);
 #[derive(Debug)]
 pub struct Link {
     arrived: Arc<Arrived>,
+    clock: Clock,
     wanted: Mutex<Wanted>,
     /// Who waits for what is wanted: the machine's thread.
     waits: OnceLock<Thread>,
@@ -30,6 +32,8 @@ pub struct Link {
 pub struct Wanted {
     /// Stops so far, those while nothing ran included.
     arrived: Arc<Arrived>,
+    /// The clock by which a held key ends.
+    clock: Clock,
     /// Those of them that stop what runs and were heard.
     heard: u64,
     /// Stop, though nobody has pressed it: Kerf ends.
@@ -64,7 +68,7 @@ pub struct Held {
     /// Whose.
     pub client: u32,
     /// When it was held last, as whoever holds it says.
-    renewed: Instant,
+    renewed: Duration,
     /// It was let go.
     pub released: bool,
     /// The run was told so, and ramps down.
@@ -78,8 +82,8 @@ impl Held {
     }
 
     /// It is still held, or was. Whether that counts: nothing keeps a jog going that is over.
-    pub fn renew(&mut self, client: u32, Grip { seq, at }: Grip) -> bool {
-        let counts = self.seq == seq && self.client == client && !self.is_over();
+    pub fn renew(&mut self, client: u32, Grip { seq, at }: Grip, now: Duration) -> bool {
+        let counts = self.seq == seq && self.client == client && !self.is_over(now);
         if counts {
             self.renewed = self.renewed.max(at);
         }
@@ -87,8 +91,8 @@ impl Held {
     }
 
     /// Whether nobody holds the key any more.
-    pub fn is_over(&self) -> bool {
-        self.released || self.renewed.elapsed() > DEAD_MAN
+    pub const fn is_over(&self, now: Duration) -> bool {
+        self.released || now.saturating_sub(self.renewed).as_nanos() > DEAD_MAN.as_nanos()
     }
 }
 
@@ -98,7 +102,7 @@ impl Wanted {
         if let Some(held) = &mut self.jog {
             let halts = self.arrived.stops().halts();
             let stop = halts != self.heard || self.ends;
-            let over = held.is_over() || stop || self.hold;
+            let over = held.is_over(self.clock.now()) || stop || self.hold;
             let told = std::mem::replace(&mut held.ending, over);
             if stop {
                 self.arrived.hear(halts);
@@ -179,10 +183,11 @@ impl Wanted {
 
 impl Default for Link {
     fn default() -> Self {
-        let arrived = Arc::<Arrived>::default();
-        let wanted = Wanted { arrived: arrived.clone(), ..Wanted::default() };
+        let (arrived, clock) = (Arc::<Arrived>::default(), Clock::default());
+        let wanted =
+            Wanted { arrived: arrived.clone(), clock: clock.clone(), ..Wanted::default() };
         let (wanted, waits, watched) = (Mutex::new(wanted), OnceLock::new(), Mutex::default());
-        Self { arrived, wanted, waits, watched }
+        Self { arrived, clock, wanted, waits, watched }
     }
 }
 
@@ -199,11 +204,16 @@ impl Link {
         result
     }
 
-    /// Whoever waits looks again at what is wanted.
-    fn wake(&self) {
+    /// Whoever waits looks again at what is wanted, and for orders.
+    pub fn wake(&self) {
         if let Some(thread) = self.waits.get() {
             thread.unpark();
         }
+    }
+
+    /// The clock of the server.
+    pub const fn clock(&self) -> &Clock {
+        &self.clock
     }
 
     /// Stops, and what the machine's thread has heard of them.
@@ -272,6 +282,7 @@ impl Link {
     /// What was asked for and has not begun yet does not begin; what runs goes on.
     pub fn forestall(&self) {
         self.arrived.forestall();
+        self.wake();
     }
 
     /// How many stops have come.
@@ -294,8 +305,9 @@ impl Link {
         if begins {
             let presses = std::mem::take(&mut wanted.presses);
             let (arrived, heard) = (self.arrived.clone(), stops.halts());
+            let clock = self.clock.clone();
             let rests = wanted.rests || wanted.heard != heard;
-            let anew = Wanted { arrived, heard, jog, leaves, rests, ..Wanted::default() };
+            let anew = Wanted { arrived, clock, heard, jog, leaves, rests, ..Wanted::default() };
             *wanted = Wanted { ends: leaves, presses, ..anew };
         }
         begins
@@ -312,6 +324,7 @@ impl Link {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
@@ -362,6 +375,21 @@ mod tests {
         link.lock().hear_stop();
         link.stop();
         assert!(link.lock().hear_stop_at_rest(true));
+    }
+
+    #[test]
+    fn a_key_that_was_held_when_the_computer_slept_is_held_no_longer() {
+        let link = Link::default();
+        let sign = |seq| Grip { seq, at: link.clock().now() };
+        assert!(link.begin(None, Some(Held::pressed(3, sign(1)))));
+        assert_eq!(link.lock().wish(), None);
+        link.clock().forward(Duration::from_secs(3600));
+        let renews = |wanted: &mut Wanted| {
+            wanted.jog.as_mut().unwrap().renew(3, sign(1), link.clock().now())
+        };
+        assert!(!link.want(renews), "no sign makes up for an hour");
+        assert_eq!(link.lock().wish(), Some(Wish::End));
+        assert_eq!(link.lock().wish(), None, "told once");
     }
 
     #[test]

@@ -21,9 +21,10 @@ use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// What the machine is to do next.
 #[derive(Debug)]
@@ -56,6 +57,13 @@ pub enum Order {
         line: String,
         /// They may change settings.
         opened: bool,
+    },
+    /// Carry out what whoever started Kerf wrote into the start-up line, one after the other, unless a stop comes.
+    StartUp {
+        /// The lines.
+        lines: Vec<String>,
+        /// Stops that had come when Kerf started.
+        since: Stops,
     },
     /// Move for as long as the link says.
     Jog {
@@ -119,6 +127,7 @@ impl Order {
             Self::File { .. }
             | Self::TakeUp { .. }
             | Self::Command { .. }
+            | Self::StartUp { .. }
             | Self::Jog { .. }
             | Self::Hand { .. }
             | Self::Nudge(..) => true,
@@ -198,24 +207,20 @@ impl Owner {
                 let Workshop { session, shelf, .. } = &mut self.workshop;
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
-            let order = match orders.recv_timeout(LOOK) {
+            let order = match self.next(orders, LOOK) {
                 Ok(order) => {
-                    self.stop_at_rest();
                     self.look_for_passed_in();
                     order
                 }
-                Err(RecvTimeoutError::Timeout) => {
-                    self.stop_at_rest();
-                    match self.passed_in() {
-                        Some(line) => Order::Command { line, opened: false },
-                        None => {
-                            self.catch_up();
-                            self.rest_journal();
-                            continue;
-                        }
+                Err(TryRecvError::Empty) => match self.passed_in() {
+                    Some(line) => Order::Command { line, opened: false },
+                    None => {
+                        self.catch_up();
+                        self.rest_journal();
+                        continue;
                     }
-                }
-                Err(RecvTimeoutError::Disconnected) => break,
+                },
+                Err(TryRecvError::Disconnected) => break,
             };
             let moved = self.move_switches();
             match order {
@@ -229,6 +234,7 @@ impl Owner {
                 }
                 Order::TakeUp { hash, planned } => self.take_up(hash, planned),
                 Order::Command { line, opened } => self.command(&line, opened),
+                Order::StartUp { lines, since } => self.start_up(&lines, since),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
@@ -245,6 +251,26 @@ impl Owner {
             self.tell_shelf();
             let made = self.workshop.shelf.take_made();
             (self.done)(made.map(|path| self.parts.name_of(&path)));
+        }
+    }
+
+    /// Waits for the next order, so long at most. What is stopped meanwhile is off at once: a stop wakes this thread, as an
+    /// order does.
+    pub(super) fn next(
+        &mut self,
+        orders: &Receiver<Order>,
+        most: Duration,
+    ) -> Result<Order, TryRecvError> {
+        let begun = Instant::now();
+        loop {
+            let order = orders.try_recv();
+            // Behind the order: what was stopped before it is off before it begins.
+            self.stop_at_rest();
+            let left = most.saturating_sub(begun.elapsed());
+            if !matches!(order, Err(TryRecvError::Empty)) || left.is_zero() || self.link.lock().leaves {
+                return order;
+            }
+            thread::park_timeout(left);
         }
     }
 
@@ -410,7 +436,7 @@ impl Owner {
         });
     }
 
-    fn command(&mut self, line: &str, opened: bool) {
+    pub(super) fn command(&mut self, line: &str, opened: bool) {
         let program = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
         let mut options = RunOptions { opened, ..self.options() };
         options.program.typed = true;

@@ -4,6 +4,7 @@
 //! in constant time. Whoever tries a wrong code waits before the next one counts; the code stays good for others.
 
 use super::Tries;
+use crate::clock::Clock;
 use crate::app::{hash, hex, lock};
 use kerf_control::files::{Disk, RealDisk, write_private};
 use kerf_wire::Role;
@@ -12,7 +13,7 @@ use std::io;
 use std::net::{IpAddr, Ipv6Addr};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use subtle::ConstantTimeEq;
 
 /// A code can be used that long.
@@ -59,6 +60,7 @@ pub enum PairError {
 #[derive(Debug)]
 pub struct Devices {
     file: PathBuf,
+    clock: Clock,
     inner: Mutex<Inner>,
 }
 
@@ -74,18 +76,18 @@ struct Inner {
 struct Shown {
     code: String,
     role: Role,
-    since: Instant,
+    since: Duration,
     /// Wrong codes that were tried while it was shown.
     wrong: u32,
     /// When that was told last.
-    told: Option<Instant>,
+    told: Option<Duration>,
 }
 
 impl Shown {
     /// A wrong code was tried; how many were, where that is to be told now.
-    fn tried(&mut self, now: Instant) -> Option<u32> {
+    fn tried(&mut self, now: Duration) -> Option<u32> {
         self.wrong += 1;
-        let due = self.told.is_none_or(|told| now.duration_since(told) >= TELL);
+        let due = self.told.is_none_or(|told| now.saturating_sub(told) >= TELL);
         due.then(|| {
             self.told = Some(now);
             self.wrong
@@ -99,7 +101,7 @@ impl Devices {
     ///
     /// # Errors
     /// Whatever the disk says.
-    pub fn read(data: &Path) -> io::Result<(Self, Option<String>)> {
+    pub fn read(data: &Path, clock: Clock) -> io::Result<(Self, Option<String>)> {
         let file = data.join(FILE);
         let (devices, told) = match file.is_file() {
             true => match serde_json::from_slice(&RealDisk.read(&file)?) {
@@ -109,7 +111,7 @@ impl Devices {
             false => (Vec::new(), None),
         };
         let inner = Mutex::new(Inner { devices, ..Inner::default() });
-        Ok((Self { file, inner }, told))
+        Ok((Self { file, clock, inner }, told))
     }
 
     /// A new code for a device of a role.
@@ -120,7 +122,8 @@ impl Devices {
         let mut bytes = [0; 8];
         getrandom::fill(&mut bytes).map_err(|_| PairError::Failed)?;
         let code = format!("{:08}", u64::from_le_bytes(bytes) % 100_000_000);
-        let shown = Shown { code: code.clone(), role, since: Instant::now(), wrong: 0, told: None };
+        let since = self.clock.now();
+        let shown = Shown { code: code.clone(), role, since, wrong: 0, told: None };
         lock(&self.inner).shown = Some(shown);
         Ok(code)
     }
@@ -135,10 +138,10 @@ impl Devices {
         name: &str,
         from: IpAddr,
     ) -> Result<(String, Device), PairError> {
-        let (from, now) = (network(from), Instant::now());
+        let (from, now) = (network(from), self.clock.now());
         let mut inner = lock(&self.inner);
         let Inner { shown, wrong, .. } = &mut *inner;
-        let code_shown = shown.as_mut().filter(|shown| shown.since.elapsed() < VALID);
+        let code_shown = shown.as_mut().filter(|shown| now.saturating_sub(shown.since) < VALID);
         let code_shown = code_shown.ok_or(PairError::NoCode)?;
         if let Some(seconds) = wrong.wait_s(&from, now) {
             return Err(PairError::Wait(seconds));
@@ -245,7 +248,7 @@ mod tests {
 
     fn devices() -> (tempfile::TempDir, Devices) {
         let dir = tempfile::tempdir().unwrap();
-        let (devices, told) = Devices::read(dir.path()).unwrap();
+        let (devices, told) = Devices::read(dir.path(), Clock::default()).unwrap();
         assert_eq!(told, None);
         (dir, devices)
     }
@@ -261,12 +264,12 @@ mod tests {
         let (token, device) = devices.pair(&format!(" {code} "), "tablet", DESK).unwrap();
         assert_eq!(devices.pair(&code, "again", DESK).unwrap_err(), PairError::NoCode);
         assert_eq!(devices.find(&token).unwrap().role, Role::Operator);
-        let (again, _) = Devices::read(dir.path()).unwrap();
+        let (again, _) = Devices::read(dir.path(), Clock::default()).unwrap();
         assert_eq!(again.find(&token), Some(device.clone()));
         assert_eq!(again.find("guess"), None);
         again.revoke(device.number).unwrap();
         assert_eq!((again.find(&token), again.has(device.number)), (None, false));
-        assert_eq!(Devices::read(dir.path()).unwrap().0.find(&token), None);
+        assert_eq!(Devices::read(dir.path(), Clock::default()).unwrap().0.find(&token), None);
     }
 
     /// A byte that counts how often it is compared, and that can be compared in no other way.
@@ -332,6 +335,20 @@ mod tests {
     }
 
     #[test]
+    fn a_code_ends_and_a_wait_is_over_also_while_the_computer_sleeps() {
+        let (_dir, devices) = devices();
+        let code = devices.show_code(Role::Owner).unwrap();
+        devices.clock.forward(VALID * 9 / 10);
+        assert!(matches!(devices.pair("wrong", "x", DESK), Err(PairError::Wrong { .. })));
+        assert_eq!(devices.pair(&code, "x", DESK).unwrap_err(), PairError::Wait(1));
+        devices.clock.forward(Duration::from_secs(2));
+        assert!(devices.pair(&code, "x", DESK).is_ok());
+        let code = devices.show_code(Role::Owner).unwrap();
+        devices.clock.forward(VALID);
+        assert_eq!(devices.pair(&code, "x", DESK).unwrap_err(), PairError::NoCode);
+    }
+
+    #[test]
     fn strangers_do_not_use_a_code_up() {
         let (_dir, devices) = devices();
         let code = devices.show_code(Role::Owner).unwrap();
@@ -364,7 +381,7 @@ mod tests {
         flipped[0] ^= 1;
         for (n, broken) in [&b""[..], &whole[..whole.len() / 2], &flipped].iter().enumerate() {
             std::fs::write(&file, broken).unwrap();
-            let (read, told) = Devices::read(dir.path()).unwrap();
+            let (read, told) = Devices::read(dir.path(), Clock::default()).unwrap();
             assert_eq!((read.list().len(), read.find(&token)), (0, None));
             let aside = dir.path().join(format!("{FILE}.broken-{}", n + 1));
             assert_eq!(std::fs::read(&aside).unwrap(), *broken);

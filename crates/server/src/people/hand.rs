@@ -4,7 +4,7 @@
 //! as its stamp says: one that a link has kept back does not count as fresh. A stamp is believed within bounds: a
 //! page whose clock is ahead is set back by as much as it was ever seen to be.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A page whose clock is ahead by more than this is not believed, ms. Half of the difference between the two ways
 /// of a link is taken for such a lead.
@@ -18,15 +18,8 @@ const STEP: u64 = 1_000_000;
 pub struct Grip {
     /// Number of the jog.
     pub seq: u64,
-    /// When the key was held for sure.
-    pub at: Instant,
-}
-
-impl Grip {
-    /// Of a hand that is nearer than any link.
-    pub fn now(seq: u64) -> Self {
-        Self { seq, at: Instant::now() }
-    }
+    /// When the key was held for sure, by the server's clock.
+    pub at: Duration,
 }
 
 /// Why a sign of a hand does not count.
@@ -140,10 +133,14 @@ mod tests {
         }
     }
 
+    fn grip(seq: u64) -> Grip {
+        Grip { seq, at: Duration::from_secs(5) }
+    }
+
     #[test]
     fn numbers_grow_and_none_uses_them_up() {
         let mut hand = Hand::default();
-        let begins = |hand: &mut Hand, seq| hand.begins(Grip::now(seq)).map(|grip| grip.seq);
+        let begins = |hand: &mut Hand, seq| hand.begins(grip(seq)).map(|grip| grip.seq);
         assert_eq!(begins(&mut hand, 1), Ok(1));
         assert_eq!(begins(&mut hand, 1), Err(GripError::Over), "twice");
         hand.ends(2);
@@ -157,7 +154,7 @@ mod tests {
     #[test]
     fn a_jog_that_waited_is_held_since_its_newest_sign() {
         let mut hand = Hand::default();
-        let (pressed, later) = (Grip::now(4), Duration::from_millis(300));
+        let (pressed, later) = (grip(4), Duration::from_millis(300));
         let renewed = Grip { seq: 4, at: pressed.at + later };
         hand.holds(renewed);
         hand.holds(pressed);

@@ -7,7 +7,7 @@ use crate::stop::Presses;
 use kerf_wire::{Client, Role, Who};
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use std::time::Instant;
+use std::time::Duration;
 
 /// Numbers of scripts as drivers: those of pages count from 1.
 const SCRIPTS: u32 = u32::MAX;
@@ -128,11 +128,11 @@ impl Pages {
         client: u32,
         seq: u64,
         clock_ms: f64,
-        now_ms: f64,
+        now: Duration,
     ) -> Result<Grip, GripError> {
-        let now = Instant::now();
+        let now_ms = now.as_secs_f64() * 1e3;
         let age = self.hand(client, |hand| hand.age(clock_ms, now_ms));
-        // Older than the computer runs: older than anything that counts.
+        // Older than the server runs: older than anything that counts.
         let at = now.checked_sub(age.ok_or(GripError::Over)??);
         at.map(|at| Grip { seq, at }).ok_or(GripError::Over)
     }
@@ -174,12 +174,12 @@ mod tests {
     fn a_hand_is_that_of_its_page() {
         let pages = Pages::default();
         let [one, other] = [(); 2].map(|()| entered(&pages, HERE));
-        let grip = |client| pages.grip(client, 1, 5.0, 5.0).unwrap();
+        let grip = |client| pages.grip(client, 1, 5.0, Duration::from_millis(5)).unwrap();
         assert!(pages.jog_begins(one, grip(one)).is_ok());
         pages.jog_over(other, 1);
         assert_eq!(pages.jog_begins(other, grip(other)), Err(GripError::Over));
         pages.remove(one);
-        assert_eq!(pages.grip(one, 2, 5.0, 5.0), Err(GripError::Over), "nobody");
+        assert_eq!(pages.grip(one, 2, 5.0, Duration::from_millis(5)), Err(GripError::Over), "nobody");
     }
 
     #[test]

@@ -82,6 +82,8 @@ pub struct Wanted {
     pub homed: bool,
     pub drawing_only: bool,
     pub start: Option<kerf_server::StartUp>,
+    /// The start-up line.
+    pub begin_with: Vec<&'static str>,
 }
 
 impl Default for Wanted {
@@ -95,6 +97,7 @@ impl Default for Wanted {
             homed: true,
             drawing_only: false,
             start: None,
+            begin_with: Vec::new(),
         }
     }
 }
@@ -122,7 +125,7 @@ pub fn start(wanted: Wanted) -> Shop {
         closes_with_program: false,
         rate: wanted.rate,
         start: wanted.start,
-        begin_with: Vec::new(),
+        begin_with: wanted.begin_with.into_iter().map(str::to_owned).collect(),
     };
     let mut builders = builders(&parts, wanted.settings);
     if let Some((name, change)) = wanted.machine {

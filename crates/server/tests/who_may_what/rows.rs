@@ -14,6 +14,8 @@ pub enum Asks {
     Value { key: &'static str, value: &'static str },
     /// A route: method and path.
     Route(&'static str),
+    /// An act over the socket of a page.
+    Page(Value),
 }
 
 /// A line of the table.
@@ -106,6 +108,15 @@ fn more_acts() -> Vec<Row> {
     ]
 }
 
+/// Acts of whoever holds a key, over the socket of a page.
+fn by_hand() -> Vec<Row> {
+    const HELD: [&str; 6] = ["jogStart", "jogRenew", "jogStop", "nudge", "lift", "key"];
+    let acts = every().into_iter().map(|act| serde_json::to_value(act).unwrap());
+    let held = acts.filter(|act| HELD.contains(&act["do"].as_str().unwrap()));
+    let name = |act: &Value| format!("page: `{}`", act["do"].as_str().unwrap());
+    held.map(|act| Row { name: name(&act), asks: Asks::Page(act) }).collect()
+}
+
 fn answers() -> Vec<Row> {
     let row = |what: &str, program, kind, words| Row {
         name: format!("answer `{words}` {what}"),
@@ -188,6 +199,7 @@ pub fn parts() -> Vec<(&'static str, Vec<Row>)> {
     let acts = acts().into_iter().chain(more_acts()).collect();
     vec![
         ("Acts", acts),
+        ("Acts of whoever holds a key, over the socket of a page", by_hand()),
         ("Answers", answers()),
         ("Values of the registry", values()),
         ("Routes", routes()),

@@ -15,21 +15,24 @@ pub struct Line {
 fn states(row: &Row) -> Vec<(Doing, char)> {
     let open = |doing| matches!(doing, Doing::Asking | Doing::AskingDisarmed);
     match row.asks {
-        Asks::Act(_) | Asks::Value { .. } => Doing::ALL.to_vec(),
+        Asks::Act(_) | Asks::Value { .. } | Asks::Page(_) | Asks::Route(_) => Doing::ALL.to_vec(),
         // Its question is open.
         Asks::Answer { .. } => Doing::ALL.into_iter().filter(|(doing, _)| open(*doing)).collect(),
-        Asks::Route(_) => vec![(Doing::Armed, 'A')],
     }
 }
 
 impl Line {
     pub fn tried(workshop: &mut Workshop, row: &Row) -> Self {
         let mut told = vec![Vec::new(); Caller::ALL.len()];
-        // Callers one after the other in each state: most leave it as it is.
+        // Callers one after the other in each state: most leave it as it is. A change of driver takes longest: whoever
+        // makes one comes last, and first in the next state.
+        let mut callers: Vec<usize> = (0..Caller::ALL.len()).collect();
+        callers.sort_by_key(|at| Caller::ALL[*at].0 == Caller::SetterDriving);
         for (doing, letter) in states(row) {
-            for (at, (caller, _)) in Caller::ALL.into_iter().enumerate() {
-                told[at].push((letter, workshop.told(row, caller, doing)));
+            for at in &callers {
+                told[*at].push((letter, workshop.told(row, Caller::ALL[*at].0, doing)));
             }
+            callers.reverse();
         }
         Self { row: row.clone(), told }
     }
@@ -70,9 +73,9 @@ kerf-server --test who_may_what`), which fails where a server says something els
   421 not the name of this machine.
 - Letters are states, where they differ: **D** disarmed, **A** armed and idle, **R** running, **S** stopped in the middle, **Q** a question is
   open, **s** and **q** the same, and whoever drove has gone.
-- Acts were tried over HTTP, where nobody holds a key: there a jog is never begun. Over the socket of a page `jogStart` and `jogRenew` take what
-  `nudge` takes.
-- Of a route and a value only who asks matters, unless a command is passed in by `uCommand`.
+- Acts were tried over HTTP, where nobody holds a key: there a jog is never begun. What somebody holds on to has a part of its own.
+- Of a route and a value only who asks matters, unless a command is passed in by `uCommand`, or a job is started: they were tried in all states.
+- Wishes of the hand console and the other kinds of questions have [a page of their own](who-may-what-by-hand.md).
 
 What lets the machine move, go on, or switch something dangerous takes the turn at driving and an armed machine, whatever way it
 comes, and does not happen where a stop came since it was asked for. [Serving Kerf](serve.md) tells how one drives, arms and stops.
@@ -91,7 +94,8 @@ pub fn page(parts: &[(&str, Vec<Line>)]) -> String {
 }
 
 /// Acts that anybody paired may do, in every state.
-const STOPS: [&str; 6] = [
+const STOPS: [&str; 7] = [
+    "page: `jogStop`",
     "act `ping`",
     "act `stop`",
     "act `hold`",
@@ -101,7 +105,7 @@ const STOPS: [&str; 6] = [
 ];
 
 /// What moves the machine, or makes it go on.
-const MOVES: [&str; 18] = [
+const MOVES: [&str; 23] = [
     "act `run`",
     "act `takeUp`",
     "act `resume`",
@@ -111,6 +115,11 @@ const MOVES: [&str; 18] = [
     "act `jogRenew`",
     "act `nudge`",
     "act `lift`",
+    "page: `jogStart`",
+    "page: `jogRenew`",
+    "page: `nudge`",
+    "page: `lift`",
+    "POST `/api/job/start`",
     "answer `Yes` to MSGBOX",
     "answer `OK` to PAUSE",
     "answer `OK` to the spindle's question",

@@ -1,9 +1,10 @@
 //! A server with everybody who may ask it, and the states in which they do.
 
 use super::rows::{Asks, Row};
-use crate::support::{Answer, Shop, Wanted, start};
+use crate::support::{Answer, Page, Shop, Wanted, start};
 use kerf_server::Role;
 use serde_json::{Value, json};
+use std::cell::RefCell;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -89,6 +90,8 @@ struct Device {
     bearer: String,
     /// Its number as a driver.
     client: u64,
+    /// The page at which it drives, where it asks at one.
+    page: RefCell<Option<Page>>,
 }
 
 /// Number of the scripts of the machine itself as a driver; those of devices count down from it.
@@ -112,7 +115,7 @@ impl Workshop {
             let code = shop.server.show_code(role).unwrap();
             let pair = shop.post("/api/pair", json!({ "code": code, "name": "x" }), &[ELSEWHERE]);
             let bearer = format!("Bearer {}", pair.json()["token"].as_str().unwrap());
-            Device { role, bearer, client: SCRIPTS - number }
+            Device { role, bearer, client: SCRIPTS - number, page: RefCell::default() }
         };
         let devices = ROLES.into_iter().zip(1..).map(device).collect();
         Self { shop, devices, seq: 0 }
@@ -149,12 +152,64 @@ impl Workshop {
         answer["why"].as_str().map(str::to_owned)
     }
 
+    /// A page of somebody; the status of HTTP that says why there is none.
+    fn page(&self, caller: Caller) -> Result<Page, u16> {
+        let bearer = &self.device(caller).bearer;
+        let headers: &[_] = match caller {
+            Caller::NoToken => &[ELSEWHERE],
+            Caller::ForeignHost => &[ELSEWHERE, ("authorization", bearer), ("host", "evil.example")],
+            Caller::ForeignOrigin => {
+                &[ELSEWHERE, ("authorization", bearer), ("origin", "http://evil.example")]
+            }
+            _ => &[ELSEWHERE, ("authorization", bearer)],
+        };
+        Page::open(self.shop.server.address, headers)
+    }
+
+    /// The number of one of the devices as a driver: at its page, where that is how it asks.
+    fn client(&self, who: usize, at_page: bool) -> u64 {
+        let Device { client, page, .. } = &self.devices[who];
+        if !at_page {
+            page.take();
+            return *client;
+        }
+        let mut page = page.borrow_mut();
+        let caller = if who == 5 { Caller::SetterDriving } else { Caller::OperatorDriving };
+        let page = page.get_or_insert_with(|| self.page(caller).unwrap());
+        page.who["client"].as_u64().unwrap()
+    }
+
+    /// Does an act as one of the devices: at its page, where it has one.
+    fn does(&self, who: usize, act: &Value) -> Option<String> {
+        let mut page = self.devices[who].page.borrow_mut();
+        match page.as_mut() {
+            Some(page) => page.act(act.clone()),
+            None => self.act(who, act),
+        }
+    }
+
+    /// What a page of somebody is told who asks for that.
+    fn told_at_page(&self, caller: Caller, mut act: Value) -> String {
+        if caller.drives() {
+            let device = self.device(caller);
+            return word(act_at(device.page.borrow_mut().as_mut().unwrap(), act).as_deref());
+        }
+        match self.page(caller) {
+            Ok(mut page) => word(act_at(&mut page, act.take()).as_deref()),
+            Err(status) => status.to_string(),
+        }
+    }
+
     /// What somebody who asks for that is told while the machine does this, in a word: `+` for who may.
     pub fn told(&mut self, row: &Row, caller: Caller, doing: Doing) -> String {
         let driver = if caller == Caller::SetterDriving { 5 } else { 4 };
         let shown = self.bring_to(row, driver, doing);
         match &row.asks {
             Asks::Act(act) => self.told_of_act(caller, &shown, act.clone()),
+            Asks::Page(act) => {
+                let act = self.filled_in(&shown, act.clone());
+                self.told_at_page(caller, act)
+            }
             Asks::Answer { words, .. } => {
                 let question = &shown["asked"]["number"];
                 let act = json!({ "do": "answer", "question": question, "answer": words });
@@ -183,7 +238,13 @@ impl Workshop {
         }
     }
 
-    fn told_of_act(&mut self, caller: Caller, shown: &Value, mut act: Value) -> String {
+    fn told_of_act(&mut self, caller: Caller, shown: &Value, act: Value) -> String {
+        let (path, body) = request(&self.filled_in(shown, act));
+        self.told_of_request(caller, &path, &body, "application/json")
+    }
+
+    /// An act with the number of the lease, and with one of its own where it is of a held key.
+    fn filled_in(&mut self, shown: &Value, mut act: Value) -> Value {
         if act.get("lease").is_some() {
             act["lease"] = shown["lease"]["number"].clone();
         }
@@ -191,8 +252,7 @@ impl Workshop {
             self.seq += 1;
             act["seq"] = self.seq.into();
         }
-        let (path, body) = request(&act);
-        self.told_of_request(caller, &path, &body, "application/json")
+        act
     }
 
     fn told_of_request(&self, caller: Caller, route: &str, body: &str, sort: &str) -> String {
@@ -221,15 +281,16 @@ impl Workshop {
             _ => ("MSGBOX(\"On?\",YesNo)", "msgbox"),
         };
         let (begun, mut last) = (Instant::now(), None);
+        let client = self.client(driver, matches!(row.asks, Asks::Page(_)));
         loop {
-            let (shown, client) = (self.shown(), self.devices[driver].client);
+            let shown = self.shown();
             if is_so(&shown, client, doing, kind) {
                 return shown;
             }
             let (name, since) = (&row.name, begun.elapsed());
             assert!(since < PATIENCE, "{name}, {doing:?}, {last:?}: {:#}", shown["machine"]);
             if let Some(act) = step_towards(&shown, client, doing, kind, program, since > SOON) {
-                last = Some(format!("{act}: {:?}", self.act(driver, &act)));
+                last = Some(format!("{act}: {:?}", self.does(driver, &act)));
             }
             thread::sleep(Duration::from_millis(1));
         }
@@ -255,6 +316,15 @@ impl Workshop {
         let column = Caller::ALL.iter().position(|(known, _)| *known == caller).unwrap();
         (column, drives)
     }
+}
+
+/// Does an act at a page, with the server's clock where it is of a held key.
+fn act_at(page: &mut Page, mut act: Value) -> Option<String> {
+    if act.get("clockMs").is_some() {
+        page.measure();
+        act["clockMs"] = page.clock_ms().into();
+    }
+    page.act(act)
 }
 
 /// The request by which a script asks for an act.

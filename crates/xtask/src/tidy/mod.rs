@@ -4,6 +4,7 @@ mod dependencies;
 mod examples;
 mod links;
 mod sources;
+mod wall_clock;
 
 use crate::{Finding, Tree};
 use anyhow::Result;
@@ -20,6 +21,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         dependencies::check(tree)?,
         examples::check(tree),
         links::check(tree),
+        wall_clock::check(tree),
     ]
     .concat())
 }

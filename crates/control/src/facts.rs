@@ -1,0 +1,56 @@
+//! Facts of safety: what the machine says of itself, beside the values that programs and other software keep. They read
+//! as values of the registry do; they are kept apart from those, and the machine alone writes them.
+
+use crate::journal::Live;
+use kerf_sbp::{POSITION_LOST, SPINDLE_STATUS};
+
+/// What the machine says of itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fact {
+    /// The spindle starts without a question: somebody has answered it.
+    SpindleStatus,
+    /// Letters of axes that may be elsewhere.
+    PositionLost,
+    /// Letters of axes whose location somebody confirms before anything is cut.
+    ConfirmLocation,
+    /// How somebody left the switches of the simulated machine.
+    SimulatedSwitches,
+    /// Where a controller without homing was left.
+    ControllerLeft,
+    /// The port of the controller that is driven.
+    ControllerDriven,
+}
+
+impl Fact {
+    /// All of them.
+    pub const ALL: [Self; 6] = [
+        Self::SpindleStatus,
+        Self::PositionLost,
+        Self::ConfirmLocation,
+        Self::SimulatedSwitches,
+        Self::ControllerLeft,
+        Self::ControllerDriven,
+    ];
+
+    /// The key under which the registry shows it.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::SpindleStatus => SPINDLE_STATUS,
+            Self::PositionLost => POSITION_LOST,
+            Self::ConfirmLocation => "ConfirmLocation",
+            Self::SimulatedSwitches => "SimulatedSwitches",
+            Self::ControllerLeft => "ControllerLeft",
+            Self::ControllerDriven => "ControllerDriven",
+        }
+    }
+
+    /// The fact that the registry shows under a key.
+    pub fn of(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|fact| fact.key() == key)
+    }
+}
+
+/// Whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does now.
+pub fn is_fact(key: &str) -> bool {
+    Fact::of(key).is_some() || Live::tells(key)
+}

@@ -1,0 +1,58 @@
+//! What the machine says of itself, in the journal: among the facts, where nothing that programs and other software write
+//! gets. Journals of the first version have it among the values.
+
+use super::database;
+use super::rows::{Result, Rows, Table};
+use super::{Journal, JournalError};
+use crate::facts::Fact;
+
+impl Journal {
+    /// The machine says of itself that this is so; `None` takes it back.
+    ///
+    /// # Errors
+    /// As the file cannot be written.
+    pub fn state(&self, fact: Fact, text: Option<&str>) -> std::result::Result<(), JournalError> {
+        self.write(|rows| rows.set(Table::Fact, fact.key(), text))
+    }
+
+    /// Takes what the machine says of itself out of the values, where a journal of the first version has it.
+    pub(super) fn part_facts(&self) -> std::result::Result<(), JournalError> {
+        let first = |rows: &Rows<'_>| Ok(table(rows)? == Table::Value);
+        if self.read(first)? { self.write(part) } else { Ok(()) }
+    }
+}
+
+/// The table in which a journal has what the machine says of itself.
+fn table(rows: &Rows<'_>) -> Result<Table> {
+    Ok(if database::has_facts_apart(rows.0)? { Table::Fact } else { Table::Value })
+}
+
+/// The value of a key, whoever keeps it.
+pub(super) fn value(rows: &Rows<'_>, key: &str) -> Result<Option<String>> {
+    let table = if Fact::of(key).is_some() { table(rows)? } else { Table::Value };
+    rows.text(table, key)
+}
+
+/// Keys and values in order, what the machine says of itself among them.
+pub(super) fn values(rows: &Rows<'_>) -> Result<Vec<(String, String)>> {
+    let mut all = rows.all(Table::Value)?;
+    all.retain(|(key, _)| Fact::of(key).is_none());
+    for key in Fact::ALL.map(Fact::key) {
+        all.extend(value(rows, key)?.map(|text| (key.to_owned(), text)));
+    }
+    all.sort();
+    Ok(all)
+}
+
+/// Takes what the machine says of itself out of the values.
+pub(super) fn part(rows: &Rows<'_>) -> Result<()> {
+    for key in Fact::ALL.map(Fact::key) {
+        // What was saved of two journals may have both.
+        let first = rows.text(Table::Value, key)?;
+        if first.is_some() && !rows.has(Table::Fact, key)? {
+            rows.set(Table::Fact, key, first.as_deref())?;
+        }
+        rows.set(Table::Value, key, None)?;
+    }
+    database::facts_are_apart(rows.0)
+}
