@@ -1,5 +1,6 @@
 //! Everything that requests share.
 
+use crate::awaited::Works;
 use crate::desk::Desk;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
@@ -88,6 +89,8 @@ pub struct App {
     pub memory: Memory,
     /// Room for what is sent.
     pub bodies: Bodies,
+    /// Long work that somebody waits for.
+    pub works: Works,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -214,6 +217,7 @@ impl App {
             pool: Arc::new(Pool::begin(memory.clone())?),
             memory,
             bodies: Bodies::default(),
+            works: Works::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),

@@ -19,6 +19,7 @@ mod acts;
 mod added;
 mod app;
 mod asker;
+mod awaited;
 #[cfg(test)]
 mod bench;
 mod clock;

@@ -40,7 +40,7 @@ pub fn whole(name: &str, read: Imported) -> Result<Imported, Problem> {
         None => Ok(read),
         Some(Ended::GivenUp) => {
             let text =
-                format!("{name} was not read to its end, as another drawing was opened meanwhile");
+                format!("{name} was not read to its end: it was given up, or another drawing was opened meanwhile");
             Err(problem(Why::State, text))
         }
         Some(Ended::TooMuch) => {
