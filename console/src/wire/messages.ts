@@ -13,7 +13,7 @@ force: boolean, } | { "do": "giveLease",
 /** Number of the lease. */
 lease: number, } | { "do": "arm",
 /** Number of the lease. */
-lease: number, } | { "do": "disarm" } | { "do": "open",
+lease: number, } | { "do": "disarm" } | { "do": "giveUp" } | { "do": "open",
 /** Its name below the part folder. */
 name: string,
 /** How it is run. */

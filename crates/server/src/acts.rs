@@ -65,7 +65,7 @@ impl App {
             Act::TakeShapeBack => self.take_shape_back()?,
             Act::Machine { drawing, anew } => {
                 return self.machine(drawing.as_deref(), anew, &asker.awaited);
-            },
+            }
             Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
             Act::Record { line } => self.record(line)?,
             Act::Watch { names } => self.watch(names)?,

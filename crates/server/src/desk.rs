@@ -138,8 +138,7 @@ impl App {
     fn read_to_open(&self, name: &str, awaited: &Awaited) -> Result<Read, Problem> {
         let (reading, bytes) = (self.reading.begin(), self.parts.read(name)?);
         let given_up = || reading.is_given_up() || awaited.is_given_up();
-        let job =
-            (extension(name) == "rsm").then(|| kerf_toolpath::read_until(&bytes, &given_up));
+        let job = (extension(name) == "rsm").then(|| kerf_toolpath::read_until(&bytes, &given_up));
         let (job, imported) = match job {
             Some((job, read)) => {
                 let read = reading::whole(name, read)?;

@@ -3,6 +3,7 @@
 
 use crate::app::{App, hash, lock};
 use crate::desk::{Desk, drawing_in};
+use crate::digested::{checked, with_digest};
 use crate::priority::Yields;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_formats::rsg;
@@ -90,7 +91,7 @@ impl App {
         let draft = lock(&self.desk).draft();
         let file = self.draft_file();
         match draft {
-            Some(draft) => RealDisk.write(&file, &serde_json::to_vec(&draft)?),
+            Some(draft) => RealDisk.write(&file, &with_digest(&serde_json::to_vec(&draft)?)),
             None if file.is_file() => fs::remove_file(&file),
             None => Ok(()),
         }
@@ -105,7 +106,8 @@ impl App {
         if !file.is_file() {
             return;
         }
-        let read = RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(&bytes)?));
+        let read =
+            RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(checked(&bytes)?)?));
         let Draft { name, finish, drawing, kept, job } = match read {
             Ok(draft) => draft,
             Err(error) => {

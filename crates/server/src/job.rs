@@ -166,12 +166,7 @@ impl App {
     ///
     /// # Errors
     /// There is nothing to cut, the file of the job was changed by hand, or nobody waits for it any more.
-    pub fn machine(
-        self: &Arc<Self>,
-        drawing: Option<&str>,
-        anew: bool,
-        awaited: &Awaited,
-    ) -> Done {
+    pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool, awaited: &Awaited) -> Done {
         self.nothing_unsaved()?;
         let (name, drawing, finish) = self.drawing_to_machine(drawing, awaited)?;
         if kind_of(&name) == FileKind::Job {

@@ -26,6 +26,7 @@ mod clock;
 mod configure;
 mod descriptors;
 mod desk;
+mod digested;
 mod digitized;
 mod draft;
 mod files;

@@ -41,8 +41,8 @@ pub use depth::{Depths, Heights, LowError};
 pub use entry::too_flat;
 pub use filter::{filtered, too_near};
 pub use job::{
-    CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, shaped_job_until, smoothed_job,
-    too_deep,
+    CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, shaped_job_until,
+    smoothed_job, too_deep,
 };
 pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};

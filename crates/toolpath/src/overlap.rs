@@ -91,6 +91,10 @@ const PIECE_RAD: f64 = std::f64::consts::PI / 16.0;
 /// say little: those of a thousand frames within each other are half a million pairs, of which none is near.
 fn pairs_across(paths: &[&Polyarc], given_up: &dyn Fn() -> bool) -> (Vec<(usize, usize)>, bool) {
     let of = |(n, path): (usize, &&Polyarc)| -> Vec<(usize, Segment)> {
+        // What is given up is looked for no further: its outcome is thrown away.
+        if given_up() {
+            return Vec::new();
+        }
         path.segments().flat_map(pieces).map(|piece| (n, piece)).collect()
     };
     let pieces: Vec<(usize, Segment)> = paths.iter().enumerate().flat_map(of).collect();

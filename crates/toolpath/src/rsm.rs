@@ -98,10 +98,7 @@ pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported) 
     (job, read)
 }
 
-fn read_with_damage(
-    bytes: &[u8],
-    given_up: &dyn Fn() -> bool,
-) -> (Job, Imported, Option<String>) {
+fn read_with_damage(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported, Option<String>) {
     let (mut read, own) = rsg::read_with_until(bytes, given_up);
     let (head, damage) = head(own, &read.drawing);
     let shapes = std::mem::take(&mut read.drawing.shapes);
