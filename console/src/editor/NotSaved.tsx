@@ -16,11 +16,7 @@ export function NotSaved({ drafts, file, onShow }: NotSavedProps) {
     <p className="edit-others">
       Also not saved:
       {drafts.map((draft) => (
-        <Button
-          key={`${draft.name} ${draft.page}`}
-          size="small"
-          onPress={() => onShow(draft)}
-        >
+        <Button key={`${draft.name} ${draft.page}`} size="small" onPress={() => onShow(draft)}>
           {draft.name || "New file"}
           {draft.name === file && ", another text"}
         </Button>

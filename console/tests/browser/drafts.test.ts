@@ -120,7 +120,8 @@ it("loses nothing where two pages type into one file, and tells both", async () 
   await type(one, "MX,2");
   await new Promise((resolve) => setTimeout(resolve, keptMs));
   await type(two, "MY,2");
-  const told = (page: Page) => page.getByText("Another page types into a.sbp too").first().waitFor();
+  const told = (page: Page) =>
+    page.getByText("Another page types into a.sbp too").first().waitFor();
   await told(two);
   await type(one, "MX,3");
   await told(one);

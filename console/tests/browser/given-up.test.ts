@@ -21,7 +21,7 @@ function circles(number: number): string {
 }
 
 it("gives up a drawing that is being read, with the mouse", async () => {
-  writeFileSync(join(workshop.parts, "heavy.dxf"), circles(600_000));
+  writeFileSync(join(workshop.parts, "heavy.dxf"), circles(200_000));
   const page = await workshop.page();
   await page.getByRole("link", { name: "Draw" }).click();
   await page.getByRole("button", { name: "Open…" }).click();

@@ -115,7 +115,7 @@ impl App {
     pub fn start_up(&self) {
         let who = Who::default();
         for line in &self.options.begin_with {
-            let order = Order::Command { line: line.clone(), opened: false };
+            let order = Order::Command { line: line.clone(), opened: false, file: None };
             let sent = self.gate(&who, Way::StartUp).and_then(|()| self.send(order));
             sent.unwrap_or_else(|why| self.hub.say(Tone::Error, why.text));
         }
@@ -301,7 +301,8 @@ impl App {
             return Err(problem(Why::Mistake, format!("{}{hint}", mistake.message)));
         }
         let opened = self.opened(&asker.who, None).is_ok();
-        self.order_of(asker, Order::Command { line, opened })
+        let file = self.file_of_typed(&line);
+        self.order_of(asker, Order::Command { line, opened, file })
     }
 
     fn nudge(&self, asker: &Asker, axis: char, distance: f64) -> Result<(), Problem> {

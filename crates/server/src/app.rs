@@ -194,6 +194,9 @@ impl App {
         let Parts { hub, link, orders, left, builders } = parts;
         let (devices, told) = Devices::read(&options.data)?;
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
+        if let Err(error) = hub.ran.keep_in(&options.data) {
+            hub.say(Tone::Warning, format!("when files ran last is not known any more: {error}"));
+        }
         let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
         let memory = Memory::default();
         Ok(Self {

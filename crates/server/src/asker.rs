@@ -155,7 +155,7 @@ mod tests {
     use std::sync::mpsc::{Sender, channel};
 
     fn command() -> Order {
-        Order::Command { line: "MX,1".into(), opened: false }
+        Order::Command { line: "MX,1".into(), opened: false, file: None }
     }
 
     /// Every order that moves the machine.

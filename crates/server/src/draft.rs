@@ -22,8 +22,8 @@ use std::time::Duration;
 /// It lies under this name in the data folder.
 const FILE: &str = "drawing.draft";
 
-/// It is written at once, and then not again for so long.
-const REST: Duration = Duration::from_millis(500);
+/// It is written at once, and then not again for so long: with the way to the disk that stays below half a second.
+const REST: Duration = Duration::from_millis(400);
 
 /// What is told of it on the sheet.
 const AGAIN: &str = "It was not saved when Kerf ended: here it is again.";

@@ -116,7 +116,8 @@ impl Texts {
 
     /// Drafts of the same file that other pages keep.
     fn others_of(&self, draft: &TextDraft) -> io::Result<Vec<(PathBuf, TextDraft)>> {
-        let read = self.files()?.into_iter().filter_map(|file| Some((file.clone(), read(&file).ok()?)));
+        let read =
+            self.files()?.into_iter().filter_map(|file| Some((file.clone(), read(&file).ok()?)));
         let of = |(_, other): &(PathBuf, TextDraft)| {
             other.name == draft.name && other.page != draft.page
         };

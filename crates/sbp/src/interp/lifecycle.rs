@@ -54,9 +54,9 @@ pub(super) fn endless(
     let program = &core.program(at.file);
     let context = Context { core, program, host, out, at, span: Span::default() };
     let message = "endless loop: this line comes again and again, and nothing has changed since";
-    let diagnostic = context
-        .diagnostic(Span::default(), Code::LineLimit, message)
-        .hint("let the loop move, wait with PAUSE, change a variable, or leave it with IF ... THEN GOTO");
+    let diagnostic = context.diagnostic(Span::default(), Code::LineLimit, message).hint(
+        "let the loop move, wait with PAUSE, change a variable, or leave it with IF ... THEN GOTO",
+    );
     finish(core, host, out);
     Step::Done(Status::Limit, Some(Box::new(diagnostic)))
 }

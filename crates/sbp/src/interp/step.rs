@@ -75,7 +75,8 @@ fn execute(
     let before = Before::of(core, out);
     go_on_at(core, at.line);
     let given = out.len();
-    core.changes = !matches!(line, Node::Blank | Node::Comment | Node::Label(_) | Node::Statement(_));
+    core.changes =
+        !matches!(line, Node::Blank | Node::Comment | Node::Label(_) | Node::Statement(_));
     let mut context = Context { core, program, host, out, at, span: Span::LINE };
     let typed = context.core.options.typed && context.core.levels.len() == 1;
     let outcome = node(&mut context, program, line);
@@ -88,7 +89,12 @@ fn execute(
     }
     core.lines += 1;
     core.granted = false;
-    core.idle = if core.changes || out.len() != given { 0 } else { core.idle + 1 };
+    // Comments are told again in each round.
+    let tells_only = |given: &[Sourced]| {
+        given.iter().all(|given| matches!(given.command, Command::Message { .. }))
+    };
+    let idles = !core.changes && out.get(given..).is_none_or(tells_only);
+    core.idle = if idles { core.idle + 1 } else { 0 };
     if outcome.is_ok() && goes_round(core, program) {
         return lifecycle::endless(core, host, out, at);
     }

@@ -46,6 +46,7 @@ pub async fn end(
     of: Result<Query<Of>, QueryRejection>,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
-    let Query(Of { name, page, revision }) = of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
+    let Query(Of { name, page, revision }) =
+        of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     Ok(Json(aside(move || app.texts.end(&name, &page, revision.as_deref())).await?))
 }
